@@ -1,0 +1,89 @@
+# Build rules that every folder shares: one library a folder, one unit test a folder.
+
+set(CMAKE_CXX_STANDARD 23)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
+
+find_program(DRIPFEED_CCACHE ccache)
+if(DRIPFEED_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${DRIPFEED_CCACHE})
+endif()
+
+find_package(fmt REQUIRED)
+find_package(Threads REQUIRED)
+
+# Flags of every target. No contraction: a fused multiply-add would make the same plan differ between compilers.
+add_library(dripfeed_flags INTERFACE)
+target_include_directories(dripfeed_flags INTERFACE ${CMAKE_SOURCE_DIR})
+target_compile_options(dripfeed_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor
+  -Woverloaded-virtual -Wnull-dereference -Wimplicit-fallthrough -ffp-contract=off)
+if(DRIPFEED_WERROR)
+  target_compile_options(dripfeed_flags INTERFACE -Werror)
+endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # g++ 12 sees null and out-of-range accesses inside its own std::string and std::vector when it inlines them
+  # (GCC bugs 105329, 105651, 107852); clang-19 checks the same code with these warnings on.
+  target_compile_options(dripfeed_flags INTERFACE
+    -Wno-null-dereference -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-stringop-overread)
+endif()
+if(DRIPFEED_SANITIZE)
+  target_compile_options(dripfeed_flags INTERFACE -fsanitize=${DRIPFEED_SANITIZE} -fno-omit-frame-pointer
+    -fno-sanitize-recover=all)
+  target_link_options(dripfeed_flags INTERFACE -fsanitize=${DRIPFEED_SANITIZE})
+  if(DRIPFEED_SANITIZE MATCHES "thread")
+    target_compile_definitions(dripfeed_flags INTERFACE BOOST_ASIO_DISABLE_FENCED_BLOCK)
+  endif()
+endif()
+
+# dripfeed_library(NAME [DEPENDS a b] [SYSTEM lib...]): the folder it is called in, as target dripfeed_NAME.
+# DEPENDS names other folders by their short names; SYSTEM names third-party targets.
+function(dripfeed_library name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;SYSTEM" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  if(sources)
+    add_library(dripfeed_${name} STATIC ${sources})
+    set(scope PUBLIC)
+  else()
+    add_library(dripfeed_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_link_libraries(dripfeed_${name} ${scope} dripfeed_flags fmt::fmt)
+  foreach(dependency IN LISTS ARG_DEPENDS)
+    target_link_libraries(dripfeed_${name} ${scope} dripfeed_${dependency})
+  endforeach()
+  target_link_libraries(dripfeed_${name} ${scope} ${ARG_SYSTEM})
+endfunction()
+
+# dripfeed_test(NAME SOURCES... LINKS a b [SYSTEM lib...] [LABELS l...] [SERIAL]): one GoogleTest binary, one ctest entry.
+# LINKS are short folder names; a unit test links only what its folder may name, so the layering is tested by the linker.
+function(dripfeed_test name)
+  cmake_parse_arguments(ARG "SERIAL" "TIMEOUT" "SOURCES;LINKS;SYSTEM;LABELS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE dripfeed_flags GTest::gtest GTest::gmock GTest::gtest_main Threads::Threads ${ARG_SYSTEM})
+  foreach(link IN LISTS ARG_LINKS)
+    target_link_libraries(${name} PRIVATE dripfeed_${link})
+  endforeach()
+  target_compile_definitions(${name} PRIVATE DRIPFEED_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  add_test(NAME ${name} COMMAND ${name})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 120)
+  endif()
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+  if(ARG_SERIAL)
+    set_tests_properties(${name} PROPERTIES RUN_SERIAL TRUE)
+  endif()
+endfunction()
+
+# dripfeed_unit_tests(FOLDER... ): tests/unit/FOLDER/*.cpp becomes the test unit_<FOLDER with _> that links LINKS only.
+function(dripfeed_unit_test folder)
+  cmake_parse_arguments(ARG "" "" "LINKS;SYSTEM" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/unit/${folder}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  string(REPLACE "/" "_" flat ${folder})
+  dripfeed_test(unit_${flat} SOURCES ${sources} LINKS ${ARG_LINKS} SYSTEM ${ARG_SYSTEM} LABELS unit)
+endfunction()
