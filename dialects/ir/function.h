@@ -1,0 +1,118 @@
+// What a code does, whatever the control calls it. A dialect's table maps G02, M3 or DIAMON to a function with an
+// argument; the interpreter and the writers know functions only.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace dripfeed::ir {
+
+enum class Function : std::uint8_t {
+  none,
+  // motion
+  rapid,
+  linear,
+  arc_cw,
+  arc_ccw,
+  thread,
+  dwell,
+  exact_stop_once,
+  exact_stop_mode,
+  continuous_path,
+  // plane, unit, distance, feed
+  plane_xy,
+  plane_zx,
+  plane_yz,
+  unit_inch,
+  unit_mm,
+  absolute,
+  incremental,
+  feed_per_min,
+  feed_per_rev,
+  feed_inverse_time,
+  diameter_on,
+  diameter_off,
+  diameter_absolute_only,  // DIAMON, DIAMOF, DIAM90
+  // coordinates
+  work_offset,          // argument: 0 none (G500), 1 G54, 2 G55 …
+  machine_coordinates,  // G53, SUPA: this block only
+  local_shift,          // G52, TRANS
+  local_shift_add,      // ATRANS
+  set_coordinates,      // G92; G50 of G-code system A
+  reference_return,     // G28, G74; argument: reference point 1, 2 …
+  // tool
+  comp_off,
+  comp_left,
+  comp_right,
+  length_offset_plus,
+  length_offset_minus,
+  length_offset_off,
+  tool_change,  // M6
+  // spindle and coolant
+  surface_speed_on,
+  surface_speed_off,  // G96, G97
+  spindle_cw,
+  spindle_ccw,
+  spindle_stop,
+  spindle_orient,
+  coolant_mist,
+  coolant_flood,
+  coolant_off,
+  // program flow
+  program_stop,
+  optional_stop,
+  program_end,
+  program_end_rewind,
+  subprogram_end,
+  // cycles
+  cycle_off,
+  return_to_initial,
+  return_to_r,  // G98, G99 of mills
+  // without effect on motion, time or geometry that is modelled: said once by name in the report
+  no_effect,
+  // known to the control, not interpreted here: the report names it
+  not_modelled,
+  // an M function of the machine tool builder; argument: its number
+  machine_function,
+  count_,
+};
+
+std::string_view name_of(Function function);
+
+// Codes of one group exclude each other within a block (SINUMERIK alarm 12060) and replace each other in the modal
+// state.
+enum class ModalGroup : std::uint8_t {
+  none,
+  motion,
+  non_modal,
+  plane,
+  distance,
+  feed,
+  unit,
+  comp,
+  length_offset,
+  cycle,
+  return_level,
+  work_offset,
+  surface_speed,
+  exact_stop,
+  diameter,
+  spindle,
+  coolant,
+  flow,
+  frame,
+  other,
+};
+
+// One row of a control's code table. `number10` is ten times the written number (G54.1 is 541), -1 for a code with a
+// name only.
+struct CodeRow {
+  std::string_view name;  // as the control's manual writes it: "G00", "M30", "DIAMON"
+  std::int16_t number10 = -1;
+  Function function = Function::none;
+  std::int16_t argument = 0;
+  ModalGroup group = ModalGroup::none;
+  std::string_view reference;  // manual and section, or where else the fact is from
+};
+
+}  // namespace dripfeed::ir

@@ -1,0 +1,83 @@
+// What the interpreter emits, for every check and for the trace: motions and the events between them, control-neutral.
+// Lengths in mm, angles in degrees, positions in the active work offset without tool compensation; diameter axes as
+// diameters in `end`, radius in `center`.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "dialects/ir/cost_model.h"
+#include "dialects/ir/semantics.h"
+
+namespace dripfeed::ir {
+
+// Where something happens: program (0 is the main one), 1-based line, and how many blocks were executed before.
+struct Place {
+  std::uint32_t program = 0;
+  std::uint32_t line = 0;
+  std::uint64_t ordinal = 0;
+};
+
+enum class MotionKind : std::uint8_t {
+  rapid,
+  linear,
+  arc_cw,
+  arc_ccw,
+  spline,
+  thread,  // moves
+  dwell,
+  offset,
+  tool,
+  comp,
+  spindle,
+  coolant,
+  message,
+  stop,
+  end,  // events
+};
+constexpr bool is_move(MotionKind kind) { return kind <= MotionKind::thread; }
+
+// Index of an axis in Motion::end, in the order of the trace.
+enum class Axis : std::uint8_t { x, y, z, a, b, c, u, v, w };
+inline constexpr std::size_t kAxisCount = 9;
+
+enum class SpindleState : std::uint8_t { stopped, clockwise, counterclockwise };
+enum class CompSide : std::uint8_t { off, left, right };
+enum class CoolantState : std::uint8_t { off, mist, flood };
+
+struct Motion {
+  Place place;
+  MotionKind kind = MotionKind::rapid;
+  Plane plane = Plane::xy;
+  FeedMode feed_mode = FeedMode::per_min;
+  std::uint16_t axes_commanded = 0;  // bit per Axis: named in the block
+  bool machine_coordinates = false;  // G53: `end` is in machine coordinates
+  bool exact_stop = false;
+  std::array<double, kAxisCount> start{};  // moves: where it begins, same frame as `end`
+  std::array<double, kAxisCount> end{};
+  std::array<double, 3> center{};    // arcs: centre minus start, I J K, radius values, mm
+  double feed = 0.0;                 // mm/min, mm/rev or 1/min; 0 on rapids. Dwell: seconds
+  double spindle_rpm = 0.0;          // in effect; with surface speed: the limit (0: none)
+  double surface_speed_m_min = 0.0;  // G96 in effect; 0: constant rpm
+  SpindleState spindle = SpindleState::stopped;
+  CompSide comp = CompSide::off;
+  CoolantState coolant = CoolantState::off;
+  std::int32_t number = 0;           // offset: 0 none, 1 G54 …; tool: its number; stop: 0 program, 1 optional
+  std::int32_t tool_offset = 0;      // tool: D or offset number
+  std::uint32_t text = 0xFFFFFFFFU;  // message, tool by name: index into the run's strings
+  ComputeCounts compute;             // work since the motion before
+};
+
+class MotionSink {
+ public:
+  MotionSink() = default;
+  MotionSink(const MotionSink&) = delete;
+  MotionSink& operator=(const MotionSink&) = delete;
+  virtual ~MotionSink() = default;
+  // Batches of up to kMotionBatch motions, in order. The span is valid during the call only.
+  virtual void consume(std::span<const Motion> motions) = 0;
+};
+inline constexpr std::size_t kMotionBatch = 1024;
+
+}  // namespace dripfeed::ir

@@ -1,0 +1,56 @@
+// How a control calculates and what it assumes, as data: the interpreter and the translators read these fields and
+// never ask which control it is. Values marked "machine" come from the profile; a control's table gives what is usual.
+#pragma once
+
+#include <cstdint>
+
+#include "dialects/ir/function.h"
+
+namespace dripfeed::ir {
+
+// One constant without a decimal point: 10 is 10 mm (calculator), or ten least increments (machine).
+enum class DecimalMode : std::uint8_t { calculator, least_increment };
+// exact: stored values compared bit for bit; relative: equal within Semantics::relative_tolerance of the larger.
+enum class ComparisonMode : std::uint8_t { exact, relative };
+// double_precision: IEEE; eight_digit: results rounded to 8 decimal digits (16i and older).
+enum class NumberFormat : std::uint8_t { double_precision, eight_digit };
+enum class RoundHalf : std::uint8_t { away_from_zero, up };
+enum class RoundUpMode : std::uint8_t { away_from_zero, next_larger };  // FUP, ROUNDUP
+enum class DiameterMode : std::uint8_t { radius, diameter, diameter_absolute_only };
+enum class ToolWord : std::uint8_t { number, number_and_offset };  // T6; T0606
+enum class FeedMode : std::uint8_t { per_min, per_rev, inverse_time };
+enum class Plane : std::uint8_t { xy, zx, yz };
+
+struct Semantics {
+  bool has_vacant = true;  // #0 exists; without it unset variables read 0
+  NumberFormat number_format = NumberFormat::double_precision;
+  ComparisonMode comparison = ComparisonMode::exact;
+  double relative_tolerance = 0.0;
+  RoundHalf round_half = RoundHalf::away_from_zero;
+  RoundUpMode round_up = RoundUpMode::away_from_zero;
+  bool atan_full_circle = true;          // ATAN[a]/[b] in 0…360, otherwise -180…180
+  bool asin_from_90_to_270 = true;       // ASIN in 270…90 (parameter 6004#0 = 0), otherwise -90…90
+  bool integer_division_is_real = true;  // 7/4 = 1.75 on INT operands
+
+  DecimalMode decimal_mode = DecimalMode::calculator;  // machine
+  bool decimal_mode_confirmed = false;                 // machine: somebody looked at the parameter
+  double least_increment_mm = 0.001;
+  double least_increment_deg = 0.001;
+
+  bool incremental_letters_uvw = false;   // U V W H as incremental X Y Z C (lathe, G-code system A)
+  ToolWord tool_word = ToolWord::number;  // T0606 on Fanuc lathes
+  bool arc_radius_is_r = true;            // R; otherwise CR=
+  bool dwell_p_is_ms = true;              // G04 P in ms, X/U in s; otherwise G4 F in s
+  double arc_tolerance_mm = 0.02;         // start and end radius may differ by this (3410; MD21000)
+
+  // State at power-on or reset; `known` is false where the machine decides and nobody confirmed.
+  bool power_on_known = false;
+  Function power_on_motion = Function::rapid;
+  Function power_on_plane = Function::plane_xy;
+  Function power_on_unit = Function::unit_mm;
+  Function power_on_distance = Function::absolute;
+  Function power_on_feed = Function::feed_per_min;
+  DiameterMode power_on_diameter = DiameterMode::radius;
+};
+
+}  // namespace dripfeed::ir

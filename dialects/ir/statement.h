@@ -1,0 +1,189 @@
+// Statements: one entry per thing that a block says, in the order of the text. A line with an assignment and a move
+// gives two statements of the same line. Each kind has its own arena in Program; `payload` is the index there.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "dialects/ir/expression.h"
+#include "dialects/ir/function.h"
+#include "dialects/ir/token.h"
+#include "dialects/text/span.h"
+
+namespace dripfeed::ir {
+
+inline constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
+
+// Addresses: single letters, and those with a name. `axis_*` numbering of the letters is by Control::axes.
+enum class Address : std::uint8_t {
+  a,
+  b,
+  c,
+  d,
+  e,
+  f,
+  g,
+  h,
+  i,
+  j,
+  k,
+  l,
+  m,
+  n,
+  o,
+  p,
+  q,
+  r,
+  s,
+  t,
+  u,
+  v,
+  w,
+  x,
+  y,
+  z,
+  arc_radius,     // CR=
+  opening_angle,  // AR=
+  spindle_limit,  // LIMS=
+  polar_angle,
+  polar_radius,  // AP=, RP=
+  turns,         // TURN=
+  chamfer,
+  rounding,  // CHF=/CHR=, RND=
+  other,     // a named address that is kept as text: Word::name
+  count_,
+};
+
+enum class WordMode : std::uint8_t { as_modal, absolute, incremental };  // AC(), IC()
+
+struct Word {
+  Address address = Address::other;
+  std::uint8_t extension = 0;  // S2=, M2=: 2
+  WordMode mode = WordMode::as_modal;
+  ExpressionId value = ExpressionId::none;  // a number or a string expression (T="NAME")
+  StringId name = StringId::none;           // Address::other: as written
+  text::Span span;
+};
+
+// A code of a block. A computed one (G#130, G[1]=…) has `number` and gets its function from the control's table while
+// running.
+struct Code {
+  Function function = Function::none;
+  std::int16_t argument = 0;
+  ModalGroup group = ModalGroup::none;
+  char letter = 'G';  // 'G' or 'M' for a computed one
+  ExpressionId number = ExpressionId::none;
+  StringId name = StringId::none;  // not_modelled, no_effect: as written, for the report
+  text::Span span;
+};
+
+enum class StatementKind : std::uint8_t {
+  empty,   // blank, comment only, tape mark, program number
+  block,   // codes and words                       -> blocks
+  assign,  // variable = expression                 -> assigns
+  go_to,   // GOTO, GOTOF, GOTOB, IF … GOTO          -> jumps
+  if_begin,
+  else_begin,
+  if_end,  // IF/ELSE/ENDIF, and IF … THEN statement (then `if_end` follows the statement)
+  while_begin,
+  while_end,
+  repeat_begin,
+  repeat_end,  // REPEAT … UNTIL condition
+  for_begin,
+  for_end,
+  loop_begin,
+  loop_end,           // DO n … END n without WHILE; LOOP … ENDLOOP      -> openers and closers share `structures`
+  define,             // DEF: initialises its symbols          -> its range of symbols, in structures
+  call,               // subprogram or macro                   -> calls
+  procedure,          // PROC … (the head of a subprogram)     -> structures
+  declaration,        // EXTERN: no effect while running
+  subprogram_return,  // M99, M17, RET
+  program_end,        // M30, M02 as the block's last effect
+  message,            // MSG(…), (MSG …)                       -> messages
+  alarm,              // #3000 = n(…), SETAL                   -> messages
+  native,             // kept as text, effects declared or unknown -> natives
+};
+
+struct Statement {
+  StatementKind kind = StatementKind::empty;
+  std::uint8_t skip_level = 0;  // 0: no block skip; 1 is '/'
+  bool is_label = false;        // it starts at a label: see Program::labels
+  std::uint32_t payload = kNoIndex;
+  std::uint32_t line = 0;  // 1-based
+  TokenRange tokens;       // the whole block's for its first statement, empty for those that follow it
+  text::Span span;         // of this statement alone
+};
+
+// Ranges [first, first + count) of the arena of the same name.
+struct Block {
+  std::uint32_t first_code = 0;
+  std::uint32_t code_count = 0;
+  std::uint32_t first_word = 0;
+  std::uint32_t word_count = 0;
+};
+
+struct Assign {
+  VariableId target = VariableId::none;
+  ExpressionId value = ExpressionId::none;
+};
+
+// Which way a jump looks for its label. `both` is GOTO: from here to the end, then from the top.
+enum class JumpSearch : std::uint8_t { forward, backward, both };
+
+struct Jump {
+  ExpressionId condition = ExpressionId::none;  // none: always
+  JumpSearch search = JumpSearch::both;
+  bool tolerant = false;                       // GOTOC: a missing label goes on with the next block
+  StringId label = StringId::none;             // a name
+  std::uint32_t number = kNoIndex;             // a block number (N10), when `label` is none
+  ExpressionId computed = ExpressionId::none;  // GOTO#1, when neither
+};
+
+// Openers and closers of structures: each knows its partner, so that nothing is searched while running.
+struct Structure {
+  ExpressionId condition = ExpressionId::none;  // if, while, until
+  VariableId counter = VariableId::none;        // for
+  ExpressionId first = ExpressionId::none;      // for
+  ExpressionId last = ExpressionId::none;       // for
+  std::uint8_t loop_number = 0;                 // DO m
+  std::uint32_t partner = kNoIndex;             // statement index: begin -> else or end; else -> end; end -> begin
+  std::uint32_t first_symbol = 0;               // define, procedure
+  std::uint32_t symbol_count = 0;
+  bool saves_modal = false;  // PROC … SAVE
+};
+
+enum class CallKind : std::uint8_t { subprogram, macro };  // M98, L, name; G65: a new set of local variables
+
+struct Argument {
+  char letter = 0;                          // G65 letters; 0: by position
+  ExpressionId value = ExpressionId::none;  // none: left out
+};
+
+struct Call {
+  CallKind kind = CallKind::subprogram;
+  StringId name = StringId::none;             // as called: "O9010", "TURNING_CYCLE", "L100"
+  ExpressionId number = ExpressionId::none;   // P of M98/G65 when it is computed
+  ExpressionId repeats = ExpressionId::none;  // none: once
+  std::uint32_t first_argument = 0;
+  std::uint32_t argument_count = 0;
+};
+
+struct Message {
+  ExpressionId text = ExpressionId::none;    // none: MSG() clears
+  ExpressionId number = ExpressionId::none;  // alarms
+};
+
+// Words that only one control understands. `reason` says what they are; unknown effects make every verdict unknown.
+struct Native {
+  StringId name = StringId::none;
+  bool effects_known = false;  // declared to neither move nor change state
+};
+
+struct Label {
+  StringId name = StringId::none;   // a label, or none for a block number
+  std::uint32_t number = kNoIndex;  // N10
+  std::uint32_t statement = 0;      // index of the first statement of its block
+  text::Span span;
+};
+
+}  // namespace dripfeed::ir

@@ -1,0 +1,60 @@
+// A fault in a text: which one (a row of the table), how bad, where, with what arguments, and the alarm by which the
+// control itself would name it. Emitting is apart from policy (raise, lower, waive) and from printing.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dialects/text/diagnostic_id.h"
+#include "dialects/text/source.h"
+#include "dialects/text/span.h"
+
+namespace dripfeed::text {
+
+enum class Severity : std::uint8_t { note, warning, error };
+std::string_view name_of(Severity severity);
+
+// One row a diagnostic: `name` is what users see and waive, `text` has {} for the arguments in order, `help` explains
+// the fault and its cure in a sentence or two.
+struct DiagnosticRow {
+  DiagnosticId id;
+  std::string_view name;
+  Severity severity;
+  std::string_view text;
+  std::string_view help;
+};
+const DiagnosticRow& row_of(DiagnosticId id);
+// nullptr when no diagnostic has that name.
+const DiagnosticRow* find_diagnostic(std::string_view name);
+
+struct DiagnosticNote {
+  Span span;
+  std::string text;
+};
+
+struct Diagnostic {
+  DiagnosticId id;
+  Severity severity = Severity::error;
+  Span span;
+  std::vector<std::string> arguments;
+  std::vector<DiagnosticNote> notes = {};
+  std::optional<Edit> fix = std::nullopt;
+  std::string alarm = {};  // the control's own number ("PS0124", "14080"); empty when it has none
+};
+
+// A diagnostic with the severity of its row.
+Diagnostic make_diagnostic(DiagnosticId id, Span span, std::vector<std::string> arguments = {});
+
+// The sentence alone: the row's text with the arguments in place.
+std::string message_of(const Diagnostic& diagnostic);
+
+// `name:line:column: severity[id]: text (control alarm)` and the line with a caret, each line ended by LF. `control` is
+// the control's name beside its alarm number; tabs before the caret are kept so that it stands right.
+std::string format_diagnostic(const Diagnostic& diagnostic, const Source& source, std::string_view control);
+
+bool has_error(const std::vector<Diagnostic>& diagnostics);
+
+}  // namespace dripfeed::text
