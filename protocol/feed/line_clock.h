@@ -1,0 +1,53 @@
+// Line time: when the characters handed so far have left, and how many more may be handed now. All by one absolute
+// instant, free_at = max(now, free_at) + n * character time, never by adding up intervals.
+#pragma once
+
+#include <cstdint>
+
+#include "protocol/feed/settings.h"
+
+namespace dripfeed::feed {
+
+class LineClock {
+ public:
+  LineClock(Time char_time, std::uint32_t unsent, std::uint32_t latency_chars)
+      : char_time_(char_time), unsent_(unsent), latency_(char_time * latency_chars) {}
+
+  // A new job: counts from 0 again. What is still on the line stays on the line.
+  void restart(Time now);
+  void handed(std::uint64_t count, Time now);
+  // The driver says that so many characters are unsent below it; more than we believed moves free_at out, fewer does
+  // not move it in (a FIFO is not in that number, and a pty always says 0).
+  void queue_reported(std::uint64_t unsent, Time now);
+  // CTS stops and starts the line below us: line time stands still in between.
+  void pause(Time now);
+  void go_on(Time now);
+  bool paused() const { return paused_; }
+
+  // Characters that may be handed now: refilled to `unsent` once half is left, and until then what was left of it.
+  std::uint32_t credit(Time now);
+  // When credit() will refill. Meaningful while not paused.
+  Time refill_at() const { return free_at_ - char_time_ * static_cast<std::int64_t>(unsent_ / 2); }
+  // When line time and latency of everything handed have passed. Meaningful while not paused.
+  Time settled_at() const { return free_at_ + latency_; }
+  bool settled(Time now) const { return !paused_ && now >= settled_at(); }
+
+  std::uint64_t handed() const { return handed_; }
+  // Characters whose line time and latency passed; never runs backwards.
+  std::uint64_t clocked(Time now);
+
+ private:
+  std::uint64_t queued(Time until) const;
+
+  Time char_time_;
+  std::uint32_t unsent_;
+  Time latency_;
+  Time free_at_{};
+  Time left_at_pause_{};
+  bool paused_ = false;
+  std::uint32_t burst_left_ = 0;
+  std::uint64_t handed_ = 0;
+  std::uint64_t clocked_ = 0;
+};
+
+}  // namespace dripfeed::feed

@@ -1,0 +1,116 @@
+// May this text be drip-fed at all? Checks, piece by piece, what the reading of a tape depends on: '%' first and last
+// and nowhere else, an end code in the last block. Only a text that passed yields ProgramFacts, and only with these the
+// feed can be armed. What the program does is the checks' business, not this file's.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <expected>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace dripfeed::feed {
+
+// A comment of the dialect: '(' to ')', or ';' to the end of the block (close is LF then). open 0: no such comment.
+struct CommentStyle {
+  char open = 0;
+  char close = '\n';
+};
+
+// What the check needs to know of the dialect, as data.
+struct ProgramSyntax {
+  std::array<CommentStyle, 2> comments{CommentStyle{'(', ')'}, CommentStyle{}};
+  bool quoted_strings = false;                          // "..." hides codes and comment signs
+  std::array<std::uint16_t, 4> end_codes{30, 2, 0, 0};  // M codes that end a program; 0 = unused
+  bool start_percent = true;  // the text must begin with '%' (what precedes is skipped by controls)
+  bool final_percent = true;  // the text must end with '%'
+  bool end_code = true;       // the last block must hold an end code (off for a memory load)
+};
+
+// Ready-made: comments in parentheses and M30, M02; comments after ';' and M30, M2, M17 with strings.
+inline constexpr ProgramSyntax kParenthesesSyntax{};
+inline constexpr ProgramSyntax kSemicolonSyntax{
+    .comments = {CommentStyle{';', '\n'}, CommentStyle{}}, .quoted_strings = true, .end_codes = {30, 2, 17, 0}};
+
+enum class ProgramFault : std::uint8_t {
+  empty,
+  no_start_percent,         // something other than '%' comes first
+  no_final_percent,         // fewer '%' than the reading needs
+  percent_in_comment,       // '%' inside a comment (or string) ends the reading there
+  percent_inside,           // '%' between the first and the last one
+  percent_not_block_start,  // the block before the final '%' has no EOB
+  text_after_percent,       // something other than EOBs follows the final '%'
+  no_end_code,              // the last block does not end the program
+  no_final_eob,             // the last block has no EOB and no '%' follows
+};
+std::string_view message(ProgramFault fault);
+
+struct ProgramRefusal {
+  ProgramFault fault = ProgramFault::empty;
+  std::uint64_t line = 1;    // 1-based count of EOBs
+  std::uint64_t column = 1;  // 1-based byte
+};
+
+// What is known of a text that passed. Only ProgramCheck makes one.
+class ProgramFacts {
+ public:
+  std::uint64_t text_bytes() const { return text_bytes_; }
+  std::uint64_t eobs() const { return eobs_; }
+  // Characters up to and with the final '%' (or the whole text where no '%' is due): once they are out, the program is.
+  std::uint64_t program_bytes() const { return program_bytes_; }
+
+ private:
+  friend class ProgramCheck;
+  ProgramFacts() = default;
+  std::uint64_t text_bytes_ = 0;
+  std::uint64_t eobs_ = 0;
+  std::uint64_t program_bytes_ = 0;
+};
+
+// Text with LF as EOB, in any pieces.
+class ProgramCheck {
+ public:
+  explicit ProgramCheck(const ProgramSyntax& syntax) : syntax_(syntax) {}
+  void append(std::span<const char> text);
+  std::expected<ProgramFacts, ProgramRefusal> finish();
+
+ private:
+  struct Place {
+    std::uint64_t line = 1;
+    std::uint64_t column = 1;
+    std::uint64_t offset = 0;
+  };
+  enum class Word : std::uint8_t { none, m_seen, digits, spoiled };
+
+  void put(char character);
+  void put_percent();
+  void put_in_comment(char character);
+  void put_code(char character);
+  void end_word();
+  void end_block();
+  const CommentStyle* comment_opened_by(char character) const;
+  void refuse(ProgramFault fault, const Place& place);
+
+  ProgramSyntax syntax_;
+  Place at_;
+  std::optional<ProgramRefusal> refusal_;
+  std::optional<Place> percent_;  // the last '%' seen, if it may be the final one
+  std::uint64_t percents_ = 0;
+  bool percent_is_start_ = false;  // the last '%' seen is the first character of the text
+  const CommentStyle* comment_ = nullptr;
+  bool in_string_ = false;
+  bool begun_ = false;               // a character other than EOB was seen
+  bool block_has_any_ = false;       // the present block holds any character
+  bool block_has_code_ = false;      // ... and one that a control acts on
+  bool block_is_skipped_ = false;    // ... and begins with '/'
+  bool block_ends_program_ = false;  // ... and holds an end code
+  bool last_block_ends_program_ = false;
+  Place last_code_;
+  Word word_ = Word::none;
+  char before_ = '\n';  // the last character of code, blanks left out
+  std::uint32_t number_ = 0;
+};
+
+}  // namespace dripfeed::feed

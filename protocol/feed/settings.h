@@ -1,0 +1,80 @@
+// What a feed must know of its line and its machine, and the rule that a link must keep the machine's overrun budget.
+// Plain data; the server fills it from the machine profile and the link.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <expected>
+#include <optional>
+#include <string>
+
+#include "protocol/tape_code/framing.h"
+#include "protocol/tape_code/wire_encoder.h"
+
+namespace dripfeed::feed {
+
+// Time since an epoch of the driver's choice that never steps back (a steady clock's). Protocol code reads no clock.
+using Time = std::chrono::nanoseconds;
+
+enum class Start : std::uint8_t {
+  on_dc1,   // the control asks for the program with DC1
+  at_once,  // sending begins with the arming
+};
+
+// By what the end of the reading is seen once the whole program is handed.
+struct EndSigns {
+  bool dc3 = true;                  // the control's last DC3
+  std::optional<std::uint8_t> eot;  // a character such as 04 or 1A (7 bits)
+  std::optional<Time> quiet;        // this long nothing came in after the line drained
+};
+
+struct Settings {
+  tape_code::Framing framing;  // what a character takes on the line
+  std::uint32_t baud = 9600;
+  tape_code::WireFormat wire;
+  Start start = Start::on_dc1;
+  EndSigns end;
+
+  // Budget: unsent + latency_chars <= overrun_budget. overrun_budget: characters that the machine takes after its DC3.
+  // unsent: characters that may lie below the feed (driver, UART). latency_chars: characters that pass on the line
+  // between the control's decision to stop and receive() being called, DC3's own time included.
+  std::uint32_t overrun_budget = 10;
+  std::uint32_t unsent = 4;
+  std::uint32_t latency_chars = 5;
+  bool blind = false;  // the queue below cannot be read: pace at kBlindRate, the budget is estimated
+
+  bool watch_cts = false;  // CTS off holds the feed and disarms
+  bool watch_dsr = false;  // DSR off ends the feed and disarms
+};
+
+// A clock may be off by 2 %, so a link that never tells how much is unsent is paced this much slower.
+inline constexpr double kBlindRate = 0.98;
+// Limit of Settings::unsent: the size of the feed's only byte buffer.
+inline constexpr std::uint32_t kMaxUnsent = 256;
+// Limit of Settings::latency_chars and overrun_budget.
+inline constexpr std::uint32_t kMaxBudget = 1U << 20;
+// Limit of leader and trailer.
+inline constexpr std::uint32_t kMaxFillers = 100'000;
+// How often a source that was not ready is asked again.
+inline constexpr Time kSourceRetry = std::chrono::milliseconds(5);
+
+enum class SettingsFault : std::uint8_t { baud, framing, unsent, budget, fillers, no_end_sign, eot_code };
+
+struct SettingsRefusal {
+  SettingsFault fault = SettingsFault::baud;
+  // For `budget` and `unsent`: the sum that was refused.
+  std::uint32_t unsent = 0;
+  std::uint32_t latency_chars = 0;
+  std::uint32_t overrun_budget = 0;
+};
+// With the sum shown: "4 unsent + 14 latency = 18 characters, more than the budget of 10".
+std::string message(const SettingsRefusal& refusal);
+
+std::expected<void, SettingsRefusal> validate(const Settings& settings);
+
+// Time that one character takes on the line, as the feed paces it (slower where blind). Rounded up to 1 ns.
+Time char_time(const Settings& settings);
+// A link's delay as characters on this line, rounded up.
+std::uint32_t latency_in_chars(Time delay, const tape_code::Framing& framing, std::uint32_t baud);
+
+}  // namespace dripfeed::feed
