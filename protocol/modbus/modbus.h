@@ -1,0 +1,37 @@
+// modbus: moving a program into a receiver block by block over holding registers ("block mailbox"), each block appended
+// exactly once. Here live the register images, the sending and the receiving side, without any I/O. Not here: Modbus
+// frames, sockets and serial ports (the driver has a library for them), clocks, the ledger. This header brings the
+// folder.
+//
+// Mailbox H, written by the host. 16-bit registers; 32-bit values have the high word first.
+//   0      magic DF01h
+//   1-2    session, not 0, new for every job
+//   3      command: 0 idle (takes back hold), 1 open, 2 data, 3 eof, 4 abort, 5 hold
+//   4      seq 1..65535, 65535 is followed by 1
+//   5      byte length n of the payload
+//   6-7    CRC-32 over registers 0-5, 8-9 and the payload registers
+//   8-9    offset of the payload in the text; for eof the length of the text
+//   10..   payload, 2 characters a register, the first in the high byte, the last register filled with 0
+//   next   seq again: the commit word, last of the write
+// Status G, written by the receiver.
+//   0      magic DF01h
+//   1-2    session, echoed
+//   3      state: 0 boot, 1 idle, 2 ready, 3 running, 4 held, 5 done, 6 error
+//   4      seq of the last block appended, 0 before the first
+//   5, 6   nak code (0 none, 1 crc, 2 sequence, 3 length, 4 offset, 5 conflict, 6 full, 7 closed), seq of it
+//   7      free blocks (credit)
+//   8-9    bytes taken by the interpreter
+//   10     boot counter, 11 heartbeat, 12 reason of state error
+//   13-14  bytes appended in this session
+//   15-16  CRC-32 of these bytes
+//   17-18  CRC-32 over registers 0-16, so that an image read while it is written is known as such
+// Rules. The receiver takes a message only if magic, session, commit word and CRC fit; it appends seq = last + 1 and
+// only then says so; the last seq again is a duplicate and changes nothing. The host has one block outstanding and
+// after any error reads G: last = seq means done, last = seq - 1 means write the same block again, all else means stop
+// and ask.
+#pragma once
+
+#include "protocol/modbus/mailbox.h"
+#include "protocol/modbus/receiver.h"
+#include "protocol/modbus/sender.h"
+#include "protocol/modbus/sender_state.h"
