@@ -17,6 +17,9 @@ def faults(root, top, archives):
     reaches = [(re.compile(fnmatch.translate(pattern)), kind) for pattern, kind in _patterns(root) if kind in kinds]
     found = []
     for archive in archives:
+        if not os.path.exists(archive):
+            found.append(f'{archive} is not built')
+            continue
         for symbol in undefined(archive):
             kind = next((kind for pattern, kind in reaches if pattern.match(symbol)), None)
             if kind:

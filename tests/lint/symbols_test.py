@@ -48,6 +48,9 @@ class Symbols(bad_tree.BadTree):
     def test_plain_code_is_clean(self):
         self.assert_clean(symbols.faults, 'protocol', [self.object_of(CLEAN)])
 
+    def test_an_archive_that_is_not_built(self):
+        self.assert_refused(symbols.faults, 'is not built', 'protocol', ['none.a'])
+
 
 if __name__ == '__main__':
     unittest.main()
