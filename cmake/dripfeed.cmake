@@ -92,6 +92,7 @@ function(dripfeed_test name)
 endfunction()
 
 # dripfeed_unit_test(FOLDER LINKS a b): tests/unit/FOLDER/*.cpp becomes the test unit_<FOLDER with _> that links LINKS only.
+# Its labels are unit and the top folder.
 function(dripfeed_unit_test folder)
   cmake_parse_arguments(ARG "" "" "LINKS;SYSTEM" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/unit/${folder}/*.cpp)
@@ -99,5 +100,6 @@ function(dripfeed_unit_test folder)
     return()
   endif()
   string(REPLACE "/" "_" flat ${folder})
-  dripfeed_test(unit_${flat} SOURCES ${sources} LINKS ${ARG_LINKS} SYSTEM ${ARG_SYSTEM} LABELS unit)
+  string(REGEX REPLACE "/.*" "" top ${folder})
+  dripfeed_test(unit_${flat} SOURCES ${sources} LINKS ${ARG_LINKS} SYSTEM ${ARG_SYSTEM} LABELS unit ${top})
 endfunction()

@@ -32,7 +32,7 @@ run_tests() {
   local preset=$1
   shift
   say "test $preset"
-  ctest --test-dir "$root/build/$preset" -j "$jobs" --output-on-failure --no-label-summary "$@"
+  ctest --test-dir "$root/build/$preset" -j "$jobs" --output-on-failure --no-label-summary --no-tests=error "$@"
 }
 
 # The dashboard into web/dist. Nothing to do when no source is younger than the last build.
