@@ -1,0 +1,286 @@
+// Everything but report() runs on the links' thread; others post. After each input: pump what may go out, read the
+// events, publish the report. The feed decides what may be written; this file never makes a byte.
+#include "server/app/feed_line.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace dripfeed::app {
+
+namespace {
+
+constexpr feed::Time kTick = std::chrono::milliseconds(1);
+constexpr feed::Time kReopenFirst = std::chrono::milliseconds(500);
+constexpr feed::Time kReopenLongest = std::chrono::seconds(5);
+
+struct StateRow {
+  feed::State feed;
+  LineState line;
+  JobEnd end;
+};
+// One row a state of the feed, in its order.
+constexpr std::array<StateRow, feed::kStates> kStateRows = {{
+    {feed::State::idle, LineState::idle, JobEnd::none},
+    {feed::State::armed, LineState::armed, JobEnd::none},
+    {feed::State::sending, LineState::feeding, JobEnd::none},
+    {feed::State::held, LineState::held, JobEnd::none},
+    {feed::State::stopping, LineState::feeding, JobEnd::none},
+    {feed::State::stopping_held, LineState::held, JobEnd::none},
+    {feed::State::stopped, LineState::held, JobEnd::none},
+    {feed::State::stopped_held, LineState::held, JobEnd::none},
+    {feed::State::cancelling, LineState::feeding, JobEnd::none},
+    {feed::State::cancelling_held, LineState::held, JobEnd::none},
+    {feed::State::trailer, LineState::draining, JobEnd::none},
+    {feed::State::trailer_held, LineState::held, JobEnd::none},
+    {feed::State::draining, LineState::draining, JobEnd::none},
+    {feed::State::wait_end, LineState::draining, JobEnd::none},
+    {feed::State::ending, LineState::draining, JobEnd::none},
+    {feed::State::done, LineState::idle, JobEnd::done},
+    {feed::State::failed, LineState::idle, JobEnd::failed},
+    {feed::State::torn, LineState::torn, JobEnd::failed},
+    {feed::State::cancelled, LineState::idle, JobEnd::cancelled},
+    {feed::State::disarmed, LineState::idle, JobEnd::disarmed},
+}};
+
+constexpr bool rows_in_order() {
+  for (std::size_t i = 0; i < kStateRows.size(); ++i) {
+    if (static_cast<std::size_t>(kStateRows[i].feed) != i) return false;
+  }
+  return true;
+}
+static_assert(rows_in_order());
+
+double to_seconds(feed::Time time) { return static_cast<double>(time.count()) * 1e-9; }
+
+class FeedLine final : public Line, private LinkListener, private Ticker {
+ public:
+  FeedLine(feed::Feed feed, machine::LineSettings settings, LinkThread& thread, LineChanged changed)
+      : feed_(std::move(feed)), settings_(std::move(settings)), thread_(thread), changed_(std::move(changed)) {
+    thread_.run([this] {
+      thread_.add(*this);
+      open();
+      publish();
+    });
+  }
+
+  ~FeedLine() override {
+    thread_.run([this] {
+      thread_.remove(*this);
+      link_.reset();
+    });
+  }
+
+  std::expected<void, std::string> arm(LineOrder order) override {
+    std::expected<void, std::string> result;
+    thread_.run([&] { result = arm_here(std::move(order)); });
+    return result;
+  }
+
+  std::expected<void, std::string> command(feed::Command command) override {
+    std::expected<void, std::string> result;
+    thread_.run([&] {
+      if (const auto done = feed_.command(command, now()); !done) {
+        result = std::unexpected(std::string(feed::message(done.error())));
+      }
+      settle();
+    });
+    return result;
+  }
+
+  void extend_reserve(std::uint64_t job, std::uint64_t wire_offset) override {
+    thread_.post([this, job, wire_offset] {
+      if (job != order_job_) return;  // a window of a job that is over
+      reserve_ = std::max(reserve_, wire_offset);
+      feed_.extend_reserve(wire_offset, now());
+      settle();
+    });
+  }
+
+  [[nodiscard]] LineReport report() const override {
+    const std::lock_guard lock(report_mutex_);
+    return report_;
+  }
+
+ private:
+  [[nodiscard]] feed::Time now() const { return thread_.clock().now(); }
+
+  std::expected<void, std::string> arm_here(LineOrder order) {
+    const feed::Job job{.facts = order.facts,
+                        .source = order.source.get(),
+                        .expires_after = order.expires_after,
+                        .reserve = order.reserve};
+    if (const auto armed = feed_.arm(job, now()); !armed) {
+      const std::string_view state = feed::name(feed_.state());
+      settle();
+      return std::unexpected(fmt::format("{} (the line is {})", feed::message(armed.error()), state));
+    }
+    // The feed reads the source until it is over, so the source lives until the next order.
+    source_ = std::move(order.source);
+    order_job_ = order.job;
+    reserve_ = order.reserve;
+    settle();
+    return {};
+  }
+
+  // --- link
+  // -------------------------------------------------------------------------------------------------------------
+  void open() {
+    auto opened = thread_.open(settings_, *this);
+    if (opened) {
+      link_ = std::move(*opened);
+      link_error_.clear();
+      return;
+    }
+    link_error_ = opened.error();
+    reopen_later();
+  }
+
+  void reopen_later() {
+    reopen_wait_ = std::min(reopen_wait_ == feed::Time{} ? kReopenFirst : reopen_wait_ * 2, kReopenLongest);
+    reopen_at_ = now() + reopen_wait_;
+  }
+
+  void on_up() override {
+    link_up_ = true;
+    reopen_wait_ = {};
+    link_error_.clear();
+    feed_.line(feed::LineChange::link_up, now());
+    settle();
+  }
+  void on_receive(std::span<const std::byte> bytes) override {
+    feed_.receive(bytes, now());
+    settle();
+  }
+  void on_writable() override { settle(); }
+  void on_cts(bool on) override {
+    feed_.line(on ? feed::LineChange::cts_on : feed::LineChange::cts_off, now());
+    settle();
+  }
+  void on_dsr(bool on) override {
+    feed_.line(on ? feed::LineChange::dsr_on : feed::LineChange::dsr_off, now());
+    settle();
+  }
+  void on_lost(std::string_view reason) override {
+    link_up_ = false;
+    link_error_ = reason;
+    feed_.line(feed::LineChange::link_down, now());
+    link_.reset();
+    reopen_later();
+    settle();
+  }
+
+  // --- ticks
+  // ------------------------------------------------------------------------------------------------------------
+  void tick(feed::Time time) override {
+    if (!link_ && time >= reopen_at_) open();
+    if (link_) {
+      if (const auto unsent = link_->unsent()) feed_.report_queue(*unsent, time);
+    }
+    feed_.tick(time);
+    settle();
+  }
+
+  [[nodiscard]] std::optional<feed::Time> deadline() const override {
+    const std::optional<feed::Time> feed_deadline = feed_.deadline();
+    std::optional<feed::Time> due = feed_deadline ? std::optional(on_grid(*feed_deadline)) : std::nullopt;
+    if (!link_) due = due ? std::min(*due, reopen_at_) : reopen_at_;
+    return due;
+  }
+
+  // Slow lines wake together once a millisecond; where half the credit lasts under two, the exact instant counts.
+  [[nodiscard]] feed::Time on_grid(feed::Time instant) const {
+    const feed::Time half = feed_.paced_char_time() * static_cast<std::int64_t>(feed_.settings().unsent / 2);
+    if (half < 2 * kTick) return instant;
+    return (instant + kTick - feed::Time(1)) / kTick * kTick;
+  }
+
+  // --- pump
+  // -------------------------------------------------------------------------------------------------------------
+  void settle() {
+    pump();
+    while (feed_.next_event()) {
+    }  // the report below says all that the events changed
+    publish();
+  }
+
+  void pump() {
+    while (link_) {
+      const std::span<const std::byte> out = feed_.pending_out();
+      if (out.empty()) return;
+      const std::size_t taken = link_->write(out);
+      feed_.mark_sent(taken, now());
+      if (taken < out.size()) return;  // on_writable or the next tick goes on
+    }
+  }
+
+  void publish() {
+    const StateRow& row = kStateRows[static_cast<std::size_t>(feed_.state())];
+    const feed::Counters counters = feed_.counters();
+    const feed::Stall stall = feed_.stall();
+    const std::lock_guard lock(report_mutex_);
+    const LineState state = row.line == LineState::idle && !link_up_ ? LineState::disconnected : row.line;
+    const std::string_view stall_name = stall == feed::Stall::none ? std::string_view() : feed::name(stall);
+    const bool changed =
+        state != report_.state || row.end != report_.end || stall_name != report_.stall || order_job_ != report_.job;
+    report_.job = order_job_;
+    report_.state = state;
+    report_.end = row.end;
+    report_.stall = stall_name;
+    report_.cause = feed_.end_cause() == feed::Cause::none ? std::string_view() : feed::name(feed_.end_cause());
+    if (report_.link_error != link_error_) report_.link_error = link_error_;
+    report_.total = feed_.wire_bytes();
+    report_.handed = counters.handed;
+    report_.clocked = counters.clocked;
+    report_.confirmed = counters.confirmed;
+    report_.estimated = counters.estimated;
+    report_.reserve = reserve_;
+    report_.known = known();
+    report_.holds = counters.holds;
+    report_.hold_s = to_seconds(counters.held_for);
+    report_.line_use = feed_.line_use();
+    report_.char_s = to_seconds(feed_.paced_char_time());
+    if (!changed) return;
+    ++report_.changes;
+    changed_();
+  }
+
+  [[nodiscard]] KnownInterval known() const {
+    const feed::Interval interval = feed_.interval();
+    return {.from = interval.from,
+            .to = interval.to,
+            .from_line = interval.from_position ? interval.from_position->line : 0,
+            .to_line = interval.to_position ? interval.to_position->line : 0};
+  }
+
+  feed::Feed feed_;
+  machine::LineSettings settings_;
+  LinkThread& thread_;
+  LineChanged changed_;
+  std::unique_ptr<Link> link_;
+  bool link_up_ = false;
+  std::string link_error_;
+  feed::Time reopen_at_{};
+  feed::Time reopen_wait_{};
+  std::shared_ptr<tape_code::TextSource> source_;
+  std::uint64_t order_job_ = 0;
+  std::uint64_t reserve_ = 0;
+  mutable std::mutex report_mutex_;
+  LineReport report_;
+};
+
+}  // namespace
+
+std::expected<std::unique_ptr<Line>, std::string> make_feed_line(const machine::LineSettings& settings,
+                                                                 LinkThread& thread, LineChanged changed) {
+  const auto feed_settings = machine::feed_settings_of(settings);
+  if (!feed_settings) return std::unexpected(feed_settings.error());
+  auto feed = feed::Feed::make(*feed_settings);
+  if (!feed) return std::unexpected(feed::message(feed.error()));
+  return std::make_unique<FeedLine>(std::move(*feed), settings, thread, std::move(changed));
+}
+
+}  // namespace dripfeed::app

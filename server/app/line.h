@@ -1,0 +1,87 @@
+// A machine's line as the application sees it, whatever runs below: one job at most, commands of a person, and a
+// report. All members may be called from any thread.
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "protocol/feed/feed.h"
+#include "protocol/tape_code/text_source.h"
+
+namespace dripfeed::app {
+
+enum class LineState : std::uint8_t {
+  disconnected,  // the link is not up; nothing was torn by that
+  idle,
+  armed,  // waiting for the control's DC1 (or for the PLC)
+  feeding,
+  held,      // by the control, or stopped at a block end by a person
+  draining,  // all is handed, the end is not seen yet
+  torn,      // broken off inside a block: a person must confirm that the control was reset
+};
+std::string_view name_of(LineState state);
+
+// How the last job ended, once it did.
+enum class JobEnd : std::uint8_t { none, done, failed, cancelled, disarmed };
+
+// Wire offsets and lines between which the truth lies. Never a claim that something was executed.
+struct KnownInterval {
+  std::uint64_t from = 0;
+  std::uint64_t to = 0;
+  std::uint64_t from_line = 0;  // 0: unknown
+  std::uint64_t to_line = 0;
+};
+
+struct LineReport {
+  std::uint64_t job = 0;  // 0: none since the start
+  LineState state = LineState::disconnected;
+  JobEnd end = JobEnd::none;
+  std::string_view stall;   // "" or a name: "waiting for DC1", "held by DC3", "CTS off", "peer gone", …
+  std::string_view cause;   // why the job ended, "" while it runs
+  std::string link_error;   // why the link is down
+  std::uint64_t total = 0;  // wire bytes of the job
+  std::uint64_t handed = 0;
+  std::uint64_t clocked = 0;
+  std::uint64_t confirmed = 0;
+  bool confirms = false;      // the protocol acknowledges; otherwise `confirmed` stays 0
+  bool estimated = false;     // blind link: the budget is kept by estimate
+  std::uint64_t reserve = 0;  // the feed hands nothing beyond it
+  KnownInterval known;
+  std::uint64_t holds = 0;
+  double hold_s = 0.0;
+  double line_use = 0.0;      // share of line time used while not held, 0..1
+  double char_s = 0.0;        // time of one character on the line; 0 where there is none
+  std::uint64_t changes = 0;  // grows with every change of state, stall or end
+};
+
+struct LineOrder {
+  std::uint64_t job = 0;
+  feed::ProgramFacts facts;                       // from feed::ProgramCheck over the same text
+  std::shared_ptr<tape_code::TextSource> source;  // at the start of the text
+  feed::Time expires_after = feed::kArmingExpiry;
+  std::uint64_t reserve = 0;  // already committed in the ledger
+  std::uint64_t session = 0;  // block transfer: identifies the job at the PLC
+};
+
+class Line {
+ public:
+  Line() = default;
+  Line(const Line&) = delete;
+  Line& operator=(const Line&) = delete;
+  virtual ~Line() = default;
+  // Or one sentence that says why not: busy, torn, link down.
+  virtual std::expected<void, std::string> arm(LineOrder order) = 0;
+  virtual std::expected<void, std::string> command(feed::Command command) = 0;
+  // The ledger committed a window up to this wire offset.
+  virtual void extend_reserve(std::uint64_t job, std::uint64_t wire_offset) = 0;
+  [[nodiscard]] virtual LineReport report() const = 0;
+};
+
+// Called after each change of LineReport::changes, on the line's own thread: it must only wake somebody.
+using LineChanged = std::function<void()>;
+
+}  // namespace dripfeed::app

@@ -1,0 +1,42 @@
+// A link of bytes to one control: a tty, a pty, a socket. All calls and callbacks happen on the links' thread.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace dripfeed::app {
+
+class LinkListener {
+ public:
+  LinkListener() = default;
+  LinkListener(const LinkListener&) = delete;
+  LinkListener& operator=(const LinkListener&) = delete;
+  virtual ~LinkListener() = default;
+  // The link carries bytes from now on (a socket after its connect; a tty at once).
+  virtual void on_up() = 0;
+  virtual void on_receive(std::span<const std::byte> bytes) = 0;
+  // A write that was taken in part may go on.
+  virtual void on_writable() = 0;
+  virtual void on_cts(bool on) = 0;
+  virtual void on_dsr(bool on) = 0;
+  // The link is gone for good; `reason` is for people. It is called once and never from inside write().
+  virtual void on_lost(std::string_view reason) = 0;
+};
+
+class Link {
+ public:
+  Link() = default;
+  Link(const Link&) = delete;
+  Link& operator=(const Link&) = delete;
+  // Closes; drops what the driver has not sent where the system allows it. No callback comes after it.
+  virtual ~Link() = default;
+  // Gives bytes to the driver without blocking; how many it took. 0 when none, then on_writable() follows.
+  virtual std::size_t write(std::span<const std::byte> bytes) = 0;
+  // Bytes that the driver holds unsent, where it tells.
+  [[nodiscard]] virtual std::optional<std::uint64_t> unsent() = 0;
+};
+
+}  // namespace dripfeed::app

@@ -1,0 +1,33 @@
+// One Modbus server as registers. Calls block, so a bus has a thread of its own. Whether a write that failed took
+// effect is unknown: the handshake above reads back.
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "server/machine/link_url.h"
+
+namespace dripfeed::app {
+
+struct BusFailure {
+  bool link_lost = false;  // the connection is closed; the next call opens it again
+  std::string text;
+};
+
+class RegisterBus {
+ public:
+  RegisterBus() = default;
+  RegisterBus(const RegisterBus&) = delete;
+  RegisterBus& operator=(const RegisterBus&) = delete;
+  virtual ~RegisterBus() = default;
+  virtual std::expected<void, BusFailure> write(std::uint16_t address, std::span<const std::uint16_t> registers) = 0;
+  virtual std::expected<void, BusFailure> read(std::uint16_t address, std::span<std::uint16_t> registers) = 0;
+};
+
+// Makes a bus for modbus-tcp:// links. It connects with the first call.
+using RegisterBusMaker = std::unique_ptr<RegisterBus> (*)(const machine::LinkUrl& url);
+
+}  // namespace dripfeed::app

@@ -1,0 +1,261 @@
+// Runs on the server's single HTTP thread, so it needs no lock; only heavy answers are made in the pool and come back
+// by post. One write is in flight at a time. Events go out as chunks; a comment every 15 s keeps proxies and dead peers
+// honest.
+#include "server/http/connection.h"
+
+#include <array>
+#include <chrono>
+#include <deque>
+#include <optional>
+#include <utility>
+
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <sys/resource.h>
+
+namespace dripfeed::http {
+
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace bhttp = boost::beast::http;
+
+constexpr std::chrono::seconds kReadTimeout{60};
+constexpr std::chrono::seconds kWriteTimeout{30};
+constexpr std::chrono::seconds kEventComment{15};
+constexpr std::size_t kPieceBytes = std::size_t{64} << 10U;
+
+// A pool thread steps back behind the links' thread before its first heavy request, so that a check never delays a
+// feed. Linux keeps a nice value per thread; 0 names the calling one.
+void lower_priority_once() {
+  thread_local const int lowered = ::setpriority(PRIO_PROCESS, 0, 19);
+  static_cast<void>(lowered);
+}
+
+Method method_of(bhttp::verb verb) {
+  if (verb == bhttp::verb::get) return Method::get;
+  if (verb == bhttp::verb::post) return Method::post;
+  if (verb == bhttp::verb::put) return Method::put;
+  return verb == bhttp::verb::delete_ ? Method::del : Method::other;
+}
+
+class Connection final : public ConnectionHandle, public std::enable_shared_from_this<Connection> {
+ public:
+  Connection(asio::ip::tcp::socket socket, const ConnectionShared& shared)
+      : stream_(std::move(socket)), timer_(stream_.get_executor()), shared_(shared) {}
+
+  void read_next() {
+    parser_.emplace();
+    parser_->body_limit(kBodyLimit);
+    parser_->header_limit(static_cast<std::uint32_t>(kHeaderLimit));
+    stream_.expires_after(kReadTimeout);
+    bhttp::async_read(stream_, buffer_, *parser_,
+                      [self = shared_from_this()](beast::error_code error, std::size_t) { self->on_read(error); });
+  }
+
+  void close() override {
+    timer_.cancel();
+    if (events_) events_->on_ready({});
+    events_.reset();
+    beast::error_code ignored;  // closing a closed socket is no news
+    stream_.socket().close(ignored);
+  }
+
+ private:
+  void on_read(beast::error_code error) {
+    if (error == bhttp::error::body_limit || error == bhttp::error::header_limit) {
+      keep_alive_ = false;
+      return write_text(plain_problem(413, "the request is too large"));
+    }
+    if (error && error.category() == make_error_code(bhttp::error::bad_method).category() &&
+        error != bhttp::error::end_of_stream && error != bhttp::error::partial_message) {
+      keep_alive_ = false;
+      return write_text(plain_problem(400, "this is not HTTP/1.1: " + error.message()));
+    }
+    if (error) return close();
+    auto& message = parser_->get();
+    keep_alive_ = message.keep_alive();
+    Request request;
+    request.method = method_of(message.method());
+    if (!read_target(message.target(), request)) {
+      return write_text(plain_problem(400, "the path of the request is malformed"));
+    }
+    copy_headers(message, request);
+    request.body = std::move(message.body());
+    stream_.expires_never();
+    if (!shared_.answerer.is_heavy(request)) return respond(shared_.answerer.answer(request));
+    asio::post(*shared_.pool, [self = shared_from_this(), request = std::move(request)]() mutable {
+      lower_priority_once();
+      Response response = self->shared_.answerer.answer(request);
+      asio::post(self->stream_.get_executor(),
+                 [self, response = std::move(response)]() mutable { self->respond(std::move(response)); });
+    });
+  }
+
+  template <class Message>
+  static void copy_headers(const Message& message, Request& request) {
+    const auto take = [&](bhttp::field field) { return std::string(message[field]); };
+    request.authorization = take(bhttp::field::authorization);
+    request.cookie = take(bhttp::field::cookie);
+    request.if_match = take(bhttp::field::if_match);
+    request.idempotency_key = std::string(message["Idempotency-Key"]);
+    request.last_event_id = std::string(message["Last-Event-ID"]);
+    request.origin = take(bhttp::field::origin);
+    request.host = take(bhttp::field::host);
+    request.fetch_site = std::string(message["Sec-Fetch-Site"]);
+    request.content_type = take(bhttp::field::content_type);
+  }
+
+  static Response plain_problem(unsigned status, std::string detail) {
+    Response response;
+    response.status = status;
+    response.content_type = "text/plain; charset=utf-8";
+    response.body = std::move(detail) + "\n";
+    return response;
+  }
+
+  template <class Message>
+  void fill_head(Message& message, const Response& response) const {
+    message.result(response.status);
+    message.version(11);
+    message.keep_alive(keep_alive_);
+    if (!response.content_type.empty()) message.set(bhttp::field::content_type, response.content_type);
+    message.set("X-Content-Type-Options", "nosniff");
+    for (const auto& [name, value] : response.headers) message.set(name, value);
+  }
+
+  void respond(Response response) {
+    if (response.events) return write_events(std::move(response));
+    if (response.source) return write_source(std::move(response));
+    write_text(std::move(response));
+  }
+
+  void write_text(Response response) {
+    auto message = std::make_shared<bhttp::response<bhttp::string_body>>();
+    fill_head(*message, response);
+    message->body() = std::move(response.body);
+    message->prepare_payload();
+    stream_.expires_after(kWriteTimeout);
+    bhttp::async_write(stream_, *message, [self = shared_from_this(), message](beast::error_code error, std::size_t) {
+      if (error || !self->keep_alive_) return self->close();
+      self->read_next();
+    });
+  }
+
+  // The head of a chunked answer, then `next`.
+  void write_chunked_head(const Response& response, void (Connection::*next)()) {
+    auto message = std::make_shared<bhttp::response<bhttp::empty_body>>();
+    fill_head(*message, response);
+    message->chunked(true);
+    auto serializer = std::make_shared<bhttp::response_serializer<bhttp::empty_body>>(*message);
+    stream_.expires_after(kWriteTimeout);
+    bhttp::async_write_header(
+        stream_, *serializer,
+        [self = shared_from_this(), message, serializer, next](beast::error_code error, std::size_t) {
+          if (error) return self->close();
+          (self.get()->*next)();
+        });
+  }
+
+  void write_chunk(std::string piece, void (Connection::*next)()) {
+    piece_ = std::move(piece);
+    stream_.expires_after(kWriteTimeout);
+    asio::async_write(stream_, bhttp::make_chunk(asio::buffer(piece_)),
+                      [self = shared_from_this(), next](beast::error_code error, std::size_t) {
+                        if (error) return self->close();
+                        self->stream_.expires_never();
+                        (self.get()->*next)();
+                      });
+  }
+
+  void write_source(Response response) {
+    source_ = std::move(response.source);
+    write_chunked_head(response, &Connection::write_next_piece);
+  }
+
+  void write_next_piece() {
+    std::string piece(kPieceBytes, '\0');
+    const auto count = source_(std::span(piece.data(), piece.size()));
+    if (!count) return close();  // no last chunk: the client sees that the body is torn
+    if (*count > 0) {
+      piece.resize(*count);
+      return write_chunk(std::move(piece), &Connection::write_next_piece);
+    }
+    source_ = nullptr;
+    asio::async_write(stream_, bhttp::make_chunk_last(),
+                      [self = shared_from_this()](beast::error_code error, std::size_t) {
+                        if (error || !self->keep_alive_) return self->close();
+                        self->read_next();
+                      });
+  }
+
+  void write_events(Response response) {
+    events_ = std::move(response.events);
+    keep_alive_ = false;
+    events_->on_ready([weak = weak_from_this(), executor = stream_.get_executor()] {
+      asio::post(executor, [weak] {
+        if (const auto self = weak.lock()) self->on_events_ready();
+      });
+    });
+    watch_for_close();
+    writing_events_ = true;
+    write_chunked_head(response, &Connection::write_next_events);
+  }
+
+  // A watcher sends nothing more: any byte or end of stream from it closes the connection.
+  void watch_for_close() {
+    stream_.async_read_some(asio::buffer(probe_),
+                            [self = shared_from_this()](beast::error_code, std::size_t) { self->close(); });
+  }
+
+  void on_events_ready() {
+    if (!events_ || writing_events_) return;
+    timer_.cancel();
+    write_next_events();
+  }
+
+  void write_next_events() {
+    writing_events_ = false;
+    if (!events_) return;
+    std::string ready = events_->take();
+    if (ready.empty() && comment_due_) ready = ": alive\n\n";
+    comment_due_ = false;
+    if (!ready.empty()) {
+      writing_events_ = true;
+      return write_chunk(std::move(ready), &Connection::write_next_events);
+    }
+    stream_.expires_never();
+    timer_.expires_after(kEventComment);
+    timer_.async_wait([self = shared_from_this()](beast::error_code error) {
+      if (error || self->writing_events_) return;
+      self->comment_due_ = true;
+      self->write_next_events();
+    });
+  }
+
+  beast::tcp_stream stream_;
+  asio::steady_timer timer_;
+  const ConnectionShared& shared_;
+  beast::flat_buffer buffer_;
+  std::optional<bhttp::request_parser<bhttp::string_body>> parser_;
+  BodySource source_;
+  std::shared_ptr<EventSubscription> events_;
+  std::string piece_;
+  std::array<char, 1> probe_{};
+  bool keep_alive_ = false;
+  bool writing_events_ = false;
+  bool comment_due_ = false;
+};
+
+}  // namespace
+
+std::weak_ptr<ConnectionHandle> serve(asio::ip::tcp::socket socket, const ConnectionShared& shared) {
+  const auto connection = std::make_shared<Connection>(std::move(socket), shared);
+  connection->read_next();
+  return connection;
+}
+
+}  // namespace dripfeed::http

@@ -1,0 +1,56 @@
+// A request and its answer as the handlers see them: no socket, no Beast. Header names are given by what they are for;
+// a handler never looks for others.
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "server/http/event_stream.h"
+
+namespace dripfeed::http {
+
+enum class Method : std::uint8_t { get, post, put, del, other };
+std::string_view name_of(Method method);
+
+struct Request {
+  Method method = Method::get;
+  std::string target;                        // as sent
+  std::vector<std::string> path;             // decoded segments behind the leading slash
+  std::map<std::string, std::string> query;  // decoded
+  std::string authorization;
+  std::string cookie;
+  std::string if_match;
+  std::string idempotency_key;
+  std::string last_event_id;
+  std::string origin;
+  std::string host;
+  std::string fetch_site;  // Sec-Fetch-Site
+  std::string content_type;
+  std::string body;
+};
+
+// Gives the next piece of a long body: how many bytes it wrote, 0 at the end, or what failed (then the connection is
+// cut, so that a half text never looks whole).
+using BodySource = std::function<std::expected<std::size_t, std::string>(std::span<char>)>;
+
+struct Response {
+  unsigned status = 200;
+  std::string content_type = "application/json";
+  std::vector<std::pair<std::string, std::string>> headers;
+  std::string body;
+  BodySource source;                          // instead of `body`, sent chunked
+  std::shared_ptr<EventSubscription> events;  // instead of both: a text/event-stream until either side closes
+};
+
+// Splits and decodes the target of a request. Nothing when an escape is broken or a segment is "." or "..".
+bool read_target(std::string_view target, Request& request);
+
+}  // namespace dripfeed::http

@@ -1,0 +1,53 @@
+// Which handler answers which path, as a table: method, pattern, role, handler. Rights are a column of the table, so
+// that no handler can forget them; /api/openapi.json is written from the same rows.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "server/http/request.h"
+
+namespace dripfeed::http {
+
+// What a caller must be at least. `anybody` needs no token.
+enum class Right : std::uint8_t { anybody, viewer, operator_, programmer, approver, admin };
+std::string_view name_of(Right right);
+
+// `light` routes answer in the HTTP thread; `heavy` ones (rendering, checks) run in the pool at low priority.
+enum class Weight : std::uint8_t { light, heavy };
+
+class Api;  // what handlers work with: the application and who calls
+
+// Values of the pattern's {names}, in their order.
+using Parameters = std::span<const std::string>;
+
+struct Call {
+  Api& api;
+  const Request& request;
+  Parameters parameters;
+  std::string_view user;
+  Right right;
+};
+using Handler = Response (*)(const Call&);
+
+struct Route {
+  Method method;
+  std::string_view pattern;  // "/api/v1/jobs/{id}/arm"
+  Right right;
+  Weight weight;
+  Handler handler;
+  std::string_view summary;  // one line for openapi.json
+};
+
+struct Match {
+  const Route* route = nullptr;  // nullptr: no such path (404) or, with `path_known`, no such method (405)
+  bool path_known = false;
+  std::vector<std::string> parameters;
+};
+
+Match find_route(std::span<const Route> routes, const Request& request);
+
+}  // namespace dripfeed::http

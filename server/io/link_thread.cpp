@@ -1,0 +1,103 @@
+// One io_context, one thread. After every handler the earliest deadline of all tickers is looked up and the one timer
+// set to it, in absolute time.
+#include "server/io/link_thread.h"
+
+#include <algorithm>
+#include <future>
+#include <thread>
+#include <vector>
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include "server/io/steady_clock.h"
+#include "server/io/stream_link.h"
+
+namespace dripfeed::io {
+
+namespace {
+
+namespace asio = boost::asio;
+
+class AsioLinkThread final : public app::LinkThread {
+ public:
+  AsioLinkThread() : timer_(context_), work_(asio::make_work_guard(context_)), thread_([this] { loop(); }) {}
+  ~AsioLinkThread() override {
+    asio::post(context_, [this] {
+      timer_.cancel();
+      work_.reset();
+      stopping_ = true;
+    });
+    thread_.join();
+  }
+
+  [[nodiscard]] const app::Clock& clock() const override { return clock_; }
+  void post(std::function<void()> work) override { asio::post(context_, std::move(work)); }
+  void run(const std::function<void()>& work) override {
+    std::promise<void> done;
+    asio::post(context_, [&] {
+      work();
+      done.set_value();
+    });
+    done.get_future().wait();
+  }
+  void add(app::Ticker& ticker) override { tickers_.push_back(&ticker); }
+  void remove(app::Ticker& ticker) override { std::erase(tickers_, &ticker); }
+  std::expected<std::unique_ptr<app::Link>, std::string> open(const machine::LineSettings& line,
+                                                              app::LinkListener& listener) override {
+    return open_link(context_, line, listener);
+  }
+
+ private:
+  void loop() {
+    while (!stopping_ && context_.run_one() > 0) {
+      run_due();
+      set_timer();
+    }
+    // What the links left behind (aborted waits) still refers to the context: give each its last call.
+    context_.poll();
+  }
+
+  void run_due() {
+    const feed::Time now = clock_.now();
+    for (std::size_t i = 0; i < tickers_.size(); ++i) {
+      const auto deadline = tickers_[i]->deadline();
+      if (deadline && *deadline <= now) tickers_[i]->tick(now);
+    }
+  }
+
+  void set_timer() {
+    std::optional<feed::Time> earliest;
+    for (const app::Ticker* ticker : tickers_) {
+      const auto deadline = ticker->deadline();
+      if (deadline && (!earliest || *deadline < *earliest)) earliest = deadline;
+    }
+    if (earliest == armed_for_) return;
+    armed_for_ = earliest;
+    if (!earliest) {
+      timer_.cancel();
+      return;
+    }
+    timer_.expires_at(std::chrono::steady_clock::time_point(*earliest));
+    timer_.async_wait([this](boost::system::error_code error) {
+      if (!error) armed_for_.reset();  // run_due() follows every handler
+    });
+  }
+
+  SteadyClock clock_;
+  asio::io_context context_{1};
+  asio::steady_timer timer_;
+  asio::executor_work_guard<asio::io_context::executor_type> work_;
+  std::vector<app::Ticker*> tickers_;
+  std::optional<feed::Time> armed_for_;
+  bool stopping_ = false;
+  std::jthread thread_;
+};
+
+}  // namespace
+
+std::unique_ptr<app::LinkThread> start_link_thread() { return std::make_unique<AsioLinkThread>(); }
+
+}  // namespace dripfeed::io

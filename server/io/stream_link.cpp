@@ -1,0 +1,267 @@
+// A link is a handle; the core behind it lives as long as Asio has operations pending, so that a link may be destroyed
+// from inside its own callback. After that the core's listener is gone and nothing is called.
+#include "server/io/stream_link.h"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <fmt/format.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "server/io/serial_port.h"
+
+namespace dripfeed::io {
+
+namespace {
+
+namespace asio = boost::asio;
+using tcp = asio::ip::tcp;
+
+constexpr std::size_t kReadBytes = 4096;
+constexpr std::chrono::milliseconds kModemPoll{100};
+// A small send buffer bounds what the network holds of a program; keepalive finds a half-open peer in about 20 s.
+constexpr int kSocketSendBytes = 4096;
+constexpr int kKeepIdle_s = 10;
+constexpr int kKeepInterval_s = 3;
+constexpr int kKeepCount = 3;
+
+template <class Stream>
+class Core : public std::enable_shared_from_this<Core<Stream>> {
+ public:
+  Core(Stream stream, app::LinkListener& listener) : stream_(std::move(stream)), listener_(&listener) {}
+
+  // From here on bytes flow.
+  void begin() {
+    listener_->on_up();
+    if (listener_ != nullptr) read_next();
+  }
+
+  void detach() {
+    listener_ = nullptr;
+    boost::system::error_code ignored;  // what is closed twice stays closed
+    stream_.close(ignored);
+  }
+
+  std::size_t write(std::span<const std::byte> bytes) {
+    const ssize_t taken = ::write(stream_.native_handle(), bytes.data(), bytes.size());
+    if (taken == static_cast<ssize_t>(bytes.size())) return bytes.size();
+    if (taken >= 0 || errno == EAGAIN || errno == EINTR) {
+      wait_writable();
+      return taken > 0 ? static_cast<std::size_t>(taken) : 0;
+    }
+    // The listener must not hear of it from inside its own call.
+    asio::post(stream_.get_executor(),
+               [self = this->shared_from_this(), reason = std::string(std::strerror(errno))] { self->lose(reason); });
+    return 0;
+  }
+
+  void lose(const std::string& reason) {
+    if (listener_ == nullptr) return;
+    app::LinkListener* listener = std::exchange(listener_, nullptr);
+    boost::system::error_code ignored;  // it is lost already
+    stream_.close(ignored);
+    listener->on_lost(reason);
+  }
+
+  Stream& stream() { return stream_; }
+  app::LinkListener* listener() { return listener_; }
+
+ private:
+  void read_next() {
+    stream_.async_read_some(
+        asio::buffer(buffer_), [self = this->shared_from_this()](boost::system::error_code error, std::size_t count) {
+          if (self->listener_ == nullptr) return;
+          if (error) return self->lose(error == asio::error::eof ? "the other side closed the line" : error.message());
+          self->listener_->on_receive(std::span(self->buffer_).first(count));
+          if (self->listener_ != nullptr) self->read_next();
+        });
+  }
+
+  void wait_writable() {
+    if (std::exchange(waiting_, true)) return;
+    stream_.async_wait(Stream::wait_write, [self = this->shared_from_this()](boost::system::error_code error) {
+      self->waiting_ = false;
+      if (!error && self->listener_ != nullptr) self->listener_->on_writable();
+    });
+  }
+
+  Stream stream_;
+  app::LinkListener* listener_;
+  std::array<std::byte, kReadBytes> buffer_{};
+  bool waiting_ = false;
+};
+
+// --- tty
+// -------------------------------------------------------------------------------------------------------------------
+
+using SerialCore = Core<asio::posix::stream_descriptor>;
+
+class SerialLink final : public app::Link {
+ public:
+  SerialLink(asio::io_context& context, int descriptor, bool watch_lines, app::LinkListener& listener)
+      : core_(std::make_shared<SerialCore>(asio::posix::stream_descriptor(context, descriptor), listener)),
+        poll_(std::make_shared<asio::steady_timer>(context)) {
+    asio::post(context, [core = core_] {
+      if (core->listener() != nullptr) core->begin();
+    });
+    if (watch_lines) poll_lines(core_, poll_, ModemLines{});
+  }
+  ~SerialLink() override {
+    poll_->cancel();
+    core_->detach();
+  }
+
+  std::size_t write(std::span<const std::byte> bytes) override { return core_->write(bytes); }
+  std::optional<std::uint64_t> unsent() override { return read_unsent(core_->stream().native_handle()); }
+
+ private:
+  static void poll_lines(const std::shared_ptr<SerialCore>& core, const std::shared_ptr<asio::steady_timer>& timer,
+                         ModemLines before) {
+    timer->expires_after(kModemPoll);
+    timer->async_wait([core, timer, before](boost::system::error_code error) {
+      if (error || core->listener() == nullptr) return;
+      const ModemLines now = read_modem_lines(core->stream().native_handle()).value_or(before);
+      if (now.cts != before.cts) core->listener()->on_cts(now.cts);
+      if (core->listener() != nullptr && now.dsr != before.dsr) core->listener()->on_dsr(now.dsr);
+      poll_lines(core, timer, now);
+    });
+  }
+
+  std::shared_ptr<SerialCore> core_;
+  std::shared_ptr<asio::steady_timer> poll_;
+};
+
+// --- sockets
+// ---------------------------------------------------------------------------------------------------------------
+
+using TcpCore = Core<tcp::socket>;
+
+void set_option(int descriptor, int level, int name, int value) {
+  ::setsockopt(descriptor, level, name, &value, sizeof(value));  // a hint: the link works without it
+}
+
+void tune(tcp::socket& socket) {
+  const int descriptor = socket.native_handle();
+  set_option(descriptor, IPPROTO_TCP, TCP_NODELAY, 1);
+  set_option(descriptor, SOL_SOCKET, SO_KEEPALIVE, 1);
+  set_option(descriptor, IPPROTO_TCP, TCP_KEEPIDLE, kKeepIdle_s);
+  set_option(descriptor, IPPROTO_TCP, TCP_KEEPINTVL, kKeepInterval_s);
+  set_option(descriptor, IPPROTO_TCP, TCP_KEEPCNT, kKeepCount);
+  socket.non_blocking(true);
+}
+
+class TcpLink : public app::Link {
+ public:
+  TcpLink(asio::io_context& context, app::LinkListener& listener)
+      : core_(std::make_shared<TcpCore>(tcp::socket(context), listener)) {}
+  ~TcpLink() override { core_->detach(); }
+
+  // Throws boost::system::system_error when the socket cannot be made; open_link is the fence.
+  void connect(const tcp::endpoint& peer) {
+    core_->stream().open(peer.protocol());
+    set_option(core_->stream().native_handle(), SOL_SOCKET, SO_SNDBUF, kSocketSendBytes);
+    core_->stream().async_connect(peer, [core = core_](boost::system::error_code error) {
+      if (core->listener() == nullptr) return;
+      if (error) return core->lose(error.message());
+      tune(core->stream());
+      core->begin();
+    });
+  }
+
+  std::size_t write(std::span<const std::byte> bytes) override { return core_->write(bytes); }
+  // What TCP holds says nothing of the line behind the device server.
+  std::optional<std::uint64_t> unsent() override { return std::nullopt; }
+
+ protected:
+  std::shared_ptr<TcpCore>& core() { return core_; }
+
+ private:
+  std::shared_ptr<TcpCore> core_;
+};
+
+// Waits for one peer (a device server in client mode).
+class TcpListenLink final : public TcpLink {
+ public:
+  TcpListenLink(asio::io_context& context, const tcp::endpoint& local, app::LinkListener& listener)
+      : TcpLink(context, listener), acceptor_(std::make_shared<tcp::acceptor>(context, local)) {
+    acceptor_->async_accept(core()->stream(), [core = core(), acceptor = acceptor_](boost::system::error_code error) {
+      if (core->listener() == nullptr) return;
+      boost::system::error_code ignored;  // one peer is enough: the next one is refused by the system
+      acceptor->close(ignored);
+      if (error) return core->lose(error.message());
+      tune(core->stream());
+      core->begin();
+    });
+  }
+  ~TcpListenLink() override {
+    boost::system::error_code ignored;  // closed already once a peer came
+    acceptor_->close(ignored);
+  }
+
+ private:
+  std::shared_ptr<tcp::acceptor> acceptor_;
+};
+
+// --- opening
+// ---------------------------------------------------------------------------------------------------------------
+
+using Opened = std::expected<std::unique_ptr<app::Link>, std::string>;
+
+Opened open_serial(asio::io_context& context, const machine::LineSettings& line, app::LinkListener& listener) {
+  const auto descriptor = open_serial_port(line.link.path, line.baud, line.framing);
+  if (!descriptor) return std::unexpected(descriptor.error());
+  return std::make_unique<SerialLink>(context, *descriptor, line.watch_cts || line.watch_dsr, listener);
+}
+
+Opened open_tcp(asio::io_context& context, const machine::LineSettings& line, app::LinkListener& listener) {
+  // Names are looked up by the system here; a numeric address never blocks.
+  const auto peers = tcp::resolver(context).resolve(line.link.host, std::to_string(line.link.port));
+  auto link = std::make_unique<TcpLink>(context, listener);
+  link->connect(*peers.begin());
+  return link;
+}
+
+Opened open_listener(asio::io_context& context, const machine::LineSettings& line, app::LinkListener& listener) {
+  const std::string host = line.link.host.empty() ? "127.0.0.1" : line.link.host;
+  return std::make_unique<TcpListenLink>(context, tcp::endpoint(asio::ip::make_address(host), line.link.port),
+                                         listener);
+}
+
+Opened open_modbus(asio::io_context&, const machine::LineSettings& line, app::LinkListener&) {
+  return std::unexpected(fmt::format("{} is a register bus, not a link of bytes", line.link.text));
+}
+
+struct OpenerRow {
+  machine::LinkKind kind;
+  Opened (*open)(asio::io_context&, const machine::LineSettings&, app::LinkListener&);
+};
+constexpr std::array kOpeners = {
+    OpenerRow{machine::LinkKind::serial, open_serial},     OpenerRow{machine::LinkKind::pty, open_serial},
+    OpenerRow{machine::LinkKind::tcp, open_tcp},           OpenerRow{machine::LinkKind::tcp_listen, open_listener},
+    OpenerRow{machine::LinkKind::modbus_tcp, open_modbus},
+};
+
+}  // namespace
+
+Opened open_link(asio::io_context& context, const machine::LineSettings& line, app::LinkListener& listener) {
+  for (const OpenerRow& row : kOpeners) {
+    if (row.kind != line.link.kind) continue;
+    try {
+      return row.open(context, line, listener);
+    } catch (const boost::system::system_error& error) {
+      return std::unexpected(fmt::format("{}: {}", line.link.text, error.code().message()));
+    }
+  }
+  return std::unexpected(fmt::format("{}: no driver for this kind of link", line.link.text));
+}
+
+}  // namespace dripfeed::io

@@ -1,0 +1,36 @@
+// Where a machine is reached, as a URL: serial:/dev/ttyS0?baud=9600&framing=7E2, tcp://host:port,
+// modbus-tcp://host:port/unit, pty:/path, tcp-listen://:port. Which of them a program end may use (server, simulator)
+// is the opener's decision.
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace dripfeed::machine {
+
+enum class LinkKind : std::uint8_t { serial, tcp, tcp_listen, modbus_tcp, pty };
+std::string_view name_of(LinkKind kind);
+
+struct LinkUrl {
+  LinkKind kind = LinkKind::serial;
+  std::string path;  // serial, pty
+  std::string host;  // tcp, tcp_listen (empty: loopback), modbus_tcp
+  std::uint16_t port = 0;
+  std::uint8_t unit = 1;                       // modbus_tcp
+  std::map<std::string, std::string> options;  // baud, framing, flow, latency_chars, budget, unsent, rate, start, rts
+  std::string text;                            // as written
+
+  friend bool operator==(const LinkUrl&, const LinkUrl&) = default;
+};
+
+// The URL, or one sentence that says what is wrong and where ("unknown scheme \"ftp\" …", "port \"99999\" is
+// not 1..65535"). Options are checked by name here, by value where they are used.
+std::expected<LinkUrl, std::string> parse_link_url(std::string_view text);
+
+// Blind links give no way to see what is still unsent below the socket.
+bool is_blind(LinkKind kind);
+
+}  // namespace dripfeed::machine

@@ -1,0 +1,80 @@
+// A machine profile: what the shop knows of one machine. Values that were not given keep the control's usual ones;
+// `confirmed` fields say that somebody looked at the machine.
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "checks/machine.h"
+#include "dialects/ir/control.h"
+#include "dialects/ir/stage.h"
+#include "protocol/feed/program_check.h"
+#include "protocol/feed/settings.h"
+#include "protocol/tape_code/eob.h"
+#include "protocol/tape_code/framing.h"
+#include "server/machine/link_url.h"
+
+namespace dripfeed::machine {
+
+// Laid over the dialect's usual control by `control_of`.
+struct ControlSettings {
+  std::string dialect;  // "fanuc", "sinumerik-840d"
+  std::string title;    // "Fanuc 0i-TF"
+  ir::MachineKind kind = ir::MachineKind::mill;
+  ir::GSystem g_system = ir::GSystem::a;
+  std::optional<ir::DecimalMode> decimal_mode;
+  bool decimal_mode_confirmed = false;
+  double increment_mm = 0.0;                  // printed and traced positions are rounded to it; 0: not stated
+  std::optional<ir::Function> power_on_unit;  // these four: what the machine wakes up with
+  std::optional<ir::Function> power_on_distance;
+  std::optional<ir::Function> power_on_feed;
+  std::optional<ir::Function> power_on_plane;
+  bool power_on_confirmed = false;
+  std::vector<ir::VariableRange> variables;  // empty: the control's usual ranges
+  std::optional<std::uint32_t> block_length_bytes;
+};
+
+// How the line is spoken to; becomes feed::Settings together with the URL's options, which win.
+struct LineSettings {
+  LinkUrl link;
+  std::uint32_t baud = 9600;
+  tape_code::Framing framing;
+  tape_code::Code code = tape_code::Code::iso;
+  tape_code::Eob eob = tape_code::Eob::lf;
+  std::uint32_t leader_nuls = 0;
+  std::uint32_t trailer_nuls = 0;
+  feed::Start start = feed::Start::on_dc1;
+  bool end_by_dc3 = true;
+  std::optional<std::uint8_t> end_by_character;
+  std::optional<double> end_by_quiet_s = 5.0;
+  std::uint32_t overrun_budget = 10;
+  std::uint32_t unsent = 4;
+  std::uint32_t latency_chars = 5;
+  bool watch_cts = false;
+  bool watch_dsr = false;
+  double arming_minutes = 10.0;
+  std::string character_set = "ascii";  // a name of tape_code::character_sets()
+};
+
+struct Profile {
+  std::string name;  // what the shop calls the machine; also its id
+  std::string title;
+  ControlSettings control;
+  checks::Machine machine;
+  LineSettings line;
+};
+
+// The control's tables with the profile's settings laid over them; marked as coming from a profile.
+ir::Control control_of(const Profile& profile, ir::Control usual);
+
+// The feed's settings for this line, URL options (baud, framing, latency_chars, budget, unsent, start, eob) included;
+// or one sentence that says which is wrong, the budget's sum shown where it cannot hold.
+std::expected<feed::Settings, std::string> feed_settings_of(const LineSettings& line);
+
+// What a text for this machine must look like to be fed.
+feed::ProgramSyntax program_syntax_of(const Profile& profile, ir::Delivery delivery);
+
+}  // namespace dripfeed::machine
