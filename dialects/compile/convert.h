@@ -1,0 +1,34 @@
+// From the text of one control to the text of another. Same dialect in macro mode: the bytes themselves.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dialects/compile/library.h"
+#include "dialects/ir/control.h"
+#include "dialects/text/diagnostic.h"
+#include "dialects/text/source.h"
+
+namespace dripfeed::compile {
+
+enum class ConvertMode : std::uint8_t { macro, explicit_blocks };
+
+struct ConvertRequest {
+  text::Source source;
+  ir::Control from;
+  ir::Control to;
+  ConvertMode mode = ConvertMode::macro;
+  ProgramLibrary* library = nullptr;  // of called programs, for explicit; nullptr: none are found
+};
+
+struct ConvertResult {
+  std::string text;                           // empty with an error, except where it is the source's own bytes
+  std::vector<std::uint32_t> origin_lines;    // per printed line the source's line; empty for the source's own bytes
+  std::vector<text::Diagnostic> diagnostics;  // spans in `source`
+};
+
+// macro: read, raise, print; explicit: read, interpret, print plain blocks.
+ConvertResult convert(const ConvertRequest& request);
+
+}  // namespace dripfeed::compile

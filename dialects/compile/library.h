@@ -1,0 +1,43 @@
+// Called programs by name: asks whoever holds the texts (a folder, a store) once a name and reads what it gets.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dialects/ir/control.h"
+#include "dialects/ir/stage.h"
+#include "dialects/text/source.h"
+
+namespace dripfeed::compile {
+
+// Text of a called program with the name that messages use (a path); nothing when there is none. `name` is as called:
+// "O9010", "TURNING_CYCLE", "L100".
+using FindText = std::function<std::optional<text::Source>(std::string_view name)>;
+
+// Reads each program once, with the dialect and control of the caller. Not for several threads at a time.
+class ProgramLibrary {
+ public:
+  ProgramLibrary(ir::Control control, FindText find_text);
+
+  // nullptr when there is no such program. Valid as long as the library.
+  const ir::Program* find(std::string_view name);
+  // What reading the programs gave, by name, in the order they were asked for.
+  struct Loaded {
+    std::string name;
+    ir::ReadResult read;
+  };
+  [[nodiscard]] const std::vector<std::unique_ptr<Loaded>>& loaded() const { return loaded_; }
+
+ private:
+  ir::Control control_;
+  FindText find_text_;
+  std::vector<std::unique_ptr<Loaded>> loaded_;
+  std::map<std::string, const Loaded*, std::less<>> by_name_;  // nullptr: asked for and not there
+};
+
+}  // namespace dripfeed::compile

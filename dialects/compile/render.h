@@ -1,0 +1,71 @@
+// Rendering: family and values in, text for one control out, as macro (the control computes) or explicit (computed
+// here). What is stored, checked or sent of it is left to the caller.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dialects/compile/place_index.h"
+#include "dialects/family/bind.h"
+#include "dialects/family/geometry.h"
+#include "dialects/ir/control.h"
+#include "dialects/ir/stage.h"
+#include "dialects/text/diagnostic.h"
+#include "dialects/text/source.h"
+
+namespace dripfeed::compile {
+
+// `automatic` takes explicit for drip feeding, because controls reject jumps and loops there, and macro for memory as
+// far as the control's variables suffice.
+enum class RenderMode : std::uint8_t { macro, explicit_blocks, automatic };
+// "macro", "explicit", "auto"
+std::string_view name_of(RenderMode mode);
+std::optional<RenderMode> find_render_mode(std::string_view name);
+
+struct RenderRequest {
+  text::Source family;                   // text of the .family file
+  std::vector<family::Override> values;  // of the part; the rest are defaults
+  ir::Control target;                    // its `dialect` names who prints
+  RenderMode mode = RenderMode::automatic;
+  ir::Delivery delivery = ir::Delivery::memory;
+  std::string program_name;  // "O0100", "ROLL_1"; empty: the dialect's form of the family's name
+};
+
+struct RenderResult {
+  std::string text;                     // LF as EOB
+  RenderMode mode = RenderMode::macro;  // never automatic
+  std::string because;                  // one sentence: why this mode
+  std::uint64_t blocks = 0;             // non-empty lines but '%'
+  std::uint64_t bytes = 0;
+  std::uint32_t variables = 0;                   // distinct user variables that the text touches
+  std::vector<family::LineRange> profile_lines;  // ranges of printed lines that make the nominal
+  PlaceIndex places;                             // explicit only
+  family::Geometry geometry;                     // stock and nominal with these values
+  // Spans are in RenderRequest::family. With an error there is no text.
+  std::vector<text::Diagnostic> diagnostics;
+};
+
+RenderResult render(const RenderRequest& request);
+
+// What a family is, for lists and forms.
+struct ParameterDescription {
+  std::string name;
+  std::string unit;      // of default, low and high; empty for plain numbers
+  std::string standard;  // the default as one would write it: "100 mm"
+  double low = 0.0;
+  double high = 0.0;
+  std::string text;
+};
+struct FamilyDescription {
+  std::string name;
+  std::string title;
+  ir::MachineKind machine = ir::MachineKind::mill;
+  std::vector<ParameterDescription> parameters;
+  std::vector<text::Diagnostic> diagnostics;  // spans in `family`
+};
+FamilyDescription describe_family(const text::Source& family);
+
+}  // namespace dripfeed::compile

@@ -1,0 +1,36 @@
+// A family with a value for each parameter. Values come as people write them ("120 mm", "4.7244 in"), because a number
+// without its unit is how a part is scrapped.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dialects/family/model.h"
+#include "dialects/text/diagnostic.h"
+
+namespace dripfeed::family {
+
+struct Override {
+  std::string name;
+  std::string value;  // "120 mm"; a plain number for count and ratio
+};
+
+struct BoundFamily {
+  std::shared_ptr<const Family> family;
+  // One a symbol of Family::arena, stored units: parameters, then lets as computed from them; 0 for the body's own.
+  std::vector<double> values;
+};
+
+struct BindResult {
+  BoundFamily bound;  // to be built only when no diagnostic is an error
+  std::vector<text::Diagnostic> diagnostics;
+};
+
+// Defaults where nothing is given; a name given twice takes the last. Faults: unknown parameter, no or wrong unit, out
+// of range, not whole, a failed `require` (with its text), a loop that cannot run, a value that cannot be computed.
+// Spans are in the family's source: at the parameter, the constraint or the loop.
+BindResult bind(std::shared_ptr<const Family> family, std::span<const Override> overrides);
+
+}  // namespace dripfeed::family
