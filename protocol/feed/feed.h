@@ -124,15 +124,16 @@ class Feed {
   bool holds(Condition condition) const;
   bool holds(Guard guard) const;
   std::expected<void, Refusal> react(Input input, Trigger trigger);
-  void perform(Action action, Input input, Trigger trigger, State to);
+  void perform(Action action, Trigger trigger, State to);
   void enter(State to, Cause cause);
   void fill();
-  void refresh();
+  void advance();
+  void take_job();
+  void end_job(Cause cause);
+  Time quiet_at() const;
   Stall present_stall() const;
-  void count_stall_time();
   void emit(Event event);
-  void note_input(Input input, Trigger trigger);
-  bool may_hand() const;
+  void note_input(Trigger trigger);
   bool in_block() const;
   std::size_t allowed() const;
 
@@ -163,8 +164,8 @@ class Feed {
   std::uint64_t program_end_wire_ = 0;
   std::uint64_t reserve_ = 0;
   Time expires_at_{};
-  Time quiet_since_{};
-  Time stall_since_{};
+  Time last_input_{};
+  Time source_retry_at_{};
   Counters counters_;
   Interval end_interval_;
 

@@ -14,7 +14,7 @@ class LineClock {
       : char_time_(char_time), unsent_(unsent), latency_(char_time * latency_chars) {}
 
   // A new job: counts from 0 again. What is still on the line stays on the line.
-  void restart(Time now);
+  void restart();
   void handed(std::uint64_t count, Time now);
   // The driver says that so many characters are unsent below it; more than we believed moves free_at out, fewer does
   // not move it in (a FIFO is not in that number, and a pty always says 0).

@@ -23,6 +23,7 @@ struct CommentStyle {
 struct ProgramSyntax {
   std::array<CommentStyle, 2> comments{CommentStyle{'(', ')'}, CommentStyle{}};
   bool quoted_strings = false;                          // "..." hides codes and comment signs
+  bool long_names = false;                              // names of several letters and digits exist, so M30A is no M30
   std::array<std::uint16_t, 4> end_codes{30, 2, 0, 0};  // M codes that end a program; 0 = unused
   bool start_percent = true;  // the text must begin with '%' (what precedes is skipped by controls)
   bool final_percent = true;  // the text must end with '%'
@@ -31,8 +32,10 @@ struct ProgramSyntax {
 
 // Ready-made: comments in parentheses and M30, M02; comments after ';' and M30, M2, M17 with strings.
 inline constexpr ProgramSyntax kParenthesesSyntax{};
-inline constexpr ProgramSyntax kSemicolonSyntax{
-    .comments = {CommentStyle{';', '\n'}, CommentStyle{}}, .quoted_strings = true, .end_codes = {30, 2, 17, 0}};
+inline constexpr ProgramSyntax kSemicolonSyntax{.comments = {CommentStyle{';', '\n'}, CommentStyle{}},
+                                                .quoted_strings = true,
+                                                .long_names = true,
+                                                .end_codes = {30, 2, 17, 0}};
 
 enum class ProgramFault : std::uint8_t {
   empty,
@@ -44,6 +47,7 @@ enum class ProgramFault : std::uint8_t {
   text_after_percent,       // something other than EOBs follows the final '%'
   no_end_code,              // the last block does not end the program
   no_final_eob,             // the last block has no EOB and no '%' follows
+  comment_open,             // a comment in parentheses has no end in its block
 };
 std::string_view message(ProgramFault fault);
 
@@ -60,6 +64,8 @@ class ProgramFacts {
   std::uint64_t eobs() const { return eobs_; }
   // Characters up to and with the final '%' (or the whole text where no '%' is due): once they are out, the program is.
   std::uint64_t program_bytes() const { return program_bytes_; }
+  // EOBs among these.
+  std::uint64_t program_eobs() const { return program_eobs_; }
 
  private:
   friend class ProgramCheck;
@@ -67,6 +73,7 @@ class ProgramFacts {
   std::uint64_t text_bytes_ = 0;
   std::uint64_t eobs_ = 0;
   std::uint64_t program_bytes_ = 0;
+  std::uint64_t program_eobs_ = 0;
 };
 
 // Text with LF as EOB, in any pieces.
@@ -82,34 +89,43 @@ class ProgramCheck {
     std::uint64_t column = 1;
     std::uint64_t offset = 0;
   };
-  enum class Word : std::uint8_t { none, m_seen, digits, spoiled };
+  enum class Word : std::uint8_t { none, m_seen, digits };
 
   void put(char character);
   void put_percent();
   void put_in_comment(char character);
   void put_code(char character);
+  void put_in_word(char character);
   void end_word();
   void end_block();
-  const CommentStyle* comment_opened_by(char character) const;
+  bool opens_comment(char character);
   void refuse(ProgramFault fault, const Place& place);
 
   ProgramSyntax syntax_;
   Place at_;
+  std::uint64_t eobs_ = 0;
   std::optional<ProgramRefusal> refusal_;
-  std::optional<Place> percent_;  // the last '%' seen, if it may be the final one
-  std::uint64_t percents_ = 0;
-  bool percent_is_start_ = false;  // the last '%' seen is the first character of the text
-  const CommentStyle* comment_ = nullptr;
+  bool begun_ = false;            // a character other than EOB was seen
+  std::optional<Place> percent_;  // a '%' behind the first character: the final one, if nothing follows
+  bool in_comment_ = false;
+  char comment_close_ = 0;
   bool in_string_ = false;
-  bool begun_ = false;               // a character other than EOB was seen
-  bool block_has_any_ = false;       // the present block holds any character
-  bool block_has_code_ = false;      // ... and one that a control acts on
-  bool block_is_skipped_ = false;    // ... and begins with '/'
-  bool block_ends_program_ = false;  // ... and holds an end code
+
+  // The present block.
+  struct Block {
+    bool any = false;                // holds any character
+    bool skipped_by_reader = false;  // begins with the first '%': controls skip it up to its EOB
+    bool label = false;              // is inside its N word
+    bool code = false;               // holds something to act on beside the N word
+    bool optional = false;           // begins with '/', so it may be left out
+    bool ends_program = false;       // holds an end code
+  };
+  Block block_;
   bool last_block_ends_program_ = false;
   Place last_code_;
+
   Word word_ = Word::none;
-  char before_ = '\n';  // the last character of code, blanks left out
+  char before_ = '\n';  // the character before the present one
   std::uint32_t number_ = 0;
 };
 

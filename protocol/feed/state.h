@@ -46,10 +46,11 @@ enum class Input : std::uint8_t {
   stop,
   resume,  // takes back stop
   cancel,
+  abort,          // at once, wherever the block stands
   resume_as_dc1,  // a person stands in for a lost DC1
   confirm_reset,  // a person says that the control was reset
 };
-inline constexpr std::size_t kInputs = 13;
+inline constexpr std::size_t kInputs = 14;
 
 // What a row depends on besides state and input. A pair of guards splits one (state, input) into two rows.
 enum class Guard : std::uint8_t {

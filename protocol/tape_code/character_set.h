@@ -38,7 +38,8 @@ struct NamedCharacterSet {
   std::string_view source;
 };
 
-// The known sets: "fanuc-iso", "mitsubishi", "mazak", "sinumerik", "ascii". All hold LF, none CR, NUL or a DC code.
+// The known sets: "iso-core", "fanuc-iso", "mitsubishi", "mazak", "sinumerik", "ascii". All hold LF, none CR, NUL or a
+// DC code.
 std::span<const NamedCharacterSet> character_sets();
 std::optional<CharacterSet> find_character_set(std::string_view name);
 

@@ -1,0 +1,312 @@
+// The machine: inputs, commands and time, each taken to a row of the table. What goes out is in feed_output.cpp.
+#include "protocol/feed/feed.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocol/feed/state_groups.h"
+
+namespace dripfeed::feed {
+namespace {
+
+constexpr std::array<std::pair<Refusal, std::string_view>, 3> kRefusals{{
+    {Refusal::not_in_this_state, "the command has no effect in this state"},
+    {Refusal::link_is_down, "the link is down"},
+    {Refusal::no_source, "the job has no text"},
+}};
+
+constexpr std::array<std::pair<Command, Input>, 7> kCommands{{
+    {Command::disarm, Input::disarm},
+    {Command::stop, Input::stop},
+    {Command::resume, Input::resume},
+    {Command::cancel, Input::cancel},
+    {Command::abort, Input::abort},
+    {Command::resume_as_if_dc1, Input::resume_as_dc1},
+    {Command::confirm_reset, Input::confirm_reset},
+}};
+
+struct SignalRow {
+  Signal signal;
+  Input input;
+  Cause cause;
+};
+constexpr std::array<SignalRow, 8> kSignals{{
+    {Signal::dc1, Input::dc1, Cause::dc1},
+    {Signal::dc2, Input::punch_code, Cause::none},
+    {Signal::dc3, Input::dc3, Cause::dc3},
+    {Signal::dc4, Input::punch_code, Cause::none},
+    {Signal::eot, Input::eot, Cause::eot},
+    {Signal::syn, Input::broken, Cause::syn},
+    {Signal::nak, Input::broken, Cause::nak},
+    {Signal::unexpected, Input::broken, Cause::unexpected_input},
+}};
+constexpr bool signals_in_order() {
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    if (static_cast<std::size_t>(kSignals[i].signal) != i) return false;
+  }
+  return true;
+}
+static_assert(signals_in_order());
+
+}  // namespace
+
+std::string_view message(Refusal refusal) {
+  for (const auto& [key, text] : kRefusals) {
+    if (key == refusal) return text;
+  }
+  return {};
+}
+
+Feed::Feed(const Settings& settings)
+    : settings_(settings),
+      char_time_(char_time(settings)),
+      clock_(char_time_, settings.unsent, settings.latency_chars) {
+  counters_.estimated = settings.blind;
+}
+
+std::expected<Feed, SettingsRefusal> Feed::make(const Settings& settings) {
+  if (const auto valid = validate(settings); !valid) return std::unexpected(valid.error());
+  Feed feed(settings);
+  feed.stall_ = feed.present_stall();
+  return feed;
+}
+
+std::expected<void, Refusal> Feed::arm(const Job& job, Time now) {
+  step_to(now);
+  if (job.source == nullptr) return std::unexpected(Refusal::no_source);
+  if (!link_up_) return std::unexpected(Refusal::link_is_down);
+  const std::optional<Job> before = std::exchange(job_, job);
+  const auto taken = react(Input::arm, {.cause = Cause::person});
+  if (!taken) job_ = before;
+  advance();
+  return taken;
+}
+
+std::expected<void, Refusal> Feed::command(Command command, Time now) {
+  step_to(now);
+  for (const auto& [key, input] : kCommands) {
+    if (key != command) continue;
+    const auto taken = react(input, {.cause = Cause::person});
+    advance();
+    return taken;
+  }
+  return std::unexpected(Refusal::not_in_this_state);
+}
+
+void Feed::extend_reserve(std::uint64_t wire_offset, Time now) {
+  step_to(now);
+  reserve_ = std::max(reserve_, wire_offset);
+  advance();
+}
+
+void Feed::receive(std::span<const std::byte> bytes, Time now) {
+  step_to(now);
+  for (const std::byte raw : bytes) {
+    const auto byte = std::to_integer<std::uint8_t>(raw);
+    const Signal signal = classify(byte, settings_.wire.eighth_bit, settings_.end.eot);
+    const SignalRow& row = kSignals[static_cast<std::size_t>(signal)];
+    last_input_ = now_;
+    static_cast<void>(react(row.input, {.cause = row.cause, .byte = byte}));
+    advance();
+  }
+}
+
+void Feed::line(LineChange change, Time now) {
+  step_to(now);
+  const auto changed = [&](bool& level, bool up, EventKind kind) {
+    if (level == up) return false;
+    level = up;
+    emit({.kind = kind, .up = up});
+    return true;
+  };
+  switch (change) {
+    case LineChange::link_up: changed(link_up_, true, EventKind::link_changed); break;
+    case LineChange::link_down:
+      if (changed(link_up_, false, EventKind::link_changed)) {
+        static_cast<void>(react(Input::broken, {.cause = Cause::link_lost}));
+      }
+      break;
+    case LineChange::cts_on:
+      if (changed(cts_on_, true, EventKind::cts_changed)) clock_.go_on(now_);
+      break;
+    case LineChange::cts_off:
+      if (changed(cts_on_, false, EventKind::cts_changed) && settings_.watch_cts) {
+        clock_.pause(now_);
+        static_cast<void>(react(Input::cts_off, {.cause = Cause::cts_off}));
+      }
+      break;
+    case LineChange::dsr_on: changed(dsr_on_, true, EventKind::dsr_changed); break;
+    case LineChange::dsr_off:
+      if (changed(dsr_on_, false, EventKind::dsr_changed) && settings_.watch_dsr) {
+        static_cast<void>(react(Input::broken, {.cause = Cause::dsr_off}));
+      }
+      break;
+  }
+  advance();
+}
+
+void Feed::tick(Time now) {
+  step_to(now);
+  advance();
+}
+
+// Time first: what became true by now happened before the input that comes now.
+void Feed::step_to(Time now) {
+  if (now > now_) {
+    const Time passed = now - now_;
+    if (is_held(state_)) counters_.held_for += passed;
+    if (stall_ != Stall::none && is_on_the_line(state_)) counters_.stalled_for += passed;
+    now_ = now;
+  }
+  if (has_job(state_)) counters_.clocked = clock_.clocked(now_);
+  settle_progress();
+}
+
+// After a change: move on where conditions hold, take text, allow what may go out, name the stall.
+void Feed::advance() {
+  settle_progress();
+  if (may_hand(state_)) {
+    fill();
+    settle_progress();
+  }
+  credit_ = clock_.credit(now_);
+  const Stall stall = present_stall();
+  if (stall == stall_) return;
+  stall_ = stall;
+  emit({.kind = EventKind::stall_changed, .stall = stall});
+}
+
+void Feed::settle_progress() {
+  const std::span<const Progress> rows = progress();
+  for (std::size_t i = 0; i < rows.size();) {
+    const Progress& row = rows[i];
+    if (row.from != state_ || !holds(row.condition)) {
+      ++i;
+      continue;
+    }
+    if (row_taken_ != nullptr) row_taken_(row_context_, reactions().size() + i);
+    const Cause cause = row.condition == Condition::expired ? Cause::expired
+                        : row.condition == Condition::quiet ? Cause::quiet
+                                                            : Cause::none;
+    perform(row.action, {.cause = cause}, row.to);
+    i = 0;
+  }
+}
+
+bool Feed::holds(Condition condition) const {
+  switch (condition) {
+    case Condition::starts_open: return settings_.start == Start::at_once && !control_holds_;
+    case Condition::starts_held: return settings_.start == Start::at_once && control_holds_;
+    case Condition::expired: return now_ >= expires_at_;
+    case Condition::program_handed: return counters_.handed >= program_end_wire_;
+    case Condition::all_handed: return counters_.handed >= wire_bytes_;
+    case Condition::block_clocked: return at_block_end_ && clock_.settled(now_);
+    case Condition::line_drained: return clock_.settled(now_);
+    case Condition::quiet: return settings_.end.quiet && clock_.settled(now_) && now_ >= quiet_at();
+  }
+  return false;
+}
+
+bool Feed::holds(Guard guard) const {
+  switch (guard) {
+    case Guard::always: return true;
+    case Guard::in_block: return in_block();
+    case Guard::between_blocks: return !in_block();
+    case Guard::dc3_ends: return settings_.end.dc3;
+    case Guard::dc3_holds: return !settings_.end.dc3;
+  }
+  return false;
+}
+
+// May an unfinished block have reached the control? No only if what was handed ends with a whole block and the line has
+// brought all of it, or none of it is more than leader, or all that is still under way is trailer.
+bool Feed::in_block() const {
+  const std::uint64_t handed = counters_.handed;
+  if (handed >= program_end_wire_) return counters_.clocked < program_end_wire_;
+  if (handed <= settings_.wire.leader_nuls) return false;
+  return !(at_block_end_ && clock_.settled(now_));
+}
+
+std::expected<void, Refusal> Feed::react(Input input, Trigger trigger) {
+  const std::span<const Reaction> rows = reactions();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Reaction& row = rows[i];
+    if (row.from != state_ || row.input != input || !holds(row.guard)) continue;
+    if (row_taken_ != nullptr) row_taken_(row_context_, i);
+    if (row.action == Action::refuse) {
+      emit({.kind = EventKind::command_refused, .input = input});
+      return std::unexpected(Refusal::not_in_this_state);
+    }
+    perform(row.action, trigger, row.to);
+    return {};
+  }
+  // The table has a row for all; if it ever had not, stopping is the answer that sends nothing.
+  perform(Action::fail, trigger, State::torn);
+  return {};
+}
+
+void Feed::perform(Action action, Trigger trigger, State to) {
+  switch (action) {
+    case Action::none:
+    case Action::refuse:
+    case Action::change: break;
+    case Action::note: note_input(trigger); break;
+    case Action::unarmed:
+      control_holds_ = false;
+      emit({.kind = EventKind::dc1_unarmed, .byte = trigger.byte});
+      break;
+    case Action::remember:
+      control_holds_ = true;
+      emit({.kind = EventKind::dc3_seen, .byte = trigger.byte});
+      break;
+    case Action::arm: take_job(); break;
+    case Action::start: counters_.started_at = now_; break;
+    case Action::hold: ++counters_.holds; break;
+    case Action::release: break;
+    case Action::stand_in: emit({.kind = EventKind::resumed_by_person}); break;
+    case Action::end:
+    case Action::fail: end_job(trigger.cause); break;
+    case Action::clear:
+      job_.reset();
+      end_cause_ = Cause::none;
+      break;
+  }
+  if (state_ != to) enter(to, trigger.cause);
+}
+
+void Feed::take_job() {
+  const ProgramFacts& facts = job_->facts;
+  const tape_code::WireFormat& wire = settings_.wire;
+  encoder_.emplace(wire, *job_->source, facts.text_bytes());
+  wire_bytes_ = tape_code::wire_length(wire, facts.text_bytes(), facts.eobs());
+  program_end_wire_ = wire_length(wire, facts.program_bytes(), facts.program_eobs()) - std::uint64_t{wire.trailer_nuls};
+  reserve_ = job_->reserve;
+  expires_at_ = now_ + job_->expires_after;
+  out_begin_ = 0;
+  out_end_ = 0;
+  source_ = tape_code::FillStatus::more;
+  at_block_end_ = true;
+  clock_.restart();
+  counters_ = Counters{.estimated = settings_.blind};
+  end_interval_ = {};
+  end_cause_ = Cause::none;
+}
+
+// Freezes what is known. The source is not touched any more, so it may go.
+void Feed::end_job(Cause cause) {
+  counters_.clocked = clock_.clocked(now_);
+  counters_.ended_at = now_;
+  end_interval_ = interval();
+  end_cause_ = cause;
+  control_holds_ = false;
+  out_begin_ = 0;
+  out_end_ = 0;
+  source_ = tape_code::FillStatus::end;
+}
+
+void Feed::enter(State to, Cause cause) {
+  const State from = std::exchange(state_, to);
+  emit({.kind = EventKind::state_changed, .from = from, .to = to, .cause = cause});
+}
+
+}  // namespace dripfeed::feed

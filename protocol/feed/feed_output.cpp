@@ -1,0 +1,154 @@
+// The machine's output side: text taken from the source, what may go out now, deadlines, stalls, counters and events.
+#include <algorithm>
+
+#include "protocol/feed/feed.h"
+#include "protocol/feed/state_groups.h"
+
+namespace dripfeed::feed {
+
+using tape_code::FillStatus;
+
+// Keeps up to `unsent` wire bytes ready. A text that cannot go on ends the feed.
+void Feed::fill() {
+  if (source_ == FillStatus::not_ready && now_ < source_retry_at_) return;
+  if (source_ != FillStatus::more && source_ != FillStatus::not_ready) return;
+  if (out_end_ - out_begin_ >= settings_.unsent) return;
+  std::copy(out_.begin() + static_cast<std::ptrdiff_t>(out_begin_),
+            out_.begin() + static_cast<std::ptrdiff_t>(out_end_), out_.begin());
+  std::copy(out_ends_block_.begin() + static_cast<std::ptrdiff_t>(out_begin_),
+            out_ends_block_.begin() + static_cast<std::ptrdiff_t>(out_end_), out_ends_block_.begin());
+  out_end_ -= out_begin_;
+  out_begin_ = 0;
+  const std::size_t room = settings_.unsent - out_end_;
+  const auto filled =
+      encoder_->fill(std::span(out_).subspan(out_end_, room), std::span(out_ends_block_).subspan(out_end_, room));
+  out_end_ += filled.count;
+  source_ = filled.status;
+  switch (filled.status) {
+    case FillStatus::more:
+    case FillStatus::end: break;
+    case FillStatus::not_ready: source_retry_at_ = now_ + kSourceRetry; break;
+    case FillStatus::source_failed:
+    case FillStatus::text_short: static_cast<void>(react(Input::broken, {.cause = Cause::text_lost})); break;
+    case FillStatus::not_seven_bit: static_cast<void>(react(Input::broken, {.cause = Cause::bad_character})); break;
+  }
+}
+
+std::size_t Feed::allowed() const {
+  if (!may_hand(state_) || !link_up_ || (settings_.watch_cts && !cts_on_)) return 0;
+  if (reserve_ <= counters_.handed) return 0;
+  std::uint64_t count = std::min<std::uint64_t>(out_end_ - out_begin_, credit_);
+  count = std::min(count, reserve_ - counters_.handed);
+  if (!ends_with_block(state_)) return count;
+  if (at_block_end_) return 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (out_ends_block_[out_begin_ + i] != 0) return i + 1;
+  }
+  return count;
+}
+
+std::span<const std::byte> Feed::pending_out() const { return std::span(out_).subspan(out_begin_, allowed()); }
+
+// The bytes are out whatever the state is now, so they are counted before time is looked at.
+void Feed::mark_sent(std::size_t n, Time now) {
+  const std::size_t count = std::min(n, out_end_ - out_begin_);
+  if (count > 0) {
+    at_block_end_ = out_ends_block_[out_begin_ + count - 1] != 0;
+    out_begin_ += count;
+    counters_.handed += count;
+    clock_.handed(count, std::max(now, now_));
+  }
+  step_to(now);
+  advance();
+}
+
+void Feed::report_queue(std::uint64_t unsent, Time now) {
+  step_to(now);
+  if (has_job(state_)) clock_.queue_reported(unsent, now_);
+  advance();
+}
+
+Time Feed::quiet_at() const {
+  return std::max(clock_.settled_at(), last_input_) + settings_.end.quiet.value_or(Time::zero());
+}
+
+std::optional<Time> Feed::deadline() const {
+  std::optional<Time> first;
+  const auto at = [&](Time time) { first = first ? std::min(*first, time) : time; };
+  if (state_ == State::armed) at(expires_at_);
+  const bool wants_more = may_hand(state_) && !(ends_with_block(state_) && at_block_end_);
+  if (wants_more && source_ == FillStatus::not_ready) at(source_retry_at_);
+  if (clock_.paused()) return first;
+  const bool has_more = out_end_ > out_begin_ && reserve_ > counters_.handed;
+  if (wants_more && has_more && credit_ == 0) at(clock_.refill_at());
+  const bool waits_for_block =
+      ends_with_block(state_) || state_ == State::stopping_held || state_ == State::cancelling_held;
+  if (waits_for_block && at_block_end_) at(clock_.settled_at());
+  if (state_ == State::draining || state_ == State::ending) at(clock_.settled_at());
+  if (settings_.end.quiet && (state_ == State::wait_end || state_ == State::trailer_held)) at(quiet_at());
+  return first;
+}
+
+Stall Feed::present_stall() const {
+  if (!link_up_ || (settings_.watch_dsr && !dsr_on_)) return Stall::peer_gone;
+  if (state_ == State::armed) return Stall::waiting_for_dc1;
+  if (state_ == State::stopped || state_ == State::stopped_held) return Stall::stopped_by_person;
+  if (is_held(state_)) return Stall::held_by_dc3;
+  if (state_ == State::wait_end) return Stall::waiting_for_end;
+  if (!may_hand(state_) || (ends_with_block(state_) && at_block_end_)) return Stall::none;
+  if (settings_.watch_cts && !cts_on_) return Stall::cts_off;
+  const bool empty = out_end_ == out_begin_;
+  if (empty && source_ == FillStatus::not_ready) return Stall::waiting_for_text;
+  if (!empty && reserve_ <= counters_.handed) return Stall::waiting_for_ledger;
+  return Stall::none;
+}
+
+Counters Feed::counters() const { return counters_; }
+
+Interval Feed::interval() const {
+  if (!has_job(state_)) return end_interval_;
+  Interval interval{.from = counters_.clocked, .to = counters_.handed};
+  if (encoder_) {
+    interval.from_position = encoder_->locate(interval.from);
+    interval.to_position = encoder_->locate(interval.to);
+  }
+  return interval;
+}
+
+double Feed::line_use() const {
+  const Time until = counters_.ended_at > Time::zero() ? counters_.ended_at : now_;
+  const Time on_line = until - counters_.started_at - counters_.stalled_for;
+  if (counters_.handed == 0 || on_line <= Time::zero()) return 0;
+  const double busy = static_cast<double>(counters_.handed) * static_cast<double>(char_time_.count());
+  return std::min(1.0, busy / static_cast<double>(on_line.count()));
+}
+
+// An input without effect. Lines have their own event already.
+void Feed::note_input(Trigger trigger) {
+  if (trigger.cause == Cause::link_lost || trigger.cause == Cause::dsr_off) return;
+  const EventKind kind = trigger.cause == Cause::none ? EventKind::punch_code : EventKind::noticed;
+  emit({.kind = kind, .cause = trigger.cause, .byte = trigger.byte});
+}
+
+void Feed::emit(Event event) {
+  event.at = now_;
+  event.handed = counters_.handed;
+  event.clocked = counters_.clocked;
+  if (event_count_ == kMaxEvents) {
+    first_event_ = (first_event_ + 1) % kMaxEvents;
+    --event_count_;
+    ++events_dropped_;
+  }
+  events_[(first_event_ + event_count_) % kMaxEvents] = event;
+  ++event_count_;
+}
+
+std::optional<Event> Feed::next_event() {
+  if (event_count_ == 0) return std::nullopt;
+  const Event event = events_[first_event_];
+  first_event_ = (first_event_ + 1) % kMaxEvents;
+  --event_count_;
+  return event;
+}
+
+}  // namespace dripfeed::feed
