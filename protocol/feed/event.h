@@ -90,8 +90,8 @@ struct Counters {
 struct Interval {
   std::uint64_t from = 0;
   std::uint64_t to = 0;
-  std::optional<tape_code::WirePosition> from_position;
-  std::optional<tape_code::WirePosition> to_position;
+  std::optional<tape_code::WirePosition> from_position{};
+  std::optional<tape_code::WirePosition> to_position{};
 };
 
 std::string_view name(Stall stall);

@@ -299,8 +299,6 @@ void Feed::end_job(Cause cause) {
   end_interval_ = interval();
   end_cause_ = cause;
   control_holds_ = false;
-  out_begin_ = 0;
-  out_end_ = 0;
   source_ = tape_code::FillStatus::end;
 }
 

@@ -7,6 +7,7 @@
 //   after every call: while pending_out() is not empty, write it without blocking and mark_sent() what was taken, at
 //   once;
 //                     drain next_event(); set a timer to deadline() and call tick(now) when it fires.
+//   read before you write: receive() everything that came in, then look at pending_out();
 //   write nothing that pending_out() does not show at that moment; a span from before another call is stale.
 #pragma once
 

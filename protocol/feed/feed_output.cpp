@@ -49,7 +49,8 @@ std::size_t Feed::allowed() const {
 
 std::span<const std::byte> Feed::pending_out() const { return std::span(out_).subspan(out_begin_, allowed()); }
 
-// The bytes are out whatever the state is now, so they are counted before time is looked at.
+// The bytes are out whatever the state is now, so they are counted before time is looked at. A driver that was not at
+// once may even tell of them when the job is over.
 void Feed::mark_sent(std::size_t n, Time now) {
   const std::size_t count = std::min(n, out_end_ - out_begin_);
   if (count > 0) {
@@ -57,6 +58,10 @@ void Feed::mark_sent(std::size_t n, Time now) {
     out_begin_ += count;
     counters_.handed += count;
     clock_.handed(count, std::max(now, now_));
+    if (!has_job(state_)) {
+      end_interval_.to = counters_.handed;
+      end_interval_.to_position = encoder_->locate(end_interval_.to);
+    }
   }
   step_to(now);
   advance();

@@ -23,17 +23,17 @@ enum class Start : std::uint8_t {
 
 // By what the end of the reading is seen once the whole program is handed.
 struct EndSigns {
-  bool dc3 = true;                  // the control's last DC3
-  std::optional<std::uint8_t> eot;  // a character such as 04 or 1A (7 bits)
-  std::optional<Time> quiet;        // this long nothing came in after the line drained
+  bool dc3 = true;                    // the control's last DC3
+  std::optional<std::uint8_t> eot{};  // a character such as 04 or 1A (7 bits)
+  std::optional<Time> quiet{};        // this long nothing came in after the line drained
 };
 
 struct Settings {
-  tape_code::Framing framing;  // what a character takes on the line
+  tape_code::Framing framing{};  // what a character takes on the line
   std::uint32_t baud = 9600;
-  tape_code::WireFormat wire;
+  tape_code::WireFormat wire{};
   Start start = Start::on_dc1;
-  EndSigns end;
+  EndSigns end{};
 
   // Budget: unsent + latency_chars <= overrun_budget. overrun_budget: characters that the machine takes after its DC3.
   // unsent: characters that may lie below the feed (driver, UART). latency_chars: characters that pass on the line

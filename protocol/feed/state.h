@@ -65,7 +65,8 @@ enum class Action : std::uint8_t {
   none,      // nothing to do; a known no-op
   note,      // an event tells what came
   refuse,    // the command has no effect here; its caller and an event are told
-  remember,  // the control's wish (hold or go) is kept for a start at once
+  unarmed,   // DC1 that starts nothing: an event says so
+  remember,  // DC3 at rest: an event, and a start at once begins held
   arm,       // take the job
   start,     // begin sending
   hold,      // stop handing, count the hold

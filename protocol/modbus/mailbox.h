@@ -46,7 +46,7 @@ struct Message {
   MailboxCommand command = MailboxCommand::idle;
   std::uint16_t seq = 1;     // 1..65535; data and eof count on, the others repeat the last one (1 before the first)
   std::uint32_t offset = 0;  // text bytes before the payload; for eof the length of the text
-  std::span<const std::byte> payload;
+  std::span<const std::byte> payload{};
 };
 
 // Encodes into the mailbox; returns how many registers are to be written, the commit word being the last of them.

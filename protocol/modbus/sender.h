@@ -64,7 +64,7 @@ struct SenderCounters {
 struct Request {
   enum class Kind : std::uint8_t { read_status, write_mailbox };
   Kind kind = Kind::read_status;
-  std::span<const std::uint16_t> registers;  // write only; stays valid until the request is answered
+  std::span<const std::uint16_t> registers{};  // write only; stays valid until the request is answered
 };
 
 // A driver's loop: take next_request(); do it; answer with exactly one of written(), status_read() or request_failed()

@@ -16,7 +16,7 @@ enum class SourceStatus : std::uint8_t {
 
 struct TextPiece {
   SourceStatus status = SourceStatus::end;
-  std::span<const char> text;  // stays valid until the next call of next()
+  std::span<const char> text{};  // stays valid until the next call of next()
 };
 
 // Program text with LF as EOB, in order. next() is called on the link's thread: it must not block, throw or allocate.
