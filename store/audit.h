@@ -1,0 +1,42 @@
+// The audit: who did what to what, and when. Rows never change, and each holds the hash of the one before, so that a
+// row that was altered or taken out is found. Every change made through the other repositories leaves its row by
+// itself, in the same transaction; append() is for what is no change of the store (a login, a refused right).
+#pragma once
+
+#include <optional>
+
+#include "store/basics.h"
+#include "store/error.h"
+
+namespace dripfeed::store {
+
+struct AuditEntry {
+  std::string action;   // "machine.change"
+  std::string subject;  // "machine/mill-3"
+  std::string detail;   // document or words, not read here
+};
+
+struct AuditRow {
+  std::uint64_t seq = 0;
+  Stamp by;
+  AuditEntry entry;
+  std::string previous_hash;  // empty in the first row
+  std::string hash;
+};
+
+struct AuditCheck {
+  std::uint64_t rows = 0;
+  std::string head;                           // hash of the last row: note it elsewhere to notice a cut tail
+  std::optional<std::uint64_t> first_broken;  // seq
+};
+
+class Audit : public Repository {
+ public:
+  virtual Result<AuditRow> append(const AuditEntry& entry, const Stamp& by) = 0;
+  // Newest first; of one subject when it is not empty.
+  virtual Result<Page<AuditRow>> list(const PageRequest& page, std::string_view subject = {}) = 0;
+  // Walks the whole chain.
+  virtual Result<AuditCheck> verify() = 0;
+};
+
+}  // namespace dripfeed::store

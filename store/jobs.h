@@ -1,0 +1,106 @@
+// Jobs: one transfer of a released text to a machine. They move by one table of states; the store refuses all else. A
+// job that broke off inside a block leaves its machine torn until a person confirms that the control was reset.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "store/basics.h"
+#include "store/error.h"
+
+namespace dripfeed::store {
+
+enum class JobState : std::uint8_t {
+  queued,
+  armed,  // a person armed it; nothing goes out before the control asks
+  feeding,
+  held,
+  draining,  // all is handed, the end is not seen
+  done,
+  failed,
+  cancelled,
+  interrupted,  // the server died meanwhile
+};
+inline constexpr std::size_t kJobStates = 9;
+std::string_view name_of(JobState state);
+
+struct JobTransition {
+  JobState from = JobState::queued;
+  JobState to = JobState::queued;
+  bool audited = false;  // holds of the line come too often for the audit; the ledger has them
+};
+// All that are allowed.
+std::span<const JobTransition> job_transitions();
+bool allowed(JobState from, JobState to);
+// armed, feeding, held, draining: the job has its machine for itself.
+bool has_line(JobState state);
+// done, failed, cancelled, interrupted.
+bool ended(JobState state);
+
+struct Job {
+  Id id = 0;
+  Id release = 0;
+  Id program = 0;
+  Revision revision = 0;
+  std::string text_sha256;
+  std::string machine;
+  Delivery delivery = Delivery::drip;
+  std::string link;
+  std::uint64_t bytes_total = 0;  // wire bytes
+  JobState state = JobState::queued;
+  std::string reason;  // of the last move
+  std::string created_by;
+  std::string armed_by;
+  std::int64_t created_at_ms = 0;
+  std::int64_t armed_at_ms = 0;    // 0: never
+  std::int64_t started_at_ms = 0;  // when it first fed; 0: never
+  std::int64_t ended_at_ms = 0;    // 0: not yet
+  bool torn = false;               // the control may hold a part of a block
+  std::string confirmed_by;        // who said that the control was reset
+  std::string confirm_reason;
+  std::int64_t confirmed_at_ms = 0;  // 0: never
+
+  // Nothing may be armed on the machine until a person confirms.
+  [[nodiscard]] bool needs_confirmation() const { return torn && confirmed_at_ms == 0; }
+};
+
+struct NewJob {
+  Id release = 0;
+  std::string link;
+  std::uint64_t bytes_total = 0;
+};
+
+struct JobMove {
+  JobState to = JobState::queued;
+  std::string reason;
+  bool torn = false;  // only with failed, cancelled and interrupted
+};
+
+struct JobFilter {
+  std::string machine;  // empty: all
+  std::optional<JobState> state;
+};
+
+class Jobs : public Repository {
+ public:
+  // Queued. Errors: broken_reference (no such release), and those of Releases::released_for.
+  virtual Result<Job> add(const NewJob& job, const Stamp& by) = 0;
+  // Errors: not_found, refused_transition; to armed also machine_busy, machine_torn and those of
+  // Releases::released_for. The first feeding of a job counts as a transfer of a release in proving.
+  virtual Result<Job> move(Id job, const JobMove& move, const Stamp& by) = 0;
+  // A person says that the control of this machine was reset. Errors: not_found (nothing waits), invalid_value (no
+  // reason).
+  virtual Result<Job> confirm_reset(std::string_view machine, std::string_view reason, const Stamp& by) = 0;
+  // Errors: not_found.
+  virtual Result<Job> get(Id job) = 0;
+  // Newest first.
+  virtual Result<Page<Job>> list(const PageRequest& page, const JobFilter& filter = {}) = 0;
+  // The job that has the machine's line.
+  virtual Result<std::optional<Job>> on_line(std::string_view machine) = 0;
+  // The job whose torn block waits for a confirmation.
+  virtual Result<std::optional<Job>> torn_on(std::string_view machine) = 0;
+  // For the start of a server: every job that had a line becomes interrupted, torn wherever bytes may have gone out.
+  virtual Result<std::vector<Job>> interrupt_unfinished(const Stamp& by) = 0;
+};
+
+}  // namespace dripfeed::store

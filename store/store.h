@@ -1,0 +1,50 @@
+// store: what dripfeed keeps, as records and one interface per kind of record. Documents are opaque strings, times come
+// from the caller. An engine implements it: sqlite/ (sqlite/open.h makes one). Nothing here knows JSON, dialects,
+// machines' profiles or HTTP; nothing here names an engine.
+#pragma once
+
+#include <functional>
+
+#include "store/audit.h"
+#include "store/contents.h"
+#include "store/families.h"
+#include "store/jobs.h"
+#include "store/ledger.h"
+#include "store/machines.h"
+#include "store/parts.h"
+#include "store/programs.h"
+#include "store/releases.h"
+#include "store/replies.h"
+#include "store/tokens.h"
+#include "store/verdicts.h"
+
+namespace dripfeed::store {
+
+// All members may be called from any thread; changes wait for each other, reads do not wait. Each call is one
+// transaction, and durable when it returns. Nothing may be called on it, nor a writer be alive, when it is destroyed.
+class Store : public Repository {
+ public:
+  virtual Machines& machines() = 0;
+  virtual Families& families() = 0;
+  virtual Parts& parts() = 0;
+  virtual Contents& contents() = 0;
+  virtual Programs& programs() = 0;
+  virtual Verdicts& verdicts() = 0;
+  virtual Releases& releases() = 0;
+  virtual Jobs& jobs() = 0;
+  virtual Ledger& ledger() = 0;
+  virtual Audit& audit() = 0;
+  virtual Tokens& tokens() = 0;
+  virtual Replies& replies() = 0;
+
+  // All that `work` does on this thread is one transaction; it is undone when work returns an error. A call inside that
+  // fails is undone alone. Everybody else's changes wait meanwhile, the ledger's too: only calls of the store belong
+  // inside, no check, no rendering, no text of more than a few megabytes.
+  virtual Result<void> atomically(const std::function<Result<void>()>& work) = 0;
+  // A copy of the whole to a new file, while everything goes on. Errors: exists, disk_full, io_failed.
+  virtual Result<void> backup(const std::string& path) = 0;
+  // Reads the whole file and checks it. Errors: corrupt.
+  virtual Result<void> check() = 0;
+};
+
+}  // namespace dripfeed::store
