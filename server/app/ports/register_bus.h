@@ -12,6 +12,10 @@
 
 namespace dripfeed::app {
 
+// Where the two register images of the block mailbox (protocol/modbus) lie at the server.
+inline constexpr std::uint16_t kMailboxAddress = 0;
+inline constexpr std::uint16_t kStatusAddress = 128;
+
 struct BusFailure {
   bool link_lost = false;  // the connection is closed; the next call opens it again
   std::string text;

@@ -1,0 +1,122 @@
+// The loop: wait for input or the earliest deadline, give each control its bytes and the time, send what is due.
+#include "server/simulator/fleet.h"
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+#include <utility>
+
+#include <poll.h>
+
+#include "server/simulator/wire.h"
+
+namespace dripfeed::simulator {
+
+namespace {
+
+constexpr Time_ns kMillisecond = 1'000'000;
+constexpr Time_ns kLongestWait = 20 * kMillisecond;  // an operator and a stop request are looked at this often
+constexpr Time_ns kUnconnectedWait = 5 * kMillisecond;
+
+Time_ns now_ns() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
+
+}  // namespace
+
+class Fleet::Station {
+ public:
+  Station(StationSettings settings, std::unique_ptr<Wire> wire)
+      : settings_(std::move(settings)), wire_(std::move(wire)), control_(settings_.control, settings_.record) {
+    control_.start(now_ns());
+  }
+
+  // -1: nothing to wait for. A pty without a host is always "hung up", so it is left out for a moment instead of spun
+  // on.
+  [[nodiscard]] int descriptor() const { return cut_ || now_ns() < rest_until_ ? -1 : wire_->descriptor(); }
+  [[nodiscard]] std::optional<Time_ns> deadline() const { return cut_ ? std::nullopt : control_.deadline(); }
+  [[nodiscard]] std::string address() const { return wire_->address(); }
+
+  void read() {
+    std::array<std::byte, 4096> buffer;
+    const std::size_t count = wire_->read(buffer);
+    const std::lock_guard lock(mutex_);
+    if (wire_->take_connected() && taken_ == 0) control_.start(now_ns());
+    if (count == 0) {
+      rest_until_ = now_ns() + kUnconnectedWait;
+      return;
+    }
+    std::span<const std::byte> bytes = std::span(buffer).first(count);
+    taken_ += count;
+    if (settings_.cut_after && taken_ >= *settings_.cut_after) {
+      bytes = bytes.first(count - static_cast<std::size_t>(taken_ - *settings_.cut_after));
+      cut_ = true;
+    }
+    control_.receive(bytes, now_ns());
+    if (cut_) wire_->cut();
+  }
+
+  void tick() {
+    const std::lock_guard lock(mutex_);
+    const Time_ns now = now_ns();
+    control_.tick(now);
+    if (cut_) return;
+    const std::vector<std::byte> out = control_.take_out(now);
+    if (!out.empty()) wire_->write(out);
+    const auto quiet = control_.quiet_since();
+    if (settings_.operator_s > 0 && quiet && static_cast<double>(now - *quiet) > settings_.operator_s * 1e9) {
+      control_.reset();
+      control_.start(now);
+    }
+  }
+
+  [[nodiscard]] bool over() const {
+    if (settings_.operator_s > 0) return false;
+    return cut_ || control_.finished() || control_.state() == ControlState::alarm;
+  }
+
+  [[nodiscard]] ControlReport report() const {
+    const std::lock_guard lock(mutex_);
+    return control_.report();
+  }
+
+ private:
+  StationSettings settings_;
+  std::unique_ptr<Wire> wire_;
+  mutable std::mutex mutex_;
+  SimulatedControl control_;
+  std::uint64_t taken_ = 0;
+  Time_ns rest_until_ = 0;
+  bool cut_ = false;
+};
+
+Fleet::Fleet() = default;
+Fleet::~Fleet() = default;
+
+std::expected<std::size_t, std::string> Fleet::add(StationSettings settings) {
+  auto wire = Wire::open(settings.link);
+  if (!wire) return std::unexpected(wire.error());
+  stations_.push_back(std::make_unique<Station>(std::move(settings), std::move(*wire)));
+  return stations_.size() - 1;
+}
+
+void Fleet::run(const std::stop_token& stop) {
+  std::vector<pollfd> files(stations_.size());
+  while (!stop.stop_requested() && !std::ranges::all_of(stations_, [](const auto& s) { return s->over(); })) {
+    Time_ns until = now_ns() + kLongestWait;
+    for (std::size_t i = 0; i < stations_.size(); ++i) {
+      files[i] = {.fd = stations_[i]->descriptor(), .events = POLLIN, .revents = 0};
+      if (const auto deadline = stations_[i]->deadline()) until = std::min(until, *deadline);
+    }
+    const Time_ns wait = std::max<Time_ns>(0, until - now_ns());
+    const timespec timeout{.tv_sec = wait / 1'000'000'000, .tv_nsec = wait % 1'000'000'000};
+    ::ppoll(files.data(), files.size(), &timeout, nullptr);
+    for (std::size_t i = 0; i < stations_.size(); ++i) {
+      if (files[i].revents != 0) stations_[i]->read();
+      stations_[i]->tick();
+    }
+  }
+}
+
+ControlReport Fleet::report(std::size_t index) const { return stations_[index]->report(); }
+std::string Fleet::address(std::size_t index) const { return stations_[index]->address(); }
+
+}  // namespace dripfeed::simulator

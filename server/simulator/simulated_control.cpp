@@ -1,0 +1,235 @@
+// Characters wait in `pending_` until their virtual arrival, max(now, previous + character time); only then are they
+// looked at. So a host that writes eight at once is judged as its UART would be.
+#include "server/simulator/simulated_control.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+namespace dripfeed::simulator {
+
+namespace {
+
+constexpr std::uint8_t kDc1 = 0x11;
+constexpr std::uint8_t kDc3 = 0x13;
+constexpr std::uint8_t kDc3WithParity = 0x93;
+
+// Parity over all eight bits of a received byte, as the framing and the code ask for it.
+bool parity_is_right(std::uint8_t byte, const tape_code::Framing& framing, tape_code::Code code) {
+  const bool odd_ones = (std::popcount(byte) & 1) != 0;
+  if (framing.data_bits == 8) return code == tape_code::Code::ascii || !odd_ones;
+  if (framing.parity == tape_code::Parity::none) return true;
+  return odd_ones == (framing.parity == tape_code::Parity::odd);
+}
+
+}  // namespace
+
+std::string_view name_of(ControlState state) {
+  static constexpr std::array<std::string_view, 5> kNames = {"waiting", "reading", "held", "ended", "alarm"};
+  return kNames[static_cast<std::size_t>(state)];
+}
+
+SimulatedControl::SimulatedControl(const ControlSettings& settings, std::function<void(std::uint8_t)> record)
+    : settings_(settings),
+      record_(std::move(record)),
+      char_ns_(static_cast<Time_ns>(settings.framing.bits_per_char()) * 1'000'000'000 / settings.baud),
+      clock_(settings.clock) {}
+
+void SimulatedControl::start(Time_ns now) {
+  if (report_.state == ControlState::alarm) return;
+  report_.state = ControlState::reading;
+  started_at_ = now;
+  run_until_ = 0;
+  idle_since_ = -1;
+  label_skip_ = true;
+  seen_percent_ = false;
+  block_.clear();
+  clock_ = BlockClock(settings_.clock);
+  send(kDc1, now);
+}
+
+void SimulatedControl::reset() {
+  report_.state = ControlState::waiting;
+  report_.alarm.clear();
+  pending_.clear();
+  blocks_.clear();
+  block_.clear();
+  buffered_ = 0;
+  running_ = false;
+}
+
+std::optional<Time_ns> SimulatedControl::quiet_since() const {
+  const bool busy = !pending_.empty() || !out_.empty() || running_ || report_.state == ControlState::held;
+  if (busy) return std::nullopt;
+  return std::max({started_at_, last_arrival_, run_until_});
+}
+
+void SimulatedControl::receive(std::span<const std::byte> bytes, Time_ns now) {
+  for (const std::byte byte : bytes) {
+    last_arrival_ = std::max(now, last_arrival_ + char_ns_);
+    pending_.push_back({static_cast<std::uint8_t>(byte), last_arrival_});
+  }
+  tick(now);
+}
+
+void SimulatedControl::tick(Time_ns now) {
+  while (!pending_.empty() && pending_.front().at <= now) {
+    const Arrival arrival = pending_.front();
+    pending_.pop_front();
+    run_blocks(arrival.at);
+    arrive(arrival);
+  }
+  run_blocks(now);
+}
+
+std::optional<Time_ns> SimulatedControl::deadline() const {
+  std::optional<Time_ns> earliest;
+  const auto consider = [&](Time_ns at) { earliest = earliest ? std::min(*earliest, at) : at; };
+  if (!pending_.empty()) consider(pending_.front().at);
+  if (!out_.empty()) consider(out_.front().at);
+  if (running_) consider(run_until_);
+  return earliest;
+}
+
+std::vector<std::byte> SimulatedControl::take_out(Time_ns now) {
+  std::vector<std::byte> bytes;
+  while (!out_.empty() && out_.front().at <= now) {
+    bytes.push_back(out_.front().byte);
+    out_.pop_front();
+  }
+  return bytes;
+}
+
+void SimulatedControl::arrive(const Arrival& arrival) {
+  record_(arrival.byte);
+  ++report_.bytes;
+  if (first_arrival_ < 0) first_arrival_ = arrival.at - char_ns_;
+  if (report_.state == ControlState::held) count_after_dc3(arrival.at);
+  if (report_.state == ControlState::alarm || report_.state == ControlState::waiting) return;
+  if (!parity_is_right(arrival.byte, settings_.framing, settings_.code)) {
+    ++report_.parity_errors;
+    return raise("001 TH PARITY");
+  }
+  const bool seven_bits = settings_.framing.data_bits == 7 || settings_.code == tape_code::Code::iso;
+  take_character(static_cast<char>(seven_bits ? arrival.byte & 0x7F : arrival.byte), arrival.at);
+}
+
+void SimulatedControl::take_character(char c, Time_ns at) {
+  if (report_.state == ControlState::ended || c == '\0' || c == '\r' || c == 0x7F) return;
+  if (label_skip_) {
+    // All up to the first EOB after the first '%' is leader.
+    if (c == '%') seen_percent_ = true;
+    if (c == '\n' && seen_percent_) label_skip_ = false;
+    return;
+  }
+  if (c == '%' && block_.empty()) {
+    // The end of the tape: the control says DC3 and reads no more.
+    if (report_.state == ControlState::held) close_hold(at);
+    report_.state = ControlState::ended;
+    send(settings_.framing.data_bits == 7 || settings_.code == tape_code::Code::iso ? kDc3WithParity : kDc3, at);
+    return;
+  }
+  ++buffered_;
+  if (buffered_ > settings_.buffer_bytes) return raise("087 BUFFER OVERFLOW");
+  if (c == '\n') {
+    finish_block(at);
+  } else {
+    block_ += c;
+  }
+  check_flow(at);
+}
+
+void SimulatedControl::finish_block(Time_ns at) {
+  blocks_.push_back({std::exchange(block_, {}), 0});
+  blocks_.back().bytes = blocks_.back().text.size() + 1;
+  if (idle_since_ >= 0 && !running_) {
+    // It ran dry and waited for this block.
+    if (idle_since_ > 0) {
+      ++report_.stalls;
+      report_.stall_s += static_cast<double>(at - idle_since_) * 1e-9;
+    }
+    run_until_ = at;
+    idle_since_ = -1;
+  }
+  run_blocks(at);
+}
+
+void SimulatedControl::run_blocks(Time_ns now) {
+  while (report_.state != ControlState::alarm) {
+    if (running_) {
+      if (run_until_ > now) return;
+      running_ = false;
+    }
+    if (blocks_.empty()) {
+      if (idle_since_ < 0 && report_.state != ControlState::ended && !clock_.ended())
+        idle_since_ = std::max(run_until_, Time_ns{0});
+      return;
+    }
+    const Time_ns begin = std::max(run_until_, Time_ns{0}) == 0 ? now : run_until_;
+    const Block block = std::move(blocks_.front());
+    blocks_.pop_front();
+    buffered_ -= block.bytes;
+    const double seconds = clock_.run(block.text);
+    if (!clock_.fault().empty()) return raise("123 CAN NOT USE MACRO COMMAND IN DNC");
+    ++report_.blocks_run;
+    report_.bytes_run += block.bytes;
+    running_ = true;
+    run_until_ = begin + static_cast<Time_ns>(std::llround(seconds / settings_.speed * 1e9));
+    check_flow(begin);
+  }
+}
+
+std::uint64_t SimulatedControl::free_bytes() const {
+  return settings_.buffer_bytes - std::min<std::uint64_t>(buffered_, settings_.buffer_bytes);
+}
+
+void SimulatedControl::check_flow(Time_ns at) {
+  if (report_.state == ControlState::reading && free_bytes() < settings_.stop_free_bytes) {
+    report_.state = ControlState::held;
+    ++report_.holds;
+    dc3_at_ = at;
+    after_dc3_ = 0;
+    send(settings_.framing.data_bits == 7 || settings_.code == tape_code::Code::iso ? kDc3WithParity : kDc3, at);
+  } else if (report_.state == ControlState::held && free_bytes() > settings_.go_free_bytes) {
+    close_hold(at);
+    report_.state = ControlState::reading;
+    send(kDc1, at);
+  }
+}
+
+void SimulatedControl::count_after_dc3(Time_ns at) {
+  if (at <= dc3_at_) return;
+  ++after_dc3_;
+  report_.after_dc3_max = std::max(report_.after_dc3_max, after_dc3_);
+  if (after_dc3_ > settings_.overrun_budget) raise("087 BUFFER OVERFLOW");
+}
+
+void SimulatedControl::close_hold(Time_ns at) {
+  ++report_.after_dc3[std::min<std::uint64_t>(after_dc3_, kAfterDc3Bins - 1)];
+  // Characters that came after the DC3 were line time in use; the rest of the hold was not.
+  held_ns_ += std::max<Time_ns>(0, at - dc3_at_ - static_cast<Time_ns>(after_dc3_) * char_ns_);
+}
+
+void SimulatedControl::send(std::uint8_t byte, Time_ns at) {
+  const Time_ns due = at + static_cast<Time_ns>(settings_.host_latency_chars) * char_ns_;
+  out_.push_back({static_cast<std::byte>(byte), out_.empty() ? due : std::max(due, out_.back().at)});
+}
+
+void SimulatedControl::raise(std::string_view alarm) {
+  if (report_.state == ControlState::alarm) return;
+  report_.state = ControlState::alarm;
+  report_.alarm = alarm;
+}
+
+ControlReport SimulatedControl::report() const {
+  ControlReport report = report_;
+  const Time_ns span = last_arrival_ - first_arrival_ - held_ns_;
+  report.line_use = report.bytes == 0 || span <= 0
+                        ? 0.0
+                        : static_cast<double>(report.bytes) * static_cast<double>(char_ns_) / static_cast<double>(span);
+  report.unfinished_block = !block_.empty();
+  return report;
+}
+
+}  // namespace dripfeed::simulator
