@@ -15,6 +15,9 @@ endif()
 
 find_package(fmt REQUIRED)
 find_package(Threads REQUIRED)
+if(DRIPFEED_SERVER)
+  find_package(PkgConfig REQUIRED)  # here, because pkg_check_modules wants its variables in every folder that calls it
+endif()
 
 # Flags of every target. No contraction: a fused multiply-add would make the same plan differ between compilers.
 add_library(dripfeed_flags INTERFACE)
