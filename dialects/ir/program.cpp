@@ -144,6 +144,13 @@ int operand_count(Operator op) {
   return op < Operator::bound ? 2 : 3;
 }
 
+std::string print_same(const Program& program) {
+  std::string out;
+  out.reserve(program.source.text().size());
+  for (const Token& token : program.tokens) out += token.span.in(program.source.text());
+  return out;
+}
+
 std::vector<std::uint32_t> match_structures(Program& program) { return StructureMatcher(program).match(); }
 
 }  // namespace dripfeed::ir

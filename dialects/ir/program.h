@@ -78,6 +78,9 @@ struct Program {
 // How many operands an operator takes (0 for leaves).
 int operand_count(Operator op);
 
+// The tokens one after the other: the text of the program byte for byte, whatever it was read from.
+std::string print_same(const Program& program);
+
 // Sets Structure::partner of every opener and closer by matching them in order. What does not match keeps kNoIndex and
 // is returned by statement index, for the dialect to report with its own alarm.
 std::vector<std::uint32_t> match_structures(Program& program);

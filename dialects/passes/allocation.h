@@ -1,0 +1,37 @@
+// Gives variables that the target control does not know a number that it has: names (DEF, the family language) and
+// numbers of another bank (R5 on a '#' control). Numbers that the program uses already are never given again.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dialects/ir/control.h"
+#include "dialects/ir/program.h"
+#include "dialects/text/diagnostic.h"
+
+namespace dripfeed::passes {
+
+// One variable, or an array of `count` consecutive ones, and where it went.
+struct AllocatedVariable {
+  ir::Bank from_bank = ir::Bank::named;
+  ir::SymbolId symbol = ir::SymbolId::none;  // bank named
+  std::uint32_t from_number = 0;             // banks hash and r
+  std::uint32_t number = 0;                  // the first, in the bank that was asked for
+  std::uint32_t count = 1;
+};
+
+struct AllocationReport {
+  std::vector<AllocatedVariable> variables;
+  std::vector<text::Diagnostic> diagnostics;  // not_enough_variables, cannot_translate (strings, frames)
+};
+
+// Rewrites every variable that is not of `bank` (system ones excepted) to a number of `bank` that `to` has and may
+// write, common ones before permanent ones before local ones. Scalars whose live ranges do not meet share a number; a
+// number of another bank keeps its own number where that is free. With a computed number of another bank (R[R1]) all of
+// that bank's user variables in `from` move as one range. DEF statements become assignments of their initial values
+// (0 without one); the symbols stay for messages.
+AllocationReport allocate_variables(ir::Program& program, const ir::Control& from, const ir::Control& to,
+                                    ir::Bank bank);
+
+}  // namespace dripfeed::passes

@@ -1,0 +1,39 @@
+// A program's statements written anew: each old one is kept, dropped or replaced by several, and labels and partners
+// are put right at the end. The arenas only grow.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dialects/ir/program.h"
+
+namespace dripfeed::passes {
+
+class Rewrite {
+ public:
+  explicit Rewrite(ir::Program& program) : program_(program), first_of_(program.statements.size(), ir::kNoIndex) {}
+
+  // From here on, what is emitted stands for the old statement `index`: labels at it move to what comes next.
+  void at(std::uint32_t index);
+  // The statement of at(), unchanged.
+  void keep();
+  // A statement of the line and span of at(); its tokens are empty.
+  void emit(ir::StatementKind kind, std::uint32_t payload);
+  void emit_assign(ir::VariableId target, ir::ExpressionId value);
+  void emit_jump(const ir::Jump& jump);
+  void emit_structure(ir::StatementKind kind, const ir::Structure& structure);
+  // The block number `number` at the next statement that is emitted.
+  void label_next(std::uint32_t number);
+  // Puts the new statements into the program; pending labels at its end get an empty statement. Returns what
+  // ir::match_structures does.
+  std::vector<std::uint32_t> finish();
+
+ private:
+  ir::Program& program_;
+  std::vector<ir::Statement> statements_;
+  std::vector<std::uint32_t> first_of_;  // old index -> new index of what stands for it
+  std::vector<ir::Label> new_labels_;
+  std::uint32_t current_ = 0;
+};
+
+}  // namespace dripfeed::passes
