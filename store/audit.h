@@ -1,6 +1,7 @@
 // The audit: who did what to what, and when. Rows never change, and each holds the hash of the one before, so that a
 // row that was altered or taken out is found. Every change made through the other repositories leaves its row by
-// itself, in the same transaction; append() is for what is no change of the store (a login, a refused right).
+// itself, in the same transaction, but for contents, ledger rows, replies and the holds of a line; append() is for what
+// is no change of the store (a login, a refused right).
 #pragma once
 
 #include <optional>

@@ -2,9 +2,13 @@
 // milliseconds since 1970 (UTC); the store has no clock.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace dripfeed::store {
@@ -20,7 +24,29 @@ struct Stamp {
 
 // How a program goes to a control. Verdicts and releases hold for one way only.
 enum class Delivery : std::uint8_t { drip, memory };
-std::string_view name_of(Delivery delivery);
+
+// The names of an enum's values in their order, as they stand in the database and may stand in documents.
+template <class E>
+inline constexpr std::array<std::string_view, 0> kNames{};
+template <>
+inline constexpr std::array<std::string_view, 2> kNames<Delivery>{"drip", "memory"};
+
+template <class E>
+concept Named = std::is_enum_v<E> && (kNames<E>.size() > 0);
+
+template <Named E>
+constexpr std::string_view name_of(E value) {
+  return kNames<E>[static_cast<std::size_t>(value)];
+}
+
+// The value with this name: named<Delivery>("drip").
+template <Named E>
+constexpr std::optional<E> named(std::string_view name) {
+  for (std::size_t i = 0; i < kNames<E>.size(); ++i) {
+    if (kNames<E>[i] == name) return static_cast<E>(i);
+  }
+  return std::nullopt;
+}
 
 inline constexpr std::uint32_t kPageLimitMax = 1000;
 

@@ -22,7 +22,9 @@ enum class JobState : std::uint8_t {
   interrupted,  // the server died meanwhile
 };
 inline constexpr std::size_t kJobStates = 9;
-std::string_view name_of(JobState state);
+template <>
+inline constexpr std::array<std::string_view, 9> kNames<JobState>{
+    "queued", "armed", "feeding", "held", "draining", "done", "failed", "cancelled", "interrupted"};
 
 struct JobTransition {
   JobState from = JobState::queued;

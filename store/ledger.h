@@ -31,10 +31,12 @@ struct LedgerRow {
   std::string note;
 };
 
-// A row that broke the rule of LedgerCounts, handed more than was reserved, or names no job. It was not written.
-struct LedgerRefusal {
+// A row that is wrong. One that breaks the rule of LedgerCounts or names no job is not written. One that handed more
+// than was reserved is written all the same: the ledger says what happened.
+struct LedgerFault {
   Id job = 0;
   std::string why;
+  bool written = false;
 };
 
 // What is known of a job: `low` bytes passed the line for certain, more than `high` never left.
@@ -48,9 +50,9 @@ struct LedgerInterval {
 
 class Ledger : public Repository {
  public:
-  // One transaction for all rows, durable when it returns. A bad row is refused alone, so that one line's fault does
+  // One transaction for all rows, durable when it returns. A wrong row is told alone, so that one line's fault does
   // not stop the others; an error means that no row was written.
-  virtual Result<std::vector<LedgerRefusal>> append(std::span<const NewLedgerRow> rows, std::int64_t at_ms) = 0;
+  virtual Result<std::vector<LedgerFault>> append(std::span<const NewLedgerRow> rows, std::int64_t at_ms) = 0;
   // Oldest first. Errors: not_found.
   virtual Result<Page<LedgerRow>> rows(Id job, const PageRequest& page) = 0;
   // Errors: not_found.

@@ -8,7 +8,8 @@
 namespace dripfeed::store {
 
 enum class OriginKind : std::uint8_t { uploaded, rendered };
-std::string_view name_of(OriginKind kind);
+template <>
+inline constexpr std::array<std::string_view, 2> kNames<OriginKind>{"uploaded", "rendered"};
 
 // Where a text came from. All but `kind` is empty for an uploaded one; `part` is empty when a family was rendered with
 // values of its own.

@@ -10,7 +10,9 @@
 namespace dripfeed::store {
 
 enum class ReleaseState : std::uint8_t { draft, in_review, proving, approved, obsolete };
-std::string_view name_of(ReleaseState state);
+template <>
+inline constexpr std::array<std::string_view, 5> kNames<ReleaseState>{"draft", "in_review", "proving", "approved",
+                                                                      "obsolete"};
 
 struct ReleaseTransition {
   ReleaseState from = ReleaseState::draft;

@@ -8,9 +8,8 @@ namespace dripfeed::store {
 
 // Each may do what those before it may.
 enum class Role : std::uint8_t { viewer, operator_, programmer, approver, admin };
-std::string_view name_of(Role role);
-// Errors: invalid_value.
-Result<Role> role_named(std::string_view name);
+template <>
+inline constexpr std::array<std::string_view, 5> kNames<Role>{"viewer", "operator", "programmer", "approver", "admin"};
 
 struct Token {
   Id id = 0;

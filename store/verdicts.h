@@ -10,7 +10,8 @@
 namespace dripfeed::store {
 
 enum class Outcome : std::uint8_t { pass, warn, fail, unknown };
-std::string_view name_of(Outcome outcome);
+template <>
+inline constexpr std::array<std::string_view, 4> kNames<Outcome>{"pass", "warn", "fail", "unknown"};
 
 struct Waiver {
   std::string name;  // of the person
