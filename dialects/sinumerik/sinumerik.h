@@ -1,0 +1,41 @@
+// dialects/sinumerik: reader, checker and writer of SINUMERIK 840D sl part programs (also 810D and 840D powerline): the
+// code, alarm, keyword and system variable tables and the rules that are Siemens' own. ISO dialect mode is another
+// language and not read here. What a program does when it runs is the interpreter's; nothing here knows a machine, a
+// file or another dialect.
+#pragma once
+
+#include <vector>
+
+#include "dialects/ir/control.h"
+#include "dialects/ir/program.h"
+#include "dialects/ir/stage.h"
+#include "dialects/text/diagnostic.h"
+#include "dialects/text/source.h"
+
+namespace dripfeed::sinumerik {
+
+// The usual control of that kind: tables, variable ranges, limits and semantics of the 840D sl.
+ir::Control control(ir::MachineKind kind);
+
+// The control that the text was most likely written for: mill or lathe, by the first line that only one of them would
+// have (listed in infer.cpp). Control::because_line is that line, 0 for the default, a mill.
+ir::Control infer_control(const text::Source& source);
+
+// Lexes, parses and lowers. Never fails: what cannot be understood is a diagnostic and a Native statement. The tokens
+// tile the text. Diagnostics are those of the syntax; the rest is validate's.
+ir::ReadResult read(const text::Source& source, const ir::Control& control);
+
+// What the control would alarm on, or what can be seen from the program to be wrong, in the order of the text; those of
+// reading are not repeated.
+std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Control& control, ir::Delivery delivery);
+
+// Makes a program of the control `from`, or a built one, legal for the SINUMERIK control `to`: variables become R
+// parameters or DEF names, codes are mapped by what they do, block numbers become labels. What cannot be said is the
+// error cannot_translate with its place.
+ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const ir::Control& to);
+
+// Canonical text of a raised program: no head line (the file name is the program's), one block a line, LF, axis words
+// always with a decimal point.
+ir::PrintResult print(const ir::Program& program, const ir::Control& control);
+
+}  // namespace dripfeed::sinumerik
