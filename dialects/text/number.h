@@ -18,9 +18,9 @@ struct Decimal {
   std::size_t length = 0;  // bytes read
 };
 
-// Reads the longest decimal at the start of `text`; nothing when there is no digit. Up to 15 significant digits go by
-// integer mantissa and a power of ten (exact product or quotient of two doubles), more go through std::from_chars: both
-// round to nearest.
+// Reads the longest decimal at the start of `text`; nothing when there is no digit. Too large reads as infinity. Up to
+// 15 significant digits go by integer mantissa and a power of ten (exact product or quotient of two doubles), more go
+// through std::from_chars: both round to nearest.
 std::optional<Decimal> read_decimal(std::string_view text);
 
 // A whole number in text with optional sign, point and e-exponent, all of it: nothing when a byte is left over or it is

@@ -1,0 +1,78 @@
+// Sentences and printed lines of diagnostics. The rows are in diagnostic_table.cpp.
+#include "dialects/text/diagnostic.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace dripfeed::text {
+
+namespace {
+
+// The line, and below it blanks up to the column: one for each character, tabs kept.
+void append_caret(std::string& out, std::string_view line, std::uint32_t column) {
+  out.append(line).push_back('\n');
+  for (const char c : line.substr(0, std::min<std::size_t>(column - 1, line.size()))) {
+    if ((static_cast<unsigned char>(c) & 0xC0U) == 0x80U) continue;  // a continuation byte of UTF-8 takes no room
+    out.push_back(c == '\t' ? '\t' : ' ');
+  }
+  out.append("^\n");
+}
+
+void append_head(std::string& out, const Source& source, Position position) {
+  fmt::format_to(std::back_inserter(out), "{}:{}:{}: ", source.name(), position.line, position.column);
+}
+
+}  // namespace
+
+std::string_view name_of(Severity severity) {
+  switch (severity) {
+    case Severity::note: return "note";
+    case Severity::warning: return "warning";
+    case Severity::error: return "error";
+  }
+  return {};
+}
+
+Diagnostic make_diagnostic(DiagnosticId id, Span span, std::vector<std::string> arguments) {
+  return {id, row_of(id).severity, span, std::move(arguments)};
+}
+
+std::string message_of(const Diagnostic& diagnostic) {
+  std::string out;
+  std::string_view rest = row_of(diagnostic.id).text;
+  auto argument = diagnostic.arguments.begin();
+  for (std::size_t hole; (hole = rest.find("{}")) != std::string_view::npos; rest.remove_prefix(hole + 2)) {
+    out.append(rest.substr(0, hole));
+    if (argument != diagnostic.arguments.end()) out.append(*argument++);
+  }
+  return out.append(rest);
+}
+
+std::string format_diagnostic(const Diagnostic& diagnostic, const Source& source, std::string_view control) {
+  std::string out;
+  const Position position = source.position(diagnostic.span.begin);
+  append_head(out, source, position);
+  fmt::format_to(std::back_inserter(out), "{}[{}]: {}", name_of(diagnostic.severity), row_of(diagnostic.id).name,
+                 message_of(diagnostic));
+  if (!diagnostic.alarm.empty()) {
+    fmt::format_to(std::back_inserter(out), " ({}{}{})", control, control.empty() ? "" : " ", diagnostic.alarm);
+  }
+  out.push_back('\n');
+  append_caret(out, source.line(position.line), position.column);
+  for (const DiagnosticNote& note : diagnostic.notes) {
+    const Position at = source.position(note.span.begin);
+    append_head(out, source, at);
+    out.append("note: ").append(note.text).push_back('\n');
+    append_caret(out, source.line(at.line), at.column);
+  }
+  return out;
+}
+
+bool has_error(const std::vector<Diagnostic>& diagnostics) {
+  return std::ranges::any_of(diagnostics, [](const Diagnostic& d) { return d.severity == Severity::error; });
+}
+
+}  // namespace dripfeed::text
