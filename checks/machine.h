@@ -1,0 +1,97 @@
+// checks/machine.h: what the checks need to know of one machine: axes, limits, tools, work offsets, buffer, timing.
+// Plain data. What is 0 or empty is not known: a check that needs it says "not checked" and guesses nothing. The
+// control and the line are elsewhere; reading it from a profile is left to others.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dialects/ir/control.h"
+#include "dialects/ir/cost_model.h"
+#include "dialects/ir/motion.h"
+
+namespace dripfeed::checks {
+
+// Lengths in mm for X Y Z U V W, in degrees for A B C; travel in machine coordinates, never as a diameter.
+struct MachineAxis {
+  ir::Axis axis = ir::Axis::x;
+  bool is_diameter = false;  // programs and work offsets give diameters; `min` and `max` are of the slide itself
+  std::optional<double> min;
+  std::optional<double> max;
+  double rapid_mm_min = 0.0;
+  double feed_limit_mm_min = 0.0;  // of this axis alone; 0: its rapid
+  double acceleration_mm_s2 = 0.0;
+  double jerk_mm_s3 = 0.0;  // 0: not limited
+};
+
+// Quadrant of the imaginary tool tip of a turning tool, seen with +X up and +Z right, numbered as the controls do; 0
+// and 9: the centre of the nose.
+//
+//      +X       4   7   3
+//       |       8  0,9  6      1..4: tip at a corner of the square around the nose
+//       +-- +Z  1   5   2      5..8: tip on one side only
+struct Tool {
+  std::int32_t number = 0;
+  std::int32_t offset = 0;  // the offset or D number that holds its figures
+  double nose_radius_mm = 0.0;
+  std::int32_t tip = 0;      // 0..9
+  double diameter_mm = 0.0;  // mills and drills
+  double length_mm = 0.0;
+};
+
+// Where a work offset puts its zero, in machine coordinates: slide positions, halved already where programs give
+// diameters. An axis without a value is not known.
+struct WorkOffset {
+  std::int32_t number = 0;  // 1 is G54; 0 is none (G500)
+  std::array<std::optional<double>, ir::kAxisCount> zero{};
+};
+
+// Of the control, for programs that are fed. 0: not known.
+struct BufferSize {
+  std::uint32_t bytes = 0;
+  std::uint32_t blocks = 0;
+};
+
+struct TimingData {
+  double sample_time_ms = 0.0;          // of the interpolator; 0: not known
+  std::uint32_t look_ahead_blocks = 0;  // 0: not limited
+  double tool_change_s = 0.0;
+  std::optional<ir::CostModel> cost;  // measured at this machine; otherwise the control's usual one counts
+};
+
+struct Machine {
+  ir::MachineKind kind = ir::MachineKind::mill;
+  std::vector<MachineAxis> axes;
+  double feed_limit_mm_min = 0.0;
+  double spindle_min_rpm = 0.0;
+  double spindle_max_rpm = 0.0;
+  std::vector<Tool> tools;
+  std::vector<WorkOffset> work_offsets;
+  BufferSize buffer;
+  TimingData timing;
+};
+
+// nullptr when the machine has none such.
+inline const MachineAxis* find_axis(const Machine& machine, ir::Axis axis) {
+  for (const MachineAxis& one : machine.axes) {
+    if (one.axis == axis) return &one;
+  }
+  return nullptr;
+}
+inline const Tool* find_tool(const Machine& machine, std::int32_t number) {
+  for (const Tool& one : machine.tools) {
+    if (one.number == number) return &one;
+  }
+  return nullptr;
+}
+inline const WorkOffset* find_work_offset(const Machine& machine, std::int32_t number) {
+  for (const WorkOffset& one : machine.work_offsets) {
+    if (one.number == number) return &one;
+  }
+  return nullptr;
+}
+
+}  // namespace dripfeed::checks
