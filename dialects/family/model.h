@@ -143,4 +143,10 @@ struct Family {
   [[nodiscard]] const Parameter* find_parameter(std::string_view parameter_name) const;
 };
 
+// "120 mm", "3": a stored value in the unit of the parameter's default.
+std::string format_value(const Parameter& parameter, double stored);
+// Arguments of family_value_out_of_range.
+std::vector<std::string> range_arguments(const Parameter& parameter, double stored);
+bool is_whole(double value);
+
 }  // namespace dripfeed::family

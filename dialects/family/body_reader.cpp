@@ -1,0 +1,340 @@
+// One function a verb, found by a table. A line with a fault gives no step, but opens and closes its block all the
+// same, so that one fault does not make ten.
+#include "dialects/family/body_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dialects/family/naming.h"
+#include "dialects/ir/motion.h"
+#include "dialects/text/number.h"
+
+namespace dripfeed::family {
+
+namespace {
+
+struct AxisRow {
+  std::string_view name;
+  ir::Address address;
+  Dimension dimension;
+  bool on_lathe;
+};
+constexpr auto kAxes = std::to_array<AxisRow>({
+    {"x", ir::Address::x, kLength, true},
+    {"y", ir::Address::y, kLength, false},
+    {"z", ir::Address::z, kLength, true},
+    {"a", ir::Address::a, kAngle, false},
+    {"b", ir::Address::b, kAngle, false},
+    {"c", ir::Address::c, kAngle, true},
+});
+constexpr auto kCenters = std::to_array<AxisRow>({
+    {"i", ir::Address::i, kLength, true},
+    {"j", ir::Address::j, kLength, false},
+    {"k", ir::Address::k, kLength, true},
+});
+
+constexpr std::int32_t kLargestTip = 9;
+
+const AxisRow* find_axis(std::span<const AxisRow> rows, std::string_view name) {
+  const auto row = std::ranges::find(rows, name, &AxisRow::name);
+  return row == rows.end() ? nullptr : &*row;
+}
+
+}  // namespace
+
+const BodyReader::VerbRow* BodyReader::find_verb(std::string_view word) {
+  static constexpr auto kVerbs = std::to_array<VerbRow>({
+      {"work", &BodyReader::work_offset},
+      {"tool", &BodyReader::tool},
+      {"spindle", &BodyReader::spindle},
+      {"coolant", &BodyReader::coolant},
+      {"feed", &BodyReader::feed},
+      {"rapid", &BodyReader::rapid},
+      {"cut", &BodyReader::cut},
+      {"arc", &BodyReader::arc},
+      {"retract", &BodyReader::retract},
+      {"profile", &BodyReader::profile},
+      {"for", &BodyReader::for_loop},
+      {"if", &BodyReader::if_block},
+      {"else", &BodyReader::else_block},
+      {"end", &BodyReader::end},
+      {"let", &BodyReader::let},
+      {"message", &BodyReader::message},
+      {"dwell", &BodyReader::dwell},
+      {"stop", &BodyReader::stop},
+      {"optional", &BodyReader::optional_stop},
+  });
+  const auto row = std::ranges::find(kVerbs, word, &VerbRow::word);
+  return row == kVerbs.end() ? nullptr : &*row;
+}
+
+void BodyReader::read() {
+  while (!ended_ && !cursor_.at_end()) {
+    if (cursor_.at_line_end()) {
+      cursor_.advance();
+      continue;
+    }
+    verb_ = cursor_.peek().span;
+    line_ = cursor_.peek().line;
+    if (const VerbRow* row = find_verb(cursor_.word())) {
+      cursor_.advance();
+      (this->*row->read)();
+    } else {
+      cursor_.expected("a verb such as rapid, cut, feed, for or end");
+    }
+    cursor_.finish_line();
+  }
+  if (ended_) return;
+  if (open_.empty()) {
+    cursor_.syntax(cursor_.peek().span, "the program has no 'end'");
+  } else {
+    cursor_.syntax(open_.back().span, "this block has no 'end'");
+  }
+}
+
+Step BodyReader::step(StepKind kind) const {
+  Step out;
+  out.kind = kind;
+  out.line = line_;
+  out.first_word = static_cast<std::uint32_t>(family_.words.size());
+  return out;
+}
+
+void BodyReader::add(Step step) {
+  if (cursor_.line_failed()) return;
+  step.span = {verb_.begin, cursor_.last_span().end};
+  family_.steps.push_back(std::move(step));
+}
+
+void BodyReader::work_offset() {
+  cursor_.expect_word("offset");
+  Step out = step(StepKind::work_offset);
+  out.number = cursor_.expect_integer("the number of a work offset");
+  add(std::move(out));
+}
+
+void BodyReader::tool() {
+  Step out = step(StepKind::tool);
+  out.number = cursor_.expect_integer("the number of a tool");
+  if (!cursor_.line_failed() && cursor_.accept_word("nose")) {
+    const auto literal = expressions_.literal(true);
+    if (!literal) return;
+    const Typed typed{.dimension = literal->unit == nullptr ? kRatio : literal->unit->dimension,
+                      .is_bare = literal->unit == nullptr,
+                      .span = literal->span};
+    if (!expressions_.require_dimension(typed, kLength)) return;
+    out.nose_radius_mm = Quantity{literal->written, literal->unit}.stored();
+  }
+  if (!cursor_.line_failed() && cursor_.accept_word("tip")) {
+    const text::Span at = cursor_.peek().span;
+    out.tip = cursor_.expect_integer("the number of a tip, 0 to 9");
+    if (out.tip > kLargestTip) cursor_.syntax(at, "tips are numbered 0 to 9");
+  }
+  add(std::move(out));
+}
+
+void BodyReader::spindle() {
+  if (cursor_.accept_word("off")) return add(step(StepKind::spindle_off));
+  Step out = step(StepKind::spindle);
+  const Typed speed = expressions_.value();
+  out.dimension = speed.dimension;
+  if (speed.dimension != kSurfaceSpeed) expressions_.require_dimension(speed, kSpeed);
+  out.values[0] = speed.id;
+  if (!cursor_.line_failed() && cursor_.accept_word("limit")) {
+    if (speed.dimension != kSurfaceSpeed)
+      return cursor_.syntax(cursor_.last_span(), "only a surface speed has a limit");
+    out.values[1] = expressions_.value_of(kSpeed).id;
+  }
+  if (cursor_.line_failed()) return;
+  if (cursor_.accept_word("cw")) {
+    out.direction = ir::Function::spindle_cw;
+  } else if (cursor_.accept_word("ccw")) {
+    out.direction = ir::Function::spindle_ccw;
+  }
+  add(std::move(out));
+}
+
+void BodyReader::coolant() {
+  static constexpr std::array<std::pair<std::string_view, ir::CoolantState>, 3> kStates = {
+      {{"off", ir::CoolantState::off}, {"mist", ir::CoolantState::mist}, {"flood", ir::CoolantState::flood}}};
+  const auto row = std::ranges::find(kStates, cursor_.word(), &std::pair<std::string_view, ir::CoolantState>::first);
+  if (row == kStates.end()) return cursor_.expected("flood, mist or off");
+  cursor_.advance();
+  Step out = step(StepKind::coolant);
+  out.number = static_cast<std::int32_t>(row->second);
+  add(std::move(out));
+}
+
+void BodyReader::feed() {
+  Step out = step(StepKind::feed);
+  const Typed value = expressions_.value();
+  out.dimension = value.dimension;
+  if (value.dimension != kFeedPerRev) expressions_.require_dimension(value, kFeedPerMin);
+  out.values[0] = value.id;
+  has_feed_ = true;
+  add(std::move(out));
+}
+
+bool BodyReader::at_axis() const {
+  return cursor_.peek().kind == LexemeKind::word && find_axis(kAxes, cursor_.word()) != nullptr;
+}
+
+void BodyReader::word(Step& step, ir::Address address, Typed value) {
+  if (cursor_.line_failed()) return;
+  family_.words.push_back({address, value.id});
+  ++step.word_count;
+}
+
+// At least one axis, none twice, none that the machine has not.
+void BodyReader::axis_words(Step& step) {
+  if (!at_axis()) return cursor_.expected("an axis");
+  while (!cursor_.line_failed() && at_axis()) {
+    const AxisRow& axis = *find_axis(kAxes, cursor_.word());
+    const auto begin = family_.words.begin() + step.first_word;
+    if (std::ranges::find(begin, family_.words.end(), axis.address, &StepWord::address) != family_.words.end()) {
+      return cursor_.syntax(cursor_.peek().span, fmt::format("{} is given twice", axis.name));
+    }
+    if (family_.machine == ir::MachineKind::lathe && !axis.on_lathe) {
+      return cursor_.syntax(cursor_.peek().span, fmt::format("a lathe has no {} axis", axis.name));
+    }
+    cursor_.advance();
+    word(step, axis.address, expressions_.value_of(axis.dimension));
+  }
+}
+
+void BodyReader::move(Step out) {
+  if (out.kind != StepKind::rapid && !has_feed_) {
+    return cursor_.report(text::DiagnosticId::no_feed, verb_, {});
+  }
+  axis_words(out);
+  add(std::move(out));
+}
+
+void BodyReader::rapid() { move(step(StepKind::rapid)); }
+void BodyReader::cut() { move(step(StepKind::cut)); }
+
+void BodyReader::arc() {
+  const bool clockwise = cursor_.at_word("cw");
+  if (!cursor_.accept_word("cw") && !cursor_.accept_word("ccw")) return cursor_.expected("cw or ccw");
+  if (!has_feed_) return cursor_.report(text::DiagnosticId::no_feed, verb_, {});
+  Step out = step(clockwise ? StepKind::arc_cw : StepKind::arc_ccw);
+  axis_words(out);
+  if (cursor_.line_failed()) return;
+  if (cursor_.accept_word("radius")) {
+    word(out, ir::Address::arc_radius, expressions_.value_of(kLength));
+    return add(std::move(out));
+  }
+  if (!cursor_.accept_word("center")) return cursor_.expected("radius or center");
+  const std::uint32_t axes = out.word_count;
+  while (!cursor_.line_failed() && cursor_.peek().kind == LexemeKind::word) {
+    const AxisRow* center = find_axis(kCenters, cursor_.word());
+    if (center == nullptr) break;
+    cursor_.advance();
+    word(out, center->address, expressions_.value_of(kLength));
+  }
+  if (out.word_count == axes) cursor_.expected("i, j or k");
+  add(std::move(out));
+}
+
+// One rapid a part, in order: out of the work first, away from it then.
+void BodyReader::retract() {
+  do {
+    move(step(StepKind::rapid));
+  } while (!cursor_.line_failed() && cursor_.accept_word("then"));
+}
+
+void BodyReader::profile() {
+  const bool nested = std::ranges::find(open_, StepKind::profile_begin, &Open::kind) != open_.end();
+  if (nested) cursor_.syntax(verb_, "a profile inside a profile");
+  add(step(StepKind::profile_begin));
+  open_.push_back({StepKind::profile_begin, verb_, line_});
+  scope_.open();
+}
+
+void BodyReader::for_loop() {
+  Step out = step(StepKind::for_begin);
+  const std::optional<NewName> name = expect_new_name(cursor_, scope_);
+  Typed from;
+  if (name && cursor_.expect_word("from")) {
+    from = expressions_.value();
+    out.down = !cursor_.line_failed() && cursor_.accept_word("down");
+    cursor_.expect_word("to");
+    out.values[0] = from.id;
+    if (!cursor_.line_failed()) out.values[1] = expressions_.value_of(from.dimension).id;
+    cursor_.expect_word("step");
+    if (!cursor_.line_failed()) out.values[2] = expressions_.value_of(from.dimension).id;
+  }
+  open_.push_back({StepKind::for_begin, verb_, line_});
+  scope_.open();
+  if (name) out.target = scope_.define(family_.arena, name->name, from.dimension, name->span);
+  add(std::move(out));
+}
+
+void BodyReader::if_block() {
+  Step out = step(StepKind::if_begin);
+  out.values[0] = expressions_.condition().id;
+  add(std::move(out));
+  open_.push_back({StepKind::if_begin, verb_, line_});
+  scope_.open();
+}
+
+void BodyReader::else_block() {
+  if (open_.empty() || open_.back().kind != StepKind::if_begin || open_.back().has_else) {
+    return cursor_.syntax(verb_, "an 'else' without its 'if'");
+  }
+  open_.back().has_else = true;
+  scope_.close();
+  scope_.open();
+  add(step(StepKind::if_else));
+}
+
+void BodyReader::end() {
+  if (open_.empty()) {
+    ended_ = true;
+    return;
+  }
+  const Open open = open_.back();
+  open_.pop_back();
+  scope_.close();
+  if (open.kind == StepKind::profile_begin) {
+    if (line_ > open.line + 1) family_.profiles.push_back({open.line + 1, line_ - 1});
+    return add(step(StepKind::profile_end));
+  }
+  add(step(open.kind == StepKind::for_begin ? StepKind::for_end : StepKind::if_end));
+}
+
+void BodyReader::let() {
+  Step out = step(StepKind::let);
+  const std::optional<NewName> name = expect_new_name(cursor_, scope_);
+  if (!name || !cursor_.expect_symbol("=")) return;
+  const Typed value = expressions_.value();
+  out.values[0] = value.id;
+  if (!cursor_.line_failed()) out.target = scope_.define(family_.arena, name->name, value.dimension, name->span);
+  add(std::move(out));
+}
+
+void BodyReader::message() {
+  Step out = step(StepKind::message);
+  auto text = cursor_.accept_string();
+  if (!text) return cursor_.expected("a text in quotes");
+  out.text = std::move(*text);
+  add(std::move(out));
+}
+
+void BodyReader::dwell() {
+  Step out = step(StepKind::dwell);
+  out.values[0] = expressions_.value_of(kTime).id;
+  add(std::move(out));
+}
+
+void BodyReader::stop() { add(step(StepKind::stop)); }
+
+void BodyReader::optional_stop() {
+  cursor_.expect_word("stop");
+  add(step(StepKind::optional_stop));
+}
+
+}  // namespace dripfeed::family

@@ -1,0 +1,44 @@
+// Names of a family and what they stand for: parameters and lets from where they are written to the end, names of the
+// body to the end of their block.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dialects/family/unit.h"
+#include "dialects/ir/program.h"
+#include "dialects/text/span.h"
+
+namespace dripfeed::family {
+
+class Scope {
+ public:
+  struct Name {
+    std::string name;
+    ir::SymbolId symbol = ir::SymbolId::none;
+    Dimension dimension;
+    text::Span span;
+    bool visible = true;
+  };
+
+  // nullptr when no visible name is so called.
+  [[nodiscard]] const Name* find(std::string_view name) const;
+  // Adds a symbol to `arena`, or takes the one of a name of a closed block over. `name` must not be visible now.
+  ir::SymbolId define(ir::Program& arena, std::string_view name, Dimension dimension, text::Span span);
+  // The visible name that is most like `name`, for "did you mean"; "" when none is near.
+  [[nodiscard]] std::string_view nearest(std::string_view name) const;
+
+  void open() { marks_.push_back(names_.size()); }
+  void close();
+
+ private:
+  std::vector<Name> names_;
+  std::vector<std::size_t> marks_;
+};
+
+// Changes (insert, drop, replace a letter) from one word to the other.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+}  // namespace dripfeed::family
