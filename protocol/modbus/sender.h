@@ -74,7 +74,7 @@ class Sender {
  public:
   static constexpr std::size_t kMaxEvents = 64;  // beyond it the oldest is dropped and counted
 
-  explicit Sender(const SenderSettings& settings) : settings_(settings) {}
+  explicit Sender(const SenderSettings& settings);
 
   // A new session: opens the mailbox, whatever session it held before, unless that one is still running.
   std::expected<void, SenderRefusal> start(const SenderJob& job, Time now);
@@ -111,22 +111,46 @@ class Sender {
   }
 
  private:
+  // The receiver's account of the text at some block.
+  struct Account {
+    std::uint16_t seq = 0;
+    std::uint32_t appended = 0;
+    std::uint32_t text_crc = 0;
+  };
+  enum class Skip : std::uint8_t { done, pending, lost, differs };
+
   std::expected<void, SenderRefusal> begin(const SenderJob& job, SenderInput input, Time now);
   std::expected<void, SenderRefusal> react(SenderInput input);
   void perform(SenderAction action);
   void enter(SenderState to);
-  SenderInput judge(const Status& status);
-  SenderInput judge_look(const Status& status);
-  SenderInput judge_message(const Status& status);
-  bool shows_before(const Status& status) const;
-  bool shows_after(const Status& status) const;
-  void compose(MailboxCommand command);
-  void advance(Time now);
+  void settle(Time now);
   void look_for_work();
-  bool gather();
-  bool skip_confirmed(const Status& status);
-  void drop_payload();
+  void read_again();
+  void write_again();
+  void confirm();
+  void accept_session();
+  void compose(MailboxCommand command);
+
+  // Reading the status.
+  SenderInput judge(const Status& status);
+  SenderInput judge_vacancy(const Status& status);
+  SenderInput judge_session(const Status& status);
+  SenderInput judge_opening(const Status& status);
+  SenderInput judge_message(const Status& status);
+  SenderInput judge_block(const Status& status);
+  SenderInput contradict(StopReason reason);
+  std::optional<StopReason> session_trouble(const Status& status) const;
+  bool shows(const Status& status, const Account& account) const;
+  StopReason mismatch(const Status& status) const;
+
+  // The text.
+  Skip skip_confirmed(const Status& status);
+  tape_code::SourceStatus next_piece();
+  void gather();
+  void drop_payload(std::size_t count);
+
   void refresh_stall();
+  SenderStall present_stall() const;
   void emit(SenderEvent event);
 
   SenderSettings settings_;
@@ -138,37 +162,41 @@ class Sender {
   SenderCounters counters_;
   Time now_{};
 
+  // The message in the mailbox and the request that is under way.
   Mailbox mailbox_{};
   std::size_t mailbox_used_ = 0;
+  std::uint64_t mailbox_text_end_ = 0;  // text bytes up to the end of its payload
   bool must_write_ = false;
+  bool write_uncertain_ = false;  // the last write was not answered
   bool in_flight_ = false;
+  bool flight_is_stale_ = false;  // it was made for an earlier job
   Request::Kind flight_kind_ = Request::Kind::read_status;
+  bool peer_silent_ = false;
   Time next_poll_{};
+  Time write_at_{};  // the message is to be written, not before then
   Time written_at_{};
   Time answered_at_{};
-  MailboxCommand message_ = MailboxCommand::idle;
 
-  // The receiver as it must look before and after the outstanding message.
-  struct Expected {
-    std::uint16_t seq = 0;
-    std::uint32_t appended = 0;
-    std::uint32_t text_crc = 0;
-  };
-  Expected before_;
-  Expected after_;
+  // The session. before_ and after_: the receiver's account before and after the outstanding message.
+  Account before_;
+  Account after_;
+  Status last_;
   std::optional<std::uint16_t> boot_;
-  bool resuming_ = false;
-  std::uint16_t free_blocks_ = 0;
+  std::uint32_t session_before_ = 0;
+  bool opened_ = false;
+  bool take_over_ = false;
+  bool hold_wanted_ = false;
+  bool at_block_end_ = true;
 
+  // Text taken from the source: the confirmed part, then payload_, then the rest of the piece.
   std::span<const char> piece_;
   std::size_t piece_used_ = 0;
+  std::uint64_t taken_ = 0;
   std::array<std::byte, kMaxPayload> payload_{};
   std::size_t payload_size_ = 0;
-  std::size_t payload_cut_ = 0;
-  bool text_over_ = false;
+  std::size_t payload_cut_ = 0;  // so much of it is the next block
+  bool text_not_ready_ = false;
   bool text_lost_ = false;
-  bool at_block_end_ = true;
-  bool hold_wanted_ = false;
 
   std::array<SenderEvent, kMaxEvents> events_{};
   std::size_t first_event_ = 0;

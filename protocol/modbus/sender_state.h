@@ -27,13 +27,15 @@ inline constexpr std::size_t kSenderStates = 14;
 
 // What a reading of the status says about the outstanding message, what failed, and what a person wants.
 enum class SenderInput : std::uint8_t {
+  vacant,         // no session runs there: ours may be opened
   acknowledged,   // the message is seen done
   not_yet,        // all is as before it
   refused,        // as before, and the receiver asks for it again (damaged, or full)
-  ended,          // the receiver is done
+  ended,          // the receiver took all of the text
   contradiction,  // foreign registers, other session, boot counter, sequence or text: stop (the reason says which)
   failed,         // a request was not answered, or the image was garbled: nothing is known, read again
   gone,           // no status for too long
+  hold_due,       // a hold is wanted and what is confirmed ends with a whole block
   has_block,      // a data block can be written: text, credit and reserve are there
   has_end,        // the text is over and all of it is confirmed
   text_lost,      // the source failed
@@ -44,11 +46,12 @@ enum class SenderInput : std::uint8_t {
   abort,
   proceed,
 };
-inline constexpr std::size_t kSenderInputs = 16;
+inline constexpr std::size_t kSenderInputs = 18;
 
 enum class SenderCommand : std::uint8_t { hold, release, abort, proceed };
 
 enum class SenderAction : std::uint8_t {
+  never,  // the machine does not ask or say this in this state; if it ever did, it would stop
   none,
   again,      // read again after the poll time; write again when it is due
   rewrite,    // write the same message again
@@ -70,10 +73,16 @@ enum class SenderAction : std::uint8_t {
 };
 
 struct SenderCell {
-  SenderAction action = SenderAction::none;
+  SenderAction action = SenderAction::never;
   SenderState to = SenderState::idle;
 };
 SenderCell cell(SenderState state, SenderInput input);
+
+// Does the machine read the status in this state?
+constexpr bool polls(SenderState state) {
+  return state != SenderState::idle && state != SenderState::done && state != SenderState::aborted &&
+         state != SenderState::stopped;
+}
 
 enum class SenderStall : std::uint8_t {
   none,
@@ -89,6 +98,7 @@ enum class SenderStall : std::uint8_t {
 enum class StopReason : std::uint8_t {
   none,
   foreign_registers,   // no mailbox of this version there
+  session_over,        // the session was ended there
   session_running,     // start: another session is running there
   other_session,       // the receiver has another session than ours
   receiver_restarted,  // its boot counter changed
