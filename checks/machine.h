@@ -27,12 +27,12 @@ struct MachineAxis {
   double jerk_mm_s3 = 0.0;  // 0: not limited
 };
 
-// Quadrant of the imaginary tool tip of a turning tool, seen with +X up and +Z right, numbered as the controls do; 0
-// and 9: the centre of the nose.
+// Where the imaginary tip, which the program moves, lies as seen from the centre of the nose, with +X up and +Z right;
+// numbered as Fanuc and SINUMERIK do. 3 is the usual tool for outside turning towards the chuck.
 //
-//      +X       4   7   3
-//       |       8  0,9  6      1..4: tip at a corner of the square around the nose
-//       +-- +Z  1   5   2      5..8: tip on one side only
+//      +X       2   6   1
+//       |       7  0,9  5      1..4: a corner of the square around the nose; 5..8: the middle of a side
+//       +-- +Z  3   8   4      0, 9: the centre itself
 struct Tool {
   std::int32_t number = 0;
   std::int32_t offset = 0;  // the offset or D number that holds its figures
