@@ -1,0 +1,130 @@
+// dialects/interpreter: runs a program. IR is compiled to register bytecode, a virtual machine executes it, every block
+// goes through the one `apply` that keeps the modal state, and motions come out in batches. Arithmetic is defined here
+// once and follows ir::Semantics. What reading, checking, timing or printing means is left to others; nothing here
+// knows which control it runs.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dialects/ir/ir.h"
+#include "dialects/text/diagnostic.h"
+
+namespace dripfeed::interpreter {
+
+// Called programs by name, as the call writes it: "O9010", "TURNING_CYCLE", "L100". Asked once a call site.
+class ProgramFinder {
+ public:
+  ProgramFinder() = default;
+  ProgramFinder(const ProgramFinder&) = delete;
+  ProgramFinder& operator=(const ProgramFinder&) = delete;
+  virtual ~ProgramFinder() = default;
+  // nullptr: there is none. What it returns must live until the run has ended.
+  virtual const ir::Program* find(std::string_view name) = 0;
+};
+// A finder that finds nothing.
+ProgramFinder& no_programs();
+
+// Passing one ends the run with Ended::limit and a diagnostic. The control's own limits (nesting of calls) are alarms
+// and stand in ir::ControlLimits.
+struct Limits {
+  std::uint64_t blocks = 100'000'000;       // executed
+  std::uint64_t loop_passes = 100'000'000;  // jumps back, calls and repeats of calls
+  std::uint32_t call_depth = 64;            // programs above the main one
+  std::uint32_t variables = 1U << 20;       // slots of declared names in one program, arrays counted by element
+  std::uint32_t strings = 1U << 20;         // distinct texts of messages and tool names
+};
+
+// A variable's value before the start: of a state file, or an override. `name` for bank `named` (a scalar DEF or
+// parameter of the main program), `number` otherwise. Declarations with a value still set theirs.
+struct InitialValue {
+  ir::Bank bank = ir::Bank::hash;
+  std::uint32_t number = 0;
+  std::string name = {};
+  double value = 0.0;
+};
+
+// Names that the numbers of a run stand for. Given to `run`, it grows while running, so that a sink can look up what
+// it is handed.
+struct RunNames {
+  std::vector<std::string> strings;    // Motion::text
+  std::vector<std::string> programs;   // Place::program; 0 is the main one
+  std::vector<std::string> variables;  // VariableChange::variable
+};
+
+struct VariableChange {
+  std::uint32_t variable = 0;  // index into RunNames::variables
+  double value = 0.0;          // NaN: vacant
+};
+
+// Hears of every executed block. Blocks come in order, but motions are handed over in batches: join them by
+// Place::ordinal (a motion sees the changes of all ordinals up to its own).
+class BlockObserver {
+ public:
+  BlockObserver() = default;
+  BlockObserver(const BlockObserver&) = delete;
+  BlockObserver& operator=(const BlockObserver&) = delete;
+  virtual ~BlockObserver() = default;
+  // `changes`: what the block assigned, in order; valid during the call only. Strings are not told.
+  virtual void block(const ir::Place& place, std::span<const VariableChange> changes) = 0;
+};
+
+struct RunOptions {
+  Limits limits;
+  std::vector<InitialValue> initial_values;
+  bool want_variables = false;        // fill RunResult::variables
+  BlockObserver* observer = nullptr;  // costs time when set
+  RunNames* names = nullptr;          // filled while running; nullptr: only RunResult has them
+};
+
+// How a run ended: by the program's end, an alarm, one of Limits, or the end of the text without a program end.
+enum class Ended : std::uint8_t { end, alarm, limit, text_end };
+// "end", "alarm", "limit", "text_end"
+std::string_view name_of(Ended ended);
+
+// A variable after the run, named as the control writes it: "#100", "R5", "COUNTER", "A[3]".
+struct VariableValue {
+  std::string name;
+  std::optional<double> value;      // none: vacant, or a string
+  std::optional<std::string> text;  // of string variables
+};
+
+struct RunDiagnostic {
+  std::uint32_t program = 0;  // index into RunResult::programs
+  std::uint32_t line = 0;     // 1-based; for programs without text, too
+  text::Diagnostic diagnostic;
+};
+
+// A code, a word or native words that were met and not carried out, once a name.
+struct NotInterpreted {
+  std::string name;
+  std::uint32_t program = 0;
+  std::uint32_t first_line = 0;
+  std::uint64_t count = 0;  // how often it was executed
+  ir::Function function = ir::Function::not_modelled;
+  bool effects_known = false;  // known to neither move nor change what is modelled
+};
+
+struct RunResult {
+  std::uint64_t blocks = 0;   // executed; blank lines and comments do not count
+  std::uint64_t motions = 0;  // moves, dwells and events handed to the sink
+  Ended ended = Ended::end;
+  std::vector<RunDiagnostic> diagnostics;  // an alarm or a passed limit is the last
+  std::vector<std::string> strings;        // Motion::text
+  std::vector<std::string> programs;       // Place::program
+  std::vector<VariableValue> variables;    // those that the program names or that have a value, by bank and number
+  std::vector<NotInterpreted> not_interpreted;
+  ir::Place last;  // the last block that was executed
+};
+
+// Runs `program` on `control` until it ends. Motions go to `sink` in batches, all of them before this returns. Reads no
+// clock and no file; the only thing that fails is the program, and then the result says where and with which alarm of
+// the control.
+RunResult run(const ir::Program& program, const ir::Control& control, ProgramFinder& finder, ir::MotionSink& sink,
+              const RunOptions& options);
+
+}  // namespace dripfeed::interpreter
