@@ -24,7 +24,7 @@ enum class Function : std::uint8_t {
   plane_zx,
   plane_yz,
   unit_inch,
-  unit_mm,
+  unit_mm,  // argument: 0 lengths and feeds, 1 lengths only (G70, G71 of SINUMERIK)
   absolute,
   incremental,
   feed_per_min,

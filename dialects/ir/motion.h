@@ -67,6 +67,9 @@ struct Motion {
   std::int32_t tool_offset = 0;      // tool: D or offset number
   std::uint32_t text = 0xFFFFFFFFU;  // message, tool by name: index into the run's strings
   ComputeCounts compute;             // work since the motion before
+  // Bit per Axis: where the move starts is not known (never commanded, after a reference return, a move in machine
+  // coordinates or another work offset); `start` then holds the last value that was.
+  std::uint16_t axes_unknown = 0;
 };
 
 class MotionSink {

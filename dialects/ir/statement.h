@@ -97,7 +97,7 @@ enum class StatementKind : std::uint8_t {
   call,               // subprogram or macro                   -> calls
   procedure,          // PROC … (the head of a subprogram)     -> structures
   declaration,        // EXTERN: no effect while running
-  subprogram_return,  // M99, M17, RET
+  subprogram_return,  // M99, M17, RET; with a payload (M99 P100): the jump in the caller that follows -> jumps
   program_end,        // M30, M02 as the block's last effect
   message,            // MSG(…), (MSG …)                       -> messages
   alarm,              // #3000 = n(…), SETAL                   -> messages
