@@ -202,8 +202,10 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   // -------------------------------------------------------------------------------------------------------------
   void settle() {
     pump();
-    while (feed_.next_event()) {
-    }  // the report below says all that the events changed
+    // The report says what the events changed; only a start that found nothing armed leaves no other trace.
+    while (const auto event = feed_.next_event()) {
+      if (event->kind == feed::EventKind::dc1_unarmed) ++unarmed_starts_;
+    }
     publish();
   }
 
@@ -243,6 +245,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     report_.hold_s = to_seconds(counters.held_for);
     report_.line_use = feed_.line_use();
     report_.char_s = to_seconds(feed_.paced_char_time());
+    report_.unarmed_starts = unarmed_starts_;
     if (!changed) return;
     ++report_.changes;
     changed_();
@@ -268,6 +271,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   std::shared_ptr<tape_code::TextSource> source_;
   std::uint64_t order_job_ = 0;
   std::uint64_t reserve_ = 0;
+  std::uint64_t unarmed_starts_ = 0;
   mutable std::mutex report_mutex_;
   LineReport report_;
 };

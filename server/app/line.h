@@ -53,9 +53,10 @@ struct LineReport {
   KnownInterval known;
   std::uint64_t holds = 0;
   double hold_s = 0.0;
-  double line_use = 0.0;      // share of line time used while not held, 0..1
-  double char_s = 0.0;        // time of one character on the line; 0 where there is none
-  std::uint64_t changes = 0;  // grows with every change of state, stall or end
+  double line_use = 0.0;             // share of line time used while not held, 0..1
+  double char_s = 0.0;               // time of one character on the line; 0 where there is none
+  std::uint64_t unarmed_starts = 0;  // DC1 that came with nothing armed: nothing was sent
+  std::uint64_t changes = 0;         // grows with every change of state, stall or end
 };
 
 struct LineOrder {

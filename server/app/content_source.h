@@ -1,0 +1,49 @@
+// A stored text as a feed's source: read ahead in chunks on one thread, taken on another without waiting, EOBs turned
+// to LF on the way.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <string>
+
+#include "protocol/feed/program_check.h"
+#include "protocol/tape_code/eob.h"
+#include "protocol/tape_code/text_source.h"
+#include "server/app/error.h"
+#include "store/contents.h"
+
+namespace dripfeed::app {
+
+class ContentSource final : public tape_code::TextSource {
+ public:
+  // Four chunks of 64 KiB: 20 s at 115200 baud.
+  static constexpr std::size_t kChunks = 4;
+
+  ContentSource(store::Contents& contents, std::string sha256);
+  // Fills the free chunks. From one thread; the store is read here and nowhere else.
+  void refill();
+  // On the feed's thread.
+  tape_code::TextPiece next() noexcept override;
+
+ private:
+  void fill_one(std::string& chunk);
+
+  store::Contents& contents_;
+  std::string sha256_;
+  std::uint64_t offset_ = 0;
+  tape_code::EobReader eobs_;
+  std::array<std::string, kChunks> chunks_;
+  // Written by one side each: `filled_` by refill(), `taken_` and `released_` by next().
+  std::atomic<std::uint64_t> filled_{0};
+  std::atomic<std::uint64_t> released_{0};
+  std::uint64_t taken_ = 0;
+  std::atomic<bool> over_{false};
+  std::atomic<bool> failed_{false};
+};
+
+// Reads the whole text once and checks that it may be fed; the facts are of the text with LF as EOB.
+Result<feed::ProgramFacts> check_program(store::Contents& contents, const std::string& sha256,
+                                         const feed::ProgramSyntax& syntax);
+
+}  // namespace dripfeed::app

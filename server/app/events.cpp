@@ -1,0 +1,75 @@
+// The ring is a vector used round: event `id` lies at id % kRing.
+#include "server/app/events.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dripfeed::app {
+
+void Events::publish(Event event) {
+  {
+    const std::lock_guard lock(mutex_);
+    event.id = next_id_++;
+    if (ring_.size() < kRing) ring_.resize(kRing);
+    const std::size_t slot = event.id % kRing;
+    ring_[slot] = std::move(event);
+  }
+  wake();
+}
+
+void Events::progress(const std::string& machine, const LineReport& report) {
+  {
+    const std::lock_guard lock(mutex_);
+    LineReport& known = progress_[machine];
+    if (known.changes == report.changes && known.handed == report.handed && known.clocked == report.clocked &&
+        known.confirmed == report.confirmed && known.job == report.job) {
+      return;
+    }
+    known = report;
+  }
+  wake();
+}
+
+Events::Batch Events::since(std::uint64_t after) const {
+  const std::lock_guard lock(mutex_);
+  Batch batch;
+  batch.last = next_id_ - 1;
+  const std::uint64_t oldest = next_id_ > kRing ? next_id_ - kRing : 1;
+  // An id that was never given comes from a server before this one.
+  batch.reset = after + 1 < oldest || after >= next_id_;
+  for (std::uint64_t id = std::max(after + 1, oldest); !batch.reset && id < next_id_; ++id) {
+    batch.events.push_back(ring_[id % kRing]);
+  }
+  return batch;
+}
+
+std::vector<Progress> Events::snapshot() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<Progress> all;
+  all.reserve(progress_.size());
+  for (const auto& [machine, report] : progress_) all.push_back({machine, report});
+  return all;
+}
+
+std::uint64_t Events::last_id() const {
+  const std::lock_guard lock(mutex_);
+  return next_id_ - 1;
+}
+
+Events::Watch Events::watch(std::function<void()> ready) {
+  const std::lock_guard lock(watch_mutex_);
+  watchers_[next_watch_] = std::move(ready);
+  return next_watch_++;
+}
+
+void Events::unwatch(Watch watch) {
+  const std::lock_guard lock(watch_mutex_);
+  watchers_.erase(watch);
+}
+
+void Events::wake() {
+  const std::lock_guard lock(watch_mutex_);
+  for (const auto& [id, ready] : watchers_) ready();
+}
+
+}  // namespace dripfeed::app

@@ -1,0 +1,71 @@
+// Live events: a ring of transitions, numbered and resumable, and a snapshot of progress per machine that is no part of
+// it. A watcher that falls behind is told to reload; it never delays anybody.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "server/app/line.h"
+#include "store/store.h"
+
+namespace dripfeed::app {
+
+enum class EventKind : std::uint8_t { job, machine, verdict, alarm };
+
+struct Event {
+  std::uint64_t id = 0;
+  EventKind kind = EventKind::job;
+  std::string machine;
+  store::Job job;         // job
+  store::Id verdict = 0;  // verdict
+  store::Outcome outcome = store::Outcome::unknown;
+  std::string text;  // alarm, verdict: a sentence
+};
+
+// What a machine's line does, as a watcher sees it; coalesced, so that only the newest counts.
+struct Progress {
+  std::string machine;
+  LineReport report;
+};
+
+class Events {
+ public:
+  static constexpr std::size_t kRing = 1024;
+
+  void publish(Event event);
+  void progress(const std::string& machine, const LineReport& report);
+
+  // What is newer than `after`; `reset` says that the ring no longer holds all of it.
+  struct Batch {
+    bool reset = false;
+    std::vector<Event> events;
+    std::uint64_t last = 0;  // id to ask from next time
+  };
+  [[nodiscard]] Batch since(std::uint64_t after) const;
+  [[nodiscard]] std::vector<Progress> snapshot() const;
+  [[nodiscard]] std::uint64_t last_id() const;
+
+  // `ready` is called after each publish and each change of progress, from the publisher's thread: it must only wake
+  // somebody.
+  using Watch = std::uint64_t;
+  Watch watch(std::function<void()> ready);
+  void unwatch(Watch watch);
+
+ private:
+  void wake();
+
+  mutable std::mutex mutex_;
+  std::vector<Event> ring_;
+  std::uint64_t next_id_ = 1;
+  std::map<std::string, LineReport> progress_;
+  std::mutex watch_mutex_;
+  std::map<Watch, std::function<void()>> watchers_;
+  Watch next_watch_ = 1;
+};
+
+}  // namespace dripfeed::app

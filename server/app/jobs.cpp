@@ -1,0 +1,205 @@
+// Arming is the only door to a line: the store says that the text is released and the machine free, the ledger has its
+// first row, then the line gets the order. If the line refuses, the job is over before a byte went out.
+#include "server/app/jobs.h"
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "protocol/tape_code/wire_encoder.h"
+#include "server/app/content_source.h"
+#include "store/hash/hash.h"
+
+namespace dripfeed::app {
+
+namespace {
+
+constexpr double kLongestArming_min = 60.0;
+
+ir::Delivery delivery_of(store::Delivery delivery) {
+  return delivery == store::Delivery::drip ? ir::Delivery::drip : ir::Delivery::memory;
+}
+
+// Wire bytes of a text on this line; a block transfer has its text's bytes.
+Result<std::uint64_t> wire_bytes(const machine::Profile& profile, const feed::ProgramFacts& facts) {
+  if (profile.line.link.kind == machine::LinkKind::modbus_tcp) return facts.text_bytes();
+  const auto settings = machine::feed_settings_of(profile.line);
+  if (!settings) return fail(ErrorCode::refused, settings.error());
+  return tape_code::wire_length(settings->wire, facts.text_bytes(), facts.eobs());
+}
+
+// A number that no earlier job had: identifies the job at a PLC. Not 0.
+std::uint64_t random_session() {
+  const std::string digest = hash::sha256_hex(hash::random_token());
+  std::uint32_t session = 1;
+  for (std::size_t i = 0; i < 8; ++i) {
+    session = session * 16 + static_cast<std::uint32_t>(digest[i] <= '9' ? digest[i] - '0' : digest[i] - 'a' + 10);
+  }
+  return session | 1U;
+}
+
+}  // namespace
+
+Jobs::Jobs(store::Store& store, Lines& lines, Keeper& keeper, Events& events, const Clock& clock,
+           const Documents& documents)
+    : store_(store), lines_(lines), keeper_(keeper), events_(events), clock_(clock), documents_(documents) {}
+
+store::Stamp Jobs::stamp(std::string_view actor) const { return {std::string(actor), clock_.wall_ms()}; }
+
+void Jobs::publish(const store::Job& job, std::string_view text) {
+  events_.publish({.id = 0,
+                   .kind = EventKind::job,
+                   .machine = job.machine,
+                   .job = job,
+                   .verdict = 0,
+                   .outcome = {},
+                   .text = std::string(text)});
+}
+
+Result<machine::Profile> Jobs::profile_of(std::string_view machine) {
+  const auto row = store_.machines().get(machine);
+  if (!row) return std::unexpected(from_store(row.error()));
+  return documents_.read_profile(row->profile);
+}
+
+Result<std::shared_ptr<Line>> Jobs::line_with(const store::Job& job) {
+  auto line = lines_.find(job.machine);
+  if (!line) return fail(ErrorCode::refused, fmt::format("machine {} has no line", job.machine));
+  if (line->report().job != job.id)
+    return fail(ErrorCode::refused, fmt::format("job {} is not on the line of {}", job.id, job.machine));
+  return line;
+}
+
+Result<store::Job> Jobs::add(store::Id release, std::string_view actor) {
+  const auto row = store_.releases().get(release);
+  if (!row) return std::unexpected(from_store(row.error()));
+  const auto profile = profile_of(row->of.machine);
+  if (!profile) return std::unexpected(profile.error());
+  const auto facts = check_program(store_.contents(), row->text_sha256,
+                                   machine::program_syntax_of(*profile, delivery_of(row->of.delivery)));
+  if (!facts) return std::unexpected(facts.error());
+  const auto bytes = wire_bytes(*profile, *facts);
+  if (!bytes) return std::unexpected(bytes.error());
+  auto job =
+      store_.jobs().add({.release = release, .link = profile->line.link.text, .bytes_total = *bytes}, stamp(actor));
+  if (!job) return std::unexpected(from_store(job.error()));
+  publish(*job, "queued");
+  return std::move(*job);
+}
+
+Result<store::Job> Jobs::arm(store::Id id, double minutes, std::string_view actor) {
+  if (!std::isfinite(minutes) || minutes <= 0 || minutes > kLongestArming_min) {
+    return fail(ErrorCode::invalid, "an arming lasts more than 0 and at most 60 minutes",
+                {{.pointer = "/minutes", .text = "0 < minutes <= 60"}});
+  }
+  const auto job = store_.jobs().get(id);
+  if (!job) return std::unexpected(from_store(job.error()));
+  const auto profile = profile_of(job->machine);
+  if (!profile) return std::unexpected(profile.error());
+  const auto line = lines_.find(job->machine);
+  if (!line) return fail(ErrorCode::refused, fmt::format("machine {} has no line", job->machine));
+  const auto whole = lift(store_.contents().verify(job->text_sha256));
+  if (!whole) return std::unexpected(whole.error());
+  const auto facts = check_program(store_.contents(), job->text_sha256,
+                                   machine::program_syntax_of(*profile, delivery_of(job->delivery)));
+  if (!facts) return std::unexpected(facts.error());
+
+  auto armed = store_.jobs().move(id, {.to = store::JobState::armed, .reason = "armed", .torn = false}, stamp(actor));
+  if (!armed) return std::unexpected(from_store(armed.error()));
+  const std::uint64_t reserve = reserve_window(line->report());
+  const store::NewLedgerRow first{
+      .job = id, .counts = {.handed = 0, .clocked = 0, .confirmed = 0, .reserve = reserve}, .note = "armed"};
+  const auto written = store_.ledger().append(std::span(&first, 1), clock_.wall_ms());
+  if (!written) return disarm_after(*armed, store::message_of(written.error()), actor);
+  if (!written->empty()) return disarm_after(*armed, written->front().why, actor);
+
+  auto source = std::make_shared<ContentSource>(store_.contents(), job->text_sha256);
+  const auto expires = feed::Time(static_cast<std::int64_t>(minutes * 60e9));
+  const auto on_line = line->arm({.job = id,
+                                  .facts = *facts,
+                                  .source = source,
+                                  .expires_after = expires,
+                                  .reserve = reserve,
+                                  .session = random_session()});
+  if (!on_line) return disarm_after(*armed, on_line.error(), actor);
+  keeper_.set_source(job->machine, std::move(source));
+  spdlog::info("job {} armed on {} by {}", id, job->machine, actor);
+  publish(*armed, fmt::format("armed by {}", actor));
+  keeper_.wake();
+  return std::move(*armed);
+}
+
+// Nothing went out: the job is over, and the caller hears why.
+Result<store::Job> Jobs::disarm_after(const store::Job& job, const std::string& why, std::string_view actor) {
+  const auto moved =
+      store_.jobs().move(job.id, {.to = store::JobState::cancelled, .reason = why, .torn = false}, stamp(actor));
+  if (moved) publish(*moved, why);
+  return fail(ErrorCode::refused, fmt::format("{} cannot be armed: {}", job.machine, why));
+}
+
+Result<store::Job> Jobs::command(store::Id id, feed::Command command, std::string_view action, std::string_view reason,
+                                 std::string_view actor) {
+  const auto job = store_.jobs().get(id);
+  if (!job) return std::unexpected(from_store(job.error()));
+  const auto line = line_with(*job);
+  if (!line) return std::unexpected(line.error());
+  // The audit comes first: a command that took effect is never without its row.
+  const auto noted =
+      store_.audit().append({std::string(action), fmt::format("job/{}", id), std::string(reason)}, stamp(actor));
+  if (!noted) return std::unexpected(from_store(noted.error()));
+  const auto done = (*line)->command(command);
+  if (!done) return fail(ErrorCode::refused, done.error());
+  keeper_.round();
+  auto now = store_.jobs().get(id);
+  if (!now) return std::unexpected(from_store(now.error()));
+  return std::move(*now);
+}
+
+Result<store::Job> Jobs::stop(store::Id id, std::string_view actor) {
+  return command(id, feed::Command::stop, "job.stop", "", actor);
+}
+
+Result<store::Job> Jobs::cancel(store::Id id, std::string_view actor) {
+  const auto job = store_.jobs().get(id);
+  if (!job) return std::unexpected(from_store(job.error()));
+  if (job->state == store::JobState::queued) {
+    auto moved =
+        store_.jobs().move(id, {.to = store::JobState::cancelled, .reason = "cancelled", .torn = false}, stamp(actor));
+    if (!moved) return std::unexpected(from_store(moved.error()));
+    publish(*moved, fmt::format("cancelled by {}", actor));
+    return std::move(*moved);
+  }
+  const feed::Command how = job->state == store::JobState::armed ? feed::Command::disarm : feed::Command::cancel;
+  return command(id, how, "job.cancel", "", actor);
+}
+
+Result<store::Job> Jobs::resume(store::Id id, std::string_view reason, std::string_view actor) {
+  const auto job = store_.jobs().get(id);
+  if (!job) return std::unexpected(from_store(job.error()));
+  const auto line = line_with(*job);
+  if (!line) return std::unexpected(line.error());
+  if ((*line)->report().stall == feed::name(feed::Stall::stopped_by_person)) {
+    return command(id, feed::Command::resume, "job.resume", reason, actor);
+  }
+  if (reason.empty())
+    return fail(ErrorCode::invalid, "a reason is needed to go on as if DC1 had come",
+                {{.pointer = "/reason", .text = "a reason"}});
+  return command(id, feed::Command::resume_as_if_dc1, "job.resume-as-if-dc1", reason, actor);
+}
+
+Result<store::Job> Jobs::confirm_reset(std::string_view machine, std::string_view reason, std::string_view actor) {
+  auto job = store_.jobs().confirm_reset(machine, reason, stamp(actor));
+  if (!job) return std::unexpected(from_store(job.error()));
+  if (const auto line = lines_.find(std::string(machine)); line && line->report().state == LineState::torn) {
+    const auto cleared = line->command(feed::Command::confirm_reset);
+    if (!cleared) return fail(ErrorCode::refused, cleared.error());
+  }
+  publish(*job, fmt::format("reset confirmed by {}: {}", actor, reason));
+  keeper_.wake();
+  return std::move(*job);
+}
+
+}  // namespace dripfeed::app

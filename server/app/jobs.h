@@ -1,0 +1,52 @@
+// The use cases of a transfer: queue a released text, arm it (a person, for one line), stop, cancel, resume, and
+// confirm that a control was reset. Nothing here ever starts or resumes motion by itself.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "server/app/error.h"
+#include "server/app/events.h"
+#include "server/app/keeper.h"
+#include "server/app/lines.h"
+#include "server/app/ports/documents.h"
+#include "store/store.h"
+
+namespace dripfeed::app {
+
+class Jobs {
+ public:
+  Jobs(store::Store& store, Lines& lines, Keeper& keeper, Events& events, const Clock& clock,
+       const Documents& documents);
+
+  // Queued. Errors: not_found, refused (not released, or its text cannot be fed: with the place).
+  Result<store::Job> add(store::Id release, std::string_view actor);
+  // The named person arms it for its machine's line. Errors: not_found, refused with the reason (torn, busy, link down,
+  // …).
+  Result<store::Job> arm(store::Id job, double minutes, std::string_view actor);
+  // At a block end: the feed stops and waits / is over. A queued job is cancelled at once.
+  Result<store::Job> stop(store::Id job, std::string_view actor);
+  Result<store::Job> cancel(store::Id job, std::string_view actor);
+  // A stopped job goes on; a held one goes on "as if DC1" had come, with the reason in the ledger and the audit.
+  Result<store::Job> resume(store::Id job, std::string_view reason, std::string_view actor);
+  // A person says that the control was reset: a torn line may be used again.
+  Result<store::Job> confirm_reset(std::string_view machine, std::string_view reason, std::string_view actor);
+
+ private:
+  Result<machine::Profile> profile_of(std::string_view machine);
+  Result<std::shared_ptr<Line>> line_with(const store::Job& job);
+  Result<store::Job> command(store::Id job, feed::Command command, std::string_view action, std::string_view reason,
+                             std::string_view actor);
+  Result<store::Job> disarm_after(const store::Job& job, const std::string& why, std::string_view actor);
+  store::Stamp stamp(std::string_view actor) const;
+  void publish(const store::Job& job, std::string_view text);
+
+  store::Store& store_;
+  Lines& lines_;
+  Keeper& keeper_;
+  Events& events_;
+  const Clock& clock_;
+  const Documents& documents_;
+};
+
+}  // namespace dripfeed::app

@@ -1,0 +1,78 @@
+// Keeps the books of all lines: every 100 ms, or when a line changed, one group commit writes the counters of all
+// running jobs and reserves what may be handed next; then the lines are told. It also moves the jobs' states after the
+// lines', and publishes both.
+#pragma once
+
+#include <condition_variable>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "server/app/content_source.h"
+#include "server/app/events.h"
+#include "server/app/lines.h"
+#include "server/app/ports/clock.h"
+#include "store/store.h"
+
+namespace dripfeed::app {
+
+// How far a feed may run ahead of the ledger: half a second of line time, in characters.
+inline constexpr double kReserveAhead_s = 0.5;
+inline constexpr std::uint64_t kReserveAtLeast = 64;
+inline constexpr std::uint64_t kReserveOfBlocks = 65'536;  // block transfer has no line time
+
+// Wire bytes that may be handed before the next commit.
+std::uint64_t reserve_window(const LineReport& report);
+
+class Keeper {
+ public:
+  Keeper(store::Store& store, Lines& lines, Events& events, const Clock& clock);
+  ~Keeper();
+  Keeper(const Keeper&) = delete;
+  Keeper& operator=(const Keeper&) = delete;
+
+  // Some line changed. From any thread, cheap.
+  void wake();
+  // The text of the machine's job, to be read ahead of the feed.
+  void set_source(const std::string& machine, std::shared_ptr<ContentSource> source);
+  // One round now, on the caller's thread. For the start, the end and tests.
+  void round();
+
+ private:
+  struct Tracked {
+    store::Job job;
+    LineReport last;
+    store::LedgerCounts committed;
+    bool over = true;  // nothing is to be written for it any more
+    std::uint64_t unarmed_starts = 0;
+  };
+  struct Due {
+    std::string machine;
+    std::shared_ptr<Line> line;
+    LineReport report;
+  };
+
+  void loop(const std::stop_token& stop);
+  void begin(Tracked& tracked, const Due& due);
+  std::vector<store::NewLedgerRow> rows_of(const std::vector<Due>& all);
+  void follow(Tracked& tracked, const Due& due);
+  void move(Tracked& tracked, store::JobState to, const LineReport& report);
+
+  store::Store& store_;
+  Lines& lines_;
+  Events& events_;
+  const Clock& clock_;
+  std::mutex round_mutex_;
+  std::map<std::string, Tracked> tracked_;
+  std::map<std::string, std::shared_ptr<ContentSource>> sources_;
+  std::mutex sources_mutex_;
+  std::mutex wake_mutex_;
+  std::condition_variable_any woken_;
+  bool due_ = false;
+  std::jthread thread_;  // last: it uses all of the above
+};
+
+}  // namespace dripfeed::app

@@ -1,0 +1,76 @@
+// A profile's change closes the old line before the new one opens: a tty has one owner.
+#include "server/app/lines.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "server/app/feed_line.h"
+#include "server/app/mailbox_line.h"
+
+namespace dripfeed::app {
+
+namespace {
+
+// All that the line was made from, as one comparable text.
+std::string fingerprint(const machine::LineSettings& s) {
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", s.link.text, s.baud,
+                     tape_code::format_framing(s.framing), static_cast<int>(s.code), static_cast<int>(s.eob),
+                     s.leader_nuls, s.trailer_nuls, static_cast<int>(s.start), s.end_by_dc3,
+                     s.end_by_character.value_or(0), s.end_by_quiet_s.value_or(-1.0), s.overrun_budget, s.unsent,
+                     s.latency_chars, s.watch_cts, s.watch_dsr);
+}
+
+bool has_job(const Line& line) {
+  const LineState state = line.report().state;
+  return state != LineState::idle && state != LineState::disconnected;
+}
+
+}  // namespace
+
+Lines::Lines(LinkThread& thread, RegisterBusMaker make_bus, LineChanged changed)
+    : thread_(thread), make_bus_(make_bus), changed_(std::move(changed)) {}
+
+Result<void> Lines::set(const machine::Profile& profile) {
+  const std::lock_guard lock(mutex_);
+  const std::string settings = fingerprint(profile.line);
+  const auto known = lines_.find(profile.name);
+  if (known != lines_.end()) {
+    if (known->second.settings == settings) return {};
+    if (has_job(*known->second.line)) {
+      return fail(ErrorCode::refused,
+                  fmt::format("the line of {} has a job; its settings can be changed when it is over", profile.name));
+    }
+    lines_.erase(known);
+  }
+  auto line = make_line(profile.line, thread_, make_bus_, changed_);
+  if (!line) return std::unexpected(line.error());
+  lines_[profile.name] = {settings, std::move(*line)};
+  return {};
+}
+
+std::shared_ptr<Line> Lines::find(const std::string& machine) const {
+  const std::lock_guard lock(mutex_);
+  const auto known = lines_.find(machine);
+  return known == lines_.end() ? nullptr : known->second.line;
+}
+
+std::vector<std::pair<std::string, std::shared_ptr<Line>>> Lines::all() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::pair<std::string, std::shared_ptr<Line>>> all;
+  all.reserve(lines_.size());
+  for (const auto& [name, entry] : lines_) all.emplace_back(name, entry.line);
+  return all;
+}
+
+Result<std::unique_ptr<Line>> make_line(const machine::LineSettings& settings, LinkThread& thread,
+                                        RegisterBusMaker make_bus, LineChanged changed) {
+  if (settings.link.kind == machine::LinkKind::modbus_tcp) {
+    return make_mailbox_line(make_bus(settings.link), thread.clock(), std::move(changed));
+  }
+  auto line = make_feed_line(settings, thread, std::move(changed));
+  if (!line) return fail(ErrorCode::invalid, line.error());
+  return std::move(*line);
+}
+
+}  // namespace dripfeed::app

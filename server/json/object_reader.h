@@ -1,0 +1,72 @@
+// Reads the members of one JSON object with everything that can be wrong about them: missing, of the wrong type, out of
+// range, unknown. Faults are collected with their pointers, so that one reading tells all. Only files of this folder
+// include this.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "server/app/error.h"
+
+namespace dripfeed::json {
+
+using Document = nlohmann::ordered_json;
+
+// The text as a document; or one fault that names the byte.
+app::Result<Document> parse(std::string_view text);
+// Compact; text that is no UTF-8 is shown with replacement characters.
+std::string dump(const Document& document);
+
+class ObjectReader {
+ public:
+  ObjectReader(const Document& object, std::string pointer, std::vector<app::ErrorPlace>& faults);
+
+  // Each names a member once. The value stays as it was when the member is not there or wrong.
+  void text(std::string_view name, std::string& into, bool required = false);
+  void flag(std::string_view name, bool& into);
+  void number(std::string_view name, double& into, double low, double high, bool required = false);
+  void number(std::string_view name, std::optional<double>& into, double low, double high);
+  template <class Integer>
+  void integer(std::string_view name, Integer& into, std::int64_t low, std::int64_t high) {
+    if (const auto value = integer_at(name, low, high)) into = static_cast<Integer>(*value);
+  }
+  template <class Integer>
+  void integer(std::string_view name, std::optional<Integer>& into, std::int64_t low, std::int64_t high) {
+    if (const auto value = integer_at(name, low, high)) into = static_cast<Integer>(*value);
+  }
+  // A word out of a list; its index.
+  std::optional<std::size_t> choice(std::string_view name, std::span<const std::string_view> words);
+  // `read` gets a reader of the member's object / of each object of the member's array.
+  void object(std::string_view name, const std::function<void(ObjectReader&)>& read, bool required = false);
+  void objects(std::string_view name, const std::function<void(ObjectReader&)>& read);
+  // The raw member, for what has a form of its own; nullptr when it is not there.
+  const Document* member(std::string_view name, bool required = false);
+
+  void fault(std::string_view name, std::string text);
+  // Every member that nobody asked for is a fault. Call it last.
+  void finish();
+  [[nodiscard]] bool has(std::string_view name) const { return object_.contains(name); }
+
+ private:
+  std::optional<std::int64_t> integer_at(std::string_view name, std::int64_t low, std::int64_t high);
+  std::optional<double> number_at(std::string_view name, double low, double high, bool required);
+
+  const Document& object_;
+  std::string pointer_;
+  std::vector<app::ErrorPlace>& faults_;
+  std::set<std::string, std::less<>> asked_;
+};
+
+// Reads a whole document as an object by `read`; all faults in one error.
+app::Result<void> read_object(std::string_view text, std::string_view what,
+                              const std::function<void(ObjectReader&)>& read);
+
+}  // namespace dripfeed::json

@@ -1,0 +1,234 @@
+// One function a section of the document, in the order of the profile.
+#include "server/json/profile_document.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "protocol/tape_code/character_set.h"
+#include "server/json/object_reader.h"
+
+namespace dripfeed::json {
+
+namespace {
+
+constexpr double kLongest_mm = 1e6;
+constexpr double kHuge = 1e9;
+constexpr std::string_view kAxisNames = "XYZABCUVW";
+constexpr std::array<std::string_view, 3> kKinds = {"mill", "lathe", "mill-turn"};
+constexpr std::array<std::string_view, 3> kGSystems = {"A", "B", "C"};
+constexpr std::array<std::string_view, 2> kDecimalModes = {"calculator", "least-increment"};
+constexpr std::array<std::string_view, 2> kStarts = {"dc1", "at-once"};
+constexpr std::array<std::string_view, 2> kCodes = {"ascii", "iso"};
+constexpr std::array<std::string_view, 4> kEobs = {"lf", "cr-lf", "lf-cr-cr", "cr"};
+
+std::optional<ir::Axis> axis_named(std::string_view name) {
+  const std::size_t index = name.size() == 1 ? kAxisNames.find(name) : std::string_view::npos;
+  if (index == std::string_view::npos) return std::nullopt;
+  return static_cast<ir::Axis>(index);
+}
+
+void read_axis(ObjectReader& object, machine::Profile& profile) {
+  checks::MachineAxis axis;
+  std::string name;
+  object.text("name", name, true);
+  object.number("min_mm", axis.min, -kLongest_mm, kLongest_mm);
+  object.number("max_mm", axis.max, -kLongest_mm, kLongest_mm);
+  object.flag("diameter", axis.is_diameter);
+  object.number("rapid_mm_min", axis.rapid_mm_min, 0.001, kHuge, true);
+  object.number("feed_limit_mm_min", axis.feed_limit_mm_min, 0.0, kHuge);
+  object.number("acceleration_mm_s2", axis.acceleration_mm_s2, 0.001, kHuge, true);
+  object.number("jerk_mm_s3", axis.jerk_mm_s3, 0.0, 1e12);
+  const auto letter = axis_named(name);
+  if (!letter) return object.fault("name", "must be one of X Y Z A B C U V W");
+  axis.axis = *letter;
+  if (checks::find_axis(profile.machine, axis.axis) != nullptr) object.fault("name", "is given twice");
+  if (axis.min && axis.max && *axis.min >= *axis.max) object.fault("max_mm", "must be above min_mm");
+  profile.machine.axes.push_back(axis);
+}
+
+void read_tool(ObjectReader& object, machine::Profile& profile) {
+  checks::Tool tool;
+  object.integer("number", tool.number, 1, 99'999'999);
+  object.integer("offset", tool.offset, 0, 9999);
+  object.number("nose_radius_mm", tool.nose_radius_mm, 0.0, 1000.0);
+  object.integer("tip", tool.tip, 0, 9);
+  object.number("diameter_mm", tool.diameter_mm, 0.0, 10'000.0);
+  object.number("length_mm", tool.length_mm, 0.0, 10'000.0);
+  if (tool.number == 0) object.fault("number", "is missing");
+  profile.machine.tools.push_back(tool);
+}
+
+void read_work_offset(ObjectReader& object, machine::Profile& profile) {
+  checks::WorkOffset offset;
+  object.integer("number", offset.number, 1, 300);
+  for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
+    object.number(fmt::format("{}_mm", kAxisNames[i]), offset.zero[i], -kLongest_mm, kLongest_mm);
+  }
+  if (offset.number == 0) object.fault("number", "is missing");
+  profile.machine.work_offsets.push_back(offset);
+}
+
+void read_variables(ObjectReader& object, machine::ControlSettings& control) {
+  static constexpr std::array<std::string_view, 2> kBanks = {"#", "R"};
+  static constexpr std::array<std::string_view, 4> kUses = {"local", "common", "permanent", "system"};
+  ir::VariableRange range;
+  if (const auto bank = object.choice("bank", kBanks)) range.bank = *bank == 0 ? ir::Bank::hash : ir::Bank::r;
+  object.integer("first", range.first, 0, 99'999'999);
+  object.integer("last", range.last, 0, 99'999'999);
+  if (const auto use = object.choice("use", kUses)) range.use = static_cast<ir::VariableUse>(*use);
+  object.flag("writable", range.writable);
+  if (range.last < range.first) object.fault("last", "must not be below first");
+  control.variables.push_back(range);
+}
+
+// A word that stands for a function, as people write modes.
+void read_mode(ObjectReader& object, std::string_view name, std::span<const std::string_view> words,
+               std::span<const ir::Function> functions, std::optional<ir::Function>& into) {
+  if (const auto index = object.choice(name, words)) into = functions[*index];
+}
+
+void read_power_on(ObjectReader& object, machine::ControlSettings& control) {
+  using ir::Function;
+  static constexpr std::array<std::string_view, 2> kUnits = {"mm", "inch"};
+  static constexpr std::array kUnitFunctions = {Function::unit_mm, Function::unit_inch};
+  static constexpr std::array<std::string_view, 2> kDistances = {"absolute", "incremental"};
+  static constexpr std::array kDistanceFunctions = {Function::absolute, Function::incremental};
+  static constexpr std::array<std::string_view, 2> kFeeds = {"per-minute", "per-revolution"};
+  static constexpr std::array kFeedFunctions = {Function::feed_per_min, Function::feed_per_rev};
+  static constexpr std::array<std::string_view, 3> kPlanes = {"xy", "zx", "yz"};
+  static constexpr std::array kPlaneFunctions = {Function::plane_xy, Function::plane_zx, Function::plane_yz};
+  read_mode(object, "unit", kUnits, kUnitFunctions, control.power_on_unit);
+  read_mode(object, "distance", kDistances, kDistanceFunctions, control.power_on_distance);
+  read_mode(object, "feed", kFeeds, kFeedFunctions, control.power_on_feed);
+  read_mode(object, "plane", kPlanes, kPlaneFunctions, control.power_on_plane);
+  object.flag("confirmed", control.power_on_confirmed);
+}
+
+void read_control(ObjectReader& object, machine::ControlSettings& control) {
+  object.text("title", control.title);
+  if (const auto system = object.choice("g_system", kGSystems)) control.g_system = static_cast<ir::GSystem>(*system);
+  if (const auto mode = object.choice("decimal_mode", kDecimalModes))
+    control.decimal_mode = static_cast<ir::DecimalMode>(*mode);
+  object.flag("decimal_mode_confirmed", control.decimal_mode_confirmed);
+  object.number("increment_mm", control.increment_mm, 0.0, 1.0);
+  object.integer("block_length_bytes", control.block_length_bytes, 1, 65'536);
+  object.object("power_on", [&](ObjectReader& o) { read_power_on(o, control); });
+  object.objects("variables", [&](ObjectReader& o) { read_variables(o, control); });
+}
+
+void read_timing(ObjectReader& object, machine::Profile& profile) {
+  checks::TimingData& timing = profile.machine.timing;
+  object.number("sample_time_ms", timing.sample_time_ms, 0.0, 1000.0);
+  object.integer("look_ahead_blocks", timing.look_ahead_blocks, 0, 1'000'000);
+  object.number("tool_change_s", timing.tool_change_s, 0.0, 3600.0);
+  object.object("cost", [&](ObjectReader& o) {
+    ir::CostModel cost;
+    cost.measured = true;
+    cost.origin = "machine profile";
+    o.number("block_ms", cost.block_ms, 0.0, 1000.0, true);
+    o.number("number_read_ms", cost.number_read_ms, 0.0, 1000.0);
+    o.number("named_read_ms", cost.named_read_ms, 0.0, 1000.0);
+    o.number("operator_ms", cost.operator_ms, 0.0, 1000.0);
+    o.number("function_ms", cost.function_ms, 0.0, 1000.0);
+    timing.cost = cost;
+  });
+}
+
+void read_framing(ObjectReader& object, machine::LineSettings& line) {
+  std::string framing;
+  object.text("framing", framing);
+  if (framing.empty()) return;
+  const auto parsed = tape_code::parse_framing(framing);
+  if (!parsed) return object.fault("framing", std::string(tape_code::message(parsed.error())));
+  line.framing = *parsed;
+}
+
+void read_character_set(ObjectReader& object, machine::LineSettings& line) {
+  object.text("character_set", line.character_set);
+  if (tape_code::find_character_set(line.character_set)) return;
+  std::string names;
+  for (const auto& set : tape_code::character_sets()) names += fmt::format(" {}", set.name);
+  object.fault("character_set", "must be one of" + names);
+}
+
+void read_link(ObjectReader& object, machine::LineSettings& line) {
+  std::string url;
+  object.text("url", url, true);
+  if (!url.empty()) {
+    auto link = machine::parse_link_url(url);
+    if (link) {
+      line.link = std::move(*link);
+    } else {
+      object.fault("url", link.error());
+    }
+  }
+  object.integer("baud", line.baud, 50, 4'000'000);
+  read_framing(object, line);
+  if (const auto code = object.choice("code", kCodes)) line.code = static_cast<tape_code::Code>(*code);
+  if (const auto eob = object.choice("eob", kEobs)) line.eob = static_cast<tape_code::Eob>(*eob);
+  object.integer("leader", line.leader_nuls, 0, 10'000);
+  object.integer("trailer", line.trailer_nuls, 0, 10'000);
+  if (const auto start = object.choice("start", kStarts)) line.start = static_cast<feed::Start>(*start);
+  object.flag("end_by_dc3", line.end_by_dc3);
+  object.integer("end_by_character", line.end_by_character, 1, 127);
+  object.number("end_by_quiet_s", line.end_by_quiet_s, 0.1, 3600.0);
+  object.integer("overrun_budget", line.overrun_budget, 1, 100'000);
+  object.integer("unsent", line.unsent, 1, 256);
+  object.integer("latency_chars", line.latency_chars, 0, 100'000);
+  object.flag("watch_cts", line.watch_cts);
+  object.flag("watch_dsr", line.watch_dsr);
+  object.number("arming_minutes", line.arming_minutes, 0.1, 60.0);
+  read_character_set(object, line);
+}
+
+void read_machine(ObjectReader& object, machine::Profile& profile) {
+  checks::Machine& machine = profile.machine;
+  object.objects("axes", [&](ObjectReader& o) { read_axis(o, profile); });
+  if (machine.axes.empty()) object.fault("axes", "must name at least one axis");
+  object.number("feed_limit_mm_min", machine.feed_limit_mm_min, 0.0, kHuge);
+  object.object("spindle", [&](ObjectReader& o) {
+    o.number("min_rpm", machine.spindle_min_rpm, 0.0, 1e6);
+    o.number("max_rpm", machine.spindle_max_rpm, 0.0, 1e6, true);
+  });
+  object.objects("tools", [&](ObjectReader& o) { read_tool(o, profile); });
+  object.objects("work_offsets", [&](ObjectReader& o) { read_work_offset(o, profile); });
+  object.object("buffer", [&](ObjectReader& o) {
+    o.integer("bytes", machine.buffer.bytes, 0, 1'000'000'000);
+    o.integer("blocks", machine.buffer.blocks, 0, 1'000'000);
+  });
+  object.object("timing", [&](ObjectReader& o) { read_timing(o, profile); });
+}
+
+void read_whole(ObjectReader& object, machine::Profile& profile) {
+  object.text("name", profile.name, true);
+  object.text("title", profile.title);
+  object.text("dialect", profile.control.dialect, true);
+  if (const auto kind = object.choice("kind", kKinds)) profile.control.kind = static_cast<ir::MachineKind>(*kind);
+  if (!object.has("kind")) object.fault("kind", "is missing");
+  profile.machine.kind = profile.control.kind;
+  read_machine(object, profile);
+  object.object("control", [&](ObjectReader& o) { read_control(o, profile.control); });
+  object.object("link", [&](ObjectReader& o) { read_link(o, profile.line); }, true);
+}
+
+}  // namespace
+
+app::Result<machine::Profile> read_profile(std::string_view document) {
+  machine::Profile profile;
+  const auto read =
+      read_object(document, "machine profile", [&](ObjectReader& object) { read_whole(object, profile); });
+  if (!read) return std::unexpected(read.error());
+  // What the parts say together: whether the line can keep the machine's budget.
+  if (profile.line.link.kind != machine::LinkKind::modbus_tcp) {
+    const auto settings = machine::feed_settings_of(profile.line);
+    if (!settings)
+      return app::fail(app::ErrorCode::invalid, "machine profile: /link " + settings.error(),
+                       {{.pointer = "/link", .line = 0, .column = 0, .text = settings.error()}});
+  }
+  return profile;
+}
+
+}  // namespace dripfeed::json
