@@ -1,6 +1,8 @@
 // Expressions of the family language: read, checked for dimensions, and kept as nodes of the arena in stored units.
 #pragma once
 
+#include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,15 +14,24 @@
 
 namespace dripfeed::family {
 
-// What an expression is: its node and dimension. After a fault `id` is none; readers check Cursor::line_failed.
+// What an expression is: its node and dimension. After a fault the id may be none; readers check Cursor::line_failed.
 struct Typed {
   ir::ExpressionId id = ir::ExpressionId::none;
-  Dimension dimension;
+  Dimension dimension = {};
   bool is_condition = false;
-  bool is_bare = false;  // made of numbers without unit only
-  text::Span span;
+  bool is_bare = false;    // made of numbers without unit only
+  std::uint32_t size = 1;  // nodes of its tree
+  text::Span span = {};
 };
 
+// A number as written, with its unit.
+struct Literal {
+  double written = 0.0;
+  const Unit* unit = nullptr;  // nullptr: none was written
+  text::Span span = {};
+};
+
+// The expression itself: reading stands in expression_reader.cpp, numbers, names and functions in operand_reader.cpp.
 class ExpressionReader {
  public:
   ExpressionReader(Cursor& cursor, const Scope& scope, ir::Program& arena)
@@ -33,11 +44,6 @@ class ExpressionReader {
   // A comparison or several joined.
   Typed condition();
   // A number with the unit after it, sign allowed; nothing after a fault.
-  struct Literal {
-    double written = 0.0;
-    const Unit* unit = nullptr;
-    text::Span span;
-  };
   std::optional<Literal> literal(bool unit_allowed);
 
   // The variable `z` of a nominal; none: z is no name here.
@@ -47,6 +53,18 @@ class ExpressionReader {
   bool require_dimension(const Typed& typed, Dimension wanted);
 
  private:
+  // Nested brackets, signs and functions go down the stack: this counts them.
+  class Depth {
+   public:
+    explicit Depth(ExpressionReader& reader);
+    ~Depth() { --depth_; }
+    Depth(const Depth&) = delete;
+    Depth& operator=(const Depth&) = delete;
+
+   private:
+    int& depth_;
+  };
+
   Typed disjunction();
   Typed conjunction();
   Typed negation();
@@ -58,20 +76,26 @@ class ExpressionReader {
   Typed primary();
   Typed number();
   Typed name();
+  Typed unknown_name(std::string_view word, text::Span span);
   Typed function();
-  Typed logic(ir::Operator op, const Typed& a, const Typed& b);
-  Typed scaled(Typed typed, double factor);
-  Typed combine(ir::Operator op, const Typed& a, const Typed& b);
-  bool same_dimension(const Typed& a, const Typed& b);
-  void wrong_unit(const Typed& typed, std::string wanted);
-  bool is_value(const Typed& typed);
-  [[nodiscard]] const Unit* unit_here(std::size_t& lexemes) const;
+  bool function_dimension(std::string_view name, const Typed& a, const Typed& b, Dimension& out);
   Typed constant(double stored, Dimension dimension, text::Span span);
+
+  // A node over its operands: spans joined, sizes added, bare when all are.
+  Typed make(ir::Operator op, std::initializer_list<Typed> operands, Dimension dimension);
+  Typed product_of(ir::Operator op, const Typed& a, const Typed& b);
+  Typed scaled(const Typed& typed, double factor);
+  bool same_dimension(const Typed& a, const Typed& b);
+  bool is_condition(const Typed& typed);
+  bool is_value(const Typed& typed);
+  void wrong_unit(const Typed& typed, std::string wanted);
+  [[nodiscard]] const Unit* unit_here(std::size_t& lexemes) const;
 
   Cursor& cursor_;
   const Scope& scope_;
   ir::Program& arena_;
   ir::SymbolId free_variable_ = ir::SymbolId::none;
+  int depth_ = 0;
 };
 
 }  // namespace dripfeed::family

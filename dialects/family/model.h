@@ -18,13 +18,13 @@ namespace dripfeed::family {
 
 struct Parameter {
   std::string name;
-  Dimension dimension;
+  Dimension dimension = {};
   bool whole = false;          // count: whole numbers only
   const Unit* unit = nullptr;  // as its default was written; nullptr for count and ratio
   double standard = 0.0;       // the default, stored unit
   double low = 0.0;            // stored unit
   double high = 0.0;
-  std::string text;  // what it is, for people; may be empty
+  std::string text = {};  // what it is, for people; may be empty
   ir::SymbolId symbol = ir::SymbolId::none;
   text::Span span;  // of its name
 };
@@ -53,13 +53,13 @@ struct StockShape {
   ir::ExpressionId diameter = ir::ExpressionId::none;  // cylinder
   ir::ExpressionId bore = ir::ExpressionId::none;      // cylinder; none: solid
   ExpressionRange x, y;                                // box
-  ExpressionRange z;
+  ExpressionRange z = {};
 };
 
 // x = f(z) over a range of z. Several follow one another.
 struct NominalShape {
   ir::ExpressionId x = ir::ExpressionId::none;
-  ExpressionRange z;
+  ExpressionRange z = {};
   ir::ExpressionId tolerance = ir::ExpressionId::none;
   std::uint32_t line = 0;
 };
@@ -98,7 +98,7 @@ struct StepWord {
 struct Step {
   StepKind kind = StepKind::stop;
   std::uint32_t line = 0;  // 1-based
-  text::Span span;
+  text::Span span = {};
   std::int32_t number = 0;
   Dimension dimension;                          // feed, spindle: of values[0]
   ir::Function direction = ir::Function::none;  // spindle: spindle_cw, spindle_ccw, none

@@ -137,7 +137,7 @@ class FamilyReader {
   }
 
   // The default's unit must be one of the kind's.
-  bool has_kind(const ExpressionReader::Literal& literal, const KindRow& kind) {
+  bool has_kind(const Literal& literal, const KindRow& kind) {
     const Dimension found = literal.unit == nullptr ? kRatio : literal.unit->dimension;
     if (std::ranges::find(kind.dimensions, found) != kind.dimensions.end()) return true;
     Typed typed{.dimension = found, .is_bare = literal.unit == nullptr, .span = literal.span};
@@ -154,7 +154,7 @@ class FamilyReader {
     return Quantity{literal->written, unit}.stored();
   }
 
-  void check_range(Parameter& out, const ExpressionReader::Literal& standard, double low, double high) {
+  void check_range(Parameter& out, const Literal& standard, double low, double high) {
     out.low = low;
     out.high = high;
     if (low > high) {
