@@ -68,4 +68,7 @@ struct FamilyDescription {
 };
 FamilyDescription describe_family(const text::Source& family);
 
+// Whether the family takes these values: what reading it and binding them gives; spans in `family`.
+std::vector<text::Diagnostic> check_values(const text::Source& family, const std::vector<family::Override>& values);
+
 }  // namespace dripfeed::compile

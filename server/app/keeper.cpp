@@ -144,12 +144,11 @@ void Keeper::round() {
       spdlog::error("ledger: {}", store::message_of(refused.error()));
       return;
     }
-    for (const store::LedgerRefusal& refusal : *refused) spdlog::error("ledger: job {}: {}", refusal.job, refusal.why);
+    for (const store::LedgerFault& fault : *refused) spdlog::error("ledger: job {}: {}", fault.job, fault.why);
     for (const Due& due : all) {
       Tracked& tracked = tracked_[due.machine];
       const auto row = std::ranges::find(rows, tracked.job.id, &store::NewLedgerRow::job);
-      if (row == rows.end() ||
-          std::ranges::find(*refused, tracked.job.id, &store::LedgerRefusal::job) != refused->end())
+      if (row == rows.end() || std::ranges::find(*refused, tracked.job.id, &store::LedgerFault::job) != refused->end())
         continue;
       tracked.committed = row->counts;
       due.line->extend_reserve(tracked.job.id, row->counts.reserve);

@@ -1,0 +1,159 @@
+// Contents first, then the row that refers to them: a crash in between leaves only bytes that nobody names.
+#include "server/app/programs.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dialects/compile/dialect.h"
+#include "dialects/text/number.h"
+
+namespace dripfeed::app {
+
+namespace {
+
+// One line an entry, tab between the columns: text offset, printed line, family line, then name=value of what is set.
+std::string write_places(const compile::PlaceIndex& places) {
+  std::string out;
+  for (std::size_t i = 0; i < places.entries.size(); ++i) {
+    const compile::PlaceEntry& entry = places.entries[i];
+    out += fmt::format("{}\t{}\t{}", entry.offset, entry.line, entry.origin);
+    const auto values = places.values_of(i);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      if (values[k] == values[k]) out += fmt::format("\t{}={}", places.names[k], text::format_shortest(values[k]));
+    }
+    out += '\n';
+  }
+  return out;
+}
+
+ir::Delivery delivery_of(store::Delivery delivery) {
+  return delivery == store::Delivery::drip ? ir::Delivery::drip : ir::Delivery::memory;
+}
+
+}  // namespace
+
+std::uint64_t count_blocks(std::string_view text) {
+  std::uint64_t count = 0;
+  while (!text.empty()) {
+    const std::size_t end = text.find_first_of("\r\n");
+    const std::string_view line = text.substr(0, end);
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first != std::string_view::npos && line.substr(first) != "%") ++count;
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return count;
+}
+
+Programs::Programs(store::Store& store, Catalog& catalog, const Clock& clock, const Documents& documents)
+    : store_(store), catalog_(catalog), clock_(clock), documents_(documents) {}
+
+store::Stamp Programs::stamp(std::string_view actor) const { return {std::string(actor), clock_.wall_ms()}; }
+
+Result<store::Program> Programs::upload(std::string_view name, std::string_view dialect, std::string_view text,
+                                        std::string_view actor) {
+  if (compile::find_dialect(dialect) == nullptr) {
+    return fail(ErrorCode::invalid, fmt::format("dialect \"{}\" is not known", dialect),
+                {{.pointer = "/dialect", .text = "is not known"}});
+  }
+  if (text.empty())
+    return fail(ErrorCode::invalid, "the text is empty", {{.pointer = "/text", .text = "must not be empty"}});
+  const auto content = lift(store_.contents().put(text));
+  if (!content) return std::unexpected(content.error());
+  return lift(store_.programs().add(
+      name, dialect,
+      {.sha256 = content->sha256, .places_sha256 = {}, .blocks = count_blocks(text), .facts = {}, .origin = {}},
+      stamp(actor)));
+}
+
+Result<store::Program> Programs::upload_revision(store::Id program, store::Revision expected, std::string_view text,
+                                                 std::string_view actor) {
+  if (text.empty())
+    return fail(ErrorCode::invalid, "the text is empty", {{.pointer = "/text", .text = "must not be empty"}});
+  const auto content = lift(store_.contents().put(text));
+  if (!content) return std::unexpected(content.error());
+  return lift(store_.programs().add_revision(
+      program, expected,
+      {.sha256 = content->sha256, .places_sha256 = {}, .blocks = count_blocks(text), .facts = {}, .origin = {}},
+      stamp(actor)));
+}
+
+// Where the text will come from, with the family's text and the values to bind.
+Result<store::Origin> Programs::origin_of(const RenderOrder& order, std::string& family_text, Values& values) {
+  if (order.part.empty() == order.family.empty()) {
+    return fail(ErrorCode::invalid, "name a part or a family", {{.pointer = "/part", .text = "either part or family"}});
+  }
+  store::Origin origin{.kind = store::OriginKind::rendered};
+  store::Result<store::Family> family = std::unexpected(store::Error{});
+  if (!order.part.empty()) {
+    const auto part = lift(store_.parts().get(order.part));
+    if (!part) return std::unexpected(part.error());
+    auto stored = documents_.read_values(part->made_of.values);
+    if (!stored) return std::unexpected(stored.error());
+    values = std::move(*stored);
+    origin.part = part->number;
+    origin.part_revision = part->revision;
+    family = store_.families().get(part->made_of.family, part->made_of.family_revision);
+  } else {
+    values = order.values;
+    family = store_.families().get(order.family);
+  }
+  if (!family) return std::unexpected(from_store(family.error()));
+  family_text = family->text;
+  origin.family = family->name;
+  origin.family_revision = family->revision;
+  origin.values = documents_.write_values(values);
+  return origin;
+}
+
+Result<Rendered> Programs::render(const RenderOrder& order, std::string_view actor) {
+  std::string family_text;
+  Values values;
+  auto origin = origin_of(order, family_text, values);
+  if (!origin) return std::unexpected(origin.error());
+  const auto machine = lift(store_.machines().get(order.machine));
+  if (!machine) return std::unexpected(machine.error());
+  const auto profile = documents_.read_profile(machine->profile);
+  if (!profile) return std::unexpected(profile.error());
+  const auto control = control_of(*profile);
+  if (!control) return std::unexpected(control.error());
+
+  const compile::RenderRequest request{.family = text::Source(origin->family, family_text),
+                                       .values = overrides_of(values),
+                                       .target = *control,
+                                       .mode = order.mode,
+                                       .delivery = delivery_of(order.delivery),
+                                       .program_name = order.name};
+  Rendered rendered{.program = {}, .result = compile::render(request)};
+  const auto fine =
+      refuse_errors(rendered.result.diagnostics, request.family, fmt::format("family {}", origin->family));
+  if (!fine) return std::unexpected(fine.error());
+
+  const auto content = lift(store_.contents().put(rendered.result.text));
+  if (!content) return std::unexpected(content.error());
+  store::NewProgramText text{.sha256 = content->sha256,
+                             .places_sha256 = {},
+                             .blocks = rendered.result.blocks,
+                             .facts = {},
+                             .origin = std::move(*origin)};
+  if (!rendered.result.places.entries.empty()) {
+    const auto places = lift(store_.contents().put(write_places(rendered.result.places)));
+    if (!places) return std::unexpected(places.error());
+    text.places_sha256 = places->sha256;
+  }
+  text.origin.machine = machine->name;
+  text.origin.machine_revision = machine->revision;
+  text.origin.mode = compile::name_of(rendered.result.mode);
+  for (const auto& range : rendered.result.profile_lines) {
+    text.facts += fmt::format("{}{}-{}", text.facts.empty() ? "profile " : ",", range.first, range.last);
+  }
+  const std::string name = order.name.empty()
+                               ? fmt::format("{}", text.origin.part.empty() ? text.origin.family : text.origin.part)
+                               : order.name;
+  auto program = lift(store_.programs().add(name, profile->control.dialect, text, stamp(actor)));
+  if (!program) return std::unexpected(program.error());
+  rendered.program = std::move(*program);
+  return rendered;
+}
+
+}  // namespace dripfeed::app

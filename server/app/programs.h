@@ -1,0 +1,58 @@
+// Programs: texts that come from outside or are rendered from families. A revision is never changed; its text is found
+// by its hash.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "dialects/compile/render.h"
+#include "server/app/catalog.h"
+#include "server/app/error.h"
+#include "server/app/ports/documents.h"
+#include "store/store.h"
+
+namespace dripfeed::app {
+
+// Of a part, or of a family with values of its own.
+struct RenderOrder {
+  std::string part;
+  std::string family;  // without a part
+  Values values;       // without a part
+  std::string machine;
+  compile::RenderMode mode = compile::RenderMode::automatic;
+  store::Delivery delivery = store::Delivery::drip;
+  std::string name;  // "O0100"; empty: the renderer's
+};
+
+struct Rendered {
+  store::Program program;
+  compile::RenderResult result;
+};
+
+class Programs {
+ public:
+  Programs(store::Store& store, Catalog& catalog, const Clock& clock, const Documents& documents);
+
+  // Errors: invalid (no such dialect, empty).
+  Result<store::Program> upload(std::string_view name, std::string_view dialect, std::string_view text,
+                                std::string_view actor);
+  Result<store::Program> upload_revision(store::Id program, store::Revision expected, std::string_view text,
+                                         std::string_view actor);
+  // Rendered and stored; nothing is stored when the family, the values or the machine are wrong.
+  Result<Rendered> render(const RenderOrder& order, std::string_view actor);
+
+ private:
+  Result<store::Origin> origin_of(const RenderOrder& order, std::string& family_text, Values& values);
+  [[nodiscard]] store::Stamp stamp(std::string_view actor) const;
+
+  store::Store& store_;
+  Catalog& catalog_;
+  const Clock& clock_;
+  const Documents& documents_;
+};
+
+// Non-empty lines but '%'.
+std::uint64_t count_blocks(std::string_view text);
+
+}  // namespace dripfeed::app
