@@ -1,0 +1,150 @@
+// Overrides are read and checked one by one, then lets are computed in order, then conditions and loops are tried.
+#include "dialects/family/bind.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dialects/family/evaluate.h"
+#include "dialects/text/number.h"
+
+namespace dripfeed::family {
+
+namespace {
+
+using text::DiagnosticId;
+
+// A loop bound that lies this part of a step on the wrong side is rounding, not a mistake.
+constexpr double kStepTolerance = 1e-6;
+
+// More trips than this are a mistyped step.
+constexpr double kLargestTrips = 10'000'000.0;
+
+class Binder {
+ public:
+  Binder(std::shared_ptr<const Family> family, std::span<const Override> overrides)
+      : family_(*family), overrides_(overrides) {
+    const std::size_t symbols = family_.arena.symbols.size();
+    result_.bound = {std::move(family), std::vector<double>(symbols, 0.0)};
+    known_.assign(symbols, 0);
+  }
+
+  BindResult bind() {
+    parameters();
+    if (text::has_error(result_.diagnostics)) return std::move(result_);
+    for (const Definition& definition : family_.definitions) define(definition);
+    if (text::has_error(result_.diagnostics)) return std::move(result_);
+    for (const Requirement& requirement : family_.requirements) check(requirement);
+    for (const Step& step : family_.steps) {
+      if (step.kind == StepKind::for_begin) check_loop(step);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  double& value_of(ir::SymbolId symbol) { return result_.bound.values[static_cast<std::size_t>(symbol)]; }
+  void know(ir::SymbolId symbol, double value) {
+    value_of(symbol) = value;
+    known_[static_cast<std::size_t>(symbol)] = 1;
+  }
+
+  void report(DiagnosticId id, text::Span span, std::vector<std::string> arguments) {
+    result_.diagnostics.push_back(text::make_diagnostic(id, span, std::move(arguments)));
+  }
+
+  void parameters() {
+    for (const Parameter& parameter : family_.parameters) know(parameter.symbol, parameter.standard);
+    for (const Override& given : overrides_) {
+      if (const Parameter* parameter = family_.find_parameter(given.name)) {
+        set(*parameter, given.value);
+      } else {
+        report(DiagnosticId::family_unknown_parameter, {}, {given.name});
+      }
+    }
+  }
+
+  void set(const Parameter& parameter, const std::string& written) {
+    const std::optional<Quantity> quantity = parse_quantity(written);
+    if (!quantity) {
+      return report(DiagnosticId::family_syntax, parameter.span,
+                    {fmt::format("{}: '{}' is no number with a unit", parameter.name, written)});
+    }
+    const std::string named = fmt::format("{} = {}", parameter.name, written);
+    const Dimension dimension = quantity->unit == nullptr ? kRatio : quantity->unit->dimension;
+    if (quantity->unit == nullptr && parameter.dimension != kRatio) {
+      return report(
+          DiagnosticId::family_missing_unit, parameter.span,
+          {named, fmt::format("{}, such as {} {}", describe(parameter.dimension), written, parameter.unit->name)});
+    }
+    if (dimension != parameter.dimension) {
+      return report(DiagnosticId::family_wrong_unit, parameter.span,
+                    {named, describe(dimension), describe(parameter.dimension)});
+    }
+    const double value = quantity->stored();
+    if (!(value >= parameter.low && value <= parameter.high)) {
+      return report(DiagnosticId::family_value_out_of_range, parameter.span, range_arguments(parameter, value));
+    }
+    if (parameter.whole && !is_whole(value)) {
+      return report(DiagnosticId::family_wrong_unit, parameter.span, {named, "a fraction", "a whole number"});
+    }
+    know(parameter.symbol, value);
+  }
+
+  // The value, or nothing and a diagnostic at the operation that has none.
+  std::optional<double> compute(ir::ExpressionId expression) {
+    const std::vector<double>& values = result_.bound.values;
+    const double value = evaluate(family_.arena, expression, values).value;
+    if (std::isfinite(value)) return value;
+    const text::Span at = family_.arena.at(first_undefined(family_.arena, expression, values)).span;
+    report(DiagnosticId::argument_out_of_domain, at, {std::string(at.in(family_.source.text())), "these values"});
+    return std::nullopt;
+  }
+
+  void define(const Definition& definition) {
+    if (const std::optional<double> value = compute(definition.value)) know(definition.symbol, *value);
+  }
+
+  void check(const Requirement& requirement) {
+    const std::optional<double> holds = compute(requirement.condition);
+    if (!holds || *holds != 0.0) return;
+    std::string condition(requirement.span.in(family_.source.text()));
+    if (!requirement.text.empty()) condition += fmt::format(" ({})", requirement.text);
+    report(DiagnosticId::family_constraint_failed, requirement.span, {std::move(condition)});
+  }
+
+  // Only loops that depend on nothing of the body are known before the program runs.
+  void check_loop(const Step& step) {
+    const auto unknown = [this](ir::ExpressionId e) { return names_unknown(family_.arena, e, known_); };
+    if (std::ranges::any_of(step.values, unknown)) return;
+    const std::optional<double> from = compute(step.values[0]);
+    const std::optional<double> to = compute(step.values[1]);
+    const std::optional<double> by = compute(step.values[2]);
+    if (!from || !to || !by) return;
+    const double span = step.down ? *from - *to : *to - *from;
+    const auto said = [](double value) { return text::format_shortest(value); };
+    if (*by <= 0.0) {
+      report(DiagnosticId::family_bad_loop, step.span, {fmt::format("has the step {}; steps are positive", said(*by))});
+    } else if (span < -kStepTolerance * *by) {
+      report(DiagnosticId::family_bad_loop, step.span,
+             {fmt::format("goes {} from {} to {}", step.down ? "down" : "up", said(*from), said(*to))});
+    } else if (span / *by > kLargestTrips) {
+      report(DiagnosticId::family_bad_loop, step.span, {"runs more than ten million times"});
+    }
+  }
+
+  const Family& family_;
+  std::span<const Override> overrides_;
+  BindResult result_;
+  std::vector<std::uint8_t> known_;  // by symbol
+};
+
+}  // namespace
+
+BindResult bind(std::shared_ptr<const Family> family, std::span<const Override> overrides) {
+  return Binder(std::move(family), overrides).bind();
+}
+
+}  // namespace dripfeed::family

@@ -1,0 +1,136 @@
+// Forward differentiation: every operator gives its value and, by the chain rule, its slope.
+#include "dialects/family/evaluate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace dripfeed::family {
+
+namespace {
+
+using ir::Operator;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+
+double truth(bool b) { return b ? 1.0 : 0.0; }
+
+// Quarter turns are exact, as controls have them: cos(90) is 0.
+double sin_deg(double a) { return std::fmod(a, 180.0) == 0.0 ? 0.0 : std::sin(a * kDegree); }
+double cos_deg(double a) { return std::fmod(std::abs(a), 180.0) == 90.0 ? 0.0 : std::cos(a * kDegree); }
+
+Dual tangent(Dual a) {
+  const double c = cos_deg(a.value);
+  return c == 0.0 ? Dual{kUndefined} : Dual{sin_deg(a.value) / c, kDegree / (c * c) * a.slope};
+}
+
+Dual root(Dual a) {
+  const double r = std::sqrt(a.value);
+  return {r, r == 0.0 ? 0.0 : a.slope / (2.0 * r)};
+}
+
+Dual quotient(Dual a, Dual b) {
+  if (b.value == 0.0) return {kUndefined};
+  return {a.value / b.value, (a.slope * b.value - a.value * b.slope) / (b.value * b.value)};
+}
+
+Dual angle_of_legs(Dual a, Dual b) {
+  const double square = a.value * a.value + b.value * b.value;
+  return {std::atan2(a.value, b.value) / kDegree, (b.value * a.slope - a.value * b.slope) / square / kDegree};
+}
+
+// 1/sqrt(1 - a^2) in degrees: the slope of asin.
+double arc_slope(Dual a) { return a.slope / std::sqrt(1.0 - a.value * a.value) / kDegree; }
+
+struct UnaryRow {
+  Operator op;
+  Dual (*of)(Dual a);
+};
+constexpr auto kUnary = std::to_array<UnaryRow>({
+    {Operator::negate, [](Dual a) { return Dual{-a.value, -a.slope}; }},
+    {Operator::logic_not, [](Dual a) { return Dual{truth(a.value == 0.0)}; }},
+    {Operator::sin, [](Dual a) { return Dual{sin_deg(a.value), cos_deg(a.value) * kDegree * a.slope}; }},
+    {Operator::cos, [](Dual a) { return Dual{cos_deg(a.value), -sin_deg(a.value) * kDegree * a.slope}; }},
+    {Operator::tan, tangent},
+    {Operator::asin, [](Dual a) { return Dual{std::asin(a.value) / kDegree, arc_slope(a)}; }},
+    {Operator::acos, [](Dual a) { return Dual{std::acos(a.value) / kDegree, -arc_slope(a)}; }},
+    {Operator::atan,
+     [](Dual a) { return Dual{std::atan(a.value) / kDegree, a.slope / (1.0 + a.value * a.value) / kDegree}; }},
+    {Operator::sqrt, root},
+    {Operator::abs, [](Dual a) { return Dual{std::abs(a.value), a.value < 0.0 ? -a.slope : a.slope}; }},
+    {Operator::ln, [](Dual a) { return Dual{a.value > 0.0 ? std::log(a.value) : kUndefined, a.slope / a.value}; }},
+    {Operator::exp, [](Dual a) { return Dual{std::exp(a.value), std::exp(a.value) * a.slope}; }},
+    {Operator::round, [](Dual a) { return Dual{std::round(a.value)}; }},
+    {Operator::truncate, [](Dual a) { return Dual{std::trunc(a.value)}; }},
+});
+
+struct BinaryRow {
+  Operator op;
+  Dual (*of)(Dual a, Dual b);
+};
+constexpr auto kBinary = std::to_array<BinaryRow>({
+    {Operator::add, [](Dual a, Dual b) { return Dual{a.value + b.value, a.slope + b.slope}; }},
+    {Operator::subtract, [](Dual a, Dual b) { return Dual{a.value - b.value, a.slope - b.slope}; }},
+    {Operator::multiply, [](Dual a, Dual b) { return Dual{a.value * b.value, a.slope * b.value + a.value * b.slope}; }},
+    {Operator::divide, quotient},
+    {Operator::atan2, angle_of_legs},
+    {Operator::minimum, [](Dual a, Dual b) { return b.value < a.value ? b : a; }},
+    {Operator::maximum, [](Dual a, Dual b) { return b.value > a.value ? b : a; }},
+    {Operator::logic_and, [](Dual a, Dual b) { return Dual{truth(a.value != 0.0 && b.value != 0.0)}; }},
+    {Operator::logic_or, [](Dual a, Dual b) { return Dual{truth(a.value != 0.0 || b.value != 0.0)}; }},
+    {Operator::equal, [](Dual a, Dual b) { return Dual{truth(a.value == b.value)}; }},
+    {Operator::not_equal, [](Dual a, Dual b) { return Dual{truth(a.value != b.value)}; }},
+    {Operator::less, [](Dual a, Dual b) { return Dual{truth(a.value < b.value)}; }},
+    {Operator::less_equal, [](Dual a, Dual b) { return Dual{truth(a.value <= b.value)}; }},
+    {Operator::greater, [](Dual a, Dual b) { return Dual{truth(a.value > b.value)}; }},
+    {Operator::greater_equal, [](Dual a, Dual b) { return Dual{truth(a.value >= b.value)}; }},
+});
+
+Dual leaf(const ir::Program& arena, const ir::Expression& e, std::span<const double> values, ir::SymbolId by) {
+  if (e.op == Operator::constant) return {e.value};
+  if (e.op != Operator::variable) return {kUndefined};
+  const ir::SymbolId symbol = arena.at(e.variable).symbol;
+  return {values[static_cast<std::size_t>(symbol)], truth(symbol == by)};
+}
+
+}  // namespace
+
+Dual evaluate(const ir::Program& arena, ir::ExpressionId expression, std::span<const double> values, ir::SymbolId by) {
+  const ir::Expression& e = arena.at(expression);
+  const int operands = ir::operand_count(e.op);
+  if (operands == 0) return leaf(arena, e, values, by);
+  const Dual a = evaluate(arena, e.a, values, by);
+  if (operands == 1) {
+    const auto row = std::ranges::find(kUnary, e.op, &UnaryRow::op);
+    return row == kUnary.end() ? Dual{kUndefined} : row->of(a);
+  }
+  const auto row = std::ranges::find(kBinary, e.op, &BinaryRow::op);
+  return row == kBinary.end() ? Dual{kUndefined} : row->of(a, evaluate(arena, e.b, values, by));
+}
+
+ir::ExpressionId first_undefined(const ir::Program& arena, ir::ExpressionId expression,
+                                 std::span<const double> values) {
+  const ir::Expression& e = arena.at(expression);
+  const int operands = ir::operand_count(e.op);
+  if (operands > 0) {
+    if (const ir::ExpressionId in_a = first_undefined(arena, e.a, values); in_a != ir::ExpressionId::none) return in_a;
+  }
+  if (operands > 1) {
+    if (const ir::ExpressionId in_b = first_undefined(arena, e.b, values); in_b != ir::ExpressionId::none) return in_b;
+  }
+  return std::isfinite(evaluate(arena, expression, values).value) ? ir::ExpressionId::none : expression;
+}
+
+bool names_unknown(const ir::Program& arena, ir::ExpressionId expression, std::span<const std::uint8_t> is_known) {
+  const ir::Expression& e = arena.at(expression);
+  const int operands = ir::operand_count(e.op);
+  if (operands == 0) {
+    return e.op == Operator::variable && !is_known[static_cast<std::size_t>(arena.at(e.variable).symbol)];
+  }
+  return names_unknown(arena, e.a, is_known) || (operands > 1 && names_unknown(arena, e.b, is_known));
+}
+
+}  // namespace dripfeed::family
