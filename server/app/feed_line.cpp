@@ -256,7 +256,8 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     return {.from = interval.from,
             .to = interval.to,
             .from_line = interval.from_position ? interval.from_position->line : 0,
-            .to_line = interval.to_position ? interval.to_position->line : 0};
+            .to_line = interval.to_position ? interval.to_position->line : 0,
+            .to_text = interval.to_position ? interval.to_position->text_offset : 0};
   }
 
   feed::Feed feed_;

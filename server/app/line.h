@@ -34,6 +34,7 @@ struct KnownInterval {
   std::uint64_t to = 0;
   std::uint64_t from_line = 0;  // 0: unknown
   std::uint64_t to_line = 0;
+  std::uint64_t to_text = 0;  // characters of the text before `to`
 };
 
 struct LineReport {

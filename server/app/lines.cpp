@@ -49,6 +49,11 @@ Result<void> Lines::set(const machine::Profile& profile) {
   return {};
 }
 
+void Lines::close() {
+  const std::lock_guard lock(mutex_);
+  lines_.clear();
+}
+
 std::shared_ptr<Line> Lines::find(const std::string& machine) const {
   const std::lock_guard lock(mutex_);
   const auto known = lines_.find(machine);

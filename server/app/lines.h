@@ -24,6 +24,8 @@ class Lines {
   // Makes the machine's line, or makes it anew when its settings changed. Refused while a job is on the old one, and
   // when the settings cannot be kept.
   Result<void> set(const machine::Profile& profile);
+  // Closes all. What was on a line is over; callers see to it before.
+  void close();
   // nullptr: there is no such machine. The line lives as long as the pointer.
   [[nodiscard]] std::shared_ptr<Line> find(const std::string& machine) const;
   [[nodiscard]] std::vector<std::pair<std::string, std::shared_ptr<Line>>> all() const;

@@ -194,7 +194,8 @@ class MailboxLine final : public Line {
     report_.confirmed = counters.confirmed;
     report_.confirms = true;
     report_.reserve = reserve_;
-    report_.known = {.from = counters.confirmed, .to = counters.handed, .from_line = 0, .to_line = 0};
+    report_.known = {
+        .from = counters.confirmed, .to = counters.handed, .from_line = 0, .to_line = 0, .to_text = counters.handed};
     if (!changed) return;
     ++report_.changes;
     changed_();

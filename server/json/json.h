@@ -4,7 +4,9 @@
 // limit is a limit that is not kept.
 #pragma once
 
+#include "server/json/diagnostics.h"
 #include "server/json/documents.h"
 #include "server/json/profile_document.h"
 #include "server/json/records.h"
 #include "server/json/reports.h"
+#include "server/json/requests.h"

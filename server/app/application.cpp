@@ -1,0 +1,101 @@
+// Start and end, and what several use cases show together.
+#include "server/app/application.h"
+
+#include <chrono>
+#include <thread>
+
+#include <spdlog/spdlog.h>
+
+namespace dripfeed::app {
+
+namespace {
+
+constexpr std::chrono::seconds kCancelAtMost{3};
+constexpr std::size_t kBlockAround = 512;  // a block is looked for so far before and behind a position
+
+bool runs(const Line& line) {
+  const LineReport report = line.report();
+  return report.job != 0 && report.end == JobEnd::none && report.state != LineState::idle &&
+         report.state != LineState::disconnected;
+}
+
+// The line of the text that holds the character at `at`.
+std::string block_around(store::Contents& contents, const std::string& sha256, std::uint64_t at) {
+  const std::uint64_t from = at > kBlockAround ? at - kBlockAround : 0;
+  std::string window(2 * kBlockAround, '\0');
+  const auto count = contents.read(sha256, from, window);
+  if (!count || *count == 0) return {};
+  window.resize(*count);
+  const std::size_t place = std::min<std::size_t>(static_cast<std::size_t>(at - from), window.size() - 1);
+  const std::size_t before = place == 0 ? std::string::npos : window.rfind('\n', place - 1);
+  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+  return window.substr(begin, window.find_first_of("\r\n", begin) - begin);
+}
+
+}  // namespace
+
+Application::Application(const Environment& environment)
+    : store_(environment.store),
+      clock_(environment.clock),
+      documents_(environment.documents),
+      lines_(environment.links, environment.make_bus, [this] { keeper_.wake(); }),
+      keeper_(store_, lines_, events_, clock_),
+      catalog_(store_, lines_, events_, clock_, documents_),
+      programs_(store_, catalog_, clock_, documents_),
+      checking_(store_, catalog_, events_, clock_, documents_),
+      jobs_(store_, lines_, keeper_, events_, clock_, documents_) {}
+
+Application::~Application() {
+  cancel_all();
+  keeper_.round();
+  // The lines wake the keeper, so they go before it does.
+  lines_.close();
+}
+
+Result<void> Application::start() {
+  const auto interrupted = store_.jobs().interrupt_unfinished({"dripfeed", clock_.wall_ms()});
+  if (!interrupted) return std::unexpected(from_store(interrupted.error()));
+  for (const store::Job& job : *interrupted) {
+    spdlog::warn("job {} on {} was interrupted: {}", job.id, job.machine, job.reason);
+    events_.publish({.id = 0,
+                     .kind = EventKind::job,
+                     .machine = job.machine,
+                     .job = job,
+                     .verdict = 0,
+                     .outcome = {},
+                     .text = job.reason});
+  }
+  return catalog_.open_lines();
+}
+
+MachineStatus Application::status(const std::string& machine) {
+  MachineStatus status;
+  if (const auto line = lines_.find(machine)) status.report = line->report();
+  if (const auto torn = store_.jobs().torn_on(machine); torn && *torn) status.needs_confirmation = **torn;
+  if (status.needs_confirmation && status.report.state != LineState::torn) status.report.state = LineState::torn;
+  if (status.report.job == 0) return status;
+  const auto job = store_.jobs().get(status.report.job);
+  if (!job) return status;
+  if (const auto program = store_.programs().get(job->program)) status.program = program->name;
+  if (status.report.handed > 0)
+    status.block_text = block_around(store_.contents(), job->text_sha256, status.report.known.to_text);
+  return status;
+}
+
+void Application::cancel_all() {
+  bool any = false;
+  for (const auto& [machine, line] : lines_.all()) {
+    if (!runs(*line)) continue;
+    any = true;
+    const feed::Command how = line->report().state == LineState::armed ? feed::Command::disarm : feed::Command::cancel;
+    if (const auto done = line->command(how); !done) spdlog::warn("{}: {}", machine, done.error());
+  }
+  const auto until = std::chrono::steady_clock::now() + kCancelAtMost;
+  while (any && std::chrono::steady_clock::now() < until) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    any = false;
+    for (const auto& [machine, line] : lines_.all()) any = any || runs(*line);
+  }
+}
+
+}  // namespace dripfeed::app

@@ -1,0 +1,70 @@
+// The whole application: the use cases with what they share. One object a server; the command uses the parts that it
+// needs.
+#pragma once
+
+#include "server/app/catalog.h"
+#include "server/app/checking.h"
+#include "server/app/events.h"
+#include "server/app/jobs.h"
+#include "server/app/keeper.h"
+#include "server/app/lines.h"
+#include "server/app/ports/documents.h"
+#include "server/app/ports/ports.h"
+#include "server/app/programs.h"
+#include "store/store.h"
+
+namespace dripfeed::app {
+
+// Where a machine's line stands, with the block at the sent position.
+struct MachineStatus {
+  LineReport report;
+  std::string program;     // name of the job's program
+  std::string block_text;  // the block in which the last handed character lies
+  std::optional<store::Job> needs_confirmation;
+};
+
+class Application {
+ public:
+  struct Environment {
+    store::Store& store;
+    LinkThread& links;
+    RegisterBusMaker make_bus;
+    const Clock& clock;
+    const Documents& documents;
+  };
+  explicit Application(const Environment& environment);
+  // Jobs on a line are cancelled at a block end, as far as their control lets them.
+  ~Application();
+  Application(const Application&) = delete;
+  Application& operator=(const Application&) = delete;
+
+  // After a crash: jobs that had a line become interrupted. Then the machines' lines open; nothing is armed.
+  Result<void> start();
+
+  [[nodiscard]] MachineStatus status(const std::string& machine);
+
+  store::Store& store() { return store_; }
+  const Clock& clock() const { return clock_; }
+  const Documents& documents() const { return documents_; }
+  Events& events() { return events_; }
+  Catalog& catalog() { return catalog_; }
+  Programs& programs() { return programs_; }
+  Checking& checking() { return checking_; }
+  Jobs& jobs() { return jobs_; }
+
+ private:
+  void cancel_all();
+
+  store::Store& store_;
+  const Clock& clock_;
+  const Documents& documents_;
+  Events events_;
+  Lines lines_;
+  Keeper keeper_;
+  Catalog catalog_;
+  Programs programs_;
+  Checking checking_;
+  Jobs jobs_;
+};
+
+}  // namespace dripfeed::app

@@ -1,0 +1,23 @@
+// Positions are looked up here: a diagnostic knows only bytes.
+#include "server/json/diagnostics.h"
+
+#include "server/json/object_reader.h"
+
+namespace dripfeed::json {
+
+std::string diagnostics(const std::vector<text::Diagnostic>& all, const text::Source& source) {
+  Document list = Document::array();
+  for (const text::Diagnostic& one : all) {
+    const text::Position at = source.position(one.span.begin);
+    list.push_back({{"id", text::row_of(one.id).name},
+                    {"severity", text::name_of(one.severity)},
+                    {"line", at.line},
+                    {"column", at.column},
+                    {"column_chars", at.column_chars},
+                    {"text", text::message_of(one)},
+                    {"alarm", one.alarm.empty() ? Document(nullptr) : Document(one.alarm)}});
+  }
+  return dump(list);
+}
+
+}  // namespace dripfeed::json

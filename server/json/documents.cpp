@@ -1,0 +1,19 @@
+// Each member is one function of this folder.
+#include "server/json/documents.h"
+
+#include "server/json/profile_document.h"
+#include "server/json/reports.h"
+#include "server/json/requests.h"
+
+namespace dripfeed::json {
+
+app::Result<machine::Profile> JsonDocuments::read_profile(std::string_view document) const {
+  return json::read_profile(document);
+}
+app::Result<app::Values> JsonDocuments::read_values(std::string_view document) const {
+  return json::read_values(document);
+}
+std::string JsonDocuments::write_values(const app::Values& values) const { return json::write_values(values); }
+std::string JsonDocuments::write_report(const app::CheckReport& report) const { return json::check_report(report); }
+
+}  // namespace dripfeed::json

@@ -1,0 +1,16 @@
+// The application's documents, as JSON.
+#pragma once
+
+#include "server/app/ports/documents.h"
+
+namespace dripfeed::json {
+
+class JsonDocuments final : public app::Documents {
+ public:
+  [[nodiscard]] app::Result<machine::Profile> read_profile(std::string_view document) const override;
+  [[nodiscard]] app::Result<app::Values> read_values(std::string_view document) const override;
+  [[nodiscard]] std::string write_values(const app::Values& values) const override;
+  [[nodiscard]] std::string write_report(const app::CheckReport& report) const override;
+};
+
+}  // namespace dripfeed::json

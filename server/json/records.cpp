@@ -1,0 +1,281 @@
+// Member order is the order of reading; times are milliseconds since 1970, 0 is shown as null.
+#include "server/json/records.h"
+
+#include "server/json/diagnostics.h"
+#include "server/json/object_reader.h"
+
+namespace dripfeed::json {
+
+namespace {
+
+Document time_or_null(std::int64_t at_ms) { return at_ms == 0 ? Document(nullptr) : Document(at_ms); }
+Document text_or_null(std::string_view text) { return text.empty() ? Document(nullptr) : Document(text); }
+
+Document status_document(const app::MachineStatus& status) {
+  const app::LineReport& r = status.report;
+  Document waits = nullptr;
+  if (status.needs_confirmation)
+    waits = {{"job", status.needs_confirmation->id}, {"text", status.needs_confirmation->reason}};
+  return {{"line", app::name_of(r.state)},
+          {"stall", text_or_null(r.stall)},
+          {"link_error", text_or_null(r.link_error)},
+          {"job", r.job == 0 ? Document(nullptr) : Document(r.job)},
+          {"handed", r.handed},
+          {"clocked", r.clocked},
+          {"confirmed", r.confirmed},
+          {"confirms", r.confirms},
+          {"estimated", r.estimated},
+          {"total", r.total},
+          {"block_from", r.known.from_line},
+          {"block", r.known.to_line},
+          {"holds", r.holds},
+          {"hold_s", r.hold_s},
+          {"line_use", r.line_use},
+          {"program", status.program},
+          {"block_text", status.block_text},
+          {"needs_confirmation", waits}};
+}
+
+Document origin_document(const store::Origin& origin) {
+  Document document = {{"kind", store::name_of(origin.kind)}};
+  if (origin.kind == store::OriginKind::uploaded) return document;
+  document["family"] = origin.family;
+  document["family_revision"] = origin.family_revision;
+  document["part"] = text_or_null(origin.part);
+  document["part_revision"] = origin.part_revision;
+  document["machine"] = origin.machine;
+  document["machine_revision"] = origin.machine_revision;
+  document["mode"] = origin.mode;
+  return document;
+}
+
+Document revision_document(const store::ProgramRevision& revision) {
+  return {{"revision", revision.revision},
+          {"sha256", revision.sha256},
+          {"bytes", revision.bytes},
+          {"blocks", revision.blocks},
+          {"origin", origin_document(revision.origin)},
+          {"created_by", revision.created_by},
+          {"created_at_ms", revision.created_at_ms}};
+}
+
+// The raw text of a JSON document that is kept or was written here, as a member.
+Document embedded(std::string_view text) {
+  auto document = parse(text);
+  return document ? std::move(*document) : Document(nullptr);
+}
+
+Document job_document(const store::Job& job) {
+  return {{"id", job.id},
+          {"state", store::name_of(job.state)},
+          {"machine", job.machine},
+          {"release", job.release},
+          {"program", job.program},
+          {"revision", job.revision},
+          {"sha256", job.text_sha256},
+          {"delivery", store::name_of(job.delivery)},
+          {"link", job.link},
+          {"bytes", job.bytes_total},
+          {"reason", job.reason},
+          {"created_by", job.created_by},
+          {"created_at_ms", job.created_at_ms},
+          {"armed_by", text_or_null(job.armed_by)},
+          {"armed_at_ms", time_or_null(job.armed_at_ms)},
+          {"started_at_ms", time_or_null(job.started_at_ms)},
+          {"ended_at_ms", time_or_null(job.ended_at_ms)},
+          {"torn", job.torn},
+          {"needs_confirmation", job.needs_confirmation()},
+          {"confirmed_by", text_or_null(job.confirmed_by)},
+          {"confirm_reason", text_or_null(job.confirm_reason)}};
+}
+
+}  // namespace
+
+std::string list(std::span<const std::string> items, std::string_view next) {
+  std::string out = "{\"items\":[";
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) out += ',';
+    out += items[i];
+  }
+  return out + "],\"next\":" + dump(text_or_null(next)) + "}";
+}
+
+std::string machine_status(const app::MachineStatus& status) { return dump(status_document(status)); }
+
+std::string machine(const store::Machine& machine, const app::MachineStatus& status, bool whole) {
+  const Document profile = embedded(machine.profile);
+  Document document = {{"name", machine.name}, {"revision", machine.revision}};
+  if (whole) {
+    document["profile"] = profile;
+  } else {
+    for (const char* member : {"title", "dialect", "kind"}) document[member] = profile.value(member, "");
+    document["link"] = profile.contains("link") ? profile["link"].value("url", "") : "";
+  }
+  document["status"] = status_document(status);
+  return dump(document);
+}
+
+std::string family(const store::Family& family, const compile::FamilyDescription& description, bool whole) {
+  Document document = {{"name", family.name},
+                       {"title", description.title},
+                       {"revision", family.revision},
+                       {"changed_by", family.changed_by},
+                       {"changed_at_ms", family.changed_at_ms}};
+  if (!whole) return dump(document);
+  document["text"] = family.text;
+  Document parameters = Document::array();
+  for (const compile::ParameterDescription& p : description.parameters) {
+    parameters.push_back({{"name", p.name},
+                          {"unit", p.unit},
+                          {"default", p.standard},
+                          {"low", p.low},
+                          {"high", p.high},
+                          {"text", p.text}});
+  }
+  document["parameters"] = std::move(parameters);
+  return dump(document);
+}
+
+std::string part(const store::Part& part) {
+  return dump({{"number", part.number},
+               {"revision", part.revision},
+               {"family", part.made_of.family},
+               {"family_revision", part.made_of.family_revision},
+               {"values", embedded(part.made_of.values)},
+               {"changed_by", part.changed_by},
+               {"changed_at_ms", part.changed_at_ms}});
+}
+
+std::string program(const store::Program& program) {
+  Document document = {{"id", program.id}, {"name", program.name}, {"dialect", program.dialect}};
+  document.update(revision_document(program.newest));
+  return dump(document);
+}
+
+std::string program_revision(const store::ProgramRevision& revision) {
+  Document document = {{"id", revision.program}};
+  document.update(revision_document(revision));
+  return dump(document);
+}
+
+std::string rendered(const app::Rendered& rendered, const text::Source& family) {
+  const compile::RenderResult& r = rendered.result;
+  return dump({{"program", rendered.program.id},
+               {"name", rendered.program.name},
+               {"revision", rendered.program.newest.revision},
+               {"mode", compile::name_of(r.mode)},
+               {"because", r.because},
+               {"blocks", r.blocks},
+               {"bytes", r.bytes},
+               {"variables", r.variables},
+               {"sha256", rendered.program.newest.sha256},
+               {"diagnostics", embedded(diagnostics(r.diagnostics, family))}});
+}
+
+std::string release(const store::Release& release) {
+  return dump({{"id", release.id},
+               {"state", store::name_of(release.state)},
+               {"program", release.of.program},
+               {"revision", release.of.revision},
+               {"machine", release.of.machine},
+               {"delivery", store::name_of(release.of.delivery)},
+               {"sha256", release.text_sha256},
+               {"transfers_allowed", release.transfers_allowed},
+               {"transfers_done", release.transfers_done},
+               {"created_by", release.created_by},
+               {"created_at_ms", release.created_at_ms},
+               {"approved_by", text_or_null(release.approved_by)},
+               {"sign_off", text_or_null(release.sign_off)},
+               {"changed_at_ms", release.changed_at_ms}});
+}
+
+std::string job(const store::Job& job) { return dump(job_document(job)); }
+
+std::string ledger(std::span<const store::LedgerRow> rows, std::string_view next, const store::LedgerInterval& interval,
+                   bool confirms) {
+  Document items = Document::array();
+  for (const store::LedgerRow& row : rows) {
+    items.push_back({{"seq", row.seq},
+                     {"at_ms", row.at_ms},
+                     {"handed", row.counts.handed},
+                     {"clocked", row.counts.clocked},
+                     {"confirmed", row.counts.confirmed},
+                     {"reserve", row.counts.reserve},
+                     {"note", row.note}});
+  }
+  return dump(
+      {{"items", std::move(items)},
+       {"next", text_or_null(next)},
+       {"interval", {{"low", interval.low}, {"high", interval.high}, {"known", confirms ? "confirmed" : "clocked"}}}});
+}
+
+std::string verdict(const store::Verdict& verdict) {
+  Document waivers = Document::array();
+  for (const store::Waiver& waiver : verdict.waivers)
+    waivers.push_back({{"name", waiver.name}, {"reason", waiver.reason}, {"at_ms", waiver.at_ms}});
+  Document document = {{"id", verdict.id},
+                       {"program", verdict.of.program},
+                       {"revision", verdict.of.revision},
+                       {"sha256", verdict.text_sha256},
+                       {"machine", verdict.of.machine},
+                       {"machine_revision", verdict.of.machine_revision},
+                       {"delivery", store::name_of(verdict.of.delivery)},
+                       {"verdict", store::name_of(verdict.of.outcome)},
+                       {"stale", verdict.stale},
+                       {"created_by", verdict.created_by},
+                       {"created_at_ms", verdict.created_at_ms}};
+  const Document report = embedded(verdict.of.report);
+  if (report.is_object()) {
+    for (const auto& [name, value] : report.items()) {
+      if (!document.contains(name)) document[name] = value;
+    }
+  }
+  document["waivers"] = std::move(waivers);
+  return dump(document);
+}
+
+std::string session(std::string_view name, std::string_view role) { return dump({{"name", name}, {"role", role}}); }
+
+std::string_view event_name(app::EventKind kind) {
+  static constexpr std::string_view kNames[] = {"job", "machine", "verdict", "alarm"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::string event_data(const app::Event& event) {
+  if (event.kind == app::EventKind::job) return dump(job_document(event.job));
+  if (event.kind == app::EventKind::verdict) {
+    return dump({{"id", event.verdict},
+                 {"verdict", store::name_of(event.outcome)},
+                 {"machine", event.machine},
+                 {"text", event.text}});
+  }
+  if (event.kind == app::EventKind::alarm) return dump({{"machine", event.machine}, {"text", event.text}});
+  return dump({{"name", event.machine}});
+}
+
+std::string progress(const app::Progress& progress) {
+  Document document = {{"machine", progress.machine}};
+  document.update(
+      status_document({.report = progress.report, .program = {}, .block_text = {}, .needs_confirmation = {}}));
+  document.erase("program");
+  document.erase("block_text");
+  document.erase("needs_confirmation");
+  return dump(document);
+}
+
+std::string problem(unsigned status, std::string_view title, const app::Error& error) {
+  Document document = {{"type", "about:blank"}, {"title", title}, {"status", status}, {"detail", error.text}};
+  Document errors = Document::array();
+  for (const app::ErrorPlace& place : error.places) {
+    Document one = Document::object();
+    if (!place.pointer.empty()) one["pointer"] = place.pointer;
+    if (place.line > 0) one["line"] = place.line;
+    if (place.line > 0) one["column"] = place.column;
+    one["text"] = place.text;
+    errors.push_back(std::move(one));
+  }
+  if (!errors.empty()) document["errors"] = std::move(errors);
+  return dump(document);
+}
+
+}  // namespace dripfeed::json

@@ -1,0 +1,41 @@
+// What the store keeps and the lines report, as the API shows it. Each function gives the JSON text of one thing;
+// `list` puts things on a page.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dialects/compile/render.h"
+#include "server/app/application.h"
+
+namespace dripfeed::json {
+
+std::string list(std::span<const std::string> items, std::string_view next);
+
+std::string machine_status(const app::MachineStatus& status);
+// `profile`: the stored document. `whole` adds it; otherwise the summary of a list.
+std::string machine(const store::Machine& machine, const app::MachineStatus& status, bool whole);
+std::string family(const store::Family& family, const compile::FamilyDescription& description, bool whole);
+std::string part(const store::Part& part);
+std::string program(const store::Program& program);
+std::string program_revision(const store::ProgramRevision& revision);
+std::string rendered(const app::Rendered& rendered, const text::Source& family);
+std::string release(const store::Release& release);
+std::string job(const store::Job& job);
+std::string ledger(std::span<const store::LedgerRow> rows, std::string_view next, const store::LedgerInterval& interval,
+                   bool confirms);
+// A stored verdict: the report's members with the verdict's own.
+std::string verdict(const store::Verdict& verdict);
+std::string session(std::string_view name, std::string_view role);
+
+// The data line of a live event, and its name.
+std::string_view event_name(app::EventKind kind);
+std::string event_data(const app::Event& event);
+std::string progress(const app::Progress& progress);
+
+// application/problem+json.
+std::string problem(unsigned status, std::string_view title, const app::Error& error);
+
+}  // namespace dripfeed::json

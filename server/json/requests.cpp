@@ -1,0 +1,165 @@
+// Each body is an object with known members.
+#include "server/json/requests.h"
+
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "server/json/object_reader.h"
+
+namespace dripfeed::json {
+
+namespace {
+
+constexpr std::int64_t kMaxId = std::int64_t{1} << 53U;  // what JavaScript keeps exactly
+constexpr std::array<std::string_view, 2> kDeliveries = {"drip", "memory"};
+constexpr std::array<std::string_view, 5> kReleaseStates = {"draft", "in_review", "proving", "approved", "obsolete"};
+
+void read_id(ObjectReader& object, std::string_view name, store::Id& into) {
+  object.integer(name, into, 1, kMaxId);
+  if (!object.has(name)) object.fault(name, "is missing");
+}
+
+void read_delivery(ObjectReader& object, store::Delivery& into) {
+  if (const auto delivery = object.choice("delivery", kDeliveries)) into = static_cast<store::Delivery>(*delivery);
+}
+
+void read_values_of(ObjectReader& object, std::string_view name, app::Values& into) {
+  const Document* values = object.member(name);
+  if (values == nullptr) return;
+  if (!values->is_object()) return object.fault(name, "must be an object of texts such as \"120 mm\"");
+  for (const auto& [parameter, value] : values->items()) {
+    if (value.is_string()) {
+      into[parameter] = value.get<std::string>();
+    } else if (value.is_number()) {
+      into[parameter] = value.dump();
+    } else {
+      object.fault(name, fmt::format("\"{}\" must be a text such as \"120 mm\" or a plain number", parameter));
+    }
+  }
+}
+
+}  // namespace
+
+app::Result<TextBody> read_text_body(std::string_view body) {
+  TextBody read;
+  const auto done = read_object(body, "request", [&](ObjectReader& o) { o.text("text", read.text, true); });
+  if (!done) return std::unexpected(done.error());
+  return read;
+}
+
+app::Result<ProgramBody> read_program_body(std::string_view body) {
+  ProgramBody read;
+  const auto done = read_object(body, "request", [&](ObjectReader& o) {
+    o.text("name", read.name, true);
+    o.text("dialect", read.dialect, true);
+    o.text("text", read.text, true);
+  });
+  if (!done) return std::unexpected(done.error());
+  return read;
+}
+
+app::Result<PartBody> read_part_body(std::string_view body, bool is_new) {
+  PartBody read;
+  const auto done = read_object(body, "request", [&](ObjectReader& o) {
+    if (is_new) {
+      o.text("number", read.number, true);
+      o.text("family", read.family, true);
+    }
+    read_values_of(o, "values", read.values);
+  });
+  if (!done) return std::unexpected(done.error());
+  return read;
+}
+
+app::Result<app::RenderOrder> read_render_body(std::string_view body) {
+  app::RenderOrder order;
+  const auto done = read_object(body, "request", [&](ObjectReader& o) {
+    o.text("part", order.part);
+    o.text("family", order.family);
+    read_values_of(o, "values", order.values);
+    o.text("machine", order.machine, true);
+    o.text("name", order.name);
+    read_delivery(o, order.delivery);
+    std::string mode = "auto";
+    o.text("mode", mode);
+    if (const auto found = compile::find_render_mode(mode)) {
+      order.mode = *found;
+    } else {
+      o.fault("mode", "must be \"auto\", \"macro\" or \"explicit\"");
+    }
+  });
+  if (!done) return std::unexpected(done.error());
+  return order;
+}
+
+app::Result<CheckBody> read_check_body(std::string_view body) {
+  CheckBody read;
+  const auto done = read_object(body, "request", [&](ObjectReader& o) {
+    read_id(o, "program", read.program);
+    o.integer("revision", read.revision, 1, kMaxId);
+    o.text("machine", read.machine, true);
+    read_delivery(o, read.delivery);
+  });
+  if (!done) return std::unexpected(done.error());
+  return read;
+}
+
+app::Result<ReasonBody> read_reason_body(std::string_view body) {
+  ReasonBody read;
+  if (body.empty()) return read;
+  const auto done = read_object(body, "request", [&](ObjectReader& o) { o.text("reason", read.reason); });
+  if (!done) return std::unexpected(done.error());
+  return read;
+}
+
+app::Result<store::ReleaseMove> read_transition_body(std::string_view body) {
+  store::ReleaseMove move;
+  const auto done = read_object(body, "request", [&](ObjectReader& o) {
+    if (const auto to = o.choice("to", kReleaseStates)) move.to = static_cast<store::ReleaseState>(*to);
+    if (!o.has("to")) o.fault("to", "is missing");
+    o.text("note", move.note);
+    o.integer("transfers", move.transfers, 1, 1'000'000);
+  });
+  if (!done) return std::unexpected(done.error());
+  return move;
+}
+
+app::Result<JobBody> read_job_body(std::string_view body) {
+  JobBody read;
+  const auto done = read_object(body, "request", [&](ObjectReader& o) { read_id(o, "release", read.release); });
+  if (!done) return std::unexpected(done.error());
+  return read;
+}
+
+app::Result<double> read_arm_minutes(std::string_view body, double standard) {
+  double minutes = standard;
+  if (body.empty()) return minutes;
+  const auto done = read_object(body, "request", [&](ObjectReader& o) { o.number("minutes", minutes, 0.01, 60.0); });
+  if (!done) return std::unexpected(done.error());
+  return minutes;
+}
+
+app::Result<SessionBody> read_session_body(std::string_view body) {
+  SessionBody read;
+  const auto done = read_object(body, "request", [&](ObjectReader& o) { o.text("token", read.token, true); });
+  if (!done) return std::unexpected(done.error());
+  return read;
+}
+
+app::Result<app::Values> read_values(std::string_view document) {
+  app::Values values;
+  const auto done = read_object(fmt::format("{{\"values\":{}}}", document), "values",
+                                [&](ObjectReader& o) { read_values_of(o, "values", values); });
+  if (!done) return std::unexpected(done.error());
+  return values;
+}
+
+std::string write_values(const app::Values& values) {
+  Document document = Document::object();
+  for (const auto& [name, value] : values) document[name] = value;
+  return dump(document);
+}
+
+}  // namespace dripfeed::json

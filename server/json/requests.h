@@ -1,0 +1,66 @@
+// Bodies of requests: read as a whole, every fault named with its pointer.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "server/app/programs.h"
+
+namespace dripfeed::json {
+
+struct TextBody {
+  std::string text;
+};
+app::Result<TextBody> read_text_body(std::string_view body);
+
+struct ProgramBody {
+  std::string name;
+  std::string dialect;
+  std::string text;
+};
+app::Result<ProgramBody> read_program_body(std::string_view body);
+
+struct PartBody {
+  std::string number;  // empty when changing
+  std::string family;  // empty when changing
+  app::Values values;
+};
+app::Result<PartBody> read_part_body(std::string_view body, bool is_new);
+
+app::Result<app::RenderOrder> read_render_body(std::string_view body);
+
+struct CheckBody {
+  store::Id program = 0;
+  store::Revision revision = 0;  // 0: the newest
+  std::string machine;
+  store::Delivery delivery = store::Delivery::drip;
+};
+// Also the body of a new release.
+app::Result<CheckBody> read_check_body(std::string_view body);
+
+struct ReasonBody {
+  std::string reason;
+};
+app::Result<ReasonBody> read_reason_body(std::string_view body);
+
+app::Result<store::ReleaseMove> read_transition_body(std::string_view body);
+
+struct JobBody {
+  store::Id release = 0;
+};
+app::Result<JobBody> read_job_body(std::string_view body);
+
+// An empty body gives the default.
+app::Result<double> read_arm_minutes(std::string_view body, double standard);
+
+struct SessionBody {
+  std::string token;
+};
+app::Result<SessionBody> read_session_body(std::string_view body);
+
+app::Result<app::Values> read_values(std::string_view document);
+std::string write_values(const app::Values& values);
+
+}  // namespace dripfeed::json
