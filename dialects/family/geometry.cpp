@@ -1,6 +1,7 @@
 // The nominal keeps the family alive that its expression stands in.
 #include "dialects/family/geometry.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "dialects/family/evaluate.h"
@@ -44,6 +45,13 @@ Geometry geometry(const BoundFamily& bound) {
   out.x_is_diameter = bound.family->x_is_diameter;
   if (bound.family->stock) out.stock = stock(bound, *bound.family->stock);
   for (const NominalShape& shape : bound.family->nominals) out.nominal.push_back(piece(bound, shape));
+  for (const Step& step : bound.family->steps) {
+    if (step.kind != StepKind::tool ||
+        std::ranges::find(out.tools, step.number, &ToolShape::number) != out.tools.end()) {
+      continue;
+    }
+    out.tools.push_back({step.number, step.nose_radius_mm, step.tip});
+  }
   return out;
 }
 

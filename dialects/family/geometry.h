@@ -1,6 +1,7 @@
 // Stock and nominal of a bound family as plain data, in mm: what the checks of accuracy and gouge measure against.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <variant>
@@ -38,10 +39,18 @@ struct NominalPiece {
   std::function<ProfilePoint(double z_mm)> at;
 };
 
+// A tool as the body names it, for the checks that need its nose.
+struct ToolShape {
+  std::int32_t number = 0;
+  double nose_radius_mm = 0.0;  // 0: not given
+  std::int32_t tip = 0;         // imaginary tip 0 to 9
+};
+
 struct Geometry {
   bool x_is_diameter = false;
   std::optional<Stock> stock;
-  std::vector<NominalPiece> nominal;  // in the order of z
+  std::vector<NominalPiece> nominal;  // in the order of the text
+  std::vector<ToolShape> tools;       // in the order of the body, each number once
 };
 
 Geometry geometry(const BoundFamily& bound);

@@ -1,0 +1,55 @@
+// Statements of a built program, appended one by one; the program's arenas hold what they say.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <string_view>
+#include <vector>
+
+#include "dialects/ir/program.h"
+
+namespace dripfeed::family {
+
+struct EmittedWord {
+  ir::Address address = ir::Address::x;
+  ir::ExpressionId value = ir::ExpressionId::none;
+};
+
+class Emitter {
+ public:
+  explicit Emitter(ir::Program& program) : program_(program) {}
+
+  // Line of the family's text that what follows comes from.
+  void set_line(std::uint32_t line) { line_ = line; }
+
+  void block(std::initializer_list<ir::Function> functions, std::vector<EmittedWord> words);
+  // As above, with an argument of the first function.
+  void block(ir::Function function, std::int16_t argument, std::vector<EmittedWord> words);
+  void assign(ir::SymbolId target, ir::ExpressionId value);
+  void open(ir::StatementKind kind, ir::ExpressionId condition);
+  void close(ir::StatementKind kind);
+  void message(std::string_view text);
+  void program_end();
+
+  // Expressions of the program. Each call makes a new node: nodes are never shared between statements.
+  ir::ExpressionId constant(double value) { return program_.add_constant(value); }
+  ir::ExpressionId variable(ir::SymbolId symbol);
+  ir::ExpressionId binary(ir::Operator op, ir::ExpressionId a, ir::ExpressionId b) {
+    return program_.add_operator(op, a, b);
+  }
+  // A symbol that no other name of the program has: `stem`, or stem2, stem3 …
+  ir::SymbolId new_symbol(std::string_view stem);
+
+ private:
+  void statement(ir::StatementKind kind, std::size_t payload);
+  void add_block(std::uint32_t first_code, std::vector<EmittedWord> words);
+  void add_code(ir::Function function, std::int16_t argument);
+
+  ir::Program& program_;
+  std::uint32_t line_ = 0;
+};
+
+// The modal group that a function belongs to, for those that families use.
+ir::ModalGroup group_of(ir::Function function);
+
+}  // namespace dripfeed::family
