@@ -123,9 +123,10 @@ void Emitter::message(std::string_view text) {
   statement(ir::StatementKind::message, program_.messages.size() - 1);
 }
 
+// The statement's payload is a block that holds the code alone.
 void Emitter::program_end() {
   block({Function::program_end_rewind}, {});
-  statement(ir::StatementKind::program_end, ir::kNoIndex);
+  program_.statements.back().kind = ir::StatementKind::program_end;
 }
 
 ir::ExpressionId Emitter::variable(ir::SymbolId symbol) {
