@@ -16,7 +16,9 @@ endif()
 find_package(fmt REQUIRED)
 find_package(Threads REQUIRED)
 if(DRIPFEED_SERVER)
-  find_package(PkgConfig REQUIRED)  # here, because pkg_check_modules wants its variables in every folder that calls it
+  # Here, because pkg_check_modules wants its variables in every folder that calls it, and several folders link libmodbus.
+  find_package(PkgConfig REQUIRED)
+  pkg_check_modules(modbus_lib REQUIRED IMPORTED_TARGET libmodbus)
 endif()
 
 # Flags of every target. No contraction: a fused multiply-add would make the same plan differ between compilers.
