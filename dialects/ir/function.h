@@ -36,7 +36,7 @@ enum class Function : std::uint8_t {
   // coordinates
   work_offset,          // argument: 0 none (G500), 1 G54, 2 G55 …
   machine_coordinates,  // G53, SUPA: this block only
-  local_shift,          // G52, TRANS
+  local_shift,          // G52, TRANS; argument 1: axes that are not named lose their shift (TRANS)
   local_shift_add,      // ATRANS
   set_coordinates,      // G92; G50 of G-code system A
   reference_return,     // G28, G74; argument: reference point 1, 2 …

@@ -1,0 +1,42 @@
+// The one way in which a block takes effect: codes change the modal state, words are read under it, motions and events
+// come out. Streams of plain blocks and the machine both use it, so that they cannot differ. Values are computed by the
+// caller; calls, jumps and variables are unknown here.
+#pragma once
+
+#include <cstdint>
+
+#include "dialects/interpreter/block_rules.h"
+#include "dialects/interpreter/modal_state.h"
+#include "dialects/interpreter/motion_buffer.h"
+#include "dialects/interpreter/plain_block.h"
+#include "dialects/text/diagnostic_id.h"
+
+namespace dripfeed::interpreter {
+
+// What the block's codes ask of the program's flow; the caller follows it.
+enum class Flow : std::uint8_t { next, program_end, subprogram_end };
+
+// Bits of BlockResult::notes: what was done and deserves a word.
+inline constexpr std::uint32_t kNoteNoFeed = 1;                   // a cut with feed 0
+inline constexpr std::uint32_t kNoteMotionWithoutCode = 2;        // moved as the control usually does
+inline constexpr std::uint32_t kNoteMoveNotModelled = 4;          // axis words under a cycle or curve: no move came out
+inline constexpr std::uint32_t kNoteReferenceUnknown = 8;         // to a reference point whose place is not known
+inline constexpr std::uint32_t kNoteIncrementalFromUnknown = 16;  // where the move ends is not known
+
+struct BlockResult {
+  Flow flow = Flow::next;
+  std::uint32_t notes = 0;
+  // Alarm: count_ when there is none. `first` and `second` are its arguments (radii of an arc in mm).
+  text::DiagnosticId fault = text::DiagnosticId::count_;
+  double first = 0.0;
+  double second = 0.0;
+};
+
+BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out);
+
+// An event that stands where the state says (message, stop, end).
+ir::Motion& emit_event(ir::MotionKind kind, const ModalState& state, MotionBuffer& out);
+// Events for what is commanded and was not announced: offset, tool, spindle, coolant, comp.
+void announce(ModalState& state, MotionBuffer& out);
+
+}  // namespace dripfeed::interpreter

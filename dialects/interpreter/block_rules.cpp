@@ -1,0 +1,81 @@
+// Axis letters, increments and the power-on state of a control.
+#include "dialects/interpreter/block_rules.h"
+
+#include <cmath>
+#include <string_view>
+
+namespace dripfeed::interpreter {
+
+namespace {
+
+using ir::Address;
+using ir::Axis;
+
+struct AxisLetter {
+  Address address;
+  Axis axis;
+  char letter;
+  bool rotary;
+};
+constexpr AxisLetter kAxisLetterRows[] = {
+    {Address::x, Axis::x, 'X', false}, {Address::y, Axis::y, 'Y', false}, {Address::z, Axis::z, 'Z', false},
+    {Address::a, Axis::a, 'A', true},  {Address::b, Axis::b, 'B', true},  {Address::c, Axis::c, 'C', true},
+    {Address::u, Axis::u, 'U', false}, {Address::v, Axis::v, 'V', false}, {Address::w, Axis::w, 'W', false},
+};
+// U V W H as increments of X Y Z C, where these letters are no axes themselves.
+constexpr AxisLetter kIncrementalRows[] = {
+    {Address::u, Axis::x, 'U', false},
+    {Address::v, Axis::y, 'V', false},
+    {Address::w, Axis::z, 'W', false},
+    {Address::h, Axis::c, 'H', true},
+};
+constexpr std::string_view kBaseLetters = "XYZC";
+
+// 1 / 0.001 is not quite 1000 in every binary; a whole number divides as the decimal would.
+double reciprocal(double increment) {
+  const double value = 1.0 / increment;
+  const double whole = std::round(value);
+  return std::abs(value - whole) < 1e-6 * value ? whole : value;
+}
+
+}  // namespace
+
+BlockRules::BlockRules(const ir::Control& control)
+    : semantics(control.semantics),
+      x_is_diameter(control.kind == ir::MachineKind::lathe ||
+                    (control.kind == ir::MachineKind::mill_turn &&
+                     control.semantics.power_on_diameter != ir::DiameterMode::radius)),
+      tool_at_once(control.kind == ir::MachineKind::lathe ||
+                   control.semantics.tool_word == ir::ToolWord::number_and_offset),
+      increments_per_mm(reciprocal(control.semantics.least_increment_mm)),
+      increments_per_degree(reciprocal(control.semantics.least_increment_deg)) {
+  const auto add = [this](const AxisLetter& row, bool incremental) {
+    axis_addresses |= bit_of(row.address);
+    axis_words[interpreter::index_of(row.address)] = {row.axis, incremental, row.rotary};
+  };
+  for (const AxisLetter& row : kAxisLetterRows)
+    if (control.axes.contains(row.letter)) add(row, false);
+  if (!semantics.incremental_letters_uvw) return;
+  for (std::size_t i = 0; i < std::size(kIncrementalRows); ++i)
+    if (control.axes.contains(kBaseLetters[i]) && !control.axes.contains(kIncrementalRows[i].letter))
+      add(kIncrementalRows[i], true);
+}
+
+ModalState initial_state(const ir::Control& control) {
+  const ir::Semantics& s = control.semantics;
+  ModalState state;
+  state.modes.motion = s.power_on_motion;
+  state.modes.motion_given = s.power_on_known;
+  state.modes.plane = s.power_on_plane == ir::Function::plane_zx   ? ir::Plane::zx
+                      : s.power_on_plane == ir::Function::plane_yz ? ir::Plane::yz
+                                                                   : ir::Plane::xy;
+  state.modes.inch = state.modes.inch_feed = s.power_on_unit == ir::Function::unit_inch;
+  state.modes.absolute = s.power_on_distance != ir::Function::incremental;
+  state.modes.feed_mode = s.power_on_feed == ir::Function::feed_per_rev        ? ir::FeedMode::per_rev
+                          : s.power_on_feed == ir::Function::feed_inverse_time ? ir::FeedMode::inverse_time
+                                                                               : ir::FeedMode::per_min;
+  state.modes.diameter = s.power_on_diameter;
+  return state;
+}
+
+}  // namespace dripfeed::interpreter

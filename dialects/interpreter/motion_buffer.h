@@ -1,0 +1,41 @@
+// Collects motions and hands them to the sink in batches. It stamps each with its place and with the work that was done
+// since the motion before.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dialects/ir/motion.h"
+
+namespace dripfeed::interpreter {
+
+// Counts of computing, wide enough never to wrap in a run; a motion gets them capped.
+struct Work {
+  std::uint64_t blocks = 0;
+  std::uint64_t number_reads = 0;
+  std::uint64_t named_reads = 0;
+  std::uint64_t operators = 0;
+  std::uint64_t functions = 0;
+};
+
+class MotionBuffer {
+ public:
+  explicit MotionBuffer(ir::MotionSink& sink);
+
+  // The next motion, blank but for place and work. Valid until the next call.
+  ir::Motion& add(ir::MotionKind kind);
+  // Hands over what is there.
+  void flush();
+  [[nodiscard]] std::uint64_t count() const { return flushed_ + used_; }
+
+  ir::Place place;  // of the block that is executed
+  Work work;        // since the last motion
+
+ private:
+  ir::MotionSink& sink_;
+  std::vector<ir::Motion> motions_;
+  std::size_t used_ = 0;
+  std::uint64_t flushed_ = 0;
+};
+
+}  // namespace dripfeed::interpreter
