@@ -16,8 +16,10 @@ namespace dripfeed::http {
 enum class Right : std::uint8_t { anybody, viewer, operator_, programmer, approver, admin };
 std::string_view name_of(Right right);
 
-// `light` routes answer in the HTTP thread; `heavy` ones (rendering, checks) run in the pool at low priority.
-enum class Weight : std::uint8_t { light, heavy };
+// `light` routes answer in the HTTP thread, a change and its idempotent reply in one transaction; `heavy` ones
+// (rendering, checks) run in the pool at low priority; `command` is for lines and live streams, which no transaction
+// can undo.
+enum class Weight : std::uint8_t { light, heavy, command };
 
 class Api;  // what handlers work with: the application and who calls
 

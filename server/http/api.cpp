@@ -1,0 +1,177 @@
+// Order: find the route, the caller, the right, the origin of a write by cookie, an earlier answer; then the handler.
+#include "server/http/api.h"
+
+#include <array>
+#include <charconv>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "server/json/records.h"
+#include "store/hash/hash.h"
+
+namespace dripfeed::http {
+
+namespace {
+
+struct StatusRow {
+  app::ErrorCode code;
+  unsigned status;
+  std::string_view title;
+};
+constexpr std::array kStatuses = {
+    StatusRow{app::ErrorCode::not_found, 404, "not found"},
+    StatusRow{app::ErrorCode::exists, 409, "exists already"},
+    StatusRow{app::ErrorCode::invalid, 422, "invalid"},
+    StatusRow{app::ErrorCode::stale, 412, "stale revision"},
+    StatusRow{app::ErrorCode::refused, 409, "refused"},
+    StatusRow{app::ErrorCode::unavailable, 503, "unavailable"},
+    StatusRow{app::ErrorCode::internal, 500, "internal error"},
+};
+
+template <class Number>
+bool read_number(std::string_view text, Number& into) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), into);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+}  // namespace
+
+Response json_response(unsigned status, std::string body) {
+  Response response;
+  response.status = status;
+  response.body = std::move(body);
+  return response;
+}
+
+Response problem_response(const app::Error& error) {
+  for (const StatusRow& row : kStatuses) {
+    if (row.code != error.code) continue;
+    Response response = json_response(row.status, json::problem(row.status, row.title, error));
+    response.content_type = "application/problem+json";
+    return response;
+  }
+  return problem_response(500, error.text);
+}
+
+Response problem_response(unsigned status, std::string text) {
+  Response response = json_response(status, json::problem(status, text, {app::ErrorCode::invalid, text, {}}));
+  response.content_type = "application/problem+json";
+  return response;
+}
+
+Response created(std::string location, std::string body) {
+  Response response = json_response(201, std::move(body));
+  response.headers.emplace_back("Location", std::move(location));
+  return response;
+}
+
+Response with_revision(Response response, std::uint64_t revision) {
+  response.headers.emplace_back("ETag", fmt::format("\"{}\"", revision));
+  return response;
+}
+
+std::expected<std::uint64_t, Response> expected_revision(const Request& request) {
+  if (request.if_match.empty())
+    return std::unexpected(problem_response(428, "If-Match with the revision that is changed is needed"));
+  std::string_view tag = request.if_match;
+  if (tag.size() >= 2 && tag.starts_with('"') && tag.ends_with('"')) tag = tag.substr(1, tag.size() - 2);
+  std::uint64_t revision = 0;
+  if (!read_number(tag, revision)) return std::unexpected(problem_response(412, "If-Match is no revision of this"));
+  return revision;
+}
+
+std::expected<store::PageRequest, Response> page_of(const Request& request) {
+  constexpr std::uint32_t kMostItems = 200;
+  store::PageRequest page;
+  if (const auto limit = request.query.find("limit"); limit != request.query.end()) {
+    if (!read_number(limit->second, page.limit) || page.limit == 0 || page.limit > kMostItems) {
+      return std::unexpected(problem_response(422, "limit must be from 1 to 200"));
+    }
+  }
+  if (const auto after = request.query.find("after"); after != request.query.end()) page.after = after->second;
+  return page;
+}
+
+std::expected<store::Id, Response> id_of(std::string_view text) {
+  store::Id id = 0;
+  if (!read_number(text, id) || id == 0)
+    return std::unexpected(problem_response(404, fmt::format("\"{}\" is no id", text)));
+  return id;
+}
+
+Api::Api(app::Application& application, std::filesystem::path web_root, std::string version)
+    : application_(application),
+      web_root_(std::move(web_root)),
+      version_(std::move(version)),
+      sessions_(application.store().tokens()) {}
+
+bool Api::is_heavy(const Request& request) const {
+  const Match match = find_route(routes(), request);
+  return match.route != nullptr && match.route->weight == Weight::heavy;
+}
+
+Response Api::answer(const Request& request) {
+  const Match match = find_route(routes(), request);
+  if (match.route != nullptr) return answer_route(request, match);
+  if (match.path_known) return problem_response(405, fmt::format("{} is not for this path", name_of(request.method)));
+  return problem_response(404, fmt::format("there is nothing at {}", request.target));
+}
+
+Response Api::answer_route(const Request& request, const Match& match) {
+  const Route& route = *match.route;
+  Call call{.api = *this, .request = request, .parameters = match.parameters, .user = {}, .right = Right::anybody};
+  if (route.right == Right::anybody) return route.handler(call);
+  const auto caller = sessions_.caller(request);
+  if (!caller) {
+    Response response = problem_response(401, "sign in with a token");
+    response.headers.emplace_back("WWW-Authenticate", "Bearer");
+    return response;
+  }
+  if (caller->right < route.right) {
+    return problem_response(403, fmt::format("this needs the role {}; {} has the role {}", name_of(route.right),
+                                             caller->name, name_of(caller->right)));
+  }
+  if (request.method != Method::get && caller->by_cookie && !same_origin(request)) {
+    return problem_response(403, "a change by cookie must come from this server's own page");
+  }
+  call.user = caller->name;
+  call.right = caller->right;
+  if (request.method == Method::get || request.idempotency_key.empty()) return route.handler(call);
+  return answer_once(request, route, call);
+}
+
+// Under a key the effect happens once. A light route's effect and its kept answer are one transaction; for the others a
+// crash between the two lets a repetition try again, and the state of things (a job that is armed already) refuses it.
+Response Api::answer_once(const Request& request, const Route& route, const Call& call) {
+  store::Store& store = application_.store();
+  const store::ReplyKey key{.actor = std::string(call.user),
+                            .route = fmt::format("{} {}", name_of(request.method), request.target),
+                            .key = request.idempotency_key,
+                            .request_sha256 = hash::sha256_hex(request.body)};
+  const auto before = store.replies().find(key);
+  if (!before) return problem_response(app::from_store(before.error()));
+  if (*before) {
+    Response response = json_response((*before)->status, (*before)->body);
+    if (!(*before)->headers.empty()) response.headers.emplace_back("Location", (*before)->headers);
+    return response;
+  }
+  Response response;
+  const auto work = [&]() -> store::Result<void> {
+    response = route.handler(call);
+    if (response.status >= 400) return {};
+    store::Reply reply{.status = static_cast<std::uint16_t>(response.status),
+                       .headers = {},
+                       .body = response.body,
+                       .at_ms = application_.clock().wall_ms()};
+    for (const auto& [name, value] : response.headers) {
+      if (name == "Location") reply.headers = value;
+    }
+    return store.replies().keep(key, reply);
+  };
+  const auto done = route.weight == Weight::light ? store.atomically(work) : work();
+  if (!done) return problem_response(app::from_store(done.error()));
+  return response;
+}
+
+}  // namespace dripfeed::http

@@ -1,0 +1,56 @@
+// From a request to its answer: who calls, may they, was this answered before, which handler. The server gives it
+// requests; handlers live in handlers_*.cpp, one file a kind of thing, and are listed in routes.cpp.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "server/app/application.h"
+#include "server/http/router.h"
+#include "server/http/sessions.h"
+
+namespace dripfeed::http {
+
+class Api {
+ public:
+  // `web_root`: the built page (web/dist); empty: no page is served.
+  Api(app::Application& application, std::filesystem::path web_root, std::string version);
+
+  [[nodiscard]] bool is_heavy(const Request& request) const;
+  Response answer(const Request& request);
+
+  app::Application& application() { return application_; }
+  Sessions& sessions() { return sessions_; }
+  [[nodiscard]] const std::filesystem::path& web_root() const { return web_root_; }
+  [[nodiscard]] const std::string& version() const { return version_; }
+
+ private:
+  Response answer_route(const Request& request, const Match& match);
+  Response answer_once(const Request& request, const Route& route, const Call& call);
+
+  app::Application& application_;
+  std::filesystem::path web_root_;
+  std::string version_;
+  Sessions sessions_;
+};
+
+// All routes, in the order of openapi.json.
+std::span<const Route> routes();
+
+// Building answers.
+Response json_response(unsigned status, std::string body);
+Response problem_response(const app::Error& error);
+Response problem_response(unsigned status, std::string text);
+// 201 with Location.
+Response created(std::string location, std::string body);
+// With the ETag of a revision.
+Response with_revision(Response response, std::uint64_t revision);
+// The revision named by If-Match; or 428 without one, 412 when it is no revision of ours.
+std::expected<std::uint64_t, Response> expected_revision(const Request& request);
+// ?limit= and &after=.
+std::expected<store::PageRequest, Response> page_of(const Request& request);
+// An id in the path; or 404.
+std::expected<store::Id, Response> id_of(std::string_view text);
+
+}  // namespace dripfeed::http

@@ -1,0 +1,61 @@
+// The handlers, by the thing that they are about. Each reads its request, makes one call of the application or the
+// store, and writes the answer.
+#pragma once
+
+#include "server/http/router.h"
+
+namespace dripfeed::http {
+
+// handlers_site.cpp
+Response get_health(const Call& call);
+Response get_openapi(const Call& call);
+Response get_page(const Call& call);
+Response get_asset(const Call& call);
+Response get_session(const Call& call);
+Response open_session(const Call& call);
+Response close_session(const Call& call);
+Response get_events(const Call& call);
+
+// handlers_catalog.cpp
+Response list_machines(const Call& call);
+Response add_machine(const Call& call);
+Response get_machine(const Call& call);
+Response change_machine(const Call& call);
+Response confirm_reset(const Call& call);
+Response list_families(const Call& call);
+Response add_family(const Call& call);
+Response get_family(const Call& call);
+Response change_family(const Call& call);
+Response list_parts(const Call& call);
+Response add_part(const Call& call);
+Response get_part(const Call& call);
+Response change_part(const Call& call);
+
+// handlers_programs.cpp
+Response list_programs(const Call& call);
+Response add_program(const Call& call);
+Response get_program(const Call& call);
+Response get_program_text(const Call& call);
+Response list_revisions(const Call& call);
+Response add_revision(const Call& call);
+Response render(const Call& call);
+Response list_checks(const Call& call);
+Response add_check(const Call& call);
+Response get_check(const Call& call);
+Response waive_check(const Call& call);
+
+// handlers_jobs.cpp
+Response list_releases(const Call& call);
+Response add_release(const Call& call);
+Response get_release(const Call& call);
+Response move_release(const Call& call);
+Response list_jobs(const Call& call);
+Response add_job(const Call& call);
+Response get_job(const Call& call);
+Response arm_job(const Call& call);
+Response stop_job(const Call& call);
+Response cancel_job(const Call& call);
+Response resume_job(const Call& call);
+Response get_ledger(const Call& call);
+
+}  // namespace dripfeed::http

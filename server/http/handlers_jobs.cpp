@@ -1,0 +1,150 @@
+// Releases, jobs and their ledgers.
+#include <array>
+
+#include <fmt/format.h>
+
+#include "server/http/api.h"
+#include "server/http/handlers.h"
+#include "server/http/list_response.h"
+#include "server/json/records.h"
+#include "server/json/requests.h"
+
+namespace dripfeed::http {
+
+namespace {
+
+Response release_response(unsigned status, const store::Result<store::Release>& release) {
+  if (!release) return problem_response(app::from_store(release.error()));
+  if (status == 201) return created(fmt::format("/api/v1/releases/{}", release->id), json::release(*release));
+  return json_response(status, json::release(*release));
+}
+
+Response job_response(const app::Result<store::Job>& job) {
+  if (!job) return problem_response(job.error());
+  return json_response(200, json::job(*job));
+}
+
+std::string query_text(const Request& request, const std::string& name) {
+  const auto found = request.query.find(name);
+  return found == request.query.end() ? std::string() : found->second;
+}
+
+std::optional<store::JobState> job_state_named(std::string_view name) {
+  for (std::size_t i = 0; i < store::kJobStates; ++i) {
+    if (store::name_of(static_cast<store::JobState>(i)) == name) return static_cast<store::JobState>(i);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Response list_releases(const Call& call) {
+  const auto page = page_of(call.request);
+  if (!page) return page.error();
+  const store::ReleaseFilter filter{.program = 0, .machine = query_text(call.request, "machine")};
+  return list_response(call.api.application().store().releases().list(*page, filter),
+                       [](const store::Release& r) { return json::release(r); });
+}
+
+Response add_release(const Call& call) {
+  const auto body = json::read_check_body(call.request.body);
+  if (!body) return problem_response(body.error());
+  app::Application& app = call.api.application();
+  store::Revision revision = body->revision;
+  if (revision == 0) {
+    const auto program = app.store().programs().get(body->program);
+    if (!program) return problem_response(app::from_store(program.error()));
+    revision = program->newest.revision;
+  }
+  const store::NewRelease release{
+      .program = body->program, .revision = revision, .machine = body->machine, .delivery = body->delivery};
+  return release_response(201, app.store().releases().add(release, {std::string(call.user), app.clock().wall_ms()}));
+}
+
+Response get_release(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  return release_response(200, call.api.application().store().releases().get(*id));
+}
+
+Response move_release(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  const auto move = json::read_transition_body(call.request.body);
+  if (!move) return problem_response(move.error());
+  app::Application& app = call.api.application();
+  return release_response(200,
+                          app.store().releases().move(*id, *move, {std::string(call.user), app.clock().wall_ms()}));
+}
+
+Response list_jobs(const Call& call) {
+  const auto page = page_of(call.request);
+  if (!page) return page.error();
+  store::JobFilter filter{.machine = query_text(call.request, "machine"), .state = std::nullopt};
+  if (const std::string state = query_text(call.request, "state"); !state.empty()) {
+    filter.state = job_state_named(state);
+    if (!filter.state) return problem_response(422, fmt::format("\"{}\" is no state of a job", state));
+  }
+  return list_response(call.api.application().store().jobs().list(*page, filter),
+                       [](const store::Job& j) { return json::job(j); });
+}
+
+Response add_job(const Call& call) {
+  const auto body = json::read_job_body(call.request.body);
+  if (!body) return problem_response(body.error());
+  const auto job = call.api.application().jobs().add(body->release, call.user);
+  if (!job) return problem_response(job.error());
+  return created(fmt::format("/api/v1/jobs/{}", job->id), json::job(*job));
+}
+
+Response get_job(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  return job_response(app::lift(call.api.application().store().jobs().get(*id)));
+}
+
+Response arm_job(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  constexpr double kUsualMinutes = 10.0;
+  const auto minutes = json::read_arm_minutes(call.request.body, kUsualMinutes);
+  if (!minutes) return problem_response(minutes.error());
+  return job_response(call.api.application().jobs().arm(*id, *minutes, call.user));
+}
+
+Response stop_job(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  return job_response(call.api.application().jobs().stop(*id, call.user));
+}
+
+Response cancel_job(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  return job_response(call.api.application().jobs().cancel(*id, call.user));
+}
+
+Response resume_job(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  const auto body = json::read_reason_body(call.request.body);
+  if (!body) return problem_response(body.error());
+  return job_response(call.api.application().jobs().resume(*id, body->reason, call.user));
+}
+
+Response get_ledger(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  const auto page = page_of(call.request);
+  if (!page) return page.error();
+  store::Store& store = call.api.application().store();
+  const auto job = store.jobs().get(*id);
+  if (!job) return problem_response(app::from_store(job.error()));
+  const auto rows = store.ledger().rows(*id, *page);
+  if (!rows) return problem_response(app::from_store(rows.error()));
+  const auto interval = store.ledger().interval(*id);
+  if (!interval) return problem_response(app::from_store(interval.error()));
+  return json_response(200, json::ledger(rows->items, rows->next, *interval, job->link.starts_with("modbus")));
+}
+
+}  // namespace dripfeed::http

@@ -1,0 +1,160 @@
+// Programs, rendering, checks.
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "server/http/api.h"
+#include "server/http/handlers.h"
+#include "server/http/list_response.h"
+#include "server/json/records.h"
+#include "server/json/requests.h"
+
+namespace dripfeed::http {
+
+namespace {
+
+// ?revision=, or 0 for the newest.
+std::expected<store::Revision, Response> revision_of(const Request& request) {
+  const auto given = request.query.find("revision");
+  if (given == request.query.end()) return 0;
+  return id_of(given->second);
+}
+
+store::Result<store::ProgramRevision> find_revision(store::Store& store, store::Id program, store::Revision revision) {
+  if (revision != 0) return store.programs().get_revision(program, revision);
+  auto newest = store.programs().get(program);
+  if (!newest) return std::unexpected(newest.error());
+  return std::move(newest->newest);
+}
+
+}  // namespace
+
+Response list_programs(const Call& call) {
+  const auto page = page_of(call.request);
+  if (!page) return page.error();
+  store::ProgramFilter filter;
+  if (const auto name = call.request.query.find("name"); name != call.request.query.end()) filter.name = name->second;
+  if (const auto part = call.request.query.find("part"); part != call.request.query.end()) filter.part = part->second;
+  return list_response(call.api.application().store().programs().list(*page, filter),
+                       [](const store::Program& p) { return json::program(p); });
+}
+
+Response add_program(const Call& call) {
+  const auto body = json::read_program_body(call.request.body);
+  if (!body) return problem_response(body.error());
+  const auto program = call.api.application().programs().upload(body->name, body->dialect, body->text, call.user);
+  if (!program) return problem_response(program.error());
+  return with_revision(created(fmt::format("/api/v1/programs/{}", program->id), json::program(*program)),
+                       program->newest.revision);
+}
+
+Response get_program(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  const auto program = call.api.application().store().programs().get(*id);
+  if (!program) return problem_response(app::from_store(program.error()));
+  return with_revision(json_response(200, json::program(*program)), program->newest.revision);
+}
+
+Response get_program_text(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  const auto wanted = revision_of(call.request);
+  if (!wanted) return wanted.error();
+  store::Store& store = call.api.application().store();
+  const auto revision = find_revision(store, *id, *wanted);
+  if (!revision) return problem_response(app::from_store(revision.error()));
+  Response response;
+  response.content_type = "text/plain; charset=utf-8";
+  response.headers.emplace_back("ETag", fmt::format("\"{}\"", revision->sha256));
+  const auto offset = std::make_shared<std::uint64_t>(0);
+  response.source = [&contents = store.contents(), sha256 = revision->sha256,
+                     offset](std::span<char> into) -> std::expected<std::size_t, std::string> {
+    const auto count = contents.read(sha256, *offset, into);
+    if (!count) return std::unexpected(store::message_of(count.error()));
+    *offset += *count;
+    return *count;
+  };
+  return with_revision(std::move(response), revision->revision);
+}
+
+Response list_revisions(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  const auto page = page_of(call.request);
+  if (!page) return page.error();
+  return list_response(call.api.application().store().programs().revisions(*id, *page),
+                       [](const store::ProgramRevision& r) { return json::program_revision(r); });
+}
+
+Response add_revision(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  const auto expected = expected_revision(call.request);
+  if (!expected) return expected.error();
+  const auto body = json::read_text_body(call.request.body);
+  if (!body) return problem_response(body.error());
+  const auto program = call.api.application().programs().upload_revision(*id, *expected, body->text, call.user);
+  if (!program) return problem_response(program.error());
+  return with_revision(created(fmt::format("/api/v1/programs/{}", program->id), json::program(*program)),
+                       program->newest.revision);
+}
+
+Response render(const Call& call) {
+  const auto order = json::read_render_body(call.request.body);
+  if (!order) return problem_response(order.error());
+  app::Application& app = call.api.application();
+  const auto rendered = app.programs().render(*order, call.user);
+  if (!rendered) return problem_response(rendered.error());
+  const store::Origin& origin = rendered->program.newest.origin;
+  const auto family = app.store().families().get(origin.family, origin.family_revision);
+  if (!family) return problem_response(app::from_store(family.error()));
+  return created(fmt::format("/api/v1/programs/{}", rendered->program.id),
+                 json::rendered(*rendered, text::Source(family->name, family->text)));
+}
+
+Response list_checks(const Call& call) {
+  const auto page = page_of(call.request);
+  if (!page) return page.error();
+  store::VerdictFilter filter;
+  if (const auto program = call.request.query.find("program"); program != call.request.query.end()) {
+    const auto id = id_of(program->second);
+    if (!id) return id.error();
+    filter.program = *id;
+  }
+  if (const auto machine = call.request.query.find("machine"); machine != call.request.query.end())
+    filter.machine = machine->second;
+  return list_response(call.api.application().store().verdicts().list(*page, filter),
+                       [](const store::Verdict& v) { return json::verdict(v); });
+}
+
+Response add_check(const Call& call) {
+  const auto body = json::read_check_body(call.request.body);
+  if (!body) return problem_response(body.error());
+  const auto verdict = call.api.application().checking().check(
+      {.program = body->program, .revision = body->revision, .machine = body->machine, .delivery = body->delivery},
+      call.user);
+  if (!verdict) return problem_response(verdict.error());
+  return created(fmt::format("/api/v1/checks/{}", verdict->id), json::verdict(*verdict));
+}
+
+Response get_check(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  const auto verdict = call.api.application().store().verdicts().get(*id);
+  if (!verdict) return problem_response(app::from_store(verdict.error()));
+  return json_response(200, json::verdict(*verdict));
+}
+
+Response waive_check(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  const auto body = json::read_reason_body(call.request.body);
+  if (!body) return problem_response(body.error());
+  app::Application& app = call.api.application();
+  const auto verdict = app.store().verdicts().waive(*id, body->reason, {std::string(call.user), app.clock().wall_ms()});
+  if (!verdict) return problem_response(app::from_store(verdict.error()));
+  return json_response(201, json::verdict(*verdict));
+}
+
+}  // namespace dripfeed::http

@@ -1,0 +1,122 @@
+// What belongs to the server itself: health, description, page, session, live events.
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "server/http/api.h"
+#include "server/http/handlers.h"
+#include "server/http/live.h"
+#include "server/json/openapi.h"
+#include "server/json/records.h"
+#include "server/json/requests.h"
+
+namespace dripfeed::http {
+
+namespace {
+
+// The page loads nothing from elsewhere and runs nothing inline.
+constexpr std::string_view kPagePolicy =
+    "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src 'self' data:; font-src "
+    "'self'; form-action 'self'; "
+    "base-uri 'none'; frame-ancestors 'none'";
+
+struct FileType {
+  std::string_view ending;
+  std::string_view type;
+};
+constexpr std::array kFileTypes = {
+    FileType{".html", "text/html; charset=utf-8"},
+    FileType{".js", "text/javascript; charset=utf-8"},
+    FileType{".css", "text/css; charset=utf-8"},
+    FileType{".svg", "image/svg+xml"},
+    FileType{".png", "image/png"},
+    FileType{".map", "application/json"},
+};
+
+Response file_response(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return problem_response(404, "there is no such file of the page; is web/dist built?");
+  Response response;
+  response.body.assign(std::istreambuf_iterator<char>(file), {});
+  for (const FileType& row : kFileTypes) {
+    if (path.extension() == row.ending) response.content_type = row.type;
+  }
+  response.headers.emplace_back("Content-Security-Policy", kPagePolicy);
+  response.headers.emplace_back("Cache-Control", "no-cache");
+  return response;
+}
+
+std::string cookie(std::string_view value, std::string_view attributes) {
+  return fmt::format("{}={}; Path=/; HttpOnly; SameSite=Strict{}", kSessionCookie, value, attributes);
+}
+
+}  // namespace
+
+Response get_health(const Call& call) {
+  return json_response(200, fmt::format(R"({{"status":"ok","version":"{}"}})", call.api.version()));
+}
+
+Response get_openapi(const Call& call) {
+  std::vector<json::OpenApiRoute> described;
+  for (const Route& route : routes()) {
+    if (!route.pattern.starts_with("/api/v1") && route.pattern != "/healthz") continue;
+    described.push_back({.method = name_of(route.method),
+                         .path = route.pattern,
+                         .summary = route.summary,
+                         .right = name_of(route.right),
+                         .open = route.right == Right::anybody});
+  }
+  return json_response(200, json::openapi(described, call.api.version()));
+}
+
+Response get_page(const Call& call) { return file_response(call.api.web_root() / "index.html"); }
+
+Response get_asset(const Call& call) {
+  // One segment, never "." or "..": it cannot leave the folder.
+  return file_response(call.api.web_root() / "assets" / call.parameters[0]);
+}
+
+Response get_session(const Call& call) { return json_response(200, json::session(call.user, name_of(call.right))); }
+
+Response open_session(const Call& call) {
+  const auto body = json::read_session_body(call.request.body);
+  if (!body) return problem_response(body.error());
+  const auto value = call.api.sessions().open(body->token);
+  if (!value) return problem_response(401, "this token is not valid");
+  Response response;
+  response.status = 204;
+  response.content_type.clear();
+  response.headers.emplace_back("Set-Cookie", cookie(*value, ""));
+  return response;
+}
+
+Response close_session(const Call& call) {
+  call.api.sessions().close(call.request);
+  Response response;
+  response.status = 204;
+  response.content_type.clear();
+  response.headers.emplace_back("Set-Cookie", cookie("", "; Max-Age=0"));
+  return response;
+}
+
+Response get_events(const Call& call) {
+  app::Events& events = call.api.application().events();
+  std::uint64_t after = events.last_id();
+  const std::string& given = call.request.last_event_id;
+  if (!given.empty()) {
+    const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), after);
+    if (error != std::errc{} || end != given.data() + given.size())
+      return problem_response(422, "Last-Event-ID is no number of ours");
+  }
+  Response response;
+  response.content_type = "text/event-stream";
+  response.headers.emplace_back("Cache-Control", "no-store");
+  response.events = watch_events(events, after);
+  return response;
+}
+
+}  // namespace dripfeed::http

@@ -1,0 +1,65 @@
+// The table of all routes; openapi.json is written from it.
+#include "server/http/api.h"
+#include "server/http/handlers.h"
+
+namespace dripfeed::http {
+
+namespace {
+
+using enum Method;
+using enum Right;
+using enum Weight;
+
+constexpr Route kRoutes[] = {
+    {get, "/healthz", anybody, light, get_health, "is the server alive"},
+    {get, "/api/openapi.json", anybody, light, get_openapi, "this description"},
+    {get, "/", anybody, light, get_page, "the page"},
+    {get, "/assets/{name}", anybody, light, get_asset, "a file of the page"},
+    {post, "/api/v1/session", anybody, light, open_session, "sign in with a token, get a cookie"},
+    {get, "/api/v1/session", viewer, light, get_session, "who am I"},
+    {del, "/api/v1/session", viewer, light, close_session, "sign out"},
+    {get, "/api/v1/events", viewer, command, get_events, "live events, resumable (text/event-stream)"},
+    {get, "/api/v1/machines", viewer, light, list_machines, "machines with the state of their lines"},
+    {post, "/api/v1/machines", admin, light, add_machine, "add a machine by its profile"},
+    {get, "/api/v1/machines/{name}", viewer, light, get_machine, "one machine with its profile"},
+    {put, "/api/v1/machines/{name}", admin, command, change_machine, "change a profile"},
+    {post, "/api/v1/machines/{name}/confirm-reset", operator_, command, confirm_reset,
+     "a person says that the control was reset"},
+    {get, "/api/v1/families", viewer, light, list_families, "part families"},
+    {post, "/api/v1/families", programmer, light, add_family, "add a family by its text"},
+    {get, "/api/v1/families/{name}", viewer, light, get_family, "one family with its text and parameters"},
+    {put, "/api/v1/families/{name}", programmer, light, change_family, "a new revision of a family"},
+    {get, "/api/v1/parts", viewer, light, list_parts, "parts: families with values"},
+    {post, "/api/v1/parts", programmer, light, add_part, "add a part"},
+    {get, "/api/v1/parts/{number}", viewer, light, get_part, "one part"},
+    {put, "/api/v1/parts/{number}", programmer, light, change_part, "a new revision of a part's values"},
+    {get, "/api/v1/programs", viewer, light, list_programs, "programs"},
+    {post, "/api/v1/programs", programmer, light, add_program, "add a program by its text"},
+    {get, "/api/v1/programs/{id}", viewer, light, get_program, "one program"},
+    {get, "/api/v1/programs/{id}/text", viewer, light, get_program_text, "the text of a revision"},
+    {get, "/api/v1/programs/{id}/revisions", viewer, light, list_revisions, "revisions, newest first"},
+    {post, "/api/v1/programs/{id}/revisions", programmer, light, add_revision, "a new revision of the text"},
+    {post, "/api/v1/render", programmer, heavy, render, "render a part or family for a machine and store the program"},
+    {get, "/api/v1/checks", viewer, light, list_checks, "verdicts, newest first"},
+    {post, "/api/v1/checks", programmer, heavy, add_check, "check a program for a machine and store the verdict"},
+    {get, "/api/v1/checks/{id}", viewer, light, get_check, "one verdict with its report"},
+    {post, "/api/v1/checks/{id}/waivers", approver, light, waive_check, "waive a verdict, with a reason"},
+    {get, "/api/v1/releases", viewer, light, list_releases, "releases, newest first"},
+    {post, "/api/v1/releases", programmer, light, add_release, "a draft that binds text, machine and delivery"},
+    {get, "/api/v1/releases/{id}", viewer, light, get_release, "one release"},
+    {post, "/api/v1/releases/{id}/transitions", approver, light, move_release, "move a release on"},
+    {get, "/api/v1/jobs", viewer, light, list_jobs, "transfers, newest first"},
+    {post, "/api/v1/jobs", operator_, light, add_job, "queue a released program"},
+    {get, "/api/v1/jobs/{id}", viewer, light, get_job, "one job"},
+    {post, "/api/v1/jobs/{id}/arm", operator_, command, arm_job, "a person arms the job for its machine's line"},
+    {post, "/api/v1/jobs/{id}/stop", operator_, command, stop_job, "stop at a block end"},
+    {post, "/api/v1/jobs/{id}/cancel", operator_, command, cancel_job, "end at a block end"},
+    {post, "/api/v1/jobs/{id}/resume", operator_, command, resume_job, "go on; as if DC1 had come, with a reason"},
+    {get, "/api/v1/jobs/{id}/ledger", viewer, light, get_ledger, "what is known of a transfer"},
+};
+
+}  // namespace
+
+std::span<const Route> routes() { return kRoutes; }
+
+}  // namespace dripfeed::http
