@@ -16,6 +16,8 @@ struct LedgerCounts {
   std::uint64_t clocked = 0;
   std::uint64_t confirmed = 0;
   std::uint64_t reserve = 0;
+
+  friend bool operator==(const LedgerCounts&, const LedgerCounts&) = default;
 };
 
 struct NewLedgerRow {

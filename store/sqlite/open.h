@@ -13,7 +13,7 @@ struct OpenSettings {
   bool own = false;                      // be the one server of this store: others that want to own it get in_use
   bool create = true;                    // make the file when it is not there
   std::uint32_t busy_timeout_ms = 5000;  // how long to wait for another process's write
-  std::string vfs;                       // SQLite's VFS by name, empty for its default; for tests
+  std::string vfs{};                     // SQLite's VFS by name, empty for its default; for tests
 };
 
 // Opens the file, brings its schema up to date. Errors: cannot_open, in_use, not_a_store, newer_schema, corrupt,

@@ -1,0 +1,39 @@
+// The transitions of releases, as a table, and what clears a text.
+#include "store/releases.h"
+
+#include <array>
+
+namespace dripfeed::store {
+namespace {
+
+using enum ReleaseState;
+
+// Every step towards the control looks at the verdict anew. A reviewer sends a draft back; a failed proving goes back
+// to the review.
+constexpr std::array kTransitions{
+    ReleaseTransition{.from = draft, .to = in_review, .needs_verdict = true},
+    ReleaseTransition{.from = draft, .to = obsolete},
+    ReleaseTransition{.from = in_review, .to = draft},
+    ReleaseTransition{.from = in_review, .to = proving, .needs_verdict = true, .needs_transfers = true},
+    ReleaseTransition{.from = in_review, .to = obsolete},
+    ReleaseTransition{.from = proving, .to = in_review},
+    ReleaseTransition{.from = proving, .to = approved, .needs_verdict = true, .needs_sign_off = true},
+    ReleaseTransition{.from = proving, .to = obsolete},
+    ReleaseTransition{.from = approved, .to = obsolete},
+};
+
+}  // namespace
+
+std::span<const ReleaseTransition> release_transitions() { return kTransitions; }
+
+bool clears(const Verdict& verdict) {
+  switch (verdict.of.outcome) {
+    case Outcome::pass:
+    case Outcome::warn: return true;
+    case Outcome::unknown: return !verdict.waivers.empty();
+    case Outcome::fail: return false;
+  }
+  return false;
+}
+
+}  // namespace dripfeed::store

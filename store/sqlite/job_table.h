@@ -1,0 +1,32 @@
+// Jobs in the database.
+#pragma once
+
+#include "store/jobs.h"
+#include "store/sqlite/database.h"
+#include "store/sqlite/release_table.h"
+
+namespace dripfeed::sqlite {
+
+class JobTable final : public store::Jobs {
+ public:
+  JobTable(Database& database, ReleaseTable& releases) : database_(database), releases_(releases) {}
+  store::Result<store::Job> add(const store::NewJob& job, const store::Stamp& by) override;
+  store::Result<store::Job> move(store::Id job, const store::JobMove& move, const store::Stamp& by) override;
+  store::Result<store::Job> confirm_reset(std::string_view machine, std::string_view reason,
+                                          const store::Stamp& by) override;
+  store::Result<store::Job> get(store::Id job) override;
+  store::Result<store::Page<store::Job>> list(const store::PageRequest& page, const store::JobFilter& filter) override;
+  store::Result<std::optional<store::Job>> on_line(std::string_view machine) override;
+  store::Result<std::optional<store::Job>> torn_on(std::string_view machine) override;
+  store::Result<std::vector<store::Job>> interrupt_unfinished(const store::Stamp& by) override;
+
+ private:
+  store::Result<void> check_clearance(const store::Job& job);
+  store::Result<void> check_line(const store::Job& job);
+  store::Result<std::optional<store::Job>> find(std::string_view sql, std::string_view machine);
+
+  Database& database_;
+  ReleaseTable& releases_;
+};
+
+}  // namespace dripfeed::sqlite

@@ -1,0 +1,30 @@
+// Programs in the database.
+#pragma once
+
+#include "store/programs.h"
+#include "store/sqlite/database.h"
+
+namespace dripfeed::sqlite {
+
+class ProgramTable final : public store::Programs {
+ public:
+  explicit ProgramTable(Database& database) : database_(database) {}
+  store::Result<store::Program> add(std::string_view name, std::string_view dialect, const store::NewProgramText& text,
+                                    const store::Stamp& by) override;
+  store::Result<store::Program> add_revision(store::Id program, store::Revision expected,
+                                             const store::NewProgramText& text, const store::Stamp& by) override;
+  store::Result<store::Program> get(store::Id program) override;
+  store::Result<store::ProgramRevision> get_revision(store::Id program, store::Revision revision) override;
+  store::Result<store::Page<store::Program>> list(const store::PageRequest& page,
+                                                  const store::ProgramFilter& filter) override;
+  store::Result<store::Page<store::ProgramRevision>> revisions(store::Id program,
+                                                               const store::PageRequest& page) override;
+
+ private:
+  Database& database_;
+};
+
+// The text's hash of a revision, within the caller's transaction.
+store::Result<std::string> text_of_revision(Session& session, store::Id program, store::Revision revision);
+
+}  // namespace dripfeed::sqlite

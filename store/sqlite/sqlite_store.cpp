@@ -1,0 +1,85 @@
+// Opening a store, and what concerns the whole of it.
+#include "store/sqlite/sqlite_store.h"
+
+#include <fmt/format.h>
+
+#include "store/sqlite/backup.h"
+#include "store/sqlite/migrations.h"
+
+namespace dripfeed::sqlite {
+namespace {
+
+using store::Error;
+using store::ErrorCode;
+using store::Result;
+
+// The kind of the file is known to be ours, or it is empty: what is set here stays in it.
+Result<void> use_wal(Connection& connection) {
+  Session session(connection, "journal");
+  std::string mode;
+  {
+    Query query(session, "PRAGMA journal_mode = WAL");
+    if (query.next()) mode = query.text();
+  }
+  if (!session.ok()) return std::unexpected(session.error());
+  if (mode == "wal") return {};
+  return session.refuse(ErrorCode::cannot_open, fmt::format("the file system gives no WAL, but {}", mode));
+}
+
+Result<void> bring_up_to_date(const std::string& path, const OpenSettings& settings) {
+  auto connection = Connection::open(path, settings, settings.create ? Access::create : Access::write);
+  if (!connection) return std::unexpected(connection.error());
+  if (auto known = schema_version(**connection); !known) return std::unexpected(known.error());
+  if (auto wal = use_wal(**connection); !wal) return wal;
+  return migrate(**connection, migrations());
+}
+
+}  // namespace
+
+Result<void> SqliteStore::atomically(const std::function<Result<void>()>& work) {
+  return database_->write("transaction", [&](Session& /*session*/) { return work(); });
+}
+
+Result<void> SqliteStore::backup(const std::string& path) {
+  auto source = database_->connect_to_read();
+  if (!source) return std::unexpected(source.error());
+  return copy_to_new_file(**source, path);
+}
+
+Result<void> SqliteStore::check() {
+  auto connection = database_->connect_to_read();
+  if (!connection) return std::unexpected(connection.error());
+  Session session(**connection, "check");
+  {
+    Query query(session, "PRAGMA integrity_check(1)");
+    if (query.next()) {
+      const std::string found = query.text();
+      if (found != "ok") return session.refuse(ErrorCode::corrupt, found);
+    }
+  }
+  {
+    Query query(session, "PRAGMA foreign_key_check");
+    if (query.next()) return session.refuse(ErrorCode::corrupt, fmt::format("a reference in {}", query.text()));
+  }
+  if (!session.ok()) return std::unexpected(session.error());
+  return {};
+}
+
+Result<std::unique_ptr<store::Store>> open(const std::string& path, const OpenSettings& settings) {
+  std::optional<OwnerLock> lock;
+  if (settings.own) {
+    auto taken = OwnerLock::take(path);
+    if (!taken) return std::unexpected(taken.error());
+    lock.emplace(std::move(*taken));
+  }
+  if (auto ready = bring_up_to_date(path, settings); !ready) return std::unexpected(ready.error());
+  auto database = Database::open(path, settings);
+  if (!database) return std::unexpected(database.error());
+  auto opened = std::make_unique<SqliteStore>(std::move(lock), std::move(*database));
+  if (settings.own) {
+    if (auto dropped = opened->contents().drop_unused(); !dropped) return std::unexpected(dropped.error());
+  }
+  return opened;
+}
+
+}  // namespace dripfeed::sqlite

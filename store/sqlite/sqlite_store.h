@@ -1,0 +1,62 @@
+// The store on one SQLite file: its database and one table object per repository.
+#pragma once
+
+#include <optional>
+
+#include "store/sqlite/audit_table.h"
+#include "store/sqlite/content_table.h"
+#include "store/sqlite/family_table.h"
+#include "store/sqlite/job_table.h"
+#include "store/sqlite/ledger_table.h"
+#include "store/sqlite/machine_table.h"
+#include "store/sqlite/owner_lock.h"
+#include "store/sqlite/part_table.h"
+#include "store/sqlite/program_table.h"
+#include "store/sqlite/release_table.h"
+#include "store/sqlite/reply_table.h"
+#include "store/sqlite/token_table.h"
+#include "store/sqlite/verdict_table.h"
+#include "store/store.h"
+
+namespace dripfeed::sqlite {
+
+class SqliteStore final : public store::Store {
+ public:
+  SqliteStore(std::optional<OwnerLock> lock, std::unique_ptr<Database> database)
+      : lock_(std::move(lock)), database_(std::move(database)) {}
+
+  store::Machines& machines() override { return machines_; }
+  store::Families& families() override { return families_; }
+  store::Parts& parts() override { return parts_; }
+  ContentTable& contents() override { return contents_; }
+  store::Programs& programs() override { return programs_; }
+  store::Verdicts& verdicts() override { return verdicts_; }
+  store::Releases& releases() override { return releases_; }
+  store::Jobs& jobs() override { return jobs_; }
+  store::Ledger& ledger() override { return ledger_; }
+  store::Audit& audit() override { return audit_; }
+  store::Tokens& tokens() override { return tokens_; }
+  store::Replies& replies() override { return replies_; }
+
+  store::Result<void> atomically(const std::function<store::Result<void>()>& work) override;
+  store::Result<void> backup(const std::string& path) override;
+  store::Result<void> check() override;
+
+ private:
+  std::optional<OwnerLock> lock_;  // let go last
+  std::unique_ptr<Database> database_;
+  MachineTable machines_{*database_};
+  FamilyTable families_{*database_};
+  PartTable parts_{*database_};
+  ContentTable contents_{*database_};
+  ProgramTable programs_{*database_};
+  VerdictTable verdicts_{*database_};
+  ReleaseTable releases_{*database_, verdicts_};
+  JobTable jobs_{*database_, releases_};
+  LedgerTable ledger_{*database_};
+  AuditTable audit_{*database_};
+  TokenTable tokens_{*database_};
+  ReplyTable replies_{*database_};
+};
+
+}  // namespace dripfeed::sqlite

@@ -1,0 +1,22 @@
+// API tokens in the database.
+#pragma once
+
+#include "store/sqlite/database.h"
+#include "store/tokens.h"
+
+namespace dripfeed::sqlite {
+
+class TokenTable final : public store::Tokens {
+ public:
+  explicit TokenTable(Database& database) : database_(database) {}
+  store::Result<store::Token> add(std::string_view name, store::Role role, std::string_view token_hash,
+                                  const store::Stamp& by) override;
+  store::Result<store::Token> find(std::string_view token_hash) override;
+  store::Result<store::Token> revoke(store::Id token, const store::Stamp& by) override;
+  store::Result<store::Page<store::Token>> list(const store::PageRequest& page) override;
+
+ private:
+  Database& database_;
+};
+
+}  // namespace dripfeed::sqlite
