@@ -1,0 +1,30 @@
+// Reporting of faults, and the look ahead.
+#include "dialects/macro_b/cursor.h"
+
+#include <utility>
+
+namespace dripfeed::macro_b {
+
+text::Diagnostic* Faults::report(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments,
+                                 std::string_view alarm) {
+  if (diagnostics_.size() >= kMostFaults) return nullptr;
+  diagnostics_.push_back(ir::diagnose(control_, id, span, std::move(arguments)));
+  if (!alarm.empty()) diagnostics_.back().alarm = alarm;
+  return &diagnostics_.back();
+}
+
+text::Diagnostic* Faults::fail(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments,
+                               std::string_view alarm) {
+  if (std::exchange(failed_, true)) return nullptr;
+  return report(id, span, std::move(arguments), alarm);
+}
+
+const ir::Token& Cursor::peek() const {
+  std::uint32_t i = index_;
+  do {
+    ++i;
+  } while (tokens_[i].kind == ir::TokenKind::white || tokens_[i].kind == ir::TokenKind::comment);
+  return tokens_[i];
+}
+
+}  // namespace dripfeed::macro_b

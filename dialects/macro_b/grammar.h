@@ -1,0 +1,70 @@
+// What is spelled differently on the controls with '#' variables, as data: keywords and functions, and the few limits
+// that ir::Control has no field for. The words' meanings are in the control's code tables.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "dialects/ir/expression.h"
+
+namespace dripfeed::macro_b {
+
+// What a keyword does in the grammar.
+enum class KeywordRole : std::uint8_t {
+  if_word,
+  then_word,
+  else_word,
+  end_if,
+  go_to,
+  while_word,
+  do_word,
+  end_word,
+  function,             // Keyword::op, with brackets
+  infix,                // Keyword::op, between operands
+  unmodelled_function,  // known to the control, without a counterpart here: PRM, ADP
+  output,               // POPEN, PCLOS, DPRNT, BPRNT: neither moves nor changes state
+  set_name,             // SETVN
+};
+
+struct Keyword {
+  std::string_view spelling;
+  KeywordRole role = KeywordRole::function;
+  ir::Operator op = ir::Operator::constant;
+};
+
+// Keywords found by their first letter. Built once a reader from a static table, which must outlive it.
+class KeywordIndex {
+ public:
+  explicit KeywordIndex(std::span<const Keyword> table);
+  struct Match {
+    const Keyword* keyword = nullptr;
+    std::uint32_t length = 0;  // bytes of the text that it takes
+  };
+  // The longest keyword at the start of `text`; then one shortened to its first two letters, when what follows could
+  // stand after it. `text` starts with a letter.
+  [[nodiscard]] Match match(std::string_view text) const;
+
+ private:
+  [[nodiscard]] std::span<const Keyword> starting_with(char letter) const;
+  std::span<const Keyword> table_;               // sorted by spelling
+  std::array<std::uint16_t, 27> first_of_ = {};  // by letter
+};
+
+struct Grammar {
+  std::span<const Keyword> keywords;  // sorted by spelling
+  std::uint32_t highest_loop_number = 3;
+  std::uint32_t highest_block_number = 99'999'999;
+  std::uint32_t macro_digits = 12;  // of a constant in a macro statement
+  bool condition_blocks = false;    // IF … THEN, ELSE, ENDIF over several blocks
+  bool logic_in_conditions = true;  // [a GT b] AND [c LT d]
+};
+
+// The keywords of Custom Macro B; other controls append theirs.
+std::span<const Keyword> common_keywords();
+
+// Spelling of an operator; "" when the control has none.
+std::string_view spelling_of(const Grammar& grammar, ir::Operator op);
+
+}  // namespace dripfeed::macro_b

@@ -1,0 +1,73 @@
+// lower: the words of one NC block to codes, words, calls and statements by the control's code tables. What a code
+// means is in the table; which words belong to a call and which blocks stay text is decided here.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dialects/ir/control.h"
+#include "dialects/ir/program.h"
+#include "dialects/macro_b/cursor.h"
+
+namespace dripfeed::macro_b {
+
+// A word as parsed. `letter` is the address; ',' before it (,R ,C) sets `comma`; '<' is a program name.
+struct RawWord {
+  char letter = 0;
+  bool comma = false;
+  ir::ExpressionId value = ir::ExpressionId::none;
+  text::Span span;
+};
+
+// Statements of one block get its line and skip level; tokens are set by the parser.
+struct BlockPlace {
+  std::uint32_t line = 0;
+  std::uint8_t skip_level = 0;
+  text::Span span;
+};
+
+class BlockLowering {
+ public:
+  BlockLowering(ir::Program& program, const ir::Control& control, Faults& faults);
+
+  // Adds the statements that the words say.
+  void lower(std::span<const RawWord> words, const BlockPlace& place);
+  // Between G10 L50 or L52 and G11 the blocks hold parameters, not moves.
+  [[nodiscard]] bool in_data_input() const { return in_data_input_; }
+
+  ir::Statement& emit(ir::StatementKind kind, std::uint32_t payload, const BlockPlace& place);
+  void emit_native(std::string_view name, bool effects_known, const BlockPlace& place);
+  // A block of one code without words.
+  void emit_code(ir::Function function, ir::ModalGroup group, const BlockPlace& place);
+  void emit_assign(const ir::Variable& target, ir::ExpressionId value, const BlockPlace& place);
+
+ private:
+  enum class CallWord : std::uint8_t { none, subprogram, external, macro, modal, modal_end, data_input, data_end };
+
+  [[nodiscard]] const ir::CodeRow* row_of(char letter, std::int32_t number10) const;
+  [[nodiscard]] CallWord call_word(char letter, std::int32_t number10) const;
+  void add_code(const RawWord& word, std::int32_t number10);
+  void add_word(const RawWord& word);
+  void lower_call_block(CallWord kind, std::size_t at, std::span<const RawWord> words, const BlockPlace& place);
+  void lower_data_input(CallWord kind, std::span<const RawWord> words, const BlockPlace& place);
+  void emit_call(CallWord kind, const RawWord& code, std::span<const RawWord> words, const BlockPlace& place);
+  void set_called_program(ir::Call& call, const RawWord& word);
+  void emit_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place);
+  void emit_ending_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place);
+  ir::ExpressionId in_increments(ir::ExpressionId value, double increment);
+  [[nodiscard]] std::int32_t number10_of(ir::ExpressionId value) const;
+
+  ir::Program& program_;
+  const ir::Control& control_;
+  Faults& faults_;
+  std::array<std::vector<std::int16_t>, 2> rows_;  // G, M: ten times the number -> row, -1
+  bool in_data_input_ = false;
+};
+
+// "O0012": as programs are called.
+std::string program_name(double number);
+
+}  // namespace dripfeed::macro_b

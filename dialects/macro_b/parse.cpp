@@ -1,0 +1,325 @@
+// Blocks one after the other: head (skip, O, N), then a macro statement or the words of an NC block. A block that is
+// not understood becomes a Native statement of unknown effect, so that nothing after it is taken for certain.
+#include "dialects/macro_b/parse.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dialects/text/look_alike.h"
+#include "dialects/text/number.h"
+
+namespace dripfeed::macro_b {
+
+namespace {
+
+using ir::ExpressionId;
+using ir::StatementKind;
+using ir::TokenKind;
+using enum text::DiagnosticId;
+
+constexpr std::string_view kNotUnderstood = "a block that was not understood";
+
+bool begins_with_tape_mark(const ir::Program& program) {
+  for (const ir::Token& token : program.tokens) {
+    if (token.kind == TokenKind::tape_mark) return true;
+    if (token.kind != TokenKind::white && token.kind != TokenKind::eob && token.kind != TokenKind::invalid)
+      return false;
+  }
+  return false;
+}
+
+}  // namespace
+
+Parser::Parser(ir::Program& program, const ir::Control& control, const Grammar& grammar,
+               std::vector<text::Diagnostic>& diagnostics)
+    : program_(program),
+      control_(control),
+      grammar_(grammar),
+      keywords_(grammar.keywords),
+      cursor_(program.source.text(), program.tokens),
+      faults_(control, diagnostics),
+      expressions_(program, control, grammar, keywords_, cursor_, faults_),
+      lowering_(program, control, faults_) {}
+
+void Parser::run() {
+  const std::size_t lines = program_.source.line_count();
+  program_.statements.reserve(lines + 16);
+  program_.blocks.reserve(lines);
+  program_.codes.reserve(lines);
+  program_.words.reserve(lines * 3);
+  program_.expressions.reserve(lines * 3);
+  leader_ = begins_with_tape_mark(program_);
+  const auto count = static_cast<std::uint32_t>(program_.tokens.size());
+  cursor_.move_to(0);
+  while (next_token_ + 1 < count) block();
+  ir::match_structures(program_);
+}
+
+BlockPlace Parser::place() const { return {line_, skip_level_, {begin_, std::max(begin_, cursor_.previous_end())}}; }
+
+void Parser::block() {
+  const auto first_statement = static_cast<std::uint32_t>(program_.statements.size());
+  const std::uint32_t first_token = next_token_;
+  faults_.begin_block();
+  expressions_.begin_block();
+  label_ = ir::kNoIndex;
+  skip_level_ = 0;
+  keeps_structure_ = false;
+  begin_ = cursor_.span().begin;
+  if (cursor_.kind() == TokenKind::tape_mark) {
+    ended_ = !leader_ || tape_marks_ > 0 || ended_;
+    ++tape_marks_;
+    cursor_.advance();
+  } else if (ended_) {
+    skip_after_end();
+  } else {
+    head();
+    begin_ = cursor_.span().begin;
+    if (!faults_.failed()) body();
+    while (!cursor_.at_end()) cursor_.advance();
+    if (!cursor_.comments().empty()) comment_faults();
+  }
+  finish_block(first_statement, first_token);
+}
+
+// What stands behind the closing tape mark is not read by the control.
+void Parser::skip_after_end() {
+  if (!cursor_.at_end() && !std::exchange(said_after_end_, true)) faults_.report(unreachable, cursor_.span());
+  while (!cursor_.at_end()) cursor_.advance();
+}
+
+void Parser::finish_block(std::uint32_t first_statement, std::uint32_t first_token) {
+  if (faults_.failed() || !faults_.native().empty()) {
+    if (!keeps_structure_) {
+      program_.statements.resize(first_statement);
+      lowering_.emit_native(faults_.failed() ? kNotUnderstood : faults_.native(), false, place());
+    }
+  }
+  if (program_.statements.size() == first_statement) lowering_.emit(StatementKind::empty, ir::kNoIndex, place());
+  std::uint32_t end = cursor_.index();
+  if (cursor_.kind() == TokenKind::eob) {
+    const text::Span eob = cursor_.span();
+    ++end;
+    if (!eob.empty() && eob.in(cursor_.whole_text()) != ";") ++line_;
+  }
+  ir::Statement& first = program_.statements[first_statement];
+  first.tokens = {first_token, std::min(end, static_cast<std::uint32_t>(program_.tokens.size()) - 1)};
+  if (label_ != ir::kNoIndex) {
+    first.is_label = true;
+    program_.labels.push_back({ir::StringId::none, label_, first_statement, label_span_});
+  }
+  next_token_ = end;
+  if (end < program_.tokens.size()) cursor_.move_to(end);
+}
+
+void Parser::head() {
+  while (!faults_.failed() && !cursor_.at_end()) {
+    if (cursor_.kind() == TokenKind::skip) {
+      skip_level_ = cursor_.span().size() == 2 ? static_cast<std::uint8_t>(cursor_.text()[1] - '0') : 1;
+      cursor_.advance();
+    } else if (cursor_.kind() == TokenKind::address && cursor_.front() == 'N') {
+      block_number();
+    } else if ((cursor_.kind() == TokenKind::address && cursor_.front() == 'O') || cursor_.is_symbol(':') ||
+               cursor_.kind() == TokenKind::string) {
+      program_number();
+    } else {
+      return;
+    }
+  }
+}
+
+void Parser::block_number() {
+  const std::uint32_t begin = cursor_.span().begin;
+  cursor_.advance();
+  if (cursor_.kind() != TokenKind::number) {
+    faults_.fail(address_without_value, {begin, begin + 1}, {"N"});
+    return;
+  }
+  const text::Span span = {begin, cursor_.span().end};
+  const auto number = text::parse_integer(cursor_.text());
+  if (!number) {
+    faults_.fail(decimal_point_not_allowed, span, {"N"});
+  } else if (*number > grammar_.highest_block_number) {
+    faults_.report(too_many_digits, span,
+                   {std::string(cursor_.text()), std::to_string(cursor_.text().size()),
+                    std::to_string(std::to_string(grammar_.highest_block_number).size())});
+  } else if (label_ == ir::kNoIndex) {
+    label_ = static_cast<std::uint32_t>(*number);
+    label_span_ = span;
+  }
+  cursor_.advance();
+}
+
+// O1234, :1234, O<NAME> and <NAME>. The first one names the program.
+void Parser::program_number() {
+  const text::Span head_span = cursor_.span();
+  if (cursor_.kind() != TokenKind::string) cursor_.advance();
+  std::string name;
+  if (cursor_.kind() == TokenKind::number) {
+    const auto number = text::parse_integer(cursor_.text());
+    if (!number) {
+      faults_.fail(decimal_point_not_allowed, cursor_.span(), {"O"});
+      return;
+    }
+    name = macro_b::program_name(static_cast<double>(*number));
+  } else if (cursor_.kind() == TokenKind::string) {
+    const std::string_view written = cursor_.text();
+    name = written.size() > 2 ? written.substr(1, written.size() - 2) : std::string_view();
+  } else {
+    faults_.fail(address_without_value, head_span, {"O"});
+    return;
+  }
+  if (program_.name.empty()) program_.name = name;
+  cursor_.advance();
+}
+
+void Parser::body() {
+  if (cursor_.at_end()) return;
+  if (cursor_.kind() == TokenKind::variable) {
+    assignment();
+    return trailer();
+  }
+  if (const Keyword* keyword = expressions_.keyword();
+      keyword != nullptr && keyword->role != KeywordRole::function && keyword->role != KeywordRole::infix) {
+    macro_statement(*keyword);
+    return trailer();
+  }
+  if (cursor_.is_symbol('&')) {  // folder lines of a memory dump: &F=/USER/
+    lowering_.emit_native("&", true, place());
+    while (!cursor_.at_end()) cursor_.advance();
+    return;
+  }
+  if (cursor_.is_symbol('[') && cursor_.peek().kind == TokenKind::variable) {
+    return faults_.make_native("a variable with a name");
+  }
+  words();
+}
+
+void Parser::words() {
+  raw_.clear();
+  while (!cursor_.at_end() && !faults_.failed()) word();
+  if (!faults_.failed() && faults_.native().empty()) lowering_.lower(raw_, place());
+}
+
+void Parser::word() {
+  if (cursor_.kind() != TokenKind::address) return other_word();
+  const char letter = cursor_.front();
+  const text::Span address = cursor_.span();
+  if (letter == 'N') return block_number();
+  cursor_.advance();
+  const ExpressionId value = expressions_.word_value();
+  if (faults_.failed()) return;
+  if (value == ExpressionId::none) return word_without_value(address);
+  raw_.push_back({letter, false, value, {address.begin, cursor_.previous_end()}});
+  if (!cursor_.at_end() && cursor_.kind() != TokenKind::address) bare_expression(address);
+}
+
+void Parser::word_without_value(text::Span address) {
+  const std::string letter(address.in(cursor_.whole_text()));
+  if (cursor_.is_symbol('=')) {
+    faults_.fail(syntax_error, cursor_.span(), {fmt::format("{} takes no = before its value", letter)});
+  } else if (cursor_.kind() == TokenKind::invalid) {
+    character_fault();
+  } else {
+    faults_.fail(address_without_value, address, {letter});
+  }
+}
+
+// X#106+50.: the control takes #106 and finds +50. without an address. The fix puts brackets around all of it.
+void Parser::bare_expression(text::Span address) {
+  const Keyword* keyword = expressions_.keyword();
+  const bool infix = keyword != nullptr && keyword->role == KeywordRole::infix;
+  const ir::Expression& value = program_.at(raw_.back().value);
+  const bool divides = cursor_.is_symbol('/') && value.op != ir::Operator::constant;
+  if (!infix && !divides && !cursor_.is_symbol('+') && !cursor_.is_symbol('-') && !cursor_.is_symbol('*')) return;
+  const std::uint32_t begin = value.span.begin;
+  while (!cursor_.at_end() && cursor_.kind() != TokenKind::address && cursor_.kind() != TokenKind::invalid) {
+    cursor_.advance();
+  }
+  const text::Span span = {begin, cursor_.previous_end()};
+  const std::string_view expression = span.in(cursor_.whole_text());
+  text::Diagnostic* fault = faults_.fail(expression_without_brackets, {address.begin, span.end},
+                                         {std::string(address.in(cursor_.whole_text()))});
+  if (fault != nullptr) fault->fix = text::Edit{span, fmt::format("[{}]", expression)};
+}
+
+void Parser::other_word() {
+  if (cursor_.is_symbol(',')) return comma_word();
+  if (cursor_.kind() == TokenKind::string) {
+    raw_.push_back({'<', false, ExpressionId::none, cursor_.span()});
+    cursor_.advance();
+  } else if (cursor_.is_symbol('/')) {
+    faults_.make_native("block skip inside a block");
+    while (!cursor_.at_end()) cursor_.advance();
+  } else if (cursor_.kind() == TokenKind::number) {
+    faults_.fail(value_without_address, cursor_.span(), {std::string(cursor_.text())});
+  } else if (cursor_.kind() == TokenKind::variable && !raw_.empty()) {
+    faults_.fail(statement_not_alone, cursor_.span(), {"the macro statement"});
+  } else if (const Keyword* keyword = expressions_.keyword(); keyword != nullptr && !raw_.empty()) {
+    faults_.fail(statement_not_alone, cursor_.span(), {std::string(keyword->spelling)});
+  } else {
+    unexpected();
+  }
+}
+
+// ,C ,R and ,A: chamfer, corner radius and angle of direct drawing input.
+void Parser::comma_word() {
+  const std::uint32_t begin = cursor_.span().begin;
+  cursor_.advance();
+  if (cursor_.kind() != TokenKind::address) {
+    faults_.fail(syntax_error, {begin, begin + 1}, {"a comma needs an address after it"});
+    return;
+  }
+  const char letter = cursor_.front();
+  const text::Span address = {begin, cursor_.span().end};
+  cursor_.advance();
+  const ExpressionId value = expressions_.word_value();
+  if (faults_.failed()) return;
+  if (value == ExpressionId::none) return word_without_value(address);
+  raw_.push_back({letter, true, value, {begin, cursor_.previous_end()}});
+}
+
+void Parser::unexpected() {
+  if (cursor_.kind() == TokenKind::invalid) return character_fault();
+  const std::string written(cursor_.text());
+  if (cursor_.is_symbol(']')) {
+    faults_.fail(unbalanced_bracket, cursor_.span(), {written});
+  } else if (cursor_.is_symbol('=')) {
+    faults_.fail(missing_target, cursor_.span());
+  } else if (cursor_.is_symbol(')')) {
+    const bool nested = std::ranges::any_of(
+        cursor_.comments(), [&](text::Span s) { return s.in(cursor_.whole_text()).substr(1).contains('('); });
+    if (nested) faults_.fail(nested_comment, cursor_.span());
+    faults_.fail(unbalanced_bracket, cursor_.span(), {written});
+  } else {
+    faults_.fail(syntax_error, cursor_.span(), {fmt::format("{} has no meaning here", written)});
+  }
+}
+
+void Parser::character_fault() {
+  const std::string_view bytes = cursor_.text();
+  const char looks = text::look_alike(text::read_character(bytes).code_point);
+  const bool lower_case = bytes.size() == 1 && bytes.front() >= 'a' && bytes.front() <= 'z';
+  const bool shows = looks != '?' && looks != ' ' && looks != '\0';
+  text::Diagnostic* fault =
+      shows ? faults_.fail(homoglyph, cursor_.span(), {text::describe_character(bytes), std::string(1, looks)})
+            : faults_.fail(invalid_character, cursor_.span(), {text::describe_character(bytes)});
+  if (fault == nullptr) return;
+  if (looks != '?') fault->fix = text::Edit{cursor_.span(), looks == '\0' ? std::string() : std::string(1, looks)};
+  if (lower_case) fault->fix = text::Edit{cursor_.span(), std::string(1, static_cast<char>(bytes.front() - 'a' + 'A'))};
+}
+
+void Parser::comment_faults() {
+  for (const text::Span span : cursor_.comments()) {
+    const std::string_view comment = span.in(cursor_.whole_text());
+    if (!comment.ends_with(')')) faults_.report(unterminated_comment, span);
+    if (const auto mark = comment.find('%'); mark != std::string_view::npos) {
+      const auto at = span.begin + static_cast<std::uint32_t>(mark);
+      faults_.report(tape_mark_in_comment, {at, at + 1});
+    }
+  }
+}
+
+}  // namespace dripfeed::macro_b

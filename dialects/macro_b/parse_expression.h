@@ -1,0 +1,66 @@
+// parse: expressions of Custom Macro B. Priorities, highest first: functions and brackets; * / AND MOD; + - OR XOR;
+// EQ NE GT GE LT LE. Equal ones from the left.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "dialects/ir/control.h"
+#include "dialects/ir/program.h"
+#include "dialects/macro_b/cursor.h"
+#include "dialects/macro_b/grammar.h"
+
+namespace dripfeed::macro_b {
+
+class ExpressionReader {
+ public:
+  ExpressionReader(ir::Program& program, const ir::Control& control, const Grammar& grammar,
+                   const KeywordIndex& keywords, Cursor& cursor, Faults& faults)
+      : program_(program),
+        control_(control),
+        grammar_(grammar),
+        keywords_(keywords),
+        cursor_(cursor),
+        faults_(faults) {}
+
+  // A whole expression from the cursor on; `after` names what it belongs to, for the fault when nothing is there.
+  // none after a fault.
+  ir::ExpressionId expression(std::string_view after);
+  // What may stand after an address: a number, a variable, a bracket or a function, with a sign. none without a fault
+  // when nothing of this is there.
+  ir::ExpressionId word_value();
+  // '[' condition ']'; none after a fault.
+  ir::ExpressionId condition(std::string_view after);
+  // From '#' on. For a target #0 is a variable like others.
+  std::optional<ir::Variable> variable();
+  // The keyword at the cursor, nullptr when there is none.
+  [[nodiscard]] const Keyword* keyword() const;
+  void begin_block() { depth_ = 0; }
+
+ private:
+  ir::ExpressionId comparison(std::string_view after);
+  ir::ExpressionId sum(std::string_view after);
+  ir::ExpressionId product(std::string_view after);
+  ir::ExpressionId factor(std::string_view after);
+  ir::ExpressionId number(std::uint32_t most_digits, bool negative, std::uint32_t begin);
+  ir::ExpressionId variable_value();
+  ir::ExpressionId bracketed(std::string_view after);
+  ir::ExpressionId function(const Keyword& keyword);
+  ir::ExpressionId second_argument(const Keyword& keyword, ir::ExpressionId first, std::uint32_t begin);
+  ir::ExpressionId combine(ir::Operator op, ir::ExpressionId a, ir::ExpressionId b);
+  bool open_bracket(std::string_view after);
+  bool close_bracket();
+  [[nodiscard]] bool is_condition(ir::ExpressionId id) const;
+
+  ir::Program& program_;
+  const ir::Control& control_;
+  const Grammar& grammar_;
+  const KeywordIndex& keywords_;
+  Cursor& cursor_;
+  Faults& faults_;
+  std::uint32_t depth_ = 0;
+  std::uint32_t open_at_ = 0;  // of the innermost bracket that is open
+};
+
+}  // namespace dripfeed::macro_b

@@ -1,0 +1,223 @@
+// The macro statements of the parser: assignments, messages, IF, GOTO, loops, and those that stay text.
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "dialects/macro_b/parse.h"
+#include "dialects/macro_b/variables.h"
+#include "dialects/text/number.h"
+
+namespace dripfeed::macro_b {
+
+namespace {
+
+using ir::ExpressionId;
+using ir::StatementKind;
+using ir::TokenKind;
+using enum text::DiagnosticId;
+
+}  // namespace
+
+// After a macro statement the block must end.
+void Parser::trailer() {
+  if (cursor_.at_end() || faults_.failed() || !faults_.native().empty()) return;
+  if (cursor_.kind() == TokenKind::address || cursor_.kind() == TokenKind::name) {
+    faults_.fail(statement_not_alone, {begin_, cursor_.previous_end()}, {"the macro statement"});
+  } else {
+    unexpected();
+  }
+}
+
+void Parser::macro_statement(const Keyword& keyword) {
+  switch (keyword.role) {
+    case KeywordRole::if_word: return if_statement();
+    case KeywordRole::go_to: return go_to(ExpressionId::none);
+    case KeywordRole::while_word: return while_statement();
+    case KeywordRole::do_word: return loop_begin(ExpressionId::none, false);
+    case KeywordRole::end_word: return loop_end();
+    case KeywordRole::else_word:
+    case KeywordRole::end_if:
+      cursor_.advance();
+      return structure(keyword.role == KeywordRole::end_if ? StatementKind::if_end : StatementKind::else_begin,
+                       ExpressionId::none, 0);
+    case KeywordRole::output:
+    case KeywordRole::set_name:
+    case KeywordRole::unmodelled_function: return text_statement(keyword);
+    case KeywordRole::then_word:
+    case KeywordRole::function:
+    case KeywordRole::infix: return unexpected();
+  }
+}
+
+void Parser::text_statement(const Keyword& keyword) {
+  while (!cursor_.at_end()) cursor_.advance();
+  lowering_.emit_native(keyword.spelling, keyword.role == KeywordRole::output, place());
+}
+
+void Parser::structure(StatementKind kind, ExpressionId condition, std::uint8_t number) {
+  ir::Structure structure;
+  structure.condition = condition;
+  structure.loop_number = number;
+  program_.structures.push_back(structure);
+  lowering_.emit(kind, static_cast<std::uint32_t>(program_.structures.size() - 1), place());
+}
+
+// One #i = expression, or several with commas between them.
+void Parser::assignment() {
+  while (!faults_.failed()) {
+    begin_ = cursor_.span().begin;
+    const auto target = expressions_.variable();
+    if (!target) return;
+    if (!cursor_.is_symbol('=')) {
+      faults_.fail(missing_equals, target->span, {std::string(target->span.in(cursor_.whole_text()))}, "PS1133");
+      return;
+    }
+    cursor_.advance();
+    const ExpressionId value = expressions_.expression("=");
+    if (faults_.failed()) return;
+    const bool fixed = target->index == ExpressionId::none;
+    if (fixed && (target->number == kAlarmVariable || target->number == kMessageVariable)) {
+      message(*target, value);
+    } else {
+      lowering_.emit_assign(*target, value, place());
+    }
+    if (!cursor_.is_symbol(',') || cursor_.peek().kind != TokenKind::variable) return;
+    cursor_.advance();
+  }
+}
+
+// #3000 = n(TEXT) stops with an alarm, #3006 = n(TEXT) with a message; the text is a comment behind the number.
+void Parser::message(const ir::Variable& target, ExpressionId value) {
+  ir::Message message;
+  message.number = value;
+  const auto comments = cursor_.comments();
+  const auto text = std::ranges::find_if(comments, [&](text::Span s) { return s.begin >= target.span.end; });
+  if (text != comments.end()) {
+    std::string_view inner = text->in(cursor_.whole_text()).substr(1);
+    if (inner.ends_with(')')) inner.remove_suffix(1);
+    ir::Expression string;
+    string.op = ir::Operator::string;
+    string.string = program_.strings.add(inner);
+    string.span = *text;
+    message.text = program_.add(string);
+  }
+  program_.messages.push_back(message);
+  const bool is_alarm = target.number == kAlarmVariable;
+  lowering_.emit(is_alarm ? StatementKind::alarm : StatementKind::message,
+                 static_cast<std::uint32_t>(program_.messages.size() - 1), place());
+  if (!is_alarm) lowering_.emit_code(ir::Function::program_stop, ir::ModalGroup::flow, place());
+}
+
+void Parser::if_statement() {
+  cursor_.advance();
+  const ExpressionId condition = expressions_.condition("IF");
+  if (faults_.failed()) return;
+  const Keyword* next = expressions_.keyword();
+  if (next != nullptr && next->role == KeywordRole::go_to) return go_to(condition);
+  if (next == nullptr || next->role != KeywordRole::then_word) {
+    faults_.fail(syntax_error, {begin_, cursor_.previous_end()}, {"IF needs GOTO or THEN after its condition"},
+                 "PS1137");
+    return;
+  }
+  cursor_.advance();
+  structure(StatementKind::if_begin, condition, 0);
+  if (cursor_.at_end()) return;  // THEN over several blocks
+  one_macro_statement("THEN");
+  if (!faults_.failed()) structure(StatementKind::if_end, ExpressionId::none, 0);
+}
+
+void Parser::one_macro_statement(std::string_view after) {
+  begin_ = cursor_.span().begin;
+  if (cursor_.kind() == TokenKind::variable) return assignment();
+  const Keyword* keyword = expressions_.keyword();
+  if (keyword != nullptr && keyword->role == KeywordRole::go_to) return go_to(ExpressionId::none);
+  const std::size_t before = program_.statements.size();
+  if (cursor_.kind() == TokenKind::address) words();
+  const bool is_call = !faults_.failed() && program_.statements.size() == before + 1 &&
+                       (program_.statements.back().kind == StatementKind::call ||
+                        program_.statements.back().kind == StatementKind::native);
+  if (!is_call) {
+    faults_.fail(statement_not_alone, {begin_, std::max(begin_, cursor_.previous_end())},
+                 {fmt::format("what follows {} is no macro statement and", after)});
+  }
+}
+
+void Parser::go_to(ExpressionId condition) {
+  cursor_.advance();
+  ir::Jump jump;
+  jump.condition = condition;
+  const text::Span at = cursor_.span();
+  const ExpressionId target = expressions_.word_value();
+  if (faults_.failed()) return;
+  if (target == ExpressionId::none) {
+    faults_.fail(missing_operand, at, {"GOTO"});
+    return;
+  }
+  const ir::Expression& value = program_.at(target);
+  if (value.op != ir::Operator::constant) {
+    jump.computed = target;
+  } else if (value.value < 1.0 || value.value > grammar_.highest_block_number || value.has_point) {
+    faults_.fail(syntax_error, at, {fmt::format("GOTO {} is no block number", at.in(cursor_.whole_text()))}, "PS1128");
+    return;
+  } else {
+    jump.number = static_cast<std::uint32_t>(value.value);
+  }
+  program_.jumps.push_back(jump);
+  lowering_.emit(StatementKind::go_to, static_cast<std::uint32_t>(program_.jumps.size() - 1), place());
+}
+
+// A fault in the condition must not make its END look like one without a WHILE.
+void Parser::while_statement() {
+  cursor_.advance();
+  const ExpressionId condition = expressions_.condition("WHILE");
+  if (faults_.failed()) {
+    while (!cursor_.at_end() &&
+           (expressions_.keyword() == nullptr || expressions_.keyword()->role != KeywordRole::do_word)) {
+      cursor_.advance();
+    }
+  }
+  const Keyword* next = expressions_.keyword();
+  if (next == nullptr || next->role != KeywordRole::do_word) {
+    faults_.fail(syntax_error, {begin_, cursor_.previous_end()}, {"WHILE needs DO after its condition"}, "PS1138");
+    return;
+  }
+  loop_begin(condition, condition != ExpressionId::none);
+}
+
+void Parser::loop_begin(ExpressionId condition, bool conditional) {
+  const std::uint8_t number = loop_number("DO");
+  structure(conditional ? StatementKind::while_begin : StatementKind::loop_begin, condition, number);
+  open_loops_.push_back({number, conditional});
+  keeps_structure_ = true;
+}
+
+// The closer's kind is its opener's: the innermost open loop of that number. Crossing loops are for validate to tell.
+void Parser::loop_end() {
+  const std::uint8_t number = loop_number("END");
+  const auto open = std::ranges::find(open_loops_.rbegin(), open_loops_.rend(), number, &OpenLoop::number);
+  const bool conditional = open != open_loops_.rend() && open->conditional;
+  if (open != open_loops_.rend()) open_loops_.erase(std::next(open).base());
+  structure(conditional ? StatementKind::while_end : StatementKind::loop_end, ExpressionId::none, number);
+  keeps_structure_ = true;
+}
+
+std::uint8_t Parser::loop_number(std::string_view word) {
+  const std::uint32_t begin = cursor_.span().begin;
+  cursor_.advance();
+  std::string written;
+  std::int64_t number = 0;
+  text::Span span = {begin, cursor_.previous_end()};
+  if (cursor_.kind() == TokenKind::number) {
+    written = cursor_.text();
+    number = text::parse_integer(written).value_or(0);
+    span.end = cursor_.span().end;
+    cursor_.advance();
+  }
+  if (number < 1 || number > grammar_.highest_loop_number) {
+    faults_.report(loop_number_invalid, span, {fmt::format("{}{}", word, written)});
+  }
+  return static_cast<std::uint8_t>(std::clamp<std::int64_t>(number, 0, 255));
+}
+
+}  // namespace dripfeed::macro_b
