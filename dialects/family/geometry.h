@@ -1,43 +1,27 @@
-// Stock and nominal of a bound family as plain data, in mm: what the checks of accuracy and gouge measure against.
+// Stock, nominal and tools of a bound family as plain data, in mm: what the checks of accuracy and gouge measure
+// against.
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <variant>
 #include <vector>
 
+#include "dialects/curves/profile.h"
 #include "dialects/family/bind.h"
 
 namespace dripfeed::family {
-
-struct Interval {
-  double low = 0.0;
-  double high = 0.0;
-};
 
 // Around the z axis of the active work offset.
 struct CylinderStock {
   double diameter_mm = 0.0;
   double bore_mm = 0.0;  // diameter; 0: solid
-  Interval z_mm;
+  curves::Range z_mm;
 };
 struct BoxStock {
-  Interval x_mm, y_mm, z_mm;
+  curves::Range x_mm, y_mm, z_mm;
 };
 using Stock = std::variant<CylinderStock, BoxStock>;
-
-struct ProfilePoint {
-  double x_mm = 0.0;   // as the machine's x is: a diameter where Geometry::x_is_diameter
-  double slope = 0.0;  // dx/dz, exact (by differentiation of the expression)
-};
-
-// One piece of the nominal, x = f(z). The function is pure and may be called from several threads.
-struct NominalPiece {
-  Interval z_mm;
-  double tolerance_mm = 0.0;
-  std::function<ProfilePoint(double z_mm)> at;
-};
 
 // A tool as the body names it, for the checks that need its nose.
 struct ToolShape {
@@ -47,10 +31,11 @@ struct ToolShape {
 };
 
 struct Geometry {
-  bool x_is_diameter = false;
   std::optional<Stock> stock;
-  std::vector<NominalPiece> nominal;  // in the order of the text
-  std::vector<ToolShape> tools;       // in the order of the body, each number once
+  // x = f(z), x as radius, pieces in the order of z; empty when the family has none. Slopes are exact and second
+  // derivatives are enclosed. The functions are pure and may be called from several threads.
+  curves::Profile nominal;
+  std::vector<ToolShape> tools;  // in the order of the body, each number once
 };
 
 Geometry geometry(const BoundFamily& bound);
