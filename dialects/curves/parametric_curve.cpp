@@ -1,0 +1,71 @@
+// g(t) = (C(t) - P)·C'(t) is half the derivative of the squared distance; a foot is a root at which it rises. Newton
+// steps use g'(t) = C'·C' + (C - P)·C'' and are replaced by bisection where they leave the bracket.
+#include "dialects/curves/parametric_curve.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dripfeed::curves {
+
+namespace {
+
+constexpr int kSteps = 60;
+
+struct Trial {
+  double t = 0.0;
+  ParametricPoint curve;
+  double square = 0.0;
+  double gradient = 0.0;
+};
+
+Trial trial_at(const ParametricCurve& curve, Point point, double t) {
+  Trial trial{t, curve.at(t), 0.0, 0.0};
+  const Point offset = trial.curve.point - point;
+  trial.square = dot(offset, offset);
+  trial.gradient = dot(offset, trial.curve.derivative);
+  return trial;
+}
+
+// Between a with g <= 0 and b with g >= 0.
+Trial root(const ParametricCurve& curve, Point point, Trial a, Trial b) {
+  Trial best = a.square < b.square ? a : b;
+  for (int step = 0; step < kSteps && b.t - a.t > 1e-15 * (std::fabs(a.t) + std::fabs(b.t)); ++step) {
+    const double rise =
+        dot(best.curve.derivative, best.curve.derivative) + dot(best.curve.point - point, best.curve.second);
+    double t = rise > 0.0 ? best.t - best.gradient / rise : a.t;
+    if (!(t > a.t && t < b.t) || step % 6 == 5) t = a.t + 0.5 * (b.t - a.t);
+    const Trial trial = trial_at(curve, point, t);
+    const bool settled = trial.t == best.t || trial.gradient == 0.0;
+    best = trial;
+    if (settled) break;
+    (trial.gradient < 0.0 ? a : b) = trial;
+  }
+  return std::ranges::min({best, a, b}, {}, &Trial::square);
+}
+
+}  // namespace
+
+double curvature(const ParametricPoint& point) {
+  const double speed = norm(point.derivative);
+  return speed > 0.0 ? cross(point.derivative, point.second) / (speed * speed * speed) : 0.0;
+}
+
+ParametricFoot closest(const ParametricCurve& curve, Point point, int pieces) {
+  Trial before = trial_at(curve, point, curve.t.low);
+  Trial nearest = before;
+  for (int i = 1; i <= pieces; ++i) {
+    const double t = i == pieces ? curve.t.high : curve.t.low + curve.t.width() * i / pieces;
+    const Trial trial = trial_at(curve, point, t);
+    if (trial.square < nearest.square) nearest = trial;
+    if (before.gradient <= 0.0 && trial.gradient >= 0.0) {
+      const Trial found = root(curve, point, before, trial);
+      if (found.square < nearest.square) nearest = found;
+    }
+    before = trial;
+  }
+  const bool at_end = nearest.t <= curve.t.low || nearest.t >= curve.t.high;
+  const double side = cross(nearest.curve.derivative, point - nearest.curve.point);
+  return {nearest.t, nearest.curve.point, std::copysign(std::sqrt(nearest.square), side), at_end};
+}
+
+}  // namespace dripfeed::curves
