@@ -267,8 +267,8 @@ constexpr std::array<Reaction, 316> kReactions{{
     {S::wait_end, I::resume_as_dc1, G::always, A::refuse, S::wait_end},
     {S::wait_end, I::confirm_reset, G::always, A::refuse, S::wait_end},
 
-    // A DC1 behind a DC3 that was taken for the end: it was a hold.
-    {S::ending, I::dc1, G::always, A::change, S::draining},
+    // A DC1 behind a DC3 that was taken for the end: it was a hold, and the trailer goes on.
+    {S::ending, I::dc1, G::always, A::change, S::trailer},
     {S::ending, I::dc3, G::always, A::none, S::ending},
     {S::ending, I::punch_code, G::always, A::note, S::ending},
     {S::ending, I::eot, G::always, A::none, S::ending},
