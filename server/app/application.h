@@ -8,7 +8,7 @@
 #include "server/app/jobs.h"
 #include "server/app/keeper.h"
 #include "server/app/lines.h"
-#include "server/app/ports/documents.h"
+#include "server/app/documents.h"
 #include "server/app/ports/ports.h"
 #include "server/app/programs.h"
 #include "store/store.h"

@@ -9,7 +9,7 @@
 #include "server/app/error.h"
 #include "server/app/events.h"
 #include "server/app/lines.h"
-#include "server/app/ports/documents.h"
+#include "server/app/documents.h"
 #include "store/store.h"
 
 namespace dripfeed::app {

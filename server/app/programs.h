@@ -9,7 +9,7 @@
 #include "dialects/compile/render.h"
 #include "server/app/catalog.h"
 #include "server/app/error.h"
-#include "server/app/ports/documents.h"
+#include "server/app/documents.h"
 #include "store/store.h"
 
 namespace dripfeed::app {

@@ -228,10 +228,11 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
       return write_chunk(std::move(ready), &Connection::write_next_events);
     }
     stream_.expires_never();
-    timer_.expires_after(kEventComment);
-    timer_.async_wait([self = shared_from_this()](beast::error_code error) {
+    const auto due = events_->due_after();
+    timer_.expires_after(due ? std::chrono::steady_clock::duration(*due) : kEventComment);
+    timer_.async_wait([self = shared_from_this(), comment = !due](beast::error_code error) {
       if (error || self->writing_events_) return;
-      self->comment_due_ = true;
+      self->comment_due_ = comment;
       self->write_next_events();
     });
   }

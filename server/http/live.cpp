@@ -36,6 +36,11 @@ class Watcher final : public EventSubscription {
     return out;
   }
 
+  std::optional<std::chrono::milliseconds> due_after() override {
+    if (!held_back_) return std::nullopt;
+    return kProgressEvery;
+  }
+
   void on_ready(std::function<void()> ready) override {
     const std::lock_guard lock(mutex_);
     if (watch_ != 0) events_.unwatch(watch_);
@@ -45,7 +50,8 @@ class Watcher final : public EventSubscription {
  private:
   void append_progress(std::string& out) {
     const auto now = std::chrono::steady_clock::now();
-    if (now < next_progress_) return;
+    held_back_ = now < next_progress_;
+    if (held_back_) return;
     next_progress_ = now + kProgressEvery;
     for (const app::Progress& progress : events_.snapshot()) {
       std::string data = json::progress(progress);
@@ -59,6 +65,7 @@ class Watcher final : public EventSubscription {
   app::Events& events_;
   std::uint64_t after_;
   std::chrono::steady_clock::time_point next_progress_;
+  bool held_back_ = false;
   std::map<std::string, std::string> sent_;
   std::mutex mutex_;
   app::Events::Watch watch_ = 0;

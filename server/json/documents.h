@@ -1,7 +1,7 @@
 // The application's documents, as JSON.
 #pragma once
 
-#include "server/app/ports/documents.h"
+#include "server/app/documents.h"
 
 namespace dripfeed::json {
 

@@ -1,0 +1,26 @@
+// server/cli: the dripfeed command. Each command has a file: it parses its arguments, makes the same call of the
+// application as the REST handler, and prints. Texts go to standard output or --output, messages to standard error.
+// Exit: 0 done (warnings allowed), 1 the verdict is fail, the program ended by an alarm or limit, or the transfer
+// failed, 2 wrong use or I/O error.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace dripfeed::cli {
+
+inline constexpr int kDone = 0;
+inline constexpr int kFailed = 1;
+inline constexpr int kWrongUse = 2;
+
+// Each adds its command to `app`; `exit_code` gets what the command ended with.
+void add_serve(CLI::App& app, int& exit_code);
+void add_check(CLI::App& app, int& exit_code);
+void add_run(CLI::App& app, int& exit_code);
+void add_convert(CLI::App& app, int& exit_code);
+void add_render(CLI::App& app, int& exit_code);
+void add_time(CLI::App& app, int& exit_code);
+void add_accuracy(CLI::App& app, int& exit_code);
+void add_send(CLI::App& app, int& exit_code);
+void add_simulate(CLI::App& app, int& exit_code);
+
+}  // namespace dripfeed::cli

@@ -1,0 +1,203 @@
+// Every path that is looked at is named in the error when nothing was found.
+#include "server/cli/inputs.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "server/app/catalog.h"
+#include "server/json/profile_document.h"
+
+namespace dripfeed::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 9> kEndings = {"", ".nc", ".NC", ".spf", ".SPF", ".mpf", ".MPF", ".cnc", ".txt"};
+
+app::Result<std::string> read_file(const std::string& path) {
+  if (path == "-") return std::string(std::istreambuf_iterator<char>(std::cin), {});
+  std::error_code error;
+  if (fs::is_directory(path, error))
+    return app::fail(app::ErrorCode::unavailable, fmt::format("{}: is a folder", path));
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return app::fail(app::ErrorCode::unavailable, fmt::format("{}: {}", path, std::strerror(errno)));
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  if (file.bad()) return app::fail(app::ErrorCode::unavailable, fmt::format("{}: cannot be read to its end", path));
+  return text;
+}
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return out;
+}
+
+struct Settings {
+  ir::MachineKind kind = ir::MachineKind::mill;
+  ir::GSystem g_system = ir::GSystem::a;
+  bool kind_given = false;
+};
+
+// kind=mill|lathe|mill-turn,g_system=A|B|C
+app::Result<Settings> read_control_option(std::string_view text) {
+  static constexpr std::array<std::string_view, 3> kKinds = {"mill", "lathe", "mill-turn"};
+  Settings settings;
+  while (!text.empty()) {
+    const std::string_view item = text.substr(0, text.find(','));
+    text.remove_prefix(std::min(text.size(), item.size() + 1));
+    const std::size_t equals = item.find('=');
+    const std::string_view name = item.substr(0, equals);
+    const std::string_view value = equals == std::string_view::npos ? std::string_view() : item.substr(equals + 1);
+    const auto kind = std::ranges::find(kKinds, value);
+    if (name == "kind" && kind != kKinds.end()) {
+      settings.kind = static_cast<ir::MachineKind>(kind - kKinds.begin());
+      settings.kind_given = true;
+    } else if (name == "g_system" && value.size() == 1 && value[0] >= 'A' && value[0] <= 'C') {
+      settings.g_system = static_cast<ir::GSystem>(value[0] - 'A');
+    } else {
+      return app::fail(app::ErrorCode::invalid,
+                       fmt::format("--control \"{}\": use kind=mill|lathe|mill-turn and g_system=A|B|C", item));
+    }
+  }
+  return settings;
+}
+
+app::Result<const compile::Dialect*> named_dialect(const std::string& name) {
+  if (const compile::Dialect* dialect = compile::find_dialect(name)) return dialect;
+  std::string known;
+  for (const compile::Dialect& one : compile::dialects()) known += fmt::format(" {}", one.name);
+  return app::fail(app::ErrorCode::invalid, fmt::format("--dialect \"{}\" is not known; known are{}", name, known));
+}
+
+app::Result<ChosenControl> control_of_machine(const std::string& machine) {
+  auto profile = read_machine(machine);
+  if (!profile) return std::unexpected(profile.error());
+  auto control = app::control_of(*profile);
+  if (!control) return std::unexpected(control.error());
+  ChosenControl chosen{.dialect = compile::find_dialect(profile->control.dialect),
+                       .control = std::move(*control),
+                       .profile = {},
+                       .inferred = false};
+  chosen.profile = std::move(*profile);
+  return chosen;
+}
+
+}  // namespace
+
+void add_text_options(CLI::App& command, TextOptions& options) {
+  command.add_option("--machine", options.machine, "machine profile: a file or the name of a preset");
+  command.add_option("--dialect", options.dialect, "control language, when no machine is named");
+  command.add_option("--control", options.control, "what the machine decides: kind=lathe,g_system=A");
+  command.add_option("--path", options.paths, "folder with called programs (may be repeated)");
+  command.add_option("--output", options.output, "write the text there instead of to standard output");
+  command.add_flag("--json", options.json, "one JSON object on standard output");
+}
+
+app::Result<text::Source> read_source(const std::string& path) {
+  auto text = read_file(path);
+  if (!text) return std::unexpected(text.error());
+  if (text->size() > UINT32_MAX)
+    return app::fail(app::ErrorCode::unavailable,
+                     fmt::format("{}: a text of 4 GiB or more cannot be held whole", path));
+  return text::Source(path == "-" ? "<stdin>" : path, std::move(*text));
+}
+
+std::optional<std::string> find_shared(std::string_view relative) {
+  std::vector<fs::path> roots;
+  if (const char* share = std::getenv("DRIPFEED_SHARE")) roots.emplace_back(share);
+  std::error_code error;
+  const fs::path binary = fs::read_symlink("/proc/self/exe", error);
+  if (!error) {
+    roots.push_back(binary.parent_path() / "../../deploy");       // build/<preset>/dripfeed
+    roots.push_back(binary.parent_path() / "../share/dripfeed");  // installed
+  }
+  for (const fs::path& root : roots) {
+    if (fs::exists(root / relative, error)) return (root / relative).lexically_normal().string();
+  }
+  return std::nullopt;
+}
+
+app::Result<machine::Profile> read_machine(const std::string& name_or_path) {
+  std::string path = name_or_path;
+  if (!path.ends_with(".json") && path.find('/') == std::string::npos) {
+    const auto preset = find_shared(fmt::format("machines/{}.json", path));
+    if (!preset)
+      return app::fail(app::ErrorCode::invalid,
+                       fmt::format("--machine \"{}\" is no preset, and no file (*.json)", path));
+    path = *preset;
+  }
+  const auto text = read_file(path);
+  if (!text) return std::unexpected(text.error());
+  auto profile = json::read_profile(*text);
+  if (!profile) profile.error().text = fmt::format("{}: {}", path, profile.error().text);
+  return profile;
+}
+
+app::Result<ChosenControl> choose_control(const TextOptions& options) {
+  if (!options.machine.empty()) return control_of_machine(options.machine);
+  if (options.dialect.empty())
+    return app::fail(app::ErrorCode::invalid, "name the control with --machine or --dialect");
+  const auto dialect = named_dialect(options.dialect);
+  if (!dialect) return std::unexpected(dialect.error());
+  const auto settings = read_control_option(options.control);
+  if (!settings) return std::unexpected(settings.error());
+  return ChosenControl{.dialect = *dialect,
+                       .control = (*dialect)->control(settings->kind, settings->g_system),
+                       .profile = {},
+                       .inferred = false};
+}
+
+app::Result<ChosenControl> choose_control(const TextOptions& options, const text::Source& source) {
+  if (!options.machine.empty()) return control_of_machine(options.machine);
+  const compile::Dialect* dialect = &compile::infer_dialect(source);
+  if (!options.dialect.empty()) {
+    const auto named = named_dialect(options.dialect);
+    if (!named) return std::unexpected(named.error());
+    dialect = *named;
+  }
+  const auto settings = read_control_option(options.control);
+  if (!settings) return std::unexpected(settings.error());
+  if (settings->kind_given) {
+    return ChosenControl{.dialect = dialect,
+                         .control = dialect->control(settings->kind, settings->g_system),
+                         .profile = {},
+                         .inferred = false};
+  }
+  return ChosenControl{.dialect = dialect, .control = dialect->infer_control(source), .profile = {}, .inferred = true};
+}
+
+std::vector<std::string> folders_for(const TextOptions& options, const std::string& file) {
+  std::vector<std::string> folders = options.paths;
+  if (file != "-")
+    folders.push_back(fs::path(file).parent_path().empty() ? "." : fs::path(file).parent_path().string());
+  return folders;
+}
+
+compile::FindText find_in(std::vector<std::string> folders) {
+  return [folders = std::move(folders)](std::string_view name) -> std::optional<text::Source> {
+    for (const std::string& folder : folders) {
+      for (const std::string_view ending : kEndings) {
+        for (const std::string& spelled : {std::string(name), lower(name)}) {
+          const fs::path path = fs::path(folder) / (spelled + std::string(ending));
+          std::error_code error;
+          if (!fs::is_regular_file(path, error)) continue;
+          auto text = read_file(path.string());
+          if (text) return text::Source(path.string(), std::move(*text));
+        }
+      }
+    }
+    return std::nullopt;
+  };
+}
+
+}  // namespace dripfeed::cli

@@ -1,0 +1,55 @@
+// What the commands read: files (or standard input), machines (a profile file or a preset's name), the control that a
+// text is for, called programs in --path.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "dialects/compile/dialect.h"
+#include "dialects/compile/library.h"
+#include "server/app/error.h"
+#include "server/machine/profile.h"
+
+namespace dripfeed::cli {
+
+// The options that every command on a text has.
+struct TextOptions {
+  std::string machine;             // --machine
+  std::string dialect;             // --dialect
+  std::string control;             // --control kind=lathe,g_system=A
+  std::vector<std::string> paths;  // --path
+  std::string output;              // --output
+  bool json = false;               // --json
+};
+void add_text_options(CLI::App& command, TextOptions& options);
+
+// "-" is standard input. Errors: unavailable, with what the system said.
+app::Result<text::Source> read_source(const std::string& path);
+
+// The profile of a file, or of the preset with that name.
+app::Result<machine::Profile> read_machine(const std::string& name_or_path);
+
+// Files of the project that the command finds without being told: presets. $DRIPFEED_SHARE, beside the binary,
+// /usr/share/dripfeed.
+std::optional<std::string> find_shared(std::string_view relative);
+
+struct ChosenControl {
+  const compile::Dialect* dialect = nullptr;
+  ir::Control control;
+  std::optional<machine::Profile> profile;
+  bool inferred = false;  // nobody named it: reports say so
+};
+// For a text: the machine's control, the dialect's usual one with --control laid over it, or what the text looks like.
+app::Result<ChosenControl> choose_control(const TextOptions& options, const text::Source& source);
+// Without a text: a machine or a dialect must be named.
+app::Result<ChosenControl> choose_control(const TextOptions& options);
+
+// Finds called programs beside the file and in --path, by name and the usual endings.
+compile::FindText find_in(std::vector<std::string> folders);
+std::vector<std::string> folders_for(const TextOptions& options, const std::string& file);
+
+}  // namespace dripfeed::cli

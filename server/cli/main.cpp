@@ -1,0 +1,31 @@
+// dripfeed: one binary, one table of commands.
+
+#include "server/cli/cli.h"
+
+namespace {
+
+constexpr const char* kVersion = "0.1.0";
+
+using AddCommand = void (*)(CLI::App&, int&);
+constexpr AddCommand kCommands[] = {
+    dripfeed::cli::add_serve,    dripfeed::cli::add_check,  dripfeed::cli::add_run,
+    dripfeed::cli::add_convert,  dripfeed::cli::add_render, dripfeed::cli::add_time,
+    dripfeed::cli::add_accuracy, dripfeed::cli::add_send,   dripfeed::cli::add_simulate,
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Program distribution and DNC server for CNC machine tools", "dripfeed");
+  app.set_version_flag("--version", kVersion);
+  app.require_subcommand(1);
+  int exit_code = dripfeed::cli::kDone;
+  for (const AddCommand add : kCommands) add(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // Help and version end well; everything else is wrong use.
+    return app.exit(error) == 0 ? dripfeed::cli::kDone : dripfeed::cli::kWrongUse;
+  }
+  return exit_code;
+}

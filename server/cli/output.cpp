@@ -1,0 +1,56 @@
+// A text is written whole or the command fails: half a program must not look like one.
+#include "server/cli/output.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace dripfeed::cli {
+
+namespace {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+bool write_all(std::FILE* file, std::string_view text) {
+  return std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
+}
+
+}  // namespace
+
+void print_error(std::string_view sentence) { fmt::print(stderr, "dripfeed: {}\n", sentence); }
+
+void print_error(const app::Error& error) {
+  print_error(error.text);
+  for (const app::ErrorPlace& place : error.places) {
+    if (!place.pointer.empty()) {
+      fmt::print(stderr, "  {} {}\n", place.pointer, place.text);
+    } else {
+      fmt::print(stderr, "  line {}, column {}: {}\n", place.line, place.column, place.text);
+    }
+  }
+}
+
+void print_diagnostics(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source,
+                       std::string_view control) {
+  for (const text::Diagnostic& diagnostic : diagnostics)
+    fmt::print(stderr, "{}", text::format_diagnostic(diagnostic, source, control));
+}
+
+bool write_output(const std::string& path, std::string_view text) {
+  if (path.empty() || path == "-") {
+    if (write_all(stdout, text)) return true;
+    print_error(fmt::format("standard output: {}", std::strerror(errno)));
+    return false;
+  }
+  const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "wb"));
+  if (file && write_all(file.get(), text)) return true;
+  print_error(fmt::format("{}: {}", path, std::strerror(errno)));
+  return false;
+}
+
+}  // namespace dripfeed::cli

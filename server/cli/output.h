@@ -1,0 +1,23 @@
+// What the command prints: texts to standard output or a file, messages to standard error, errors with their places.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dialects/text/diagnostic.h"
+#include "server/app/error.h"
+
+namespace dripfeed::cli {
+
+// "dripfeed: sentence" and the places below it.
+void print_error(std::string_view sentence);
+void print_error(const app::Error& error);
+
+void print_diagnostics(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source,
+                       std::string_view control);
+
+// Writes the whole text to `path` ("" or "-": standard output). False, with a message, when it cannot.
+bool write_output(const std::string& path, std::string_view text);
+
+}  // namespace dripfeed::cli
