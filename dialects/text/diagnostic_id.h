@@ -1,5 +1,5 @@
 // Every diagnostic that dripfeed can give, in the order of the way of a program: text, words, values, variables, flow,
-// calls, framing, run, translation, family. One row each in diagnostic_table.cpp.
+// calls, framing, run, translation, family, checks. One row each in diagnostic_table.cpp.
 #pragma once
 
 #include <cstdint>
@@ -98,6 +98,20 @@ enum class DiagnosticId : std::uint16_t {
   family_unknown_name,
   family_duplicate_name,
   family_bad_loop,
+  // checks
+  travel_exceeded,
+  feed_too_high,
+  spindle_too_fast,
+  surface_speed_unlimited,
+  tool_missing,
+  unit_suspicion,
+  rapid_into_stock,
+  rapid_into_nominal,
+  rapid_may_enter_stock,
+  cut_below_nominal,
+  deviation_beyond_tolerance,
+  nominal_not_covered,
+  line_starves,
   count_,  // number of rows, not a diagnostic
 };
 
