@@ -1,0 +1,64 @@
+// checks/gouge: does the tool touch what it must not, for turning in the z-x plane: a rapid that enters the stock as it
+// is left at that moment, or the finished part, and a cut below the nominal beyond its tolerance. The nose radius
+// counts, the tool's holder and the chuck do not. Milling on a height map belongs here, too.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "checks/finding.h"
+#include "checks/gouge/remaining_stock.h"
+#include "checks/machine.h"
+#include "dialects/curves/nose.h"
+#include "dialects/curves/path.h"
+#include "dialects/curves/profile.h"
+#include "dialects/ir/motion.h"
+
+namespace dripfeed::gouge {
+
+// A bar around the z axis of the active work offset.
+struct Cylinder {
+  double diameter_mm = 0.0;
+  double z_low_mm = 0.0;
+  double z_high_mm = 0.0;
+};
+
+struct Settings {
+  std::optional<Cylinder> stock;    // nothing: rapids are checked against the nominal only
+  curves::Profile nominal;          // x as radius; may be empty
+  bool x_is_diameter = true;        // the motions' x
+  std::vector<checks::Tool> tools;  // a tool that is not here is taken as a point, and that is said
+  double depth_mm = 0.001;          // a rapid may touch by this much
+  double step_mm = 0.02;            // between the places at which the stock's height is kept
+};
+
+struct Report {
+  std::uint64_t rapids = 0;  // that were checked
+  std::uint64_t cuts = 0;
+  double deepest_rapid_mm = 0.0;  // into stock or nominal
+  double deepest_cut_mm = 0.0;    // below the nominal, tolerance not counted
+  checks::FindingList findings;
+  checks::NotCheckedList not_checked;
+};
+
+class Gouge final : public ir::MotionSink {
+ public:
+  explicit Gouge(Settings settings);
+  void consume(std::span<const ir::Motion> motions) override;
+  // After the last motion; once.
+  [[nodiscard]] Report finish();
+
+ private:
+  void follow_tool(const ir::Motion& motion);
+  void check_rapid(const ir::Motion& motion, curves::Point start, curves::Point end);
+  void check_cut(const ir::Motion& motion, const curves::PathPiece& tip_path);
+
+  Settings settings_;
+  Report report_;
+  std::optional<RemainingStock> stock_;
+  curves::Nose nose_;
+};
+
+}  // namespace dripfeed::gouge

@@ -1,0 +1,45 @@
+// The outside of a turned bar as it is left by the cuts so far: a radius at even places along z. A place knows its
+// height exactly; between two places nothing is known, so what is narrower than the step may pass unseen, and nothing
+// that is not there is ever reported.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "dialects/curves/nose.h"
+#include "dialects/curves/path.h"
+#include "dialects/curves/point.h"
+
+namespace dripfeed::gouge {
+
+struct Touch {
+  double depth_mm = 0.0;  // 0: none
+  double z_mm = 0.0;
+};
+
+class RemainingStock {
+ public:
+  // A bar of `radius` over `z`; at most kMostPlaces places, the step grows beyond.
+  RemainingStock(double radius, curves::Range z, double step);
+
+  // The deepest place at which the nose, led along the path of its tip, would enter what is left.
+  [[nodiscard]] Touch touch(const curves::Nose& nose, const curves::PathPiece& tip_path) const;
+  // Takes away what the nose passes.
+  void cut(const curves::Nose& nose, const curves::PathPiece& tip_path);
+  // Radius left at z, the lower of its two neighbours between places; 0 beyond the bar's ends.
+  [[nodiscard]] double height(double z) const;
+
+ private:
+  static constexpr std::size_t kMostPlaces = 65536;
+
+  [[nodiscard]] double z_at(std::size_t place) const { return z_.low + static_cast<double>(place) * step_; }
+  // Calls visit(place, height) for the places that the nose passes, with the lowest x of the nose there.
+  template <class Visit>
+  void pass(const curves::Nose& nose, const curves::PathPiece& tip_path, Visit&& visit) const;
+
+  curves::Range z_;
+  double step_ = 0.0;
+  std::vector<double> heights_;
+};
+
+}  // namespace dripfeed::gouge
