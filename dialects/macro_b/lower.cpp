@@ -215,6 +215,23 @@ void BlockLowering::emit_ending_block(std::uint32_t first_code, std::uint32_t fi
        static_cast<std::uint32_t>(program_.blocks.size() - 1), place);
 }
 
+// G54.1 Pn is a work offset of its own: its argument is kExtendedOffset + n. With a computed P it stays not modelled.
+void BlockLowering::number_extended_offset(std::uint32_t first_code, std::uint32_t first_word) {
+  for (std::uint32_t i = first_code; i < program_.codes.size(); ++i) {
+    ir::Code& code = program_.codes[i];
+    if (code.group != ir::ModalGroup::work_offset || code.function != Function::not_modelled) continue;
+    const auto first = program_.words.begin() + static_cast<std::ptrdiff_t>(first_word);
+    const auto p =
+        std::find_if(first, program_.words.end(), [](const ir::Word& w) { return w.address == ir::Address::p; });
+    if (p == program_.words.end() || program_.at(p->value).op != Operator::constant) continue;
+    const double number = program_.at(p->value).value;
+    if (number < 1.0 || number > 300.0) continue;
+    code.function = Function::work_offset;
+    code.argument = static_cast<std::int16_t>(kExtendedOffset + static_cast<std::int16_t>(number));
+    program_.words.erase(p);
+  }
+}
+
 void BlockLowering::lower(std::span<const RawWord> words, const BlockPlace& place) {
   const auto first_code = static_cast<std::uint32_t>(program_.codes.size());
   const auto first_word = static_cast<std::uint32_t>(program_.words.size());
@@ -241,6 +258,7 @@ void BlockLowering::lower(std::span<const RawWord> words, const BlockPlace& plac
     program_.words.resize(first_word);
     return emit_native("data of G10", true, place);
   }
+  number_extended_offset(first_code, first_word);
   if (ends) return emit_ending_block(first_code, first_word, place);
   emit_block(first_code, first_word, place);
 }

@@ -14,6 +14,9 @@
 
 namespace dripfeed::macro_b {
 
+// Arguments of Function::work_offset above this are G54.1 P1, P2 ….
+inline constexpr std::int16_t kExtendedOffset = 100;
+
 // A word as parsed. `letter` is the address; ',' before it (,R ,C) sets `comma`; '<' is a program name.
 struct RawWord {
   char letter = 0;
@@ -57,6 +60,7 @@ class BlockLowering {
   void set_called_program(ir::Call& call, const RawWord& word);
   void emit_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place);
   void emit_ending_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place);
+  void number_extended_offset(std::uint32_t first_code, std::uint32_t first_word);
   ir::ExpressionId in_increments(ir::ExpressionId value, double increment);
   [[nodiscard]] std::int32_t number10_of(ir::ExpressionId value) const;
 

@@ -1,0 +1,73 @@
+// The usual controls: what the parameters are at most machines. A machine's profile overrides single fields.
+#include "dialects/fanuc/fanuc.h"
+#include "dialects/fanuc/tables.h"
+
+namespace dripfeed::fanuc {
+
+namespace {
+
+// Block time of a control of this class with look-ahead (1 to 2 ms); the rest is scaled after the measured constants of
+// another control and marked as not measured.
+constexpr ir::CostModel kCost = {.block_ms = 2.0,
+                                 .number_read_ms = 0.2,
+                                 .named_read_ms = 0.2,
+                                 .operator_ms = 0.05,
+                                 .function_ms = 0.3,
+                                 .measured = false,
+                                 .origin = "assumed: 0i class"};
+
+ir::Semantics usual_semantics() {
+  ir::Semantics s;
+  s.number_format = ir::NumberFormat::double_precision;
+  s.decimal_mode = ir::DecimalMode::least_increment;  // 3401#0 = 0
+  s.arc_tolerance_mm = 0.02;
+  s.return_in_main_restarts = true;
+  s.user_alarm_base = 3000;
+  return s;
+}
+
+ir::Semantics lathe_semantics(ir::GSystem system) {
+  ir::Semantics s = usual_semantics();
+  s.incremental_letters_uvw = system == ir::GSystem::a;
+  s.tool_word = ir::ToolWord::number_and_offset;
+  s.power_on_plane = ir::Function::plane_zx;
+  s.power_on_feed = ir::Function::feed_per_rev;
+  s.power_on_diameter = ir::DiameterMode::diameter;
+  return s;
+}
+
+}  // namespace
+
+const macro_b::Grammar& grammar() {
+  static const macro_b::Grammar kGrammar = {.keywords = macro_b::common_keywords()};
+  return kGrammar;
+}
+
+ir::Control control(ir::MachineKind kind, ir::GSystem system) {
+  const bool mill = kind == ir::MachineKind::mill;
+  ir::Control c;
+  c.dialect = "fanuc";
+  c.title = mill ? "Fanuc 0i-MF" : "Fanuc 0i-TF";
+  c.kind = kind;
+  c.g_system = mill ? ir::GSystem::a : system;
+  c.axes = mill ? "XYZ" : "XZ";
+  if (kind == ir::MachineKind::mill_turn) c.axes = "XYZC";
+  c.semantics = mill ? usual_semantics() : lathe_semantics(system);
+  c.limits = {.block_length_bytes = 0,
+              .digits = 8,
+              .expression_nesting = 5,
+              .loop_nesting = 3,
+              .call_nesting = 10,
+              .macro_nesting = 5,
+              .name_length = 31,
+              .linear_decimals = 3};
+  c.cost = kCost;
+  c.g_codes = mill ? mill_g_codes() : lathe_g_codes(system);
+  c.m_codes = m_codes();
+  c.system_variables = system_variables();
+  c.alarms = alarms();
+  c.variables = variable_ranges();
+  return c;
+}
+
+}  // namespace dripfeed::fanuc

@@ -1,0 +1,21 @@
+// The tables of the Fanuc controls: codes, system variables, variable ranges, alarms. One row a fact; what reads them
+// is elsewhere. All spans live as long as the program.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dialects/ir/control.h"
+#include "dialects/macro_b/grammar.h"
+
+namespace dripfeed::fanuc {
+
+std::span<const ir::CodeRow> mill_g_codes();
+std::span<const ir::CodeRow> lathe_g_codes(ir::GSystem system);
+std::span<const ir::CodeRow> m_codes();
+std::span<const ir::SystemVariableRow> system_variables();
+std::vector<ir::VariableRange> variable_ranges();
+std::span<const ir::AlarmRow> alarms();
+const macro_b::Grammar& grammar();
+
+}  // namespace dripfeed::fanuc
