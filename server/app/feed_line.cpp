@@ -281,11 +281,13 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
 
 std::expected<std::unique_ptr<Line>, std::string> make_feed_line(const machine::LineSettings& settings,
                                                                  LinkThread& thread, LineChanged changed) {
-  const auto feed_settings = machine::feed_settings_of(settings);
+  const auto effective = machine::effective_line(settings);
+  if (!effective) return std::unexpected(effective.error());
+  const auto feed_settings = machine::feed_settings_of(*effective);
   if (!feed_settings) return std::unexpected(feed_settings.error());
   auto feed = feed::Feed::make(*feed_settings);
   if (!feed) return std::unexpected(feed::message(feed.error()));
-  return std::make_unique<FeedLine>(std::move(*feed), settings, thread, std::move(changed));
+  return std::make_unique<FeedLine>(std::move(*feed), *effective, thread, std::move(changed));
 }
 
 }  // namespace dripfeed::app

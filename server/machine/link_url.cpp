@@ -78,7 +78,8 @@ std::expected<void, std::string> read_address(std::string_view address, const Sc
   url.port = static_cast<std::uint16_t>(*port);
   url.host = address.substr(0, colon);
   if (url.host.starts_with('[') && url.host.ends_with(']')) url.host = url.host.substr(1, url.host.size() - 2);
-  if (url.host.empty() && scheme.kind != LinkKind::tcp_listen) return std::unexpected(std::string("there is no host"));
+  const bool may_listen = scheme.kind == LinkKind::tcp_listen || scheme.kind == LinkKind::modbus_tcp;
+  if (url.host.empty() && !may_listen) return std::unexpected(std::string("there is no host"));
   return {};
 }
 

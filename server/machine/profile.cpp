@@ -101,9 +101,16 @@ ir::Control control_of(const Profile& profile, ir::Control control) {
   return control;
 }
 
-std::expected<feed::Settings, std::string> feed_settings_of(const LineSettings& given) {
+std::expected<LineSettings, std::string> effective_line(const LineSettings& given) {
   LineSettings line = given;
   if (const auto applied = apply_options(line); !applied) return std::unexpected(applied.error());
+  return line;
+}
+
+std::expected<feed::Settings, std::string> feed_settings_of(const LineSettings& given) {
+  const auto effective = effective_line(given);
+  if (!effective) return std::unexpected(effective.error());
+  const LineSettings& line = *effective;
   feed::Settings settings;
   settings.framing = line.framing;
   settings.baud = line.baud;

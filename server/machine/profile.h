@@ -70,6 +70,10 @@ struct Profile {
 // The control's tables with the profile's settings laid over them; marked as coming from a profile.
 ir::Control control_of(const Profile& profile, ir::Control usual);
 
+// The line with its URL's options laid over it (baud, framing, latency_chars, budget, unsent, start, eob); or which
+// option is wrong.
+std::expected<LineSettings, std::string> effective_line(const LineSettings& line);
+
 // The feed's settings for this line, URL options (baud, framing, latency_chars, budget, unsent, start, eob) included;
 // or one sentence that says which is wrong, the budget's sum shown where it cannot hold.
 std::expected<feed::Settings, std::string> feed_settings_of(const LineSettings& line);

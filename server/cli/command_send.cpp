@@ -1,0 +1,217 @@
+// dripfeed send: one transfer without a server, with its own ledger file. It takes texts that nobody checked or
+// released, so it wants to be told that this is meant.
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "server/app/keeper.h"
+#include "server/app/lines.h"
+#include "server/cli/cli.h"
+#include "server/cli/documents.h"
+#include "server/cli/file_ledger.h"
+#include "server/cli/inputs.h"
+#include "server/cli/output.h"
+#include "server/cli/signals.h"
+#include "server/cli/wire_hashes.h"
+#include "server/io/io.h"
+
+namespace dripfeed::cli {
+
+namespace {
+
+constexpr std::chrono::milliseconds kRound{50};
+constexpr std::uint64_t kJob = 1;
+
+struct Options {
+  std::string file;
+  std::string link;
+  std::string machine;
+  std::string ledger;
+  bool unreleased = false;
+  bool json = false;
+};
+
+// EOBs as LF, whatever the file has.
+std::string with_lf(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  tape_code::EobReader reader;
+  for (const char c : text) reader.put(c, out);
+  reader.finish(out);
+  return out;
+}
+
+app::Result<machine::Profile> profile_for(const Options& options) {
+  auto link = machine::parse_link_url(options.link);
+  if (!link) return app::fail(app::ErrorCode::invalid, link.error());
+  machine::Profile profile;
+  if (!options.machine.empty()) {
+    auto read = read_machine(options.machine);
+    if (!read) return read;
+    profile = std::move(*read);
+  }
+  profile.line.link = std::move(*link);
+  auto line = machine::effective_line(profile.line);
+  if (!line) return app::fail(app::ErrorCode::invalid, line.error());
+  profile.line = std::move(*line);
+  return profile;
+}
+
+app::Result<feed::ProgramFacts> facts_of(const std::string& text, const machine::Profile& profile,
+                                         const std::string& file) {
+  const auto set = tape_code::find_character_set(profile.line.character_set);
+  if (set) {
+    tape_code::CharacterCheck characters(*set);
+    characters.append(text);
+    if (characters.count() > 0) {
+      const tape_code::IllegalCharacter& first = characters.found().front();
+      return app::fail(app::ErrorCode::invalid,
+                       fmt::format("{}:{}:{}: the control does not take the character 0x{:02X} ({} such)", file,
+                                   first.line, first.column, first.byte, characters.count()));
+    }
+  }
+  feed::ProgramCheck check(machine::program_syntax_of(profile, ir::Delivery::drip));
+  check.append(text);
+  const auto facts = check.finish();
+  if (facts) return *facts;
+  return app::fail(app::ErrorCode::invalid, fmt::format("{}:{}:{}: {}", file, facts.error().line, facts.error().column,
+                                                        feed::message(facts.error().fault)));
+}
+
+// The hashes of what goes out: the text as it is, the wire as the encoder makes it.
+WireHashes hashes_of(const std::string& text, const machine::Profile& profile) {
+  if (profile.line.link.kind == machine::LinkKind::modbus_tcp)
+    return {.wire_sha256 = hash::sha256_hex(text), .text_sha256 = hash::sha256_hex(text)};
+  const auto settings = machine::feed_settings_of(profile.line);
+  WireHasher hasher(settings->wire.eighth_bit);
+  tape_code::SpanSource source(text);
+  tape_code::WireEncoder encoder(settings->wire, source, text.size());
+  std::array<std::byte, 4096> wire{};
+  std::array<std::uint8_t, 4096> ends{};
+  for (;;) {
+    const auto filled = encoder.fill(wire, ends);
+    for (std::size_t i = 0; i < filled.count; ++i) hasher.add(static_cast<std::uint8_t>(wire[i]));
+    if (filled.status != tape_code::FillStatus::more) return hasher.finish();
+  }
+}
+
+bool over(const app::LineReport& report) { return report.job == kJob && report.end != app::JobEnd::none; }
+
+// Keeps the ledger ahead of the feed until the job is over; a signal cancels at a block end.
+app::Result<app::LineReport> follow(app::Line& line, FileLedger& ledger, const app::Clock& clock,
+                                    const std::stop_token& stop, std::uint64_t reserve) {
+  bool cancelled = false;
+  app::LineReport last;
+  for (;;) {
+    const app::LineReport report = line.report();
+    const bool ended = over(report);
+    const std::uint64_t window = app::reserve_window(report);
+    const std::uint64_t wanted = ended || reserve >= report.handed + window / 2 ? reserve : report.handed + window;
+    if (report.changes != last.changes || report.handed != last.handed || report.clocked != last.clocked ||
+        wanted != reserve || ended) {
+      const std::string note = ended ? std::string(report.cause) : std::string(report.stall);
+      const auto written = ledger.write(clock.wall_ms(), report, wanted, note);
+      if (!written) return app::fail(app::ErrorCode::unavailable, written.error());
+      if (report.stall != last.stall && !report.stall.empty()) fmt::print(stderr, "dripfeed: {}\n", report.stall);
+      reserve = wanted;
+      line.extend_reserve(kJob, reserve);
+    }
+    last = report;
+    if (ended) return report;
+    if (stop.stop_requested() && !cancelled) {
+      cancelled = true;
+      fmt::print(stderr, "dripfeed: stopping at the end of the block\n");
+      const bool waits = report.state == app::LineState::armed;
+      const auto told = line.command(waits ? feed::Command::disarm : feed::Command::cancel);
+      if (!told) fmt::print(stderr, "dripfeed: {}\n", told.error());
+    }
+    std::this_thread::sleep_for(kRound);
+  }
+}
+
+app::Result<app::LineReport> transfer(const std::string& text, const feed::ProgramFacts& facts,
+                                      const machine::Profile& profile, FileLedger& ledger,
+                                      const std::stop_token& stop) {
+  const auto thread = io::start_link_thread();
+  auto line = app::make_line(profile.line, *thread, io::make_modbus_bus, [] {});
+  if (!line) return std::unexpected(line.error());
+  const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+  while ((*line)->report().state == app::LineState::disconnected && !stop.stop_requested()) {
+    if (std::chrono::steady_clock::now() > patience)
+      return app::fail(app::ErrorCode::unavailable,
+                       fmt::format("{}: {}", profile.line.link.text, (*line)->report().link_error));
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  const std::uint64_t reserve = app::reserve_window((*line)->report());
+  const auto first = ledger.write(thread->clock().wall_ms(), {}, reserve, "armed");
+  if (!first) return app::fail(app::ErrorCode::unavailable, first.error());
+  const auto session = static_cast<std::uint64_t>(thread->clock().wall_ms()) & 0xFFFFFFFFU;
+  const auto armed = (*line)->arm({.job = kJob,
+                                   .facts = facts,
+                                   .source = std::make_shared<tape_code::SpanSource>(text),
+                                   .expires_after = feed::kArmingExpiry,
+                                   .reserve = reserve,
+                                   .session = session | 1U});
+  if (!armed) return app::fail(app::ErrorCode::refused, armed.error());
+  return follow(**line, ledger, thread->clock(), stop, reserve);
+}
+
+int send(const Options& options) {
+  const std::stop_token stop = stop_by_signal();
+  if (!options.unreleased) {
+    print_error("send feeds a text that no release stands behind; say --unreleased if that is meant");
+    return kWrongUse;
+  }
+  const auto source = read_source(options.file);
+  const auto profile = profile_for(options);
+  if (!source || !profile) {
+    print_error(!source ? source.error() : profile.error());
+    return kWrongUse;
+  }
+  const std::string text = with_lf(source->text());
+  const auto facts = facts_of(text, *profile, source->name());
+  if (!facts) {
+    print_error(facts.error());
+    return kFailed;
+  }
+  const WireHashes hashes = hashes_of(text, *profile);
+  const std::string ledger_path =
+      !options.ledger.empty() ? options.ledger : fmt::format("{}.ledger", options.file == "-" ? "stdin" : options.file);
+  auto ledger =
+      FileLedger::create(ledger_path, fmt::format("dripfeed ledger: text {} to {}", hashes.text_sha256, options.link));
+  if (!ledger) {
+    print_error(ledger.error());
+    return kWrongUse;
+  }
+  const auto report = transfer(text, *facts, *profile, *ledger, stop);
+  if (!report) {
+    print_error(report.error());
+    return report.error().code == app::ErrorCode::invalid ? kWrongUse : kFailed;
+  }
+  if (options.json) fmt::print("{}", send_document(*report, hashes));
+  if (report->end == app::JobEnd::done) return kDone;
+  print_error(fmt::format("{}: the control may have between byte {} and {} of {}", report->cause, report->known.from,
+                          report->known.to, report->total));
+  return kFailed;
+}
+
+}  // namespace
+
+void add_send(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("send", "feeds one program to a control, without a server");
+  const auto options = std::make_shared<Options>();
+  command->add_option("FILE", options->file, "program, - for standard input")->required();
+  command
+      ->add_option("--link", options->link,
+                   "serial:/dev/ttyS0?baud=9600&framing=7E2, tcp://host:port, modbus-tcp://host:port/unit")
+      ->required();
+  command->add_option("--machine", options->machine, "machine profile: a file or the name of a preset");
+  command->add_option("--ledger", options->ledger, "ledger file (default: FILE.ledger)");
+  command->add_flag("--unreleased", options->unreleased, "feed it although no release stands behind it");
+  command->add_flag("--json", options->json, "one JSON object on standard output");
+  command->callback([options, &exit_code] { exit_code = send(*options); });
+}
+
+}  // namespace dripfeed::cli

@@ -1,0 +1,26 @@
+// What the commands print with --json: one object each, members as the contract names them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dialects/compile/execute.h"
+#include "dialects/compile/render.h"
+#include "server/app/line.h"
+#include "server/simulator/fleet.h"
+
+namespace dripfeed::cli {
+
+struct WireHashes {
+  std::string wire_sha256;
+  std::string text_sha256;
+};
+
+std::string run_document(const interpreter::RunResult& result);
+std::string render_document(const compile::RenderResult& result);
+std::string send_document(const app::LineReport& report, const WireHashes& hashes);
+std::string simulate_document(const simulator::ControlReport& report, const WireHashes& hashes);
+
+}  // namespace dripfeed::cli
