@@ -1,0 +1,125 @@
+// The ways that every test of the store walks first.
+#include "tests/store/fixture.h"
+
+#include <array>
+
+#include <sqlite3.h>
+#include <stdlib.h>
+
+namespace dripfeed::store {
+
+void PrintTo(ErrorCode code, std::ostream* out) { *out << name_of(code); }
+
+}  // namespace dripfeed::store
+
+namespace dripfeed::store_test {
+
+using namespace store;
+
+TempFolder::TempFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "dripfeed-store-XXXXXX").string();
+  path_ = mkdtemp(name.data());
+}
+
+TempFolder::~TempFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::string TempFolder::file(std::string_view name) const { return (path_ / name).string(); }
+
+Program add_program(Store& store, const std::string& text, const std::string& name) {
+  const Content content = must(store.contents().put(text));
+  NewProgramText added;
+  added.sha256 = content.sha256;
+  added.blocks = 1;
+  return must(store.programs().add(name, "fanuc", added, by("tester")));
+}
+
+Program add_rendered(Store& store, const std::string& text, const std::string& machine) {
+  if (!store.families().get("roll")) must(store.families().add("roll", "family roll\n", by("tester")));
+  if (!store.parts().get("R-100")) must(store.parts().add("R-100", {"roll", 1, "{}"}, by("tester")));
+  NewProgramText added;
+  added.sha256 = must(store.contents().put(text)).sha256;
+  added.places_sha256 = must(store.contents().put("places of " + text)).sha256;
+  added.blocks = 2;
+  added.facts = "facts";
+  added.origin = {.kind = OriginKind::rendered,
+                  .family = "roll",
+                  .family_revision = 1,
+                  .part = "R-100",
+                  .part_revision = 1,
+                  .values = "{}",
+                  .machine = machine,
+                  .machine_revision = 1,
+                  .mode = "explicit"};
+  return must(store.programs().add("O0100", "fanuc", added, by("tester")));
+}
+
+Verdict add_verdict(Store& store, const Program& program, const std::string& machine, Outcome outcome) {
+  NewVerdict verdict;
+  verdict.program = program.id;
+  verdict.revision = program.newest.revision;
+  verdict.machine = machine;
+  verdict.machine_revision = must(store.machines().get(machine)).revision;
+  verdict.outcome = outcome;
+  verdict.report = "report";
+  return must(store.verdicts().add(verdict, by("tester")));
+}
+
+Release approve(Store& store, const Program& program, const std::string& machine) {
+  const Release release =
+      must(store.releases().add({program.id, program.newest.revision, machine, Delivery::drip}, by("tester")));
+  must(store.releases().move(release.id, {ReleaseState::in_review, "", 0}, by("tester")));
+  must(store.releases().move(release.id, {ReleaseState::proving, "", 1}, by("reviewer")));
+  return must(store.releases().move(release.id, {ReleaseState::approved, "first piece measured", 0}, by("approver")));
+}
+
+Released add_released(Store& store, const std::string& machine, const std::string& text) {
+  must(store.machines().add(machine, "profile", by("tester")));
+  Released made;
+  made.program = add_rendered(store, text, machine);
+  made.verdict = add_verdict(store, made.program, machine);
+  made.release = approve(store, made.program, machine);
+  return made;
+}
+
+Job add_job(Store& store, const std::string& machine) {
+  const Released released = add_released(store, machine, "%\n(" + machine + ")\nM30\n%\n");
+  return must(store.jobs().add({released.release.id, "serial:/dev/ttyS0", 100}, by("tester")));
+}
+
+void bring(Store& store, Id job, JobState state) {
+  using enum JobState;
+  static const std::array<std::vector<JobState>, kJobStates> kWays{{
+      {},
+      {armed},
+      {armed, feeding},
+      {armed, feeding, held},
+      {armed, feeding, draining},
+      {armed, feeding, draining, done},
+      {armed, failed},
+      {cancelled},
+      {armed, interrupted},
+  }};
+  for (const JobState step : kWays[static_cast<std::size_t>(state)]) {
+    must(store.jobs().move(job, {step, "on the way", false}, by("tester")));
+  }
+}
+
+void StoreTest::reopen(const sqlite::OpenSettings& settings) {
+  store_.reset();
+  store_ = must(sqlite::open(path(), settings));
+}
+
+std::string StoreTest::sql(const std::string& text) const {
+  sqlite3* connection = nullptr;
+  sqlite3_open(path().c_str(), &connection);
+  sqlite3_exec(connection, "PRAGMA foreign_keys = ON; PRAGMA recursive_triggers = ON", nullptr, nullptr, nullptr);
+  const int result = sqlite3_exec(connection, text.c_str(), nullptr, nullptr, nullptr);
+  std::string words = result == SQLITE_OK ? "" : sqlite3_errmsg(connection);
+  sqlite3_close(connection);
+  return words;
+}
+
+}  // namespace dripfeed::store_test
