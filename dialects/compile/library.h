@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dialects/interpreter/interpreter.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/stage.h"
 #include "dialects/text/source.h"
@@ -20,12 +21,12 @@ namespace dripfeed::compile {
 using FindText = std::function<std::optional<text::Source>(std::string_view name)>;
 
 // Reads each program once, with the dialect and control of the caller. Not for several threads at a time.
-class ProgramLibrary {
+class ProgramLibrary : public interpreter::ProgramFinder {
  public:
   ProgramLibrary(ir::Control control, FindText find_text);
 
   // nullptr when there is no such program. Valid as long as the library.
-  const ir::Program* find(std::string_view name);
+  const ir::Program* find(std::string_view name) override;
   // What reading the programs gave, by name, in the order they were asked for.
   struct Loaded {
     std::string name;

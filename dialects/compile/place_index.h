@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dripfeed::compile {
@@ -18,12 +19,15 @@ struct PlaceEntry {
 
 struct PlaceIndex {
   std::vector<PlaceEntry> entries;  // in the order of the text, one a block
-  std::vector<std::string> names;   // of the variables
+  std::vector<std::string> names;   // of the family's variables that change from block to block
   std::vector<double> values;       // entries × names, row by row, stored units; NaN: not yet set
+  // The others: parameters and what is computed once.
+  std::vector<std::pair<std::string, double>> constants;
+
   [[nodiscard]] std::span<const double> values_of(std::size_t entry) const {
     return std::span(values).subspan(entry * names.size(), names.size());
   }
-  // Index of the block that holds the byte; the last block for offsets beyond it. entries must not be empty.
+  // Index of the block that holds the byte, the first for offsets before it; entries must not be empty.
   [[nodiscard]] std::size_t at(std::uint32_t offset) const;
 };
 

@@ -50,6 +50,14 @@ struct RenderResult {
 
 RenderResult render(const RenderRequest& request);
 
+// Stock, nominal and tools of a family with these values, and what reading and binding said of them; for checks of a
+// program that was rendered earlier. With an error the geometry is empty.
+struct FamilyGeometry {
+  family::Geometry geometry;
+  std::vector<text::Diagnostic> diagnostics;  // spans in `family`
+};
+FamilyGeometry family_geometry(const text::Source& family, const std::vector<family::Override>& values);
+
 // What a family is, for lists and forms.
 struct ParameterDescription {
   std::string name;
@@ -70,5 +78,8 @@ FamilyDescription describe_family(const text::Source& family);
 
 // Whether the family takes these values: what reading it and binding them gives; spans in `family`.
 std::vector<text::Diagnostic> check_values(const text::Source& family, const std::vector<family::Override>& values);
+
+// Stock and nominal with these values; nothing when the family does not take them (check_values says why).
+std::optional<family::Geometry> geometry_of(const text::Source& family, const std::vector<family::Override>& values);
 
 }  // namespace dripfeed::compile

@@ -107,7 +107,7 @@ class Builder {
 
   void build_step(const Step& step) {
     switch (step.kind) {
-      case StepKind::work_offset: emit_.block(Function::work_offset, static_cast<std::int16_t>(step.number), {}); break;
+      case StepKind::work_offset: work_offset(step); break;
       case StepKind::tool: tool(step); break;
       case StepKind::spindle: spindle(step); break;
       case StepKind::spindle_off: emit_.block({Function::spindle_stop}, {}); break;
@@ -126,7 +126,7 @@ class Builder {
       case StepKind::if_end: emit_.close(StatementKind::if_end); break;
       case StepKind::let: emit_.assign(step.target, copy(step.values[0])); break;
       case StepKind::message: emit_.message(step.text); break;
-      case StepKind::dwell: emit_.block({Function::dwell}, {{ir::Address::f, copy(step.values[0])}}); break;
+      case StepKind::dwell: dwell(step); break;
       case StepKind::stop: emit_.block({Function::program_stop}, {}); break;
       case StepKind::optional_stop: emit_.block({Function::optional_stop}, {}); break;
     }
@@ -141,12 +141,17 @@ class Builder {
     return out;
   }
 
+  void work_offset(const Step& step) {
+    const EmittedCode code{Function::work_offset, static_cast<std::int16_t>(step.number)};
+    emit_.block(std::span(&code, 1), {});
+  }
+
   // The first edge of the tool, as controls with edges say it; others make their own offset number of it.
   void tool(const Step& step) {
     const std::vector<EmittedWord> which = {{ir::Address::t, emit_.constant(step.number)},
                                             {ir::Address::d, emit_.constant(1.0)}};
     if (family_.machine == ir::MachineKind::lathe) {
-      emit_.block({}, which);
+      emit_.block(std::span<const EmittedCode>(), which);
     } else {
       emit_.block({Function::tool_change}, which);
     }
@@ -155,16 +160,14 @@ class Builder {
   void spindle(const Step& step) {
     std::vector<EmittedWord> out = {{ir::Address::s, copy(step.values[0])}};
     if (step.values[1] != ExpressionId::none) out.push_back({ir::Address::spindle_limit, copy(step.values[1])});
-    const bool turns = step.direction != Function::none;
+    std::vector<EmittedCode> codes;
     if (step.dimension == kSurfaceSpeed) {
-      turns ? emit_.block({Function::surface_speed_on, step.direction}, out)
-            : emit_.block({Function::surface_speed_on}, out);
+      codes.push_back({Function::surface_speed_on});
     } else if (family_.machine != ir::MachineKind::mill) {
-      turns ? emit_.block({Function::surface_speed_off, step.direction}, out)
-            : emit_.block({Function::surface_speed_off}, out);
-    } else {
-      turns ? emit_.block({step.direction}, out) : emit_.block({}, out);
+      codes.push_back({Function::surface_speed_off});
     }
+    if (step.direction != Function::none) codes.push_back({step.direction});
+    emit_.block(codes, out);
   }
 
   void coolant(const Step& step) {
@@ -173,8 +176,14 @@ class Builder {
   }
 
   void feed(const Step& step) {
-    emit_.block({step.dimension == kFeedPerRev ? Function::feed_per_rev : Function::feed_per_min},
-                {{ir::Address::f, copy(step.values[0])}});
+    const std::vector<EmittedWord> value = {{ir::Address::f, copy(step.values[0])}};
+    emit_.block({step.dimension == kFeedPerRev ? Function::feed_per_rev : Function::feed_per_min}, value);
+  }
+
+  // Seconds, as controls say it that count a dwell in F.
+  void dwell(const Step& step) {
+    const std::vector<EmittedWord> value = {{ir::Address::f, copy(step.values[0])}};
+    emit_.block({Function::dwell}, value);
   }
 
   // What a loop's bound is named by: itself when it is a number or a name, otherwise a variable that is computed once.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -31,6 +32,16 @@ constexpr auto kGroups = std::to_array<GroupRow>({
     {Function::feed_per_min, ModalGroup::feed},
     {Function::feed_per_rev, ModalGroup::feed},
     {Function::comp_off, ModalGroup::comp},
+    {Function::comp_left, ModalGroup::comp},
+    {Function::comp_right, ModalGroup::comp},
+    {Function::thread, ModalGroup::motion},
+    {Function::feed_inverse_time, ModalGroup::feed},
+    {Function::plane_yz, ModalGroup::plane},
+    {Function::machine_coordinates, ModalGroup::non_modal},
+    {Function::exact_stop_once, ModalGroup::non_modal},
+    {Function::length_offset_plus, ModalGroup::length_offset},
+    {Function::length_offset_minus, ModalGroup::length_offset},
+    {Function::length_offset_off, ModalGroup::length_offset},
     {Function::diameter_on, ModalGroup::diameter},
     {Function::diameter_off, ModalGroup::diameter},
     {Function::work_offset, ModalGroup::work_offset},
@@ -62,20 +73,19 @@ void Emitter::statement(ir::StatementKind kind, std::size_t payload) {
   program_.statements.push_back(out);
 }
 
-void Emitter::add_code(Function function, std::int16_t argument) {
-  ir::Code code;
-  code.function = function;
-  code.argument = argument;
-  code.group = group_of(function);
-  program_.codes.push_back(code);
-}
-
-void Emitter::add_block(std::uint32_t first_code, std::vector<EmittedWord> words) {
+void Emitter::block(std::span<const EmittedCode> codes, std::span<const EmittedWord> words) {
   ir::Block block;
-  block.first_code = first_code;
-  block.code_count = static_cast<std::uint32_t>(program_.codes.size()) - first_code;
+  block.first_code = static_cast<std::uint32_t>(program_.codes.size());
+  block.code_count = static_cast<std::uint32_t>(codes.size());
   block.first_word = static_cast<std::uint32_t>(program_.words.size());
   block.word_count = static_cast<std::uint32_t>(words.size());
+  for (const EmittedCode& emitted : codes) {
+    ir::Code code;
+    code.function = emitted.function;
+    code.argument = emitted.argument;
+    code.group = group_of(emitted.function);
+    program_.codes.push_back(code);
+  }
   for (const EmittedWord& emitted : words) {
     ir::Word word;
     word.address = emitted.address;
@@ -86,16 +96,10 @@ void Emitter::add_block(std::uint32_t first_code, std::vector<EmittedWord> words
   statement(ir::StatementKind::block, program_.blocks.size() - 1);
 }
 
-void Emitter::block(std::initializer_list<Function> functions, std::vector<EmittedWord> words) {
-  const auto first = static_cast<std::uint32_t>(program_.codes.size());
-  for (const Function function : functions) add_code(function, 0);
-  add_block(first, std::move(words));
-}
-
-void Emitter::block(Function function, std::int16_t argument, std::vector<EmittedWord> words) {
-  const auto first = static_cast<std::uint32_t>(program_.codes.size());
-  add_code(function, argument);
-  add_block(first, std::move(words));
+void Emitter::block(std::initializer_list<Function> functions, std::span<const EmittedWord> words) {
+  std::vector<EmittedCode> codes;
+  for (const Function function : functions) codes.push_back({function});
+  block(codes, words);
 }
 
 void Emitter::assign(ir::SymbolId target, ir::ExpressionId value) {
@@ -116,10 +120,14 @@ void Emitter::open(ir::StatementKind kind, ir::ExpressionId condition) {
 void Emitter::close(ir::StatementKind kind) { open(kind, ir::ExpressionId::none); }
 
 void Emitter::message(std::string_view text) {
-  ir::Expression expression;
-  expression.op = ir::Operator::string;
-  expression.string = program_.strings.add(text);
-  program_.messages.push_back({program_.add(expression), ir::ExpressionId::none});
+  ir::Message message;
+  if (!text.empty()) {
+    ir::Expression expression;
+    expression.op = ir::Operator::string;
+    expression.string = program_.strings.add(text);
+    message.text = program_.add(expression);
+  }
+  program_.messages.push_back(message);
   statement(ir::StatementKind::message, program_.messages.size() - 1);
 }
 

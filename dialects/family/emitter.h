@@ -3,12 +3,17 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <span>
 #include <string_view>
-#include <vector>
 
 #include "dialects/ir/program.h"
 
 namespace dripfeed::family {
+
+struct EmittedCode {
+  ir::Function function = ir::Function::none;
+  std::int16_t argument = 0;
+};
 
 struct EmittedWord {
   ir::Address address = ir::Address::x;
@@ -22,12 +27,13 @@ class Emitter {
   // Line of the family's text that what follows comes from.
   void set_line(std::uint32_t line) { line_ = line; }
 
-  void block(std::initializer_list<ir::Function> functions, std::vector<EmittedWord> words);
-  // As above, with an argument of the first function.
-  void block(ir::Function function, std::int16_t argument, std::vector<EmittedWord> words);
+  void block(std::span<const EmittedCode> codes, std::span<const EmittedWord> words);
+  // Functions without arguments.
+  void block(std::initializer_list<ir::Function> functions, std::span<const EmittedWord> words);
   void assign(ir::SymbolId target, ir::ExpressionId value);
   void open(ir::StatementKind kind, ir::ExpressionId condition);
   void close(ir::StatementKind kind);
+  // An empty text clears the message.
   void message(std::string_view text);
   void program_end();
 
@@ -42,8 +48,6 @@ class Emitter {
 
  private:
   void statement(ir::StatementKind kind, std::size_t payload);
-  void add_block(std::uint32_t first_code, std::vector<EmittedWord> words);
-  void add_code(ir::Function function, std::int16_t argument);
 
   ir::Program& program_;
   std::uint32_t line_ = 0;

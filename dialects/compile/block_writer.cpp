@@ -1,0 +1,228 @@
+// One function a kind of motion, by a table. Motion codes are stated when they change, arcs always; feeds when they or
+// their mode change. Positions are absolute and in mm, as motions have them.
+#include "dialects/compile/block_writer.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dripfeed::compile {
+
+namespace {
+
+using ir::Address;
+using ir::Function;
+using ir::MotionKind;
+
+struct KindRow {
+  MotionKind kind;
+  Function function;
+};
+constexpr auto kMoves = std::to_array<KindRow>({
+    {MotionKind::rapid, Function::rapid},
+    {MotionKind::linear, Function::linear},
+    {MotionKind::arc_cw, Function::arc_cw},
+    {MotionKind::arc_ccw, Function::arc_ccw},
+    {MotionKind::thread, Function::thread},
+});
+
+constexpr std::array kAxisAddresses = {Address::x, Address::y, Address::z, Address::a, Address::b,
+                                       Address::c, Address::u, Address::v, Address::w};
+static_assert(kAxisAddresses.size() == ir::kAxisCount);
+constexpr std::array kCenterAddresses = {Address::i, Address::j, Address::k};
+
+Function function_of(ir::Plane plane) {
+  switch (plane) {
+    case ir::Plane::xy: return Function::plane_xy;
+    case ir::Plane::zx: return Function::plane_zx;
+    case ir::Plane::yz: return Function::plane_yz;
+  }
+  return Function::none;
+}
+
+Function function_of(ir::FeedMode mode) {
+  switch (mode) {
+    case ir::FeedMode::per_min: return Function::feed_per_min;
+    case ir::FeedMode::per_rev: return Function::feed_per_rev;
+    case ir::FeedMode::inverse_time: return Function::feed_inverse_time;
+  }
+  return Function::none;
+}
+
+Function function_of(ir::CompSide side) {
+  switch (side) {
+    case ir::CompSide::off: return Function::comp_off;
+    case ir::CompSide::left: return Function::comp_left;
+    case ir::CompSide::right: return Function::comp_right;
+  }
+  return Function::none;
+}
+
+Function function_of(ir::CoolantState state) {
+  switch (state) {
+    case ir::CoolantState::off: return Function::coolant_off;
+    case ir::CoolantState::mist: return Function::coolant_mist;
+    case ir::CoolantState::flood: return Function::coolant_flood;
+  }
+  return Function::none;
+}
+
+bool is_arc(MotionKind kind) { return kind == MotionKind::arc_cw || kind == MotionKind::arc_ccw; }
+
+}  // namespace
+
+BlockWriter::BlockWriter(ir::Program& program, const ir::Control& control, const interpreter::RunNames& names)
+    : program_(program), control_(control), names_(names), emit_(program) {}
+
+void BlockWriter::safe_start(ir::Plane plane, ir::FeedMode feed_mode) {
+  plane_ = plane;
+  feed_mode_ = feed_mode;
+  add(Function::unit_mm);
+  add(function_of(plane));
+  add(Function::absolute);
+  add(function_of(feed_mode));
+  add(Function::comp_off);
+  if (control_.kind != ir::MachineKind::mill) {
+    add(control_.semantics.power_on_diameter == ir::DiameterMode::radius ? Function::diameter_off
+                                                                         : Function::diameter_on);
+  }
+  emit_.set_line(0);
+  block();
+}
+
+void BlockWriter::block() {
+  for (const family::EmittedCode& code : std::exchange(carried_.codes, {})) codes_.push_back(code);
+  for (const auto& [address, value] : std::exchange(carried_.words, {})) {
+    if (std::ranges::find(words_, address, &family::EmittedWord::address) == words_.end()) add(address, value);
+  }
+  emit_.block(codes_, words_);
+  codes_.clear();
+  words_.clear();
+}
+
+void BlockWriter::carry(const CarriedWords& words) {
+  carried_.codes.insert(carried_.codes.end(), words.codes.begin(), words.codes.end());
+  carried_.words.insert(carried_.words.end(), words.words.begin(), words.words.end());
+}
+
+void BlockWriter::flush(std::uint32_t line) {
+  if (carried_.codes.empty() && carried_.words.empty()) return;
+  emit_.set_line(line);
+  block();
+}
+
+void BlockWriter::event_block(Function function) {
+  add(function);
+  block();
+}
+
+void BlockWriter::write(const ir::Motion& motion, std::uint32_t line) {
+  emit_.set_line(line);
+  switch (motion.kind) {
+    case MotionKind::rapid:
+    case MotionKind::linear:
+    case MotionKind::arc_cw:
+    case MotionKind::arc_ccw:
+    case MotionKind::thread: return move(motion);
+    case MotionKind::spline: return;  // no motion of this build: the interpreter reports curves as not interpreted
+    case MotionKind::dwell:
+      add(Function::dwell);
+      add(Address::f, motion.feed);
+      return block();
+    case MotionKind::offset: add(Function::work_offset, static_cast<std::int16_t>(motion.number)); return block();
+    case MotionKind::tool: return tool(motion);
+    // Compensation begins and ends with a move: its code waits for the next one.
+    case MotionKind::comp: return carry({{{function_of(motion.comp), 0}}, {}});
+    case MotionKind::spindle: return spindle(motion);
+    case MotionKind::coolant: return event_block(function_of(motion.coolant));
+    case MotionKind::message: return message(motion);
+    case MotionKind::stop: return event_block(motion.number == 0 ? Function::program_stop : Function::optional_stop);
+    case MotionKind::end: return emit_.program_end();
+  }
+}
+
+void BlockWriter::plane(const ir::Motion& motion) {
+  if (motion.plane == plane_) return;
+  plane_ = motion.plane;
+  add(function_of(motion.plane));
+}
+
+void BlockWriter::feed(const ir::Motion& motion) {
+  if (motion.kind == MotionKind::rapid || motion.feed == 0.0) return;
+  // A thread's F is its lead, whatever the mode; inverse time is given in every block.
+  const bool thread = motion.kind == MotionKind::thread;
+  const bool same_mode = thread || motion.feed_mode == feed_mode_;
+  const bool every_block = thread || motion.feed_mode == ir::FeedMode::inverse_time;
+  if (same_mode && motion.feed == feed_ && !every_block) return;
+  if (!same_mode) add(function_of(motion.feed_mode));
+  if (!thread) feed_mode_ = motion.feed_mode;
+  feed_ = motion.feed;
+  add(Address::f, motion.feed);
+}
+
+// The plane's two axes only; a zero is stated, too, so that no control asks for it.
+void BlockWriter::center(const ir::Motion& motion) {
+  for (std::size_t axis = 0; axis < kCenterAddresses.size(); ++axis) {
+    const bool normal = (motion.plane == ir::Plane::xy && axis == 2) || (motion.plane == ir::Plane::zx && axis == 1) ||
+                        (motion.plane == ir::Plane::yz && axis == 0);
+    if (!normal) add(kCenterAddresses[axis], motion.center[axis]);
+  }
+}
+
+void BlockWriter::move(const ir::Motion& motion) {
+  const Function function = std::ranges::find(kMoves, motion.kind, &KindRow::kind)->function;
+  if (is_arc(motion.kind)) plane(motion);
+  if (motion.machine_coordinates) add(Function::machine_coordinates);
+  if (motion.exact_stop) add(Function::exact_stop_once);
+  if (function != motion_ || is_arc(motion.kind) || motion.kind == MotionKind::thread) add(function);
+  motion_ = function;
+  for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
+    if ((motion.axes_commanded & (1U << axis)) != 0) add(kAxisAddresses[axis], motion.end[axis]);
+  }
+  if (is_arc(motion.kind)) center(motion);
+  feed(motion);
+  block();
+}
+
+void BlockWriter::tool(const ir::Motion& motion) {
+  constexpr std::uint32_t kNoName = 0xFFFFFFFFU;
+  const bool same = motion.number == tool_number_ && motion.text == tool_name_;
+  tool_number_ = motion.number;
+  tool_name_ = motion.text;
+  const bool with_offset = control_.semantics.tool_word == ir::ToolWord::number_and_offset;
+  if (motion.text != kNoName) {
+    ir::Expression name;
+    name.op = ir::Operator::string;
+    name.string = program_.strings.add(names_.strings[motion.text]);
+    if (!same) words_.push_back({Address::t, program_.add(name)});
+  } else if (with_offset) {
+    add(Address::t, motion.number * 100.0 + motion.tool_offset);
+  } else if (!same) {
+    add(Address::t, motion.number);
+  }
+  if (control_.semantics.d_selects_edge && (motion.tool_offset != tool_offset_ || !same)) {
+    add(Address::d, motion.tool_offset);
+  }
+  tool_offset_ = motion.tool_offset;
+  if (!same && control_.kind != ir::MachineKind::lathe && !with_offset) add(Function::tool_change);
+  if (!codes_.empty() || !words_.empty()) block();
+}
+
+void BlockWriter::spindle(const ir::Motion& motion) {
+  if (motion.spindle == ir::SpindleState::stopped) return event_block(Function::spindle_stop);
+  const bool surface = motion.surface_speed_m_min > 0.0;
+  if (surface || surface_speed_ || control_.kind != ir::MachineKind::mill) {
+    add(surface ? Function::surface_speed_on : Function::surface_speed_off);
+  }
+  surface_speed_ = surface;
+  add(motion.spindle == ir::SpindleState::clockwise ? Function::spindle_cw : Function::spindle_ccw);
+  add(Address::s, surface ? motion.surface_speed_m_min : motion.spindle_rpm);
+  if (surface && motion.spindle_rpm > 0.0) add(Address::spindle_limit, motion.spindle_rpm);
+  block();
+}
+
+void BlockWriter::message(const ir::Motion& motion) {
+  const bool clears = motion.text >= names_.strings.size();
+  emit_.message(clears ? std::string_view() : std::string_view(names_.strings[motion.text]));
+}
+
+}  // namespace dripfeed::compile

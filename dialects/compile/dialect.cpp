@@ -1,0 +1,89 @@
+// The table of dialects. What only SINUMERIK takes (a control without G-code systems) is evened out here.
+#include "dialects/compile/dialect.h"
+
+#include <algorithm>
+#include <array>
+
+#include "dialects/fanuc/fanuc.h"
+#include "dialects/sinumerik/sinumerik.h"
+
+namespace dripfeed::compile {
+
+namespace {
+
+ir::Control sinumerik_control(ir::MachineKind kind, ir::GSystem) { return sinumerik::control(kind); }
+
+constexpr std::array kDialects = {
+    Dialect{"fanuc", "Fanuc Custom Macro B", fanuc::control, fanuc::infer_control, fanuc::read, fanuc::validate,
+            fanuc::raise, fanuc::print},
+    Dialect{"sinumerik-840d", "SINUMERIK 840D sl", sinumerik_control, sinumerik::infer_control, sinumerik::read,
+            sinumerik::validate, sinumerik::raise, sinumerik::print},
+};
+
+// What a line holds that only one dialect has. `at_start` counts blanks and a block number before it as nothing.
+struct Mark {
+  std::string_view text;
+  bool at_start;
+  std::string_view dialect;
+};
+constexpr std::string_view kFanuc = "fanuc";
+constexpr std::string_view kSinumerik = "sinumerik-840d";
+constexpr auto kMarks = std::to_array<Mark>({
+    {"%_N_", true, kSinumerik},   {";", true, kSinumerik},       {"DEF ", true, kSinumerik},
+    {"PROC ", true, kSinumerik},  {"EXTERN ", true, kSinumerik}, {"MSG(", true, kSinumerik},
+    {"MSG (", true, kSinumerik},  {"ENDIF", true, kSinumerik},   {"ENDWHILE", true, kSinumerik},
+    {"ENDFOR", true, kSinumerik}, {"GOTOF", false, kSinumerik},  {"GOTOB", false, kSinumerik},
+    {"$P_", false, kSinumerik},   {"$A", false, kSinumerik},     {"CR=", false, kSinumerik},
+    {"LIMS=", false, kSinumerik}, {"DIAM", false, kSinumerik},   {"G500", false, kSinumerik},
+    {"T=\"", false, kSinumerik},  {"=AC(", false, kSinumerik},   {"=IC(", false, kSinumerik},
+    {"SUPA", false, kSinumerik},  {"CYCLE8", false, kSinumerik}, {"X=", false, kSinumerik},
+    {"Y=", false, kSinumerik},    {"Z=", false, kSinumerik},     {"(", true, kFanuc},
+    {"#", false, kFanuc},         {"M98", false, kFanuc},        {"M99", false, kFanuc},
+    {"G65", false, kFanuc},       {"G43", false, kFanuc},        {"G28", false, kFanuc},
+});
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+std::string_view without_number(std::string_view line) {
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  if (line.size() > 1 && (line[0] == 'N' || line[0] == 'n') && is_digit(line[1])) {
+    line.remove_prefix(std::min(line.find_first_not_of("0123456789", 1), line.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  }
+  return line;
+}
+
+// "R5=" and "O1234" have digits in them.
+std::string_view by_numbered_head(std::string_view line) {
+  const std::size_t end = line.find_first_not_of("0123456789", 1);
+  if (line.size() < 2 || end == 1) return {};
+  if (line[0] == 'O') return kFanuc;
+  return line[0] == 'R' && end != std::string_view::npos && line[end] == '=' ? kSinumerik : std::string_view();
+}
+
+std::string_view dialect_of_line(std::string_view line) {
+  const std::string_view block = without_number(line);
+  if (const std::string_view by_head = by_numbered_head(block); !by_head.empty()) return by_head;
+  for (const Mark& mark : kMarks) {
+    if (mark.at_start ? block.starts_with(mark.text) : block.contains(mark.text)) return mark.dialect;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::span<const Dialect> dialects() { return kDialects; }
+
+const Dialect* find_dialect(std::string_view name) {
+  const auto found = std::ranges::find(kDialects, name, &Dialect::name);
+  return found == kDialects.end() ? nullptr : &*found;
+}
+
+const Dialect& infer_dialect(const text::Source& source) {
+  for (std::uint32_t line = 1; line <= source.line_count(); ++line) {
+    if (const Dialect* found = find_dialect(dialect_of_line(source.line(line)))) return *found;
+  }
+  return kDialects.front();
+}
+
+}  // namespace dripfeed::compile

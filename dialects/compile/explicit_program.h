@@ -1,0 +1,54 @@
+// The explicit form of any program: it is run, and what it did is written down as plain blocks with constants, in the
+// terms of a neutral control. Loops, jumps, calls, cycles, shifts, inches and increments are gone; what remains is one
+// block a motion or event. Raising it to a control and printing it is left to the callers.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dialects/interpreter/interpreter.h"
+#include "dialects/ir/control.h"
+#include "dialects/ir/program.h"
+
+namespace dripfeed::compile {
+
+// Where a block of the explicit program came from.
+struct BlockOrigin {
+  std::uint32_t line = 0;     // of the main program
+  std::uint64_t ordinal = 0;  // of the executed block
+};
+
+// A variable got a value. In the order of execution.
+struct LoggedChange {
+  std::uint64_t ordinal = 0;
+  interpreter::VariableChange change;
+};
+
+struct ExplicitProgram {
+  // Statement::line of it is 1 + the index into `origins`; 0 for what stands at its head.
+  ir::Program program;
+  ir::Control control;  // that `program` is written for
+  std::vector<BlockOrigin> origins;
+  std::vector<LoggedChange> changes;        // filled when wanted
+  std::vector<std::string> variable_names;  // VariableChange::variable
+  interpreter::RunResult run;               // with the diagnostics of running
+};
+
+struct ExplicitOptions {
+  interpreter::Limits limits;
+  std::vector<interpreter::InitialValue> initial_values;
+  bool want_changes = false;
+};
+
+// The diagnostics of the run; one that ended it is an error, whatever its row says. Spans are in the program that was
+// run, also for faults of called ones.
+std::vector<text::Diagnostic> run_faults(const interpreter::RunResult& run);
+
+// Runs `program` as `control` would. The result is whole when run.ended is `end` or `text_end` and no diagnostic is an
+// error; words that motions do not carry (tool length offsets, compensation numbers) are taken over as written when
+// they are constants.
+ExplicitProgram explicit_program(const ir::Program& program, const ir::Control& control,
+                                 interpreter::ProgramFinder& finder, const ExplicitOptions& options);
+
+}  // namespace dripfeed::compile

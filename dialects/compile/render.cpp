@@ -1,0 +1,165 @@
+// Read, bind, build; then either raise and print what was built, or run it first and print the plain blocks.
+#include "dialects/compile/render.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dialects/compile/dialect.h"
+#include "dialects/compile/explicit_program.h"
+#include "dialects/compile/index_places.h"
+#include "dialects/compile/printed_lines.h"
+#include "dialects/family/build.h"
+#include "dialects/family/read.h"
+
+namespace dripfeed::compile {
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, RenderMode>, 3> kModes = {
+    {{"macro", RenderMode::macro}, {"explicit", RenderMode::explicit_blocks}, {"auto", RenderMode::automatic}}};
+
+constexpr std::string_view kAsked = "it was asked for";
+constexpr std::string_view kDrip = "the control is fed block by block and then rejects jumps and loops";
+constexpr std::string_view kMemory = "the program is loaded into the control's memory, and its variables suffice";
+
+bool jumps(const ir::Program& program) {
+  return std::ranges::any_of(program.statements, [](const ir::Statement& s) {
+    return s.kind == ir::StatementKind::go_to || s.kind == ir::StatementKind::while_begin ||
+           s.kind == ir::StatementKind::repeat_begin || s.kind == ir::StatementKind::for_begin ||
+           s.kind == ir::StatementKind::loop_begin;
+  });
+}
+
+class Renderer {
+ public:
+  Renderer(const RenderRequest& request, const Dialect& dialect) : request_(request), dialect_(dialect) {}
+
+  RenderResult render() {
+    family::ReadFamilyResult read = family::read_family(request_.family);
+    result_.diagnostics = std::move(read.diagnostics);
+    if (text::has_error(result_.diagnostics)) return std::move(result_);
+    family_ = std::make_shared<const family::Family>(std::move(read.family));
+    family::BindResult bound = family::bind(family_, request_.values);
+    report(bound.diagnostics);
+    if (text::has_error(result_.diagnostics)) return std::move(result_);
+    result_.geometry = family::geometry(bound.bound);
+    built_ = family::build(bound.bound);
+    if (!request_.program_name.empty()) built_.name = request_.program_name;
+    control_ = neutral_control(family_->machine, family_->x_is_diameter);
+    choose();
+    if (!text::has_error(result_.diagnostics)) describe_text();
+    return std::move(result_);
+  }
+
+ private:
+  void report(const std::vector<text::Diagnostic>& diagnostics) {
+    result_.diagnostics.insert(result_.diagnostics.end(), diagnostics.begin(), diagnostics.end());
+  }
+
+  void choose() {
+    if (request_.mode == RenderMode::macro) return macro(kAsked, true);
+    if (request_.mode == RenderMode::explicit_blocks) return explicit_blocks(kAsked);
+    if (request_.delivery == ir::Delivery::drip) return explicit_blocks(kDrip);
+    macro(kMemory, false);
+  }
+
+  // `only`: there is no other way, faults are errors; otherwise a fault is why it is rendered explicitly.
+  void macro(std::string_view because, bool only) {
+    ir::RaiseResult raised = dialect_.raise(built_, control_, request_.target);
+    if (request_.delivery == ir::Delivery::drip && jumps(raised.program)) {
+      raised.diagnostics.push_back(ir::diagnose(request_.target, text::DiagnosticId::not_in_drip_mode, {}, {"a loop"}));
+    }
+    if (text::has_error(raised.diagnostics) && !only) {
+      const auto error = std::ranges::find(raised.diagnostics, text::Severity::error, &text::Diagnostic::severity);
+      return explicit_blocks(fmt::format("as a macro it does not go: {}", text::message_of(*error)));
+    }
+    report(raised.diagnostics);
+    if (text::has_error(raised.diagnostics)) return;
+    result_.mode = RenderMode::macro;
+    result_.because = because;
+    printed_ = dialect_.print(raised.program, request_.target);
+  }
+
+  void explicit_blocks(std::string_view because) {
+    ExplicitProgram made = explicit_program(built_, control_, interpreter::no_programs(),
+                                            {.limits = {}, .initial_values = {}, .want_changes = true});
+    report(run_faults(made.run));
+    const ir::RaiseResult raised = dialect_.raise(made.program, made.control, request_.target);
+    report(raised.diagnostics);
+    if (text::has_error(result_.diagnostics)) return;
+    result_.mode = RenderMode::explicit_blocks;
+    result_.because = because;
+    printed_ = dialect_.print(raised.program, request_.target);
+    index_places(made);
+  }
+
+  // From numbers of explicit blocks to lines of the family.
+  void index_places(const ExplicitProgram& made) {
+    std::set<std::string> own_names;
+    for (const ir::Symbol& symbol : family_->arena.symbols) {
+      own_names.emplace(family_->arena.strings.at(symbol.name));
+    }
+    result_.places = compile::index_places(printed_, made, own_names);
+    for (std::uint32_t& line : printed_.origin_lines) {
+      if (line != 0) line = made.origins[line - 1].line;
+    }
+  }
+
+  void describe_text() {
+    result_.text = std::move(printed_.text);
+    result_.bytes = result_.text.size();
+    result_.blocks = count_blocks(result_.text);
+    result_.variables = printed_.variables;
+    for (std::uint32_t i = 0; i < printed_.origin_lines.size(); ++i) {
+      if (in_profile(printed_.origin_lines[i])) add_profile_line(i + 1);
+    }
+  }
+
+  [[nodiscard]] bool in_profile(std::uint32_t line) const {
+    return std::ranges::any_of(family_->profiles,
+                               [line](const family::LineRange& r) { return r.first <= line && line <= r.last; });
+  }
+
+  void add_profile_line(std::uint32_t line) {
+    std::vector<family::LineRange>& ranges = result_.profile_lines;
+    if (!ranges.empty() && ranges.back().last + 1 == line) {
+      ranges.back().last = line;
+    } else {
+      ranges.push_back({line, line});
+    }
+  }
+
+  const RenderRequest& request_;
+  const Dialect& dialect_;
+  std::shared_ptr<const family::Family> family_;
+  ir::Program built_;
+  ir::Control control_;  // that built_ is written for
+  ir::PrintResult printed_;
+  RenderResult result_;
+};
+
+}  // namespace
+
+std::string_view name_of(RenderMode mode) {
+  return std::ranges::find(kModes, mode, &std::pair<std::string_view, RenderMode>::second)->first;
+}
+
+std::optional<RenderMode> find_render_mode(std::string_view name) {
+  const auto row = std::ranges::find(kModes, name, &std::pair<std::string_view, RenderMode>::first);
+  return row == kModes.end() ? std::nullopt : std::optional(row->second);
+}
+
+RenderResult render(const RenderRequest& request) {
+  if (const Dialect* dialect = find_dialect(request.target.dialect)) return Renderer(request, *dialect).render();
+  RenderResult out;
+  out.diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, {},
+                                                  {"the family", fmt::format("'{}'", request.target.dialect)}));
+  return out;
+}
+
+}  // namespace dripfeed::compile
