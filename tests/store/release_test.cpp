@@ -1,0 +1,221 @@
+// Verdicts and releases: what clears a text, what makes a verdict stale, every step of a release.
+#include <array>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "tests/store/fixture.h"
+
+namespace dripfeed::store_test {
+namespace {
+
+using namespace store;
+
+class ReleaseTest : public StoreTest {
+ protected:
+  ReleaseTest() {
+    must(store_->machines().add("mill-1", "profile", by("anna")));
+    program_ = add_rendered(*store_, "%\nM30\n%\n", "mill-1");
+  }
+  Release make_draft() {
+    return must(store_->releases().add({program_.id, 1, "mill-1", Delivery::drip}, by("anna", 50)));
+  }
+  Result<Release> move(const Release& release, ReleaseState to, std::string note = "note",
+                       std::uint64_t transfers = 2) {
+    return store_->releases().move(release.id, {to, std::move(note), transfers}, by("bert", 60));
+  }
+  Result<Clearance> cleared() {
+    return store_->releases().released_for(program_.newest.sha256, "mill-1", Delivery::drip);
+  }
+
+  Program program_;
+};
+
+TEST_F(ReleaseTest, VerdictRoundTrip) {
+  NewVerdict verdict{program_.id, 1, "mill-1", 1, Delivery::memory, Outcome::warn, "a long report"};
+  const Verdict made = must(store_->verdicts().add(verdict, by("anna", 5)));
+  must(store_->verdicts().waive(made.id, "known", by("bert", 6)));
+  must(store_->verdicts().waive(made.id, "known twice", by("carl", 7)));
+  reopen();
+  const Verdict read = must(store_->verdicts().get(made.id));
+  EXPECT_EQ(read.of.program, program_.id);
+  EXPECT_EQ(read.of.machine, "mill-1");
+  EXPECT_EQ(read.of.delivery, Delivery::memory);
+  EXPECT_EQ(read.of.outcome, Outcome::warn);
+  EXPECT_EQ(read.of.report, "a long report");
+  EXPECT_EQ(read.text_sha256, program_.newest.sha256);
+  EXPECT_FALSE(read.stale);
+  EXPECT_EQ(read.created_at_ms, 5);
+  ASSERT_EQ(read.waivers.size(), 2U);
+  EXPECT_EQ(read.waivers[1].name, "carl");
+  EXPECT_EQ(read.waivers[1].reason, "known twice");
+  EXPECT_EQ(must(store_->verdicts().list({})).items.at(0).waivers.size(), 2U);
+}
+
+TEST_F(ReleaseTest, VerdictRefusals) {
+  NewVerdict verdict{program_.id, 1, "mill-1", 1, Delivery::drip, Outcome::pass, ""};
+  verdict.machine_revision = 2;
+  EXPECT_EQ(refusal(store_->verdicts().add(verdict, by("anna"))), ErrorCode::broken_reference);
+  verdict.machine_revision = 1;
+  verdict.revision = 2;
+  EXPECT_EQ(refusal(store_->verdicts().add(verdict, by("anna"))), ErrorCode::broken_reference);
+  EXPECT_EQ(refusal(store_->verdicts().get(1)), ErrorCode::not_found);
+  EXPECT_EQ(refusal(store_->verdicts().waive(1, "reason", by("anna"))), ErrorCode::not_found);
+  const Verdict made = add_verdict(*store_, program_, "mill-1");
+  EXPECT_EQ(refusal(store_->verdicts().waive(made.id, "", by("anna"))), ErrorCode::invalid_value);
+  EXPECT_EQ(refusal(store_->verdicts().waive(made.id, "reason", by(""))), ErrorCode::invalid_value);
+}
+
+TEST_F(ReleaseTest, NewestVerdictIsPerTextMachineAndDelivery) {
+  must(store_->machines().add("mill-2", "profile", by("anna")));
+  add_verdict(*store_, program_, "mill-1", Outcome::fail);
+  const Verdict second = add_verdict(*store_, program_, "mill-1", Outcome::pass);
+  add_verdict(*store_, program_, "mill-2", Outcome::fail);
+  const std::string& text = program_.newest.sha256;
+  EXPECT_EQ(must(store_->verdicts().newest(text, "mill-1", Delivery::drip))->id, second.id);
+  EXPECT_EQ(must(store_->verdicts().newest(text, "mill-1", Delivery::memory)), std::nullopt);
+  // The same text under another name is the same text.
+  const Program again = add_program(*store_, "%\nM30\n%\n", "O0999");
+  EXPECT_EQ(must(store_->verdicts().newest(again.newest.sha256, "mill-1", Delivery::drip))->id, second.id);
+  EXPECT_EQ(must(store_->verdicts().list({}, {.program = 0, .machine = "mill-2"})).items.size(), 1U);
+  EXPECT_EQ(must(store_->verdicts().list({}, {.program = program_.id, .machine = {}})).items.size(), 3U);
+  EXPECT_EQ(must(store_->verdicts().list({}, {.program = again.id, .machine = {}})).items.size(), 0U);
+}
+
+TEST_F(ReleaseTest, ANewFamilyMakesTheVerdictsOfItsTextsStale) {
+  const Program uploaded = add_program(*store_, "uploaded");
+  const Verdict of_part = add_verdict(*store_, program_, "mill-1");
+  const Verdict of_upload = add_verdict(*store_, uploaded, "mill-1");
+  must(store_->families().add("ring", "other", by("anna")));
+  must(store_->families().change("ring", 1, "other 2", by("anna")));
+  EXPECT_FALSE(must(store_->verdicts().get(of_part.id)).stale);
+  must(store_->families().change("roll", 1, "roll 2", by("anna")));
+  EXPECT_TRUE(must(store_->verdicts().get(of_part.id)).stale);
+  EXPECT_FALSE(must(store_->verdicts().get(of_upload.id)).stale);
+  EXPECT_FALSE(add_verdict(*store_, program_, "mill-1").stale) << "a new check is fresh";
+}
+
+TEST_F(ReleaseTest, ANewMachineProfileMakesItsVerdictsStale) {
+  must(store_->machines().add("mill-2", "profile", by("anna")));
+  const Verdict first = add_verdict(*store_, program_, "mill-1");
+  const Verdict other = add_verdict(*store_, program_, "mill-2");
+  must(store_->machines().change("mill-1", 1, "profile 2", by("anna")));
+  EXPECT_TRUE(must(store_->verdicts().get(first.id)).stale);
+  EXPECT_FALSE(must(store_->verdicts().get(other.id)).stale);
+  NewVerdict late{program_.id, 1, "mill-1", 1, Delivery::drip, Outcome::pass, ""};
+  EXPECT_TRUE(must(store_->verdicts().add(late, by("anna"))).stale) << "made for a profile that is gone";
+}
+
+TEST_F(ReleaseTest, TheWholeWay) {
+  const Verdict verdict = add_verdict(*store_, program_, "mill-1");
+  const Release release = make_draft();
+  EXPECT_EQ(release.state, ReleaseState::draft);
+  EXPECT_EQ(release.text_sha256, program_.newest.sha256);
+  EXPECT_EQ(refusal(cleared()), ErrorCode::not_released);
+  must(move(release, ReleaseState::in_review));
+  EXPECT_EQ(refusal(cleared()), ErrorCode::not_released);
+  must(move(release, ReleaseState::proving));
+  EXPECT_EQ(must(cleared()).release.transfers_allowed, 2U);
+  must(move(release, ReleaseState::approved, "measured"));
+  reopen();
+  const Clearance clearance = must(cleared());
+  EXPECT_EQ(clearance.release.state, ReleaseState::approved);
+  EXPECT_EQ(clearance.release.approved_by, "bert");
+  EXPECT_EQ(clearance.release.sign_off, "measured");
+  EXPECT_EQ(clearance.verdict.id, verdict.id);
+  EXPECT_EQ(refusal(store_->releases().released_for(program_.newest.sha256, "mill-1", Delivery::memory)),
+            ErrorCode::not_released);
+  EXPECT_EQ(refusal(store_->releases().released_for(program_.newest.sha256, "mill-2", Delivery::drip)),
+            ErrorCode::not_released);
+  EXPECT_EQ(refusal(store_->releases().released_for(std::string(64, 'b'), "mill-1", Delivery::drip)),
+            ErrorCode::not_released);
+  must(move(release, ReleaseState::obsolete));
+  EXPECT_EQ(refusal(cleared()), ErrorCode::not_released);
+  const auto history = must(store_->releases().history(release.id));
+  ASSERT_EQ(history.size(), 4U);
+  EXPECT_EQ(history[0].from, ReleaseState::draft);
+  EXPECT_EQ(history[3].to, ReleaseState::obsolete);
+  EXPECT_EQ(history[2].note, "measured");
+  EXPECT_EQ(history[2].actor, "bert");
+}
+
+// Each pair of states, from a release that is in the first one.
+TEST_F(ReleaseTest, EveryOtherStepIsRefused) {
+  using enum ReleaseState;
+  const std::array<std::vector<ReleaseState>, 5> ways{
+      {{}, {in_review}, {in_review, proving}, {in_review, proving, approved}, {obsolete}}};
+  add_verdict(*store_, program_, "mill-1");
+  for (std::size_t from = 0; from < ways.size(); ++from) {
+    for (std::size_t to = 0; to < ways.size(); ++to) {
+      const Release release = make_draft();
+      for (const ReleaseState step : ways.at(from)) must(move(release, step));
+      const auto target = static_cast<ReleaseState>(to);
+      bool listed = false;
+      for (const ReleaseTransition& transition : release_transitions()) {
+        listed = listed || (static_cast<std::size_t>(transition.from) == from && transition.to == target);
+      }
+      const auto moved = move(release, target);
+      if (listed) {
+        EXPECT_TRUE(moved) << from << " to " << to;
+      } else {
+        EXPECT_EQ(refusal(moved), ErrorCode::refused_transition) << from << " to " << to;
+        EXPECT_EQ(must(store_->releases().get(release.id)).state, static_cast<ReleaseState>(from));
+        EXPECT_EQ(must(store_->releases().history(release.id)).size(), ways.at(from).size());
+      }
+      const auto end = must(store_->releases().get(release.id)).state;
+      if (end != obsolete) must(move(release, obsolete));
+    }
+  }
+}
+
+TEST_F(ReleaseTest, TheVerdictGuardsEachStep) {
+  const Release release = make_draft();
+  EXPECT_EQ(refusal(move(release, ReleaseState::in_review)), ErrorCode::no_verdict);
+  add_verdict(*store_, program_, "mill-1", Outcome::fail);
+  EXPECT_EQ(refusal(move(release, ReleaseState::in_review)), ErrorCode::verdict_not_passed);
+  const Verdict unknown = add_verdict(*store_, program_, "mill-1", Outcome::unknown);
+  EXPECT_EQ(refusal(move(release, ReleaseState::in_review)), ErrorCode::verdict_not_passed);
+  must(store_->verdicts().waive(unknown.id, "the probe is not simulated", by("anna")));
+  must(move(release, ReleaseState::in_review));
+  must(store_->families().change("roll", 1, "roll 2", by("anna")));
+  EXPECT_EQ(refusal(move(release, ReleaseState::proving)), ErrorCode::verdict_stale);
+  add_verdict(*store_, program_, "mill-1", Outcome::warn);
+  EXPECT_EQ(refusal(move(release, ReleaseState::proving, "", 0)), ErrorCode::invalid_value);
+  must(move(release, ReleaseState::proving));
+  EXPECT_EQ(refusal(move(release, ReleaseState::approved, "")), ErrorCode::sign_off_missing);
+  add_verdict(*store_, program_, "mill-1", Outcome::fail);
+  EXPECT_EQ(refusal(move(release, ReleaseState::approved)), ErrorCode::verdict_not_passed);
+  EXPECT_EQ(refusal(cleared()), ErrorCode::verdict_not_passed) << "a later failed check takes the clearance back";
+}
+
+TEST_F(ReleaseTest, AStaleVerdictDoesNotTakeAnApprovalBackButIsTold) {
+  add_verdict(*store_, program_, "mill-1");
+  approve(*store_, program_, "mill-1");
+  must(store_->families().change("roll", 1, "roll 2", by("anna")));
+  EXPECT_TRUE(must(cleared()).verdict.stale);
+}
+
+TEST_F(ReleaseTest, OneValidReleaseAText) {
+  add_verdict(*store_, program_, "mill-1");
+  const Release first = make_draft();
+  EXPECT_EQ(refusal(store_->releases().add(first.of, by("anna"))), ErrorCode::exists);
+  NewRelease memory = first.of;
+  memory.delivery = Delivery::memory;
+  must(store_->releases().add(memory, by("anna")));
+  must(move(first, ReleaseState::obsolete));
+  must(store_->releases().add(first.of, by("anna")));
+  EXPECT_EQ(must(store_->releases().list({.limit = 2, .after = {}})).items.size(), 2U);
+  EXPECT_EQ(must(store_->releases().list({}, {.program = program_.id, .machine = "mill-1"})).items.size(), 3U);
+  EXPECT_EQ(must(store_->releases().list({}, {.program = 99, .machine = {}})).items.size(), 0U);
+  NewRelease nowhere = first.of;
+  nowhere.machine = "mill-9";
+  EXPECT_EQ(refusal(store_->releases().add(nowhere, by("anna"))), ErrorCode::broken_reference);
+  nowhere = first.of;
+  nowhere.revision = 9;
+  EXPECT_EQ(refusal(store_->releases().add(nowhere, by("anna"))), ErrorCode::broken_reference);
+  EXPECT_EQ(refusal(store_->releases().get(99)), ErrorCode::not_found);
+  EXPECT_EQ(refusal(store_->releases().history(99)), ErrorCode::not_found);
+}
+
+}  // namespace
+}  // namespace dripfeed::store_test
