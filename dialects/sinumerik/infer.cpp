@@ -1,0 +1,117 @@
+// Mill or lathe, by the first line that has what only one of them would have:
+//   lathe: DIAMON, DIAM90, LIMS=, G96, G961, G18, a turning cycle (CYCLE93 to 99, 930, 940, 95x), a blank "CYLINDER";
+//   mill:  a Y word, G17, G19, CYCLE800, POCKETn, SLOTn, HOLESn, CYCLE61 to 79, a blank "BOX".
+// Without any it is a mill. The axes are those of the kind and every further letter that the text moves.
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dialects/sinumerik/lex.h"
+#include "dialects/sinumerik/name_index.h"
+#include "dialects/sinumerik/sinumerik.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using ir::TokenKind;
+
+enum class Sign : std::uint8_t { nothing, lathe, mill };
+
+struct NameSign {
+  std::string_view name;
+  Sign sign;
+};
+constexpr NameSign kNames[] = {
+    {"DIAMON", Sign::lathe},   {"DIAM90", Sign::lathe},   {"LIMS", Sign::lathe},     {"CYCLE93", Sign::lathe},
+    {"CYCLE94", Sign::lathe},  {"CYCLE95", Sign::lathe},  {"CYCLE96", Sign::lathe},  {"CYCLE97", Sign::lathe},
+    {"CYCLE98", Sign::lathe},  {"CYCLE99", Sign::lathe},  {"CYCLE930", Sign::lathe}, {"CYCLE940", Sign::lathe},
+    {"CYCLE950", Sign::lathe}, {"CYCLE951", Sign::lathe}, {"CYCLE952", Sign::lathe}, {"\"CYLINDER\"", Sign::lathe},
+    {"CYCLE800", Sign::mill},  {"POCKET1", Sign::mill},   {"POCKET2", Sign::mill},   {"POCKET3", Sign::mill},
+    {"POCKET4", Sign::mill},   {"SLOT1", Sign::mill},     {"SLOT2", Sign::mill},     {"HOLES1", Sign::mill},
+    {"HOLES2", Sign::mill},    {"CYCLE61", Sign::mill},   {"CYCLE62", Sign::mill},   {"CYCLE63", Sign::mill},
+    {"CYCLE64", Sign::mill},   {"CYCLE71", Sign::mill},   {"CYCLE72", Sign::mill},   {"CYCLE76", Sign::mill},
+    {"CYCLE77", Sign::mill},   {"CYCLE79", Sign::mill},   {"\"BOX\"", Sign::mill},
+};
+
+struct CodeSign {
+  std::string_view number;
+  Sign sign;
+};
+constexpr CodeSign kCodes[] = {
+    {"96", Sign::lathe}, {"961", Sign::lathe}, {"18", Sign::lathe}, {"17", Sign::mill}, {"19", Sign::mill},
+};
+
+class Inference {
+ public:
+  explicit Inference(std::string_view text) : text_(text) { lex(text, tokens_); }
+
+  void run() {
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      const ir::Token& token = tokens_[i];
+      if (token.kind == TokenKind::address && token.span.size() == 1) letter(i);
+      if (sign_ == Sign::nothing && (token.kind == TokenKind::name || token.kind == TokenKind::string))
+        decide(sign_of_name(token.span.in(text_)), i);
+    }
+  }
+
+  [[nodiscard]] Sign sign() const { return sign_; }
+  [[nodiscard]] std::uint32_t offset() const { return offset_; }
+  [[nodiscard]] bool moves(char letter) const { return letters_.find(letter) != std::string::npos; }
+
+ private:
+  // A letter is a word when a value follows: a number with or without sign, or '='.
+  [[nodiscard]] std::size_t after(std::size_t i) const {
+    ++i;
+    while (i < tokens_.size() && tokens_[i].kind == TokenKind::white) ++i;
+    return i;
+  }
+
+  void letter(std::size_t i) {
+    const char letter = to_upper(text_[tokens_[i].span.begin]);
+    const std::size_t next = after(i);
+    if (next >= tokens_.size()) return;
+    const std::string_view value = tokens_[next].span.in(text_);
+    if (letter == 'G' && sign_ == Sign::nothing) {
+      const auto row = std::ranges::find(kCodes, value, &CodeSign::number);
+      if (row != std::end(kCodes)) decide(row->sign, i);
+    }
+    const bool has_value = tokens_[next].kind == TokenKind::number || value == "=" || value == "-" || value == "+";
+    if (!has_value || std::string_view("YABCUVW").find(letter) == std::string_view::npos) return;
+    if (!moves(letter)) letters_ += letter;
+    if (letter == 'Y' && sign_ == Sign::nothing) decide(Sign::mill, i);
+  }
+
+  static Sign sign_of_name(std::string_view name) {
+    const auto row = std::ranges::find_if(kNames, [name](const NameSign& n) { return same_name(n.name, name); });
+    return row == std::end(kNames) ? Sign::nothing : row->sign;
+  }
+
+  void decide(Sign sign, std::size_t token) {
+    sign_ = sign;
+    if (sign != Sign::nothing) offset_ = tokens_[token].span.begin;
+  }
+
+  std::string_view text_;
+  std::vector<ir::Token> tokens_;
+  Sign sign_ = Sign::nothing;
+  std::uint32_t offset_ = 0;
+  std::string letters_;
+};
+
+}  // namespace
+
+ir::Control infer_control(const text::Source& source) {
+  Inference inference(source.text());
+  inference.run();
+  ir::Control result = control(inference.sign() == Sign::lathe ? ir::MachineKind::lathe : ir::MachineKind::mill);
+  if (inference.sign() != Sign::nothing) result.because_line = source.position(inference.offset()).line;
+  std::string axes;
+  for (const char letter : std::string_view("XYZABCUVW"))
+    if (result.axes.find(letter) != std::string::npos || inference.moves(letter)) axes += letter;
+  result.axes = axes;
+  return result;
+}
+
+}  // namespace dripfeed::sinumerik

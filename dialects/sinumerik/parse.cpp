@@ -1,0 +1,399 @@
+// Lines and words. Every step of a line takes at least one token, so that any text comes to its end.
+#include "dialects/sinumerik/parse.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "dialects/sinumerik/codes.h"
+#include "dialects/sinumerik/system_variables.h"
+#include "dialects/text/look_alike.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using ir::TokenKind;
+using text::DiagnosticId;
+
+constexpr std::uint32_t kNoNumber = 0xFFFFFFFFU;
+
+// A whole number of digits only; kNoNumber for anything else and above nine digits.
+std::uint32_t whole_number(std::string_view digits) {
+  if (digits.empty() || digits.size() > 9) return kNoNumber;
+  std::uint32_t value = 0;
+  for (const char c : digits) {
+    if (!is_digit(c)) return kNoNumber;
+    value = value * 10 + static_cast<std::uint32_t>(c - '0');
+  }
+  return value;
+}
+
+ir::Address letter_address(char c) { return static_cast<ir::Address>(to_upper(c) - 'A'); }
+static_assert(static_cast<int>(ir::Address::z) - static_cast<int>(ir::Address::a) == 25);
+
+}  // namespace
+
+Parser::Parser(ir::Program& program, const ir::Control& control, std::vector<text::Diagnostic>& diagnostics)
+    : program_(program),
+      control_(control),
+      diagnostics_(diagnostics),
+      lower_(program),
+      cursor_(program.source.text(), program.tokens),
+      has_invalid_(
+          std::ranges::any_of(program.tokens, [](const ir::Token& t) { return t.kind == TokenKind::invalid; })) {}
+
+void Parser::run() {
+  while (!cursor_.at_text_end()) line();
+}
+
+void Parser::line() {
+  faulty_ = false;
+  in_condition_ = false;
+  brackets_ = 0;
+  repeats_ = ir::ExpressionId::none;
+  has_call_ = false;
+  operator_ = {};
+  const text::Span start = cursor_.span();
+  lower_.begin_line(line_, cursor_.index());
+  if (has_invalid_) unreadable_tokens();
+  cursor_.skip_blanks();
+  if (cursor_.kind() == TokenKind::tape_mark) tape_head();
+  block_head();
+  while (!cursor_.at_block_end()) {
+    const std::uint32_t before = cursor_.index();
+    statement();
+    if (cursor_.index() == before) stray_symbol();
+  }
+  finish_line(start);
+}
+
+void Parser::finish_line(text::Span start) {
+  if (repeats_ != ir::ExpressionId::none && !has_call_) {
+    ir::Word p;
+    p.address = ir::Address::p;
+    p.value = repeats_;
+    p.span = repeats_span_;
+    lower_.add_word(p);
+  }
+  while (!cursor_.at_text_end() && cursor_.kind() != TokenKind::eob) cursor_.step();
+  const text::Span end = cursor_.span();
+  if (!cursor_.at_text_end()) cursor_.step();
+  lower_.end_line(cursor_.index(), {start.begin, end.begin});
+  ++line_;
+}
+
+// The characters that the control cannot read are reported, and no fault that follows from them.
+void Parser::unreadable_tokens() {
+  TokenCursor probe = cursor_;
+  for (; !probe.at_text_end() && probe.kind() != TokenKind::eob; probe.step()) {
+    if (probe.kind() != TokenKind::invalid) continue;
+    const std::string_view bytes = probe.text();
+    const text::Character character = text::read_character(bytes);
+    const std::uint32_t begin = probe.span().begin;
+    const text::Span span = {begin, begin + std::min(character.length, probe.span().size())};
+    const char alike = text::look_alike(character.code_point);
+    const std::string shown = text::describe_character(bytes);
+    if (static_cast<unsigned char>(bytes.front()) >= 0x80 && alike != '?' && alike != '\0' && alike != ' ') {
+      report(DiagnosticId::homoglyph, span, {shown, std::string(1, alike)});
+    } else {
+      report(DiagnosticId::invalid_character, span, {shown});
+    }
+    faulty_ = true;
+  }
+  if (faulty_) lower_.keep_as_native("unreadable", false, cursor_.span());
+}
+
+// "%_N_SHAFT_MPF": the head of a file on a serial line names the program.
+void Parser::tape_head() {
+  std::string_view head = cursor_.text().substr(1);
+  while (!head.empty() && (head.back() == ' ' || head.back() == '\t')) head.remove_suffix(1);
+  if (head.size() > 3 && same_name(head.substr(0, 3), "_N_")) head.remove_prefix(3);
+  if (head.size() > 4 && head[head.size() - 4] == '_') head.remove_suffix(4);
+  if (!head.empty() && std::ranges::all_of(head, is_name_character)) program_.name = UpperName(head).view();
+}
+
+// '/' with its level, N10 or :10, labels.
+void Parser::block_head() {
+  if (cursor_.kind() == TokenKind::skip) {
+    const std::string_view digits = cursor_.text().substr(1);
+    if (digits.size() > 1) report(DiagnosticId::skip_level_invalid, cursor_.span(), {std::string(digits)});
+    lower_.set_skip_level(static_cast<std::uint8_t>(digits.empty() ? 1 : digits.front() - '0' + 1));
+    cursor_.advance();
+  }
+  const text::Span head = cursor_.span();
+  const bool subblock = cursor_.kind() == TokenKind::address && to_upper(cursor_.first()) == 'N';
+  if (subblock || cursor_.is_symbol(':')) {
+    cursor_.advance();
+    if (cursor_.kind() == TokenKind::number) {
+      const std::uint32_t number = whole_number(cursor_.text());
+      if (number == kNoNumber) report(DiagnosticId::malformed_number, cursor_.span(), {here()});
+      cursor_.advance();
+      if (number != kNoNumber) lower_.add_block_number(number, to_here(head));
+    } else {
+      report(DiagnosticId::address_without_value, head, {std::string(head.in(cursor_.whole()))});
+    }
+  }
+  while (label_here()) {
+  }
+}
+
+bool Parser::label_here() {
+  if (cursor_.kind() != TokenKind::name || !cursor_.after().is_symbol(':')) return false;
+  lower_.add_label(cursor_.text(), cursor_.span());
+  cursor_.advance();
+  cursor_.advance();
+  return true;
+}
+
+void Parser::statement() {
+  switch (cursor_.kind()) {
+    case TokenKind::address:
+      if (cursor_.span().size() > 1) {
+        extended_address();
+      } else {
+        address_word();
+      }
+      return;
+    case TokenKind::variable: variable_statement(); return;
+    case TokenKind::name: name_statement(); return;
+    case TokenKind::number:
+      report(DiagnosticId::value_without_address, cursor_.span(), {here()});
+      lower_.keep_as_native("value without address", false, cursor_.span());
+      cursor_.advance();
+      return;
+    case TokenKind::white:
+    case TokenKind::eob:
+    case TokenKind::comment:
+    case TokenKind::tape_mark:
+    case TokenKind::skip:
+    case TokenKind::string:
+    case TokenKind::symbol:
+    case TokenKind::invalid: stray_symbol(); return;
+  }
+}
+
+void Parser::stray_symbol() {
+  if (cursor_.is_symbol('=')) return missing_target();
+  if (cursor_.is_symbol(')') || cursor_.is_symbol(']') || cursor_.is_symbol('(') || cursor_.is_symbol('[')) {
+    return give_up(DiagnosticId::unbalanced_bracket, cursor_.span(), {here()});
+  }
+  give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is not expected here"});
+}
+
+void Parser::address_word() {
+  const text::Span head = cursor_.span();
+  const char letter = to_upper(cursor_.first());
+  cursor_.advance();
+  switch (letter) {
+    case 'G': g_code(head); return;
+    case 'M': m_function(0, head); return;
+    case 'L': numbered_call(head); return;
+    case 'P': repeats_word(head); return;
+    case 'N': give_up(DiagnosticId::syntax_error, head, {"a block number stands first in its block"}); return;
+    default: word(letter_address(letter), 0, ir::StringId::none, head); return;
+  }
+}
+
+// S2=, M2=, T1= belong to a spindle; X1=, I1=, A2= are names of their own.
+void Parser::extended_address() {
+  const text::Span head = cursor_.span();
+  const std::string_view name = cursor_.text();
+  const std::uint32_t extension = whole_number(name.substr(1));
+  const char letter = to_upper(name.front());
+  cursor_.advance();
+  const bool indexed = (letter == 'S' || letter == 'T' || letter == 'H' || letter == 'D') && extension <= 255;
+  if (letter == 'M') return m_function(extension, head);
+  if (!indexed) return word(ir::Address::other, 0, lower_.name(name), head);
+  word(letter_address(letter), static_cast<std::uint8_t>(extension), ir::StringId::none, head);
+}
+
+// P5 or P=R1: how often the subprogram of the block runs.
+void Parser::repeats_word(text::Span head) {
+  ir::Word p;
+  ir::ExpressionId value = ir::ExpressionId::none;
+  if (cursor_.take('=')) {
+    value = expression();
+  } else if (!signed_constant(value)) {
+    return give_up(DiagnosticId::address_without_value, head, {"P"});
+  }
+  repeats_span_ = to_here(head);
+  if (has_call_ && !program_.calls.empty()) {
+    program_.calls.back().repeats = value;
+  } else {
+    repeats_ = value;
+  }
+}
+
+bool Parser::signed_constant(ir::ExpressionId& value) {
+  const bool sign = cursor_.is_symbol('-') || cursor_.is_symbol('+');
+  if (cursor_.kind() != TokenKind::number && !(sign && cursor_.after().kind() == TokenKind::number)) return false;
+  const text::Span head = cursor_.span();
+  const bool negative = cursor_.is_symbol('-');
+  if (sign) cursor_.advance();
+  value = number();
+  ir::Expression& constant = program_.expressions[static_cast<std::uint32_t>(value)];
+  if (negative) constant.value = -constant.value;
+  constant.span = join(head, constant.span);
+  return true;
+}
+
+void Parser::word(ir::Address address, std::uint8_t extension, ir::StringId name, text::Span head) {
+  ir::Word w;
+  w.address = address;
+  w.extension = extension;
+  w.name = name;
+  const std::string_view written = head.in(cursor_.whole());
+  if (cursor_.take('=')) {
+    operator_ = {head.begin, cursor_.previous_end()};
+    w.value = word_value(w);
+  } else if (head.size() == 1 && signed_constant(w.value)) {
+    // the usual word
+  } else if (cursor_.at_block_end() || cursor_.kind() == TokenKind::address || cursor_.kind() == TokenKind::name) {
+    report(DiagnosticId::address_without_value, head, {std::string(written)});
+    return lower_.keep_as_native("address without value", false, head);
+  } else {
+    report(DiagnosticId::missing_equals, head, {std::string(written)});
+    w.value = expression();
+  }
+  w.span = to_here(head);
+  lower_.add_word(w);
+}
+
+ir::ExpressionId Parser::word_value(ir::Word& w) {
+  if (cursor_.kind() == TokenKind::name && cursor_.after().is_symbol('(')) {
+    const Keyword* keyword = find_keyword(cursor_.text());
+    if (keyword != nullptr && keyword->role == Role::word_mode) return moded_value(w);
+    if (cursor_.is_name("QU")) {
+      cursor_.advance();
+      return parenthesized();
+    }
+  }
+  return expression();
+}
+
+// AC(…), IC(…) and the rotary forms, which end at the same point as AC; coded positions and DAC … RIC are kept by name.
+ir::ExpressionId Parser::moded_value(ir::Word& w) {
+  const std::string mode(UpperName(cursor_.text()).view());
+  cursor_.advance();
+  if (mode == "IC") {
+    w.mode = ir::WordMode::incremental;
+  } else if (mode == "AC" || mode == "DC" || mode == "ACP" || mode == "ACN") {
+    w.mode = ir::WordMode::absolute;
+    if (mode != "AC" && w.address != ir::Address::other) w.name = program_.strings.add(mode);
+  } else {
+    w.name = program_.strings.add(mode);
+    w.address = ir::Address::other;
+  }
+  return parenthesized();
+}
+
+void Parser::named_word(const Keyword& keyword) {
+  const text::Span head = cursor_.span();
+  cursor_.advance();
+  if (keyword.name == "PO") return native("PO", false, head);
+  ir::StringId name = program_.strings.add(keyword.name);
+  if (keyword.address != ir::Address::other && keyword.address != ir::Address::chamfer) name = ir::StringId::none;
+  if (cursor_.is_symbol('[')) {
+    ir::Variable index;  // POS[X]: the index is a part of the name
+    index_list(index, false);
+    const std::string_view written = to_here(head).in(cursor_.whole());
+    name = lower_.name(written);
+    const bool usual = keyword.address == ir::Address::spindle_limit && same_name(written, "LIMS[1]");
+    return word(usual ? keyword.address : ir::Address::other, 0, name, head);
+  }
+  word(keyword.address, 0, name, head);
+}
+
+void Parser::g_code(text::Span head) {
+  if (cursor_.is_symbol('[') || cursor_.is_symbol('=')) return native("G[]", false, head);
+  if (cursor_.kind() != TokenKind::number) {
+    return give_up(DiagnosticId::address_without_value, head, {"G"});
+  }
+  const std::uint32_t n = whole_number(cursor_.text());
+  cursor_.advance();
+  const text::Span span = to_here(head);
+  const GCode* code = find_g_code(n);
+  if (code == nullptr) {
+    report(DiagnosticId::unknown_code, span, {std::string(span.in(cursor_.whole()))});
+    return lower_.keep_as_native(span.in(cursor_.whole()), false, span);
+  }
+  if (code->row.name == "G291") return native(code->row.name, false, span);
+  lower_.add_code(*code, span);
+}
+
+void Parser::m_function(std::uint32_t extension, text::Span head) {
+  ir::ExpressionId value = ir::ExpressionId::none;
+  if (cursor_.take('=')) {
+    operator_ = head;
+    ir::Word w;
+    w.address = ir::Address::m;
+    value = word_value(w);
+    const ir::Expression& e = program_.at(value);
+    if (e.op != ir::Operator::constant) return lower_.add_computed_m_code(value, to_here(head));
+    return numbered_m_function(e.value, extension, to_here(head));
+  }
+  if (cursor_.is_symbol('[')) return native("M[]", false, head);
+  if (!signed_constant(value)) return give_up(DiagnosticId::address_without_value, head, {"M"});
+  numbered_m_function(program_.at(value).value, extension, to_here(head));
+}
+
+void Parser::numbered_m_function(double number, std::uint32_t extension, text::Span span) {
+  if (number < 0 || number > 999'999'999 || number != static_cast<double>(static_cast<std::uint32_t>(number))) {
+    report(DiagnosticId::unknown_code, span, {std::string(span.in(cursor_.whole()))});
+    return lower_.keep_as_native("M", false, span);
+  }
+  lower_.add_m_code(static_cast<std::uint32_t>(number), extension, span);
+}
+
+void Parser::variable_statement() {
+  const text::Span head = cursor_.span();
+  const std::string_view name = cursor_.text();
+  const ir::VariableId target = variable();
+  assignment(target, head);
+  if (name.front() == '$') lower_.keep_as_native(name, is_harmless_to_write(name), to_here(head));
+}
+
+void Parser::name_statement() {
+  const text::Span head = cursor_.span();
+  const std::string_view name = cursor_.text();
+  const Keyword* keyword = find_keyword(name);
+  const bool variable_here = lower_.is_declared(lower_.find_symbol(name));
+  if (keyword != nullptr && !(variable_here && keyword->role != Role::statement)) return statement_of(*keyword, head);
+  const TokenCursor next = cursor_.after();
+  const bool assigned = next.is_symbol('=') || next.is_symbol('[');
+  if (!variable_here && !assigned) {
+    if (const GCode* code = find_named_code(name)) {
+      cursor_.advance();
+      return lower_.add_code(*code, head);
+    }
+    cursor_.advance();
+    return call_by_name(lower_.name(name), head);
+  }
+  const ir::VariableId target = variable();
+  assignment(target, head);
+}
+
+void Parser::report(DiagnosticId id, text::Span span, std::vector<std::string> arguments) {
+  if (!faulty_) diagnostics_.push_back(ir::diagnose(control_, id, span, std::move(arguments)));
+}
+
+void Parser::give_up(DiagnosticId id, text::Span span, std::vector<std::string> arguments) {
+  report(id, span, std::move(arguments));
+  lower_.keep_as_native("syntax error", false, span);
+  faulty_ = true;
+  skip_block();
+}
+
+void Parser::expect(char symbol) {
+  if (!cursor_.take(symbol)) report(DiagnosticId::missing_bracket, cursor_.span(), {std::string(1, symbol)});
+}
+
+void Parser::skip_block() {
+  while (!cursor_.at_block_end()) cursor_.advance();
+}
+
+std::string Parser::here() const {
+  return cursor_.at_block_end() ? std::string("the end of the block") : std::string(cursor_.text());
+}
+
+}  // namespace dripfeed::sinumerik

@@ -1,0 +1,139 @@
+// parse: tokens to statements, block by block. parse.cpp reads lines and words, parse_expression.cpp values,
+// parse_flow.cpp jumps and structures, parse_declarations.cpp PROC, DEF and EXTERN, parse_statements.cpp calls,
+// messages and what is kept as written. Names are resolved and statements ordered by Lowering; rules that need the
+// whole program are validate's.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dialects/ir/control.h"
+#include "dialects/ir/program.h"
+#include "dialects/sinumerik/keywords.h"
+#include "dialects/sinumerik/lower.h"
+#include "dialects/sinumerik/token_cursor.h"
+#include "dialects/text/diagnostic.h"
+
+namespace dripfeed::sinumerik {
+
+class Parser {
+ public:
+  // `program` has its source and its tokens.
+  Parser(ir::Program& program, const ir::Control& control, std::vector<text::Diagnostic>& diagnostics);
+  void run();
+
+ private:
+  // lines and words: parse.cpp
+  void line();
+  void block_head();
+  bool label_here();
+  void statement();
+  void address_word();
+  void extended_address();
+  void variable_statement();
+  void name_statement();
+  void stray_symbol();
+  void g_code(text::Span head);
+  void m_function(std::uint32_t extension, text::Span head);
+  void numbered_m_function(double number, std::uint32_t extension, text::Span span);
+  void word(ir::Address address, std::uint8_t extension, ir::StringId name, text::Span head);
+  void named_word(const Keyword& keyword);
+  bool signed_constant(ir::ExpressionId& value);
+  ir::ExpressionId word_value(ir::Word& word);
+  ir::ExpressionId moded_value(ir::Word& word);
+  void tape_head();
+  void repeats_word(text::Span head);
+  void finish_line(text::Span start);
+  void unreadable_tokens();
+  [[nodiscard]] text::Span to_here(text::Span from) const { return {from.begin, cursor_.previous_end()}; }
+
+  // values: parse_expression.cpp
+  ir::ExpressionId expression();
+  ir::ExpressionId binary(std::uint8_t weakest);
+  ir::ExpressionId unary();
+  ir::ExpressionId primary();
+  ir::ExpressionId parenthesized();
+  ir::ExpressionId number();
+  ir::ExpressionId string_literal();
+  ir::ExpressionId name_value();
+  ir::ExpressionId function_call(const Keyword& keyword, text::Span name);
+  ir::ExpressionId foreign_call(text::Span name);
+  ir::ExpressionId axis_name();
+  ir::ExpressionId missing_operand();
+  ir::Operator infix_here(std::uint8_t& rank) const;
+  void warn_of_rank(ir::ExpressionId operand, bool in_parentheses, text::Span span);
+  // A variable with its index; `token` is the head (R5, R, $NAME, name).
+  ir::VariableId variable();
+  ir::VariableId r_variable();
+  void index_list(ir::Variable& variable, bool axes_are_numbers);
+  ir::ExpressionId constant(double value, text::Span span);
+
+  // jumps and structures: parse_flow.cpp
+  void flow(Verb verb, text::Span head);
+  void if_statement(text::Span head);
+  void jump(Verb verb, ir::ExpressionId condition, text::Span head);
+  bool jump_target(ir::Jump& jump);
+  void for_statement(text::Span head);
+  void case_statement(text::Span head);
+  bool case_branch(ir::ExpressionId selector, text::Span head);
+  void repeat_statement(text::Span head);
+  void opener(ir::StatementKind kind, text::Span head, bool with_condition);
+  ir::ExpressionId condition(text::Span head);
+  static std::optional<Verb> go_to_verb(std::string_view name);
+
+  // definitions: parse_declarations.cpp
+  void procedure(text::Span head);
+  bool parameter(ir::Symbol& symbol);
+  void definition(text::Span head);
+  bool defined_name(ir::ValueType type, std::uint16_t string_length, ir::Symbol& symbol);
+  void dimensions(ir::Symbol& symbol);
+  bool value_list(const ir::Variable& first, text::Span head);
+  void repeated_value(const ir::Variable& first, text::Span head);
+  bool element(const ir::Variable& first, std::uint32_t offset, ir::ExpressionId value, text::Span head);
+  void skip_value_attributes();
+
+  // the rest: parse_statements.cpp
+  void assignment(ir::VariableId target, text::Span head);
+  void statement_of(const Keyword& keyword, text::Span head);
+  void call_by_name(ir::StringId name, text::Span head);
+  void call_statement(text::Span head);
+  void numbered_call(text::Span head);
+  void arguments(ir::Call& call);
+  void message(text::Span head);
+  void alarm(text::Span head);
+  void return_statement(text::Span head);
+  void native(std::string_view name, bool effects_known, text::Span head);
+  void missing_target();
+
+  // faults
+  void report(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments = {});
+  // A fault after which the rest of the block cannot be read.
+  void give_up(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments = {});
+  void expect(char symbol);
+  void skip_block();
+  [[nodiscard]] std::string here() const;  // the token as written, "the end of the block"
+
+  ir::Program& program_;
+  const ir::Control& control_;
+  std::vector<text::Diagnostic>& diagnostics_;
+  Lowering lower_;
+  TokenCursor cursor_;
+  std::uint32_t line_ = 1;
+  // of the block
+  bool faulty_ = false;         // a fault was reported: what follows from it is not
+  bool in_condition_ = false;   // a name before '=' is a comparison gone wrong, not the next word
+  bool foreign_chain_ = false;  // ':' between frames was read: the value is not interpreted
+  std::uint32_t brackets_ = 0;  // open around the value being read
+  std::uint32_t nesting_ = 0;
+  text::Span operator_;                                // the last operator or function read: what lacks its operand
+  bool in_parentheses_ = false;                        // the last operand read was
+  ir::ExpressionId repeats_ = ir::ExpressionId::none;  // P= before a call
+  text::Span repeats_span_;
+  bool has_call_ = false;
+  bool has_invalid_ = false;  // anywhere in the text
+};
+
+}  // namespace dripfeed::sinumerik

@@ -1,0 +1,238 @@
+// PROC, DEF and EXTERN. The symbols of one definition stand together in the program's arena. Lists of values of arrays
+// become one assignment an element, because a symbol has one initial value.
+#include <algorithm>
+
+#include "dialects/sinumerik/parse.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using ir::StatementKind;
+using ir::TokenKind;
+using text::DiagnosticId;
+
+// REP fills a whole array; beyond this the list is kept as written instead.
+constexpr std::uint32_t kMostElements = 20'000;
+
+}  // namespace
+
+// PROC NAME(REAL A, VAR INT B, REAL C=1.5) SAVE DISPLOF
+void Parser::procedure(text::Span head) {
+  if (cursor_.kind() != TokenKind::name)
+    return give_up(DiagnosticId::syntax_error, cursor_.span(), {"PROC has no name"});
+  program_.name = UpperName(cursor_.text()).view();
+  cursor_.advance();
+  ir::Structure structure;
+  std::vector<ir::Symbol> parameters;
+  if (cursor_.take('(') && !cursor_.take(')')) {
+    do {
+      ir::Symbol symbol;
+      if (!parameter(symbol)) return;
+      parameters.push_back(symbol);
+    } while (cursor_.take(','));
+    expect(')');
+  }
+  structure.first_symbol = static_cast<std::uint32_t>(program_.symbols.size());
+  structure.symbol_count = static_cast<std::uint32_t>(parameters.size());
+  for (const ir::Symbol& symbol : parameters) lower_.declare(symbol);
+  while (cursor_.kind() == TokenKind::name) {
+    structure.saves_modal = structure.saves_modal || cursor_.is_name("SAVE");
+    cursor_.advance();
+  }
+  lower_.add_structure(StatementKind::procedure, structure, to_here(head));
+  if (!cursor_.at_block_end()) give_up(DiagnosticId::statement_not_alone, head, {"PROC"});
+}
+
+bool Parser::parameter(ir::Symbol& symbol) {
+  symbol.is_parameter = true;
+  symbol.by_reference = cursor_.take_name("VAR");
+  const Keyword* keyword = cursor_.kind() == TokenKind::name ? find_keyword(cursor_.text()) : nullptr;
+  if (keyword == nullptr || keyword->role != Role::type) {
+    give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is no type of a parameter"});
+    return false;
+  }
+  cursor_.advance();
+  std::uint16_t string_length = 0;
+  if (keyword->type == ir::ValueType::string && cursor_.is_symbol('[')) {
+    ir::Symbol length;
+    dimensions(length);
+    string_length = length.dimension1;
+  }
+  return defined_name(keyword->type, string_length, symbol);
+}
+
+// NAME, NAME[10,5], NAME=1.5: the part that DEF and PROC share.
+bool Parser::defined_name(ir::ValueType type, std::uint16_t string_length, ir::Symbol& symbol) {
+  if (cursor_.kind() != TokenKind::name) {
+    give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is no name"});
+    return false;
+  }
+  symbol.name = lower_.name(cursor_.text());
+  symbol.type = type;
+  symbol.string_length = string_length;
+  symbol.span = cursor_.span();
+  cursor_.advance();
+  if (cursor_.is_symbol('[')) dimensions(symbol);
+  if (symbol.is_parameter && cursor_.take('=')) {
+    operator_ = symbol.span;
+    symbol.initial = expression();
+  }
+  return true;
+}
+
+// [10], [10,5], [] of a reference
+void Parser::dimensions(ir::Symbol& symbol) {
+  expect('[');
+  std::uint32_t count = 0;
+  do {
+    if (cursor_.is_symbol(']') || cursor_.is_symbol(',')) continue;
+    ++brackets_;
+    const ir::Expression& e = program_.at(binary(kWeakestRank));
+    --brackets_;
+    const bool usable = e.op == ir::Operator::constant && e.value >= 1.0 && e.value <= 65535.0;
+    const auto size = static_cast<std::uint16_t>(usable ? e.value : 1.0);
+    if (count == 0) symbol.dimension1 = size;
+    if (count == 1) symbol.dimension2 = size;
+    ++count;
+  } while (cursor_.take(','));
+  expect(']');
+}
+
+// SYNR, PHU 5, LLI 0, APR 7: of global data, without meaning for a run.
+void Parser::skip_value_attributes() {
+  while (cursor_.kind() == TokenKind::name) {
+    const Keyword* keyword = find_keyword(cursor_.text());
+    if (keyword == nullptr || keyword->role != Role::attribute) return;
+    cursor_.advance();
+    ir::ExpressionId value = ir::ExpressionId::none;
+    (void)signed_constant(value);
+  }
+}
+
+// DEF REAL A, B=2, C[3]=SET(1,2,3)
+void Parser::definition(text::Span head) {
+  skip_value_attributes();
+  const Keyword* keyword = cursor_.kind() == TokenKind::name ? find_keyword(cursor_.text()) : nullptr;
+  if (keyword == nullptr || keyword->role != Role::type)
+    return give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is no type of a variable"});
+  cursor_.advance();
+  std::uint16_t string_length = 0;
+  if (keyword->type == ir::ValueType::string && cursor_.is_symbol('[')) {
+    ir::Symbol length;
+    dimensions(length);
+    string_length = length.dimension1;
+  }
+  skip_value_attributes();
+  ir::Structure structure;
+  structure.first_symbol = static_cast<std::uint32_t>(program_.symbols.size());
+  std::vector<std::pair<ir::Variable, TokenCursor>> lists;  // of arrays, read when all names are there
+  do {
+    ir::Symbol symbol;
+    if (!defined_name(keyword->type, string_length, symbol)) break;
+    skip_value_attributes();
+    const ir::SymbolId id = lower_.declare(symbol);
+    if (!cursor_.take('=')) continue;
+    if (cursor_.is_name("SET") || cursor_.is_name("REP") || (cursor_.is_symbol('(') && symbol.dimension1 > 0)) {
+      ir::Variable first;
+      first.bank = ir::Bank::named;
+      first.symbol = id;
+      first.span = symbol.span;
+      lists.emplace_back(first, cursor_);
+      if (cursor_.kind() == TokenKind::name) cursor_.advance();
+      std::uint32_t open = 0;
+      do {
+        open += cursor_.is_symbol('(') ? 1U : 0U;
+        open -= cursor_.is_symbol(')') ? 1U : 0U;
+        cursor_.advance();
+      } while (open > 0 && !cursor_.at_block_end());
+    } else {
+      operator_ = symbol.span;
+      const ir::ExpressionId initial = expression();
+      program_.symbols[static_cast<std::uint32_t>(id)].initial = initial;
+    }
+  } while (cursor_.take(','));
+  structure.symbol_count = static_cast<std::uint32_t>(program_.symbols.size()) - structure.first_symbol;
+  lower_.add_structure(StatementKind::define, structure, to_here(head));
+  const std::uint32_t end = cursor_.index();
+  for (const auto& [first, at] : lists) {
+    cursor_.go_to(at.index());
+    value_list(first, head);
+  }
+  cursor_.go_to(std::max(end, cursor_.index()));
+  if (!cursor_.at_block_end()) give_up(DiagnosticId::statement_not_alone, head, {"DEF"});
+}
+
+// SET(a,b,c) or (a,b,c): elements in order from `first` on; REP(v) or REP(v,n). False when it is none of these.
+bool Parser::value_list(const ir::Variable& first, text::Span head) {
+  if (cursor_.take_name("REP")) {
+    repeated_value(first, head);
+    return true;
+  }
+  if (!cursor_.take_name("SET") && !cursor_.is_symbol('(')) return false;
+  operator_ = head;
+  expect('(');
+  ++brackets_;
+  std::uint32_t offset = 0;
+  do {
+    operator_ = head;
+    if (cursor_.is_symbol(',')) {
+      ++offset;
+      continue;
+    }
+    const ir::ExpressionId value = binary(kWeakestRank);
+    if (!element(first, offset++, value, head)) break;
+  } while (cursor_.take(','));
+  --brackets_;
+  expect(')');
+  return true;
+}
+
+void Parser::repeated_value(const ir::Variable& first, text::Span head) {
+  operator_ = head;
+  expect('(');
+  ++brackets_;
+  const ir::ExpressionId value = binary(kWeakestRank);
+  const ir::Symbol& symbol = program_.at(first.symbol);
+  std::uint32_t count = std::max<std::uint32_t>(symbol.dimension1, 1) * std::max<std::uint32_t>(symbol.dimension2, 1);
+  if (cursor_.take(',')) {
+    const ir::Expression& e = program_.at(binary(kWeakestRank));
+    if (e.op == ir::Operator::constant && e.value >= 0.0 && e.value <= 4e9) count = static_cast<std::uint32_t>(e.value);
+  }
+  --brackets_;
+  expect(')');
+  if (count > kMostElements) return lower_.keep_as_native("REP", false, head);
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (!element(first, i, value, head)) return;
+}
+
+// One assignment to the element `offset` places after `first`, row by row. False when the place is not known.
+bool Parser::element(const ir::Variable& first, std::uint32_t offset, ir::ExpressionId value, text::Span head) {
+  const auto constant_index = [this](ir::ExpressionId id, std::uint32_t& index) {
+    if (id == ir::ExpressionId::none) return true;
+    const ir::Expression& e = program_.at(id);
+    if (e.op != ir::Operator::constant || e.value < 0.0 || e.value > 1e6) return false;
+    index = static_cast<std::uint32_t>(e.value);
+    return true;
+  };
+  std::uint32_t row = 0;
+  std::uint32_t column = 0;
+  if (first.bank == ir::Bank::system || !constant_index(first.index, row) || !constant_index(first.index2, column)) {
+    lower_.keep_as_native("SET", false, head);
+    return false;
+  }
+  const std::uint32_t columns = first.bank == ir::Bank::named ? program_.at(first.symbol).dimension2 : 0U;
+  ir::Variable target = first;
+  const std::uint32_t flat = (columns > 0 ? row * columns + column : row) + offset;
+  if (first.bank == ir::Bank::r) {
+    target.number = flat;
+    target.index = ir::ExpressionId::none;
+  } else {
+    target.index = constant(columns > 0 ? flat / columns : flat, first.span);
+    target.index2 = columns > 0 ? constant(flat % columns, first.span) : ir::ExpressionId::none;
+  }
+  lower_.add_assign(program_.add(target), value, head);
+  return true;
+}
+
+}  // namespace dripfeed::sinumerik

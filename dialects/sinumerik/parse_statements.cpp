@@ -1,0 +1,188 @@
+// Assignments, calls, messages and alarms, and what is kept as it is written: synchronized actions, cycles, couplings,
+// transformations. Those lose no verdict silently: a Native names itself, and only a few are known to do nothing.
+#include <algorithm>
+
+#include "dialects/sinumerik/parse.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using ir::StatementKind;
+using ir::TokenKind;
+using text::DiagnosticId;
+
+}  // namespace
+
+void Parser::statement_of(const Keyword& keyword, text::Span head) {
+  switch (keyword.role) {
+    case Role::address: return named_word(keyword);
+    case Role::native:
+    case Role::display: cursor_.advance(); return native(keyword.name, keyword.role == Role::display, head);
+    case Role::foreign: cursor_.advance(); return native(keyword.name, false, head);
+    case Role::infix:
+    case Role::prefix:
+    case Role::function:
+    case Role::constant:
+    case Role::word_mode:
+    case Role::type:
+    case Role::attribute:
+      return give_up(DiagnosticId::syntax_error, head, {std::string(keyword.name) + " does not begin a statement"});
+    case Role::statement: break;
+  }
+  cursor_.advance();
+  switch (keyword.verb) {
+    case Verb::define: return definition(head);
+    case Verb::procedure: return procedure(head);
+    case Verb::declare: lower_.add_plain(StatementKind::declaration, head); return skip_block();
+    case Verb::message: return message(head);
+    case Verb::alarm: return alarm(head);
+    case Verb::call: return call_statement(head);
+    case Verb::return_word: return return_statement(head);
+    case Verb::none:
+    case Verb::if_word:
+    case Verb::else_word:
+    case Verb::end_if:
+    case Verb::while_word:
+    case Verb::end_while:
+    case Verb::for_word:
+    case Verb::end_for:
+    case Verb::loop:
+    case Verb::end_loop:
+    case Verb::repeat:
+    case Verb::until:
+    case Verb::case_word:
+    case Verb::go_to:
+    case Verb::go_to_forward:
+    case Verb::go_to_backward:
+    case Verb::go_to_tolerant: return flow(keyword.verb, head);
+  }
+}
+
+// The rest of the block belongs to what stands at its head and is not read.
+void Parser::native(std::string_view name, bool effects_known, text::Span head) {
+  skip_block();
+  lower_.keep_as_native(name, effects_known, to_here(head));
+}
+
+// `head` is the variable's first token; the cursor stands after the variable.
+void Parser::assignment(ir::VariableId target, text::Span head) {
+  const text::Span variable_span = program_.at(target).span;
+  if (!cursor_.take('=')) {
+    report(DiagnosticId::missing_equals, variable_span, {std::string(variable_span.in(cursor_.whole()))});
+    return lower_.keep_as_native("missing =", false, variable_span);
+  }
+  operator_ = {cursor_.previous_end() - 1, cursor_.previous_end()};
+  foreign_chain_ = false;
+  const ir::Variable written = program_.at(target);
+  const bool list = cursor_.is_name("SET") || cursor_.is_name("REP");
+  if (list && written.bank != ir::Bank::system) {
+    (void)value_list(written, head);
+    return;
+  }
+  if (list) return native("SET", false, head);
+  const ir::ExpressionId value = expression();
+  if (foreign_chain_) return lower_.keep_as_native(variable_span.in(cursor_.whole()), false, to_here(head));
+  if (written.bank != ir::Bank::system) lower_.add_assign(target, value, to_here(head));
+}
+
+void Parser::missing_target() {
+  const text::Span sign = cursor_.span();
+  report(DiagnosticId::missing_target, sign);
+  lower_.keep_as_native("assignment without target", false, sign);
+  cursor_.advance();
+  operator_ = sign;
+  (void)expression();
+}
+
+void Parser::call_by_name(ir::StringId name, text::Span head) {
+  ir::Call call;
+  call.name = name;
+  call.repeats = repeats_;
+  if (cursor_.is_symbol('(')) arguments(call);
+  has_call_ = true;
+  lower_.add_call(call, to_here(head));
+}
+
+// (a, b,, d): an argument that is left out is none.
+void Parser::arguments(ir::Call& call) {
+  const text::Span before = operator_;
+  expect('(');
+  ++brackets_;
+  std::vector<ir::Argument> given;
+  if (!cursor_.is_symbol(')')) {
+    do {
+      operator_ = before;
+      const bool left_out = cursor_.is_symbol(',') || cursor_.is_symbol(')');
+      given.push_back({0, left_out ? ir::ExpressionId::none : binary(kWeakestRank)});
+    } while (cursor_.take(','));
+  }
+  --brackets_;
+  expect(')');
+  call.first_argument = static_cast<std::uint32_t>(program_.arguments.size());
+  call.argument_count = static_cast<std::uint32_t>(given.size());
+  program_.arguments.insert(program_.arguments.end(), given.begin(), given.end());
+}
+
+// CALL "NAME"; with a string variable, a path or a section it is kept as written.
+void Parser::call_statement(text::Span head) {
+  const TokenCursor next = cursor_.after();
+  if (cursor_.kind() != TokenKind::string || !next.at_block_end()) return native("CALL", false, head);
+  std::string_view name = cursor_.text().substr(1);
+  if (!name.empty() && name.back() == '"') name.remove_suffix(1);
+  if (name.find('/') != std::string_view::npos) return native("CALL", false, head);
+  if (name.size() > 3 && same_name(name.substr(0, 3), "_N_")) name.remove_prefix(3);
+  const std::string_view ending = name.size() > 4 ? name.substr(name.size() - 4) : std::string_view();
+  if (same_name(ending, "_SPF") || same_name(ending, "_MPF") || same_name(ending, ".SPF") || same_name(ending, ".MPF"))
+    name.remove_suffix(4);
+  const ir::StringId id = lower_.name(name);
+  cursor_.advance();
+  call_by_name(id, head);
+}
+
+// L100 and L0100 are two programs: the digits are the name.
+void Parser::numbered_call(text::Span head) {
+  const std::string_view digits = cursor_.kind() == TokenKind::number ? cursor_.text() : std::string_view();
+  if (digits.empty() || !std::ranges::all_of(digits, is_digit))
+    return give_up(DiagnosticId::address_without_value, head, {"L"});
+  const ir::StringId id = lower_.name("L" + std::string(digits));
+  cursor_.advance();
+  call_by_name(id, head);
+}
+
+// MSG("text" << value), MSG() clears.
+void Parser::message(text::Span head) {
+  ir::Message message;
+  operator_ = head;
+  if (!cursor_.is_symbol('(')) return give_up(DiagnosticId::missing_bracket, head, {"("});
+  cursor_.advance();
+  if (!cursor_.is_symbol(')')) {
+    ++brackets_;
+    message.text = binary(kWeakestRank);
+    if (cursor_.take(',')) (void)binary(kWeakestRank);
+    --brackets_;
+  }
+  expect(')');
+  lower_.add_message(StatementKind::message, message, to_here(head));
+}
+
+void Parser::alarm(text::Span head) {
+  ir::Message alarm;
+  operator_ = head;
+  if (!cursor_.is_symbol('(')) return give_up(DiagnosticId::missing_bracket, head, {"("});
+  cursor_.advance();
+  ++brackets_;
+  alarm.number = binary(kWeakestRank);
+  if (cursor_.take(',')) alarm.text = binary(kWeakestRank);
+  --brackets_;
+  expect(')');
+  lower_.add_message(StatementKind::alarm, alarm, to_here(head));
+}
+
+// RET alone; RET(…) goes elsewhere in the caller and is kept as written.
+void Parser::return_statement(text::Span head) {
+  if (cursor_.is_symbol('(')) return native("RET", false, head);
+  lower_.add_plain(StatementKind::subprogram_return, head);
+}
+
+}  // namespace dripfeed::sinumerik
