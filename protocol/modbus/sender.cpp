@@ -289,7 +289,7 @@ void Sender::compose(MailboxCommand command) {
   mailbox_used_ = encode(message, mailbox_);
   mailbox_text_end_ = before_.appended + length;
   must_write_ = true;
-  write_at_ = now_;
+  write_at_ = composed_at_ = now_;
   write_uncertain_ = false;
   after_ = {.seq = is_block(command) ? message.seq : before_.seq,
             .appended = before_.appended + static_cast<std::uint32_t>(length),

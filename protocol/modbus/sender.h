@@ -174,6 +174,7 @@ class Sender {
   bool peer_silent_ = false;
   Time next_poll_{};
   Time write_at_{};  // the message is to be written, not before then
+  Time composed_at_{};
   Time written_at_{};
   Time answered_at_{};
 

@@ -128,7 +128,7 @@ SenderStall Sender::present_stall() const {
   if (state_ == SenderState::holding || state_ == SenderState::held) return SenderStall::held_by_person;
   if (state_ == SenderState::finishing) return SenderStall::waiting_for_receiver;
   if (state_ != SenderState::ready) {
-    const bool late = state_ != SenderState::looking && now_ - written_at_ >= settings_.rewrite_after;
+    const bool late = state_ != SenderState::looking && now_ - composed_at_ >= settings_.rewrite_after;
     return late ? SenderStall::waiting_for_receiver : SenderStall::none;
   }
   if (payload_cut_ == 0) return text_not_ready_ ? SenderStall::waiting_for_text : SenderStall::none;
