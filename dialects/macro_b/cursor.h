@@ -59,6 +59,8 @@ class Cursor {
     ++index_;
     settle();
   }
+  // Back to a token of the same block that was the current one before.
+  void back_to(std::uint32_t index) { index_ = index; }
   // At the end of the block: nothing more to advance over.
   [[nodiscard]] bool at_end() const { return kind() == ir::TokenKind::eob || kind() == ir::TokenKind::tape_mark; }
 

@@ -209,11 +209,12 @@ void Parser::word() {
   const text::Span address = cursor_.span();
   if (letter == 'N') return block_number();
   cursor_.advance();
+  const std::uint32_t value_index = cursor_.index();
   const ExpressionId value = expressions_.word_value();
   if (faults_.failed()) return;
   if (value == ExpressionId::none) return word_without_value(address);
   raw_.push_back({letter, false, value, {address.begin, cursor_.previous_end()}});
-  if (!cursor_.at_end() && cursor_.kind() != TokenKind::address) bare_expression(address);
+  if (!cursor_.at_end() && cursor_.kind() != TokenKind::address) bare_expression(address, value_index);
 }
 
 void Parser::word_without_value(text::Span address) {
@@ -227,22 +228,24 @@ void Parser::word_without_value(text::Span address) {
   }
 }
 
-// X#106+50.: the control takes #106 and finds +50. without an address. The fix puts brackets around all of it.
-void Parser::bare_expression(text::Span address) {
+// X#106+50.: the control takes #106 and finds +50. without an address. It is read as it was meant, so that the other
+// faults of the block are found too; the fix puts brackets around it.
+void Parser::bare_expression(text::Span address, std::uint32_t value_index) {
   const Keyword* keyword = expressions_.keyword();
   const bool infix = keyword != nullptr && keyword->role == KeywordRole::infix;
   const ir::Expression& value = program_.at(raw_.back().value);
   const bool divides = cursor_.is_symbol('/') && value.op != ir::Operator::constant;
   if (!infix && !divides && !cursor_.is_symbol('+') && !cursor_.is_symbol('-') && !cursor_.is_symbol('*')) return;
   const std::uint32_t begin = value.span.begin;
-  while (!cursor_.at_end() && cursor_.kind() != TokenKind::address && cursor_.kind() != TokenKind::invalid) {
-    cursor_.advance();
-  }
+  cursor_.back_to(value_index);
+  const ExpressionId whole = expressions_.expression(address.in(cursor_.whole_text()));
+  if (faults_.failed()) return;
+  raw_.back().value = whole;
   const text::Span span = {begin, cursor_.previous_end()};
-  const std::string_view expression = span.in(cursor_.whole_text());
-  text::Diagnostic* fault = faults_.fail(expression_without_brackets, {address.begin, span.end},
-                                         {std::string(address.in(cursor_.whole_text()))});
-  if (fault != nullptr) fault->fix = text::Edit{span, fmt::format("[{}]", expression)};
+  raw_.back().span.end = span.end;
+  text::Diagnostic* fault = faults_.report(expression_without_brackets, {address.begin, span.end},
+                                           {std::string(address.in(cursor_.whole_text()))});
+  if (fault != nullptr) fault->fix = text::Edit{span, fmt::format("[{}]", span.in(cursor_.whole_text()))};
 }
 
 void Parser::other_word() {
@@ -250,6 +253,9 @@ void Parser::other_word() {
   if (cursor_.kind() == TokenKind::string) {
     raw_.push_back({'<', false, ExpressionId::none, cursor_.span()});
     cursor_.advance();
+  } else if (cursor_.is_symbol('[') && !raw_.empty() && raw_.front().span.in(cursor_.whole_text()) == "G10") {
+    faults_.make_native("G10");  // data in brackets, as memory dumps hold them
+    while (!cursor_.at_end()) cursor_.advance();
   } else if (cursor_.is_symbol('/')) {
     faults_.make_native("block skip inside a block");
     while (!cursor_.at_end()) cursor_.advance();

@@ -50,7 +50,7 @@ class Parser {
   void other_word();
   void comma_word();
   void word_without_value(text::Span address);
-  void bare_expression(text::Span address);
+  void bare_expression(text::Span address, std::uint32_t value_index);
   void unexpected();
   void character_fault();
   void comment_faults();

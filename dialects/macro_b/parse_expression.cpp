@@ -220,7 +220,20 @@ ExpressionId ExpressionReader::bracketed(std::string_view after) {
   return close_bracket() ? inner : ExpressionId::none;
 }
 
-ExpressionId ExpressionReader::condition(std::string_view after) { return bracketed(after); }
+// [a GT b], or several of them with AND, OR, XOR between.
+ExpressionId ExpressionReader::condition(std::string_view after) {
+  ExpressionId left = bracketed(after);
+  while (!faults_.failed()) {
+    const Keyword* word = keyword();
+    const bool joins = word != nullptr && word->role == KeywordRole::infix &&
+                       (word->op == Operator::bit_and || word->op == Operator::bit_or || word->op == Operator::bit_xor);
+    if (!joins) break;
+    cursor_.advance();
+    const ExpressionId right = bracketed(word->spelling);
+    if (!faults_.failed()) left = combine(word->op, left, right);
+  }
+  return left;
+}
 
 ExpressionId ExpressionReader::function(const Keyword& keyword) {
   const std::uint32_t begin = cursor_.span().begin;

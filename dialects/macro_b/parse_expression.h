@@ -30,7 +30,7 @@ class ExpressionReader {
   // What may stand after an address: a number, a variable, a bracket or a function, with a sign. none without a fault
   // when nothing of this is there.
   ir::ExpressionId word_value();
-  // '[' condition ']'; none after a fault.
+  // '[' condition ']', also several joined by AND and OR; none after a fault.
   ir::ExpressionId condition(std::string_view after);
   // From '#' on. For a target #0 is a variable like others.
   std::optional<ir::Variable> variable();

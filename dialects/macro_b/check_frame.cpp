@@ -1,0 +1,129 @@
+// The frame around a program, its length of blocks, how it is delivered, and what is not interpreted.
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "dialects/macro_b/check.h"
+
+namespace dripfeed::macro_b {
+
+namespace {
+
+using ir::StatementKind;
+using ir::TokenKind;
+using enum text::DiagnosticId;
+
+// First and last token that is no blank and no EOB.
+const ir::Token* first_token(const ir::Program& program) {
+  const auto counts = [](const ir::Token& t) { return t.kind != TokenKind::white && t.kind != TokenKind::eob; };
+  const auto found = std::ranges::find_if(program.tokens, counts);
+  return found == program.tokens.end() ? nullptr : &*found;
+}
+
+// Whether the % that closes the program is there: one behind the first, or any when the text does not begin with one.
+bool has_closing_mark(const ir::Program& program, bool opened) {
+  return std::ranges::count(program.tokens, TokenKind::tape_mark, &ir::Token::kind) > (opened ? 1 : 0);
+}
+
+bool ends_flow(const ir::Program& program, const ir::Statement& s) {
+  const bool jumps = s.kind == StatementKind::go_to && program.jumps[s.payload].condition == ir::ExpressionId::none;
+  return jumps || is_end_of_program(s.kind) || s.kind == StatementKind::alarm || native_name(program, s) == "M99 P";
+}
+
+// The last block that does something must end the program, or jump, or lie behind a block that does and be reached by
+// no label.
+bool is_ended(const ir::Program& program, const Section& section) {
+  bool open_end = true;
+  bool any_end = false;
+  for (std::uint32_t i = section.first; i < section.last; ++i) {
+    const ir::Statement& s = program.statements[i];
+    if (s.is_label) open_end = true;
+    if (s.kind == StatementKind::empty) continue;
+    any_end |= is_end_of_program(s.kind) || native_name(program, s) == "M99 P";
+    if (ends_flow(program, s)) open_end = false;
+  }
+  return any_end && !open_end;
+}
+
+void check_end(const ir::Program& program, const Section& section, Findings& findings) {
+  if (is_ended(program, section)) return;
+  const ir::Statement* last = nullptr;
+  for (std::uint32_t i = section.first; i < section.last; ++i) {
+    if (program.statements[i].kind != StatementKind::empty) last = &program.statements[i];
+  }
+  findings.add(missing_program_end, last != nullptr ? last->span : section.number);
+}
+
+std::string written_native(const ir::Program& program, const ir::Statement& s) {
+  return std::string(native_name(program, s));
+}
+
+// A code of the control's table; others were told as unknown.
+bool is_in_table(const ir::Control& control, std::string_view name) {
+  return std::ranges::find(control.g_codes, name, &ir::CodeRow::name) != control.g_codes.end();
+}
+
+}  // namespace
+
+void check_frame(const ir::Program& program, const ir::Control& control, const std::vector<Section>& sections,
+                 Findings& findings) {
+  const ir::Token* first = first_token(program);
+  const bool opened = first != nullptr && first->kind == TokenKind::tape_mark;
+  const auto end = static_cast<std::uint32_t>(program.source.text().size());
+  const std::uint32_t begin = first == nullptr ? 0 : first->span.begin;
+  if (!opened) findings.add(missing_tape_mark, {begin, begin}, {"first"});
+  if (!has_closing_mark(program, opened)) findings.add(missing_tape_mark, {end, end}, {"last"});
+  if (sections.front().number.empty()) {
+    const auto content =
+        std::ranges::find_if(program.statements, [](const ir::Statement& s) { return s.kind != StatementKind::empty; });
+    findings.add(missing_program_number,
+                 content == program.statements.end() ? text::Span{begin, begin} : content->span);
+  }
+  for (const Section& section : sections) check_end(program, section, findings);
+  const std::uint32_t most = control.limits.block_length_bytes;
+  for (const ir::Statement& s : program.statements) {
+    if (most == 0 || s.tokens.first == s.tokens.last) continue;
+    const ir::Token& last = program.tokens[s.tokens.last - 1];
+    const std::uint32_t stop = last.kind == TokenKind::eob ? last.span.begin : last.span.end;
+    const text::Span block = {program.tokens[s.tokens.first].span.begin, stop};
+    if (block.size() > most) findings.add(block_too_long, block, {std::to_string(block.size()), std::to_string(most)});
+  }
+}
+
+void check_drip(const ir::Program& program, Findings& findings) {
+  const auto forbid = [&](const ir::Statement& s, std::string_view what, std::string_view alarm) {
+    text::Diagnostic* finding = findings.add(not_in_drip_mode, s.span, {std::string(what)});
+    if (finding != nullptr && !alarm.empty()) finding->alarm = alarm;
+  };
+  for (const ir::Statement& s : program.statements) {
+    if (s.kind == StatementKind::go_to) {
+      const bool conditional = program.jumps[s.payload].condition != ir::ExpressionId::none;
+      forbid(s, conditional ? "IF GOTO" : "GOTO", {});
+    } else if (s.kind == StatementKind::while_begin || s.kind == StatementKind::loop_begin) {
+      forbid(s, s.kind == StatementKind::while_begin ? "WHILE" : "DO", {});
+    } else if (const std::string name = written_native(program, s); name == "M99 P" || name == "M198") {
+      forbid(s, name, "PS0210");
+    }
+  }
+}
+
+void check_not_interpreted(const ir::Program& program, const ir::Control& control, Findings& findings) {
+  std::set<std::string, std::less<>> told;
+  const auto tell = [&](std::string_view name, text::Span span) {
+    if (told.emplace(name).second) findings.add(not_interpreted, span, {std::string(name)});
+  };
+  for (const ir::Statement& s : program.statements) {
+    if (s.kind == StatementKind::native && !program.natives[s.payload].effects_known) {
+      const std::string name = written_native(program, s);
+      if (!name.starts_with("a block")) tell(name, s.span);
+    }
+    if (s.kind != StatementKind::block) continue;
+    for (const ir::Code& code : program.codes_of(program.blocks[s.payload])) {
+      if (code.function != ir::Function::not_modelled) continue;
+      const std::string_view name = program.strings.at(code.name);
+      if (is_in_table(control, name)) tell(name, code.span);
+    }
+  }
+}
+
+}  // namespace dripfeed::macro_b

@@ -1,0 +1,150 @@
+// Words and variables of blocks, one block at a time: nothing here depends on what was active before.
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "dialects/macro_b/check.h"
+#include "dialects/text/number.h"
+
+namespace dripfeed::macro_b {
+
+namespace {
+
+using ir::Address;
+using ir::Function;
+using ir::ModalGroup;
+using enum text::DiagnosticId;
+
+bool holds(std::string_view letters, Address address) { return letters.contains(letter_of(address)); }
+
+// A word as written without its value: "X", ",C".
+std::string address_name(const ir::Program& program, const ir::Word& word) {
+  const std::string_view written = text_of(program, word.span);
+  return std::string(written.substr(0, written.starts_with(',') ? 2 : 1));
+}
+
+// What the codes of a block make of its words.
+struct BlockUse {
+  bool arc = false;          // I J K R are lengths
+  bool other_words = false;  // a code that is not modelled gives the words a meaning of its own
+};
+BlockUse use_of(const ir::Program& program, const ir::Block& block) {
+  BlockUse use;
+  for (const ir::Code& code : program.codes_of(block)) {
+    use.arc |= code.function == Function::arc_cw || code.function == Function::arc_ccw;
+    use.other_words |= code.function == Function::not_modelled;
+  }
+  return use;
+}
+
+class WordCheck {
+ public:
+  WordCheck(const ir::Program& program, const ir::Control& control, Findings& findings)
+      : program_(program), control_(control), findings_(findings) {}
+
+  void block(const ir::Block& block) {
+    const BlockUse use = use_of(program_, block);
+    groups(block);
+    std::array<bool, static_cast<std::size_t>(Address::count_)> seen{};
+    for (const ir::Word& word : program_.words_of(block)) {
+      bool& before = seen[static_cast<std::size_t>(word.address)];
+      if (before && word.address != Address::other && !use.other_words) {
+        findings_.add(duplicate_address, word.span, {address_name(program_, word)});
+      }
+      before = true;
+      unknown(word, use);
+      point_not_allowed(word, use);
+      const bool length = is_axis(control_, word.address) || (use.arc && holds("IJKR", word.address));
+      if (length) point_missing(word.value, word.span);
+    }
+  }
+
+  // Arguments of a macro take their places after the point by letter; those of the axes are lengths.
+  void call(const ir::Call& call) {
+    for (const ir::Argument& argument : program_.arguments_of(call)) {
+      if (call.kind != ir::CallKind::macro || !std::string_view("XYZ").contains(argument.letter)) continue;
+      if (argument.value != ir::ExpressionId::none) point_missing(argument.value, program_.at(argument.value).span);
+    }
+  }
+
+ private:
+  void groups(const ir::Block& block) {
+    const auto codes = program_.codes_of(block);
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+      const ModalGroup group = codes[i].group;
+      if (codes[i].letter != 'G' || group == ModalGroup::none || group == ModalGroup::non_modal ||
+          group == ModalGroup::other || group == ModalGroup::frame) {
+        continue;
+      }
+      for (std::size_t k = 0; k < i; ++k) {
+        if (codes[k].group != group || codes[k].letter != 'G') continue;
+        text::Diagnostic* finding = findings_.add(
+            codes_of_one_group, codes[i].span,
+            {std::string(text_of(program_, codes[k].span)), std::string(text_of(program_, codes[i].span))});
+        // These controls take the last one without an alarm.
+        if (finding != nullptr) finding->severity = text::Severity::warning;
+        break;
+      }
+    }
+  }
+
+  // Without a named machine its axes are not known, and C is a chamfer on old lathes.
+  void unknown(const ir::Word& word, const BlockUse& use) {
+    if (!control_.from_profile || use.other_words || !holds("ABUVWXYZ", word.address)) return;
+    if (!is_axis(control_, word.address)) findings_.add(unknown_address, word.span, {address_name(program_, word)});
+  }
+
+  void point_not_allowed(const ir::Word& word, const BlockUse& use) {
+    if (word.value == ir::ExpressionId::none || !holds(use.other_words ? "T" : "DHLPT", word.address)) return;
+    const ir::Expression& value = program_.at(word.value);
+    if (value.op == ir::Operator::constant && value.has_point) {
+      findings_.add(decimal_point_not_allowed, word.span, {address_name(program_, word)});
+    }
+  }
+
+  void point_missing(ir::ExpressionId id, text::Span span) {
+    const ir::Expression& value = program_.at(id);
+    if (value.op != ir::Operator::constant || value.has_point || value.value == 0.0) return;
+    findings_.add_open(missing_decimal_point, span,
+                       {std::string(text_of(program_, span)), text::format_shortest(value.value),
+                        text::format_fixed(value.value * control_.semantics.least_increment_mm, 4)},
+                       control_.from_profile && control_.semantics.decimal_mode_confirmed);
+  }
+
+  const ir::Program& program_;
+  const ir::Control& control_;
+  Findings& findings_;
+};
+
+}  // namespace
+
+void check_words(const ir::Program& program, const ir::Control& control, Findings& findings) {
+  WordCheck check(program, control, findings);
+  for (const ir::Statement& statement : program.statements) {
+    if (statement.kind == ir::StatementKind::block) check.block(program.blocks[statement.payload]);
+    if (statement.kind == ir::StatementKind::call) check.call(program.calls[statement.payload]);
+  }
+}
+
+void check_variables(const ir::Program& program, const ir::Control& control, Findings& findings) {
+  if (control.variables.empty()) return;
+  for (const ir::Variable& variable : program.variables) {
+    if (variable.bank != ir::Bank::hash || variable.index != ir::ExpressionId::none || variable.number == 0) continue;
+    if (ir::find_variable(control, ir::Bank::hash, variable.number) == nullptr) {
+      findings.add(variable_out_of_range, variable.span, {fmt::format("#{}", variable.number)});
+    }
+  }
+  for (const ir::Statement& statement : program.statements) {
+    if (statement.kind != ir::StatementKind::assign) continue;
+    const ir::Variable& target = program.at(program.assigns[statement.payload].target);
+    if (target.bank != ir::Bank::hash || target.index != ir::ExpressionId::none) continue;
+    const ir::VariableRange* range = ir::find_variable(control, ir::Bank::hash, target.number);
+    if (target.number == 0 || (range != nullptr && !range->writable)) {
+      findings.add(variable_write_protected, target.span, {fmt::format("#{}", target.number)});
+    }
+  }
+}
+
+}  // namespace dripfeed::macro_b

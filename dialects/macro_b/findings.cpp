@@ -1,0 +1,122 @@
+// Sorting of findings, splitting of a text into programs, and the label index.
+#include "dialects/macro_b/findings.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dripfeed::macro_b {
+
+namespace {
+
+// The O number or name at the start of a statement's tokens.
+text::Span number_of(const ir::Program& program, const ir::Statement& statement) {
+  const std::string_view text = program.source.text();
+  for (std::uint32_t i = statement.tokens.first; i < statement.tokens.last; ++i) {
+    const ir::Token& token = program.tokens[i];
+    const char c = token.span.empty() ? '\0' : text[token.span.begin];
+    const bool starts =
+        (token.kind == ir::TokenKind::address && c == 'O') || (token.kind == ir::TokenKind::symbol && c == ':');
+    const bool more = i + 1 < statement.tokens.last;
+    if (starts) return more ? text::join(token.span, program.tokens[i + 1].span) : token.span;
+    if (token.kind == ir::TokenKind::string) return token.span;
+    if (token.kind != ir::TokenKind::white && token.kind != ir::TokenKind::comment) return {};
+  }
+  return {};
+}
+
+bool returns(const ir::Program& program, const ir::Statement& statement) {
+  return statement.kind == ir::StatementKind::subprogram_return || native_name(program, statement) == "M99 P";
+}
+
+}  // namespace
+
+text::Diagnostic* Findings::add(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments) {
+  std::uint16_t& count = counts_[static_cast<std::size_t>(id)];
+  if (count >= kMostOfOneId) return nullptr;
+  ++count;
+  diagnostics_.push_back(ir::diagnose(control_, id, span, std::move(arguments)));
+  return &diagnostics_.back();
+}
+
+text::Diagnostic* Findings::add_open(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments,
+                                     bool confirmed) {
+  if (confirmed) return nullptr;
+  text::Diagnostic* finding = add(id, span, std::move(arguments));
+  if (finding != nullptr) finding->severity = control_.from_profile ? text::Severity::error : text::Severity::warning;
+  return finding;
+}
+
+std::vector<text::Diagnostic> Findings::take() {
+  std::ranges::stable_sort(diagnostics_, {}, [](const text::Diagnostic& d) { return d.span.begin; });
+  return std::exchange(diagnostics_, {});
+}
+
+std::vector<Section> sections_of(const ir::Program& program) {
+  std::vector<Section> sections(1);
+  bool has_content = false;
+  for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
+    const ir::Statement& statement = program.statements[i];
+    if (const text::Span number = number_of(program, statement); !number.empty()) {
+      if (has_content || !sections.back().number.empty()) {
+        sections.back().last = i;
+        sections.emplace_back().first = i;
+        has_content = false;
+      }
+      sections.back().number = number;
+    }
+    has_content |= statement.kind != ir::StatementKind::empty;
+  }
+  sections.back().last = static_cast<std::uint32_t>(program.statements.size());
+  for (Section& section : sections) {
+    const std::span all = std::span(program.statements).subspan(section.first, section.last - section.first);
+    section.is_subprogram =
+        std::ranges::any_of(all, [&](const ir::Statement& s) { return returns(program, s); }) &&
+        std::ranges::none_of(all, [](const ir::Statement& s) { return s.kind == ir::StatementKind::program_end; });
+  }
+  return sections;
+}
+
+bool is_end_of_program(ir::StatementKind kind) {
+  return kind == ir::StatementKind::program_end || kind == ir::StatementKind::subprogram_return;
+}
+
+std::string_view native_name(const ir::Program& program, const ir::Statement& statement) {
+  if (statement.kind != ir::StatementKind::native) return {};
+  return program.strings.at(program.natives[statement.payload].name);
+}
+
+bool is_axis(const ir::Control& control, ir::Address address) {
+  const char letter = letter_of(address);
+  if (control.axes.contains(letter)) return true;
+  const bool increment = control.semantics.incremental_letters_uvw && letter >= 'U' && letter <= 'W';
+  return increment && control.axes.contains(static_cast<char>(letter - 'U' + 'X'));
+}
+
+char letter_of(ir::Address address) {
+  return address <= ir::Address::z ? static_cast<char>('A' + static_cast<int>(address)) : '?';
+}
+
+std::string_view text_of(const ir::Program& program, text::Span span) { return span.in(program.source.text()); }
+
+LabelIndex::LabelIndex(const ir::Program& program, const Section& section) {
+  // Reading adds labels in the order of the text.
+  const auto first = std::ranges::lower_bound(program.labels, section.first, {}, &ir::Label::statement);
+  const auto last = std::ranges::lower_bound(program.labels, section.last, {}, &ir::Label::statement);
+  labels_.assign(first, last);
+  std::ranges::sort(labels_, {}, [](const ir::Label& l) { return std::pair(l.number, l.statement); });
+}
+
+const ir::Label* LabelIndex::find(std::uint32_t number, std::uint32_t from_statement) const {
+  const auto same = std::ranges::equal_range(labels_, number, {}, &ir::Label::number);
+  if (same.empty()) return nullptr;
+  const auto after = std::ranges::lower_bound(same, from_statement, {}, &ir::Label::statement);
+  return after == same.end() ? &same.front() : &*after;
+}
+
+const ir::Label* LabelIndex::other(const ir::Label& label) const {
+  const auto same = std::ranges::equal_range(labels_, label.number, {}, &ir::Label::number);
+  const auto found = std::ranges::find_if(same, [&](const ir::Label& l) { return l.statement != label.statement; });
+  return found == same.end() ? nullptr : &*found;
+}
+
+}  // namespace dripfeed::macro_b
