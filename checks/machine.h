@@ -19,8 +19,8 @@ namespace dripfeed::checks {
 struct MachineAxis {
   ir::Axis axis = ir::Axis::x;
   bool is_diameter = false;  // programs and work offsets give diameters; `min` and `max` are of the slide itself
-  std::optional<double> min;
-  std::optional<double> max;
+  std::optional<double> min = {};
+  std::optional<double> max = {};
   double rapid_mm_min = 0.0;
   double feed_limit_mm_min = 0.0;  // of this axis alone; 0: its rapid
   double acceleration_mm_s2 = 0.0;

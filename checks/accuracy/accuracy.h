@@ -25,9 +25,9 @@ struct LineRange {
 };
 
 struct Settings {
-  curves::Profile nominal;       // x as radius, z in the active work offset
-  bool x_is_diameter = true;     // the motions' x
-  std::vector<LineRange> lines;  // of the main program, the moves that make the profile; empty: every cutting move
+  curves::Profile nominal = {};       // x as radius, z in the active work offset
+  bool x_is_diameter = true;          // the motions' x
+  std::vector<LineRange> lines = {};  // of the main program, the moves that make the profile; empty: every cutting move
   std::vector<checks::Tool>
       tools;                   // nose radii and tips; a tool that is not here is taken as a point, and that is said
   double coverage_mm = 0.001;  // a gap up to this is none

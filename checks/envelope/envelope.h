@@ -15,7 +15,7 @@
 namespace dripfeed::envelope {
 
 struct Settings {
-  checks::Machine machine;
+  checks::Machine machine = {};
   double arc_tolerance_mm = 0.02;  // start and end of an arc may differ by this (ir::Semantics)
   std::int32_t work_offset = 1;    // in effect before the program names one: 1 is G54; 0 none
   double part_size_mm = 0.0;       // longest side of stock or nominal, for the suspicion of units; 0: not known

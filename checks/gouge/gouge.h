@@ -26,12 +26,12 @@ struct Cylinder {
 };
 
 struct Settings {
-  std::optional<Cylinder> stock;    // nothing: rapids are checked against the nominal only
-  curves::Profile nominal;          // x as radius; may be empty
-  bool x_is_diameter = true;        // the motions' x
-  std::vector<checks::Tool> tools;  // a tool that is not here is taken as a point, and that is said
-  double depth_mm = 0.001;          // a rapid may touch by this much
-  double step_mm = 0.02;            // between the places at which the stock's height is kept
+  std::optional<Cylinder> stock = {};    // nothing: rapids are checked against the nominal only
+  curves::Profile nominal = {};          // x as radius; may be empty
+  bool x_is_diameter = true;             // the motions' x
+  std::vector<checks::Tool> tools = {};  // a tool that is not here is taken as a point, and that is said
+  double depth_mm = 0.001;               // a rapid may touch by this much
+  double step_mm = 0.02;                 // between the places at which the stock's height is kept
 };
 
 struct Report {

@@ -27,12 +27,12 @@ struct Line {
 };
 
 struct Settings {
-  checks::Machine machine;
-  ir::CostModel cost;          // counts where the machine has none of its own
-  bool x_is_diameter = false;  // the motions' x
-  std::optional<Line> line;    // nothing: the program lies in the control's memory
+  checks::Machine machine = {};
+  ir::CostModel cost = {};        // counts where the machine has none of its own
+  bool x_is_diameter = false;     // the motions' x
+  std::optional<Line> line = {};  // nothing: the program lies in the control's memory
   // Bytes on the wire of each line of the main program, its EOB included, line 1 first. Needed with a line.
-  std::vector<std::uint32_t> line_bytes;
+  std::vector<std::uint32_t> line_bytes = {};
 };
 
 struct Report {

@@ -1,0 +1,240 @@
+// Whole programs as motions, against times computed by hand.
+#include "checks/timing/timing.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace dripfeed::timing {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+checks::Machine mill() {
+  checks::Machine machine;
+  for (const ir::Axis axis : {ir::Axis::x, ir::Axis::y, ir::Axis::z}) {
+    machine.axes.push_back({.axis = axis, .rapid_mm_min = 12000, .acceleration_mm_s2 = 1000});
+  }
+  machine.timing.sample_time_ms = 10;
+  return machine;
+}
+
+// Builds a program move by move; positions go on from one to the next.
+class Program {
+ public:
+  ir::Motion& move(ir::MotionKind kind, double x, double y, double z, double feed) {
+    ir::Motion motion;
+    motion.kind = kind;
+    motion.start = at_;
+    motion.end = at_ = {x, y, z};
+    motion.feed = feed;
+    return add(motion);
+  }
+  ir::Motion& event(ir::MotionKind kind, double value = 0) {
+    ir::Motion motion;
+    motion.kind = kind;
+    motion.feed = value;
+    return add(motion);
+  }
+  ir::Motion& add(ir::Motion motion) {
+    motion.place = {0, static_cast<std::uint32_t>(motions_.size() + 1), motions_.size()};
+    return motions_.emplace_back(motion);
+  }
+  Report run(const Settings& settings) const {
+    Timing timing(settings);
+    timing.consume(motions_);
+    return timing.finish();
+  }
+
+ private:
+  std::array<double, ir::kAxisCount> at_{};
+  std::vector<ir::Motion> motions_;
+};
+
+using enum ir::MotionKind;
+
+TEST(Timing, OneMoveIsATrapezoid) {
+  Program program;
+  program.move(linear, 100, 0, 0, 6000);
+  const Report report = program.run({.machine = mill()});
+  EXPECT_NEAR(report.cycle_s, 1.1, 1e-12);
+  EXPECT_NEAR(report.motion_s, 1.1, 1e-12);
+  EXPECT_EQ(report.blocks, 1U);
+  EXPECT_EQ(report.stalls, 0U);
+  EXPECT_NEAR(report.path_mm, 100, 1e-12);
+}
+
+TEST(Timing, ARightAngleIsTakenAtAccelerationTimesSampleTime) {
+  Program program;
+  program.move(linear, 50, 0, 0, 6000);
+  program.move(linear, 50, 50, 0, 6000);
+  const double leg = 0.1 + 0.09 + (50 - 5 - 4.95) / 100;
+  EXPECT_NEAR(program.run({.machine = mill()}).cycle_s, 2 * leg, 1e-12);
+}
+
+TEST(Timing, ExactStopsAndRapidsEndAtRest) {
+  Program exact;
+  exact.move(linear, 50, 0, 0, 6000).exact_stop = true;
+  exact.move(linear, 100, 0, 0, 6000);
+  EXPECT_NEAR(exact.run({.machine = mill()}).cycle_s, 1.2, 1e-12);
+  Program rapids;
+  rapids.move(rapid, 100, 100, 0, 0);  // both axes at 200 mm/s: 0.2 + 0.5
+  rapids.move(linear, 100, 150, 0, 6000);
+  const Report report = rapids.run({.machine = mill()});
+  EXPECT_NEAR(report.rapid_s, 0.7, 1e-12);
+  EXPECT_NEAR(report.cycle_s, 0.7 + 0.6, 1e-12);
+}
+
+TEST(Timing, DwellsAndToolChangesAddUp) {
+  Program program;
+  program.event(tool).number = 1;
+  program.event(dwell, 2.5);
+  program.event(tool).number = 1;
+  program.event(tool).number = 2;
+  Settings settings{.machine = mill()};
+  settings.machine.timing.tool_change_s = 4;
+  EXPECT_NEAR(program.run(settings).cycle_s, 10.5, 1e-12);
+}
+
+TEST(Timing, ArcsHaveTheirLengthAndTheirCentripetalLimit) {
+  Program slow;
+  slow.event(dwell);
+  ir::Motion& arc = slow.move(arc_ccw, 0, 100, 0, 600);
+  arc.start = {100, 0, 0};
+  arc.center = {-100, 0, 0};
+  const double acceleration = 1000 / std::sqrt(2.0);
+  EXPECT_NEAR(slow.run({.machine = mill()}).cycle_s, 50 * kPi / 10 + 10 / acceleration, 1e-9);
+  Program fast;
+  ir::Motion& circle = fast.move(arc_cw, 0, 0, 0, 60000);
+  circle.start = circle.end = {10, 0, 0};
+  circle.center = {-10, 0, 0};
+  const double speed = std::sqrt(acceleration * 10);
+  EXPECT_NEAR(fast.run({.machine = mill()}).cycle_s, 20 * kPi / speed + speed / acceleration, 1e-9);
+}
+
+TEST(Timing, AHelixIsLongerThanItsCircle) {
+  Program program;
+  ir::Motion& helix = program.move(arc_ccw, 0, 0, 0, 600);
+  helix.start = {10, 0, 0};
+  helix.end = {10, 0, 5};
+  helix.center = {-10, 0, 0};
+  EXPECT_NEAR(program.run({.machine = mill()}).path_mm, std::hypot(20 * kPi, 5.0), 1e-9);
+}
+
+TEST(Timing, FeedPerRevolutionTakesTheSpindle) {
+  Program program;
+  ir::Motion& cut = program.move(linear, 0, 0, -60, 0.2);
+  cut.feed_mode = ir::FeedMode::per_rev;
+  cut.spindle_rpm = 600;  // 120 mm/min
+  EXPECT_NEAR(program.run({.machine = mill()}).cycle_s, 30 + 0.002, 1e-9);
+  program.move(linear, 0, 0, 0, 0.2).feed_mode = ir::FeedMode::per_rev;  // no spindle
+  const Report report = program.run({.machine = mill()});
+  EXPECT_NEAR(report.cycle_s, 30.002, 1e-9);
+  ASSERT_EQ(report.not_checked.list().size(), 2U);
+  EXPECT_EQ(report.not_checked.list()[1].line, 2U);
+}
+
+TEST(Timing, FacingWithSurfaceSpeedSlowsTheTurnsOutside) {
+  // From diameter 200 to 0 at 200 m/min, at most 2000 rpm: the limit holds below diameter 31.83.
+  checks::Machine machine = mill();
+  for (auto& axis : machine.axes) axis.acceleration_mm_s2 = 0;
+  Program program;
+  ir::Motion& face = program.move(linear, 0, 0, 0, 0.25);
+  face.start[0] = 200;
+  face.feed_mode = ir::FeedMode::per_rev;
+  face.surface_speed_m_min = 200;
+  face.spindle_rpm = 2000;
+  const double knee = 200000 / (kPi * 2000);  // mm of diameter
+  const double minutes = (knee / 2 / 0.25) / 2000 + kPi / (4 * 200000 * 0.25) * (200 * 200 - knee * knee);
+  EXPECT_NEAR(program.run({.machine = machine, .x_is_diameter = true}).cycle_s, minutes * 60, 1e-6);
+}
+
+TEST(Timing, InverseTimeIsTheTimeItself) {
+  checks::Machine machine = mill();
+  for (auto& axis : machine.axes) axis.acceleration_mm_s2 = 0;
+  Program program;
+  program.move(linear, 37, 11, 5, 4).feed_mode = ir::FeedMode::inverse_time;
+  EXPECT_NEAR(program.run({.machine = machine}).cycle_s, 15, 1e-9);
+}
+
+TEST(Timing, TheLineStarvesShortMovesAndTheFirstIsNamed) {
+  // 9600 baud, 7E2: 1.1458 ms a character; 24 characters a block take 27.5 ms.
+  Program program;
+  program.move(linear, 100, 0, 0, 6000);  // 1 s: two more blocks come meanwhile
+  for (int i = 1; i <= 60; ++i) program.move(linear, 100 + i, 0, 0, 6000);
+  Settings settings{.machine = mill()};
+  settings.line = Line{9600, 11, 0};
+  settings.line_bytes.assign(61, 24);
+  settings.machine.buffer = {0, 30};
+  const Report report = program.run(settings);
+  EXPECT_GT(report.stalls, 0U);
+  EXPECT_GT(report.first_stall_line, 30U);
+  EXPECT_NEAR(report.line_s, 61 * 24 * 11.0 / 9600, 1e-9);
+  EXPECT_NEAR(report.cycle_s, report.motion_s + report.stall_s + 24 * 11.0 / 9600, 1e-9);
+  EXPECT_EQ(report.findings.count(text::DiagnosticId::line_starves), report.stalls);
+  settings.line->baud = 115200;
+  EXPECT_EQ(program.run(settings).stalls, 0U);
+}
+
+TEST(Timing, LinesWithoutMotionTakeTheirTimeOnTheLine) {
+  Program program;
+  program.move(linear, 10, 0, 0, 6000).place.line = 1;
+  program.move(linear, 20, 0, 0, 6000).place.line = 5;
+  Settings settings{.machine = mill()};
+  settings.line = Line{1000, 10, 0};
+  settings.line_bytes = {10, 100, 100, 100, 10, 50};
+  const Report report = program.run(settings);
+  EXPECT_NEAR(report.line_s, 3.7, 1e-12);
+  EXPECT_EQ(report.first_stall_line, 5U);
+  EXPECT_GT(report.cycle_s, 3.2);
+}
+
+TEST(Timing, ComputingSlowsALoopInTheMemory) {
+  Program program;
+  for (int i = 1; i <= 50; ++i) {
+    program.move(linear, i * 0.1, 0, 0, 6000).compute = {
+        .blocks = 4, .number_reads = 10, .operators = 8, .functions = 1};
+  }
+  Settings settings{.machine = mill(), .cost = {1.0, 0.45, 0.86, 0.05, 0.6, true, "a test"}};
+  settings.machine.timing.look_ahead_blocks = 3;
+  const Report report = program.run(settings);
+  EXPECT_NEAR(report.compute_s, 50 * 0.0095, 1e-9);
+  EXPECT_TRUE(report.cost_is_measured);
+  EXPECT_GT(report.stalls, 0U);
+  EXPECT_GE(report.cycle_s, report.compute_s);
+}
+
+TEST(Timing, SaysWhatIsMissing) {
+  Program program;
+  program.move(linear, 60, 0, 0, 600);
+  const Report report = program.run({});
+  EXPECT_NEAR(report.cycle_s, 6, 1e-9);
+  EXPECT_EQ(report.not_checked.list().size(), 4U);  // rapid, acceleration, sample time, cost
+}
+
+TEST(Timing, GivesTheSameForEveryBatch) {
+  std::vector<ir::Motion> motions(5000);
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const double t = 0.01 * static_cast<double>(i);
+    motions[i].kind = i % 97 == 0 ? dwell : linear;
+    motions[i].place = {0, static_cast<std::uint32_t>(i + 1), i};
+    motions[i].start = {50 * std::cos(t - 0.01), 50 * std::sin(t - 0.01)};
+    motions[i].end = {50 * std::cos(t), 50 * std::sin(t)};
+    motions[i].feed = i % 97 == 0 ? 0.01 : 3000;
+  }
+  const auto run = [&](std::size_t batch) {
+    Timing timing({.machine = mill()});
+    const std::span all(motions);
+    for (std::size_t i = 0; i < all.size(); i += batch) timing.consume(all.subspan(i, std::min(batch, all.size() - i)));
+    return timing.finish();
+  };
+  const Report whole = run(motions.size());
+  for (const std::size_t batch : {1U, 7U, 1024U}) EXPECT_EQ(run(batch).cycle_s, whole.cycle_s);
+  EXPECT_EQ(whole.blocks, 5000U);
+}
+
+}  // namespace
+}  // namespace dripfeed::timing
