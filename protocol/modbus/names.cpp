@@ -23,8 +23,8 @@ constexpr std::array<std::string_view, 8> kStallNames{"none",
 constexpr std::array<std::string_view, 12> kReasonNames{
     "none",        "foreign_registers", "session_over", "session_running", "other_session", "receiver_restarted",
     "out_of_step", "text_differs",      "refused",      "receiver_error",  "peer_gone",     "text_lost"};
-constexpr std::array<std::string_view, 6> kEventNames{"state", "stall", "opened",
-                                                      "confirmed",     "rewritten",     "command_refused"};
+constexpr std::array<std::string_view, 6> kEventNames{"state",     "stall",     "opened",
+                                                      "confirmed", "rewritten", "command_refused"};
 
 }  // namespace
 

@@ -1,3 +1,4 @@
+// Reads dialog files and the small notations in them.
 #include "tests/wire/dialog.h"
 
 #include <algorithm>

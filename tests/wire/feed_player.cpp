@@ -1,3 +1,4 @@
+// The steps of a feed's dialog.
 #include "tests/wire/feed_player.h"
 
 #include <algorithm>

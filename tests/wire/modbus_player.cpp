@@ -1,3 +1,4 @@
+// The steps of a mailbox sender's dialog.
 #include "tests/wire/modbus_player.h"
 
 #include <algorithm>

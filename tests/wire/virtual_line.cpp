@@ -1,3 +1,4 @@
+// The modelled control, line and driver, event by event.
 #include "tests/wire/virtual_line.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Line time and credit, on a line whose character takes 1 ms.
 #include "protocol/feed/line_clock.h"
 
 #include <gtest/gtest.h>

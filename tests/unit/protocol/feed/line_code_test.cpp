@@ -1,3 +1,4 @@
+// What a byte from the control is taken for, and that no single flipped bit makes a stop into a start.
 #include "protocol/feed/line_code.h"
 
 #include <gtest/gtest.h>

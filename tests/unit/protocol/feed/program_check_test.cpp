@@ -1,3 +1,4 @@
+// Texts that may be drip-fed and texts that may not, whole and character by character.
 #include "protocol/feed/program_check.h"
 
 #include <string>

@@ -1,3 +1,4 @@
+// The budget rule with its sum, the other refusals, and the time of a character.
 #include "protocol/feed/settings.h"
 
 #include <gtest/gtest.h>

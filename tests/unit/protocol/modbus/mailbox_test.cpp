@@ -1,3 +1,4 @@
+// Register images against the map in modbus.h, their CRC, and what is damaged or not complete.
 #include "protocol/modbus/mailbox.h"
 
 #include <algorithm>

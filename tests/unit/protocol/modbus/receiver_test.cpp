@@ -1,3 +1,4 @@
+// The receiver's rules, message by message.
 #include "protocol/modbus/receiver.h"
 
 #include <string>

@@ -1,3 +1,4 @@
+// The sets of the controls, and line and column of an illegal character.
 #include "protocol/tape_code/character_set.h"
 
 #include <string>

@@ -1,3 +1,4 @@
+// The four forms of an end of block, written and read back.
 #include "protocol/tape_code/eob.h"
 
 #include <algorithm>

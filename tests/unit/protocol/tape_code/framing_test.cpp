@@ -1,3 +1,4 @@
+// Framings as text, their bits, and what the eighth bit carries.
 #include "protocol/tape_code/framing.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Wire to text: the extent of the text, parity errors and their offsets, fillers.
 #include "protocol/tape_code/wire_decoder.h"
 
 #include <random>

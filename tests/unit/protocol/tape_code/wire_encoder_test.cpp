@@ -1,3 +1,4 @@
+// Text to wire in any pieces, against a plain reckoning of every offset.
 #include "protocol/tape_code/wire_encoder.h"
 
 #include <algorithm>
