@@ -4,11 +4,11 @@
 
 #include "server/app/catalog.h"
 #include "server/app/checking.h"
+#include "server/app/documents.h"
 #include "server/app/events.h"
 #include "server/app/jobs.h"
 #include "server/app/keeper.h"
 #include "server/app/lines.h"
-#include "server/app/documents.h"
 #include "server/app/ports/ports.h"
 #include "server/app/programs.h"
 #include "store/store.h"

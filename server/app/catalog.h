@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "dialects/compile/render.h"
+#include "server/app/documents.h"
 #include "server/app/error.h"
 #include "server/app/events.h"
 #include "server/app/lines.h"
-#include "server/app/documents.h"
 #include "store/store.h"
 
 namespace dripfeed::app {

@@ -5,11 +5,11 @@
 #include <string>
 #include <string_view>
 
+#include "server/app/documents.h"
 #include "server/app/error.h"
 #include "server/app/events.h"
 #include "server/app/keeper.h"
 #include "server/app/lines.h"
-#include "server/app/documents.h"
 #include "store/store.h"
 
 namespace dripfeed::app {

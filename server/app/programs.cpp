@@ -83,7 +83,8 @@ Result<store::Origin> Programs::origin_of(const RenderOrder& order, std::string&
   if (order.part.empty() == order.family.empty()) {
     return fail(ErrorCode::invalid, "name a part or a family", {{.pointer = "/part", .text = "either part or family"}});
   }
-  store::Origin origin{.kind = store::OriginKind::rendered};
+  store::Origin origin;
+  origin.kind = store::OriginKind::rendered;
   store::Result<store::Family> family = std::unexpected(store::Error{});
   if (!order.part.empty()) {
     const auto part = lift(store_.parts().get(order.part));

@@ -8,8 +8,8 @@
 
 #include "dialects/compile/render.h"
 #include "server/app/catalog.h"
-#include "server/app/error.h"
 #include "server/app/documents.h"
+#include "server/app/error.h"
 #include "store/store.h"
 
 namespace dripfeed::app {

@@ -1,0 +1,232 @@
+// One run feeds all checks: the motions fan out. A check that lacks something says so instead of guessing.
+#include "server/app/examine.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dialects/compile/execute.h"
+
+namespace dripfeed::app {
+
+namespace {
+
+ir::FeedMode feed_mode_of(ir::Function function) {
+  if (function == ir::Function::feed_per_rev) return ir::FeedMode::per_rev;
+  return function == ir::Function::feed_inverse_time ? ir::FeedMode::inverse_time : ir::FeedMode::per_min;
+}
+
+bool x_is_diameter(const ir::Control& control, const machine::Profile* profile) {
+  if (profile != nullptr) {
+    if (const checks::MachineAxis* x = checks::find_axis(profile->machine, ir::Axis::x)) return x->is_diameter;
+  }
+  return control.semantics.power_on_diameter != ir::DiameterMode::radius;
+}
+
+double part_size(const std::optional<family::Geometry>& geometry) {
+  if (!geometry || !geometry->stock) return 0.0;
+  if (const auto* cylinder = std::get_if<family::CylinderStock>(&*geometry->stock)) {
+    return std::max(cylinder->diameter_mm, cylinder->z_mm.high - cylinder->z_mm.low);
+  }
+  const auto& box = std::get<family::BoxStock>(*geometry->stock);
+  return std::max({box.x_mm.high - box.x_mm.low, box.y_mm.high - box.y_mm.low, box.z_mm.high - box.z_mm.low});
+}
+
+// The machine's tools, completed by what the family says of their noses.
+std::vector<checks::Tool> tools_of(const Examination& e) {
+  std::vector<checks::Tool> tools;
+  if (e.profile != nullptr) tools = e.profile->machine.tools;
+  if (!e.geometry) return tools;
+  for (const family::ToolShape& shape : e.geometry->tools) {
+    const auto known = std::ranges::find(tools, shape.number, &checks::Tool::number);
+    if (known == tools.end()) {
+      tools.push_back({.number = shape.number,
+                       .offset = shape.number,
+                       .nose_radius_mm = shape.nose_radius_mm,
+                       .tip = shape.tip,
+                       .diameter_mm = 0.0,
+                       .length_mm = 0.0});
+    }
+  }
+  return tools;
+}
+
+class Checks {
+ public:
+  Checks(const Examination& e, CheckReport& report) : e_(e), report_(report) {
+    make_envelope();
+    make_timing();
+    make_gouge();
+    make_accuracy();
+  }
+
+  std::vector<ir::MotionSink*> sinks() {
+    std::vector<ir::MotionSink*> all;
+    for (ir::MotionSink* sink :
+         {static_cast<ir::MotionSink*>(envelope_.get()), static_cast<ir::MotionSink*>(timing_.get()),
+          static_cast<ir::MotionSink*>(gouge_.get()), static_cast<ir::MotionSink*>(accuracy_.get())}) {
+      if (sink != nullptr) all.push_back(sink);
+    }
+    return all;
+  }
+
+  void finish() {
+    if (envelope_) report_.checks.envelope = envelope_->finish();
+    if (timing_) report_.checks.timing = timing_->finish();
+    if (gouge_) report_.checks.gouge = gouge_->finish();
+    if (accuracy_) report_.checks.accuracy = accuracy_->finish();
+  }
+
+ private:
+  void skip(std::string_view why) { report_.checks.not_checked.add(why); }
+
+  void make_envelope() {
+    if (e_.profile == nullptr) return skip("travel, feed and spindle limits: no machine is named");
+    envelope_ = std::make_unique<envelope::Envelope>(
+        envelope::Settings{.machine = e_.profile->machine,
+                           .arc_tolerance_mm = e_.control.semantics.arc_tolerance_mm,
+                           .work_offset = 1,
+                           .part_size_mm = part_size(e_.geometry)});
+  }
+
+  void make_timing() {
+    timing::Settings settings;
+    if (e_.profile == nullptr) return skip("time: no machine is named");
+    settings.machine = e_.profile->machine;
+    settings.cost = e_.control.cost;
+    settings.x_is_diameter = x_is_diameter(e_.control, e_.profile);
+    if (e_.delivery == ir::Delivery::drip && e_.profile->line.link.kind != machine::LinkKind::modbus_tcp) {
+      const machine::LineSettings& line = e_.profile->line;
+      const double bits = line.framing.bits_per_char();
+      settings.line = timing::Line{.baud = static_cast<double>(line.baud),
+                                   .bits_per_char = bits,
+                                   .latency_s = line.latency_chars * bits / line.baud};
+      settings.line_bytes = bytes_of_lines(e_.source.text(), tape_code::characters(line.eob).size());
+    }
+    timing_ = std::make_unique<timing::Timing>(std::move(settings));
+  }
+
+  void make_gouge() {
+    const bool turns = e_.control.kind != ir::MachineKind::mill;
+    if (!turns) return skip("gouges: only turning in the z-x plane is checked");
+    if (!e_.geometry || (!e_.geometry->stock && e_.geometry->nominal.empty()))
+      return skip("gouges and accuracy: stock and nominal are not known");
+    gouge::Settings settings;
+    if (e_.geometry->stock) {
+      if (const auto* bar = std::get_if<family::CylinderStock>(&*e_.geometry->stock)) {
+        settings.stock =
+            gouge::Cylinder{.diameter_mm = bar->diameter_mm, .z_low_mm = bar->z_mm.low, .z_high_mm = bar->z_mm.high};
+      }
+    }
+    settings.nominal = e_.geometry->nominal;
+    settings.x_is_diameter = x_is_diameter(e_.control, e_.profile);
+    settings.tools = tools_of(e_);
+    gouge_ = std::make_unique<gouge::Gouge>(std::move(settings));
+  }
+
+  void make_accuracy() {
+    if (e_.control.kind == ir::MachineKind::mill || !e_.geometry || e_.geometry->nominal.empty()) return;
+    accuracy::Settings settings;
+    settings.nominal = e_.geometry->nominal;
+    settings.x_is_diameter = x_is_diameter(e_.control, e_.profile);
+    for (const family::LineRange& range : e_.profile_lines) settings.lines.push_back({range.first, range.last});
+    settings.tools = tools_of(e_);
+    accuracy_ = std::make_unique<accuracy::Accuracy>(std::move(settings));
+  }
+
+  const Examination& e_;
+  CheckReport& report_;
+  std::unique_ptr<envelope::Envelope> envelope_;
+  std::unique_ptr<timing::Timing> timing_;
+  std::unique_ptr<gouge::Gouge> gouge_;
+  std::unique_ptr<accuracy::Accuracy> accuracy_;
+};
+
+// What the run said: alarms and warnings, and what it met and did not carry out.
+void take_run(const interpreter::RunResult& run, CheckReport& report) {
+  for (const interpreter::RunDiagnostic& one : run.diagnostics) {
+    text::Diagnostic diagnostic = one.diagnostic;
+    if (one.program != 0) {
+      diagnostic.span = {};
+      diagnostic.notes.push_back(
+          {.span = {}, .text = fmt::format("in {}, line {}", run.programs[one.program], one.line)});
+    }
+    report.checks.diagnostics.push_back(std::move(diagnostic));
+  }
+  for (const interpreter::NotInterpreted& one : run.not_interpreted) {
+    if (one.effects_known) continue;
+    report.checks.has_unknown_effects = true;
+    report.checks.not_checked.add(fmt::format("{}: not interpreted", one.name), one.first_line);
+  }
+  report.blocks = run.blocks;
+  report.ran = run.ended == interpreter::Ended::end;
+}
+
+void run_checks(const Examination& e, const ir::Program& program, CheckReport& report) {
+  Checks checks(e, report);
+  compile::FanOut sinks(checks.sinks());
+  compile::ProgramLibrary library(
+      e.control, e.find_called ? e.find_called : [](std::string_view) { return std::nullopt; });
+  take_run(compile::execute(program, e.control, &library, sinks, {}), report);
+  for (const auto& loaded : library.loaded()) {
+    if (text::has_error(loaded->read.diagnostics)) {
+      report.checks.has_unknown_effects = true;
+      report.checks.not_checked.add(fmt::format("{}: the called program has errors of its own", loaded->name));
+    }
+  }
+  checks.finish();
+}
+
+void sort_and_join(std::vector<text::Diagnostic>& diagnostics) {
+  std::ranges::stable_sort(diagnostics, {}, [](const text::Diagnostic& d) { return d.span.begin; });
+  // What reading and running both saw is said once.
+  const auto same = [](const text::Diagnostic& a, const text::Diagnostic& b) {
+    return a.id == b.id && a.span == b.span && a.arguments == b.arguments;
+  };
+  diagnostics.erase(std::unique(diagnostics.begin(), diagnostics.end(), same), diagnostics.end());
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> bytes_of_lines(std::string_view text, std::size_t eob_bytes) {
+  std::vector<std::uint32_t> bytes;
+  while (!text.empty()) {
+    const std::size_t end = text.find_first_of("\r\n");
+    const std::string_view line = text.substr(0, end);
+    bytes.push_back(static_cast<std::uint32_t>(line.size() + eob_bytes));
+    if (end == std::string_view::npos) break;
+    text.remove_prefix(end + text::eob_length(text, end));
+  }
+  return bytes;
+}
+
+CheckReport examine(const Examination& e) {
+  CheckReport report;
+  report.source = e.source;
+  report.dialect = e.dialect->name;
+  report.control_title = e.control.title;
+  report.kind = e.control.kind;
+  report.g_system = e.control.g_system;
+  report.feed_mode = feed_mode_of(e.control.semantics.power_on_feed);
+  report.because_line = e.control.because_line;
+  report.inferred = e.inferred;
+
+  ir::ReadResult read = e.dialect->read(e.source, e.control);
+  report.checks.diagnostics = std::move(read.diagnostics);
+  const bool readable = !text::has_error(report.checks.diagnostics);
+  auto more = e.dialect->validate(read.program, e.control, e.delivery);
+  report.checks.diagnostics.insert(report.checks.diagnostics.end(), std::make_move_iterator(more.begin()),
+                                   std::make_move_iterator(more.end()));
+  if (readable) {
+    run_checks(e, read.program, report);
+  } else {
+    report.checks.not_checked.add("what the program does: it has errors that keep it from being run");
+  }
+  sort_and_join(report.checks.diagnostics);
+  report.verdict = checks::verdict_of(report.checks);
+  return report;
+}
+
+}  // namespace dripfeed::app

@@ -1,0 +1,33 @@
+// Examining a text: read, validate, run, and give what it does to every check that has what it needs. The same for the
+// command, for the REST API and for releases.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "dialects/compile/dialect.h"
+#include "dialects/compile/library.h"
+#include "dialects/compile/render.h"
+#include "server/app/report.h"
+#include "server/machine/profile.h"
+
+namespace dripfeed::app {
+
+struct Examination {
+  text::Source source;
+  const compile::Dialect* dialect = nullptr;
+  ir::Control control;
+  bool inferred = false;
+  const machine::Profile* profile = nullptr;  // without one, what needs the machine is not checked, and that is said
+  ir::Delivery delivery = ir::Delivery::memory;
+  compile::FindText find_called;                 // may be empty
+  std::optional<family::Geometry> geometry;      // stock and nominal, of a rendered program
+  std::vector<family::LineRange> profile_lines;  // the moves that make the nominal; empty: every cut
+};
+
+CheckReport examine(const Examination& examination);
+
+// Bytes on the wire of each line, its EOB as the machine has it; line 1 first.
+std::vector<std::uint32_t> bytes_of_lines(std::string_view text, std::size_t eob_bytes);
+
+}  // namespace dripfeed::app

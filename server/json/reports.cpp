@@ -1,0 +1,143 @@
+// Figures are doubles as the shortest decimal that reads back the same.
+#include "server/json/reports.h"
+
+#include <array>
+#include <cmath>
+
+#include "server/json/diagnostics.h"
+#include "server/json/object_reader.h"
+
+namespace dripfeed::json {
+
+namespace {
+
+Document findings_document(const checks::FindingList& findings) {
+  Document list = Document::array();
+  for (const checks::Finding& one : findings.kept()) {
+    list.push_back({{"id", text::row_of(one.id).name},
+                    {"severity", text::name_of(one.severity)},
+                    {"line", one.place.line},
+                    {"value", one.value},
+                    {"limit", one.limit},
+                    {"text", one.text}});
+  }
+  Document counts = Document::object();
+  for (const checks::FindingList::Kind& kind : findings.kinds())
+    counts[std::string(text::row_of(kind.id).name)] = kind.count;
+  return {{"findings", std::move(list)}, {"counts", std::move(counts)}};
+}
+
+Document number_or_null(double value) { return std::isfinite(value) ? Document(value) : Document(nullptr); }
+
+Document envelope_document(const envelope::Report& report) {
+  constexpr std::string_view kAxes = "XYZABCUVW";
+  Document document = findings_document(report.findings);
+  document["moves"] = report.moves;
+  Document travel = Document::object();
+  for (std::size_t i = 0; i < ir::kAxisCount; ++i) {
+    if (report.machine[i].empty()) continue;
+    travel[std::string(1, kAxes[i])] = {number_or_null(report.machine[i].low), number_or_null(report.machine[i].high)};
+  }
+  document["machine_travel"] = std::move(travel);
+  document["feed_max_mm_min"] = report.feed_max_mm_min;
+  document["spindle_max_rpm"] = report.spindle_max_rpm;
+  return document;
+}
+
+Document gouge_document(const gouge::Report& report) {
+  Document document = findings_document(report.findings);
+  document["rapids"] = report.rapids;
+  document["cuts"] = report.cuts;
+  document["deepest_rapid_mm"] = report.deepest_rapid_mm;
+  document["deepest_cut_mm"] = report.deepest_cut_mm;
+  return document;
+}
+
+Document figures_document(const accuracy::Figures& figures) {
+  return {{"points", figures.points},        {"max_mm", figures.max_signed_mm}, {"max_at_line", figures.max_line},
+          {"max_at_z_mm", figures.max_z_mm}, {"mean_mm", figures.mean_mm},      {"rmse_mm", figures.rmse_mm}};
+}
+
+Document accuracy_document(const accuracy::Report& report) {
+  const accuracy::Figures& figures = report.figures();
+  Document document = {{"blocks", report.blocks},
+                       {"points", figures.points},
+                       {"max_mm", figures.max_mm},
+                       {"max_at_line", figures.max_line},
+                       {"mean_mm", figures.mean_mm},
+                       {"rmse_mm", figures.rmse_mm},
+                       {"chord_bound_mm", report.chord_bound_mm ? Document(*report.chord_bound_mm) : Document(nullptr)},
+                       {"measured", report.surface ? "surface" : "path"},
+                       {"path", figures_document(report.path)},
+                       {"surface", report.surface ? figures_document(*report.surface) : Document(nullptr)},
+                       {"overrun_mm", report.overrun_mm},
+                       {"covered", report.covered}};
+  document.update(findings_document(report.findings));
+  return document;
+}
+
+Document timing_document(const timing::Report& report) {
+  return {{"blocks", report.blocks},
+          {"cycle_s", report.cycle_s},
+          {"motion_s", report.motion_s},
+          {"compute_s", report.compute_s},
+          {"line_s", report.line_s},
+          {"stalls", report.stalls},
+          {"stall_s", report.stall_s},
+          {"first_stall_line", report.first_stall_line},
+          {"compute_is_measured", report.cost_is_measured}};
+}
+
+std::string_view kind_name(ir::MachineKind kind) {
+  static constexpr std::array<std::string_view, 3> kNames = {"mill", "lathe", "mill-turn"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+Document control_document(const app::CheckReport& report) {
+  static constexpr std::array<std::string_view, 3> kFeeds = {"per-minute", "per-revolution", "inverse-time"};
+  return {{"title", report.control_title},
+          {"kind", kind_name(report.kind)},
+          {"g_system", std::string(1, static_cast<char>('A' + static_cast<int>(report.g_system)))},
+          {"feed_mode", kFeeds[static_cast<std::size_t>(report.feed_mode)]},
+          {"because_line", report.because_line},
+          {"inferred", report.inferred}};
+}
+
+Document report_document(const app::CheckReport& report) {
+  const checks::CheckReport& checks = report.checks;
+  Document document = {{"dialect", report.dialect},
+                       {"control", control_document(report)},
+                       {"verdict", checks::name_of(report.verdict)},
+                       {"diagnostics", Document::parse(diagnostics(checks.diagnostics, report.source))},
+                       {"blocks", report.blocks},
+                       {"ran", report.ran},
+                       {"timing", checks.timing ? timing_document(*checks.timing) : Document(nullptr)},
+                       {"accuracy", checks.accuracy ? accuracy_document(*checks.accuracy) : Document(nullptr)},
+                       {"envelope", checks.envelope ? envelope_document(*checks.envelope) : Document(nullptr)},
+                       {"gouge", checks.gouge ? gouge_document(*checks.gouge) : Document(nullptr)}};
+  Document not_checked = Document::array();
+  for (const checks::NotChecked& one : checks::not_checked_of(checks)) {
+    not_checked.push_back(one.line == 0 ? one.text : one.text + " (line " + std::to_string(one.line) + ")");
+  }
+  document["not_checked"] = std::move(not_checked);
+  return document;
+}
+
+}  // namespace
+
+std::string check_report(const app::CheckReport& report) { return dump(report_document(report)); }
+
+std::string check_files(std::span<const app::CheckReport> reports) {
+  Document files = Document::array();
+  for (const app::CheckReport& report : reports) {
+    Document file = {{"file", report.source.name()}};
+    file.update(report_document(report));
+    files.push_back(std::move(file));
+  }
+  return dump({{"files", std::move(files)}}) + "\n";
+}
+
+std::string time_figures(const timing::Report& report) { return dump(timing_document(report)) + "\n"; }
+std::string accuracy_figures(const accuracy::Report& report) { return dump(accuracy_document(report)) + "\n"; }
+
+}  // namespace dripfeed::json

@@ -1,0 +1,22 @@
+// What the checks say, as JSON: the report that is stored with a verdict, and the objects that the command prints.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "server/app/report.h"
+
+namespace dripfeed::json {
+
+// The report's members as GET /checks/{id} shows them.
+std::string check_report(const app::CheckReport& report);
+
+// {"files":[…]}: one entry a report, under the name of its source.
+std::string check_files(std::span<const app::CheckReport> reports);
+
+// Figures alone; null-free: the check must have run.
+std::string time_figures(const timing::Report& report);
+std::string accuracy_figures(const accuracy::Report& report);
+
+}  // namespace dripfeed::json
