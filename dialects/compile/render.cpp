@@ -44,7 +44,7 @@ class Renderer {
     result_.diagnostics = std::move(read.diagnostics);
     if (text::has_error(result_.diagnostics)) return std::move(result_);
     family_ = std::make_shared<const family::Family>(std::move(read.family));
-    family::BindResult bound = family::bind(family_, request_.values);
+    family::BindResult bound = family::bind_family(family_, request_.values);
     report(bound.diagnostics);
     if (text::has_error(result_.diagnostics)) return std::move(result_);
     result_.geometry = family::geometry(bound.bound);

@@ -79,7 +79,4 @@ FamilyDescription describe_family(const text::Source& family);
 // Whether the family takes these values: what reading it and binding them gives; spans in `family`.
 std::vector<text::Diagnostic> check_values(const text::Source& family, const std::vector<family::Override>& values);
 
-// Stock and nominal with these values; nothing when the family does not take them (check_values says why).
-std::optional<family::Geometry> geometry_of(const text::Source& family, const std::vector<family::Override>& values);
-
 }  // namespace dripfeed::compile

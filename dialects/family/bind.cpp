@@ -143,7 +143,7 @@ class Binder {
 
 }  // namespace
 
-BindResult bind(std::shared_ptr<const Family> family, std::span<const Override> overrides) {
+BindResult bind_family(std::shared_ptr<const Family> family, std::span<const Override> overrides) {
   return Binder(std::move(family), overrides).bind();
 }
 

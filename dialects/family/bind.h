@@ -31,6 +31,6 @@ struct BindResult {
 // Defaults where nothing is given; a name given twice takes the last. Faults: unknown parameter, no or wrong unit, out
 // of range, not whole, a failed `require` (with its text), a loop that cannot run, a value that cannot be computed.
 // Spans are in the family's source: at the parameter, the constraint or the loop.
-BindResult bind(std::shared_ptr<const Family> family, std::span<const Override> overrides);
+BindResult bind_family(std::shared_ptr<const Family> family, std::span<const Override> overrides);
 
 }  // namespace dripfeed::family

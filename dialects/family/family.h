@@ -3,8 +3,9 @@
 // values (bind.h), turned into a program (build.h) and into geometry (geometry.h). Which control the program is for,
 // and whether it is rendered as macro or explicit, is left to dialects/compile.
 //
-// Grammar. One statement a line; a line break inside parentheses does not end it; `#` starts a comment. Names are lower
-// case letters, digits and '_', begin with a letter and are no keyword (axis letters and units are keywords).
+// Grammar. One statement a line; a line that ends in + - * / ^ ( or ',' goes on in the next; `#` starts a comment.
+// Names are lower case letters, digits and '_', begin with a letter and are no keyword (axis letters and units are
+// keywords).
 //
 //   file        = header { declaration } program
 //   header      = "family" NAME [STRING]  EOL

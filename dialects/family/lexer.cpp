@@ -16,7 +16,7 @@ constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' &&
 constexpr std::string_view kSymbols = "+-*/^()=<>,";
 constexpr std::array<std::string_view, 4> kDoubles = {"..", "<=", ">=", "!="};
 // A line that ends in one of these is not finished.
-constexpr std::array<std::string_view, 11> kOpenEnds = {"+", "-", "*", "/", "^", "(", "=", ",", "..", "<=", ">="};
+constexpr std::array<std::string_view, 7> kOpenEnds = {"+", "-", "*", "/", "^", "(", ","};
 
 class Lexer {
  public:

@@ -18,7 +18,7 @@ struct Lexeme {
   std::uint32_t line = 1;  // 1-based
 };
 
-// Ends with an end_of_line, even when the text does not. A line that ends in an operator, '(' or ',' goes on in the
+// Ends with an end_of_line, even when the text does not. A line that ends in + - * / ^ ( or ',' goes on in the
 // next: its end is left out. Bytes that belong to nothing come as `invalid`, one lexeme a run; a string without its
 // closing quote is invalid up to the line's end.
 std::vector<Lexeme> lex(std::string_view text);

@@ -119,9 +119,16 @@ class FamilyReader {
     const auto kind = std::ranges::find(kKinds, cursor_.word(), &KindRow::name);
     if (kind == kKinds.end()) return cursor_.expected("length, angle, feed, speed, time, count or ratio");
     cursor_.advance();
-    Parameter out{.name = name->name, .whole = kind->whole, .span = name->span};
+    Parameter out{.name = name->name, .dimension = kind->dimensions.front(), .whole = kind->whole, .span = name->span};
+    parameter_values(out, *kind);
+    // The name stays known when its line is wrong, so that its uses are not reported as well.
+    out.symbol = scope_.define(family_.arena, out.name, out.dimension, out.span);
+    family_.parameters.push_back(std::move(out));
+  }
+
+  void parameter_values(Parameter& out, const KindRow& kind) {
     const auto standard = expressions_.literal(true);
-    if (!standard || !has_kind(*standard, *kind)) return;
+    if (!standard || !has_kind(*standard, kind)) return;
     out.unit = standard->unit;
     out.dimension = out.unit == nullptr ? kRatio : out.unit->dimension;
     out.standard = Quantity{standard->written, standard->unit}.stored();
@@ -130,10 +137,7 @@ class FamilyReader {
     cursor_.expect_symbol("..");
     const auto high = bound(out);
     if (auto text = cursor_.accept_string()) out.text = std::move(*text);
-    // A wrong range is said, and the name stays known: its uses are not wrong because of it.
     if (!cursor_.line_failed() && low && high) check_range(out, *standard, *low, *high);
-    out.symbol = scope_.define(family_.arena, out.name, out.dimension, out.span);
-    family_.parameters.push_back(std::move(out));
   }
 
   // The default's unit must be one of the kind's.

@@ -29,7 +29,7 @@ ir::SymbolId Scope::define(ir::Program& arena, std::string_view name, Dimension 
 
 std::string_view Scope::nearest(std::string_view name) const {
   std::string_view best;
-  std::size_t best_distance = std::max<std::size_t>(1, name.size() / 3) + 1;
+  std::size_t best_distance = name.size() / 3 + 2;  // one change in three letters, and one more
   for (const Name& candidate : names_) {
     if (!candidate.visible) continue;
     const std::size_t distance = edit_distance(name, candidate.name);

@@ -81,7 +81,7 @@ Range sine(Range a) {
   const auto holds = [a](double quarter) {
     return std::floor((a.high - quarter) / 360.0) >= std::ceil((a.low - quarter) / 360.0);
   };
-  const auto [low, high] = std::minmax(std::sin(a.low * kDegree), std::sin(a.high * kDegree));
+  const auto [low, high] = std::minmax({std::sin(a.low * kDegree), std::sin(a.high * kDegree)});
   return {holds(270.0) ? -1.0 : low - kRounding, holds(90.0) ? 1.0 : high + kRounding};
 }
 Range cosine(Range a) { return sine({a.low + 90.0, a.high + 90.0}); }
