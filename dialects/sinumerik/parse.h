@@ -90,6 +90,7 @@ class Parser {
   void definition(text::Span head);
   bool defined_name(ir::ValueType type, std::uint16_t string_length, ir::Symbol& symbol);
   void dimensions(ir::Symbol& symbol);
+  void join_short_name();
   bool value_list(const ir::Variable& first, text::Span head);
   void repeated_value(const ir::Variable& first, text::Span head);
   bool element(const ir::Variable& first, std::uint32_t offset, ir::ExpressionId value, text::Span head);

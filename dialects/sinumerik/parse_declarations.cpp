@@ -2,6 +2,7 @@
 // become one assignment an element, because a symbol has one initial value.
 #include <algorithm>
 
+#include "dialects/sinumerik/name_index.h"
 #include "dialects/sinumerik/parse.h"
 
 namespace dripfeed::sinumerik {
@@ -17,8 +18,40 @@ constexpr std::uint32_t kMostElements = 20'000;
 
 }  // namespace
 
+// DEF REAL L1: by the manual a name begins with two letters, but controls in use take such names. To the lexer L1 is an
+// address with a number; from its definition on it is one name, and its tokens are joined wherever it stands.
+void Parser::join_short_name() {
+  if (cursor_.kind() != TokenKind::address) return;
+  const std::string_view text = cursor_.whole();
+  const auto run_at = [text](std::uint32_t begin) {
+    std::uint32_t end = begin;
+    while (end < text.size() && is_name_character(text[end])) ++end;
+    return text::Span{begin, end};
+  };
+  const std::string_view name = run_at(cursor_.span().begin).in(text);
+  if (name.size() < 2) return;
+  std::vector<ir::Token>& tokens = program_.tokens;
+  std::uint32_t kept = cursor_.index();
+  for (std::uint32_t i = kept; i < tokens.size(); ++kept) {
+    const text::Span run = tokens[i].kind == TokenKind::address ? run_at(tokens[i].span.begin) : text::Span{};
+    std::uint32_t after = i;
+    while (after < tokens.size() && tokens[after].span.begin < run.end) ++after;
+    if (after > i && tokens[after - 1].span.end == run.end && same_name(run.in(text), name)) {
+      tokens[kept] = {TokenKind::name, run};
+      i = after;
+    } else {
+      tokens[kept] = tokens[i++];
+    }
+  }
+  tokens.resize(kept);
+  const std::uint32_t here = cursor_.index();
+  cursor_ = TokenCursor(text, tokens);
+  cursor_.go_to(here);
+}
+
 // PROC NAME(REAL A, VAR INT B, REAL C=1.5) SAVE DISPLOF
 void Parser::procedure(text::Span head) {
+  join_short_name();
   if (cursor_.kind() != TokenKind::name)
     return give_up(DiagnosticId::syntax_error, cursor_.span(), {"PROC has no name"});
   program_.name = UpperName(cursor_.text()).view();
@@ -64,6 +97,7 @@ bool Parser::parameter(ir::Symbol& symbol) {
 
 // NAME, NAME[10,5], NAME=1.5: the part that DEF and PROC share.
 bool Parser::defined_name(ir::ValueType type, std::uint16_t string_length, ir::Symbol& symbol) {
+  join_short_name();
   if (cursor_.kind() != TokenKind::name) {
     give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is no name"});
     return false;

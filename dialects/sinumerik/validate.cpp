@@ -1,0 +1,46 @@
+// The list of checks, and what they share.
+#include "dialects/sinumerik/validate.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "dialects/sinumerik/sinumerik.h"
+
+namespace dripfeed::sinumerik {
+
+text::Diagnostic& Check::report(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments) const {
+  out.push_back(ir::diagnose(control, id, span, std::move(arguments)));
+  return out.back();
+}
+
+void Check::report_if_machine(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments) const {
+  report(id, span, std::move(arguments)).severity =
+      control.from_profile ? text::Severity::error : text::Severity::warning;
+}
+
+bool is_subprogram(const ir::Program& program) {
+  bool returns = false;
+  for (const ir::Statement& s : program.statements) {
+    if (s.kind == ir::StatementKind::procedure) return true;
+    if (s.kind == ir::StatementKind::program_end) return false;
+    returns = returns || s.kind == ir::StatementKind::subprogram_return;
+  }
+  return returns;
+}
+
+std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Control& control, ir::Delivery delivery) {
+  std::vector<text::Diagnostic> found;
+  const Check check{program, control, delivery, found};
+  check_structures(check);
+  check_labels(check);
+  check_reachability(check);
+  check_delivery(check);
+  check_names(check);
+  check_values(check);
+  check_blocks(check);
+  check_modal_state(check);
+  std::ranges::stable_sort(found, {}, [](const text::Diagnostic& d) { return d.span.begin; });
+  return found;
+}
+
+}  // namespace dripfeed::sinumerik

@@ -1,0 +1,172 @@
+// Names: defined once and before use, short enough, used at all. What is kept as native is searched by its tokens, so
+// that a name that only stands there counts as used and as set.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "dialects/sinumerik/name_index.h"
+#include "dialects/sinumerik/validate.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using ir::StatementKind;
+using text::DiagnosticId;
+
+class Names {
+ public:
+  explicit Names(const Check& check) : check_(check), program_(check.program), uses_(program_.symbols.size()) {}
+
+  void run() {
+    collect_uses();
+    collect_native_names();
+    definitions();
+    unknown_names();
+    unused();
+    lengths();
+    places_of_definitions();
+  }
+
+ private:
+  struct Use {
+    bool read = false;
+    bool set = false;
+    bool indexed = false;
+    text::Span first;  // of the first use, read or set
+  };
+
+  [[nodiscard]] std::string name(const ir::Symbol& symbol) const {
+    return std::string(program_.strings.at(symbol.name));
+  }
+  static bool is_declared(const ir::Symbol& symbol) { return !symbol.span.empty(); }
+
+  // Every variable that an expression holds is read, every target is set. A parameter by reference may be set by a call
+  // that has it as an argument.
+  void collect_uses() {
+    for (const ir::Variable& v : program_.variables) {
+      if (v.bank != ir::Bank::named) continue;
+      Use& use = uses_[static_cast<std::size_t>(v.symbol)];
+      if (use.first.empty() || v.span.begin < use.first.begin) use.first = v.span;
+      use.indexed = use.indexed || v.index != ir::ExpressionId::none;
+    }
+    for (const ir::Expression& e : program_.expressions) {
+      if (e.op == ir::Operator::variable && program_.at(e.variable).bank == ir::Bank::named)
+        uses_[static_cast<std::size_t>(program_.at(e.variable).symbol)].read = true;
+    }
+    for (const ir::Assign& a : program_.assigns) set(a.target);
+    for (const ir::Structure& s : program_.structures) set(s.counter);
+    for (const ir::Argument& a : program_.arguments) {
+      if (a.value != ir::ExpressionId::none && program_.at(a.value).op == ir::Operator::variable)
+        set(program_.at(a.value).variable);
+    }
+  }
+
+  void set(ir::VariableId id) {
+    if (id != ir::VariableId::none && program_.at(id).bank == ir::Bank::named)
+      uses_[static_cast<std::size_t>(program_.at(id).symbol)].set = true;
+  }
+
+  void collect_native_names() {
+    for (const ir::Statement& s : program_.statements) {
+      if (s.kind != StatementKind::native) continue;
+      const auto first =
+          std::ranges::lower_bound(program_.tokens, s.span.begin, {}, [](const ir::Token& t) { return t.span.begin; });
+      for (auto t = first; t != program_.tokens.end() && t->kind != ir::TokenKind::eob; ++t)
+        if (t->kind == ir::TokenKind::name) natives_.insert(std::string(UpperName(check_.text_of(t->span)).view()));
+    }
+  }
+
+  [[nodiscard]] bool in_native(const ir::Symbol& symbol) const { return natives_.contains(name(symbol)); }
+
+  void definitions() const {
+    std::map<ir::StringId, const ir::Symbol*> first;
+    for (const ir::Symbol& symbol : program_.symbols) {
+      if (!is_declared(symbol)) continue;
+      const auto [entry, is_new] = first.emplace(symbol.name, &symbol);
+      if (is_new) continue;
+      const bool parameters = symbol.is_parameter && entry->second->is_parameter;
+      text::Diagnostic& d =
+          check_.report(parameters ? DiagnosticId::parameter_defined_twice : DiagnosticId::name_defined_twice,
+                        symbol.span, {name(symbol)});
+      d.notes.push_back({entry->second->span, "the first one is here"});
+      if (parameters) d.notes.push_back({symbol.span, "no name reaches the value that callers give in this place"});
+    }
+  }
+
+  // A name that is nowhere defined may be global user data, which the machine's own definition files hold. Where the
+  // program uses arrays of that kind it is taken for one, and the fault is a warning; alone it is most likely a slip.
+  void unknown_names() const {
+    bool global_data = false;
+    for (std::size_t i = 0; i < program_.symbols.size(); ++i)
+      global_data = global_data || (!is_declared(program_.symbols[i]) && uses_[i].indexed);
+    for (std::size_t i = 0; i < program_.symbols.size(); ++i) {
+      const ir::Symbol& symbol = program_.symbols[i];
+      if (is_declared(symbol) || uses_[i].first.empty()) continue;
+      text::Diagnostic& d = check_.report(DiagnosticId::unknown_name, uses_[i].first, {name(symbol)});
+      if (global_data) d.severity = text::Severity::warning;
+    }
+  }
+
+  void unused() const {
+    std::set<ir::StringId> seen;
+    for (std::size_t i = 0; i < program_.symbols.size(); ++i) {
+      const ir::Symbol& symbol = program_.symbols[i];
+      if (!is_declared(symbol) || !seen.insert(symbol.name).second || in_native(symbol)) continue;
+      const Use& use = uses_[i];
+      if (symbol.is_parameter && !use.read && !use.set)
+        check_.report(DiagnosticId::parameter_never_used, symbol.span, {name(symbol)});
+      // EXECSTRING sets variables by texts that are made while running.
+      if (natives_.contains("EXECSTRING")) continue;
+      // Arrays are often filled by the operator or by cycles; a scalar that nobody sets is a slip.
+      if (!symbol.is_parameter && use.read && !use.set && symbol.initial == ir::ExpressionId::none &&
+          symbol.dimension1 == 0)
+        check_.report(DiagnosticId::variable_never_set, use.first, {name(symbol)});
+    }
+  }
+
+  void too_long(std::string_view long_name, text::Span span) const {
+    const std::uint32_t limit = check_.control.limits.name_length;
+    if (limit != 0 && long_name.size() > limit)
+      check_.report(DiagnosticId::name_too_long, span,
+                    {std::string(long_name), std::to_string(long_name.size()), std::to_string(limit)});
+  }
+
+  void lengths() const {
+    for (const ir::Symbol& symbol : program_.symbols)
+      if (is_declared(symbol)) too_long(name(symbol), symbol.span);
+    for (const ir::Label& label : program_.labels)
+      if (label.name != ir::StringId::none) too_long(program_.strings.at(label.name), label.span);
+    for (const ir::Statement& s : program_.statements)
+      if (s.kind == StatementKind::call) too_long(program_.strings.at(program_.calls[s.payload].name), s.span);
+  }
+
+  // PROC first, then DEF and EXTERN, then the program.
+  void places_of_definitions() const {
+    std::uint32_t acts_from_line = 0;  // the first line that does something
+    for (const ir::Statement& s : program_.statements) {
+      if (s.kind == StatementKind::define && acts_from_line != 0 && s.line > acts_from_line)
+        check_.report(DiagnosticId::definition_not_at_start, s.span);
+      const bool inert = s.kind == StatementKind::empty || s.kind == StatementKind::procedure ||
+                         s.kind == StatementKind::declaration || s.kind == StatementKind::define;
+      // The elements of an array's list are assignments of their DEF's own line, and DEFINE … AS is a definition.
+      const bool of_definition =
+          s.kind == StatementKind::assign && s.tokens.first == s.tokens.last && last_define_ == s.line;
+      const bool macro = s.kind == StatementKind::native && check_.native_name(s) == "DEFINE";
+      if (s.kind == StatementKind::define) last_define_ = s.line;
+      if (!inert && !of_definition && !macro && acts_from_line == 0) acts_from_line = s.line;
+    }
+  }
+
+  const Check& check_;
+  const ir::Program& program_;
+  std::vector<Use> uses_;
+  std::set<std::string> natives_;
+  mutable std::uint32_t last_define_ = 0;
+};
+
+}  // namespace
+
+void check_names(const Check& check) { Names(check).run(); }
+
+}  // namespace dripfeed::sinumerik
