@@ -25,11 +25,12 @@ struct LineRange {
 };
 
 struct Settings {
-  curves::Profile nominal = {};       // x as radius, z in the active work offset
-  bool x_is_diameter = true;          // the motions' x
-  std::vector<LineRange> lines = {};  // of the main program, the moves that make the profile; empty: every cutting move
-  std::vector<checks::Tool>
-      tools;                   // nose radii and tips; a tool that is not here is taken as a point, and that is said
+  curves::Profile nominal = {};  // x as radius, z in the active work offset
+  bool x_is_diameter = true;     // the motions' x
+  // Of the main program, the lines whose moves make the profile; empty: every cutting move.
+  std::vector<LineRange> lines = {};
+  // Nose radii and tips; a tool that is not here is taken as a point, and that is said.
+  std::vector<checks::Tool> tools = {};
   double coverage_mm = 0.001;  // a gap up to this is none
 };
 
@@ -97,7 +98,7 @@ class Accuracy final : public ir::MotionSink {
   void add_surface(const ir::Motion& motion, const curves::PathPiece& tip_path);
   void close_pending(double trimmed_end);
   void judge(const curves::Deviation& deviation, const ir::Place& place);
-  void bound_chord(const curves::PathPiece& piece);
+  void measure_corner(const curves::Corner& corner);
   void cover(curves::Range z);
   void find_gaps();
 
@@ -110,6 +111,7 @@ class Accuracy final : public ir::MotionSink {
   std::vector<curves::Range> covered_;  // disjoint, in order
   curves::Nose nose_;
   bool nose_known_ = false;
+  bool surface_known_ = true;
   std::optional<Pending> pending_;
   ir::Place last_place_;
 };

@@ -13,6 +13,7 @@ constexpr int kFewest = 4;  // pieces; even, for Simpson's rule
 constexpr int kMost = 128;
 constexpr double kPieceLength_mm = 1.0;
 constexpr int kRefinements = 3;
+constexpr int kBisections = 30;  // of a millimetre: 1e-9 mm
 
 struct Sample {
   double t = 0.0;
@@ -41,6 +42,14 @@ class Walk {
     if (here.value < result_.lowest.value) result_.lowest = here;
     result_.z = {std::min(result_.z.low, foot.z), std::max(result_.z.high, foot.z)};
     return {t, foot.distance, true};
+  }
+
+  // Where the path passes an end of the profile: measures the last place on it.
+  void find_end(Sample on, Sample off) {
+    for (int i = 0; i < kBisections; ++i) {
+      const Sample middle = at(0.5 * (on.t + off.t));
+      (middle.on ? on : off) = middle;
+    }
   }
 
   // The top (sign 1) or bottom (-1) near the middle one of three neighbours.
@@ -85,6 +94,11 @@ Deviation measure(const Profile& profile, const PathPiece& piece, double refine_
   std::array<Sample, kMost + 1> samples{};
   for (int i = 0; i <= pieces; ++i) samples[static_cast<std::size_t>(i)] = walk.at(static_cast<double>(i) / pieces);
 
+  for (std::size_t i = 0; i < static_cast<std::size_t>(pieces); ++i) {
+    if (samples[i].on != samples[i + 1].on) {
+      walk.find_end(samples[i].on ? samples[i] : samples[i + 1], samples[i].on ? samples[i + 1] : samples[i]);
+    }
+  }
   const double pair = 2.0 * length / pieces;
   for (std::size_t i = 0; i + 2 <= static_cast<std::size_t>(pieces); i += 2) {
     const Sample& a = samples[i];

@@ -101,10 +101,10 @@ TEST(Measure, IntegratesMeanAndSquare) {
 
 TEST(Measure, LeavesOutWhatRunsBeyondTheEnds) {
   const Profile level{{{{{0, 20}, [](double) { return ExplicitPoint{5, 0}; }, {}}, 0.01}}};
-  const Deviation out = measure(level, Segment{{16, 5}, {24, 9}});
+  const Deviation out = measure(level, Segment{{15.3, 5}, {24, 9}});
   EXPECT_NEAR(out.overhang, 4.0, 1e-12);
-  EXPECT_NEAR(out.highest.value, 2.0, 1e-12);  // at the end of the profile, not at that of the path
-  EXPECT_NEAR(out.z.high, 20.0, 1e-12);
+  EXPECT_NEAR(out.highest.value, 4.7 * 4 / 8.7, 1e-7);  // at the end of the profile, not at that of the path
+  EXPECT_NEAR(out.z.high, 20.0, 1e-7);
   EXPECT_EQ(measure(level, Segment{{30, 5}, {40, 5}}).points, 0U);
 }
 
