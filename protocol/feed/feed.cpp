@@ -237,6 +237,8 @@ std::expected<void, Refusal> Feed::react(Input input, Trigger trigger) {
       emit({.kind = EventKind::command_refused, .input = input});
       return std::unexpected(Refusal::not_in_this_state);
     }
+    if (input == Input::dc3) control_holds_ = true;
+    if (input == Input::dc1 || input == Input::resume_as_dc1) control_holds_ = false;
     perform(row.action, trigger, row.to);
     return {};
   }
@@ -251,14 +253,8 @@ void Feed::perform(Action action, Trigger trigger, State to) {
     case Action::refuse:
     case Action::change: break;
     case Action::note: note_input(trigger); break;
-    case Action::unarmed:
-      control_holds_ = false;
-      emit({.kind = EventKind::dc1_unarmed, .byte = trigger.byte});
-      break;
-    case Action::remember:
-      control_holds_ = true;
-      emit({.kind = EventKind::dc3_seen, .byte = trigger.byte});
-      break;
+    case Action::unarmed: emit({.kind = EventKind::dc1_unarmed, .byte = trigger.byte}); break;
+    case Action::remember: emit({.kind = EventKind::dc3_seen, .byte = trigger.byte}); break;
     case Action::arm: take_job(); break;
     case Action::start: counters_.started_at = now_; break;
     case Action::hold: ++counters_.holds; break;
@@ -268,6 +264,7 @@ void Feed::perform(Action action, Trigger trigger, State to) {
     case Action::fail: end_job(trigger.cause); break;
     case Action::clear:
       job_.reset();
+      control_holds_ = false;
       end_cause_ = Cause::none;
       break;
   }
@@ -298,12 +295,13 @@ void Feed::end_job(Cause cause) {
   counters_.ended_at = now_;
   end_interval_ = interval();
   end_cause_ = cause;
-  control_holds_ = false;
   source_ = tape_code::FillStatus::end;
 }
 
 void Feed::enter(State to, Cause cause) {
   const State from = std::exchange(state_, to);
+  // The DC3 that ended a reading holds nothing.
+  if (to == State::done && settings_.end.dc3) control_holds_ = false;
   emit({.kind = EventKind::state_changed, .from = from, .to = to, .cause = cause});
 }
 

@@ -151,7 +151,7 @@ class Feed {
   bool link_up_ = false;
   bool cts_on_ = true;
   bool dsr_on_ = true;
-  bool control_holds_ = false;  // at rest: DC3 came after the last DC1
+  bool control_holds_ = false;  // DC3 came after the last DC1
 
   std::array<std::byte, kMaxUnsent> out_{};
   std::array<std::uint8_t, kMaxUnsent> out_ends_block_{};

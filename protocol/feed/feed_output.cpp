@@ -35,7 +35,7 @@ void Feed::fill() {
 }
 
 std::size_t Feed::allowed() const {
-  if (!may_hand(state_) || !link_up_ || (settings_.watch_cts && !cts_on_)) return 0;
+  if (!may_hand(state_)) return 0;  // a lost link is no such state, and a CTS that is off leaves no credit
   if (reserve_ <= counters_.handed) return 0;
   std::uint64_t count = std::min<std::uint64_t>(out_end_ - out_begin_, credit_);
   count = std::min(count, reserve_ - counters_.handed);

@@ -178,6 +178,25 @@ TEST(Feed, TimeThatStepsBackIsNotBelieved) {
   EXPECT_EQ(feed.end_cause(), Cause::expired);
 }
 
+// What became true before the input came is acted on first, even if no timer fired.
+TEST(Feed, TimePassesBeforeAnInputIsTaken) {
+  Settings settings;
+  settings.end.quiet = 2s;
+  Feed feed = Feed::make(settings).value();
+  const ProgramFacts facts = facts_of(1);
+  EndlessSource source(1);
+  EndlessSource other(1);
+  Time now = 1s;
+  feed.line(LineChange::link_up, now);
+  ASSERT_TRUE(feed.arm({.facts = facts, .source = &source, .reserve = kNoReserve}, now));
+  send(feed, 0x11, now);
+  run(feed, now);
+  ASSERT_EQ(feed.state(), State::wait_end);
+  EXPECT_FALSE(feed.arm({.facts = facts, .source = &other}, now + 1s));
+  EXPECT_TRUE(feed.arm({.facts = facts, .source = &other}, now + 3s));
+  EXPECT_EQ(feed.state(), State::armed);
+}
+
 TEST(Feed, CountsHoldsAndLineUse) {
   Feed feed = Feed::make(Settings{}).value();
   const ProgramFacts facts = facts_of(50);

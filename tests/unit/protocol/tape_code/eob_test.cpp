@@ -42,6 +42,7 @@ TEST(Eob, BlankBlocksStay) {
   EXPECT_EQ(read("\n\r\r\n\r\r\n\r\r"), "\n\n\n");
   EXPECT_EQ(read("\r\r\r"), "\n\n\n");
   EXPECT_EQ(read("\n\r\n"), "\n\n");
+  EXPECT_EQ(read("\n\r\n\r\r"), "\n\n\n\n");  // LF, CR LF, CR, CR
 }
 
 TEST(Eob, WhatIsWrittenIsReadInEveryForm) {
