@@ -18,7 +18,8 @@ Bound read_and_bind(const text::Source& source, const std::vector<family::Overri
   family::ReadFamilyResult read = family::read_family(source);
   Bound out{{}, std::move(read.diagnostics)};
   if (text::has_error(out.diagnostics)) return out;
-  family::BindResult bound = family::bind_family(std::make_shared<const family::Family>(std::move(read.family)), values);
+  family::BindResult bound =
+      family::bind_family(std::make_shared<const family::Family>(std::move(read.family)), values);
   out.diagnostics.insert(out.diagnostics.end(), bound.diagnostics.begin(), bound.diagnostics.end());
   out.bound = std::move(bound.bound);
   return out;

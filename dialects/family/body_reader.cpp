@@ -37,6 +37,7 @@ constexpr auto kCenters = std::to_array<AxisRow>({
 });
 
 constexpr std::int32_t kLargestTip = 9;
+constexpr std::int32_t kLargestOffset = 99;
 
 const AxisRow* find_axis(std::span<const AxisRow> rows, std::string_view name) {
   const auto row = std::ranges::find(rows, name, &AxisRow::name);
@@ -112,7 +113,9 @@ void BodyReader::add(Step step) {
 void BodyReader::work_offset() {
   cursor_.expect_word("offset");
   Step out = step(StepKind::work_offset);
+  const text::Span at = cursor_.peek().span;
   out.number = cursor_.expect_integer("the number of a work offset");
+  if (out.number > kLargestOffset) cursor_.syntax(at, fmt::format("work offsets are numbered 0 to {}", kLargestOffset));
   add(std::move(out));
 }
 

@@ -18,7 +18,8 @@
 //               | "nominal" "x" "=" expr "for" "z" "in" expr ".." expr "tolerance" expr  EOL
 //   kind        = "length" | "angle" | "feed" | "speed" | "time" | "count" | "ratio"
 //   program     = "program" NAME  EOL { step } "end"  EOL
-//   step        = "work" "offset" INTEGER                                          1 is the control's first (G54)
+//   step        = "work" "offset" INTEGER                                          1 is the control's first (G54), 0
+//   none
 //               | "tool" INTEGER ["nose" literal] ["tip" INTEGER]
 //               | "spindle" expr ["limit" expr] ["cw" | "ccw"] | "spindle" "off"   rpm, or m/min of surface speed
 //               | "coolant" ("flood" | "mist" | "off")

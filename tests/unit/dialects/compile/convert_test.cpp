@@ -1,0 +1,231 @@
+// Conversion between dialects: the same trace on the other control, and back. The programs are the corrected listings
+// of two papers: a hyperbolic surface in Fanuc Custom Macro B, a turning cycle for SINUMERIK.
+#include "dialects/compile/convert.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/dialects/compile/harness.h"
+
+namespace dripfeed::compile::test {
+namespace {
+
+constexpr std::string_view kHyperbola = R"(%
+O0002
+G21 G18 G40 G97 G99
+#100=100.
+#101=202.4
+#102=0.5
+#108=196.
+#109=#108/2
+#103=ATAN[#109]/[#101]
+#104=0
+#105=#103
+#106=#100*2
+#110=#106/COS[#103]
+T0606
+G55 G00 X[#110+50.] Z[#109+50.]
+S500 M03
+G00 X#110 Z#109
+WHILE[#103GE#104]DO1
+#107=SIN[#103]/COS[#103]
+G01 X[#106/COS[#103]] Z[#101*#107] F0.15
+#103=#103-#102
+END1
+WHILE[#104LE#105]DO2
+#107=SIN[#104]/COS[#104]
+G01 X[#106/COS[#104]] Z-[#101*#107] F0.15
+#104=#104+#102
+END2
+G00 X[#110+50.]
+Z150.
+M30
+%
+)";
+
+constexpr std::string_view kTurningCycle =
+    R"(PROC TURNING_CYCLE(REAL EXTD, REAL INTD, REAL ENDPZ, REAL RALL, REAL FALLX, REAL FALLZ, REAL RFR, REAL FFR, REAL RETR) SAVE
+DEF INT LAYER_C, COUNTER=0
+DEF REAL DEPTH
+LAYER_C=((EXTD/2-INTD/2)-FALLX) DIV RALL
+IF (((EXTD/2-INTD/2)-FALLX) MOD RALL) <> 0
+LAYER_C=LAYER_C+1
+ENDIF
+DEPTH=((EXTD/2-INTD/2)-FALLX)/LAYER_C
+G90 G0 X=EXTD+1 Z=1 DIAM90
+G0 X=EXTD
+CYCLE_START:
+MSG("**ROUGHING** CURRENT LAYER:"<<COUNTER+1<<" from "<<LAYER_C)
+G91 G1 X=-DEPTH F=RFR
+G1 Z=(ENDPZ-1+FALLZ)
+G1 X=RETR
+G0 Z=-(ENDPZ-1+FALLZ)
+G0 X=-RETR
+GOTOF CYCLE_END
+CYCLE_END:
+COUNTER=COUNTER+1
+IF COUNTER<LAYER_C GOTOB CYCLE_START
+G90 X=EXTD+50 Z50
+MSG("FINISHING")
+T="FINISHING_T35 A"
+G90 G0 X=INTD Z=1
+G1 Z=ENDPZ F=FFR
+G1 X=EXTD+1
+G0 Z=1
+MSG()
+M17
+)";
+
+constexpr std::string_view kTurningMain = R"(EXTERN TURNING_CYCLE(REAL, REAL, REAL, REAL, REAL, REAL, REAL, REAL, REAL)
+G71 G95 G40 DIAMON
+T1 D1 S2700 M3
+G18 G54 G96 S300 LIMS=3200
+G90 G0 X50 Z50
+TURNING_CYCLE(100.00, 50.00, -100.00, 2.50, 0.25, 0.25, 0.25, 0.1, 1.0)
+M30
+)";
+
+ConvertResult converted(std::string_view text, const std::string& from, const std::string& to, ConvertMode mode,
+                        ProgramLibrary* library = nullptr) {
+  ConvertRequest request;
+  request.source = text::Source("program", std::string(text));
+  request.from = control(from, ir::MachineKind::lathe);
+  request.to = control(to, ir::MachineKind::lathe);
+  request.mode = mode;
+  request.library = library;
+  ConvertResult out = convert(request);
+  EXPECT_FALSE(text::has_error(out.diagnostics)) << said(out.diagnostics, request.source);
+  return out;
+}
+
+ir::Control lathe(const std::string& dialect) { return control(dialect, ir::MachineKind::lathe); }
+
+// A library that knows the cycle and counts how often it is asked.
+struct Cycle {
+  int asked = 0;
+  ProgramLibrary library{lathe("sinumerik-840d"), [this](std::string_view name) -> std::optional<text::Source> {
+                           ++asked;
+                           if (name != "TURNING_CYCLE") return std::nullopt;
+                           return text::Source("TURNING_CYCLE.SPF", std::string(kTurningCycle));
+                         }};
+};
+
+TEST(Convert, SameDialectGivesTheBytes) {
+  for (const std::string& dialect : dialect_names()) {
+    const std::string odd = "% \r\nO12(\xD0\x9C)\n\r\rX1Y#\t??;\xFF N10 g1x-.5";
+    ConvertRequest request;
+    request.source = text::Source("odd", odd);
+    request.from = request.to = lathe(dialect);
+    EXPECT_EQ(convert(request).text, odd) << dialect;
+  }
+}
+
+TEST(Convert, HyperbolaGoesToSinumerikAndBack) {
+  const std::vector<ir::Motion> original = moves_of(run_text(std::string(kHyperbola), lathe("fanuc")).motions);
+  ASSERT_GT(original.size(), 100U);
+  const ConvertResult there = converted(kHyperbola, "fanuc", "sinumerik-840d", ConvertMode::explicit_blocks);
+  const std::vector<ir::Motion> on_sinumerik = moves_of(run_text(there.text, lathe("sinumerik-840d")).motions);
+  expect_same(original, on_sinumerik, 0.0006, "on sinumerik");
+  const ConvertResult back = converted(there.text, "sinumerik-840d", "fanuc", ConvertMode::explicit_blocks);
+  expect_same(on_sinumerik, moves_of(run_text(back.text, lathe("fanuc")).motions), 1e-9, "back on fanuc");
+}
+
+TEST(Convert, HyperbolaGoesAsMacroAndBack) {
+  const std::vector<ir::Motion> original = moves_of(run_text(std::string(kHyperbola), lathe("fanuc")).motions);
+  const ConvertResult there = converted(kHyperbola, "fanuc", "sinumerik-840d", ConvertMode::macro);
+  EXPECT_LT(there.text.size(), 2000U);
+  expect_same(original, moves_of(run_text(there.text, lathe("sinumerik-840d")).motions), 1e-6, there.text);
+  const ConvertResult back = converted(there.text, "sinumerik-840d", "fanuc", ConvertMode::macro);
+  expect_same(original, moves_of(run_text(back.text, lathe("fanuc")).motions), 1e-6, back.text);
+}
+
+TEST(Convert, ExplicitLinesKnowTheirOrigin) {
+  const ConvertResult there = converted(kHyperbola, "fanuc", "sinumerik-840d", ConvertMode::explicit_blocks);
+  EXPECT_EQ(std::ranges::count(there.text, '\n'), static_cast<std::ptrdiff_t>(there.origin_lines.size()));
+  EXPECT_GT(std::ranges::count(there.origin_lines, 20U), 40);  // the G01 of the first flank
+  EXPECT_GT(std::ranges::count(there.origin_lines, 25U), 40);
+}
+
+TEST(Convert, TurningCycleGoesToFanucAndBack) {
+  Cycle cycle;
+  const Run original = run_text(std::string(kTurningMain), lathe("sinumerik-840d"), &cycle.library);
+  EXPECT_EQ(cycle.asked, 1);
+  const std::vector<ir::Motion> moves = moves_of(original.motions);
+  ASSERT_GT(moves.size(), 50U);
+  const ConvertResult there =
+      converted(kTurningMain, "sinumerik-840d", "fanuc", ConvertMode::explicit_blocks, &cycle.library);
+  const std::vector<ir::Motion> on_fanuc = moves_of(run_text(there.text, lathe("fanuc")).motions);
+  expect_same(moves, on_fanuc, 0.0006, there.text);
+  const ConvertResult back = converted(there.text, "fanuc", "sinumerik-840d", ConvertMode::explicit_blocks);
+  expect_same(on_fanuc, moves_of(run_text(back.text, lathe("sinumerik-840d")).motions), 1e-9, back.text);
+  // All of the cycle comes from the line of the call.
+  EXPECT_GT(std::ranges::count(there.origin_lines, 6U), 50);
+}
+
+TEST(Convert, AFaultOfTheRunIsAnError) {
+  ConvertRequest request;
+  request.source = text::Source("bad", "%\nO1\nG21 G99\n#1=0\nG00 X[1./#1]\nM30\n%\n");
+  request.from = lathe("fanuc");
+  request.to = lathe("sinumerik-840d");
+  request.mode = ConvertMode::explicit_blocks;
+  const ConvertResult result = convert(request);
+  EXPECT_TRUE(text::has_error(result.diagnostics));
+  EXPECT_TRUE(result.text.empty());
+}
+
+TEST(Convert, UnknownDialectsAreRefused) {
+  ConvertRequest request;
+  request.source = text::Source("x", "M30\n");
+  request.from = lathe("fanuc");
+  request.to.dialect = "klartext";
+  EXPECT_TRUE(text::has_error(convert(request).diagnostics));
+}
+
+// Tool length offsets and compensation numbers are in no motion, and still reach the text.
+TEST(Convert, OffsetsThatMotionsDoNotCarryAreKept) {
+  ConvertRequest request;
+  request.source =
+      text::Source("mill",
+                   "%\nO1\nG21 G17 G90 G94 G40 G54\nT3 M06\nG43 H3 G00 Z50.\nX0 Y0\nG41 D13 G01 X10. F200.\n"
+                   "Y20.\nG40 X0\nG49 Z100.\nM30\n%\n");
+  request.from = request.to = control("fanuc", ir::MachineKind::mill);
+  request.mode = ConvertMode::explicit_blocks;
+  const ConvertResult result = convert(request);
+  EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, request.source);
+  for (const char* word : {"G43", "H3", "G41", "D13", "G40", "G49"}) {
+    EXPECT_NE(result.text.find(word), std::string::npos) << word << "\n" << result.text;
+  }
+  const Run before = run_text(std::string(request.source.text()), request.from);
+  const Run after = run_text(result.text, request.to);
+  expect_same(moves_of(before.motions), moves_of(after.motions), 1e-9, result.text);
+}
+
+TEST(Library, AsksOnceAndRemembersWhatIsMissing) {
+  Cycle cycle;
+  const ir::Program* found = cycle.library.find("TURNING_CYCLE");
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(cycle.library.find("TURNING_CYCLE"), found);
+  EXPECT_EQ(cycle.library.find("L100"), nullptr);
+  EXPECT_EQ(cycle.library.find("L100"), nullptr);
+  EXPECT_EQ(cycle.asked, 2);
+  ASSERT_EQ(cycle.library.loaded().size(), 1U);
+  EXPECT_EQ(cycle.library.loaded()[0]->name, "TURNING_CYCLE");
+}
+
+TEST(Dialects, AreFoundByNameAndText) {
+  EXPECT_EQ(find_dialect("klartext"), nullptr);
+  EXPECT_EQ(find_dialect("Fanuc"), nullptr);
+  for (const Dialect& dialect : dialects()) EXPECT_EQ(find_dialect(dialect.name), &dialect);
+  const auto inferred = [](std::string_view text) { return infer_dialect(text::Source("x", std::string(text))).name; };
+  EXPECT_EQ(inferred(kHyperbola), "fanuc");
+  EXPECT_EQ(inferred(kTurningCycle), "sinumerik-840d");
+  EXPECT_EQ(inferred(kTurningMain), "sinumerik-840d");
+  EXPECT_EQ(inferred("N10 R5=3\n"), "sinumerik-840d");
+  EXPECT_EQ(inferred("N10 G0 X1\n; a comment\n"), "sinumerik-840d");
+  EXPECT_EQ(inferred("%\nN10 G0 X1\n(a comment)\n"), "fanuc");
+  EXPECT_EQ(inferred(""), dialects().front().name);
+}
+
+}  // namespace
+}  // namespace dripfeed::compile::test

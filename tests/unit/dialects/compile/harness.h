@@ -1,0 +1,102 @@
+// What the tests of compile share: shipped families, texts run to motions, motions compared without their lines.
+#pragma once
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "dialects/compile/convert.h"
+#include "dialects/compile/dialect.h"
+#include "dialects/compile/execute.h"
+#include "dialects/compile/render.h"
+
+namespace dripfeed::compile::test {
+
+inline std::string file_text(const std::string& path) {
+  std::ifstream file(std::string(DRIPFEED_SOURCE_DIR) + "/" + path, std::ios::binary);
+  EXPECT_TRUE(file.good()) << path;
+  std::ostringstream out;
+  out << file.rdbuf();
+  return out.str();
+}
+
+inline text::Source shipped(const std::string& name) {
+  return {name + ".family", file_text("deploy/families/" + name + ".family")};
+}
+
+inline ir::Control control(const std::string& dialect, ir::MachineKind kind) {
+  return find_dialect(dialect)->control(kind, ir::GSystem::a);
+}
+
+inline std::string said(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source) {
+  std::string out;
+  for (const text::Diagnostic& d : diagnostics) out += text::format_diagnostic(d, source, "");
+  return out;
+}
+
+class Motions final : public ir::MotionSink {
+ public:
+  void consume(std::span<const ir::Motion> motions) override { all.insert(all.end(), motions.begin(), motions.end()); }
+  std::vector<ir::Motion> all;
+};
+
+struct Run {
+  std::vector<ir::Motion> motions;
+  interpreter::RunResult result;
+};
+
+// Reads and runs a text; every fault is a failure of the test.
+inline Run run_text(const std::string& text, const ir::Control& control, ProgramLibrary* library = nullptr) {
+  const text::Source source("program", text);
+  const ir::ReadResult read = find_dialect(control.dialect)->read(source, control);
+  EXPECT_FALSE(text::has_error(read.diagnostics)) << said(read.diagnostics, source) << text;
+  Motions motions;
+  Run out;
+  out.result = execute(read.program, control, library, motions, {});
+  for (const interpreter::RunDiagnostic& d : out.result.diagnostics) {
+    EXPECT_NE(d.diagnostic.severity, text::Severity::error) << d.line << ": " << text::message_of(d.diagnostic) << "\n"
+                                                            << text;
+  }
+  out.motions = std::move(motions.all);
+  return out;
+}
+
+inline std::vector<ir::Motion> moves_of(const std::vector<ir::Motion>& motions) {
+  std::vector<ir::Motion> out;
+  for (const ir::Motion& m : motions) {
+    if (ir::is_move(m.kind)) out.push_back(m);
+  }
+  return out;
+}
+
+// Kinds, ends, centres, feeds and what is in effect; not lines, not the axes that one control has and the other has
+// not.
+inline void expect_same(const std::vector<ir::Motion>& a, const std::vector<ir::Motion>& b, double tolerance,
+                        const std::string& what) {
+  ASSERT_EQ(a.size(), b.size()) << what;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const std::string where = what + ", motion " + std::to_string(i);
+    ASSERT_EQ(static_cast<int>(a[i].kind), static_cast<int>(b[i].kind)) << where;
+    for (std::size_t axis = 0; axis < 6; ++axis) ASSERT_NEAR(a[i].end[axis], b[i].end[axis], tolerance) << where;
+    for (std::size_t axis = 0; axis < 3; ++axis) ASSERT_NEAR(a[i].center[axis], b[i].center[axis], tolerance) << where;
+    ASSERT_NEAR(a[i].feed, b[i].feed, 1e-9) << where;
+    if (a[i].feed != 0.0) ASSERT_EQ(static_cast<int>(a[i].feed_mode), static_cast<int>(b[i].feed_mode)) << where;
+    ASSERT_EQ(static_cast<int>(a[i].spindle), static_cast<int>(b[i].spindle)) << where;
+    ASSERT_NEAR(a[i].spindle_rpm, b[i].spindle_rpm, 1e-9) << where;
+    ASSERT_NEAR(a[i].surface_speed_m_min, b[i].surface_speed_m_min, 1e-9) << where;
+    ASSERT_EQ(static_cast<int>(a[i].coolant), static_cast<int>(b[i].coolant)) << where;
+    if (a[i].kind == ir::MotionKind::offset) ASSERT_EQ(a[i].number, b[i].number) << where;
+    if (a[i].kind == ir::MotionKind::tool) ASSERT_EQ(a[i].number, b[i].number) << where;
+  }
+}
+
+inline const std::vector<std::string>& dialect_names() {
+  static const std::vector<std::string> names = {"fanuc", "sinumerik-840d"};
+  return names;
+}
+
+}  // namespace dripfeed::compile::test
