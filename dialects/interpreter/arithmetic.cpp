@@ -95,6 +95,25 @@ double round_to_eight_digits(double value) {
   return shift >= 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
 }
 
+std::string_view describe(Operator op) {
+  struct Row {
+    Operator op;
+    std::string_view name;
+  };
+  constexpr Row kRows[] = {
+      {Operator::asin, "the arc sine"},
+      {Operator::acos, "the arc cosine"},
+      {Operator::sqrt, "the square root"},
+      {Operator::ln, "the logarithm"},
+      {Operator::bcd, "BCD"},
+      {Operator::bin, "BIN"},
+      {Operator::power, "the power"},
+  };
+  for (const Row& row : kRows)
+    if (row.op == op) return row.name;
+  return "the function";
+}
+
 Arithmetic::Arithmetic(const ir::Semantics& semantics)
     : semantics_(semantics),
       relative_(semantics.comparison == ir::ComparisonMode::relative),

@@ -37,6 +37,9 @@ double round_to_integer(double value, ir::RoundHalf half);
 // To eight significant decimal digits, half away from zero.
 double round_to_eight_digits(double value);
 
+// The function as messages call it: "the square root".
+std::string_view describe(ir::Operator op);
+
 class Arithmetic {
  public:
   explicit Arithmetic(const ir::Semantics& semantics);

@@ -1,0 +1,137 @@
+// Templates of blocks.
+#include "dialects/interpreter/block_compiler.h"
+
+#include <algorithm>
+
+namespace dripfeed::interpreter {
+
+namespace {
+
+using ir::Address;
+using ir::Function;
+
+constexpr std::uint64_t kAxisLetters64 = bit_of(Address::x) | bit_of(Address::y) | bit_of(Address::z) |
+                                         bit_of(Address::a) | bit_of(Address::b) | bit_of(Address::c) |
+                                         bit_of(Address::u) | bit_of(Address::v) | bit_of(Address::w);
+constexpr std::uint64_t kGeometryNotModelled = bit_of(Address::polar_angle) | bit_of(Address::polar_radius) |
+                                               bit_of(Address::chamfer) | bit_of(Address::rounding) |
+                                               bit_of(Address::other);
+constexpr std::uint64_t kLengths = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k) | bit_of(Address::r) |
+                                   bit_of(Address::arc_radius) | bit_of(Address::f);
+
+struct AddressName {
+  Address address;
+  std::string_view name;
+};
+constexpr AddressName kNames[] = {
+    {Address::polar_angle, "AP"}, {Address::polar_radius, "RP"}, {Address::chamfer, "CHF"}, {Address::rounding, "RND"}};
+
+// Codes whose axis words are no positions to move to, and that say themselves when they are not interpreted.
+bool takes_axis_words(const ir::Code& code) {
+  if (code.function == Function::not_modelled) return true;
+  return code.function == Function::dwell || code.function == Function::set_coordinates;
+}
+
+std::string_view name_of_code(const ir::Program& program, const ir::Code& code) {
+  if (code.name != ir::StringId::none) return program.strings.at(code.name);
+  return ir::name_of(code.function);
+}
+
+}  // namespace
+
+void BlockCompiler::compile(const ir::Block& block, text::Span span) {
+  CompiledProgram& out = builder_.out();
+  const auto index_in = [](const auto& table) { return static_cast<std::uint32_t>(table.size()); };
+  BlockTemplate made{.first_word = index_in(out.words), .first_code = index_in(out.codes)};
+  BlockExtra extra{.first_word = index_in(out.computed_words),
+                   .first_code = index_in(out.computed_codes),
+                   .first_report = index_in(out.block_reports)};
+  words_belong_to_code_ = std::ranges::any_of(builder_.source().codes_of(block), takes_axis_words);
+  compile_codes(block);
+  for (const ir::Word& word : builder_.source().words_of(block)) compile_word(word);
+
+  made.word_count = static_cast<std::uint16_t>(index_in(out.words) - made.first_word);
+  made.code_count = static_cast<std::uint16_t>(index_in(out.codes) - made.first_code);
+  extra.word_count = index_in(out.computed_words) - extra.first_word;
+  extra.code_count = index_in(out.computed_codes) - extra.first_code;
+  extra.report_count = index_in(out.block_reports) - extra.first_report;
+  if (extra.word_count + extra.code_count + extra.report_count > 0) {
+    made.extra = index_in(out.extras);
+    out.extras.push_back(extra);
+  }
+  out.blocks.push_back(made);
+  builder_.emit(Opcode::apply, span, index_in(out.blocks) - 1);
+}
+
+void BlockCompiler::compile_codes(const ir::Block& block) {
+  CompiledProgram& out = builder_.out();
+  for (const ir::Code& code : builder_.source().codes_of(block)) {
+    if (code.number != ir::ExpressionId::none) {
+      out.computed_codes.push_back({expressions_.compile_number(code.number).operand, code.letter});
+      continue;
+    }
+    out.codes.push_back({code.function, code.argument, code.group});
+    const bool idle = code.function == Function::no_effect;
+    if (idle || code.function == Function::not_modelled || code.function == Function::machine_function)
+      report(name_of_code(builder_.source(), code), code.function, idle);
+  }
+}
+
+void BlockCompiler::compile_word(const ir::Word& word) {
+  if (!is_interpreted(word)) return report(name_of(word), Function::not_modelled, false);
+  if (word.value == ir::ExpressionId::none) return;
+  put_word(word, expressions_.compile_word(word.value), flags_of(word));
+}
+
+void BlockCompiler::put_word(const ir::Word& word, const Value& value, std::uint8_t flags) {
+  CompiledProgram& out = builder_.out();
+  if (value.constant.has_value()) {
+    if (is_vacant(*value.constant)) return;  // X#0: as if it was not there
+    if (counts_increments(word)) flags |= kWordInIncrements;
+    out.words.push_back({*value.constant, word.address, flags});
+  } else if (value.is_string() && word.address != Address::t) {
+    builder_.emit_failure(word.span, text::DiagnosticId::wrong_type, {"the value of the word", "STRING", "REAL"});
+  } else {
+    out.computed_words.push_back({value.operand, word.address, flags, value.is_string()});
+  }
+}
+
+std::uint8_t BlockCompiler::flags_of(const ir::Word& word) const {
+  std::uint8_t flags = 0;
+  if (word.mode == ir::WordMode::absolute) flags |= kWordAbsolute;
+  if (word.mode == ir::WordMode::incremental) flags |= kWordIncremental;
+  if (word.extension != 0 && (kAxisLetters64 & bit_of(word.address)) != 0) flags |= kWordNumbered;
+  return flags;
+}
+
+// A constant as it was written, with its sign; a computed value never counts.
+bool BlockCompiler::counts_increments(const ir::Word& word) const {
+  if (builder_.context().control.semantics.decimal_mode != ir::DecimalMode::least_increment) return false;
+  if (((builder_.context().rules.axis_addresses | kAxisLetters64 | kLengths) & bit_of(word.address)) == 0) return false;
+  const ir::Expression* e = &builder_.source().at(word.value);
+  if (e->op == ir::Operator::negate) e = &builder_.source().at(e->a);
+  return e->op == ir::Operator::constant && !e->has_point;
+}
+
+bool BlockCompiler::is_interpreted(const ir::Word& word) const {
+  if ((bit_of(word.address) & kGeometryNotModelled) != 0) return false;
+  // A second spindle; the first may be written with its number.
+  if (word.extension > 1 && (kAxisLetters64 & bit_of(word.address)) == 0) return false;
+  const bool on_axis = (kAxisLetters64 & ~builder_.context().rules.axis_addresses & bit_of(word.address)) == 0;
+  return on_axis || words_belong_to_code_;
+}
+
+std::string BlockCompiler::name_of(const ir::Word& word) const {
+  if (word.address == Address::other) return std::string(builder_.source().strings.at(word.name));
+  for (const AddressName& row : kNames)
+    if (row.address == word.address) return std::string(row.name);
+  std::string name(1, static_cast<char>('A' + static_cast<int>(word.address)));
+  if (word.extension != 0) name += std::to_string(word.extension);
+  return name;
+}
+
+void BlockCompiler::report(std::string_view name, Function function, bool effects_known) {
+  builder_.out().block_reports.push_back(builder_.add_report(name, function, effects_known));
+}
+
+}  // namespace dripfeed::interpreter

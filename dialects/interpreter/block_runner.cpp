@@ -1,0 +1,140 @@
+// From template to plain block, and what came of it.
+#include "dialects/interpreter/block_runner.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include "dialects/interpreter/trace.h"
+#include "dialects/text/number.h"
+
+namespace dripfeed::interpreter {
+
+namespace {
+
+using text::DiagnosticId;
+
+constexpr std::uint32_t kNoExtra = 0xFFFFFFFFU;
+
+struct NoteRow {
+  std::uint32_t note;
+  Report report;
+};
+// Notes that are counted like a code that is not interpreted.
+const std::array<NoteRow, 3>& counted_notes() {
+  static const std::array<NoteRow, 3> rows = {{
+      {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
+      {kNoteReferenceUnknown, {"the way to the reference point", ir::Function::reference_return}},
+      {kNoteIncrementalFromUnknown, {"increments from a position that is not known", ir::Function::incremental}},
+  }};
+  return rows;
+}
+
+std::string letter_of(ir::Address address) {
+  return address <= ir::Address::z ? std::string(1, static_cast<char>('A' + static_cast<int>(address))) : "a word";
+}
+
+}  // namespace
+
+std::optional<Flow> BlockRunner::run(const Instruction& i, const CompiledProgram& program) {
+  const BlockTemplate& made = program.blocks[i.a];
+  fill(made, program);
+  if (made.extra != kNoExtra && !fill_computed(i, made, program)) return std::nullopt;
+  const BlockResult result = apply(block_, rules_, state_, out_);
+  if (result.notes != 0) take_notes(i, result.notes);
+  if (result.fault != DiagnosticId::count_) {
+    fail(i, result);
+    return std::nullopt;
+  }
+  return result.flow;
+}
+
+void BlockRunner::set_word(ir::Address address, double value, std::uint8_t flags) {
+  if (flags == 0) return block_.set(address, value);
+  const std::uint64_t bit = bit_of(address);
+  if ((flags & kWordInIncrements) != 0) block_.in_increments |= bit;
+  if ((flags & kWordAbsolute) != 0) block_.absolute |= bit;
+  if ((flags & kWordIncremental) != 0) block_.incremental |= bit;
+  if ((flags & kWordNumbered) != 0)
+    block_.numbered |= bit, block_.values[index_of(address)] = value;
+  else
+    block_.set(address, value);
+}
+
+void BlockRunner::fill(const BlockTemplate& made, const CompiledProgram& program) {
+  block_.clear();
+  block_.codes = {program.codes.data() + made.first_code, made.code_count};
+  const TemplateWord* word = program.words.data() + made.first_word;
+  for (std::uint32_t n = 0; n < made.word_count; ++n, ++word) set_word(word->address, word->value, word->flags);
+}
+
+bool BlockRunner::fill_computed(const Instruction& i, const BlockTemplate& made, const CompiledProgram& program) {
+  const BlockExtra& extra = program.extras[made.extra];
+  for (std::uint32_t n = extra.first_word; n < extra.first_word + extra.word_count; ++n) {
+    const ComputedWord& word = program.computed_words[n];
+    if (word.is_string) {
+      block_.tool_name = report_.text_index(storage_.text(raw_of(word.operand)));
+      if (block_.tool_name == kNoText) return report_.fail_limit(i, "strings");
+      continue;
+    }
+    const double value = storage_.reg(raw_of(word.operand));
+    if (is_vacant(value))
+      skip_vacant(i, program, n);
+    else
+      set_word(word.address, value, word.flags);
+  }
+  for (std::uint32_t n = extra.first_report; n < extra.first_report + extra.report_count; ++n)
+    report_.count(program.reports[program.block_reports[n]]);
+  if (extra.code_count == 0) return true;
+  codes_.assign(block_.codes.begin(), block_.codes.end());
+  for (std::uint32_t n = extra.first_code; n < extra.first_code + extra.code_count; ++n)
+    if (!add_computed_code(i, program.computed_codes[n])) return false;
+  block_.codes = codes_;
+  return true;
+}
+
+// The number is looked up as it comes; G54.1 is 541.
+bool BlockRunner::add_computed_code(const Instruction& i, const ComputedCode& code) {
+  const double value = storage_.reg(raw_of(code.operand));
+  if (is_vacant(value)) return true;  // the word is ignored
+  const double tenths = arithmetic_.round(value * 10.0);
+  const auto table = code.letter == 'M' ? control_.m_codes : control_.g_codes;
+  const ir::CodeRow* row =
+      std::abs(tenths) < 32767.0 ? ir::find_code(table, static_cast<std::int32_t>(tenths)) : nullptr;
+  if (row == nullptr)
+    return report_.fail(i, DiagnosticId::unknown_code, {code.letter + text::format_shortest(tenths / 10.0)});
+  if (row->function == ir::Function::not_modelled || row->function == ir::Function::machine_function)
+    report_.count({std::string(row->name), row->function, false});
+  codes_.push_back({row->function, row->argument, row->group});
+  return true;
+}
+
+// Said once a word: a control is silent about it, and the axis does not move.
+void BlockRunner::skip_vacant(const Instruction& i, const CompiledProgram& program, std::uint32_t word) {
+  const std::pair key(&program, word);
+  if (std::ranges::find(said_vacant_, key) != said_vacant_.end()) return;
+  said_vacant_.push_back(key);
+  report_.say(i, DiagnosticId::vacant_value, {"of the word " + letter_of(program.computed_words[word].address)});
+}
+
+void BlockRunner::take_notes(const Instruction& i, std::uint32_t notes) {
+  for (const NoteRow& row : counted_notes())
+    if ((notes & row.note) != 0) report_.count(row.report);
+  if ((notes & kNoteMotionWithoutCode) != 0) {
+    std::string letters;
+    for (std::uint64_t rest = block_.present & rules_.axis_addresses; rest != 0; rest &= rest - 1)
+      letters += (letters.empty() ? "" : " ") + letter_of(static_cast<ir::Address>(std::countr_zero(rest)));
+    report_.say(i, DiagnosticId::motion_without_code, {letters});
+  }
+  if ((notes & kNoteNoFeed) != 0 && !said_no_feed_) {
+    said_no_feed_ = true;
+    report_.say(i, DiagnosticId::no_feed);
+  }
+}
+
+bool BlockRunner::fail(const Instruction& i, const BlockResult& result) {
+  if (result.fault != DiagnosticId::arc_radius_mismatch) return report_.fail(i, result.fault);
+  return report_.fail(i, result.fault, {text::format_fixed(result.first, 4), text::format_fixed(result.second, 4)});
+}
+
+}  // namespace dripfeed::interpreter

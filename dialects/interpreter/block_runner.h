@@ -1,0 +1,51 @@
+// Blocks of codes and words while running: the template's constants and the computed registers become a plain block,
+// which is applied. What came of it (alarm, notes) goes to the report.
+#pragma once
+
+#include <vector>
+
+#include "dialects/interpreter/apply.h"
+#include "dialects/interpreter/arithmetic.h"
+#include "dialects/interpreter/run_report.h"
+#include "dialects/interpreter/storage.h"
+
+namespace dripfeed::interpreter {
+
+class BlockRunner {
+ public:
+  BlockRunner(const ir::Control& control, const BlockRules& rules, const Arithmetic& arithmetic, Storage& storage,
+              ModalState& state, MotionBuffer& out, RunReport& report)
+      : control_(control),
+        rules_(rules),
+        arithmetic_(arithmetic),
+        storage_(storage),
+        state_(state),
+        out_(out),
+        report_(report) {}
+
+  // What the block asks of the flow; nothing when the run has ended.
+  std::optional<Flow> run(const Instruction& i, const CompiledProgram& program);
+
+ private:
+  void fill(const BlockTemplate& made, const CompiledProgram& program);
+  bool fill_computed(const Instruction& i, const BlockTemplate& made, const CompiledProgram& program);
+  bool add_computed_code(const Instruction& i, const ComputedCode& code);
+  void set_word(ir::Address address, double value, std::uint8_t flags);
+  void skip_vacant(const Instruction& i, const CompiledProgram& program, std::uint32_t word);
+  void take_notes(const Instruction& i, std::uint32_t notes);
+  bool fail(const Instruction& i, const BlockResult& result);
+
+  const ir::Control& control_;
+  const BlockRules& rules_;
+  const Arithmetic& arithmetic_;
+  Storage& storage_;
+  ModalState& state_;
+  MotionBuffer& out_;
+  RunReport& report_;
+  PlainBlock block_;
+  std::vector<PlainCode> codes_;  // of a block with computed codes
+  std::vector<std::pair<const CompiledProgram*, std::uint32_t>> said_vacant_;
+  bool said_no_feed_ = false;
+};
+
+}  // namespace dripfeed::interpreter

@@ -1,0 +1,76 @@
+// Writes one program's code while it is compiled: instructions with their spans, constants kept once, temporaries by
+// stack discipline, failures and reports. What to write is left to the compilers of statements, blocks and expressions.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "dialects/interpreter/arithmetic.h"
+#include "dialects/interpreter/block_rules.h"
+#include "dialects/interpreter/bytecode.h"
+#include "dialects/interpreter/interpreter.h"
+#include "dialects/interpreter/variable_map.h"
+
+namespace dripfeed::interpreter {
+
+// What every part of the compiler reads.
+struct CompileContext {
+  const ir::Control& control;
+  const BlockRules& rules;
+  const Arithmetic& arithmetic;
+  const VariableMap& variables;
+  const Limits& limits;
+  RunNames& names;
+  bool observed = false;  // write `tell` instructions
+};
+
+class CodeBuilder {
+ public:
+  CodeBuilder(CompiledProgram& out, const CompileContext& context);
+
+  [[nodiscard]] CompiledProgram& out() { return out_; }
+  [[nodiscard]] const CompileContext& context() const { return context_; }
+  [[nodiscard]] const ir::Program& source() const { return *out_.source; }
+
+  // Appends and returns the instruction's index.
+  std::uint32_t emit(Opcode op, text::Span span, std::uint32_t a = 0, std::uint32_t b = 0, std::uint32_t c = 0,
+                     std::uint8_t extra = 0);
+  [[nodiscard]] std::uint32_t here() const { return static_cast<std::uint32_t>(out_.code.size()); }
+  Instruction& at(std::uint32_t index) { return out_.code[index]; }
+
+  Operand constant(double value);
+  Operand text_constant(std::string_view text);
+
+  // A fresh register of the frame. Taken registers are given back all at once, to a mark.
+  Operand take();
+  Operand take_string();
+  struct Mark {
+    std::uint32_t numbers;
+    std::uint32_t strings;
+  };
+  [[nodiscard]] Mark mark() const { return {next_number_, next_string_}; }
+  void release(Mark mark) { next_number_ = mark.numbers, next_string_ = mark.strings; }
+
+  // An instruction that raises that alarm when it is reached.
+  std::uint32_t emit_failure(text::Span span, text::DiagnosticId id, std::vector<std::string> arguments = {});
+  std::uint32_t add_failure(text::DiagnosticId id, std::vector<std::string> arguments);
+  // Index of a report, once a name.
+  std::uint32_t add_report(std::string_view name, ir::Function function, bool effects_known);
+  // Index in RunNames::variables.
+  std::uint32_t variable_name_index(std::string_view name);
+
+  Work work;  // of the block that is being compiled
+
+ private:
+  CompiledProgram& out_;
+  const CompileContext& context_;
+  std::uint32_t next_number_;
+  std::uint32_t next_string_;
+  std::unordered_map<std::uint64_t, Operand> constants_;
+  std::unordered_map<std::string, Operand> texts_;
+  std::unordered_map<std::string, std::uint32_t> reports_;
+};
+
+}  // namespace dripfeed::interpreter

@@ -1,0 +1,72 @@
+// Laying out symbols, then one pass over the statements; branches to statements that are not compiled yet are put down
+// and set at the end.
+#include "dialects/interpreter/compile.h"
+
+#include <algorithm>
+
+#include "dialects/interpreter/statement_compiler.h"
+
+namespace dripfeed::interpreter {
+
+namespace {
+
+using ir::ValueType;
+
+// Gives each symbol its registers. Arrays lie row by row.
+bool lay_out_symbols(const ir::Program& program, const Limits& limits, CompiledProgram& out) {
+  std::uint64_t numbers = 0;
+  std::uint64_t strings = 0;
+  for (std::uint32_t i = 0; i < program.symbols.size(); ++i) {
+    const ir::Symbol& symbol = program.symbols[i];
+    std::uint64_t& next = symbol.type == ValueType::string ? strings : numbers;
+    SymbolSlot slot{.slot = static_cast<std::uint32_t>(next)};
+    std::uint64_t count = 1;
+    if (symbol.dimension1 > 0) {
+      const std::uint32_t columns = std::max<std::uint32_t>(symbol.dimension2, 1);
+      count = std::uint64_t{symbol.dimension1} * columns;
+      slot.array = static_cast<std::uint32_t>(out.arrays.size());
+      out.arrays.push_back({slot.slot, symbol.dimension1, columns, symbol.type, static_cast<ir::SymbolId>(i)});
+    }
+    next += count;
+    if (numbers + strings > limits.variables) return false;
+    out.symbols.push_back(slot);
+  }
+  out.declared_slots = out.frame_slots = static_cast<std::uint32_t>(numbers);
+  out.declared_strings = out.string_slots = static_cast<std::uint32_t>(strings);
+  return true;
+}
+
+void lay_out_parameters(const ir::Program& program, CompiledProgram& out) {
+  for (const ir::Statement& statement : program.statements) {
+    if (statement.kind != ir::StatementKind::procedure || statement.payload == ir::kNoIndex) continue;
+    const ir::Structure& head = program.structures[statement.payload];
+    out.has_procedure = true;
+    out.saves_modal = head.saves_modal;
+    for (std::uint32_t i = 0; i < head.symbol_count; ++i) {
+      const ir::Symbol& symbol = program.symbols[head.first_symbol + i];
+      if (!symbol.is_parameter) continue;
+      out.parameters.push_back({out.symbols[head.first_symbol + i].slot, symbol.type, symbol.by_reference});
+    }
+    return;
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<CompiledProgram> compile(const ir::Program& program, std::uint32_t index,
+                                         const CompileContext& context) {
+  auto out = std::make_unique<CompiledProgram>();
+  out->source = &program;
+  out->index = index;
+  const bool fits = lay_out_symbols(program, context.limits, *out);
+  CodeBuilder builder(*out, context);
+  if (!fits) {
+    builder.emit_failure({}, text::DiagnosticId::limit_reached, {"variables"});
+    return out;
+  }
+  lay_out_parameters(program, *out);
+  StatementCompiler(builder).compile();
+  return out;
+}
+
+}  // namespace dripfeed::interpreter

@@ -1,0 +1,15 @@
+// One program to bytecode. Statements become instructions, structures become branches; what cannot be compiled becomes
+// an instruction that raises the alarm when it is reached, so a fault in a branch that is not taken does no harm.
+#pragma once
+
+#include <memory>
+
+#include "dialects/interpreter/code_builder.h"
+
+namespace dripfeed::interpreter {
+
+// `index` is the program's number in RunNames::programs.
+std::unique_ptr<CompiledProgram> compile(const ir::Program& program, std::uint32_t index,
+                                         const CompileContext& context);
+
+}  // namespace dripfeed::interpreter

@@ -1,0 +1,43 @@
+// Expressions to instructions: where a value is after it was computed. Opcodes are chosen by the control's semantics
+// here, once, so that the machine never asks. Variables are read by variable_compiler.h.
+#pragma once
+
+#include "dialects/interpreter/code_builder.h"
+#include "dialects/interpreter/variable_compiler.h"
+
+namespace dripfeed::interpreter {
+
+class ExpressionCompiler {
+ public:
+  explicit ExpressionCompiler(CodeBuilder& builder) : builder_(builder) {}
+
+  // `target`: where the value had best be; it may come to be elsewhere.
+  Value compile(ir::ExpressionId id, Operand target = Operand::none);
+  // … as a number or a string; an alarm when it is neither and cannot become it.
+  Value compile_number(ir::ExpressionId id, Operand target = Operand::none);
+  Value compile_string(ir::ExpressionId id);
+  // A word's value: a sign before a vacant variable leaves it vacant.
+  Value compile_word(ir::ExpressionId id);
+  // a op b of two numbers that are compiled.
+  Value combine(ir::Operator op, const Value& a, const Value& b, text::Span span, Operand target = Operand::none);
+  [[nodiscard]] VariableCompiler& variables() { return variables_; }
+
+ private:
+  Value compile_unary(const ir::Expression& e, Operand target);
+  Value compile_binary(const ir::Expression& e, Operand target);
+  Value compile_bound(const ir::Expression& e, Operand target);
+  Value compile_string_operator(const ir::Expression& e, Operand target);
+  Value compile_string_comparison(const ir::Expression& e, const Value& a, const Value& b, Operand target);
+  Value compile_is_variable(const ir::Expression& e);
+  Value to_string(const Value& value, text::Span span);
+  Value to_number(const Value& value, text::Span span);
+
+  Operand result(Operand target) { return target == Operand::none ? builder_.take() : target; }
+  Value constant(double value, ir::ValueType type = ir::ValueType::real);
+  Value failure(text::Span span, text::DiagnosticId id, std::vector<std::string> arguments);
+
+  CodeBuilder& builder_;
+  VariableCompiler variables_{builder_, *this};
+};
+
+}  // namespace dripfeed::interpreter

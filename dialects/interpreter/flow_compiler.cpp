@@ -1,0 +1,220 @@
+// Structures and jumps.
+//
+//   WHILE c          IF c              FOR v = a TO b        REPEAT
+//     not c: -> (1)    not c: -> else    v = a; v > b: -> (1)   …
+//     …                … ; -> (1)        …                   UNTIL c
+//   END: -> WHILE    ELSE …            ENDFOR: v = v + 1        not c: -> REPEAT
+//   (1)              ENDIF (1)           v <= b: -> body     (1)
+#include "dialects/interpreter/flow_compiler.h"
+
+#include <algorithm>
+
+#include "dialects/interpreter/jump_target.h"
+
+namespace dripfeed::interpreter {
+
+namespace {
+
+using ir::Operator;
+using ir::StatementKind;
+using text::DiagnosticId;
+
+constexpr bool is_opener(StatementKind kind) {
+  return kind == StatementKind::if_begin || kind == StatementKind::while_begin || kind == StatementKind::repeat_begin ||
+         kind == StatementKind::for_begin || kind == StatementKind::loop_begin || kind == StatementKind::else_begin;
+}
+
+}  // namespace
+
+constexpr FlowCompiler::Row FlowCompiler::kRows[] = {
+    {StatementKind::go_to, &FlowCompiler::compile_jump, StatementKind::go_to, "GOTO"},
+    {StatementKind::if_begin, &FlowCompiler::compile_if, StatementKind::if_end, "IF"},
+    {StatementKind::else_begin, &FlowCompiler::compile_else, StatementKind::if_end, "ELSE"},
+    {StatementKind::if_end, &FlowCompiler::compile_nothing, StatementKind::if_begin, "the end of IF"},
+    {StatementKind::while_begin, &FlowCompiler::compile_while, StatementKind::while_end, "WHILE"},
+    {StatementKind::while_end, &FlowCompiler::compile_while_end, StatementKind::while_begin, "the end of WHILE"},
+    {StatementKind::repeat_begin, &FlowCompiler::compile_nothing, StatementKind::repeat_end, "REPEAT"},
+    {StatementKind::repeat_end, &FlowCompiler::compile_repeat_end, StatementKind::repeat_begin, "UNTIL"},
+    {StatementKind::for_begin, &FlowCompiler::compile_for, StatementKind::for_end, "FOR"},
+    {StatementKind::for_end, &FlowCompiler::compile_for_end, StatementKind::for_begin, "the end of FOR"},
+    {StatementKind::loop_begin, &FlowCompiler::compile_nothing, StatementKind::loop_end, "the loop"},
+    {StatementKind::loop_end, &FlowCompiler::compile_loop_end, StatementKind::loop_begin, "the end of the loop"},
+};
+
+const FlowCompiler::Row* FlowCompiler::find_row(StatementKind kind) {
+  const auto row = std::ranges::find(kRows, kind, &Row::kind);
+  return row == std::end(kRows) ? nullptr : &*row;
+}
+
+const ir::Statement& FlowCompiler::statement(std::uint32_t index) const { return builder_.source().statements[index]; }
+const ir::Structure& FlowCompiler::structure(std::uint32_t index) const {
+  return builder_.source().structures[statement(index).payload];
+}
+
+bool FlowCompiler::compile(std::uint32_t index) {
+  const Row* row = find_row(statement(index).kind);
+  if (row == nullptr) return false;
+  if (row->partner != row->kind && structure(index).partner == ir::kNoIndex) {
+    const bool opens = is_opener(row->kind);
+    const std::string partner(find_row(row->partner)->name);
+    builder_.emit_failure(statement(index).span, opens ? DiagnosticId::missing_end : DiagnosticId::end_without_begin,
+                          {std::string(row->name), partner});
+  } else {
+    (this->*row->compile)(index);
+  }
+  return true;
+}
+
+void FlowCompiler::branch_unless(ir::ExpressionId condition, text::Span span, std::uint32_t to, Edge edge) {
+  if (condition == ir::ExpressionId::none) return;
+  const Value value = expressions_.compile_number(condition);
+  branches_.push_back({builder_.emit(Opcode::branch_false, span, raw_of(value.operand)), to, edge});
+}
+
+void FlowCompiler::jump_to(Opcode op, text::Span span, std::uint32_t to, Edge edge) {
+  branches_.push_back({builder_.emit(op, span), to, edge});
+}
+
+void FlowCompiler::compile_nothing(std::uint32_t) {}
+
+void FlowCompiler::compile_if(std::uint32_t index) {
+  const std::uint32_t partner = structure(index).partner;
+  const Edge edge = statement(partner).kind == StatementKind::else_begin ? Edge::after : Edge::begin;
+  branch_unless(structure(index).condition, statement(index).span, partner, edge);
+}
+
+void FlowCompiler::compile_else(std::uint32_t index) {
+  jump_to(Opcode::jump, statement(index).span, structure(index).partner, Edge::begin);
+}
+
+void FlowCompiler::compile_while(std::uint32_t index) {
+  branch_unless(structure(index).condition, statement(index).span, structure(index).partner, Edge::after);
+}
+
+void FlowCompiler::compile_while_end(std::uint32_t index) {
+  jump_to(Opcode::jump_back, statement(index).span, structure(index).partner, Edge::begin);
+}
+
+void FlowCompiler::compile_loop_end(std::uint32_t index) {
+  jump_to(Opcode::jump_back, statement(index).span, structure(index).partner, Edge::after);
+}
+
+void FlowCompiler::compile_repeat_end(std::uint32_t index) {
+  const ir::Structure& end = structure(index);
+  const ir::ExpressionId until =
+      end.condition != ir::ExpressionId::none ? end.condition : structure(end.partner).condition;
+  const text::Span span = statement(index).span;
+  if (until != ir::ExpressionId::none) {
+    const Value done = expressions_.compile_number(until);
+    const std::uint32_t test = builder_.emit(Opcode::branch_false, span, raw_of(done.operand));
+    jump_to(Opcode::jump, span, index, Edge::after);
+    builder_.at(test).b = builder_.here();
+  }
+  jump_to(Opcode::jump_back, span, end.partner, Edge::after);
+}
+
+// counter <= last, with the last value as it is at this pass.
+Operand FlowCompiler::compile_for_test(const ir::Structure& loop, text::Span span) {
+  const Value counter = expressions_.variables().load(builder_.source().at(loop.counter), Operand::none);
+  const Value last = expressions_.compile_number(loop.last);
+  return expressions_.combine(Operator::less_equal, counter, last, span).operand;
+}
+
+void FlowCompiler::compile_for(std::uint32_t index) {
+  const ir::Structure& loop = structure(index);
+  const text::Span span = statement(index).span;
+  expressions_.variables().assign(builder_.source().at(loop.counter), loop.first, span);
+  const Operand goes_on = compile_for_test(loop, span);
+  branches_.push_back({builder_.emit(Opcode::branch_false, span, raw_of(goes_on)), loop.partner, Edge::after});
+}
+
+void FlowCompiler::compile_for_end(std::uint32_t index) {
+  const std::uint32_t opener = structure(index).partner;
+  const ir::Structure& loop = structure(opener);
+  const text::Span span = statement(index).span;
+  const ir::Variable& counter = builder_.source().at(loop.counter);
+  const Value one{builder_.constant(1.0), ir::ValueType::integer, 1.0};
+  const Value value = expressions_.variables().load(counter, Operand::none);
+  expressions_.variables().store(counter, expressions_.combine(Operator::add, value, one, span), span);
+  const Operand goes_on = compile_for_test(loop, span);
+  branches_.push_back({builder_.emit(Opcode::branch_false, span, raw_of(goes_on)), index, Edge::after});
+  jump_to(Opcode::jump_back, span, opener, Edge::after);
+}
+
+// --- jumps
+// ------------------------------------------------------------------------------------------------------------
+
+void FlowCompiler::compile_jump(std::uint32_t index) {
+  const ir::Jump& jump = builder_.source().jumps[statement(index).payload];
+  const text::Span span = statement(index).span;
+  std::uint32_t test = ir::kNoIndex;
+  if (jump.condition != ir::ExpressionId::none) {
+    const Value condition = expressions_.compile_number(jump.condition);
+    test = builder_.emit(Opcode::branch_false, span, raw_of(condition.operand));
+  }
+  if (jump.computed != ir::ExpressionId::none) {
+    const Value target = expressions_.compile(jump.computed);
+    builder_.emit(target.is_string() ? Opcode::jump_text : Opcode::jump_number, span, raw_of(target.operand), 0,
+                  jump.tolerant ? 1 : 0, static_cast<std::uint8_t>(jump.search));
+  } else {
+    jumps_.push_back({builder_.emit(Opcode::jump, span), &jump});
+  }
+  if (test != ir::kNoIndex) builder_.at(test).b = builder_.here();
+}
+
+void FlowCompiler::compile_return_jump(const ir::Jump& jump, text::Span span) {
+  const Operand number = jump.computed != ir::ExpressionId::none ? expressions_.compile_number(jump.computed).operand
+                                                                 : builder_.constant(jump.number);
+  builder_.emit(Opcode::back_to, span, raw_of(number));
+}
+
+void FlowCompiler::settle(const std::vector<StatementCode>& code) {
+  CompiledProgram& out = builder_.out();
+  for (const ir::Label& label : builder_.source().labels) {
+    const std::uint32_t at = label.statement < code.size() ? code[label.statement].begin : builder_.here();
+    if (label.name == ir::StringId::none)
+      out.numbers[label.number].push_back(at);
+    else
+      out.labels[std::string(builder_.source().strings.at(label.name))].push_back(at);
+  }
+  for (auto& entry : out.numbers) std::ranges::sort(entry.second);
+  for (auto& entry : out.labels) std::ranges::sort(entry.second);
+  for (const Branch& branch : branches_) settle_branch(branch, code);
+  for (const LabelJump& jump : jumps_) settle_jump(jump);
+}
+
+void FlowCompiler::settle_branch(const Branch& branch, const std::vector<StatementCode>& code) {
+  Instruction& instruction = builder_.at(branch.instruction);
+  const StatementCode& range = code[branch.statement];
+  const std::uint32_t to = branch.edge == Edge::begin ? range.begin : range.end;
+  (instruction.op == Opcode::branch_false ? instruction.b : instruction.a) = to;
+}
+
+const std::vector<std::uint32_t>* FlowCompiler::targets_of(const ir::Jump& jump) const {
+  const CompiledProgram& out = builder_.out();
+  if (jump.label == ir::StringId::none) {
+    const auto found = out.numbers.find(jump.number);
+    return found == out.numbers.end() ? nullptr : &found->second;
+  }
+  const auto found = out.labels.find(std::string(builder_.source().strings.at(jump.label)));
+  return found == out.labels.end() ? nullptr : &found->second;
+}
+
+void FlowCompiler::settle_jump(const LabelJump& pending) {
+  const ir::Jump& jump = *pending.jump;
+  Instruction& instruction = builder_.at(pending.instruction);
+  const std::uint32_t to = find_target(targets_of(jump), pending.instruction, jump.search);
+  if (to != kNoTarget) {
+    instruction.op = to <= pending.instruction ? Opcode::jump_back : Opcode::jump;
+    instruction.a = to;
+  } else if (jump.tolerant) {
+    instruction.a = pending.instruction + 1;
+  } else {
+    const std::string name = jump.label == ir::StringId::none ? "N" + std::to_string(jump.number)
+                                                              : std::string(builder_.source().strings.at(jump.label));
+    instruction.op = Opcode::fail;
+    instruction.a = builder_.add_failure(DiagnosticId::jump_target_missing, {name});
+  }
+}
+
+}  // namespace dripfeed::interpreter

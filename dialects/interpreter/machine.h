@@ -1,0 +1,70 @@
+// The virtual machine: the dispatch loop and what ends a run. Blocks, calls, variables by number and strings are
+// carried out by parts of their own.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dialects/interpreter/block_runner.h"
+#include "dialects/interpreter/call_stack.h"
+#include "dialects/interpreter/string_operations.h"
+#include "dialects/interpreter/variable_access.h"
+
+namespace dripfeed::interpreter {
+
+class Machine {
+ public:
+  Machine(const ir::Control& control, ProgramFinder& finder, ir::MotionSink& sink, const RunOptions& options);
+  RunResult run(const ir::Program& program);
+
+ private:
+  void set_initial_values(const CompiledProgram& main);
+  void execute();
+  // Instructions that do not stand in the inner loop; false when the run has ended. `next` may be changed, and after a
+  // call or a return it is meant in another program.
+  bool execute_rare(const Instruction& i, std::uint32_t& next);
+
+  // Arithmetic the long way: vacant operands, faults.
+  bool unary(const Instruction& i, ir::Operator op);
+  bool binary(const Instruction& i, ir::Operator op);
+  bool settle(const Instruction& i, Outcome outcome, std::string_view function, double argument);
+  bool convert(const Instruction& i);
+
+  void begin_block(const Instruction& i);
+  bool follow(Flow flow, const Instruction& i, std::uint32_t& next);
+  bool jump(const Instruction& i, std::uint32_t& next);
+  bool call(const Instruction& i, std::uint32_t& next);
+  bool go_back(const Instruction& i, std::uint32_t& next);
+  bool go_back_to(const Instruction& i, std::uint32_t& next);
+  bool end_program(const Instruction& i, std::uint32_t& next);
+  bool end_text(const Instruction& i);
+
+  bool message(const Instruction& i);
+  bool user_alarm(const Instruction& i);
+  void tell(std::string_view name, double value);
+  void tell_rare(const Instruction& i);
+  void tell_block();
+
+  const ir::Control& control_;
+  const RunOptions& options_;
+  RunNames own_names_;
+  RunNames& names_;
+  BlockRules rules_;
+  Arithmetic arithmetic_;
+  VariableMap variables_;
+  CompileContext context_;
+  ProgramTable programs_;
+  Storage storage_;
+  ModalState state_;
+  MotionBuffer out_;
+  RunReport report_;
+  CallStack stack_;
+  VariableAccess access_;
+  BlockRunner blocks_;
+  StringOperations strings_;
+  std::uint64_t executed_ = 0;
+  std::uint64_t passes_ = 0;
+  std::vector<VariableChange> changes_;  // of the running block
+};
+
+}  // namespace dripfeed::interpreter

@@ -1,0 +1,59 @@
+// Collecting what a run has to say.
+#include "dialects/interpreter/run_report.h"
+
+namespace dripfeed::interpreter {
+
+using text::DiagnosticId;
+
+void RunReport::add(const Instruction& at, DiagnosticId id, std::vector<std::string> arguments) {
+  const auto index = static_cast<std::size_t>(&at - program_->code.data());
+  result_.diagnostics.push_back(
+      {program_->index, out_.place.line, ir::diagnose(control_, id, program_->spans[index], std::move(arguments))});
+}
+
+bool RunReport::fail(const Instruction& at, DiagnosticId id, std::vector<std::string> arguments) {
+  add(at, id, std::move(arguments));
+  return end(id == DiagnosticId::limit_reached ? Ended::limit : Ended::alarm);
+}
+
+bool RunReport::fail_limit(const Instruction& at, std::string_view limit) {
+  return fail(at, DiagnosticId::limit_reached, {std::string(limit)});
+}
+
+bool RunReport::fail_user(const Instruction& at, std::uint32_t number, std::string_view message) {
+  std::string shown = number == 0 ? std::string() : std::to_string(number);
+  if (!shown.empty() && !message.empty()) shown += ' ';
+  shown += message;
+  add(at, DiagnosticId::user_alarm, {shown});
+  std::string& alarm = result_.diagnostics.back().diagnostic.alarm;
+  if (alarm.empty() && number != 0) alarm = std::to_string(number);
+  return end(Ended::alarm);
+}
+
+bool RunReport::end(Ended ended) {
+  result_.ended = ended;
+  return false;
+}
+
+void RunReport::say(const Instruction& at, DiagnosticId id, std::vector<std::string> arguments) {
+  add(at, id, std::move(arguments));
+}
+
+void RunReport::count(const Report& report) {
+  const auto [entry, added] = counted_.try_emplace(report.name, result_.not_interpreted.size());
+  if (added)
+    result_.not_interpreted.push_back(
+        {report.name, program_->index, out_.place.line, 0, report.function, report.effects_known});
+  ++result_.not_interpreted[entry->second].count;
+}
+
+std::uint32_t RunReport::text_index(const std::string& text) {
+  const auto next = static_cast<std::uint32_t>(names_.strings.size());
+  if (const auto found = texts_.find(text); found != texts_.end()) return found->second;
+  if (next >= limits_.strings) return kNoText;
+  texts_.emplace(text, next);
+  names_.strings.push_back(text);
+  return next;
+}
+
+}  // namespace dripfeed::interpreter

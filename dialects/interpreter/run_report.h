@@ -1,0 +1,51 @@
+// What a run has to say: diagnostics with their place, the alarm that ended it, texts and things that were not
+// interpreted. Every part of the machine speaks through it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "dialects/interpreter/bytecode.h"
+#include "dialects/interpreter/interpreter.h"
+#include "dialects/interpreter/motion_buffer.h"
+
+namespace dripfeed::interpreter {
+
+class RunReport {
+ public:
+  RunReport(const ir::Control& control, const Limits& limits, RunNames& names, const MotionBuffer& out)
+      : control_(control), limits_(limits), names_(names), out_(out) {}
+
+  // The program whose instructions are meant from now on.
+  void enter(const CompiledProgram& program) { program_ = &program; }
+
+  // Ends the run by an alarm, or by a limit of the run; always false.
+  bool fail(const Instruction& at, text::DiagnosticId id, std::vector<std::string> arguments = {});
+  bool fail_limit(const Instruction& at, std::string_view limit);
+  // An alarm that the program itself raises; `number` as the control shows it, 0: without.
+  bool fail_user(const Instruction& at, std::uint32_t number, std::string_view message);
+  bool end(Ended ended);
+  // A diagnostic that does not end the run.
+  void say(const Instruction& at, text::DiagnosticId id, std::vector<std::string> arguments = {});
+  void count(const Report& report);
+  // Motion::text of that text; kNoText when there are too many.
+  std::uint32_t text_index(const std::string& text);
+
+  [[nodiscard]] RunResult& result() { return result_; }
+
+ private:
+  void add(const Instruction& at, text::DiagnosticId id, std::vector<std::string> arguments);
+
+  const ir::Control& control_;
+  const Limits& limits_;
+  RunNames& names_;
+  const MotionBuffer& out_;
+  const CompiledProgram* program_ = nullptr;
+  RunResult result_;
+  std::unordered_map<std::string, std::size_t> counted_;
+  std::unordered_map<std::string, std::uint32_t> texts_;
+};
+
+}  // namespace dripfeed::interpreter

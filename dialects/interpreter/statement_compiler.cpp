@@ -1,0 +1,163 @@
+// The statements that are no control flow, and the frame around all of them.
+#include "dialects/interpreter/statement_compiler.h"
+
+#include <algorithm>
+
+namespace dripfeed::interpreter {
+
+using ir::StatementKind;
+
+constexpr StatementCompiler::Row StatementCompiler::kRows[] = {
+    {StatementKind::block, &StatementCompiler::compile_block},
+    {StatementKind::assign, &StatementCompiler::compile_assign},
+    {StatementKind::define, &StatementCompiler::compile_define},
+    {StatementKind::procedure, &StatementCompiler::compile_procedure},
+    {StatementKind::call, &StatementCompiler::compile_call},
+    {StatementKind::subprogram_return, &StatementCompiler::compile_return},
+    {StatementKind::program_end, &StatementCompiler::compile_program_end},
+    {StatementKind::message, &StatementCompiler::compile_message},
+    {StatementKind::alarm, &StatementCompiler::compile_alarm},
+    {StatementKind::native, &StatementCompiler::compile_native},
+    {StatementKind::declaration, &StatementCompiler::compile_nothing},
+};
+
+StatementCompiler::StatementCompiler(CodeBuilder& builder)
+    : builder_(builder),
+      expressions_(builder),
+      blocks_(builder, expressions_),
+      flow_(builder, expressions_),
+      calls_(builder, expressions_) {}
+
+void StatementCompiler::compile() {
+  builder_.out().works.push_back({.blocks = 1});  // a block without anything to compute
+  const auto count = static_cast<std::uint32_t>(builder_.source().statements.size());
+  std::vector<StatementCode> code;
+  code.reserve(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t begin = builder_.here();
+    compile_statement(i);
+    code.push_back({begin, builder_.here()});
+  }
+  end_block();
+  builder_.emit(Opcode::text_end, {});
+  flow_.settle(code);
+}
+
+// A block's first statement holds its tokens. Programs that were built have none: there each statement is a block, but
+// for those that follow on the same line of the same block.
+bool StatementCompiler::begins_block(std::uint32_t index) const {
+  const ir::Program& program = builder_.source();
+  const ir::Statement& statement = program.statements[index];
+  if (program.tokens.empty()) return true;
+  return statement.tokens.first != statement.tokens.last || index == 0 ||
+         program.statements[index - 1].line != statement.line;
+}
+
+void StatementCompiler::compile_statement(std::uint32_t index) {
+  const ir::Statement& statement = builder_.source().statements[index];
+  if (statement.kind == StatementKind::empty) return;
+  if (begins_block(index) || block_instruction_ == ir::kNoIndex) begin_block(statement);
+  const CodeBuilder::Mark mark = builder_.mark();
+  if (!flow_.compile(index)) {
+    const auto row = std::ranges::find(kRows, statement.kind, &Row::kind);
+    (this->*row->compile)(statement);
+  }
+  builder_.release(mark);
+}
+
+void StatementCompiler::begin_block(const ir::Statement& statement) {
+  end_block();
+  block_instruction_ = builder_.emit(Opcode::block, statement.span, statement.line);
+}
+
+void StatementCompiler::end_block() {
+  const Work& work = builder_.work;
+  const bool computes = work.number_reads + work.named_reads + work.operators + work.functions > 0;
+  if (block_instruction_ != ir::kNoIndex && computes) {
+    builder_.at(block_instruction_).b = static_cast<std::uint32_t>(builder_.out().works.size());
+    builder_.out().works.push_back(work);
+    builder_.out().works.back().blocks = 1;
+  }
+  builder_.work = {};
+  block_instruction_ = ir::kNoIndex;
+}
+
+void StatementCompiler::compile_nothing(const ir::Statement&) {}
+
+void StatementCompiler::compile_block(const ir::Statement& statement) {
+  blocks_.compile(builder_.source().blocks[statement.payload], statement.span);
+}
+
+void StatementCompiler::compile_assign(const ir::Statement& statement) {
+  const ir::Assign& assign = builder_.source().assigns[statement.payload];
+  if (assign.target == ir::VariableId::none || assign.value == ir::ExpressionId::none) {
+    builder_.emit_failure(statement.span, text::DiagnosticId::missing_operand, {"the assignment"});
+    return;
+  }
+  expressions_.variables().assign(builder_.source().at(assign.target), assign.value, statement.span);
+}
+
+void StatementCompiler::compile_define(const ir::Statement& statement) {
+  const ir::Structure& list = builder_.source().structures[statement.payload];
+  for (std::uint32_t i = 0; i < list.symbol_count; ++i) {
+    const auto symbol = static_cast<ir::SymbolId>(list.first_symbol + i);
+    const ir::ExpressionId initial = builder_.source().at(symbol).initial;
+    if (initial != ir::ExpressionId::none) expressions_.variables().initialise(symbol, initial, statement.span);
+  }
+}
+
+// The head gives the parameters that were left out their defaults.
+void StatementCompiler::compile_procedure(const ir::Statement& statement) {
+  const ir::Structure& head = builder_.source().structures[statement.payload];
+  std::uint32_t parameter = 0;
+  for (std::uint32_t i = 0; i < head.symbol_count; ++i) {
+    const auto id = static_cast<ir::SymbolId>(head.first_symbol + i);
+    const ir::Symbol& symbol = builder_.source().at(id);
+    if (!symbol.is_parameter) continue;
+    const std::uint32_t number = parameter++;
+    if (symbol.initial == ir::ExpressionId::none || symbol.by_reference) continue;
+    const std::uint32_t given = builder_.emit(Opcode::skip_given, statement.span, number);
+    expressions_.variables().initialise(id, symbol.initial, statement.span);
+    builder_.at(given).b = builder_.here();
+  }
+}
+
+void StatementCompiler::compile_call(const ir::Statement& statement) {
+  calls_.compile(builder_.source().calls[statement.payload], statement.span);
+}
+
+void StatementCompiler::compile_return(const ir::Statement& statement) {
+  if (statement.payload == ir::kNoIndex)
+    builder_.emit(Opcode::back, statement.span);
+  else
+    flow_.compile_return_jump(builder_.source().jumps[statement.payload], statement.span);
+}
+
+void StatementCompiler::compile_program_end(const ir::Statement& statement) {
+  builder_.emit(Opcode::program_end, statement.span);
+}
+
+void StatementCompiler::compile_message(const ir::Statement& statement) {
+  const ir::Message& message = builder_.source().messages[statement.payload];
+  const Operand text =
+      message.text == ir::ExpressionId::none ? Operand::none : expressions_.compile_string(message.text).operand;
+  builder_.emit(Opcode::message, statement.span, raw_of(text));
+}
+
+void StatementCompiler::compile_alarm(const ir::Statement& statement) {
+  const ir::Message& message = builder_.source().messages[statement.payload];
+  const Operand number =
+      message.number == ir::ExpressionId::none ? Operand::none : expressions_.compile_number(message.number).operand;
+  const Operand text =
+      message.text == ir::ExpressionId::none ? Operand::none : expressions_.compile_string(message.text).operand;
+  builder_.emit(Opcode::alarm, statement.span, raw_of(number), raw_of(text));
+}
+
+void StatementCompiler::compile_native(const ir::Statement& statement) {
+  const ir::Native& native = builder_.source().natives[statement.payload];
+  const std::string_view name = builder_.source().strings.at(native.name);
+  builder_.emit(Opcode::report, statement.span,
+                builder_.add_report(name, ir::Function::not_modelled, native.effects_known));
+}
+
+}  // namespace dripfeed::interpreter

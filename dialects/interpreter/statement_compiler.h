@@ -1,0 +1,53 @@
+// Statements to instructions, in the order of the program, and the counting of blocks. Control flow, calls, blocks of
+// words and expressions have compilers of their own.
+#pragma once
+
+#include <vector>
+
+#include "dialects/interpreter/block_compiler.h"
+#include "dialects/interpreter/call_compiler.h"
+#include "dialects/interpreter/flow_compiler.h"
+
+namespace dripfeed::interpreter {
+
+class StatementCompiler {
+ public:
+  explicit StatementCompiler(CodeBuilder& builder);
+  // All statements of the program, and what happens at the end of its text.
+  void compile();
+
+ private:
+  using Compile = void (StatementCompiler::*)(const ir::Statement&);
+  struct Row {
+    ir::StatementKind kind;
+    Compile compile;
+  };
+  static const Row kRows[];
+
+  void compile_statement(std::uint32_t index);
+  void compile_block(const ir::Statement& statement);
+  void compile_assign(const ir::Statement& statement);
+  void compile_define(const ir::Statement& statement);
+  void compile_procedure(const ir::Statement& statement);
+  void compile_call(const ir::Statement& statement);
+  void compile_return(const ir::Statement& statement);
+  void compile_program_end(const ir::Statement& statement);
+  void compile_message(const ir::Statement& statement);
+  void compile_alarm(const ir::Statement& statement);
+  void compile_native(const ir::Statement& statement);
+  void compile_nothing(const ir::Statement& statement);
+
+  [[nodiscard]] bool begins_block(std::uint32_t index) const;
+  void begin_block(const ir::Statement& statement);
+  // Puts down the work of the block that was compiled.
+  void end_block();
+
+  CodeBuilder& builder_;
+  ExpressionCompiler expressions_;
+  BlockCompiler blocks_;
+  FlowCompiler flow_;
+  CallCompiler calls_;
+  std::uint32_t block_instruction_ = ir::kNoIndex;
+};
+
+}  // namespace dripfeed::interpreter

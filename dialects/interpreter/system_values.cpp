@@ -1,0 +1,89 @@
+// Answers by kind of value.
+#include "dialects/interpreter/system_values.h"
+
+#include "dialects/interpreter/trace.h"
+#include "dialects/interpreter/variable_map.h"
+
+namespace dripfeed::interpreter {
+
+namespace {
+
+using ir::Function;
+
+std::uint64_t key_of(std::uint32_t row, std::uint32_t number) { return std::uint64_t{row} << 32 | number; }
+
+// Groups by the numbers that #4001 and its followers have; 0 is none.
+constexpr ir::ModalGroup kGroups[] = {
+    ir::ModalGroup::none, ir::ModalGroup::motion,        ir::ModalGroup::plane,       ir::ModalGroup::distance,
+    ir::ModalGroup::none, ir::ModalGroup::feed,          ir::ModalGroup::unit,        ir::ModalGroup::comp,
+    ir::ModalGroup::none, ir::ModalGroup::none,          ir::ModalGroup::none,        ir::ModalGroup::none,
+    ir::ModalGroup::none, ir::ModalGroup::surface_speed, ir::ModalGroup::work_offset, ir::ModalGroup::exact_stop,
+};
+
+Function function_of(ir::ModalGroup group, const Modes& modes) {
+  constexpr Function kPlanes[] = {Function::plane_xy, Function::plane_zx, Function::plane_yz};
+  constexpr Function kFeeds[] = {Function::feed_per_min, Function::feed_per_rev, Function::feed_inverse_time};
+  constexpr Function kComps[] = {Function::comp_off, Function::comp_left, Function::comp_right};
+  if (group == ir::ModalGroup::motion) return modes.motion;
+  if (group == ir::ModalGroup::plane) return kPlanes[static_cast<std::size_t>(modes.plane)];
+  if (group == ir::ModalGroup::distance) return modes.absolute ? Function::absolute : Function::incremental;
+  if (group == ir::ModalGroup::feed) return kFeeds[static_cast<std::size_t>(modes.feed_mode)];
+  if (group == ir::ModalGroup::unit) return modes.inch ? Function::unit_inch : Function::unit_mm;
+  if (group == ir::ModalGroup::comp) return kComps[static_cast<std::size_t>(modes.comp)];
+  if (group == ir::ModalGroup::surface_speed)
+    return modes.surface_speed ? Function::surface_speed_on : Function::surface_speed_off;
+  if (group == ir::ModalGroup::exact_stop)
+    return modes.exact_stop ? Function::exact_stop_mode : Function::continuous_path;
+  return group == ir::ModalGroup::work_offset ? Function::work_offset : Function::none;
+}
+
+}  // namespace
+
+std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number, const ModalState& state) const {
+  if (const auto found = written_.find(key_of(row, number)); found != written_.end()) return found->second;
+  if (row >= control_.system_variables.size()) return std::nullopt;
+  const ir::SystemVariableRow& entry = control_.system_variables[row];
+  const std::uint32_t index = entry.name.empty() ? number - entry.first : number;
+  switch (entry.kind) {
+    case ir::SystemValue::end_position: return end_position(index, state);
+    case ir::SystemValue::feed: return state.modes.inch_feed ? state.feed / 25.4 : state.feed;
+    case ir::SystemValue::spindle_speed: return state.modes.surface_speed ? state.surface_speed_m_min : state.rpm;
+    case ir::SystemValue::tool_number: return static_cast<double>(state.tool.number);
+    case ir::SystemValue::active_code: return active_code(index + 1, state);
+    case ir::SystemValue::not_modelled:
+    case ir::SystemValue::machine_position:
+    case ir::SystemValue::work_offset_value:
+    case ir::SystemValue::clock_ms: break;
+  }
+  return std::nullopt;
+}
+
+void SystemValues::write(std::uint32_t row, std::uint32_t number, double value) {
+  written_[key_of(row, number)] = value;
+}
+
+// Of the block before, in the unit and the coordinates of the program. Axes are counted as the control has them.
+std::optional<double> SystemValues::end_position(std::uint32_t axis, const ModalState& state) const {
+  if (axis >= control_.axes.size()) return std::nullopt;
+  const std::size_t place = kAxisLetters.find(control_.axes[axis]);
+  if (place == std::string_view::npos || (state.unknown >> place & 1U) != 0) return std::nullopt;
+  double value = state.position[place] - state.modes.shift[place] - state.coordinate_shift[place];
+  const auto kind = static_cast<ir::Axis>(place);
+  if (kind == ir::Axis::x) value /= BlockRules(control_).x_factor(state.modes, false);
+  const bool rotary = kind == ir::Axis::a || kind == ir::Axis::b || kind == ir::Axis::c;
+  return state.modes.inch && !rotary ? value / 25.4 : value;
+}
+
+std::optional<double> SystemValues::active_code(std::uint32_t group, const ModalState& state) const {
+  if (group >= std::size(kGroups)) return std::nullopt;
+  const Function function = function_of(kGroups[group], state.modes);
+  if (function == Function::none) return std::nullopt;
+  for (const ir::CodeRow& row : control_.g_codes) {
+    const bool same = row.function == function && row.number10 >= 0;
+    if (same && (function != Function::work_offset || row.argument == state.modes.work_offset))
+      return static_cast<double>(row.number10) / 10.0;
+  }
+  return std::nullopt;
+}
+
+}  // namespace dripfeed::interpreter

@@ -1,0 +1,170 @@
+// Look-ups while running.
+#include "dialects/interpreter/variable_access.h"
+
+#include "dialects/text/number.h"
+
+namespace dripfeed::interpreter {
+
+namespace {
+
+using text::DiagnosticId;
+
+constexpr double kLastNumber = 4294967294.0;
+
+ir::Bank bank_of(const Instruction& i) { return static_cast<ir::Bank>(i.extra); }
+
+}  // namespace
+
+std::optional<std::uint32_t> VariableAccess::whole_number(double value, double last) const {
+  if (is_vacant(value)) return std::nullopt;
+  const double whole = arithmetic_.round(value);
+  if (whole < 0.0 || whole > last) return std::nullopt;
+  return static_cast<std::uint32_t>(whole);
+}
+
+std::optional<VariableAccess::Found> VariableAccess::find(const Instruction& i, double value) {
+  const ir::Bank bank = bank_of(i);
+  const auto number = whole_number(value, kLastNumber);
+  const Slot slot = number.has_value() ? variables_.find(bank, *number) : Slot{};
+  if (slot.kind != SlotKind::none) return Found{slot, *number};
+  const std::string shown = is_vacant(value) ? "of no number" : text::format_shortest(value);
+  report_.fail(i, DiagnosticId::variable_out_of_range, {(bank == ir::Bank::r ? "R" : "#") + shown});
+  return std::nullopt;
+}
+
+double& VariableAccess::at(const Slot& slot) {
+  return slot.kind == SlotKind::global ? storage_.global_at(slot.index)
+                                       : storage_.local_at(storage_.bases().local + slot.index);
+}
+
+bool VariableAccess::load_number(const Instruction& i) {
+  const auto found = find(i, storage_.reg(i.b));
+  if (!found.has_value()) return false;
+  double& to = storage_.reg(i.a);
+  if (found->slot.kind == SlotKind::vacant)
+    to = kVacant;
+  else if (found->slot.kind == SlotKind::system)
+    to = read_system(found->slot.index, found->number);
+  else
+    to = at(found->slot);
+  return true;
+}
+
+bool VariableAccess::store_number(const Instruction& i) {
+  const auto found = find(i, storage_.reg(i.a));
+  if (!found.has_value()) return false;
+  if (!found->slot.writable)
+    return report_.fail(i, DiagnosticId::variable_write_protected, {variable_name(bank_of(i), found->number)});
+  if (found->slot.kind == SlotKind::system)
+    system_.write(found->slot.index, found->number, storage_.reg(i.b));
+  else
+    at(found->slot) = storage_.reg(i.b);
+  return true;
+}
+
+bool VariableAccess::refer_number(const Instruction& i) {
+  const auto found = find(i, storage_.reg(i.b));
+  if (!found.has_value()) return false;
+  if (found->slot.kind != SlotKind::global && found->slot.kind != SlotKind::local)
+    return report_.fail(i, DiagnosticId::wrong_type,
+                        {variable_name(bank_of(i), found->number), "a value of the control", "a variable"});
+  const Space space = found->slot.kind == SlotKind::global ? Space::global : Space::local;
+  storage_.reg(i.a) = storage_.refer(space, found->slot.index);
+  return true;
+}
+
+// --- arrays
+// -----------------------------------------------------------------------------------------------------------
+
+std::optional<std::uint32_t> VariableAccess::find_element(const Instruction& i, const CompiledProgram& program,
+                                                          std::uint32_t array, std::uint32_t indices) {
+  const Array& a = program.arrays[array];
+  // The second index stands in the register behind the first.
+  const auto row = whole_number(storage_.reg(indices), a.dimension1 - 1.0);
+  const auto column = whole_number(storage_.reg(indices + 4), a.dimension2 - 1.0);
+  if (!row.has_value() || !column.has_value()) {
+    report_.fail(i, DiagnosticId::variable_out_of_range, {name_of_element(program, array, indices)});
+    return std::nullopt;
+  }
+  return a.first_slot + *row * a.dimension2 + *column;
+}
+
+std::string VariableAccess::name_of_element(const CompiledProgram& program, std::uint32_t array,
+                                            std::uint32_t indices) {
+  const ir::Symbol& symbol = program.source->at(program.arrays[array].symbol);
+  std::string name(program.source->strings.at(symbol.name));
+  name += '[' + text::format_shortest(arithmetic_.round(value_or_zero(storage_.reg(indices))));
+  if (symbol.dimension2 > 0)
+    name += ',' + text::format_shortest(arithmetic_.round(value_or_zero(storage_.reg(indices + 4))));
+  return name + ']';
+}
+
+bool VariableAccess::load_element(const Instruction& i, const CompiledProgram& program) {
+  const auto element = find_element(i, program, i.b, i.c);
+  if (!element.has_value()) return false;
+  storage_.reg(i.a) = storage_.frame_at(storage_.bases().frame + *element);
+  return true;
+}
+
+bool VariableAccess::store_element(const Instruction& i, const CompiledProgram& program) {
+  const auto element = find_element(i, program, i.a, i.b);
+  if (!element.has_value()) return false;
+  storage_.frame_at(storage_.bases().frame + *element) = storage_.reg(i.c);
+  return true;
+}
+
+bool VariableAccess::refer_element(const Instruction& i, const CompiledProgram& program) {
+  const auto element = find_element(i, program, i.b, i.c);
+  if (!element.has_value()) return false;
+  storage_.reg(i.a) = storage_.refer(Space::frame, *element);
+  return true;
+}
+
+void VariableAccess::fill_array(const Instruction& i, const CompiledProgram& program) {
+  const Array& a = program.arrays[i.a];
+  const double value = storage_.reg(i.b);
+  for (std::uint32_t n = 0; n < a.dimension1 * a.dimension2; ++n)
+    storage_.frame_at(storage_.bases().frame + a.first_slot + n) = value;
+}
+
+// --- system variables
+// -------------------------------------------------------------------------------------------------
+
+std::string VariableAccess::system_name(std::uint32_t row, std::uint32_t number) const {
+  const auto rows = control_.system_variables;
+  const bool named = row < rows.size() && !rows[row].name.empty();
+  return named ? std::string(rows[row].name) : variable_name(ir::Bank::hash, number);
+}
+
+// Not known reads vacant, or 0 where there is no vacant; the report says so.
+double VariableAccess::read_system(std::uint32_t row, std::uint32_t number) {
+  if (const auto known = system_.read(row, number, state_)) return *known;
+  report_.count({.name = system_name(row, number)});
+  return control_.semantics.has_vacant ? kVacant : 0.0;
+}
+
+bool VariableAccess::load_system(const Instruction& i) {
+  const auto number = whole_number(storage_.reg(i.c), kLastNumber);
+  if (!number.has_value()) return report_.fail(i, DiagnosticId::variable_out_of_range, {system_name(i.b, 0)});
+  storage_.reg(i.a) = read_system(i.b, *number);
+  return true;
+}
+
+bool VariableAccess::store_system(const Instruction& i) {
+  const auto number = whole_number(storage_.reg(i.b), kLastNumber);
+  if (!number.has_value()) return report_.fail(i, DiagnosticId::variable_out_of_range, {system_name(i.a, 0)});
+  const auto rows = control_.system_variables;
+  if (i.a < rows.size() && !rows[i.a].writable)
+    return report_.fail(i, DiagnosticId::variable_write_protected, {system_name(i.a, *number)});
+  system_.write(i.a, *number, storage_.reg(i.c));
+  return true;
+}
+
+void VariableAccess::set_initial(const InitialValue& value) {
+  if (value.bank == ir::Bank::system) return system_.write(value.number, 0, value.value);
+  const Slot slot = variables_.find(value.bank, value.number);
+  if (slot.kind == SlotKind::system) return system_.write(slot.index, value.number, value.value);
+  if (slot.kind == SlotKind::global || slot.kind == SlotKind::local) at(slot) = value.value;
+}
+
+}  // namespace dripfeed::interpreter

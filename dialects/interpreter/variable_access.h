@@ -1,0 +1,64 @@
+// Variables that an instruction reaches by a computed number, an index or a reference, and system variables. Each may
+// be missing, protected or out of bounds: then the run ends with the control's alarm.
+#pragma once
+
+#include <optional>
+
+#include "dialects/interpreter/arithmetic.h"
+#include "dialects/interpreter/run_report.h"
+#include "dialects/interpreter/storage.h"
+#include "dialects/interpreter/system_values.h"
+
+namespace dripfeed::interpreter {
+
+class VariableAccess {
+ public:
+  VariableAccess(const ir::Control& control, const Arithmetic& arithmetic, const VariableMap& variables,
+                 Storage& storage, const ModalState& state, RunReport& report)
+      : control_(control),
+        arithmetic_(arithmetic),
+        variables_(variables),
+        storage_(storage),
+        state_(state),
+        report_(report),
+        system_(control) {}
+
+  // Each is the instruction of that name; false when the run has ended.
+  bool load_number(const Instruction& i);
+  bool store_number(const Instruction& i);
+  bool refer_number(const Instruction& i);
+  bool load_element(const Instruction& i, const CompiledProgram& program);
+  bool store_element(const Instruction& i, const CompiledProgram& program);
+  bool refer_element(const Instruction& i, const CompiledProgram& program);
+  void fill_array(const Instruction& i, const CompiledProgram& program);
+  bool load_system(const Instruction& i);
+  bool store_system(const Instruction& i);
+
+  // Place in its stack of the element that two registers in a row index; nothing after an alarm.
+  std::optional<std::uint32_t> find_element(const Instruction& i, const CompiledProgram& program, std::uint32_t array,
+                                            std::uint32_t indices);
+  void set_initial(const InitialValue& value);
+  [[nodiscard]] std::string name_of_element(const CompiledProgram& program, std::uint32_t array, std::uint32_t indices);
+  // A whole number from 0 to `last`, rounded as the control does.
+  [[nodiscard]] std::optional<std::uint32_t> whole_number(double value, double last) const;
+
+ private:
+  struct Found {
+    Slot slot;
+    std::uint32_t number = 0;
+  };
+  std::optional<Found> find(const Instruction& i, double number);
+  double read_system(std::uint32_t row, std::uint32_t number);
+  [[nodiscard]] std::string system_name(std::uint32_t row, std::uint32_t number) const;
+  double& at(const Slot& slot);
+
+  const ir::Control& control_;
+  const Arithmetic& arithmetic_;
+  const VariableMap& variables_;
+  Storage& storage_;
+  const ModalState& state_;
+  RunReport& report_;
+  SystemValues system_;
+};
+
+}  // namespace dripfeed::interpreter

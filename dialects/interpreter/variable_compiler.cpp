@@ -1,0 +1,283 @@
+// Every bank has its own way: numbers are looked up in the control's ranges, names in the program's symbols, system
+// variables in the control's table.
+#include "dialects/interpreter/variable_compiler.h"
+
+#include "dialects/interpreter/expression_compiler.h"
+
+namespace dripfeed::interpreter {
+
+namespace {
+
+using ir::Bank;
+using ir::ValueType;
+using text::DiagnosticId;
+
+constexpr std::uint32_t kNoArray = 0xFFFFFFFFU;
+
+std::uint8_t extra_of(Bank bank) { return static_cast<std::uint8_t>(bank); }
+
+Operand register_of(Slot slot) {
+  if (slot.kind == SlotKind::global) return make_operand(Space::global, slot.index);
+  if (slot.kind == SlotKind::local) return make_operand(Space::local, slot.index);
+  return Operand::none;
+}
+
+}  // namespace
+
+std::string name_of(const ir::Program& program, const ir::Control& control, const ir::Variable& variable) {
+  if (variable.bank == Bank::named) return std::string(program.strings.at(program.at(variable.symbol).name));
+  if (variable.bank == Bank::system)
+    return variable.number < control.system_variables.size()
+               ? std::string(control.system_variables[variable.number].name)
+               : "$";
+  if (variable.index != ir::ExpressionId::none) return variable.bank == Bank::r ? "R[…]" : "#[…]";
+  return variable_name(variable.bank, variable.number);
+}
+
+Value VariableCompiler::failure(text::Span span, DiagnosticId id, std::vector<std::string> arguments) {
+  builder_.emit_failure(span, id, std::move(arguments));
+  return {builder_.constant(0.0), ValueType::real, std::nullopt};
+}
+
+const SymbolSlot& VariableCompiler::slot_of(ir::SymbolId symbol) const {
+  return builder_.out().symbols[static_cast<std::uint32_t>(symbol)];
+}
+
+Operand VariableCompiler::direct(const ir::Variable& variable) const {
+  if (variable.bank == Bank::named) {
+    const ir::Symbol& symbol = builder_.source().at(variable.symbol);
+    const SymbolSlot& slot = slot_of(variable.symbol);
+    const bool plain = slot.array == kNoArray && !symbol.by_reference && symbol.type != ValueType::string;
+    return plain ? make_operand(Space::frame, slot.slot) : Operand::none;
+  }
+  if (variable.bank == Bank::system || variable.index != ir::ExpressionId::none) return Operand::none;
+  return register_of(builder_.context().variables.find(variable.bank, variable.number));
+}
+
+Operand VariableCompiler::index_pair(const ir::Variable& variable) {
+  const Operand first = builder_.take();
+  const Operand second = builder_.take();
+  const auto put = [&](ir::ExpressionId id, Operand to) {
+    const Value value = id == ir::ExpressionId::none ? Value{builder_.constant(0.0), ValueType::integer, 0.0}
+                                                     : expressions_.compile_number(id, to);
+    if (value.operand != to) builder_.emit(Opcode::copy, variable.span, raw_of(to), raw_of(value.operand));
+  };
+  put(variable.index, first);
+  put(variable.index2, second);
+  return first;
+}
+
+Operand VariableCompiler::system_index(const ir::Variable& variable) {
+  return variable.index == ir::ExpressionId::none ? builder_.constant(0.0)
+                                                  : expressions_.compile_number(variable.index).operand;
+}
+
+// --- reading
+// ----------------------------------------------------------------------------------------------------------
+
+Value VariableCompiler::load(const ir::Variable& variable, Operand target) {
+  const bool numbered = variable.bank == Bank::hash || variable.bank == Bank::r;
+  ++(numbered ? builder_.work.number_reads : builder_.work.named_reads);
+  if (variable.bank == Bank::named) return load_symbol(variable, target);
+  if (numbered) return load_numbered(variable, target);
+  const Operand index = system_index(variable);
+  const Operand to = target == Operand::none ? builder_.take() : target;
+  builder_.emit(Opcode::load_system, variable.span, raw_of(to), variable.number, raw_of(index));
+  return {to, ValueType::real, std::nullopt};
+}
+
+Value VariableCompiler::load_symbol(const ir::Variable& variable, Operand target) {
+  const ir::Symbol& symbol = builder_.source().at(variable.symbol);
+  const SymbolSlot& slot = slot_of(variable.symbol);
+  if (symbol.type == ValueType::string) {
+    if (slot.array == kNoArray) return {make_operand(Space::frame, slot.slot), ValueType::string, std::nullopt};
+    const Operand indices = index_pair(variable);
+    const Operand to = builder_.take_string();
+    builder_.emit(Opcode::string_load_element, variable.span, raw_of(to), slot.array, raw_of(indices));
+    return {to, ValueType::string, std::nullopt};
+  }
+  if (const Operand at = direct(variable); at != Operand::none) return {at, symbol.type, std::nullopt};
+  const Operand indices = slot.array == kNoArray ? Operand::none : index_pair(variable);
+  const Operand to = target == Operand::none ? builder_.take() : target;
+  if (slot.array == kNoArray)
+    builder_.emit(Opcode::load_reference, variable.span, raw_of(to), raw_of(make_operand(Space::frame, slot.slot)));
+  else
+    builder_.emit(Opcode::load_element, variable.span, raw_of(to), slot.array, raw_of(indices));
+  return {to, symbol.type, std::nullopt};
+}
+
+Value VariableCompiler::load_numbered(const ir::Variable& variable, Operand target) {
+  if (variable.index != ir::ExpressionId::none) {
+    const Value index = expressions_.compile_number(variable.index);
+    const Operand to = target == Operand::none ? builder_.take() : target;
+    builder_.emit(Opcode::load_number, variable.span, raw_of(to), raw_of(index.operand), 0, extra_of(variable.bank));
+    return {to, ValueType::real, std::nullopt};
+  }
+  const Slot slot = builder_.context().variables.find(variable.bank, variable.number);
+  if (slot.kind == SlotKind::vacant) return {builder_.constant(kVacant), ValueType::real, kVacant};
+  if (const Operand at = register_of(slot); at != Operand::none) {
+    builder_.out().named_variables.emplace_back(variable.bank, variable.number);
+    return {at, ValueType::real, std::nullopt};
+  }
+  if (slot.kind == SlotKind::none)
+    return failure(variable.span, DiagnosticId::variable_out_of_range, {variable_name(variable.bank, variable.number)});
+  const Operand to = target == Operand::none ? builder_.take() : target;
+  builder_.emit(Opcode::load_system, variable.span, raw_of(to), slot.index, raw_of(builder_.constant(variable.number)));
+  return {to, ValueType::real, std::nullopt};
+}
+
+// --- assigning
+// --------------------------------------------------------------------------------------------------------
+
+void VariableCompiler::assign(const ir::Variable& target, ir::ExpressionId value, text::Span span) {
+  // A plain register takes the result directly, unless the type converts.
+  const bool converts = target.bank == Bank::named && builder_.source().at(target.symbol).type != ValueType::real;
+  const bool writable =
+      target.bank == Bank::named ||
+      (target.bank != Bank::system && builder_.context().variables.find(target.bank, target.number).writable);
+  const Operand at = converts || !writable ? Operand::none : direct(target);
+  store(target, expressions_.compile(value, at), span);
+}
+
+void VariableCompiler::store(const ir::Variable& target, const Value& value, text::Span span) {
+  if (target.bank == Bank::named) return store_symbol(target, value, span);
+  if (value.is_string()) {
+    failure(span, DiagnosticId::wrong_type,
+            {name_of(builder_.source(), builder_.context().control, target), "REAL", "STRING"});
+    return;
+  }
+  if (target.bank != Bank::system) return store_numbered(target, value, span);
+  builder_.emit(Opcode::store_system, span, target.number, raw_of(system_index(target)), raw_of(value.operand));
+}
+
+Value VariableCompiler::convert(ValueType type, const Value& value, Operand target, text::Span span) {
+  if (type == ValueType::real || type == ValueType::axis || type == ValueType::frame) return value;
+  // A sum of INTs may be out of range; BOOL and CHAR come from where they were checked.
+  if (type == value.type && type != ValueType::integer) return value;
+  if (value.constant.has_value()) {
+    const Outcome known = builder_.context().arithmetic.convert(type, *value.constant);
+    if (known.fault == Fault::none) return {builder_.constant(known.value), type, known.value};
+  }
+  const Operand to = target == Operand::none ? builder_.take() : target;
+  builder_.emit(Opcode::convert, span, raw_of(to), raw_of(value.operand), 0, static_cast<std::uint8_t>(type));
+  return {to, type, std::nullopt};
+}
+
+void VariableCompiler::store_symbol(const ir::Variable& target, const Value& value, text::Span span) {
+  const ir::Symbol& symbol = builder_.source().at(target.symbol);
+  const std::string_view name = builder_.source().strings.at(symbol.name);
+  if (symbol.type == ValueType::string) return store_string(target, value, span);
+  if (value.is_string()) {
+    failure(span, DiagnosticId::wrong_type, {std::string(name), "a number", "STRING"});
+    return;
+  }
+  const SymbolSlot& slot = slot_of(target.symbol);
+  const Operand at = direct(target);
+  const Value converted = convert(symbol.type, value, at, span);
+  if (at != Operand::none) {
+    if (converted.operand != at) builder_.emit(Opcode::copy, span, raw_of(at), raw_of(converted.operand));
+    return tell(at, name, span);
+  }
+  if (slot.array == kNoArray) {
+    builder_.emit(Opcode::store_reference, span, raw_of(make_operand(Space::frame, slot.slot)),
+                  raw_of(converted.operand));
+    return tell(converted.operand, name, span);
+  }
+  const Operand indices = index_pair(target);
+  builder_.emit(Opcode::store_element, span, slot.array, raw_of(indices), raw_of(converted.operand));
+  if (builder_.context().observed)
+    builder_.emit(Opcode::tell_element, span, slot.array, raw_of(indices), raw_of(converted.operand));
+}
+
+void VariableCompiler::store_string(const ir::Variable& target, const Value& value, text::Span span) {
+  const ir::Symbol& symbol = builder_.source().at(target.symbol);
+  const SymbolSlot& slot = slot_of(target.symbol);
+  if (!value.is_string()) {
+    failure(span, DiagnosticId::wrong_type,
+            {std::string(builder_.source().strings.at(symbol.name)), "STRING", "STRING on the right"});
+    return;
+  }
+  Operand from = value.operand;
+  if (symbol.string_length > 0) {
+    from = builder_.take_string();
+    builder_.emit(Opcode::string_fit, span, raw_of(from), raw_of(value.operand), symbol.string_length);
+  }
+  if (slot.array == kNoArray)
+    builder_.emit(Opcode::string_copy, span, raw_of(make_operand(Space::frame, slot.slot)), raw_of(from));
+  else
+    builder_.emit(Opcode::string_store_element, span, slot.array, raw_of(index_pair(target)), raw_of(from));
+}
+
+void VariableCompiler::store_numbered(const ir::Variable& target, const Value& value, text::Span span) {
+  if (target.index != ir::ExpressionId::none) {
+    const Value index = expressions_.compile_number(target.index);
+    builder_.emit(Opcode::store_number, span, raw_of(index.operand), raw_of(value.operand), 0, extra_of(target.bank));
+    if (builder_.context().observed)
+      builder_.emit(Opcode::tell_number, span, raw_of(index.operand), raw_of(value.operand), 0, extra_of(target.bank));
+    return;
+  }
+  const std::string name = variable_name(target.bank, target.number);
+  const Slot slot = builder_.context().variables.find(target.bank, target.number);
+  if (slot.kind == SlotKind::none) {
+    failure(span, DiagnosticId::variable_out_of_range, {name});
+  } else if (!slot.writable) {
+    failure(span, DiagnosticId::variable_write_protected, {name});
+  } else if (slot.kind == SlotKind::system) {
+    builder_.emit(Opcode::store_system, span, slot.index, raw_of(builder_.constant(target.number)),
+                  raw_of(value.operand));
+  } else {
+    const Operand at = register_of(slot);
+    builder_.out().named_variables.emplace_back(target.bank, target.number);
+    if (value.operand != at) builder_.emit(Opcode::copy, span, raw_of(at), raw_of(value.operand));
+    tell(at, name, span);
+  }
+}
+
+void VariableCompiler::initialise(ir::SymbolId symbol, ir::ExpressionId value, text::Span span) {
+  const ir::Symbol& declared = builder_.source().at(symbol);
+  const SymbolSlot& slot = slot_of(symbol);
+  if (slot.array == kNoArray || declared.type == ValueType::string) {
+    ir::Variable variable;
+    variable.bank = Bank::named;
+    variable.symbol = symbol;
+    variable.span = span;
+    return assign(variable, value, span);
+  }
+  const Value filled = convert(declared.type, expressions_.compile_number(value), Operand::none, span);
+  builder_.emit(Opcode::fill_array, span, slot.array, raw_of(filled.operand));
+}
+
+// --- references and observers
+// -----------------------------------------------------------------------------------------
+
+Operand VariableCompiler::refer(const ir::Variable& variable) {
+  if (variable.bank == Bank::system) return Operand::none;
+  const Operand at = direct(variable);
+  if (at == Operand::none && variable.bank == Bank::named) {
+    const SymbolSlot& slot = slot_of(variable.symbol);
+    if (builder_.source().at(variable.symbol).type == ValueType::string) return Operand::none;
+    // A parameter by reference is a reference itself.
+    if (slot.array == kNoArray) return make_operand(Space::frame, slot.slot);
+    const Operand indices = index_pair(variable);
+    const Operand to = builder_.take();
+    builder_.emit(Opcode::refer_element, variable.span, raw_of(to), slot.array, raw_of(indices));
+    return to;
+  }
+  if (at == Operand::none && variable.index == ir::ExpressionId::none) return Operand::none;
+  if (at != Operand::none) {
+    const Operand to = builder_.take();
+    builder_.emit(Opcode::refer, variable.span, raw_of(to), raw_of(at));
+    return to;
+  }
+  const Value index = expressions_.compile_number(variable.index);
+  const Operand to = builder_.take();
+  builder_.emit(Opcode::refer_number, variable.span, raw_of(to), raw_of(index.operand), 0, extra_of(variable.bank));
+  return to;
+}
+
+void VariableCompiler::tell(Operand operand, std::string_view name, text::Span span) {
+  if (builder_.context().observed)
+    builder_.emit(Opcode::tell, span, raw_of(operand), builder_.variable_name_index(name));
+}
+
+}  // namespace dripfeed::interpreter
