@@ -50,6 +50,7 @@ endif()
 function(dripfeed_library name)
   cmake_parse_arguments(ARG "" "" "DEPENDS;SYSTEM" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/main[.]cpp$")  # of an executable beside the library
   if(sources)
     add_library(dripfeed_${name} STATIC ${sources})
     set(scope PUBLIC)

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "protocol/tape_code/character_set.h"
 #include "server/app/keeper.h"
 #include "server/app/lines.h"
 #include "server/cli/cli.h"

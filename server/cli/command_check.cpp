@@ -1,0 +1,87 @@
+// dripfeed check: diagnostics and checks of programs, and the verdict.
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "server/app/examine.h"
+#include "server/cli/cli.h"
+#include "server/cli/inputs.h"
+#include "server/cli/output.h"
+#include "server/json/reports.h"
+
+namespace dripfeed::cli {
+
+namespace {
+
+struct Options {
+  TextOptions text;
+  std::vector<std::string> files;
+  bool drip = false;
+};
+
+void print_report(const app::CheckReport& report) {
+  print_diagnostics(report.checks.diagnostics, report.source, report.control_title);
+  const auto print_findings = [&](const checks::FindingList& findings) {
+    for (const checks::Finding& one : findings.kept()) {
+      fmt::print(stderr, "{}:{}: {}[{}]: {}\n", report.source.name(), one.place.line, text::name_of(one.severity),
+                 text::row_of(one.id).name, one.text);
+    }
+  };
+  if (report.checks.envelope) print_findings(report.checks.envelope->findings);
+  if (report.checks.gouge) print_findings(report.checks.gouge->findings);
+  if (report.checks.accuracy) print_findings(report.checks.accuracy->findings);
+  if (report.checks.timing) print_findings(report.checks.timing->findings);
+  for (const checks::NotChecked& one : checks::not_checked_of(report.checks))
+    fmt::print(stderr, "{}: not checked: {}\n", report.source.name(), one.text);
+  const std::string why = !report.inferred           ? ""
+                          : report.because_line == 0 ? ", taken for want of a machine"
+                                                     : fmt::format(", inferred from line {}", report.because_line);
+  fmt::print(stderr, "{}: verdict {} ({}{})\n", report.source.name(), checks::name_of(report.verdict),
+             report.control_title.empty() ? report.dialect : report.control_title, why);
+}
+
+app::Result<app::CheckReport> check_file(const Options& options, const std::string& path) {
+  auto source = read_source(path);
+  if (!source) return std::unexpected(source.error());
+  const auto chosen = choose_control(options.text, *source);
+  if (!chosen) return std::unexpected(chosen.error());
+  return app::examine({.source = std::move(*source),
+                       .dialect = chosen->dialect,
+                       .control = chosen->control,
+                       .inferred = chosen->inferred,
+                       .profile = chosen->profile ? &*chosen->profile : nullptr,
+                       .delivery = options.drip ? ir::Delivery::drip : ir::Delivery::memory,
+                       .find_called = find_in(folders_for(options.text, path)),
+                       .geometry = {},
+                       .profile_lines = {}});
+}
+
+int check(const Options& options) {
+  std::vector<app::CheckReport> reports;
+  for (const std::string& file : options.files) {
+    auto report = check_file(options, file);
+    if (!report) {
+      print_error(report.error());
+      return kWrongUse;
+    }
+    print_report(*report);
+    reports.push_back(std::move(*report));
+  }
+  if (options.text.json && !write_output(options.text.output, json::check_files(reports))) return kWrongUse;
+  bool failed = false;
+  for (const app::CheckReport& report : reports) failed = failed || report.verdict == checks::Verdict::fail;
+  return failed ? kFailed : kDone;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("check", "diagnostics and checks of programs");
+  const auto options = std::make_shared<Options>();
+  command->add_option("FILE", options->files, "programs, - for standard input")->required();
+  add_text_options(*command, options->text);
+  command->add_flag("--drip", options->drip, "as fed block by block while it runs (tape, DNC, remote mode)");
+  command->callback([options, &exit_code] { exit_code = check(*options); });
+}
+
+}  // namespace dripfeed::cli

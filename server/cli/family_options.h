@@ -1,0 +1,31 @@
+// A family with values, as several commands take it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dialects/compile/render.h"
+#include "server/cli/inputs.h"
+
+namespace dripfeed::cli {
+
+struct FamilyOptions {
+  TextOptions text;
+  std::string file;
+  std::vector<std::string> values;  // --set n=v
+  std::string mode = "auto";
+  std::string name;
+  bool drip = false;
+};
+void add_family_options(CLI::App& command, FamilyOptions& options);
+
+// Renders; faults of the family are printed. The request comes back for its source.
+struct RenderedFamily {
+  text::Source source;
+  ChosenControl chosen;
+  std::vector<family::Override> values;
+  compile::RenderResult result;
+};
+app::Result<RenderedFamily> render_family(const FamilyOptions& options);
+
+}  // namespace dripfeed::cli
