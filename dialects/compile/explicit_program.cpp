@@ -69,6 +69,7 @@ ir::Control explicit_control(const ir::Control& source) {
       source.kind == ir::MachineKind::lathe ||
       (source.kind == ir::MachineKind::mill_turn && source.semantics.power_on_diameter != ir::DiameterMode::radius);
   ir::Control out = neutral_control(source.kind, diameter);
+  out.axes = source.axes;
   out.semantics.tool_word = source.semantics.tool_word;
   out.semantics.d_selects_edge = source.semantics.d_selects_edge;
   return out;
