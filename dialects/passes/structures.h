@@ -1,4 +1,5 @@
-// Structures that a control lacks, said with those that it has. Each pass leaves a program that does the same.
+// Structures that a control lacks, said with those that it has. Each pass leaves a program that does the same. They are
+// to run in the order of this file; jumps are to be numbered before (number_labels).
 #pragma once
 
 #include <cstdint>
@@ -11,24 +12,26 @@
 namespace dripfeed::passes {
 
 struct StructureReport {
-  std::uint32_t changed = 0;  // structures rewritten
-  std::vector<text::Diagnostic> diagnostics;
+  std::uint32_t changed = 0;                  // structures rewritten
+  std::vector<text::Diagnostic> diagnostics;  // cannot_translate; missing_end and end_without_begin are the reader's
 };
 
 // FOR becomes an assignment and WHILE; REPEAT ... UNTIL becomes an endless loop left by a jump.
 StructureReport lower_counted_loops(ir::Program& program, FreeNumbers& numbers);
 
-// IF ... ELSE ... ENDIF becomes jumps over its parts. An IF without ELSE around one assignment or alarm stays (IF …
-// THEN), as does everything when `single_only` is false and only ELSE is lacking.
+// IF ... ELSE ... ENDIF becomes jumps over its parts. An IF without ELSE around one assignment or alarm stays, when its
+// condition is one comparison: controls have IF … THEN for it.
 StructureReport lower_conditions(ir::Program& program, FreeNumbers& numbers);
 
-// AND, OR, NOT between comparisons in the conditions of WHILE and jumps become several jumps.
+// Conditions of jumps and WHILE become single comparisons: AND, OR and NOT become several jumps, a value by itself is
+// compared with 0, a constant is decided here. XOR between conditions is cannot_translate.
 StructureReport lower_logic(ir::Program& program, FreeNumbers& numbers);
 
-// Loops nested deeper than `limit` become jumps, the outermost first: they repeat least often.
+// Loops nested deeper than `limit` become jumps, the outermost first: they repeat least often. The others get their
+// depth as loop number.
 StructureReport limit_loop_nesting(ir::Program& program, FreeNumbers& numbers, std::uint32_t limit);
 
-// The opposite of a condition: comparisons are turned round, AND and OR by De Morgan.
+// The opposite of a condition: comparisons are turned round, AND and OR by De Morgan, a value is compared with 0.
 ir::ExpressionId negated(ir::Program& program, ir::ExpressionId condition);
 
 }  // namespace dripfeed::passes

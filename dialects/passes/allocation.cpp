@@ -1,0 +1,292 @@
+// First every use is noted: which variables, where, and which numbers of the target bank the program has already. Then
+// numbers are given, each variable its own as long as there are enough of them: a program is read by people, too. Only
+// when there are too few, scalars that are never alive at the same time share one.
+#include "dialects/passes/allocation.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "dialects/passes/live_ranges.h"
+#include "dialects/passes/rewrite.h"
+#include "dialects/passes/walk.h"
+
+namespace dripfeed::passes {
+
+namespace {
+
+using ir::Bank;
+using ir::ExpressionId;
+using ir::VariableUse;
+
+// What is to get a number: a symbol, a number of another bank, or that bank as a whole.
+struct Wanted {
+  AllocatedVariable place;
+  LiveRange live;
+  bool given = false;
+};
+
+class Allocator {
+ public:
+  Allocator(ir::Program& program, const ir::Control& from, const ir::Control& to, Bank bank)
+      : program_(program), from_(from), to_(to), bank_(bank), live_(program) {}
+
+  AllocationReport run() {
+    define_to_assign();
+    collect();
+    if (whole_bank_) widen_to_bank();
+    if (!place_all(false) && !place_all(true)) too_few();
+    if (report_.diagnostics.empty()) rewrite();
+    for (const auto& [key, wanted] : wanted_) report_.variables.push_back(wanted.place);
+    return std::move(report_);
+  }
+
+ private:
+  using Key = std::pair<Bank, std::uint32_t>;  // named: the symbol's index; hash, r: the number
+
+  // DEF becomes the assignment of what it initialises with; variables of the target have no such statement.
+  void define_to_assign() {
+    const bool any = std::ranges::any_of(program_.statements,
+                                         [](const ir::Statement& s) { return s.kind == ir::StatementKind::define; });
+    if (!any) return;
+    Rewrite out(program_);
+    const auto count = static_cast<std::uint32_t>(program_.statements.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+      out.at(i);
+      const ir::Statement& s = program_.statements[i];
+      if (s.kind != ir::StatementKind::define) {
+        out.keep();
+        continue;
+      }
+      const ir::Structure head = program_.structures[s.payload];
+      for (std::uint32_t k = 0; k < head.symbol_count; ++k)
+        initialise(static_cast<ir::SymbolId>(head.first_symbol + k), out);
+    }
+    out.finish();
+    live_ = LiveRanges(program_);
+  }
+
+  void initialise(ir::SymbolId id, Rewrite& out) {
+    const ir::Symbol symbol = program_.at(id);
+    if (!is_number(symbol)) return;
+    for (std::uint32_t k = 0; k < count_of(symbol); ++k) {
+      ir::Variable element;
+      element.bank = Bank::named;
+      element.symbol = id;
+      element.span = symbol.span;
+      if (symbol.dimension1 != 0) element.index = program_.add_constant(k);
+      flat_.insert(static_cast<std::uint32_t>(program_.variables.size()));
+      const ExpressionId value = symbol.initial != ExpressionId::none ? symbol.initial : program_.add_constant(0.0);
+      out.emit_assign(program_.add(element), value);
+    }
+  }
+
+  static bool is_number(const ir::Symbol& symbol) {
+    return symbol.type == ir::ValueType::integer || symbol.type == ir::ValueType::real ||
+           symbol.type == ir::ValueType::boolean;
+  }
+  static std::uint32_t count_of(const ir::Symbol& symbol) {
+    const std::uint32_t rows = std::max<std::uint32_t>(1, symbol.dimension1);
+    return rows * std::max<std::uint32_t>(1, symbol.dimension2);
+  }
+
+  void collect() {
+    for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
+      for (const VariableUseAt& use : variables_of(program_, program_.statements[i])) note(use, i);
+    }
+  }
+
+  void note(const VariableUseAt& use, std::uint32_t statement) {
+    const ir::Variable& v = program_.at(use.variable);
+    used_.insert(static_cast<std::uint32_t>(use.variable));
+    if (v.bank == Bank::system) return;
+    if (v.bank == bank_) {
+      if (v.index == ExpressionId::none) {
+        taken_.insert(v.number);
+      } else {
+        pinned_ = true;  // it may be any of them
+      }
+      return;
+    }
+    if (v.bank != Bank::named && v.index != ExpressionId::none) {
+      whole_bank_ = true;
+      whole_from_ = v.bank;
+      return;
+    }
+    const bool named = v.bank == Bank::named;
+    Wanted& wanted = wanted_[{v.bank, named ? static_cast<std::uint32_t>(v.symbol) : v.number}];
+    if (wanted.live.empty()) {
+      wanted.place.from_bank = v.bank;
+      wanted.place.symbol = v.symbol;
+      wanted.place.from_number = v.number;
+      if (named) take_symbol(wanted, v.symbol);
+    }
+    live_.extend(wanted.live, statement);
+  }
+
+  void take_symbol(Wanted& wanted, ir::SymbolId id) {
+    const ir::Symbol& symbol = program_.at(id);
+    wanted.place.count = count_of(symbol);
+    if (is_number(symbol)) return;
+    report_.diagnostics.push_back(text::make_diagnostic(
+        text::DiagnosticId::cannot_translate, symbol.span,
+        {"the variable " + std::string(program_.strings.at(symbol.name)) + ", which is no number,", to_.title}));
+  }
+
+  // R[R1] may be any R: all of them move together.
+  void widen_to_bank() {
+    std::uint32_t highest = 0;
+    for (const auto& [key, wanted] : wanted_) {
+      if (key.first == whole_from_) highest = std::max(highest, key.second);
+    }
+    for (const ir::VariableRange& range : from_.variables) {
+      if (range.bank == whole_from_ && range.use != VariableUse::system) highest = std::max(highest, range.last);
+    }
+    std::erase_if(wanted_, [&](const auto& row) { return row.first.first == whole_from_; });
+    Wanted& all = wanted_[{whole_from_, 0}];
+    all.place = {whole_from_, ir::SymbolId::none, 0, 0, highest + 1};
+    all.live = LiveRange::always();
+  }
+
+  // The ranges of the target that programs may use, in the order in which they are given away.
+  [[nodiscard]] std::vector<ir::VariableRange> user_ranges() const {
+    static constexpr std::array kOrder = {VariableUse::common, VariableUse::permanent, VariableUse::local};
+    std::vector<ir::VariableRange> ranges;
+    for (const VariableUse use : kOrder) {
+      for (const ir::VariableRange& range : to_.variables) {
+        if (range.bank == bank_ && range.use == use && range.writable) ranges.push_back(range);
+      }
+    }
+    return ranges;
+  }
+
+  bool place_all(bool share) {
+    given_.clear();
+    if (pinned_ && !wanted_.empty()) return false;
+    // Arrays first: they need their numbers in a row. Then those that can keep their own number.
+    for (auto& [key, wanted] : wanted_) wanted.given = false;
+    for (auto& [key, wanted] : wanted_) {
+      if (wanted.place.count > 1 && !place(wanted, false)) return false;
+    }
+    for (auto& [key, wanted] : wanted_) {
+      if (!wanted.given && key.first != Bank::named && is_free(key.second, 1, wanted.live, false) &&
+          exists(key.second)) {
+        give(wanted, key.second);
+      }
+    }
+    return std::ranges::all_of(wanted_, [&](auto& row) { return row.second.given || place(row.second, share); });
+  }
+
+  bool place(Wanted& wanted, bool share) {
+    for (const ir::VariableRange& range : user_ranges()) {
+      const std::uint32_t count = wanted.place.count;
+      for (std::uint32_t n = range.first; n + count <= range.last + 1; ++n) {
+        if (!is_free(n, count, wanted.live, share)) continue;
+        give(wanted, n);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool exists(std::uint32_t number) const {
+    return std::ranges::any_of(user_ranges(),
+                               [&](const ir::VariableRange& r) { return r.first <= number && number <= r.last; });
+  }
+
+  [[nodiscard]] bool is_free(std::uint32_t first, std::uint32_t count, const LiveRange& live, bool share) const {
+    for (std::uint32_t n = first; n < first + count; ++n) {
+      if (taken_.contains(n)) return false;
+      const auto owners = given_.find(n);
+      if (owners == given_.end()) continue;
+      if (!share || std::ranges::any_of(owners->second, [&](const LiveRange& r) { return r.meets(live); }))
+        return false;
+    }
+    return true;
+  }
+
+  void give(Wanted& wanted, std::uint32_t first) {
+    wanted.place.number = first;
+    wanted.given = true;
+    // The elements of an array are not followed one by one.
+    const LiveRange live = wanted.place.count > 1 ? LiveRange::always() : wanted.live;
+    for (std::uint32_t n = first; n < first + wanted.place.count; ++n) given_[n].push_back(live);
+  }
+
+  void too_few() {
+    std::size_t needed = 0;
+    for (const auto& [key, wanted] : wanted_) needed += wanted.place.count;
+    std::size_t free = 0;
+    for (const ir::VariableRange& range : user_ranges()) {
+      for (std::uint32_t n = range.first; n <= range.last; ++n) free += pinned_ || taken_.contains(n) ? 0U : 1U;
+    }
+    report_.diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::not_enough_variables, {},
+                                                        {std::to_string(needed), std::to_string(free)}));
+  }
+
+  void rewrite() {
+    for (const std::uint32_t index : used_) {
+      ir::Variable v = program_.variables[index];
+      if (v.bank == bank_ || v.bank == Bank::system) continue;
+      const bool whole = whole_bank_ && v.bank == whole_from_;
+      const std::uint32_t key = v.bank == Bank::named ? static_cast<std::uint32_t>(v.symbol) : v.number;
+      const AllocatedVariable& place = wanted_.at({v.bank, whole ? 0 : key}).place;
+      std::uint32_t number = place.number + (whole ? v.number : 0);
+      if (v.bank == Bank::named && !flat_.contains(index)) v.index = flat_index(v);
+      v.index2 = ExpressionId::none;
+      if (v.index != ExpressionId::none) {
+        const ir::Expression e = program_.at(v.index);
+        if (e.op == ir::Operator::constant) {
+          number = place.number + static_cast<std::uint32_t>(std::max(0.0, e.value));
+          v.index = ExpressionId::none;
+        } else if (place.number != 0) {
+          v.index = program_.add_operator(ir::Operator::add, v.index, program_.add_constant(place.number, {}, false));
+        }
+      }
+      v.bank = bank_;
+      v.number = v.index == ExpressionId::none ? number : 0;
+      v.symbol = ir::SymbolId::none;
+      program_.variables[index] = v;
+    }
+  }
+
+  // A[i, k] as one index: i * columns + k.
+  ExpressionId flat_index(const ir::Variable& v) {
+    if (v.index2 == ExpressionId::none) return v.index;
+    const double columns = std::max<std::uint32_t>(1, program_.at(v.symbol).dimension2);
+    const ir::Expression a = program_.at(v.index);
+    const ir::Expression b = program_.at(v.index2);
+    if (a.op == ir::Operator::constant && b.op == ir::Operator::constant) {
+      return program_.add_constant(a.value * columns + b.value);
+    }
+    const ExpressionId row = program_.add_operator(ir::Operator::multiply, v.index, program_.add_constant(columns));
+    return program_.add_operator(ir::Operator::add, row, v.index2);
+  }
+
+  ir::Program& program_;
+  const ir::Control& from_;
+  const ir::Control& to_;
+  Bank bank_;
+  LiveRanges live_;
+  AllocationReport report_;
+  std::map<Key, Wanted> wanted_;
+  std::set<std::uint32_t> used_;   // indices into Program::variables
+  std::set<std::uint32_t> flat_;   // of those, elements whose index counts through the array already
+  std::set<std::uint32_t> taken_;  // numbers of the target bank that the program has already
+  std::map<std::uint32_t, std::vector<LiveRange>> given_;
+  bool pinned_ = false;
+  bool whole_bank_ = false;
+  Bank whole_from_ = Bank::r;
+};
+
+}  // namespace
+
+AllocationReport allocate_variables(ir::Program& program, const ir::Control& from, const ir::Control& to, Bank bank) {
+  return Allocator(program, from, to, bank).run();
+}
+
+}  // namespace dripfeed::passes

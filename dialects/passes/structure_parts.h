@@ -1,0 +1,28 @@
+// Small things that the passes over structures share: heads of structures, jumps to a number, opposite comparisons.
+#pragma once
+
+#include <cstdint>
+
+#include "dialects/ir/program.h"
+
+namespace dripfeed::passes {
+
+// The structure of an opener, middle or closer.
+inline ir::Structure structure_at(const ir::Program& program, std::uint32_t statement) {
+  return program.structures[program.statements[statement].payload];
+}
+
+inline ir::Jump jump_to(std::uint32_t number, ir::ExpressionId condition = ir::ExpressionId::none) {
+  ir::Jump jump;
+  jump.number = number;
+  jump.condition = condition;
+  return jump;
+}
+
+// The comparison that holds when `op` does not; Operator::constant when `op` is none.
+ir::Operator opposite_comparison(ir::Operator op);
+inline bool is_comparison(const ir::Program& program, ir::ExpressionId id) {
+  return opposite_comparison(program.at(id).op) != ir::Operator::constant;
+}
+
+}  // namespace dripfeed::passes

@@ -1,0 +1,103 @@
+// Every expression and variable that a statement holds, for passes that look at or change all of them.
+#pragma once
+
+#include <vector>
+
+#include "dialects/ir/program.h"
+
+namespace dripfeed::passes {
+
+// Calls `on_expression(ir::ExpressionId&)` for each root expression of the statement and `on_target(ir::VariableId)`
+// for each variable that it sets. The fields are the program's own and may be changed; arenas must not grow meanwhile.
+template <class OnExpression, class OnTarget>
+void for_each_root(ir::Program& program, const ir::Statement& statement, OnExpression&& on_expression,
+                   OnTarget&& on_target) {
+  const auto root = [&](ir::ExpressionId& id) {
+    if (id != ir::ExpressionId::none) on_expression(id);
+  };
+  using enum ir::StatementKind;
+  if (statement.payload == ir::kNoIndex) return;
+  switch (statement.kind) {
+    case block:
+    case program_end:
+    case subprogram_return: {
+      const ir::Block& b = program.blocks[statement.payload];
+      for (std::uint32_t i = 0; i < b.code_count; ++i) root(program.codes[b.first_code + i].number);
+      for (std::uint32_t i = 0; i < b.word_count; ++i) root(program.words[b.first_word + i].value);
+      return;
+    }
+    case assign:
+      on_target(program.assigns[statement.payload].target);
+      root(program.assigns[statement.payload].value);
+      return;
+    case go_to:
+      root(program.jumps[statement.payload].condition);
+      root(program.jumps[statement.payload].computed);
+      return;
+    case if_begin:
+    case else_begin:
+    case if_end:
+    case while_begin:
+    case while_end:
+    case repeat_begin:
+    case repeat_end:
+    case for_begin:
+    case for_end:
+    case loop_begin:
+    case loop_end: {
+      ir::Structure& s = program.structures[statement.payload];
+      if (s.counter != ir::VariableId::none) on_target(s.counter);
+      root(s.condition);
+      root(s.first);
+      root(s.last);
+      return;
+    }
+    case define:
+    case procedure: {
+      const ir::Structure& s = program.structures[statement.payload];
+      for (std::uint32_t i = 0; i < s.symbol_count; ++i) root(program.symbols[s.first_symbol + i].initial);
+      return;
+    }
+    case call: {
+      ir::Call& c = program.calls[statement.payload];
+      root(c.number);
+      root(c.repeats);
+      for (std::uint32_t i = 0; i < c.argument_count; ++i) root(program.arguments[c.first_argument + i].value);
+      return;
+    }
+    case message:
+    case alarm:
+      root(program.messages[statement.payload].text);
+      root(program.messages[statement.payload].number);
+      return;
+    case empty:
+    case declaration:
+    case native: return;
+  }
+}
+
+// Calls `visit(ir::ExpressionId)` for the node and all below it, also those in the index of a variable; operands first.
+template <class Visit>
+void for_each_node(const ir::Program& program, ir::ExpressionId id, Visit&& visit) {
+  if (id == ir::ExpressionId::none) return;
+  const ir::Expression e = program.at(id);
+  if (e.op == ir::Operator::variable) {
+    const ir::Variable v = program.at(e.variable);
+    for_each_node(program, v.index, visit);
+    for_each_node(program, v.index2, visit);
+  } else {
+    for_each_node(program, e.a, visit);
+    for_each_node(program, e.b, visit);
+    for_each_node(program, e.c, visit);
+  }
+  visit(id);
+}
+
+// The variables that the statement reads or sets, those in indices before those that have them; `set` tells which.
+struct VariableUseAt {
+  ir::VariableId variable = ir::VariableId::none;
+  bool set = false;
+};
+std::vector<VariableUseAt> variables_of(ir::Program& program, const ir::Statement& statement);
+
+}  // namespace dripfeed::passes
