@@ -5,9 +5,9 @@ import { bytes, count } from './numbers';
 // The lines between which the last character that may have reached the control lies.
 export function positionText(fromLine: number, toLine: number): string {
   if (toLine <= 0) return 'position not known';
-  if (fromLine <= 0) return `at most up to line ${count(toLine)}`;
-  if (fromLine === toLine) return `in line ${count(toLine)}`;
-  return `between line ${count(fromLine)} and line ${count(toLine)}`;
+  if (fromLine <= 0) return `at most up to line ${toLine}`;
+  if (fromLine === toLine) return `in line ${toLine}`;
+  return `between lines ${fromLine} and ${toLine}`;
 }
 
 const kCertain: Record<LedgerInterval['known'], (low: number) => string> = {

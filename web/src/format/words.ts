@@ -1,6 +1,6 @@
 // The server's names of states and stalls as words for people, with the tone that goes with them. A name that is not
 // in a table is shown as it came: it is never hidden.
-import type { Delivery, JobState, LineState, ReleaseState, Role } from '../api/types';
+import type { Delivery, JobState, LineState, ReleaseState } from '../api/types';
 
 // What a state asks of the reader; the look of it is in the style sheet, and an icon goes with each.
 export type Tone = 'quiet' | 'ready' | 'active' | 'waiting' | 'good' | 'bad';
@@ -47,6 +47,34 @@ const kStalls: Record<string, string> = {
   stopped: 'stopped: something does not fit, a person must look',
 };
 
+// Why a job ended: a protocol's cause.
+const kCauses: Record<string, string> = {
+  dc1: 'DC1 came',
+  dc3: 'DC3 came',
+  eot: 'EOT came',
+  quiet: 'the line was quiet',
+  syn: 'SYN came: the control was reset',
+  nak: 'NAK came: the control has an alarm',
+  unexpected_input: 'unexpected input came from the control',
+  link_lost: 'the link was lost',
+  dsr_off: 'DSR went off',
+  cts_off: 'CTS went off',
+  expired: 'the arming expired',
+  person: 'by order of a person',
+  text_lost: 'the stored text could not be read',
+  bad_character: 'a character that the line’s code cannot carry',
+  foreign_registers: 'the registers are not a mailbox',
+  session_over: 'the receiver ended the session',
+  session_running: 'another session runs in the receiver',
+  other_session: 'another session took the mailbox',
+  receiver_restarted: 'the receiver was restarted',
+  out_of_step: 'the receiver is out of step',
+  text_differs: 'the receiver has another text',
+  refused: 'the receiver refused',
+  receiver_error: 'the receiver reports an error',
+  peer_gone: 'the receiver does not answer',
+};
+
 const kReleases: Record<ReleaseState, string> = {
   draft: 'draft',
   in_review: 'in review',
@@ -72,8 +100,16 @@ export const jobWording = (state: JobState): Wording => kJobs[state] ?? unknown(
 export const releaseText = (state: ReleaseState): string => kReleases[state] ?? state;
 export const deliveryText = (delivery: Delivery): string => kDeliveries[delivery] ?? delivery;
 export const dialectText = (dialect: string): string => kDialects[dialect] ?? dialect;
-export const roleText = (role: Role): string => role;
 
 // Stalls come as "held_by_dc3" or as "held by DC3".
 export const stallKey = (stall: string): string => stall.toLowerCase().replace(/[ -]/g, '_');
 export const stallText = (stall: string): string => kStalls[stallKey(stall)] ?? stall.replace(/_/g, ' ');
+
+// The reason of a job's move: the name of a stall, the name of a cause with or without a sentence behind it, or a
+// sentence of the server, which stays as it is.
+export function reasonText(reason: string): string {
+  const [, name, rest] = /^([a-z0-9_]+)(?:: ([^]*))?$/.exec(reason) ?? [];
+  if (name === undefined) return reason;
+  if (rest !== undefined) return kCauses[name] ? `${kCauses[name]}: ${rest}` : reason;
+  return kStalls[name] ?? kCauses[name] ?? reason.replace(/_/g, ' ');
+}

@@ -2,8 +2,9 @@
 import { useState } from 'preact/hooks';
 import type { Job } from '../api/types';
 import { shortTime } from '../format/times';
-import { jobWording, stallText } from '../format/words';
+import { jobWording, reasonText } from '../format/words';
 import { hrefOf } from '../route';
+import { atLeast } from '../rules/roles';
 import { isLive, newestFirst, programName } from '../state/select';
 import { Badge } from './badge';
 import { useDesk, useNow } from './context';
@@ -12,7 +13,8 @@ import { JobButtons } from './job_buttons';
 import { Expiry } from './machine_card';
 
 export function JobsView() {
-  const { state, sync } = useDesk();
+  const { state, sync, session } = useDesk();
+  const may = atLeast(session.role, 'operator');
   const [error, setError] = useState<unknown>(null);
   const jobs = newestFirst(state);
   const older = async () => {
@@ -36,12 +38,12 @@ export function JobsView() {
               <th scope="col">Program</th>
               <th scope="col">Machine</th>
               <th scope="col">Times</th>
-              <th scope="col">Orders</th>
+              {may && <th scope="col">Orders</th>}
             </tr>
           </thead>
           <tbody>
             {jobs.map((job) => (
-              <JobRow key={job.id} job={job} />
+              <JobRow key={job.id} job={job} may={may} />
             ))}
           </tbody>
         </table>
@@ -56,7 +58,7 @@ export function JobsView() {
   );
 }
 
-function JobRow({ job }: { job: Job }) {
+function JobRow({ job, may }: { job: Job; may: boolean }) {
   const { state } = useDesk();
   return (
     <tr>
@@ -77,9 +79,11 @@ function JobRow({ job }: { job: Job }) {
       <td data-label="Times">
         <Times job={job} />
       </td>
-      <td data-label="Orders" class="orders">
-        <JobButtons job={job} />
-      </td>
+      {may && (
+        <td data-label="Orders" class="orders">
+          <JobButtons job={job} />
+        </td>
+      )}
     </tr>
   );
 }
@@ -87,7 +91,7 @@ function JobRow({ job }: { job: Job }) {
 // The reason of the last move, where it says more than the state.
 export function Reason({ job }: { job: Job }) {
   if (job.reason === '' || job.reason === job.state) return null;
-  return <p class="reason">{/\s/.test(job.reason) ? job.reason : stallText(job.reason)}</p>;
+  return <p class="reason">{reasonText(job.reason)}</p>;
 }
 
 export function Times({ job }: { job: Job }) {

@@ -6,7 +6,7 @@ import type { Job, LedgerInterval, LedgerRow } from '../api/types';
 import { intervalText } from '../format/intervals';
 import { count } from '../format/numbers';
 import { clockTime } from '../format/times';
-import { stallText } from '../format/words';
+import { reasonText } from '../format/words';
 import { isLive } from '../state/select';
 import { useDesk } from './context';
 import { Failure } from './dialog';
@@ -83,7 +83,7 @@ const Rows = ({ rows }: { rows: LedgerRow[] }) => (
           <td data-label="Confirmed">{count(row.confirmed)}</td>
           <td data-label="Reserve">{count(row.reserve)}</td>
           <td data-label="Note" class="note">
-            {/\s/.test(row.note) ? row.note : stallText(row.note)}
+            {reasonText(row.note)}
           </td>
         </tr>
       ))}

@@ -85,11 +85,11 @@ function Position({ entry }: { entry: MachineEntry }) {
       </p>
       {entry.block && (
         <p class="block-text">
-          <span class="block-line">{entry.block.line > 0 ? count(entry.block.line) : ''}</span>
+          {entry.block.line > 0 && <span class="block-line">line {entry.block.line}</span>}
           <code>{entry.block.text}</code>
         </p>
       )}
-      <p class="hint">The control may still be before it: what it executed is not known here.</p>
+      <p class="hint">What the control executed of it is not known here.</p>
     </div>
   );
 }

@@ -6,6 +6,7 @@ import { shortHash } from '../format/numbers';
 import { dateTime } from '../format/times';
 import { deliveryText, releaseText } from '../format/words';
 import { hrefOf } from '../route';
+import { isReleased, mayBeQueued } from '../rules/releases';
 import { atLeast } from '../rules/roles';
 import { isLive, programName } from '../state/select';
 import { useDesk } from './context';
@@ -33,7 +34,7 @@ export function ReleasesView() {
     }
     setBusy(false);
   };
-  const usable = state.releases.filter((one) => one.state === 'proving' || one.state === 'approved');
+  const usable = state.releases.filter(isReleased);
   const may = atLeast(session.role, 'operator');
   return (
     <>
@@ -76,15 +77,17 @@ export function ReleasesView() {
                 </td>
                 {may && (
                   <td data-label="Orders" class="orders">
-                    <button
-                      type="button"
-                      class="button button-main"
-                      disabled={busy || !live}
-                      onClick={() => void queue(release)}
-                      aria-label={`Queue release ${release.id}`}
-                    >
-                      Queue
-                    </button>
+                    {mayBeQueued(release) && (
+                      <button
+                        type="button"
+                        class="button button-main"
+                        disabled={busy || !live}
+                        onClick={() => void queue(release)}
+                        aria-label={`Queue release ${release.id}`}
+                      >
+                        Queue
+                      </button>
+                    )}
                   </td>
                 )}
               </tr>

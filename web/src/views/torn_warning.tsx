@@ -3,7 +3,7 @@
 import { useState } from 'preact/hooks';
 import { calls } from '../api/calls';
 import type { MachineItem } from '../api/types';
-import { positionText } from '../format/intervals';
+import { reasonText } from '../format/words';
 import { isLive } from '../state/select';
 import { atLeast } from '../rules/roles';
 import { Icon } from './badge';
@@ -21,10 +21,10 @@ export function TornWarning({ machine }: { machine: MachineItem }) {
         <Icon tone="bad" /> Torn block{torn ? `, job ${torn.job}` : ''}
       </h3>
       <p>
-        The feed broke off inside a block, {positionText(machine.status.block_from, machine.status.block)}. The control may
-        hold a part of it. Nothing more goes out on this line until a person confirms that the control was reset.
+        The feed broke off inside a block: the control may hold a part of it. Nothing more goes out on this line until a
+        person confirms that the control was reset.
       </p>
-      {torn && <p class="torn-text">{torn.text}</p>}
+      {torn && <p class="torn-text">{reasonText(torn.text)}</p>}
       {may && torn && isLive(state) && (
         <button type="button" class="button button-danger" onClick={() => setOpen(true)}>
           I have reset the control…
@@ -41,7 +41,7 @@ export function TornWarning({ machine }: { machine: MachineItem }) {
           send={(key, reason) => calls.confirmReset(machine.name, reason, key)}
           close={() => setOpen(false)}
         >
-          <p class="torn-text">{torn.text}</p>
+          <p class="torn-text">{reasonText(torn.text)}</p>
           <p>
             Confirm this only after the control was reset and holds no part of the broken block. Then the line may be
             used again; nothing is sent by that.
