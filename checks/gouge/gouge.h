@@ -11,6 +11,7 @@
 #include "checks/finding.h"
 #include "checks/gouge/remaining_stock.h"
 #include "checks/machine.h"
+#include "dialects/curves/deviation.h"
 #include "dialects/curves/nose.h"
 #include "dialects/curves/path.h"
 #include "dialects/curves/profile.h"
@@ -31,7 +32,11 @@ struct Settings {
   bool x_is_diameter = true;             // the motions' x
   std::vector<checks::Tool> tools = {};  // a tool that is not here is taken as a point, and that is said
   double depth_mm = 0.001;               // a rapid may touch by this much
-  double step_mm = 0.02;                 // between the places at which the stock's height is kept
+  // Of the slides. Axes that run at their own speed bend off the line, and that way is checked, too. 0: not known, then
+  // rapids are taken as lines.
+  double rapid_x_mm_min = 0.0;
+  double rapid_z_mm_min = 0.0;
+  double step_mm = 0.02;  // between the places at which the stock's height is kept
 };
 
 struct Report {
@@ -52,13 +57,17 @@ class Gouge final : public ir::MotionSink {
 
  private:
   void follow_tool(const ir::Motion& motion);
-  void check_rapid(const ir::Motion& motion, curves::Point start, curves::Point end);
+  void check_rapid(const ir::Motion& motion, const curves::Segment& way);
   void check_cut(const ir::Motion& motion, const curves::PathPiece& tip_path);
+  // Signed distance of the nose from the nominal where it is lowest; nothing beside it.
+  [[nodiscard]] std::optional<curves::Extreme> lowest(const curves::Nose& nose,
+                                                      const curves::PathPiece& tip_path) const;
 
   Settings settings_;
   Report report_;
   std::optional<RemainingStock> stock_;
   curves::Nose nose_;
+  bool is_bore_ = false;  // the tool cuts inside: nothing here knows bores
 };
 
 }  // namespace dripfeed::gouge

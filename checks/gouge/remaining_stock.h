@@ -22,8 +22,9 @@ class RemainingStock {
   // A bar of `radius` over `z`; at most kMostPlaces places, the step grows beyond.
   RemainingStock(double radius, curves::Range z, double step);
 
-  // The deepest place at which the nose, led along the path of its tip, would enter what is left.
-  [[nodiscard]] Touch touch(const curves::Nose& nose, const curves::PathPiece& tip_path) const;
+  // The deepest place at which the nose, led along the path of its tip, would enter what is left by more than `slack`
+  // mm.
+  [[nodiscard]] Touch touch(const curves::Nose& nose, const curves::PathPiece& tip_path, double slack) const;
   // Takes away what the nose passes.
   void cut(const curves::Nose& nose, const curves::PathPiece& tip_path);
   // Radius left at z, the lower of its two neighbours between places; 0 beyond the bar's ends.
@@ -33,9 +34,9 @@ class RemainingStock {
   static constexpr std::size_t kMostPlaces = 65536;
 
   [[nodiscard]] double z_at(std::size_t place) const { return z_.low + static_cast<double>(place) * step_; }
-  // Calls visit(place, height) for the places that the nose passes, with the lowest x of the nose there.
+  // Calls visit(place, x) for the places that a nose with its centre on the segment passes, x its lowest there.
   template <class Visit>
-  void pass(const curves::Nose& nose, const curves::PathPiece& tip_path, Visit&& visit) const;
+  void pass(double radius, const curves::Segment& centers, Visit&& visit) const;
 
   curves::Range z_;
   double step_ = 0.0;

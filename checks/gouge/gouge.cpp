@@ -1,0 +1,160 @@
+// Order matters: each move meets the stock as the moves before have left it. How deep a nose enters the nominal is the
+// distance of its centre less its radius, at every place of its way; no surface is needed for that.
+#include "checks/gouge/gouge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "dialects/text/number.h"
+
+namespace dripfeed::gouge {
+
+namespace {
+
+constexpr std::size_t kX = 0;
+constexpr std::size_t kZ = 2;
+
+curves::Point point_of(const std::array<double, ir::kAxisCount>& at, bool x_is_diameter) {
+  return {at[kZ], x_is_diameter ? 0.5 * at[kX] : at[kX]};
+}
+
+bool is_arc(const ir::Motion& motion) {
+  return motion.kind == ir::MotionKind::arc_cw || motion.kind == ir::MotionKind::arc_ccw;
+}
+
+std::vector<std::string> depth_and_place(double depth_mm, double z_mm) {
+  return {text::format_fixed(depth_mm, 3), text::format_fixed(z_mm, 3)};
+}
+
+// Where both axes run at their own speed until the nearer end is reached, the way bends here.
+curves::Point bend_of(const curves::Segment& way, double rapid_x, double rapid_z) {
+  const curves::Point by = way.b - way.a;
+  const double time = std::min(std::fabs(by.z) / rapid_z, std::fabs(by.x) / rapid_x);
+  return way.a + curves::Point{std::copysign(time * rapid_z, by.z), std::copysign(time * rapid_x, by.x)};
+}
+
+}  // namespace
+
+Gouge::Gouge(Settings settings) : settings_(std::move(settings)) {
+  if (settings_.stock) {
+    const Cylinder& bar = *settings_.stock;
+    if (bar.diameter_mm > 0.0 && bar.z_low_mm < bar.z_high_mm) {
+      stock_.emplace(0.5 * bar.diameter_mm, curves::Range{bar.z_low_mm, bar.z_high_mm}, settings_.step_mm);
+    }
+  }
+  if (!stock_) report_.not_checked.add("no stock is given: rapid moves were checked against the nominal only");
+  if (settings_.nominal.empty()) report_.not_checked.add("no nominal is given: cuts were not checked against it");
+  if (!(settings_.rapid_x_mm_min > 0.0 && settings_.rapid_z_mm_min > 0.0)) {
+    report_.not_checked.add("the rapid speeds of x and z are not known: rapid moves were taken as straight lines");
+  }
+}
+
+void Gouge::follow_tool(const ir::Motion& motion) {
+  nose_ = {};
+  is_bore_ = false;
+  const auto tool = std::ranges::find(settings_.tools, motion.number, &checks::Tool::number);
+  const auto tip = tool != settings_.tools.end() ? curves::tip_of(tool->tip) : std::nullopt;
+  if (!tip) {
+    report_.not_checked.add("a tool's nose is not known: it was taken as a point", motion.place.line);
+    return;
+  }
+  nose_ = {tool->nose_radius_mm, *tip};
+  is_bore_ = tip->x > 0.0;
+}
+
+void Gouge::consume(std::span<const ir::Motion> motions) {
+  for (const ir::Motion& motion : motions) {
+    const std::uint32_t line = motion.place.line;
+    if (motion.kind == ir::MotionKind::tool) follow_tool(motion);
+    if (!ir::is_move(motion.kind)) continue;
+    if (motion.machine_coordinates) {
+      report_.not_checked.add("a move in machine coordinates was not checked", line);
+      continue;
+    }
+    if (is_bore_) {
+      report_.not_checked.add("a tool for bores was not checked", line);
+      continue;
+    }
+    const curves::Point end = point_of(motion.end, settings_.x_is_diameter);
+    constexpr std::uint16_t kBoth = 1U << kX | 1U << kZ;
+    const bool start_known = (motion.axes_unknown & kBoth) == 0;
+    if (!start_known)
+      report_.not_checked.add("a move starts at a place that is not known: its end alone was checked", line);
+    const curves::Point start = start_known ? point_of(motion.start, settings_.x_is_diameter) : end;
+    if (motion.kind == ir::MotionKind::rapid) {
+      check_rapid(motion, {start, end});
+    } else if (is_arc(motion) && motion.plane != ir::Plane::zx) {
+      report_.not_checked.add("an arc in another plane than z-x was not checked", line);
+    } else if (is_arc(motion) && start_known) {
+      const curves::Point center{start.z + motion.center[2], start.x + motion.center[0]};
+      const auto turn =
+          motion.kind == ir::MotionKind::arc_ccw ? curves::Turn::counterclockwise : curves::Turn::clockwise;
+      check_cut(motion, curves::arc_between(start, end, center, turn));
+    } else {
+      check_cut(motion, curves::Segment{start, end});
+    }
+  }
+}
+
+std::optional<curves::Extreme> Gouge::lowest(const curves::Nose& nose, const curves::PathPiece& tip_path) const {
+  if (settings_.nominal.empty()) return std::nullopt;
+  const curves::Deviation centers =
+      curves::measure(settings_.nominal, curves::moved(tip_path, -nose.radius * nose.tip));
+  if (centers.points == 0) return std::nullopt;
+  curves::Extreme extreme = centers.lowest;
+  extreme.value -= nose.radius;
+  return extreme;
+}
+
+void Gouge::check_rapid(const ir::Motion& motion, const curves::Segment& way) {
+  ++report_.rapids;
+  const auto add = [&](text::DiagnosticId id, double depth_mm, double z_mm) {
+    report_.findings.add(id, motion.place, depth_mm, 0.0, [&] { return depth_and_place(depth_mm, z_mm); });
+  };
+  const std::optional<curves::Extreme> nominal = lowest(nose_, way);
+  if (nominal && -nominal->value > std::max(settings_.depth_mm, nominal->tolerance)) {
+    report_.deepest_rapid_mm = std::max(report_.deepest_rapid_mm, -nominal->value);
+    add(text::DiagnosticId::rapid_into_nominal, -nominal->value, nominal->at.z);
+    return;
+  }
+  if (!stock_) return;
+  const Touch touch = stock_->touch(nose_, way, settings_.depth_mm);
+  if (touch.depth_mm > 0.0) {
+    report_.deepest_rapid_mm = std::max(report_.deepest_rapid_mm, touch.depth_mm);
+    add(text::DiagnosticId::rapid_into_stock, touch.depth_mm, touch.z_mm);
+    return;
+  }
+  if (!(settings_.rapid_x_mm_min > 0.0 && settings_.rapid_z_mm_min > 0.0)) return;
+  const curves::Point bend = bend_of(way, settings_.rapid_x_mm_min, settings_.rapid_z_mm_min);
+  Touch bent = stock_->touch(nose_, curves::Segment{way.a, bend}, settings_.depth_mm);
+  const Touch rest = stock_->touch(nose_, curves::Segment{bend, way.b}, settings_.depth_mm);
+  if (rest.depth_mm > bent.depth_mm) bent = rest;
+  if (bent.depth_mm > 0.0) add(text::DiagnosticId::rapid_may_enter_stock, bent.depth_mm, bent.z_mm);
+}
+
+void Gouge::check_cut(const ir::Motion& motion, const curves::PathPiece& tip_path) {
+  ++report_.cuts;
+  // Compensated, the surface is the path itself.
+  const curves::Nose nose = motion.comp == ir::CompSide::off ? nose_ : curves::Nose{};
+  if (stock_) stock_->cut(nose, tip_path);
+  if (motion.kind == ir::MotionKind::thread) {
+    report_.not_checked.add("a thread was not checked against the nominal", motion.place.line);
+    return;
+  }
+  const std::optional<curves::Extreme> nominal = lowest(nose, tip_path);
+  if (!nominal || nominal->value >= 0.0) return;
+  const double depth_mm = -nominal->value;
+  report_.deepest_cut_mm = std::max(report_.deepest_cut_mm, depth_mm);
+  if (depth_mm <= nominal->tolerance) return;
+  report_.findings.add(text::DiagnosticId::cut_below_nominal, motion.place, depth_mm, nominal->tolerance, [&] {
+    std::vector<std::string> arguments = depth_and_place(depth_mm, nominal->at.z);
+    arguments.push_back(text::format_shortest(nominal->tolerance));
+    return arguments;
+  });
+}
+
+Report Gouge::finish() { return std::move(report_); }
+
+}  // namespace dripfeed::gouge
