@@ -54,7 +54,8 @@ Result<void> Checking::add_geometry(const store::ProgramRevision& revision, Exam
   if (!family) return std::unexpected(family.error());
   const auto values = documents_.read_values(origin.values);
   if (!values) return std::unexpected(values.error());
-  examination.geometry = compile::family_geometry(text::Source(family->name, family->text), overrides_of(*values)).geometry;
+  examination.geometry =
+      compile::family_geometry(text::Source(family->name, family->text), overrides_of(*values)).geometry;
   examination.profile_lines = read_profile_lines(revision.facts);
   return {};
 }

@@ -132,10 +132,10 @@ Result<store::Job> Jobs::arm(store::Id id, double minutes, std::string_view acto
   return std::move(*armed);
 }
 
-// Nothing went out: the job is over, and the caller hears why.
+// Nothing went out: the job waits again, and the caller hears why.
 Result<store::Job> Jobs::disarm_after(const store::Job& job, const std::string& why, std::string_view actor) {
   const auto moved =
-      store_.jobs().move(job.id, {.to = store::JobState::cancelled, .reason = why, .torn = false}, stamp(actor));
+      store_.jobs().move(job.id, {.to = store::JobState::queued, .reason = why, .torn = false}, stamp(actor));
   if (moved) publish(*moved, why);
   return fail(ErrorCode::refused, fmt::format("{} cannot be armed: {}", job.machine, why));
 }
@@ -165,15 +165,18 @@ Result<store::Job> Jobs::stop(store::Id id, std::string_view actor) {
 Result<store::Job> Jobs::cancel(store::Id id, std::string_view actor) {
   const auto job = store_.jobs().get(id);
   if (!job) return std::unexpected(from_store(job.error()));
-  if (job->state == store::JobState::queued) {
-    auto moved =
-        store_.jobs().move(id, {.to = store::JobState::cancelled, .reason = "cancelled", .torn = false}, stamp(actor));
-    if (!moved) return std::unexpected(from_store(moved.error()));
-    publish(*moved, fmt::format("cancelled by {}", actor));
-    return std::move(*moved);
-  }
-  const feed::Command how = job->state == store::JobState::armed ? feed::Command::disarm : feed::Command::cancel;
-  return command(id, how, "job.cancel", "", actor);
+  if (job->state == store::JobState::queued) return cancel_queued(*job, actor);
+  if (job->state != store::JobState::armed) return command(id, feed::Command::cancel, "job.cancel", "", actor);
+  const auto disarmed = command(id, feed::Command::disarm, "job.cancel", "", actor);
+  if (!disarmed || disarmed->state != store::JobState::queued) return disarmed;
+  return cancel_queued(*disarmed, actor);
+}
+
+Result<store::Job> Jobs::cancel_queued(const store::Job& job, std::string_view actor) {
+  auto moved = lift(store_.jobs().move(job.id, {.to = store::JobState::cancelled, .reason = "cancelled", .torn = false},
+                                       stamp(actor)));
+  if (moved) publish(*moved, fmt::format("cancelled by {}", actor));
+  return moved;
 }
 
 Result<store::Job> Jobs::resume(store::Id id, std::string_view reason, std::string_view actor) {

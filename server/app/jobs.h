@@ -37,6 +37,7 @@ class Jobs {
   Result<std::shared_ptr<Line>> line_with(const store::Job& job);
   Result<store::Job> command(store::Id job, feed::Command command, std::string_view action, std::string_view reason,
                              std::string_view actor);
+  Result<store::Job> cancel_queued(const store::Job& job, std::string_view actor);
   Result<store::Job> disarm_after(const store::Job& job, const std::string& why, std::string_view actor);
   store::Stamp stamp(std::string_view actor) const;
   void publish(const store::Job& job, std::string_view text);

@@ -26,10 +26,9 @@ std::optional<store::JobState> target_of(const LineReport& report) {
     store::JobState job;
   };
   static constexpr std::array kEnds = {
-      EndRow{JobEnd::done, store::JobState::done},
-      EndRow{JobEnd::failed, store::JobState::failed},
+      EndRow{JobEnd::done, store::JobState::done}, EndRow{JobEnd::failed, store::JobState::failed},
       EndRow{JobEnd::cancelled, store::JobState::cancelled},
-      EndRow{JobEnd::disarmed, store::JobState::cancelled},
+      EndRow{JobEnd::disarmed, store::JobState::queued},  // nothing of it was sent
   };
   for (const EndRow& row : kEnds) {
     if (row.end == report.end) return row.job;
@@ -159,7 +158,9 @@ void Keeper::round() {
 
 // A job that the line has and the books do not know yet.
 void Keeper::begin(Tracked& tracked, const Due& due) {
-  if (due.report.job == 0 || due.report.job == tracked.job.id) return;
+  // A disarmed job may come again.
+  const bool again = tracked.over && due.report.end == JobEnd::none;
+  if (due.report.job == 0 || (due.report.job == tracked.job.id && !again)) return;
   const auto job = store_.jobs().get(due.report.job);
   const auto interval = store_.ledger().interval(due.report.job);
   if (!job || !interval) {
@@ -221,7 +222,7 @@ void Keeper::follow(Tracked& tracked, const Due& due) {
   const auto target = target_of(report);
   if (!target || *target == tracked.job.state) return;
   for (const store::JobState step : way(tracked.job.state, *target)) move(tracked, step, report);
-  if (!store::ended(tracked.job.state)) return;
+  if (report.end == JobEnd::none) return;
   tracked.over = true;
   const std::lock_guard lock(sources_mutex_);
   sources_.erase(due.machine);
