@@ -35,7 +35,7 @@ export function JobView({ id }: { id: number }) {
       <Failure error={error} />
       {job && (
         <>
-          <section class="card" aria-label="Job">
+          <section class="card" aria-label="Job" data-state={job.state}>
             <div class="job-head">
               <Badge wording={jobWording(job.state)} old={!isLive(state) && job.ended_at_ms === null} />
               <JobButtons job={job} />

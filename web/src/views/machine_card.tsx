@@ -23,7 +23,7 @@ export function MachineCard({ entry }: { entry: MachineEntry }) {
   const job = status.job === null ? null : (state.jobs.get(status.job) ?? null);
   const onLine = hasJob(status);
   return (
-    <article class={`card machine edge-${wording.tone}`} aria-label={`Machine ${item.name}`}>
+    <article class={`card machine edge-${wording.tone}`} aria-label={`Machine ${item.name}`} data-line={torn ? 'torn' : status.line}>
       <header class="machine-head">
         <div>
           <h2>{item.name}</h2>

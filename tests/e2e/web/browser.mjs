@@ -1,0 +1,97 @@
+// A headless Chromium with an empty profile of its own, and what the browser tests share: steps, expectations,
+// screenshots (into the folder SCREENSHOTS, where it is set), and that the page reports no fault of its own.
+import { mkdtemp, mkdir, rm } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import os from 'node:os';
+import path from 'node:path';
+
+const require = createRequire(new URL('../../../web/package.json', import.meta.url));
+const { chromium } = require('playwright-core');
+
+const kFlags = [
+  '--headless',
+  '--no-sandbox',
+  '--disable-gpu',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+];
+
+export async function withPage(options, test) {
+  const profile = await mkdtemp(path.join(os.tmpdir(), 'dripfeed-browser-'));
+  const context = await chromium.launchPersistentContext(profile, {
+    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+    args: kFlags,
+    viewport: { width: 1280, height: 800 },
+    ...options,
+  });
+  const page = context.pages()[0] ?? (await context.newPage());
+  page.setDefaultTimeout(10_000);
+  const faults = [];
+  page.on('pageerror', (error) => faults.push(`error in the page: ${error.message}`));
+  page.on('console', (message) => {
+    if (/Content Security Policy/i.test(message.text())) faults.push(message.text());
+  });
+  try {
+    await test(page);
+    expect(faults.length === 0, `no fault in the page (${faults.join('; ') || 'none'})`);
+  } catch (error) {
+    await shot(page, 'failed').catch(() => undefined);
+    throw error;
+  } finally {
+    await context.close();
+    await rm(profile, { recursive: true, force: true });
+  }
+}
+
+export function expect(holds, text) {
+  if (!holds) throw new Error(`does not hold: ${text}`);
+  console.log(`  ok: ${text}`);
+}
+
+export async function shot(page, name) {
+  const folder = process.env.SCREENSHOTS;
+  if (!folder) return;
+  await mkdir(folder, { recursive: true });
+  await page.screenshot({ path: path.join(folder, `${name}.png`) });
+}
+
+export async function signIn(page, url, token) {
+  await page.goto(url);
+  await page.getByLabel('Token').fill(token);
+  await page.getByRole('button', { name: 'Sign in' }).click();
+  await page.getByRole('heading', { name: 'Machines' }).waitFor();
+  await page.getByText('live', { exact: true }).waitFor();
+}
+
+export const card = (page, machine) => page.getByRole('article', { name: `Machine ${machine}`, exact: true });
+
+// Every state that the machine's card showed, in order, however short.
+export async function recordLine(page, machine) {
+  await page.evaluate((label) => {
+    const seen = [];
+    const look = () => {
+      const line = document.querySelector(`article[aria-label="${label}"]`)?.dataset.line;
+      if (line && seen.at(-1) !== line) seen.push(line);
+    };
+    look();
+    new MutationObserver(look).observe(document.body, { subtree: true, childList: true, attributes: true });
+    window.seenLines = seen;
+  }, `Machine ${machine}`);
+  return () => page.evaluate(() => window.seenLines);
+}
+
+export async function main(tests) {
+  for (const [name, test] of tests) {
+    console.log(name);
+    try {
+      await test();
+    } catch (error) {
+      console.error(error);
+      process.exit(1);
+    }
+  }
+  console.log('all passed');
+}

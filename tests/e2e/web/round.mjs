@@ -1,0 +1,91 @@
+// A person's way through one transfer in a real browser, against any server that has the API:
+//   DRIPFEED_URL, DRIPFEED_TOKEN   the server, and a token of an operator or more
+//   SCREENSHOTS=dir                keeps a picture of each step
+//   DRIPFEED_WAIT_S=120            how long the transfer may take
+// There must be a machine whose line is idle, with a queued job or an approved release, and a control (or a simulated
+// one) that asks for the program once it is armed.
+import { card, expect, main, recordLine, shot, signIn, withPage } from './browser.mjs';
+
+const url = process.env.DRIPFEED_URL;
+const token = process.env.DRIPFEED_TOKEN;
+const wait = Number(process.env.DRIPFEED_WAIT_S ?? 120) * 1000;
+if (!url || !token) {
+  console.error('DRIPFEED_URL and DRIPFEED_TOKEN name the server and the token');
+  process.exit(2);
+}
+
+async function refusesAWrongToken(page) {
+  await page.goto(url);
+  await page.getByLabel('Token').fill('no-such-token');
+  await page.getByRole('button', { name: 'Sign in' }).click();
+  await page.getByRole('alert').waitFor();
+  expect(await page.getByLabel('Token').isVisible(), 'a wrong token is refused with a sentence');
+  await shot(page, '01-refused');
+}
+
+// Takes the first job that can be armed; where there is none, queues the first release.
+async function findJob(page) {
+  const arm = page.getByRole('button', { name: /^Arm, job \d+$/ });
+  if ((await arm.count()) === 0) {
+    await page.getByRole('link', { name: 'New job' }).click();
+    await page.getByRole('button', { name: /^Queue release/ }).first().click();
+    await page.getByText(/Queued as/).waitFor();
+    await shot(page, '03-queued');
+    await page.getByRole('navigation').getByRole('link', { name: 'Machines' }).click();
+    await arm.first().waitFor();
+  }
+  const label = await arm.first().getAttribute('aria-label');
+  const machine = await arm.first().evaluate((button) => button.closest('article').getAttribute('aria-label'));
+  return { id: Number(/\d+/.exec(label)[0]), machine: machine.replace(/^Machine /, ''), arm: arm.first() };
+}
+
+async function armThroughDialog(page, job) {
+  const dialog = page.getByRole('dialog');
+  await job.arm.click();
+  await dialog.waitFor();
+  const text = await dialog.innerText();
+  for (const word of ['Program', 'Revision', 'SHA-256', 'Machine', 'Link', 'Delivery', job.machine])
+    expect(text.includes(word), `the dialog shows ${word}`);
+  expect(/The control starts the motion; dripfeed never does\./.test(text), 'the dialog says who starts the motion');
+  await shot(page, '04-arm-dialog');
+  await page.keyboard.press('Escape');
+  await dialog.waitFor({ state: 'detached' });
+  expect(await job.arm.isVisible(), 'Escape closes the dialog and arms nothing');
+  await job.arm.click();
+  await dialog.getByRole('button', { name: /^Arm for/ }).click();
+  await dialog.waitFor({ state: 'detached' });
+}
+
+async function round(page) {
+  await refusesAWrongToken(page);
+  await signIn(page, url, token);
+  expect((await page.getByRole('article').count()) > 0, 'machines are shown');
+  await shot(page, '02-machines');
+  const job = await findJob(page);
+  const seen = await recordLine(page, job.machine);
+  await armThroughDialog(page, job);
+  const place = card(page, job.machine);
+  await page.waitForFunction(() => window.seenLines.some((line) => line !== 'idle'));
+  await shot(page, '05-armed');
+  await page.waitForFunction(() => window.seenLines.includes('feeding'), undefined, { timeout: wait });
+  await shot(page, '06-feeding');
+  await page.waitForFunction(() => window.seenLines.length > 1 && window.seenLines.at(-1) === 'idle', undefined, { timeout: wait });
+  const lines = await seen();
+  expect(lines.includes('armed') && lines.indexOf('armed') < lines.indexOf('feeding'), `armed before it fed: ${lines.join(', ')}`);
+  await place.getByText(/done/).waitFor();
+  await shot(page, '07-done');
+
+  await page.goto(`${url}/#/jobs/${job.id}`);
+  await page.locator('section[aria-label="Job"][data-state="done"]').waitFor();
+  await page.getByText(/^All .* bytes (passed the line for certain|were acknowledged by the other side)\.$/).waitFor();
+  await shot(page, '08-ledger');
+  expect(true, 'the job is done and its ledger says that all bytes passed');
+
+  await page.getByRole('button', { name: 'Sign out' }).click();
+  await page.getByLabel('Token').waitFor();
+  await page.reload();
+  await page.getByLabel('Token').waitFor();
+  expect(true, 'after signing out the session is over');
+}
+
+await main([['a person arms a job and sees it through', () => withPage({}, round)]]);
