@@ -25,7 +25,7 @@ struct Finding {
   std::string text;  // the sentence
 };
 
-// Keeps the first findings of each kind, counts all and remembers the worst.
+// Keeps the first findings of each kind, counts all and remembers the worst. A finding that is neither costs no memory.
 class FindingList {
  public:
   static constexpr std::size_t kKept = 20;

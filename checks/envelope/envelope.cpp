@@ -53,6 +53,11 @@ Envelope::Envelope(Settings settings) : settings_(std::move(settings)), offset_n
   if (!(settings_.machine.spindle_max_rpm > 0.0)) {
     report_.not_checked.add("the machine's highest spindle speed is not known");
   }
+  for (const checks::MachineAxis& axis : settings_.machine.axes) {
+    if (axis.min || axis.max) continue;
+    const char letter = kLetters[static_cast<std::size_t>(axis.axis)];
+    report_.not_checked.add(fmt::format("the travel of {} is not known", letter));
+  }
   report_.not_checked.add("tool lengths are not counted in the travel");
 }
 
@@ -62,6 +67,7 @@ void Envelope::consume(std::span<const ir::Motion> motions) {
       check_move(motion);
     } else if (motion.kind == ir::MotionKind::offset) {
       offset_number_ = motion.number;
+      said_ = 0;
       offset_ = checks::find_work_offset(settings_.machine, offset_number_);
     } else if (motion.kind == ir::MotionKind::tool && !settings_.machine.tools.empty() && motion.number > 0 &&
                checks::find_tool(settings_.machine, motion.number) == nullptr) {
@@ -88,7 +94,8 @@ void Envelope::check_place(const ir::Motion& motion, ir::Axis axis, double value
     if (known == nullptr) return;
     const bool has_zero = offset_number_ == 0 || (offset_ != nullptr && offset_->zero[i]);
     if (!has_zero) {
-      if (known->min || known->max) {
+      if ((known->min || known->max) && (said_ >> i & 1U) == 0) {
+        said_ = static_cast<std::uint16_t>(said_ | 1U << i);
         report_.not_checked.add(
             fmt::format("work offset {} is not known for {}: its travel was not checked", offset_number_, kLetters[i]),
             motion.place.line);
@@ -100,10 +107,7 @@ void Envelope::check_place(const ir::Motion& motion, ir::Axis axis, double value
     return;
   }
   report_.machine[i].include(at);
-  if (!known->min && !known->max) {
-    report_.not_checked.add(fmt::format("the travel of {} is not known", kLetters[i]));
-    return;
-  }
+  if (!known->min && !known->max) return;
   const bool below = known->min && at < *known->min - kTravelSlack;
   const bool above = known->max && at > *known->max + kTravelSlack;
   if (!below && !above) return;

@@ -67,8 +67,9 @@ class Envelope final : public ir::MotionSink {
   std::array<const checks::MachineAxis*, ir::kAxisCount> axes_{};
   const checks::WorkOffset* offset_ = nullptr;
   std::int32_t offset_number_ = 1;
-  Reach cut_;              // of all linear axes in cutting moves, from the work zero
-  double cut_feed_ = 0.0;  // highest of moves with a feed per minute
+  std::uint16_t said_ = 0;  // bit per axis: that the offset in effect is not known for it
+  Reach cut_;               // of all linear axes in cutting moves, from the work zero
+  double cut_feed_ = 0.0;   // highest of moves with a feed per minute
   ir::Place cut_place_;
 };
 

@@ -4,9 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 
 #include "checks/machine.h"
+#include "checks/timing/ring.h"
 
 namespace dripfeed::timing {
 
@@ -37,7 +37,7 @@ class Feeder {
 
   checks::BufferSize buffer_;
   double char_s_;
-  std::deque<Buffered> buffered_;  // bounded by the buffer's size
+  Ring<Buffered> buffered_;  // bounded by the buffer's size
   std::uint64_t buffered_bytes_ = 0;
   double room_s_ = 0.0;   // when there was room for the newest block
   double line_s_ = 0.0;   // when the line is free again

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <string>
 #include <utility>
 
 #include "checks/timing/feeder.h"
 #include "checks/timing/kinematics.h"
 #include "checks/timing/planner.h"
+#include "checks/timing/ring.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::timing {
@@ -71,7 +71,7 @@ class Timing::Work final : public PlanSink {
   Planner planner_;
   Feeder feeder_;
   Report report_;
-  std::deque<Item> items_;
+  Ring<Item> items_;
   std::vector<std::uint64_t> bytes_through_;  // of the lines 1 .. index
   std::uint32_t line_sent_ = 0;
   std::uint64_t last_ordinal_ = 0;
