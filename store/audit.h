@@ -12,9 +12,9 @@
 namespace dripfeed::store {
 
 struct AuditEntry {
-  std::string action;   // "machine.change"
-  std::string subject;  // "machine/mill-3"
-  std::string detail;   // document or words, not read here
+  std::string action{};   // "machine.change"
+  std::string subject{};  // "machine/mill-3"
+  std::string detail{};   // document or words, not read here
 };
 
 struct AuditRow {

@@ -53,7 +53,7 @@ inline constexpr std::uint32_t kPageLimitMax = 1000;
 // `after` is the `next` of the page before, or empty for the first one.
 struct PageRequest {
   std::uint32_t limit = 50;  // 1..kPageLimitMax
-  std::string after;
+  std::string after{};
 };
 
 // `next` is empty on the last page.

@@ -68,19 +68,19 @@ struct Job {
 
 struct NewJob {
   Id release = 0;
-  std::string link;
+  std::string link{};
   std::uint64_t bytes_total = 0;
 };
 
 struct JobMove {
   JobState to = JobState::queued;
-  std::string reason;
+  std::string reason{};
   bool torn = false;  // only with failed, cancelled and interrupted
 };
 
 struct JobFilter {
-  std::string machine;  // empty: all
-  std::optional<JobState> state;
+  std::string machine{};  // empty: all
+  std::optional<JobState> state{};
 };
 
 class Jobs : public Repository {

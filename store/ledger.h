@@ -22,8 +22,8 @@ struct LedgerCounts {
 
 struct NewLedgerRow {
   Id job = 0;
-  LedgerCounts counts;
-  std::string note;  // what happened to the line since the row before; mostly empty
+  LedgerCounts counts{};
+  std::string note{};  // what happened to the line since the row before; mostly empty
 };
 
 struct LedgerRow {

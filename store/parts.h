@@ -8,9 +8,9 @@
 namespace dripfeed::store {
 
 struct PartValues {
-  std::string family;
+  std::string family{};
   Revision family_revision = 0;
-  std::string values;
+  std::string values{};
 };
 
 // One revision of a part.

@@ -15,23 +15,23 @@ inline constexpr std::array<std::string_view, 2> kNames<OriginKind>{"uploaded", 
 // values of its own.
 struct Origin {
   OriginKind kind = OriginKind::uploaded;
-  std::string family;
+  std::string family{};
   Revision family_revision = 0;
-  std::string part;
+  std::string part{};
   Revision part_revision = 0;
-  std::string values;  // document
-  std::string machine;
+  std::string values{};  // document
+  std::string machine{};
   Revision machine_revision = 0;
-  std::string mode;  // "macro" or "explicit", as the renderer calls it
+  std::string mode{};  // "macro" or "explicit", as the renderer calls it
 };
 
 // What a caller says of a new revision. The contents must have been put before.
 struct NewProgramText {
-  std::string sha256;
-  std::string places_sha256;  // the place index, empty without one
+  std::string sha256{};
+  std::string places_sha256{};  // the place index, empty without one
   std::uint64_t blocks = 0;
-  std::string facts;  // document, not read here
-  Origin origin;
+  std::string facts{};  // document, not read here
+  Origin origin{};
 };
 
 struct ProgramRevision {
@@ -55,8 +55,8 @@ struct Program {
 };
 
 struct ProgramFilter {
-  std::string name;  // empty: all
-  std::string part;  // some revision was rendered from it; empty: all
+  std::string name{};  // empty: all
+  std::string part{};  // some revision was rendered from it; empty: all
 };
 
 class Programs : public Repository {

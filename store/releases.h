@@ -27,7 +27,7 @@ std::span<const ReleaseTransition> release_transitions();
 struct NewRelease {
   Id program = 0;
   Revision revision = 0;
-  std::string machine;
+  std::string machine{};
   Delivery delivery = Delivery::drip;
 };
 
@@ -47,7 +47,7 @@ struct Release {
 
 struct ReleaseMove {
   ReleaseState to = ReleaseState::draft;
-  std::string note;
+  std::string note{};
   std::uint64_t transfers = 0;  // for proving: at least 1
 };
 
@@ -61,8 +61,8 @@ struct ReleaseStep {
 };
 
 struct ReleaseFilter {
-  Id program = 0;       // 0: all
-  std::string machine;  // empty: all
+  Id program = 0;         // 0: all
+  std::string machine{};  // empty: all
 };
 
 // Why a text may be fed: the release, and the verdict it rests on. A verdict that became stale after the approval does

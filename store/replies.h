@@ -10,16 +10,16 @@
 namespace dripfeed::store {
 
 struct ReplyKey {
-  std::string actor;  // keys of different people never meet
-  std::string route;  // method and path
-  std::string key;
-  std::string request_sha256;
+  std::string actor{};  // keys of different people never meet
+  std::string route{};  // method and path
+  std::string key{};
+  std::string request_sha256{};
 };
 
 struct Reply {
   std::uint16_t status = 0;
-  std::string headers;  // as the caller writes them; not read here
-  std::string body;
+  std::string headers{};  // as the caller writes them; not read here
+  std::string body{};
   std::int64_t at_ms = 0;
 };
 

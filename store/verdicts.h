@@ -22,11 +22,11 @@ struct Waiver {
 struct NewVerdict {
   Id program = 0;
   Revision revision = 0;
-  std::string machine;
+  std::string machine{};
   Revision machine_revision = 0;
   Delivery delivery = Delivery::drip;
   Outcome outcome = Outcome::unknown;
-  std::string report;
+  std::string report{};
 };
 
 struct Verdict {
@@ -43,8 +43,8 @@ struct Verdict {
 bool clears(const Verdict& verdict);
 
 struct VerdictFilter {
-  Id program = 0;       // 0: all
-  std::string machine;  // empty: all
+  Id program = 0;         // 0: all
+  std::string machine{};  // empty: all
 };
 
 class Verdicts : public Repository {

@@ -16,8 +16,10 @@ namespace dripfeed::store_test {
 
 using namespace store;
 
-TempFolder::TempFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "dripfeed-store-XXXXXX").string();
+TempFolder::TempFolder(Where where) {
+  const std::filesystem::path memory = "/dev/shm";
+  const bool there = where == Where::memory && std::filesystem::is_directory(memory);
+  std::string name = ((there ? memory : std::filesystem::temp_directory_path()) / "dripfeed-store-XXXXXX").string();
   path_ = mkdtemp(name.data());
 }
 

@@ -20,7 +20,9 @@ namespace dripfeed::store_test {
 
 class TempFolder {
  public:
-  TempFolder();
+  // In memory where the system has such a place: for tests that open small stores very often.
+  enum class Where : std::uint8_t { disk, memory };
+  explicit TempFolder(Where where = Where::disk);
   TempFolder(const TempFolder&) = delete;
   TempFolder& operator=(const TempFolder&) = delete;
   ~TempFolder();

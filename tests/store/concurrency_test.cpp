@@ -1,0 +1,112 @@
+// Many threads at once: readers see one state, changes wait for each other, a backup runs while the ledger is written.
+#include <array>
+#include <atomic>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "tests/store/fixture.h"
+
+namespace dripfeed::store_test {
+namespace {
+
+using namespace store;
+
+class Concurrency : public StoreTest {};
+
+TEST_F(Concurrency, ReadersSeeWholeTransactions) {
+  must(store_->machines().add("a", "0", by("anna")));
+  must(store_->machines().add("b", "0", by("anna")));
+  std::atomic<bool> stop = false;
+  std::atomic<std::uint64_t> reads = 0;
+  std::vector<std::jthread> readers;
+  for (int i = 0; i < 4; ++i) {
+    readers.emplace_back([&] {
+      std::uint64_t seen = 0;
+      while (!stop) {
+        const auto page = store_->machines().list({});
+        ASSERT_TRUE(page) << message_of(page.error());
+        ASSERT_EQ(page->items.size(), 2U);
+        ASSERT_EQ(page->items[0].profile, page->items[1].profile) << "half a transaction";
+        ASSERT_GE(page->items[0].revision, seen) << "time went back";
+        seen = page->items[0].revision;
+        ++reads;
+      }
+    });
+  }
+  for (Revision revision = 1; revision <= 100; ++revision) {
+    must(store_->atomically([&]() -> Result<void> {
+      const std::string profile = fmt::format("{}", revision);
+      for (const char* name : {"a", "b"}) {
+        const auto changed = store_->machines().change(name, revision, profile, by("anna"));
+        if (!changed) return std::unexpected(changed.error());
+      }
+      return {};
+    }));
+  }
+  while (reads < 100) std::this_thread::yield();
+  stop = true;
+}
+
+TEST_F(Concurrency, OfManyChangesOfOneRevisionOneWins) {
+  must(store_->machines().add("a", "0", by("anna")));
+  std::atomic<int> won = 0;
+  std::atomic<int> stale = 0;
+  {
+    std::vector<std::jthread> writers;
+    for (int i = 0; i < 6; ++i) {
+      writers.emplace_back([&] {
+        const auto changed = store_->machines().change("a", 1, "mine", by("anna"));
+        if (changed) ++won;
+        if (!changed && changed.error().code == ErrorCode::stale_revision) ++stale;
+      });
+    }
+  }
+  EXPECT_EQ(won, 1);
+  EXPECT_EQ(stale, 5);
+  EXPECT_EQ(must(store_->audit().verify()).first_broken, std::nullopt);
+}
+
+TEST_F(Concurrency, OneLineIsArmedOnce) {
+  const Job first = add_job(*store_, "mill-1");
+  std::vector<Id> jobs{first.id};
+  for (int i = 0; i < 5; ++i) jobs.push_back(must(store_->jobs().add({first.release, "link", 1}, by("anna"))).id);
+  std::atomic<int> armed = 0;
+  {
+    std::vector<std::jthread> people;
+    for (const Id job : jobs) {
+      people.emplace_back([&, job] {
+        if (store_->jobs().move(job, {JobState::armed, "", false}, by("olga"))) ++armed;
+      });
+    }
+  }
+  EXPECT_EQ(armed, 1);
+}
+
+TEST_F(Concurrency, ABackupIsOneStateWhileTheLedgerIsWritten) {
+  const Job first = add_job(*store_, "mill-1");
+  const Job second = must(store_->jobs().add({first.release, "link", 1}, by("anna")));
+  must(store_->contents().put(std::string(3'000'000, 'x')));
+  std::atomic<bool> stop = false;
+  std::jthread writer([&] {
+    for (std::uint64_t i = 0; !stop; ++i) {
+      const std::array rows{NewLedgerRow{first.id, {i, i, 0, i + 1}, ""},
+                            NewLedgerRow{second.id, {i, i, 0, i + 1}, ""}};
+      const auto faults = store_->ledger().append(rows, 1);
+      ASSERT_TRUE(faults && faults->empty());
+    }
+  });
+  for (int i = 0; i < 5; ++i) {
+    const std::string copy = folder_.file(fmt::format("copy-{}.db", i));
+    must(store_->backup(copy));
+    const auto restored = must(sqlite::open(copy));
+    must(restored->check());
+    const LedgerInterval known = must(restored->ledger().interval(first.id));
+    EXPECT_EQ(known.seq, must(restored->ledger().interval(second.id)).seq);
+    EXPECT_EQ(must(restored->ledger().verify(first.id)), known.seq);
+  }
+  stop = true;
+}
+
+}  // namespace
+}  // namespace dripfeed::store_test

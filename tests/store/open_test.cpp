@@ -1,0 +1,151 @@
+// Opening, owning, backing up and restoring: what is refused, and that a refusal changes nothing.
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "tests/store/fixture.h"
+
+namespace dripfeed::store_test {
+namespace {
+
+using namespace store;
+
+class OpenTest : public StoreTest {
+ protected:
+  static std::string bytes_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  static void write(const std::string& path, std::string_view bytes) {
+    std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  }
+};
+
+TEST_F(OpenTest, AMissingFileIsMadeOnlyWhenAsked) {
+  EXPECT_EQ(refusal(sqlite::open(folder_.file("none.db"), {.create = false})), ErrorCode::cannot_open);
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("none.db")));
+  EXPECT_EQ(refusal(sqlite::open(folder_.file("no/such/folder.db"))), ErrorCode::cannot_open);
+  EXPECT_EQ(refusal(sqlite::open(folder_.file("no/such/folder.db"), {.own = true})), ErrorCode::cannot_open);
+  must(sqlite::open(folder_.file("none.db")));
+  must(sqlite::open(folder_.file("none.db"), {.create = false}));
+}
+
+TEST_F(OpenTest, OtherFilesAreLeftAlone) {
+  const std::string text = folder_.file("text.db");
+  write(text, "this is no database, but a long enough text to be read as the header of one, which it is not at all");
+  const std::string before = bytes_of(text);
+  EXPECT_EQ(refusal(sqlite::open(text)), ErrorCode::not_a_store);
+  EXPECT_EQ(bytes_of(text), before);
+  store_.reset();
+  EXPECT_EQ(sql("PRAGMA journal_mode = DELETE; PRAGMA application_id = 7"), "");
+  const std::string foreign = bytes_of(path());
+  EXPECT_EQ(refusal(sqlite::open(path())), ErrorCode::not_a_store);
+  EXPECT_EQ(bytes_of(path()), foreign) << "another program's database";
+  EXPECT_EQ(sql("PRAGMA application_id = 0"), "");
+  EXPECT_EQ(refusal(sqlite::open(path())), ErrorCode::not_a_store);
+}
+
+TEST_F(OpenTest, ANewerSchemaIsRefused) {
+  must(store_->machines().add("mill-1", "p", by("anna")));
+  store_.reset();
+  EXPECT_EQ(sql("INSERT INTO migration VALUES (9999, 'from the future', 'x')"), "");
+  const auto refused = sqlite::open(path());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::newer_schema);
+  EXPECT_NE(refused.error().detail.find("9999"), std::string::npos);
+  EXPECT_EQ(sql("DELETE FROM migration WHERE version = 9999"), "");
+  reopen();
+  EXPECT_EQ(must(store_->machines().get("mill-1")).profile, "p");
+}
+
+TEST_F(OpenTest, ASchemaOfAnotherHistoryIsRefused) {
+  store_.reset();
+  EXPECT_EQ(sql("UPDATE migration SET sha256 = 'other' WHERE version = 1"), "");
+  EXPECT_EQ(refusal(sqlite::open(path())), ErrorCode::migration_failed);
+}
+
+TEST_F(OpenTest, OneOwner) {
+  reopen({.own = true});
+  EXPECT_EQ(refusal(sqlite::open(path(), {.own = true})), ErrorCode::in_use);
+  const auto guest = must(sqlite::open(path()));
+  must(guest->tokens().add("mes", Role::viewer, "hash", by("anna")));
+  EXPECT_EQ(must(store_->tokens().find("hash")).name, "mes") << "the owner sees a guest's change";
+  store_.reset();
+  reopen({.own = true});
+}
+
+TEST_F(OpenTest, AnotherProcessHoldsTheLockTooLong) {
+  const auto guest = must(sqlite::open(path(), {.busy_timeout_ms = 20}));
+  must(store_->atomically([&]() -> Result<void> {
+    must(store_->machines().add("mill-1", "p", by("anna")));
+    EXPECT_EQ(refusal(guest->machines().add("mill-2", "p", by("anna"))), ErrorCode::busy);
+    EXPECT_EQ(refusal(guest->machines().get("mill-1")), ErrorCode::not_found) << "reading does not wait";
+    return {};
+  }));
+  must(guest->machines().add("mill-2", "p", by("anna")));
+}
+
+TEST_F(OpenTest, BackupAndRestore) {
+  const Job job = add_job(*store_, "mill-1");
+  const std::string copy = folder_.file("copy.db");
+  must(store_->backup(copy));
+  EXPECT_EQ(refusal(store_->backup(copy)), ErrorCode::exists) << "a backup never writes over one";
+  EXPECT_FALSE(std::filesystem::exists(copy + ".unfinished"));
+  bring(*store_, job.id, JobState::feeding);
+  EXPECT_EQ(refusal(store_->backup(folder_.file("no/folder.db"))), ErrorCode::cannot_open);
+  store_.reset();
+  must(sqlite::restore(copy, path()));
+  reopen({.own = true});
+  EXPECT_EQ(must(store_->jobs().get(job.id)).state, JobState::queued);
+  must(store_->check());
+  EXPECT_FALSE(std::filesystem::exists(path() + ".restored"));
+}
+
+TEST_F(OpenTest, ARestoreThatCannotBeLeavesTheOldStore) {
+  must(store_->machines().add("mill-1", "p", by("anna")));
+  const std::string copy = folder_.file("copy.db");
+  must(store_->backup(copy));
+  store_.reset();
+  {
+    const auto owner = must(sqlite::open(path(), {.own = true}));
+    EXPECT_EQ(refusal(sqlite::restore(copy, path())), ErrorCode::in_use);
+  }
+  EXPECT_EQ(refusal(sqlite::restore(folder_.file("none.db"), path())), ErrorCode::cannot_open);
+  const std::string text = folder_.file("text.db");
+  write(text, std::string(8192, 'x'));
+  EXPECT_EQ(refusal(sqlite::restore(text, path())), ErrorCode::not_a_store);
+  std::string damaged = bytes_of(copy);
+  for (std::size_t at = 8192; at + 4096 < damaged.size(); at += 4096) damaged.replace(at, 64, 64, '\xff');
+  const std::string broken = folder_.file("broken.db");
+  write(broken, damaged);
+  EXPECT_FALSE(sqlite::restore(broken, path()));
+  EXPECT_FALSE(std::filesystem::exists(path() + ".restored"));
+  reopen();
+  EXPECT_EQ(must(store_->machines().get("mill-1")).profile, "p");
+}
+
+TEST_F(OpenTest, ARestoreToANewPlace) {
+  must(store_->machines().add("mill-1", "p", by("anna")));
+  must(store_->backup(folder_.file("copy.db")));
+  must(sqlite::restore(folder_.file("copy.db"), folder_.file("new.db")));
+  EXPECT_EQ(must(must(sqlite::open(folder_.file("new.db")))->machines().get("mill-1")).profile, "p");
+}
+
+TEST_F(OpenTest, DamageIsFound) {
+  for (int i = 0; i < 200; ++i) must(store_->machines().add(fmt::format("m{}", i), std::string(500, 'p'), by("anna")));
+  must(store_->check());
+  store_.reset();
+  std::string bytes = bytes_of(path());
+  const std::size_t last_page = bytes.size() - 4096;
+  bytes.replace(last_page, 200, 200, '\x7f');
+  write(path(), bytes);
+  const auto opened = sqlite::open(path());
+  if (opened) {
+    EXPECT_EQ(refusal((*opened)->check()), ErrorCode::corrupt);
+  } else {
+    EXPECT_EQ(opened.error().code, ErrorCode::corrupt);
+  }
+}
+
+}  // namespace
+}  // namespace dripfeed::store_test
