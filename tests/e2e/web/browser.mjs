@@ -66,6 +66,15 @@ export async function signIn(page, url, token) {
   await page.getByText('live', { exact: true }).waitFor();
 }
 
+// Asks again and again. (The page's policy forbids the eval by which the browser could wait by itself.)
+export async function until(check, what, timeout_ms = 10_000) {
+  const end = Date.now() + timeout_ms;
+  while (!(await check())) {
+    if (Date.now() > end) throw new Error(`waited too long until ${what}`);
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+}
+
 export const card = (page, machine) => page.getByRole('article', { name: `Machine ${machine}`, exact: true });
 
 // Every state that the machine's card showed, in order, however short.

@@ -1,7 +1,7 @@
 // What the page does in states that are hard to bring about with real lines: a lost connection, a torn block, a hold
 // that stays, a person who may only look, a narrow screen. Against the mock server of web/test.
 import { startMock } from '../../../web/test/mock_server.mjs';
-import { card, expect, main, shot, signIn, withPage } from './browser.mjs';
+import { card, expect, main, shot, signIn, until, withPage } from './browser.mjs';
 
 const against = (options, test) => async () => {
   const mock = await startMock(0);
@@ -48,7 +48,7 @@ async function cutStream(page, mock) {
   await set(mock, 'lathe-1', 'status', { ...(await statusOf(mock, 'lathe-1')), line: 'held', stall: 'cts_off', job: 42 });
   expect(await card(page, 'lathe-1').getByText('idle').isVisible(), 'a change without an event is not seen');
   await fetch(`${mock.url}/mock/cut`);
-  await page.waitForFunction(() => window.wasLost);
+  await until(() => page.evaluate(() => window.wasLost), 'the loss was shown');
   await card(page, 'lathe-1').getByText('CTS off').waitFor();
   await page.getByText('live', { exact: true }).waitFor();
   expect(true, 'after a cut the page says so, then loads everything and is live again');
@@ -74,7 +74,7 @@ async function tornBlock(page, mock) {
   await dialog.getByRole('textbox').fill('RESET pressed, tool retracted by hand');
   await shot(page, 'torn');
   await confirm.click();
-  await page.waitForFunction(() => document.querySelector('article[aria-label="Machine lathe-4"]').dataset.line === 'idle');
+  await until(async () => (await place.getAttribute('data-line')) === 'idle', 'the line is idle');
   expect((await place.getByText('Torn block').count()) === 0, 'the warning goes when the reset is confirmed');
   await page.goto(`${mock.url}/#/jobs/38`);
   await page.getByText(/reset confirmed by operator-1: RESET pressed/).waitFor();

@@ -4,7 +4,7 @@
 //   DRIPFEED_WAIT_S=120            how long the transfer may take
 // There must be a machine whose line is idle, with a queued job or an approved release, and a control (or a simulated
 // one) that asks for the program once it is armed.
-import { card, expect, main, recordLine, shot, signIn, withPage } from './browser.mjs';
+import { card, expect, main, recordLine, shot, signIn, until, withPage } from './browser.mjs';
 
 const url = process.env.DRIPFEED_URL;
 const token = process.env.DRIPFEED_TOKEN;
@@ -65,11 +65,11 @@ async function round(page) {
   const seen = await recordLine(page, job.machine);
   await armThroughDialog(page, job);
   const place = card(page, job.machine);
-  await page.waitForFunction(() => window.seenLines.some((line) => line !== 'idle'));
+  await until(async () => (await seen()).some((line) => line !== 'idle'), 'it is armed');
   await shot(page, '05-armed');
-  await page.waitForFunction(() => window.seenLines.includes('feeding'), undefined, { timeout: wait });
+  await until(async () => (await seen()).includes('feeding'), 'it feeds', wait);
   await shot(page, '06-feeding');
-  await page.waitForFunction(() => window.seenLines.length > 1 && window.seenLines.at(-1) === 'idle', undefined, { timeout: wait });
+  await until(async () => (await seen()).length > 1 && (await seen()).at(-1) === 'idle', 'the line is idle again', wait);
   const lines = await seen();
   expect(lines.includes('armed') && lines.indexOf('armed') < lines.indexOf('feeding'), `armed before it fed: ${lines.join(', ')}`);
   await place.getByText(/done/).waitFor();
