@@ -159,6 +159,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
 
 std::vector<text::Diagnostic> run_faults(const interpreter::RunResult& run) {
   std::vector<text::Diagnostic> out;
+  out.reserve(run.diagnostics.size());
   for (const interpreter::RunDiagnostic& fault : run.diagnostics) out.push_back(fault.diagnostic);
   const bool broke_off = run.ended == interpreter::Ended::alarm || run.ended == interpreter::Ended::limit;
   if (broke_off && !out.empty()) out.back().severity = text::Severity::error;

@@ -26,6 +26,7 @@ std::shared_ptr<const Family> shipped(const std::string& name) {
 
 std::vector<std::string> faults(const BindResult& bound) {
   std::vector<std::string> out;
+  out.reserve(bound.diagnostics.size());
   for (const text::Diagnostic& d : bound.diagnostics) out.emplace_back(text::row_of(d.id).name);
   return out;
 }

@@ -119,6 +119,7 @@ TEST(FamilyRead, OneFaultIsOneDiagnostic) {
       "  feed 0.1 mm/rev\n  for t from len down to 1 mm step ?\n    cut x t\n  end\n  if t\n  end\nend\n");
   // The default without unit, the empty let, the '?', and t, which is gone after its loop.
   std::vector<std::uint32_t> lines;
+  lines.reserve(result.diagnostics.size());
   for (const text::Diagnostic& d : result.diagnostics)
     lines.push_back(result.family.source.position(d.span.begin).line);
   EXPECT_EQ(lines, (std::vector<std::uint32_t>{3, 4, 7, 10}));
