@@ -32,7 +32,8 @@ Text decode(WireDecoder& decoder, const std::string& wire, std::size_t step) {
 }
 
 TEST(WireDecoder, TakesTheTextFromTheFirstToTheLastPercent) {
-  const std::string_view tape{"\0\0junk\n%\r\nO1\r\nM30\r\n%\r\n\0\0\0", 27};
+  using namespace std::string_view_literals;
+  const std::string_view tape = "\0\0junk\n%\r\nO1\r\nM30\r\n%\r\n\0\0\0"sv;
   for (const EighthBit eighth : {EighthBit::data, EighthBit::clear, EighthBit::even, EighthBit::odd}) {
     for (std::size_t step = 1; step < 30; ++step) {
       WireDecoder decoder(eighth);
