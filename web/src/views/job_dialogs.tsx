@@ -110,7 +110,7 @@ export function ResumeAsDc1Dialog({ job, close }: Props) {
       title={`Resume job ${job.id} as if DC1 had come?`}
       confirm="Resume as if DC1"
       danger
-      reason="Reason (kept in the ledger)"
+      reason="Reason (kept on record)"
       blocked={useBlocked(job, 'resume_as_dc1')}
       send={(key, reason) => calls.resume(job.id, reason, key)}
       close={close}

@@ -50,7 +50,7 @@ export function LedgerView({ job }: { job: Job }) {
       <Failure error={error} />
       {interval && <p class="interval">{intervalText(interval, job.bytes, ended)}</p>}
       {interval && interval.high > 0 && <p class="hint">What the control executed of it is not known here.</p>}
-      {rows.length > 0 && <Rows rows={rows} />}
+      {rows.length > 0 && <Rows rows={rows} confirms={interval?.known === 'confirmed'} />}
       {next !== null && (
         <button type="button" class="button" onClick={() => void load(next)}>
           Show the next {kPage} rows
@@ -60,7 +60,8 @@ export function LedgerView({ job }: { job: Job }) {
   );
 }
 
-const Rows = ({ rows }: { rows: LedgerRow[] }) => (
+// A plain serial line confirms nothing: it has no such column.
+const Rows = ({ rows, confirms }: { rows: LedgerRow[]; confirms: boolean }) => (
   <table class="table table-numbers">
     <thead>
       <tr>
@@ -68,7 +69,7 @@ const Rows = ({ rows }: { rows: LedgerRow[] }) => (
         <th scope="col">Time</th>
         <th scope="col">Handed</th>
         <th scope="col">Clocked</th>
-        <th scope="col">Confirmed</th>
+        {confirms && <th scope="col">Confirmed</th>}
         <th scope="col">Reserve</th>
         <th scope="col">Note</th>
       </tr>
@@ -80,7 +81,7 @@ const Rows = ({ rows }: { rows: LedgerRow[] }) => (
           <td data-label="Time">{clockTime(row.at_ms)}</td>
           <td data-label="Handed">{count(row.handed)}</td>
           <td data-label="Clocked">{count(row.clocked)}</td>
-          <td data-label="Confirmed">{count(row.confirmed)}</td>
+          {confirms && <td data-label="Confirmed">{count(row.confirmed)}</td>}
           <td data-label="Reserve">{count(row.reserve)}</td>
           <td data-label="Note" class="note">
             {reasonText(row.note)}

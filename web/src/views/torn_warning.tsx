@@ -36,7 +36,7 @@ export function TornWarning({ machine }: { machine: MachineItem }) {
           title={`The control of ${machine.name} was reset?`}
           confirm="I have reset the control"
           danger
-          reason="What was done, and why it is safe to go on (kept with the job)"
+          reason="What was done, and why it is safe to go on (kept on record)"
           blocked={isLive(state) ? null : 'The connection to the server is lost: this cannot be ordered now.'}
           send={(key, reason) => calls.confirmReset(machine.name, reason, key)}
           close={() => setOpen(false)}
