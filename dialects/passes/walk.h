@@ -8,11 +8,12 @@
 namespace dripfeed::passes {
 
 // Calls `on_expression(ir::ExpressionId&)` for each root expression of the statement and `on_target(ir::VariableId)`
-// for each variable that it sets. The fields are the program's own and may be changed; arenas must not grow meanwhile.
-template <class OnExpression, class OnTarget>
-void for_each_root(ir::Program& program, const ir::Statement& statement, OnExpression&& on_expression,
+// for each variable that it sets. Of a program that is not const the fields are its own and may be changed; arenas must
+// not grow meanwhile.
+template <class AnyProgram, class OnExpression, class OnTarget>
+void for_each_root(AnyProgram& program, const ir::Statement& statement, OnExpression&& on_expression,
                    OnTarget&& on_target) {
-  const auto root = [&](ir::ExpressionId& id) {
+  const auto root = [&](auto& id) {
     if (id != ir::ExpressionId::none) on_expression(id);
   };
   using enum ir::StatementKind;
@@ -45,7 +46,7 @@ void for_each_root(ir::Program& program, const ir::Statement& statement, OnExpre
     case for_end:
     case loop_begin:
     case loop_end: {
-      ir::Structure& s = program.structures[statement.payload];
+      auto& s = program.structures[statement.payload];
       if (s.counter != ir::VariableId::none) on_target(s.counter);
       root(s.condition);
       root(s.first);
@@ -59,7 +60,7 @@ void for_each_root(ir::Program& program, const ir::Statement& statement, OnExpre
       return;
     }
     case call: {
-      ir::Call& c = program.calls[statement.payload];
+      auto& c = program.calls[statement.payload];
       root(c.number);
       root(c.repeats);
       for (std::uint32_t i = 0; i < c.argument_count; ++i) root(program.arguments[c.first_argument + i].value);
@@ -98,6 +99,6 @@ struct VariableUseAt {
   ir::VariableId variable = ir::VariableId::none;
   bool set = false;
 };
-std::vector<VariableUseAt> variables_of(ir::Program& program, const ir::Statement& statement);
+std::vector<VariableUseAt> variables_of(const ir::Program& program, const ir::Statement& statement);
 
 }  // namespace dripfeed::passes

@@ -1,0 +1,289 @@
+// Every statement has its own line, except IF … THEN with its one statement. G codes come before the words and M codes
+// behind them.
+#include "dialects/macro_b/print.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dialects/macro_b/lower.h"
+#include "dialects/macro_b/variables.h"
+#include "dialects/passes/walk.h"
+#include "dialects/text/number.h"
+
+namespace dripfeed::macro_b {
+
+namespace {
+
+using ir::Address;
+using ir::ExpressionId;
+using ir::Function;
+using ir::Operator;
+using ir::StatementKind;
+
+constexpr std::string_view kWholeAddresses = "DHLNOPT";  // take no decimal point
+constexpr std::int16_t kLastPlainOffset = 6;             // G59
+
+std::string_view string_of(const ir::Program& program, ExpressionId id) {
+  return id == ExpressionId::none ? std::string_view() : program.strings.at(program.at(id).string);
+}
+
+}  // namespace
+
+const ir::CodeRow* find_function(const ir::Control& control, Function function, std::int16_t argument) {
+  for (const auto table : {control.g_codes, control.m_codes}) {
+    const auto row = std::ranges::find_if(
+        table, [&](const ir::CodeRow& r) { return r.function == function && r.argument == argument; });
+    if (row != table.end()) return &*row;
+  }
+  return nullptr;
+}
+
+std::string comment_text(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c >= 'a' && c <= 'z') {
+      out.push_back(static_cast<char>(c - 'a' + 'A'));
+    } else if (c == '(' || c == ')' || c == '%' || c < ' ' || c == '\x7F') {
+      out.push_back(' ');
+    } else {
+      out.push_back(c);
+    }
+  }
+  return out;
+}
+
+std::string program_head(std::string_view name) {
+  const bool is_number = name.size() > 1 && name.size() <= 9 && name.front() == 'O' &&
+                         name.find_first_not_of("0123456789", 1) == std::string_view::npos;
+  if (is_number) return std::string(name);
+  return name.empty() ? "O0001" : fmt::format("O0001({})", comment_text(name));
+}
+
+void ProgramPrinter::frame_line(std::string_view line) {
+  result_.text += line;
+  result_.text += '\n';
+  result_.origin_lines.push_back(0);
+}
+
+void ProgramPrinter::line(const ir::Statement& statement, const std::string& text) {
+  if (text.empty()) return;
+  result_.text += text;
+  result_.text += '\n';
+  result_.origin_lines.push_back(statement.line);
+}
+
+void ProgramPrinter::statements() {
+  for (std::uint32_t i = 0; i < program_.statements.size(); ++i) statement(i);
+}
+
+ir::PrintResult ProgramPrinter::take() {
+  result_.variables = count_variables();
+  return std::move(result_);
+}
+
+// Labels are in the order of their statements. Two at one place: the first gets a line of its own.
+std::string ProgramPrinter::labels_at(std::uint32_t index) {
+  std::string head;
+  while (next_label_ < program_.labels.size() && program_.labels[next_label_].statement <= index) {
+    if (!head.empty()) line(program_.statements[index], head);
+    head = fmt::format("N{}", program_.labels[next_label_++].number);
+  }
+  return head;
+}
+
+void ProgramPrinter::statement(std::uint32_t index) {
+  const ir::Statement& s = program_.statements[index];
+  const std::string label = labels_at(index);
+  std::string text;
+  switch (s.kind) {
+    case StatementKind::block:
+    case StatementKind::program_end:
+    case StatementKind::subprogram_return:
+      if (!is_stop_of_message(index)) text = block(program_.blocks[s.payload]);
+      break;
+    case StatementKind::assign: text = assignment(program_.assigns[s.payload]); break;
+    case StatementKind::go_to: text = jump(program_.jumps[s.payload]); break;
+    case StatementKind::if_begin:
+      text = fmt::format("IF{}THEN", expressions_.condition(program_.structures[s.payload].condition));
+      break;
+    case StatementKind::while_begin:
+      text = fmt::format("WHILE{}DO{}", expressions_.condition(program_.structures[s.payload].condition),
+                         program_.structures[s.payload].loop_number);
+      break;
+    case StatementKind::loop_begin: text = fmt::format("DO{}", program_.structures[s.payload].loop_number); break;
+    case StatementKind::while_end:
+    case StatementKind::loop_end: text = fmt::format("END{}", program_.structures[s.payload].loop_number); break;
+    case StatementKind::call: text = call(program_.calls[s.payload]); break;
+    case StatementKind::message: text = message(program_.messages[s.payload]); break;
+    case StatementKind::alarm: text = alarm(program_.messages[s.payload], kAlarmVariable); break;
+    case StatementKind::native: text = native(s); break;
+    case StatementKind::empty:
+    case StatementKind::if_end:
+    case StatementKind::else_begin:
+    case StatementKind::repeat_begin:
+    case StatementKind::repeat_end:
+    case StatementKind::for_begin:
+    case StatementKind::for_end:
+    case StatementKind::define:
+    case StatementKind::procedure:
+    case StatementKind::declaration: break;
+  }
+  // IF … THEN and what follows it share a line.
+  const bool continues = index > 0 && program_.statements[index - 1].kind == StatementKind::if_begin;
+  if (continues && !text.empty() && label.empty()) {
+    result_.text.back() = ' ';
+    result_.text += text;
+    result_.text += '\n';
+    return;
+  }
+  std::string head;
+  if (s.skip_level == 1) head = "/";
+  if (s.skip_level > 1) head = fmt::format("/{} ", s.skip_level);
+  head += label;
+  if (!label.empty() && !text.empty()) head += ' ';
+  if (!text.empty() || !label.empty()) line(s, head + text);
+}
+
+std::string ProgramPrinter::block(const ir::Block& block) const {
+  std::string out;
+  const auto add = [&](const std::string& part) {
+    if (part.empty()) return;
+    if (!out.empty()) out += ' ';
+    out += part;
+  };
+  const auto codes = program_.codes_of(block);
+  for (const ir::Code& c : codes) {
+    if (const std::string written = code(c); !written.starts_with('M')) add(written);
+  }
+  for (const ir::Word& w : program_.words_of(block)) add(word(w));
+  for (const ir::Code& c : codes) {
+    if (const std::string written = code(c); written.starts_with('M')) add(written);
+  }
+  return out;
+}
+
+std::string ProgramPrinter::code(const ir::Code& code) const {
+  if (code.number != ExpressionId::none) return fmt::format("{}{}", code.letter, expressions_.word_value(code.number));
+  if (code.function == Function::machine_function) return fmt::format("M{:02}", code.argument);
+  if (code.function == Function::not_modelled || code.function == Function::no_effect) {
+    return std::string(program_.strings.at(code.name));
+  }
+  if (code.function == Function::work_offset && code.argument > kLastPlainOffset) {
+    return fmt::format("G54.1 P{}", code.argument - kExtendedOffset);
+  }
+  const ir::CodeRow* row = find_function(control_, code.function, code.argument);
+  return row == nullptr ? std::string() : std::string(row->name);
+}
+
+std::string ProgramPrinter::word(const ir::Word& word) const {
+  std::string out;
+  if (word.address <= Address::z) {
+    out.push_back(static_cast<char>('A' + static_cast<int>(word.address)));
+  } else if (word.address == Address::chamfer || word.address == Address::rounding) {
+    out = word.address == Address::chamfer ? ",C" : ",R";
+  } else {
+    out = program_.strings.at(word.name);
+  }
+  const ir::Expression& value = program_.at(word.value);
+  if (value.op != Operator::constant) return out + expressions_.word_value(word.value);
+  const bool whole = kWholeAddresses.contains(out.front()) || (out == "S" && value.value == std::floor(value.value));
+  if (whole) return out + fmt::format("{}", std::llround(value.value));
+  const double magnitude = std::abs(value.value);
+  const int whole_digits = magnitude < 1.0 ? 0 : static_cast<int>(std::floor(std::log10(magnitude))) + 1;
+  const int room = static_cast<int>(control_.limits.digits) - whole_digits;
+  const int wanted =
+      control_.from_profile ? control_.limits.linear_decimals : std::max(control_.limits.linear_decimals, 6);
+  text::append_word_number(out, value.value, std::clamp(std::min(room, wanted), 0, 9), !value.has_point);
+  return out;
+}
+
+std::string ProgramPrinter::assignment(const ir::Assign& assign) const {
+  return fmt::format("{}={}", expressions_.variable(program_.at(assign.target)), expressions_.expression(assign.value));
+}
+
+std::string ProgramPrinter::jump(const ir::Jump& jump) const {
+  std::string out;
+  if (jump.condition != ExpressionId::none) out = "IF" + expressions_.condition(jump.condition);
+  out += "GOTO";
+  if (jump.computed != ExpressionId::none) return out + expressions_.word_value(jump.computed);
+  return out + fmt::format(" {}", jump.number);
+}
+
+std::string ProgramPrinter::call(const ir::Call& call) const {
+  std::string out = call.kind == ir::CallKind::macro ? "G65 " : "M98 ";
+  const std::string_view name = program_.strings.at(call.name);
+  if (call.number != ExpressionId::none) {
+    out += "P" + expressions_.word_value(call.number);
+  } else if (name.size() > 1 && name.front() == 'O' &&
+             name.find_first_not_of("0123456789", 1) == std::string_view::npos) {
+    out += fmt::format("P{}", name.substr(1));
+  } else {
+    out += fmt::format("<{}>", name);
+  }
+  if (call.repeats != ExpressionId::none) {
+    const ir::Expression& repeats = program_.at(call.repeats);
+    out += repeats.op == Operator::constant ? fmt::format(" L{}", std::llround(repeats.value))
+                                            : " L" + expressions_.word_value(call.repeats);
+  }
+  for (const ir::Argument& argument : program_.arguments_of(call)) {
+    if (argument.value == ExpressionId::none || argument.letter == 0) continue;
+    out += fmt::format(" {}{}", argument.letter, expressions_.word_value(argument.value));
+  }
+  return out;
+}
+
+std::string ProgramPrinter::alarm(const ir::Message& message, std::uint32_t variable) const {
+  const std::string number = message.number == ExpressionId::none ? "1" : expressions_.expression(message.number);
+  const std::string_view text = string_of(program_, message.text);
+  return fmt::format("#{}={}{}", variable, number, text.empty() ? "" : fmt::format("({})", comment_text(text)));
+}
+
+// A message that does not stop is a comment: these controls have nothing nearer. One with a number is #3006, which
+// stops.
+std::string ProgramPrinter::message(const ir::Message& message) const {
+  if (message.number != ExpressionId::none) return alarm(message, kMessageVariable);
+  const std::string_view text = string_of(program_, message.text);
+  return text.empty() ? std::string() : fmt::format("({})", comment_text(text));
+}
+
+// #3006 is read as a message and a stop; the stop is in it.
+bool ProgramPrinter::is_stop_of_message(std::uint32_t index) const {
+  if (index == 0 || program_.statements[index - 1].kind != StatementKind::message) return false;
+  const ir::Statement& message = program_.statements[index - 1];
+  const ir::Statement& s = program_.statements[index];
+  if (program_.messages[message.payload].number == ExpressionId::none || message.line != s.line) return false;
+  const auto codes = program_.codes_of(program_.blocks[s.payload]);
+  return codes.size() == 1 && codes.front().function == Function::program_stop;
+}
+
+// As it was written, without its block number and EOB.
+std::string ProgramPrinter::native(const ir::Statement& statement) const {
+  std::string out;
+  for (std::uint32_t i = statement.tokens.first; i < statement.tokens.last; ++i) {
+    const ir::Token& token = program_.tokens[i];
+    const bool counts = token.kind != ir::TokenKind::eob && token.kind != ir::TokenKind::tape_mark;
+    if (token.span.begin >= statement.span.begin && counts) out += token.span.in(program_.source.text());
+  }
+  while (!out.empty() && (out.back() == ' ' || out.back() == '\t')) out.pop_back();
+  return out;
+}
+
+std::uint32_t ProgramPrinter::count_variables() const {
+  std::set<std::uint32_t> numbers;
+  for (const ir::Statement& statement : program_.statements) {
+    for (const passes::VariableUseAt& use : passes::variables_of(program_, statement)) {
+      const ir::Variable& v = program_.at(use.variable);
+      if (v.bank != ir::Bank::hash || v.index != ExpressionId::none) continue;
+      const ir::VariableRange* range = ir::find_variable(control_, ir::Bank::hash, v.number);
+      if (range != nullptr && range->use != ir::VariableUse::system) numbers.insert(v.number);
+    }
+  }
+  return static_cast<std::uint32_t>(numbers.size());
+}
+
+}  // namespace dripfeed::macro_b

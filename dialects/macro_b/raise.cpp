@@ -1,0 +1,185 @@
+// The order of the steps, and the statements that are neither blocks nor structures.
+#include "dialects/macro_b/raise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "dialects/macro_b/flatten.h"
+#include "dialects/macro_b/raise_block.h"
+#include "dialects/passes/allocation.h"
+#include "dialects/passes/labels.h"
+#include "dialects/passes/rewrite.h"
+#include "dialects/passes/structures.h"
+
+namespace dripfeed::macro_b {
+
+namespace {
+
+using ir::ExpressionId;
+using ir::StatementKind;
+
+constexpr double kHighestAlarm = 200.0;      // of #3000 = n
+constexpr double kForeignAlarms = 65'000.0;  // user alarms of controls that count from there
+
+class StatementRaiser {
+ public:
+  StatementRaiser(ir::Program& program, const ir::Control& from, const ir::Control& to,
+                  std::vector<text::Diagnostic>& diagnostics)
+      : program_(program),
+        same_dialect_(from.dialect == to.dialect),
+        out_(program),
+        blocks_(program, from, to, out_, diagnostics) {}
+
+  void run() {
+    const auto count = static_cast<std::uint32_t>(program_.statements.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+      out_.at(i);
+      statement(program_.statements[i]);
+    }
+    out_.finish();
+  }
+
+ private:
+  // By value: the list that it comes from is only read while the new one is written.
+  void statement(const ir::Statement& s) {
+    switch (s.kind) {
+      case StatementKind::block: return blocks_.block(s);
+      case StatementKind::call: return call(s);
+      case StatementKind::alarm: return alarm(s);
+      case StatementKind::message: return message(s);
+      case StatementKind::native: return native(s);
+      case StatementKind::procedure:
+        if (program_.structures[s.payload].symbol_count != 0) blocks_.cannot(s, "a program with parameters");
+        return;
+      case StatementKind::go_to: return jump(s);
+      case StatementKind::program_end: return end(s, ir::Function::program_end_rewind);
+      case StatementKind::subprogram_return: return end(s, ir::Function::subprogram_end);
+      case StatementKind::declaration: return;
+      case StatementKind::empty:
+      case StatementKind::assign:
+      case StatementKind::define:
+      case StatementKind::if_begin:
+      case StatementKind::else_begin:
+      case StatementKind::if_end:
+      case StatementKind::while_begin:
+      case StatementKind::while_end:
+      case StatementKind::repeat_begin:
+      case StatementKind::repeat_end:
+      case StatementKind::for_begin:
+      case StatementKind::for_end:
+      case StatementKind::loop_begin:
+      case StatementKind::loop_end: return out_.keep();
+    }
+  }
+
+  void jump(const ir::Statement& s) {
+    const ir::Jump& jump = program_.jumps[s.payload];
+    const bool unbound = jump.label != ir::StringId::none;
+    if (unbound && jump.tolerant) return;  // no such label: the program goes on
+    if (jump.computed != ExpressionId::none && !same_dialect_) return blocks_.cannot(s, "a calculated jump");
+    out_.keep();
+  }
+
+  void call(const ir::Statement& s) {
+    const ir::Call& call = program_.calls[s.payload];
+    const auto arguments = program_.arguments_of(call);
+    const bool by_position = std::ranges::any_of(arguments, [](const ir::Argument& a) { return a.letter == 0; });
+    if (by_position) return blocks_.cannot(s, "a call with arguments by position");
+    // Numbered subprograms of other controls keep their number: L100 is O0100.
+    const std::string name(program_.strings.at(call.name));
+    if (!same_dialect_ && name.size() > 1 && name.front() == 'L' &&
+        name.find_first_not_of("0123456789", 1) == std::string::npos) {
+      program_.calls[s.payload].name = program_.strings.add("O" + name.substr(1));
+    }
+    out_.keep();
+  }
+
+  void alarm(const ir::Statement& s) {
+    ir::Message& message = program_.messages[s.payload];
+    const ExpressionId number = message.number;
+    if (!same_dialect_ && number != ExpressionId::none && program_.at(number).op == ir::Operator::constant) {
+      const double value = program_.at(number).value;
+      const double own = value >= kForeignAlarms ? std::fmod(value - kForeignAlarms, kHighestAlarm) : value;
+      message.number = program_.add_constant(own > kHighestAlarm ? 1.0 : own, {}, false);
+    }
+    out_.keep();
+  }
+
+  // What is put together while running has no place in a comment.
+  void message(const ir::Statement& s) {
+    const ir::Message& message = program_.messages[s.payload];
+    if (message.text == ExpressionId::none && message.number == ExpressionId::none) return;  // clears the line
+    if (message.text != ExpressionId::none && program_.at(message.text).op != ir::Operator::string) return;
+    out_.keep();
+  }
+
+  void native(const ir::Statement& s) {
+    const ir::Native& native = program_.natives[s.payload];
+    if (same_dialect_ && s.tokens.first != s.tokens.last) return out_.keep();
+    if (!native.effects_known) blocks_.cannot(s, std::string(program_.strings.at(native.name)));
+  }
+
+  // The end's statement has a block that holds its code alone.
+  void end(const ir::Statement& s, ir::Function usual) {
+    if (s.payload != ir::kNoIndex && s.payload < program_.blocks.size()) {
+      const auto codes = program_.codes_of(program_.blocks[s.payload]);
+      if (codes.size() == 1 && codes.front().function == ir::Function::program_end) usual = codes.front().function;
+    }
+    ir::Block block;
+    block.first_code = static_cast<std::uint32_t>(program_.codes.size());
+    block.code_count = 1;
+    block.first_word = static_cast<std::uint32_t>(program_.words.size());
+    ir::Code code;
+    code.function = usual;
+    code.group = ir::ModalGroup::flow;
+    code.letter = 'M';
+    code.span = s.span;
+    program_.codes.push_back(code);
+    program_.blocks.push_back(block);
+    out_.emit(s.kind, static_cast<std::uint32_t>(program_.blocks.size() - 1));
+  }
+
+  ir::Program& program_;
+  bool same_dialect_;
+  passes::Rewrite out_;
+  BlockRaiser blocks_;
+};
+
+void append(std::vector<text::Diagnostic>& to, std::vector<text::Diagnostic> more) {
+  to.insert(to.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+// Variables that the target does not have under that name or number.
+void check_system_variables(const ir::Program& program, const ir::Control& to,
+                            std::vector<text::Diagnostic>& diagnostics) {
+  for (const ir::Variable& v : program.variables) {
+    if (v.bank != ir::Bank::system) continue;
+    const std::string written(v.span.in(program.source.text()));
+    diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, v.span,
+                                                {"the system variable " + written, to.title}));
+  }
+}
+
+}  // namespace
+
+ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const ir::Control& to,
+                      const Grammar& grammar) {
+  ir::RaiseResult result{program, {}};
+  ir::Program& p = result.program;
+  passes::FreeNumbers numbers(p, grammar.highest_block_number);
+  append(result.diagnostics, passes::number_labels(p, numbers));
+  append(result.diagnostics, passes::lower_counted_loops(p, numbers).diagnostics);
+  append(result.diagnostics, flatten_expressions(p, from, to, grammar, numbers));
+  StatementRaiser(p, from, to, result.diagnostics).run();
+  append(result.diagnostics, passes::lower_conditions(p, numbers).diagnostics);
+  append(result.diagnostics, passes::lower_logic(p, numbers).diagnostics);
+  append(result.diagnostics, passes::limit_loop_nesting(p, numbers, to.limits.loop_nesting).diagnostics);
+  append(result.diagnostics, passes::allocate_variables(p, from, to, ir::Bank::hash).diagnostics);
+  check_system_variables(p, to, result.diagnostics);
+  for (text::Diagnostic& d : result.diagnostics) d.alarm = ir::alarm_of(to, d.id);
+  return result;
+}
+
+}  // namespace dripfeed::macro_b

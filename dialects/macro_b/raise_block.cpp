@@ -1,0 +1,326 @@
+// Codes go by what they do: the target's table says how. Words go by their address; axis words get their decimal point,
+// their diameter and their letter for increments.
+#include "dialects/macro_b/raise_block.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dialects/macro_b/findings.h"
+#include "dialects/macro_b/lower.h"
+#include "dialects/macro_b/print.h"
+
+namespace dripfeed::macro_b {
+
+namespace {
+
+using ir::Address;
+using ir::DiameterMode;
+using ir::ExpressionId;
+using ir::Function;
+using ir::Operator;
+
+constexpr std::string_view kAxisLetters = "XYZABCUVW";
+constexpr std::string_view kCenterLetters = "IJK";
+constexpr std::string_view kRotaryLetters = "ABC";
+constexpr std::int16_t kLastPlainOffset = 6;  // G59
+constexpr int kToBaseLetter = 'X' - 'U';      // U V W are increments of X Y Z
+constexpr double kToolPlaces = 100.0;         // T0606: two digits for the offset
+
+bool holds(std::string_view letters, Address address) { return letters.contains(letter_of(address)); }
+
+bool is_center(const ir::Word& word) { return holds(kCenterLetters, word.address); }
+
+// Functions that say nothing on a control that is always so.
+bool goes_without_saying(Function function) {
+  return function == Function::absolute || function == Function::incremental || function == Function::no_effect ||
+         function == Function::return_to_initial || function == Function::return_to_r ||
+         function == Function::cycle_off || function == Function::none;
+}
+
+}  // namespace
+
+BlockRaiser::BlockRaiser(ir::Program& program, const ir::Control& from, const ir::Control& to, passes::Rewrite& out,
+                         std::vector<text::Diagnostic>& diagnostics)
+    : program_(program),
+      from_(from),
+      to_(to),
+      out_(out),
+      diagnostics_(diagnostics),
+      same_(from.dialect == to.dialect && from.kind == to.kind && from.g_system == to.g_system),
+      edges_(from.semantics.d_selects_edge || program.source.text().empty()),
+      inch_(from.semantics.power_on_unit == Function::unit_inch),
+      diameter_(from.semantics.power_on_diameter) {}
+
+void BlockRaiser::cannot(const ir::Statement& statement, std::string what) {
+  if (program_.source.text().empty()) what += fmt::format(" (line {})", statement.line);
+  diagnostics_.push_back(
+      text::make_diagnostic(text::DiagnosticId::cannot_translate, statement.span, {std::move(what), to_.title}));
+}
+
+void BlockRaiser::block(const ir::Statement& statement) {
+  statement_ = &statement;
+  const ir::Block old = program_.blocks[statement.payload];
+  const auto old_codes = program_.codes_of(old);
+  const auto old_words = program_.words_of(old);
+  const std::vector<ir::Code> codes(old_codes.begin(), old_codes.end());
+  const std::vector<ir::Word> words(old_words.begin(), old_words.end());
+  draft_ = {};
+  before_.clear();
+  after_.clear();
+  for (const ir::Code& c : codes) code(c);
+  const Traits traits = traits_of(codes, words);
+  for (const ir::Word& w : words) word(w, traits);
+  if (traits.tool != nullptr || traits.edge != nullptr) tool_words(traits);
+  // Where D names an edge, compensation takes its radius from there; here it needs the number of an offset.
+  const bool by_number = to_.semantics.tool_word == ir::ToolWord::number && tool_ != ExpressionId::none;
+  if (traits.comp && edges_ && !same_ && by_number) draft_.words.push_back(word_of(Address::d, tool_));
+  distance_frame(traits);
+  if (!same_) split_m_codes();
+  emit_all();
+}
+
+BlockRaiser::Traits BlockRaiser::traits_of(const std::vector<ir::Code>& codes,
+                                           const std::vector<ir::Word>& words) const {
+  Traits traits;
+  for (const ir::Code& c : codes) {
+    traits.dwell |= c.function == Function::dwell;
+    traits.tool_change |= c.function == Function::tool_change;
+    traits.comp |= c.function == Function::comp_left || c.function == Function::comp_right;
+  }
+  for (const ir::Word& w : words) {
+    if (w.address == Address::t) traits.tool = &w;
+    if (w.address == Address::d && edges_) traits.edge = &w;
+    if (!holds(kAxisLetters, w.address) || traits.dwell) continue;
+    traits.any_incremental |= is_incremental(w);
+    traits.any_absolute |= !is_incremental(w);
+  }
+  return traits;
+}
+
+// By itself or by its letter; the mode is another matter.
+bool BlockRaiser::is_incremental(const ir::Word& word) const {
+  const bool by_letter = from_.semantics.incremental_letters_uvw && holds("UVW", word.address);
+  const bool by_mode = word.mode == ir::WordMode::as_modal && incremental_;
+  return word.mode == ir::WordMode::incremental || by_letter || by_mode;
+}
+
+ir::Code BlockRaiser::code_of(Function function, std::int16_t argument) const {
+  ir::Code code;
+  code.function = function;
+  code.argument = argument;
+  if (const ir::CodeRow* row = find_function(to_, function, argument); row != nullptr) {
+    code.group = row->group;
+    code.letter = row->name.front();
+  }
+  return code;
+}
+
+ir::Word BlockRaiser::word_of(Address address, ExpressionId value) const {
+  ir::Word word;
+  word.address = address;
+  word.value = value;
+  return word;
+}
+
+void BlockRaiser::code(const ir::Code& code) {
+  const Function f = code.function;
+  if (f == Function::absolute || f == Function::incremental) incremental_ = f == Function::incremental;
+  if (f == Function::unit_inch || f == Function::unit_mm) inch_ = f == Function::unit_inch;
+  if (f == Function::diameter_on) diameter_ = DiameterMode::diameter;
+  if (f == Function::diameter_off) diameter_ = DiameterMode::radius;
+  if (f == Function::diameter_absolute_only) diameter_ = DiameterMode::diameter_absolute_only;
+  if (f == Function::diameter_on || f == Function::diameter_off || f == Function::diameter_absolute_only) return;
+  if (same_) return draft_.codes.push_back(code);
+  if (f == Function::tool_change && to_.semantics.tool_word == ir::ToolWord::number_and_offset) return;
+  if (code.number != ExpressionId::none) return cannot(*statement_, "a code with a calculated number");
+  if (f == Function::machine_function) return draft_.codes.push_back(code);
+  if (f == Function::work_offset && code.argument > kLastPlainOffset) {
+    ir::Code extended = code_of(Function::work_offset, 1);
+    extended.argument = code.argument > kExtendedOffset
+                            ? code.argument
+                            : static_cast<std::int16_t>(kExtendedOffset + code.argument - kLastPlainOffset);
+    return draft_.codes.push_back(extended);
+  }
+  if (f != Function::no_effect && f != Function::not_modelled && find_function(to_, f, code.argument) != nullptr) {
+    ir::Code raised = code_of(f, code.argument);
+    raised.span = code.span;
+    return draft_.codes.push_back(raised);
+  }
+  if (goes_without_saying(f)) return;
+  const std::string_view name = program_.strings.at(code.name);
+  cannot(*statement_, name.empty() ? std::string(ir::name_of(f)) : std::string(name));
+}
+
+void BlockRaiser::word(const ir::Word& word, const Traits& traits) {
+  if (traits.tool == &word || traits.edge == &word) return;
+  if (same_ && !holds(kAxisLetters, word.address) && !is_center(word) && word.address != Address::r) {
+    return draft_.words.push_back(word);
+  }
+  if (program_.at(word.value).op == Operator::string) return cannot(*statement_, "a word with a name as its value");
+  if (traits.dwell && !from_.semantics.dwell_p_is_ms) return dwell_word(word);
+  if (holds(kAxisLetters, word.address) && !traits.dwell) return axis_word(word);
+  if (word.extension > 1) return cannot(*statement_, "a word with the number of a spindle or axis");
+  ir::Word raised = word;
+  raised.extension = 0;
+  if (word.address == Address::spindle_limit) return speed_limit(word);
+  if (word.address == Address::arc_radius) raised.address = Address::r;
+  if (is_center(word) && word.mode == ir::WordMode::absolute) return cannot(*statement_, "an absolute arc centre");
+  const bool length = is_center(word) || holds(kAxisLetters, word.address) || raised.address == Address::r;
+  if (length || raised.address == Address::f) {
+    const bool counts = length || from_.semantics.decimal_mode == ir::DecimalMode::calculator;
+    if (counts) raised.value = with_point(raised.value, false);
+  }
+  if (raised.address > Address::z && !(from_.dialect == to_.dialect)) {
+    return cannot(*statement_, "a word that this control has no address for");
+  }
+  draft_.words.push_back(raised);
+}
+
+// Increments become letters where the control has letters for them; diameters are what lathes take.
+void BlockRaiser::axis_word(ir::Word word) {
+  const bool rotary = holds(kRotaryLetters, word.address);
+  const bool by_letter = from_.semantics.incremental_letters_uvw && holds("UVW", word.address);
+  const bool incremental = is_incremental(word);
+  if (by_letter) word.address = static_cast<Address>(static_cast<int>(word.address) + kToBaseLetter);
+  word.value = with_point(word.value, rotary);
+  const bool turning = from_.kind != ir::MachineKind::mill && to_.kind != ir::MachineKind::mill;
+  const bool as_radius =
+      diameter_ == DiameterMode::radius || (diameter_ == DiameterMode::diameter_absolute_only && incremental);
+  if (turning && word.address == Address::x && as_radius && to_.semantics.power_on_diameter == DiameterMode::diameter) {
+    word.value = scaled(word.value, 2.0);
+  }
+  if (incremental && to_.semantics.incremental_letters_uvw) {
+    if (!holds("XYZ", word.address)) return cannot(*statement_, "an increment of a rotary axis");
+    word.address = static_cast<Address>(static_cast<int>(word.address) - kToBaseLetter);
+  }
+  word.mode = ir::WordMode::as_modal;
+  draft_.words.push_back(word);
+}
+
+// Where increments have no letters, a block of them is put between G91 and G90.
+void BlockRaiser::distance_frame(const Traits& traits) {
+  if (to_.semantics.incremental_letters_uvw || draft_.words.empty()) return;
+  if (traits.any_incremental && traits.any_absolute)
+    return cannot(*statement_, "absolute and incremental words in one block");
+  const bool incremental = traits.any_incremental;
+  if ((!traits.any_incremental && !traits.any_absolute) || incremental == incremental_) return;
+  before_.push_back({{code_of(incremental ? Function::incremental : Function::absolute)}, {}});
+  after_.push_back({{code_of(incremental ? Function::absolute : Function::incremental)}, {}});
+}
+
+// Seconds to milliseconds.
+void BlockRaiser::dwell_word(const ir::Word& word) {
+  if (word.address != Address::f) return cannot(*statement_, "a dwell in turns of the spindle");
+  draft_.words.push_back(word_of(Address::p, scaled(word.value, 1000.0)));
+}
+
+// G50 S or G92 S in a block before.
+void BlockRaiser::speed_limit(const ir::Word& word) {
+  if (find_function(to_, Function::set_coordinates, 0) == nullptr)
+    return cannot(*statement_, "a limit of the spindle speed");
+  before_.push_back({{code_of(Function::set_coordinates)}, {word_of(Address::s, word.value)}});
+}
+
+void BlockRaiser::tool_words(const Traits& traits) {
+  if (traits.tool != nullptr) tool_ = traits.tool->value;
+  if (same_ || (!edges_ && from_.semantics.tool_word == to_.semantics.tool_word)) {
+    if (traits.tool != nullptr) draft_.words.push_back(*traits.tool);
+    if (traits.edge != nullptr) draft_.words.push_back(*traits.edge);
+    return;
+  }
+  if (tool_ != ExpressionId::none && program_.at(tool_).op == Operator::string) {
+    return cannot(*statement_, "a tool with a name");
+  }
+  if (from_.semantics.tool_word == ir::ToolWord::number_and_offset && !edges_) {
+    return cannot(*statement_, "a tool word with an offset number");
+  }
+  if (to_.semantics.tool_word == ir::ToolWord::number_and_offset) return lathe_tool(traits);
+  mill_tool(traits);
+}
+
+// T0606: each tool has the offset of its own number; edge 0 takes the offset away.
+void BlockRaiser::lathe_tool(const Traits& traits) {
+  if (tool_ == ExpressionId::none) return cannot(*statement_, "an edge before a tool");
+  const bool off = has_constant(traits.edge, 0.0);
+  if (traits.edge != nullptr && !off && !has_constant(traits.edge, 1.0))
+    return cannot(*statement_, "a second edge of a tool");
+  draft_.words.push_back(word_of(Address::t, scaled(tool_, off ? kToolPlaces : kToolPlaces + 1.0)));
+}
+
+void BlockRaiser::mill_tool(const Traits& traits) {
+  if (traits.tool != nullptr) draft_.words.push_back(*traits.tool);
+  if (traits.edge != nullptr) length_offset(traits);
+}
+
+// D1 turns the tool's length on: G43 H with the tool's number, in a block behind the tool change.
+void BlockRaiser::length_offset(const Traits& traits) {
+  if (has_constant(traits.edge, 0.0)) {
+    after_.push_back({{code_of(Function::length_offset_off)}, {}});
+  } else if (tool_ == ExpressionId::none || !has_constant(traits.edge, 1.0)) {
+    cannot(*statement_, "an edge that is not the first of a known tool");
+  } else {
+    after_.push_back({{code_of(Function::length_offset_plus)}, {word_of(Address::h, tool_)}});
+  }
+}
+
+bool BlockRaiser::has_constant(const ir::Word* word, double value) const {
+  if (word == nullptr) return false;
+  const ir::Expression& e = program_.at(word->value);
+  return e.op == Operator::constant && e.value == value;
+}
+
+ExpressionId BlockRaiser::scaled(ExpressionId value, double factor) {
+  const ir::Expression e = program_.at(value);
+  if (e.op == Operator::constant) return program_.add_constant(e.value * factor, e.span, e.has_point);
+  return program_.add_operator(Operator::multiply, value, program_.add_constant(factor, e.span), e.span);
+}
+
+// A constant as the source control took it, with the point written.
+ExpressionId BlockRaiser::with_point(ExpressionId value, bool rotary) {
+  const ir::Expression e = program_.at(value);
+  if (e.op != Operator::constant || e.has_point) return value;
+  double number = e.value;
+  if (from_.semantics.decimal_mode == ir::DecimalMode::least_increment) {
+    const double per_unit =
+        std::nearbyint(1.0 / (rotary ? from_.semantics.least_increment_deg : from_.semantics.least_increment_mm));
+    number /= inch_ && !rotary ? per_unit * 10.0 : per_unit;
+  }
+  return program_.add_constant(number, e.span, true);
+}
+
+// One M code a block: the others follow in blocks of their own.
+void BlockRaiser::split_m_codes() {
+  bool first = true;
+  std::vector<Draft> extra;
+  std::erase_if(draft_.codes, [&](const ir::Code& c) {
+    if (c.letter != 'M') return false;
+    if (std::exchange(first, false)) return false;
+    extra.push_back({{c}, {}});
+    return true;
+  });
+  after_.insert(after_.begin(), extra.begin(), extra.end());
+}
+
+void BlockRaiser::emit_all() {
+  for (const Draft& draft : before_) emit(draft);
+  if (!draft_.empty()) emit(draft_);
+  for (const Draft& draft : after_) emit(draft);
+}
+
+void BlockRaiser::emit(const Draft& draft) {
+  ir::Block block;
+  block.first_code = static_cast<std::uint32_t>(program_.codes.size());
+  block.code_count = static_cast<std::uint32_t>(draft.codes.size());
+  block.first_word = static_cast<std::uint32_t>(program_.words.size());
+  block.word_count = static_cast<std::uint32_t>(draft.words.size());
+  program_.codes.insert(program_.codes.end(), draft.codes.begin(), draft.codes.end());
+  program_.words.insert(program_.words.end(), draft.words.begin(), draft.words.end());
+  program_.blocks.push_back(block);
+  out_.emit(ir::StatementKind::block, static_cast<std::uint32_t>(program_.blocks.size() - 1));
+}
+
+}  // namespace dripfeed::macro_b

@@ -1,0 +1,83 @@
+// raise: codes and words of NC blocks. Modes that change what a word means (incremental, diameter, inch, the tool) are
+// followed in the order of the text.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dialects/ir/control.h"
+#include "dialects/ir/program.h"
+#include "dialects/passes/rewrite.h"
+#include "dialects/text/diagnostic.h"
+
+namespace dripfeed::macro_b {
+
+class BlockRaiser {
+ public:
+  BlockRaiser(ir::Program& program, const ir::Control& from, const ir::Control& to, passes::Rewrite& out,
+              std::vector<text::Diagnostic>& diagnostics);
+
+  // The block statement that `out` is at: emits what says the same on the target, one block or several.
+  void block(const ir::Statement& statement);
+  // Something of the statement that the target cannot say.
+  void cannot(const ir::Statement& statement, std::string what);
+
+ private:
+  // A block in the making.
+  struct Draft {
+    std::vector<ir::Code> codes;
+    std::vector<ir::Word> words;
+    [[nodiscard]] bool empty() const { return codes.empty() && words.empty(); }
+  };
+  // What the words of the block are about.
+  struct Traits {
+    bool dwell = false;
+    bool tool_change = false;
+    bool comp = false;
+    const ir::Word* tool = nullptr;
+    const ir::Word* edge = nullptr;
+    bool any_incremental = false;  // words that say so themselves, or by their letter
+    bool any_absolute = false;
+  };
+
+  Traits traits_of(const std::vector<ir::Code>& codes, const std::vector<ir::Word>& words) const;
+  void code(const ir::Code& code);
+  void word(const ir::Word& word, const Traits& traits);
+  void axis_word(ir::Word word);
+  void dwell_word(const ir::Word& word);
+  void tool_words(const Traits& traits);
+  void lathe_tool(const Traits& traits);
+  void mill_tool(const Traits& traits);
+  void length_offset(const Traits& traits);
+  void speed_limit(const ir::Word& word);
+  void distance_frame(const Traits& traits);
+  void emit_all();
+  void emit(const Draft& draft);
+  void split_m_codes();
+
+  ir::Code code_of(ir::Function function, std::int16_t argument = 0) const;
+  ir::Word word_of(ir::Address address, ir::ExpressionId value) const;
+  ir::ExpressionId scaled(ir::ExpressionId value, double factor);
+  ir::ExpressionId with_point(ir::ExpressionId value, bool rotary);
+  [[nodiscard]] bool has_constant(const ir::Word* word, double value) const;
+  [[nodiscard]] bool is_incremental(const ir::Word& word) const;
+
+  ir::Program& program_;
+  const ir::Control& from_;
+  const ir::Control& to_;
+  passes::Rewrite& out_;
+  std::vector<text::Diagnostic>& diagnostics_;
+  bool same_;   // the same codes on both sides
+  bool edges_;  // D is an edge of the tool
+  bool incremental_ = false;
+  bool inch_ = false;
+  ir::DiameterMode diameter_;
+  ir::ExpressionId tool_ = ir::ExpressionId::none;  // number of the last T
+  const ir::Statement* statement_ = nullptr;
+  std::vector<Draft> before_;
+  Draft draft_;
+  std::vector<Draft> after_;
+};
+
+}  // namespace dripfeed::macro_b
