@@ -38,6 +38,8 @@ ir::Semantics semantics(bool lathe) {
   s.power_on_distance = ir::Function::absolute;
   s.power_on_feed = lathe ? ir::Function::feed_per_rev : ir::Function::feed_per_min;
   s.power_on_diameter = lathe ? ir::DiameterMode::diameter : ir::DiameterMode::radius;
+  s.end_in_subprogram_returns = true;
+  s.d_selects_edge = true;
   return s;
 }
 

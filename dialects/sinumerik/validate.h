@@ -34,9 +34,6 @@ struct Check {
 // not end.
 bool is_subprogram(const ir::Program& program);
 
-// The first statement with the label that the jump would find, kNoIndex when there is none or it is computed.
-std::uint32_t target_of(const ir::Program& program, std::uint32_t jump_statement);
-
 void check_structures(const Check& check);  // validate_structures.cpp
 void check_labels(const Check& check);      // validate_flow.cpp
 void check_reachability(const Check& check);

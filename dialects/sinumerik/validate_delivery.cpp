@@ -1,5 +1,6 @@
 // What cannot run while the text is fed: the control has only its reload buffer, so loops and jumps back find nothing.
 // A jump forward works as far as its target is in the buffer; IF, ELSE, ENDIF and calls work always.
+#include "dialects/sinumerik/flow_graph.h"
 #include "dialects/sinumerik/validate.h"
 
 namespace dripfeed::sinumerik {

@@ -1,6 +1,7 @@
 // Nesting of IF, WHILE, FOR, LOOP and REPEAT, and jumps that would enter one of them.
 #include <algorithm>
 
+#include "dialects/sinumerik/flow_graph.h"
 #include "dialects/sinumerik/validate.h"
 
 namespace dripfeed::sinumerik {

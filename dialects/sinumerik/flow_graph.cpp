@@ -1,0 +1,119 @@
+// One case a kind of statement. Labels are in the order of the text, so that a jump's target is searched from where it
+// stands.
+#include "dialects/sinumerik/flow_graph.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using ir::StatementKind;
+
+}  // namespace
+
+std::uint32_t target_of(const ir::Program& program, std::uint32_t jump_statement) {
+  const ir::Jump& jump = program.jumps[program.statements[jump_statement].payload];
+  if (jump.computed != ir::ExpressionId::none) return ir::kNoIndex;
+  const auto matches = [&jump](const ir::Label& label) {
+    return jump.label != ir::StringId::none ? label.name == jump.label
+                                            : label.name == ir::StringId::none && label.number == jump.number;
+  };
+  const auto& labels = program.labels;
+  const auto behind = std::ranges::partition_point(
+      labels, [jump_statement](const ir::Label& label) { return label.statement <= jump_statement; });
+  if (jump.search == ir::JumpSearch::backward) {
+    const auto found = std::find_if(std::make_reverse_iterator(behind), labels.rend(), matches);
+    return found == labels.rend() ? ir::kNoIndex : found->statement;
+  }
+  const auto found = std::find_if(behind, labels.end(), matches);
+  if (found != labels.end()) return found->statement;
+  if (jump.search == ir::JumpSearch::forward) return ir::kNoIndex;
+  const auto from_top = std::find_if(labels.begin(), behind, matches);
+  return from_top == behind ? ir::kNoIndex : from_top->statement;
+}
+
+bool jumps_anywhere(std::string_view native) {
+  constexpr std::string_view kNames[] = {"REPEAT", "REPEATB", "CALL", "GOTOS", "EXECSTRING", "SETINT", "SYNTAX ERROR"};
+  return std::ranges::find(kNames, native) != std::end(kNames);
+}
+
+FlowGraph::FlowGraph(const ir::Program& program) : program_(program) {}
+
+std::vector<std::uint32_t> FlowGraph::entries() const {
+  std::vector<std::uint32_t> found = {0};
+  const bool open = std::ranges::any_of(program_.statements, [this](const ir::Statement& s) {
+    if (s.kind == StatementKind::native) return jumps_anywhere(program_.strings.at(program_.natives[s.payload].name));
+    return s.kind == StatementKind::go_to && program_.jumps[s.payload].computed != ir::ExpressionId::none;
+  });
+  if (open)
+    for (const ir::Label& label : program_.labels) found.push_back(label.statement);
+  return found;
+}
+
+// 1 true, 0 false, -1 not known before it runs
+int FlowGraph::constant_condition(ir::ExpressionId condition) const {
+  if (condition == ir::ExpressionId::none) return 1;
+  const ir::Expression& e = program_.at(condition);
+  return e.op == ir::Operator::constant ? (e.value != 0.0 ? 1 : 0) : -1;
+}
+
+std::uint32_t FlowGraph::partner_of(const ir::Statement& s) const { return program_.structures[s.payload].partner; }
+
+// Into the body when the condition may be true, behind the partner when it may be false.
+void FlowGraph::opener(std::uint32_t i, int enter) {
+  const std::uint32_t partner = partner_of(program_.statements[i]);
+  if (enter != 0 || partner == ir::kNoIndex) after_.push_back(i + 1);
+  if (enter != 1 && partner != ir::kNoIndex) after_.push_back(partner + 1);
+}
+
+void FlowGraph::jump(std::uint32_t i) {
+  const ir::Jump& jump = program_.jumps[program_.statements[i].payload];
+  const std::uint32_t target = target_of(program_, i);
+  const int taken = constant_condition(jump.condition);
+  if (target != ir::kNoIndex && taken != 0) after_.push_back(target);
+  if (taken != 1 || target == ir::kNoIndex) after_.push_back(i + 1);
+}
+
+const std::vector<std::uint32_t>& FlowGraph::after(std::uint32_t i) {
+  after_.clear();
+  if (i >= program_.statements.size()) return after_;
+  const ir::Statement& s = program_.statements[i];
+  switch (s.kind) {
+    case StatementKind::go_to: jump(i); break;
+    case StatementKind::if_begin:
+    case StatementKind::while_begin: opener(i, constant_condition(program_.structures[s.payload].condition)); break;
+    case StatementKind::for_begin: opener(i, -1); break;
+    case StatementKind::else_begin: after_.push_back(partner_of(s) == ir::kNoIndex ? i + 1 : partner_of(s) + 1); break;
+    case StatementKind::while_end:
+    case StatementKind::for_end:
+    case StatementKind::loop_end: after_.push_back(partner_of(s) == ir::kNoIndex ? i + 1 : partner_of(s)); break;
+    case StatementKind::repeat_end: {
+      const int done = constant_condition(program_.structures[s.payload].condition);
+      if (done != 1 && partner_of(s) != ir::kNoIndex) after_.push_back(partner_of(s));
+      if (done != 0) after_.push_back(i + 1);
+      break;
+    }
+    case StatementKind::subprogram_return:
+    case StatementKind::program_end: break;
+    case StatementKind::native:
+      if (program_.strings.at(program_.natives[s.payload].name) != "RET") after_.push_back(i + 1);
+      break;
+    case StatementKind::empty:
+    case StatementKind::block:
+    case StatementKind::assign:
+    case StatementKind::if_end:
+    case StatementKind::repeat_begin:
+    case StatementKind::loop_begin:
+    case StatementKind::define:
+    case StatementKind::call:
+    case StatementKind::procedure:
+    case StatementKind::declaration:
+    case StatementKind::message:
+    case StatementKind::alarm: after_.push_back(i + 1); break;
+  }
+  return after_;
+}
+
+}  // namespace dripfeed::sinumerik

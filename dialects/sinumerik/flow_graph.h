@@ -1,0 +1,38 @@
+// Where a run can go from a statement: the edges of a program, for checks that follow all ways through it. What a
+// condition is worth is known here only when it is a constant.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "dialects/ir/program.h"
+
+namespace dripfeed::sinumerik {
+
+// The first statement with the label that the jump would find, kNoIndex when there is none or it is computed.
+std::uint32_t target_of(const ir::Program& program, std::uint32_t jump_statement);
+
+// Whether a Native of that name may jump to any label or repeat any section.
+bool jumps_anywhere(std::string_view native);
+
+class FlowGraph {
+ public:
+  explicit FlowGraph(const ir::Program& program);
+
+  // Statements that may come after `statement`; the number of statements stands for the end of the text.
+  [[nodiscard]] const std::vector<std::uint32_t>& after(std::uint32_t statement);
+  // Where runs begin: the first statement, and every label when something may jump anywhere.
+  [[nodiscard]] std::vector<std::uint32_t> entries() const;
+
+ private:
+  [[nodiscard]] int constant_condition(ir::ExpressionId condition) const;
+  [[nodiscard]] std::uint32_t partner_of(const ir::Statement& s) const;
+  void opener(std::uint32_t i, int enter);
+  void jump(std::uint32_t i);
+
+  const ir::Program& program_;
+  std::vector<std::uint32_t> after_;
+};
+
+}  // namespace dripfeed::sinumerik

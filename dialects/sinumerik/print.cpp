@@ -1,0 +1,477 @@
+// Canonical text: one statement a line; assignments of one source line stay on one line while it is short. Codes come
+// first, then axes, the rest in the order of the block, M functions last.
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "dialects/sinumerik/codes.h"
+#include "dialects/sinumerik/name_index.h"
+#include "dialects/sinumerik/print_expression.h"
+#include "dialects/sinumerik/sinumerik.h"
+#include "dialects/text/number.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using ir::Address;
+using ir::StatementKind;
+
+constexpr std::size_t kJoinedLine = 80;  // columns up to which assignments share a line
+
+bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
+// Values with a decimal point always: positions and what belongs to them.
+bool has_point(Address a) {
+  return is_axis(a) || (a >= Address::i && a <= Address::k) || a == Address::arc_radius || a == Address::chamfer ||
+         a == Address::rounding;
+}
+
+std::string_view name_of(Address a) {
+  switch (a) {
+    case Address::arc_radius: return "CR";
+    case Address::opening_angle: return "AR";
+    case Address::spindle_limit: return "LIMS";
+    case Address::polar_angle: return "AP";
+    case Address::polar_radius: return "RP";
+    case Address::turns: return "TURN";
+    case Address::chamfer: return "CHF";
+    case Address::rounding: return "RND";
+    case Address::other:
+    case Address::count_:
+    case Address::a:
+    case Address::b:
+    case Address::c:
+    case Address::d:
+    case Address::e:
+    case Address::f:
+    case Address::g:
+    case Address::h:
+    case Address::i:
+    case Address::j:
+    case Address::k:
+    case Address::l:
+    case Address::m:
+    case Address::n:
+    case Address::o:
+    case Address::p:
+    case Address::q:
+    case Address::r:
+    case Address::s:
+    case Address::t:
+    case Address::u:
+    case Address::v:
+    case Address::w:
+    case Address::x:
+    case Address::y:
+    case Address::z: return {};
+  }
+  return {};
+}
+
+std::string_view name_of(ir::ValueType type) {
+  switch (type) {
+    case ir::ValueType::integer: return "INT";
+    case ir::ValueType::real: return "REAL";
+    case ir::ValueType::boolean: return "BOOL";
+    case ir::ValueType::character: return "CHAR";
+    case ir::ValueType::string: return "STRING";
+    case ir::ValueType::axis: return "AXIS";
+    case ir::ValueType::frame: return "FRAME";
+  }
+  return {};
+}
+
+class Printer {
+ public:
+  Printer(const ir::Program& program, const ir::Control& control)
+      : program_(program), control_(control), expressions_(program, control), targets_(program.labels.size(), false) {}
+
+  ir::PrintResult print() {
+    find_targets();
+    for (std::uint32_t i = 0; i < program_.statements.size(); ++i) statement(i);
+    end_line();
+    result_.variables = count_variables();
+    return std::move(result_);
+  }
+
+ private:
+  // Block numbers are printed where a jump leads to them, labels always.
+  void find_targets() {
+    std::set<std::uint32_t> numbers;
+    for (const ir::Jump& jump : program_.jumps)
+      if (jump.label == ir::StringId::none && jump.number != ir::kNoIndex) numbers.insert(jump.number);
+    for (std::size_t i = 0; i < program_.labels.size(); ++i) {
+      const ir::Label& label = program_.labels[i];
+      targets_[i] = label.name != ir::StringId::none || numbers.contains(label.number);
+    }
+  }
+
+  void statement(std::uint32_t i) {
+    const ir::Statement& s = program_.statements[i];
+    const bool labelled = has_printed_label(i);
+    if (s.kind == StatementKind::empty && !labelled) return;
+    std::string words;
+    words_of(i, s, words);
+    if (s.kind == StatementKind::assign && !labelled && joins(s, words)) {
+      line_ += ' ';
+      line_ += words;
+      return;
+    }
+    end_line();
+    open_line_ = true;
+    origin_ = s.line;
+    open_skip_ = s.skip_level;
+    joinable_ = s.kind == StatementKind::assign && comment_.empty();
+    if (s.skip_level > 0) line_ += s.skip_level == 1 ? "/" : "/" + std::to_string(s.skip_level - 1);
+    if (labelled) labels(i);
+    line_ += words;
+    if (!comment_.empty()) line_ += " ; " + std::exchange(comment_, {});
+  }
+
+  [[nodiscard]] bool joins(const ir::Statement& s, const std::string& words) const {
+    return open_line_ && joinable_ && comment_.empty() && s.line != 0 && s.line == origin_ &&
+           s.skip_level == open_skip_ && line_.size() + words.size() < kJoinedLine;
+  }
+
+  void end_line() {
+    if (!open_line_) return;
+    while (!line_.empty() && line_.back() == ' ') line_.pop_back();
+    result_.text += line_;
+    result_.text += '\n';
+    result_.origin_lines.push_back(origin_);
+    line_.clear();
+    open_line_ = false;
+  }
+
+  [[nodiscard]] std::pair<std::size_t, std::size_t> labels_at(std::uint32_t statement) const {
+    const auto range = std::ranges::equal_range(program_.labels, statement, {}, &ir::Label::statement);
+    const auto first = static_cast<std::size_t>(range.begin() - program_.labels.begin());
+    return {first, first + range.size()};
+  }
+
+  [[nodiscard]] bool has_printed_label(std::uint32_t statement) const {
+    const auto [first, last] = labels_at(statement);
+    for (std::size_t i = first; i < last; ++i)
+      if (targets_[i]) return true;
+    return false;
+  }
+
+  void labels(std::uint32_t statement) {
+    const auto [first, last] = labels_at(statement);
+    for (std::size_t i = first; i < last; ++i)
+      if (targets_[i] && program_.labels[i].name == ir::StringId::none)
+        line_ += "N" + std::to_string(program_.labels[i].number) + " ";
+    for (std::size_t i = first; i < last; ++i)
+      if (program_.labels[i].name != ir::StringId::none)
+        line_ += std::string(program_.strings.at(program_.labels[i].name)) + ": ";
+  }
+
+  void value(std::string& out, ir::ExpressionId id) const { expressions_.append(out, id); }
+
+  void words_of(std::uint32_t i, const ir::Statement& s, std::string& out) {
+    switch (s.kind) {
+      case StatementKind::empty: return;
+      case StatementKind::block: return block(program_.blocks[s.payload], out);
+      case StatementKind::assign: return assign(program_.assigns[s.payload], out);
+      case StatementKind::go_to: return jump(program_.jumps[s.payload], out);
+      case StatementKind::if_begin: return opener("IF ", s, out);
+      case StatementKind::else_begin: out += "ELSE"; return;
+      case StatementKind::if_end: out += "ENDIF"; return;
+      case StatementKind::while_begin: return opener("WHILE ", s, out);
+      case StatementKind::while_end: out += "ENDWHILE"; return;
+      case StatementKind::repeat_begin: out += "REPEAT"; return;
+      case StatementKind::repeat_end: return opener("UNTIL ", s, out);
+      case StatementKind::for_begin: return for_loop(program_.structures[s.payload], out);
+      case StatementKind::for_end: out += "ENDFOR"; return;
+      case StatementKind::loop_begin: out += "LOOP"; return;
+      case StatementKind::loop_end: out += "ENDLOOP"; return;
+      case StatementKind::define: return definition(program_.structures[s.payload], out);
+      case StatementKind::call: return call(program_.calls[s.payload], out);
+      case StatementKind::procedure: return procedure(program_.structures[s.payload], out);
+      case StatementKind::declaration: out += written_line(i); return;
+      case StatementKind::subprogram_return: out += same_name(written(s.span), "RET") ? "RET" : "M17"; return;
+      case StatementKind::program_end: return program_end(s, out);
+      case StatementKind::message: return message("MSG", program_.messages[s.payload], out);
+      case StatementKind::alarm: return message("SETAL", program_.messages[s.payload], out);
+      case StatementKind::native: out += written_line(i); return;
+    }
+  }
+
+  [[nodiscard]] std::string_view written(text::Span span) const {
+    return span.end <= program_.source.text().size() ? span.in(program_.source.text()) : std::string_view();
+  }
+
+  // The line's own words, without its number, labels and comment.
+  [[nodiscard]] std::string written_line(std::uint32_t i) const {
+    const ir::Statement& s = program_.statements[i];
+    const auto tokens = std::span(program_.tokens);
+    if (tokens.empty()) return {};
+    const auto after =
+        std::ranges::upper_bound(tokens, s.span.begin, {}, [](const ir::Token& t) { return t.span.begin; });
+    std::size_t first = static_cast<std::size_t>(after - tokens.begin());
+    while (first > 0 && tokens[first - 1].kind != ir::TokenKind::eob) --first;
+    std::string out;
+    bool head = true;
+    for (std::size_t t = first; t < tokens.size() && tokens[t].kind != ir::TokenKind::eob; ++t) {
+      if (tokens[t].kind == ir::TokenKind::comment) break;
+      head = head && tokens[t].span.begin < label_end(i);
+      if (head || (out.empty() && tokens[t].kind == ir::TokenKind::white)) continue;
+      if (tokens[t].kind != ir::TokenKind::skip && tokens[t].kind != ir::TokenKind::tape_mark)
+        out += tokens[t].span.in(program_.source.text());
+    }
+    return out;
+  }
+
+  // Where the line's number and labels end, the colon of a label with them.
+  [[nodiscard]] std::uint32_t label_end(std::uint32_t statement) const {
+    std::uint32_t end = 0;
+    const auto [first, last] = labels_at(statement);
+    for (std::size_t i = first; i < last; ++i) {
+      const ir::Label& label = program_.labels[i];
+      end = std::max(end, label.span.end);
+      const std::size_t colon = program_.source.text().find(':', label.span.end);
+      if (label.name != ir::StringId::none && colon != std::string_view::npos)
+        end = std::max(end, static_cast<std::uint32_t>(colon + 1));
+    }
+    return end;
+  }
+
+  void block(const ir::Block& b, std::string& out) const {
+    const auto codes = program_.codes_of(b);
+    const auto words = program_.words_of(b);
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+      // G96 was read as two codes of one place.
+      const bool twin = i + 1 < codes.size() && !codes[i].span.empty() && codes[i].span == codes[i + 1].span;
+      if (!is_m(codes[i]) && !twin) separated(out, code(codes[i]));
+    }
+    for (const ir::Word& w : words)
+      if (is_axis(w.address)) separated(out, word(w));
+    for (const ir::Word& w : words)
+      if (!is_axis(w.address)) separated(out, word(w));
+    for (const ir::Code& c : codes)
+      if (is_m(c)) separated(out, code(c));
+  }
+
+  static void separated(std::string& out, const std::string& word) {
+    if (word.empty()) return;
+    if (!out.empty()) out += ' ';
+    out += word;
+  }
+
+  [[nodiscard]] bool is_m(const ir::Code& c) const {
+    if (c.name != ir::StringId::none) {
+      const std::string_view name = program_.strings.at(c.name);
+      return name.size() > 1 && name.front() == 'M' && is_digit(name[1]);
+    }
+    return c.letter == 'M';
+  }
+
+  [[nodiscard]] std::string code(const ir::Code& c) const {
+    if (c.name != ir::StringId::none) return std::string(program_.strings.at(c.name));
+    if (c.number != ir::ExpressionId::none) {
+      std::string out = "M=";
+      value(out, c.number);
+      return out;
+    }
+    if (c.function == ir::Function::machine_function) return "M" + std::to_string(c.argument);
+    // A program that was read and not raised: its codes are named by the table.
+    for (const GCode& g : g_codes())
+      if (g.row.function == c.function && g.row.argument == c.argument && g.row.number10 >= 0)
+        return std::string(g.row.name);
+    for (const GCode& g : named_codes())
+      if (g.row.function == c.function) return std::string(g.row.name);
+    for (const ir::CodeRow& m : m_code_rows())
+      if (m.function == c.function) return std::string(m.name);
+    return {};
+  }
+
+  [[nodiscard]] std::string word(const ir::Word& w) const {
+    std::string head;
+    const bool letter = w.address <= Address::z;
+    if (letter) {
+      head = std::string(1, static_cast<char>('A' + static_cast<int>(w.address)));
+      if (w.extension != 0) head += std::to_string(w.extension);
+    } else if (w.name != ir::StringId::none) {
+      head = program_.strings.at(w.name);
+    } else {
+      head = name_of(w.address);
+    }
+    const bool kept_mode = letter && w.name != ir::StringId::none;  // DC, ACP, ACN
+    const std::string_view mode = kept_mode                             ? program_.strings.at(w.name)
+                                  : w.mode == ir::WordMode::absolute    ? "AC"
+                                  : w.mode == ir::WordMode::incremental ? "IC"
+                                                                        : std::string_view();
+    if (w.address == Address::other && w.mode == ir::WordMode::as_modal && is_coded_mode(head))
+      return std::string(written(w.span));
+    const ir::Expression& e = program_.at(w.value);
+    const bool plain = e.op == ir::Operator::constant && mode.empty() && letter && w.extension == 0;
+    std::string out = head;
+    if (!plain) out += '=';
+    if (!mode.empty()) out += std::string(mode) + "(";
+    if (e.op == ir::Operator::constant) {
+      const bool position = has_point(w.address);
+      text::append_word_number(out, e.value, position ? decimals(w.address) : kPlainDecimals, !position);
+    } else {
+      value(out, w.value);
+    }
+    if (!mode.empty()) out += ')';
+    return out;
+  }
+
+  static bool is_coded_mode(std::string_view name) {
+    constexpr std::string_view kModes[] = {"CAC", "CIC", "CDC", "CACP", "CACN", "DAC", "DIC", "RAC", "RIC"};
+    return std::ranges::find(kModes, name) != std::end(kModes);
+  }
+
+  // Words that are no positions: feeds, speeds, seconds.
+  static constexpr int kPlainDecimals = 6;
+  [[nodiscard]] int decimals(Address) const {
+    return control_.limits.linear_decimals == 0 ? kPlainDecimals : control_.limits.linear_decimals;
+  }
+
+  void assign(const ir::Assign& a, std::string& out) {
+    const ir::Variable& target = program_.at(a.target);
+    expressions_.append_variable(out, target);
+    out += '=';
+    value(out, a.value);
+    // A name that became a number is told where the number is set first.
+    if (target.bank == ir::Bank::r && target.symbol != ir::SymbolId::none && named_.insert(target.number).second)
+      comment_ = program_.strings.at(program_.at(target.symbol).name);
+  }
+
+  void jump(const ir::Jump& j, std::string& out) const {
+    if (j.condition != ir::ExpressionId::none) {
+      out += "IF ";
+      value(out, j.condition);
+      out += ' ';
+    }
+    out += j.tolerant                             ? "GOTOC "
+           : j.search == ir::JumpSearch::forward  ? "GOTOF "
+           : j.search == ir::JumpSearch::backward ? "GOTOB "
+                                                  : "GOTO ";
+    if (j.computed != ir::ExpressionId::none) {
+      value(out, j.computed);
+    } else if (j.label != ir::StringId::none) {
+      out += program_.strings.at(j.label);
+    } else {
+      out += "N" + std::to_string(j.number);
+    }
+  }
+
+  void opener(std::string_view word, const ir::Statement& s, std::string& out) const {
+    out += word;
+    value(out, program_.structures[s.payload].condition);
+  }
+
+  void for_loop(const ir::Structure& s, std::string& out) const {
+    out += "FOR ";
+    expressions_.append_variable(out, program_.at(s.counter));
+    out += '=';
+    value(out, s.first);
+    out += " TO ";
+    value(out, s.last);
+  }
+
+  void symbol(const ir::Symbol& s, std::string& out) const {
+    out += program_.strings.at(s.name);
+    if (s.dimension1 > 0) {
+      out += "[" + std::to_string(s.dimension1);
+      if (s.dimension2 > 0) out += "," + std::to_string(s.dimension2);
+      out += "]";
+    }
+    if (s.initial != ir::ExpressionId::none) {
+      out += '=';
+      value(out, s.initial);
+    }
+  }
+
+  static std::string type_of(const ir::Symbol& s) {
+    std::string type(name_of(s.type));
+    if (s.string_length > 0) type += "[" + std::to_string(s.string_length) + "]";
+    return type;
+  }
+
+  void definition(const ir::Structure& s, std::string& out) const {
+    if (s.symbol_count == 0) return;
+    out += "DEF " + type_of(program_.symbols[s.first_symbol]) + " ";
+    for (std::uint32_t i = 0; i < s.symbol_count; ++i) {
+      if (i > 0) out += ", ";
+      symbol(program_.symbols[s.first_symbol + i], out);
+    }
+  }
+
+  void procedure(const ir::Structure& s, std::string& out) const {
+    out += "PROC " + program_.name + "(";
+    for (std::uint32_t i = 0; i < s.symbol_count; ++i) {
+      const ir::Symbol& parameter = program_.symbols[s.first_symbol + i];
+      if (i > 0) out += ", ";
+      if (parameter.by_reference) out += "VAR ";
+      out += type_of(parameter) + " ";
+      symbol(parameter, out);
+    }
+    out += s.saves_modal ? ") SAVE" : ")";
+  }
+
+  void call(const ir::Call& c, std::string& out) const {
+    out += program_.strings.at(c.name);
+    if (c.argument_count > 0) {
+      out += '(';
+      for (std::uint32_t i = 0; i < c.argument_count; ++i) {
+        if (i > 0) out += ',';
+        const ir::Argument& argument = program_.arguments[c.first_argument + i];
+        if (argument.value != ir::ExpressionId::none) value(out, argument.value);
+      }
+      out += ')';
+    }
+    if (c.repeats == ir::ExpressionId::none) return;
+    out += " P=";
+    value(out, c.repeats);
+  }
+
+  void program_end(const ir::Statement& s, std::string& out) const {
+    const bool m2 = same_name(written(s.span), "M2") || same_name(written(s.span), "M02");
+    out += m2 ? "M2" : "M30";
+  }
+
+  void message(std::string_view word, const ir::Message& m, std::string& out) const {
+    out += word;
+    out += '(';
+    if (m.number != ir::ExpressionId::none) value(out, m.number);
+    if (m.number != ir::ExpressionId::none && m.text != ir::ExpressionId::none) out += ',';
+    if (m.text != ir::ExpressionId::none) value(out, m.text);
+    out += ')';
+  }
+
+  // Of the statements that are left, not of the arena: raising leaves copies there.
+  [[nodiscard]] std::uint32_t count_variables() const {
+    std::set<std::pair<int, std::uint32_t>> seen;
+    for (const ir::Variable& v : program_.variables) {
+      if (v.bank == ir::Bank::system || v.bank == ir::Bank::hash) continue;
+      if (v.bank == ir::Bank::r && v.index != ir::ExpressionId::none) continue;
+      seen.emplace(static_cast<int>(v.bank),
+                   v.bank == ir::Bank::named ? static_cast<std::uint32_t>(v.symbol) : v.number);
+    }
+    return static_cast<std::uint32_t>(seen.size());
+  }
+
+  const ir::Program& program_;
+  const ir::Control& control_;
+  ExpressionPrinter expressions_;
+  std::vector<bool> targets_;  // of the labels: printed
+  std::set<std::uint32_t> named_;
+  ir::PrintResult result_;
+  std::string line_;
+  std::string comment_;
+  std::uint32_t origin_ = 0;
+  std::uint8_t open_skip_ = 0;
+  bool open_line_ = false;
+  bool joinable_ = false;
+};
+
+}  // namespace
+
+ir::PrintResult print(const ir::Program& program, const ir::Control& control) {
+  return Printer(program, control).print();
+}
+
+}  // namespace dripfeed::sinumerik

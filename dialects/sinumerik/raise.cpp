@@ -1,0 +1,56 @@
+// The order of the steps, and the variables: a main program that sits in the control's memory takes R parameters, not
+// DEF names. They cost half the time to read (paper figures in control.cpp), the operator sees and edits them on their
+// own screen, and they survive a reset; their names stay beside their first assignment as comments.
+#include "dialects/sinumerik/raise.h"
+
+#include <map>
+#include <utility>
+
+#include "dialects/passes/allocation.h"
+#include "dialects/sinumerik/sinumerik.h"
+
+namespace dripfeed::sinumerik {
+
+text::Diagnostic& Raising::report(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments) const {
+  diagnostics.push_back(ir::diagnose(to, id, span, std::move(arguments)));
+  return diagnostics.back();
+}
+
+void Raising::cannot(std::string what, text::Span span) const {
+  report(text::DiagnosticId::cannot_translate, span, {std::move(what), to.title});
+}
+
+void raise_variables(const Raising& raising) {
+  ir::Program& program = raising.program;
+  passes::AllocationReport report = passes::allocate_variables(program, raising.from, raising.to, ir::Bank::r);
+  for (text::Diagnostic& d : report.diagnostics) raising.diagnostics.push_back(std::move(d));
+  // A number that one name has to itself keeps the name for the printer's comment.
+  std::map<std::uint32_t, ir::SymbolId> names;
+  for (const passes::AllocatedVariable& v : report.variables) {
+    if (v.symbol == ir::SymbolId::none || v.count != 1) continue;
+    const auto [entry, is_new] = names.emplace(v.number, v.symbol);
+    if (!is_new) entry->second = ir::SymbolId::none;
+  }
+  for (ir::Variable& v : program.variables) {
+    if (v.bank != ir::Bank::r || v.index != ir::ExpressionId::none) continue;
+    if (const auto name = names.find(v.number); name != names.end()) v.symbol = name->second;
+  }
+}
+
+ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const ir::Control& to) {
+  ir::RaiseResult result{program, {}};
+  const Raising raising{result.program, from, to, result.diagnostics};
+  if (!raising.is_own()) {
+    raise_vacant(raising);
+    raise_expressions(raising);
+    raise_flow(raising);
+  }
+  raise_blocks(raising);
+  if (!raising.is_own()) {
+    raise_modes(raising);
+    raise_variables(raising);
+  }
+  return result;
+}
+
+}  // namespace dripfeed::sinumerik

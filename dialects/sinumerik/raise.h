@@ -1,0 +1,37 @@
+// raise: a program of any control becomes one that the SINUMERIK reader could have read. One file a subject; each step
+// changes the program in place and says what cannot be kept. Programs of SINUMERIK itself are only named anew.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dialects/ir/control.h"
+#include "dialects/ir/program.h"
+#include "dialects/text/diagnostic.h"
+
+namespace dripfeed::sinumerik {
+
+struct Raising {
+  ir::Program& program;
+  const ir::Control& from;
+  const ir::Control& to;
+  std::vector<text::Diagnostic>& diagnostics;
+
+  text::Diagnostic& report(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments) const;
+  // cannot_translate: `what` has no counterpart here.
+  void cannot(std::string what, text::Span span) const;
+  [[nodiscard]] std::string_view text_of(text::Span span) const {
+    return span.end <= program.source.text().size() ? span.in(program.source.text()) : std::string_view();
+  }
+  [[nodiscard]] bool is_own() const { return from.dialect == to.dialect; }
+};
+
+void raise_vacant(const Raising& raising);       // raise_vacant.cpp: variables that are empty until they are set
+void raise_expressions(const Raising& raising);  // raise_expressions.cpp: operators and system variables
+void raise_flow(const Raising& raising);         // raise_flow.cpp: jumps, calls, alarms, natives
+void raise_blocks(const Raising& raising);       // raise_blocks.cpp: codes and words
+void raise_modes(const Raising& raising);        // raise_modes.cpp: feed and surface speed in one group; the safe start
+void raise_variables(const Raising& raising);    // raise.cpp: numbers and names become R parameters
+
+}  // namespace dripfeed::sinumerik

@@ -1,0 +1,357 @@
+// Codes by what they do, words by what they mean. Each block's codes and words are written anew; a code gets the name
+// by which SINUMERIK calls it, so that the printer needs no table.
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "dialects/sinumerik/codes.h"
+#include "dialects/sinumerik/name_index.h"
+#include "dialects/sinumerik/raise.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using ir::Address;
+using ir::Function;
+using ir::ModalGroup;
+using ir::StatementKind;
+
+struct CodeName {
+  Function function;
+  std::string_view name;
+};
+// Functions with one name, whatever their argument.
+constexpr auto kNames = std::to_array<CodeName>({
+    {Function::rapid, "G0"},
+    {Function::linear, "G1"},
+    {Function::arc_cw, "G2"},
+    {Function::arc_ccw, "G3"},
+    {Function::thread, "G33"},
+    {Function::dwell, "G4"},
+    {Function::exact_stop_once, "G9"},
+    {Function::exact_stop_mode, "G60"},
+    {Function::continuous_path, "G64"},
+    {Function::plane_xy, "G17"},
+    {Function::plane_zx, "G18"},
+    {Function::plane_yz, "G19"},
+    {Function::unit_inch, "G700"},
+    {Function::unit_mm, "G710"},
+    {Function::absolute, "G90"},
+    {Function::incremental, "G91"},
+    {Function::feed_per_min, "G94"},
+    {Function::feed_per_rev, "G95"},
+    {Function::feed_inverse_time, "G93"},
+    {Function::diameter_on, "DIAMON"},
+    {Function::diameter_off, "DIAMOF"},
+    {Function::diameter_absolute_only, "DIAM90"},
+    {Function::machine_coordinates, "SUPA"},
+    {Function::local_shift, "TRANS"},
+    {Function::local_shift_add, "ATRANS"},
+    {Function::comp_off, "G40"},
+    {Function::comp_left, "G41"},
+    {Function::comp_right, "G42"},
+    {Function::tool_change, "M6"},
+    {Function::surface_speed_on, "G96"},
+    {Function::surface_speed_off, "G97"},
+    {Function::spindle_cw, "M3"},
+    {Function::spindle_ccw, "M4"},
+    {Function::spindle_stop, "M5"},
+    {Function::spindle_orient, "M19"},
+    {Function::coolant_mist, "M7"},
+    {Function::coolant_flood, "M8"},
+    {Function::coolant_off, "M9"},
+    {Function::program_stop, "M0"},
+    {Function::optional_stop, "M1"},
+    {Function::program_end, "M2"},
+    {Function::program_end_rewind, "M30"},
+    {Function::subprogram_end, "M17"},
+});
+
+// What the other controls need and SINUMERIK does without: cycles are off, a tool's length acts with its edge.
+constexpr Function kNeedless[] = {Function::cycle_off, Function::return_to_initial, Function::return_to_r,
+                                  Function::no_effect};
+
+bool is_length(Address a) {
+  return a == Address::x || a == Address::y || a == Address::z || a == Address::u || a == Address::v ||
+         a == Address::w || a == Address::i || a == Address::j || a == Address::k || a == Address::r;
+}
+bool is_angle(Address a) { return a <= Address::c; }
+
+class BlockRaiser {
+ public:
+  explicit BlockRaiser(const Raising& raising) : raising_(raising), program_(raising.program) {}
+
+  void run() {
+    old_codes_.swap(program_.codes);
+    old_words_.swap(program_.words);
+    for (const ir::Statement& s : program_.statements) {
+      const bool ends = s.kind == StatementKind::program_end;
+      if (s.kind != StatementKind::block && !(ends && s.payload != ir::kNoIndex)) continue;
+      rewrite(program_.blocks[s.payload]);
+    }
+  }
+
+ private:
+  void rewrite(ir::Block& block) {
+    const ir::Block old = block;
+    codes_ = std::span(old_codes_).subspan(old.first_code, old.code_count);
+    words_ = std::span(old_words_).subspan(old.first_word, old.word_count);
+    block.first_code = static_cast<std::uint32_t>(program_.codes.size());
+    block.first_word = static_cast<std::uint32_t>(program_.words.size());
+    dwell_ = has(Function::dwell);
+    for (const ir::Code& c : codes_) code(c);
+    for (const ir::Code& c : codes_) {
+      if (c.group != ModalGroup::motion) continue;
+      arc_is_modal_ = c.function == Function::arc_cw || c.function == Function::arc_ccw;
+      thread_is_modal_ = c.function == Function::thread;
+    }
+    for (const ir::Word& w : words_) word(w);
+    block.code_count = static_cast<std::uint32_t>(program_.codes.size()) - block.first_code;
+    block.word_count = static_cast<std::uint32_t>(program_.words.size()) - block.first_word;
+  }
+
+  [[nodiscard]] bool has(Function function) const {
+    return std::ranges::find(codes_, function, &ir::Code::function) != codes_.end();
+  }
+  [[nodiscard]] const ir::Word* find(Address address) const {
+    const auto found = std::ranges::find(words_, address, &ir::Word::address);
+    return found == words_.end() ? nullptr : &*found;
+  }
+
+  void add(ir::Code code, std::string_view name) {
+    code.name = program_.strings.add(name);
+    program_.codes.push_back(code);
+  }
+  void add_word(Address address, ir::ExpressionId value, text::Span span) {
+    ir::Word w;
+    w.address = address;
+    w.value = value;
+    w.span = span;
+    program_.words.push_back(w);
+  }
+
+  // Codes of the own language keep what they are called: G642 and G64 do the same here and not on the machine.
+  void own_code(const ir::Code& c) {
+    std::string written;
+    for (const char ch : raising_.text_of(c.span))
+      if (ch != ' ' && ch != '\t') written += to_upper(ch);
+    const bool is_m = c.letter == 'M' && written.find_first_not_of("M0123456789") == std::string::npos;
+    const GCode* row = find_code_as_written(written);
+    if (row != nullptr && row->row.function != c.function) return;  // the feed mode that G96 brings along
+    if (row != nullptr) {
+      add(c, row->row.name);
+    } else if (is_m && c.function != Function::machine_function) {
+      add(c, name_of(c));
+    } else if (c.function == Function::not_modelled || c.function == Function::no_effect) {
+      program_.codes.push_back(c);
+    } else {
+      add(c, name_of(c));
+    }
+  }
+
+  [[nodiscard]] std::string name_of(const ir::Code& c) const {
+    if (c.function == Function::work_offset) return name_of_offset(c.argument);
+    if (c.function == Function::machine_function) return "M" + std::to_string(c.argument);
+    if (c.function == Function::unit_inch && c.argument == 1) return "G70";
+    if (c.function == Function::unit_mm && c.argument == 1) return "G71";
+    const auto row = std::ranges::find(kNames, c.function, &CodeName::function);
+    return row == kNames.end() ? std::string() : std::string(row->name);
+  }
+
+  // G54 to G57; the fifth and sixth of the others are G505 and G506, and their further ones (above 100) follow those.
+  static std::string name_of_offset(int number) {
+    constexpr int kExtended = 100;
+    constexpr int kLast = 99;
+    const int own = number > kExtended ? number - kExtended + 6 : number;
+    if (own < 0 || own > kLast) return {};
+    if (own == 0) return "G500";
+    return "G" + std::to_string(own <= 4 ? 53 + own : 500 + own);
+  }
+
+  void code(const ir::Code& c) {
+    if (c.number != ir::ExpressionId::none) {
+      if (c.letter == 'M') return program_.codes.push_back(c);
+      return raising_.cannot("a computed G code", c.span);
+    }
+    if (raising_.is_own()) return own_code(c);
+    if (std::ranges::find(kNeedless, c.function) != std::end(kNeedless)) return;
+    if (c.function == Function::length_offset_plus) return length_offset(c);
+    if (c.function == Function::length_offset_off) return add_word(Address::d, constant(0.0), c.span);
+    if (c.function == Function::set_coordinates && speed_limit()) return;
+    const std::string name = name_of(c);
+    if (name.empty()) {
+      const std::string_view written = raising_.text_of(c.span);
+      return raising_.cannot(written.empty() ? std::string(ir::name_of(c.function)) : std::string(written), c.span);
+    }
+    add(c, name);
+  }
+
+  // G50 S3000, G92 S3000: a limit when no axis is in the block.
+  [[nodiscard]] bool speed_limit() const {
+    return find(Address::s) != nullptr &&
+           std::ranges::none_of(words_, [](const ir::Word& w) { return is_length(w.address) || is_angle(w.address); });
+  }
+
+  // G43 H6 is edge 1 of tool 6: lengths belong to the tool here. Another number than the tool's is another tool's
+  // length.
+  void length_offset(const ir::Code& c) {
+    const ir::Word* h = find(Address::h);
+    const bool constant_h = h != nullptr && program_.at(h->value).op == ir::Operator::constant;
+    if (!constant_h) return raising_.cannot("a tool length with a computed number", c.span);
+    const double number = program_.at(h->value).value;
+    if (number == 0.0) return add_word(Address::d, constant(0.0), h->span);
+    if (number != tool_) return raising_.cannot("the length offset of another tool", h->span);
+    add_word(Address::d, constant(1.0), h->span);
+  }
+
+  ir::ExpressionId constant(double value) { return program_.add_constant(value, {}, false); }
+
+  void word(ir::Word w) {
+    if (raising_.is_own()) return program_.words.push_back(w);
+    const ir::Semantics& from = raising_.from.semantics;
+    if (w.value == ir::ExpressionId::none) return;
+    if (dwell_) return dwell_word(w);
+    w.value = in_units(w);
+    if (from.incremental_letters_uvw) incremental_letter(w);
+    switch (w.address) {
+      case Address::t: return tool_word(w);
+      case Address::h:
+        if (has(Function::length_offset_plus)) return;
+        break;
+      case Address::s:
+        if (has(Function::set_coordinates)) w.address = Address::spindle_limit;
+        break;
+      case Address::r:
+        if (!from.arc_radius_is_r) break;
+        if (!has(Function::arc_cw) && !has(Function::arc_ccw) && !arc_is_modal_)
+          return raising_.cannot("the word R", w.span);
+        w.address = Address::arc_radius;
+        break;
+      case Address::f:
+        // A thread's lead is K along Z and I along X here, F elsewhere.
+        if (thread_is_modal_) w.address = find(Address::z) != nullptr ? Address::k : Address::i;
+        break;
+      case Address::chamfer: w.name = program_.strings.add("CHR"); break;
+      case Address::d:
+        // A compensation number of the other control is the edge of its own tool here.
+        if (!from.d_selects_edge) return edge(w);
+        break;
+      case Address::other:
+      case Address::e:
+      case Address::l:
+      case Address::o:
+      case Address::p:
+      case Address::q: return raising_.cannot("the word " + std::string(raising_.text_of(w.span)), w.span);
+      case Address::a:
+      case Address::b:
+      case Address::c:
+      case Address::g:
+      case Address::i:
+      case Address::j:
+      case Address::k:
+      case Address::m:
+      case Address::n:
+      case Address::u:
+      case Address::v:
+      case Address::w:
+      case Address::x:
+      case Address::y:
+      case Address::z:
+      case Address::arc_radius:
+      case Address::opening_angle:
+      case Address::spindle_limit:
+      case Address::polar_angle:
+      case Address::polar_radius:
+      case Address::turns:
+      case Address::rounding:
+      case Address::count_: break;
+    }
+    program_.words.push_back(w);
+  }
+
+  // X100 without a point is 100 increments on a machine that is set so.
+  ir::ExpressionId in_units(const ir::Word& w) {
+    const ir::Semantics& from = raising_.from.semantics;
+    const ir::Expression e = program_.at(w.value);
+    if (from.decimal_mode != ir::DecimalMode::least_increment || e.op != ir::Operator::constant || e.has_point)
+      return w.value;
+    if (is_length(w.address)) return program_.add_constant(e.value * from.least_increment_mm, e.span);
+    if (is_angle(w.address)) return program_.add_constant(e.value * from.least_increment_deg, e.span);
+    return w.value;
+  }
+
+  // U W H of a lathe are increments of X Z C.
+  static void incremental_letter(ir::Word& w) {
+    struct Letters {
+      Address incremental;
+      Address axis;
+    };
+    static constexpr Letters kLetters[] = {
+        {Address::u, Address::x}, {Address::v, Address::y}, {Address::w, Address::z}, {Address::h, Address::c}};
+    const auto row = std::ranges::find(kLetters, w.address, &Letters::incremental);
+    if (row == std::end(kLetters)) return;
+    w.address = row->axis;
+    w.mode = ir::WordMode::incremental;
+  }
+
+  // G4 F seconds. The others say P milliseconds, or X or U seconds.
+  void dwell_word(const ir::Word& w) {
+    const ir::Semantics& from = raising_.from.semantics;
+    const ir::Expression e = program_.at(w.value);
+    const bool per_thousand = w.address == Address::p || ((w.address == Address::x || w.address == Address::u) &&
+                                                          from.decimal_mode == ir::DecimalMode::least_increment &&
+                                                          e.op == ir::Operator::constant && !e.has_point);
+    if (!from.dwell_p_is_ms || !(per_thousand || w.address == Address::x || w.address == Address::u))
+      return program_.words.push_back(w);
+    if (!per_thousand) return add_word(Address::f, w.value, w.span);
+    const ir::ExpressionId seconds =
+        e.op == ir::Operator::constant ? program_.add_constant(e.value / 1000.0, e.span)
+                                       : program_.add_operator(ir::Operator::divide, w.value, constant(1000.0), e.span);
+    add_word(Address::f, seconds, w.span);
+  }
+
+  void tool_word(const ir::Word& w) {
+    const ir::Expression e = program_.at(w.value);
+    const bool number = e.op == ir::Operator::constant;
+    if (number) tool_ = e.value;
+    if (raising_.from.semantics.tool_word != ir::ToolWord::number_and_offset) {
+      program_.words.push_back(w);
+      return;
+    }
+    if (!number) return raising_.cannot("a computed tool word", w.span);
+    // T0606: tool 6 with its own offset is edge 1, T0600 is no offset; the offset of another tool has no counterpart.
+    const auto both = static_cast<std::int64_t>(e.value);
+    const std::int64_t tool = both / 100;
+    const std::int64_t offset = both % 100;
+    tool_ = static_cast<double>(tool);
+    if (tool != 0) add_word(Address::t, constant(static_cast<double>(tool)), w.span);
+    if (offset == 0) return add_word(Address::d, constant(0.0), w.span);
+    if (tool != 0 && offset != tool) return raising_.cannot("the offset of another tool", w.span);
+    add_word(Address::d, constant(1.0), w.span);
+  }
+
+  void edge(const ir::Word& w) {
+    const ir::Expression e = program_.at(w.value);
+    if (e.op == ir::Operator::constant && (e.value == tool_ || e.value == 0.0))
+      return add_word(Address::d, constant(e.value == 0.0 ? 0.0 : 1.0), w.span);
+    raising_.cannot("a compensation number that is not the tool's", w.span);
+  }
+
+  const Raising& raising_;
+  ir::Program& program_;
+  std::vector<ir::Code> old_codes_;
+  std::vector<ir::Word> old_words_;
+  std::span<const ir::Code> codes_;
+  std::span<const ir::Word> words_;
+  bool dwell_ = false;
+  bool arc_is_modal_ = false;
+  bool thread_is_modal_ = false;
+  double tool_ = -1.0;  // the last one called, in the order of the text
+};
+
+}  // namespace
+
+void raise_blocks(const Raising& raising) { BlockRaiser(raising).run(); }
+
+}  // namespace dripfeed::sinumerik

@@ -1,0 +1,82 @@
+// Jumps get the word that says where their target lies; called programs get names that SINUMERIK can call; alarms get
+// numbers of the user's range; what only the other control understands cannot stay.
+#include <algorithm>
+#include <cctype>
+
+#include "dialects/sinumerik/flow_graph.h"
+#include "dialects/sinumerik/name_index.h"
+#include "dialects/sinumerik/raise.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using ir::StatementKind;
+
+constexpr double kFirstUserAlarm = 65'000.0;
+constexpr double kLastUserAlarm = 69'999.0;
+
+void raise_jump(const Raising& raising, std::uint32_t i) {
+  ir::Program& program = raising.program;
+  const ir::Statement& s = program.statements[i];
+  ir::Jump& jump = program.jumps[s.payload];
+  if (jump.computed != ir::ExpressionId::none) return raising.cannot("a jump to a computed block number", s.span);
+  const std::uint32_t target = target_of(program, i);
+  if (target == ir::kNoIndex) {
+    if (!jump.tolerant)
+      raising.report(text::DiagnosticId::jump_target_missing, s.span, {"N" + std::to_string(jump.number)});
+    return;
+  }
+  const ir::JumpSearch wanted = target > i ? ir::JumpSearch::forward : ir::JumpSearch::backward;
+  if (jump.search == wanted) return;
+  jump.search = wanted;
+  // GOTOB takes the nearest label above; a number that stands twice may lead elsewhere.
+  if (target_of(program, i) != target) raising.cannot("a jump to a block number that stands twice", s.span);
+}
+
+// O9010 is no name here, L9010 is.
+void raise_call(const Raising& raising, const ir::Statement& s) {
+  ir::Program& program = raising.program;
+  ir::Call& call = program.calls[s.payload];
+  if (call.number != ir::ExpressionId::none) return raising.cannot("a call of a computed program number", s.span);
+  const bool by_letter =
+      std::ranges::any_of(program.arguments_of(call), [](const ir::Argument& a) { return a.letter != 0; });
+  if (by_letter) return raising.cannot("a macro call with arguments by letter", s.span);
+  const std::string name(program.strings.at(call.name));
+  if (name.size() > 1 && to_upper(name.front()) == 'O' && is_digit(name[1]))
+    call.name = program.strings.add("L" + name.substr(1));
+  call.kind = ir::CallKind::subprogram;
+}
+
+void raise_alarm(const Raising& raising, const ir::Statement& s) {
+  ir::Message& alarm = raising.program.messages[s.payload];
+  if (alarm.number == ir::ExpressionId::none) return;
+  const ir::Expression number = raising.program.at(alarm.number);
+  if (number.op != ir::Operator::constant) return raising.cannot("an alarm with a computed number", s.span);
+  const double own = number.value < kFirstUserAlarm ? kFirstUserAlarm + number.value : number.value;
+  if (own > kLastUserAlarm) return raising.cannot("an alarm above 69999", s.span);
+  alarm.number = raising.program.add_constant(own, number.span, false);
+}
+
+}  // namespace
+
+void raise_flow(const Raising& raising) {
+  ir::Program& program = raising.program;
+  for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
+    const ir::Statement s = program.statements[i];
+    if (s.kind == StatementKind::go_to) raise_jump(raising, i);
+    if (s.kind == StatementKind::call) raise_call(raising, s);
+    if (s.kind == StatementKind::alarm) raise_alarm(raising, s);
+    if (s.kind == StatementKind::native) {
+      const ir::Native& native = program.natives[s.payload];
+      const std::string name(program.strings.at(native.name));
+      raising.cannot(name.empty() ? std::string("this block") : name, s.span);
+      // What neither moves nor changes state is lost without harm, and said.
+      if (native.effects_known) raising.diagnostics.back().severity = text::Severity::warning;
+      program.statements[i].kind = StatementKind::empty;
+      program.statements[i].payload = ir::kNoIndex;
+    }
+  }
+}
+
+}  // namespace dripfeed::sinumerik
