@@ -225,7 +225,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     const feed::Stall stall = feed_.stall();
     const std::lock_guard lock(report_mutex_);
     const LineState state = row.line == LineState::idle && !link_up_ ? LineState::disconnected : row.line;
-    const std::string_view stall_name = stall == feed::Stall::none ? std::string_view() : feed::name(stall);
+    const std::string_view stall_name = name_of(stall);
     const bool changed =
         state != report_.state || row.end != report_.end || stall_name != report_.stall || order_job_ != report_.job;
     report_.job = order_job_;

@@ -184,7 +184,7 @@ Result<store::Job> Jobs::resume(store::Id id, std::string_view reason, std::stri
   if (!job) return std::unexpected(from_store(job.error()));
   const auto line = line_with(*job);
   if (!line) return std::unexpected(line.error());
-  if ((*line)->report().stall == feed::name(feed::Stall::stopped_by_person)) {
+  if ((*line)->report().stall == name_of(feed::Stall::stopped_by_person)) {
     return command(id, feed::Command::resume, "job.resume", reason, actor);
   }
   if (reason.empty())

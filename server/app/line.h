@@ -24,6 +24,8 @@ enum class LineState : std::uint8_t {
   torn,      // broken off inside a block: a person must confirm that the control was reset
 };
 std::string_view name_of(LineState state);
+// "" for none; "waiting for DC1", "held by DC3", …
+std::string_view name_of(feed::Stall stall);
 
 // How the last job ended, once it did.
 enum class JobEnd : std::uint8_t { none, done, failed, cancelled, disarmed };

@@ -1,0 +1,23 @@
+// Names as people and the API see them.
+#include "server/app/line.h"
+
+#include <array>
+
+namespace dripfeed::app {
+
+std::string_view name_of(LineState state) {
+  static constexpr std::array<std::string_view, 7> kNames = {"disconnected", "idle",     "armed", "feeding",
+                                                             "held",         "draining", "torn"};
+  return kNames[static_cast<std::size_t>(state)];
+}
+
+std::string_view name_of(feed::Stall stall) {
+  static constexpr std::array<std::string_view, 9> kNames = {
+      "",          "waiting for DC1",    "held by DC3",      "CTS off",
+      "peer gone", "waiting for ledger", "waiting for text", "waiting for end",
+      "stopped",
+  };
+  return kNames[static_cast<std::size_t>(stall)];
+}
+
+}  // namespace dripfeed::app
