@@ -99,11 +99,11 @@ Value ExpressionCompiler::compile(ir::ExpressionId id, Operand target) {
 }
 
 Value ExpressionCompiler::compile_number(ir::ExpressionId id, Operand target) {
-  return to_number(compile(id, target), builder_.source().at(id).span);
+  return as_number(compile(id, target), builder_.source().at(id).span);
 }
 
 Value ExpressionCompiler::compile_string(ir::ExpressionId id) {
-  return to_string(compile(id), builder_.source().at(id).span);
+  return as_string(compile(id), builder_.source().at(id).span);
 }
 
 Value ExpressionCompiler::compile_word(ir::ExpressionId id) {
@@ -138,7 +138,7 @@ Value ExpressionCompiler::compile_binary(const ir::Expression& e, Operand target
   const Value a = compile(e.a);
   const Value b = compile(e.b);
   if (is_comparison(e.op) && (a.is_string() || b.is_string())) return compile_string_comparison(e, a, b, target);
-  return combine(e.op, to_number(a, builder_.source().at(e.a).span), to_number(b, builder_.source().at(e.b).span),
+  return combine(e.op, as_number(a, builder_.source().at(e.a).span), as_number(b, builder_.source().at(e.b).span),
                  e.span, target);
 }
 
@@ -229,7 +229,7 @@ Value ExpressionCompiler::compile_is_variable(const ir::Expression& e) {
   return constant(0.0, ValueType::boolean);
 }
 
-Value ExpressionCompiler::to_string(const Value& value, text::Span span) {
+Value ExpressionCompiler::as_string(const Value& value, text::Span span) {
   if (value.is_string()) return value;
   const Operand to = builder_.take_string();
   builder_.emit(Opcode::string_from_number, span, raw_of(to), raw_of(value.operand), 0,
@@ -237,7 +237,7 @@ Value ExpressionCompiler::to_string(const Value& value, text::Span span) {
   return {to, ValueType::string, std::nullopt};
 }
 
-Value ExpressionCompiler::to_number(const Value& value, text::Span span) {
+Value ExpressionCompiler::as_number(const Value& value, text::Span span) {
   if (!value.is_string()) return value;
   return failure(span, DiagnosticId::wrong_type, {"the operand", "STRING", "REAL"});
 }

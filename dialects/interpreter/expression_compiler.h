@@ -29,8 +29,8 @@ class ExpressionCompiler {
   Value compile_string_operator(const ir::Expression& e, Operand target);
   Value compile_string_comparison(const ir::Expression& e, const Value& a, const Value& b, Operand target);
   Value compile_is_variable(const ir::Expression& e);
-  Value to_string(const Value& value, text::Span span);
-  Value to_number(const Value& value, text::Span span);
+  Value as_string(const Value& value, text::Span span);
+  Value as_number(const Value& value, text::Span span);
 
   Operand result(Operand target) { return target == Operand::none ? builder_.take() : target; }
   Value constant(double value, ir::ValueType type = ir::ValueType::real);
