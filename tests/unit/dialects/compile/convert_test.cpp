@@ -2,6 +2,7 @@
 // of two papers: a hyperbolic surface in Fanuc Custom Macro B, a turning cycle for SINUMERIK.
 #include "dialects/compile/convert.h"
 
+#include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -149,7 +150,7 @@ TEST(Convert, ExplicitLinesKnowTheirOrigin) {
 
 TEST(Convert, TurningCycleGoesToFanucAndBack) {
   Cycle cycle;
-  const Run original = run_text(std::string(kTurningMain), lathe("sinumerik-840d"), &cycle.library);
+  const Played original = run_text(std::string(kTurningMain), lathe("sinumerik-840d"), &cycle.library);
   EXPECT_EQ(cycle.asked, 1);
   const std::vector<ir::Motion> moves = moves_of(original.motions);
   ASSERT_GT(moves.size(), 50U);
@@ -196,8 +197,8 @@ TEST(Convert, OffsetsThatMotionsDoNotCarryAreKept) {
   for (const char* word : {"G43", "H3", "G41", "D13", "G40", "G49"}) {
     EXPECT_NE(result.text.find(word), std::string::npos) << word << "\n" << result.text;
   }
-  const Run before = run_text(std::string(request.source.text()), request.from);
-  const Run after = run_text(result.text, request.to);
+  const Played before = run_text(std::string(request.source.text()), request.from);
+  const Played after = run_text(result.text, request.to);
   expect_same(moves_of(before.motions), moves_of(after.motions), 1e-9, result.text);
 }
 

@@ -1,6 +1,7 @@
 // What the tests of compile share: shipped families, texts run to motions, motions compared without their lines.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -44,18 +45,18 @@ class Motions final : public ir::MotionSink {
   std::vector<ir::Motion> all;
 };
 
-struct Run {
+struct Played {
   std::vector<ir::Motion> motions;
   interpreter::RunResult result;
 };
 
 // Reads and runs a text; every fault is a failure of the test.
-inline Run run_text(const std::string& text, const ir::Control& control, ProgramLibrary* library = nullptr) {
+inline Played run_text(const std::string& text, const ir::Control& control, ProgramLibrary* library = nullptr) {
   const text::Source source("program", text);
   const ir::ReadResult read = find_dialect(control.dialect)->read(source, control);
   EXPECT_FALSE(text::has_error(read.diagnostics)) << said(read.diagnostics, source) << text;
   Motions motions;
-  Run out;
+  Played out;
   out.result = execute(read.program, control, library, motions, {});
   for (const interpreter::RunDiagnostic& d : out.result.diagnostics) {
     EXPECT_NE(d.diagnostic.severity, text::Severity::error) << d.line << ": " << text::message_of(d.diagnostic) << "\n"
@@ -84,13 +85,19 @@ inline void expect_same(const std::vector<ir::Motion>& a, const std::vector<ir::
     for (std::size_t axis = 0; axis < 6; ++axis) ASSERT_NEAR(a[i].end[axis], b[i].end[axis], tolerance) << where;
     for (std::size_t axis = 0; axis < 3; ++axis) ASSERT_NEAR(a[i].center[axis], b[i].center[axis], tolerance) << where;
     ASSERT_NEAR(a[i].feed, b[i].feed, 1e-9) << where;
-    if (a[i].feed != 0.0) ASSERT_EQ(static_cast<int>(a[i].feed_mode), static_cast<int>(b[i].feed_mode)) << where;
+    if (a[i].feed != 0.0) {
+      ASSERT_EQ(static_cast<int>(a[i].feed_mode), static_cast<int>(b[i].feed_mode)) << where;
+    }
     ASSERT_EQ(static_cast<int>(a[i].spindle), static_cast<int>(b[i].spindle)) << where;
     ASSERT_NEAR(a[i].spindle_rpm, b[i].spindle_rpm, 1e-9) << where;
     ASSERT_NEAR(a[i].surface_speed_m_min, b[i].surface_speed_m_min, 1e-9) << where;
     ASSERT_EQ(static_cast<int>(a[i].coolant), static_cast<int>(b[i].coolant)) << where;
-    if (a[i].kind == ir::MotionKind::offset) ASSERT_EQ(a[i].number, b[i].number) << where;
-    if (a[i].kind == ir::MotionKind::tool) ASSERT_EQ(a[i].number, b[i].number) << where;
+    if (a[i].kind == ir::MotionKind::offset) {
+      ASSERT_EQ(a[i].number, b[i].number) << where;
+    }
+    if (a[i].kind == ir::MotionKind::tool) {
+      ASSERT_EQ(a[i].number, b[i].number) << where;
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 // One family in every dialect and both forms is one trace, and that trace is the closed form.
 #include "dialects/compile/render.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dialects/text/number.h"
 #include "tests/unit/dialects/compile/harness.h"
 
 namespace dripfeed::compile::test {
@@ -57,7 +59,7 @@ std::vector<std::pair<double, double>> closed_form(const Roll& roll) {
   return out;
 }
 
-void expect_closed_form(const RenderResult& result, const Run& run, const Roll& roll, double tolerance,
+void expect_closed_form(const RenderResult& result, const Played& run, const Roll& roll, double tolerance,
                         const std::string& what) {
   std::vector<ir::Motion> profile;
   for (const ir::Motion& m : run.motions) {
@@ -86,7 +88,7 @@ void expect_one_trace(const Roll& roll) {
       const std::string what = dialect + " " + std::string(name_of(mode));
       const RenderResult result = rendered("hyperbolic-roll", dialect, ir::MachineKind::lathe, mode, values_of(roll));
       ASSERT_EQ(result.mode, mode);
-      const Run run = run_text(result.text, control(dialect, ir::MachineKind::lathe));
+      const Played run = run_text(result.text, control(dialect, ir::MachineKind::lathe));
       EXPECT_EQ(run.result.ended, interpreter::Ended::end) << what;
       const double tolerance = mode == RenderMode::macro ? kMacroTolerance : kExplicitTolerance;
       expect_closed_form(result, run, roll, tolerance, what);
@@ -113,7 +115,7 @@ void expect_all_alike(const std::string& family, ir::MachineKind kind, const Val
     for (const RenderMode mode : {RenderMode::macro, RenderMode::explicit_blocks}) {
       const std::string what = family + " " + dialect + " " + std::string(name_of(mode));
       const RenderResult result = rendered(family, dialect, kind, mode, values);
-      const Run run = run_text(result.text, control(dialect, kind));
+      const Played run = run_text(result.text, control(dialect, kind));
       if (first.empty()) first = run.motions;
       ASSERT_FALSE(moves_of(run.motions).empty()) << what;
       expect_same(first, run.motions, kExplicitTolerance, what);
