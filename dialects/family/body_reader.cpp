@@ -52,6 +52,7 @@ const BodyReader::VerbRow* BodyReader::find_verb(std::string_view word) {
       {"tool", &BodyReader::tool},
       {"spindle", &BodyReader::spindle},
       {"coolant", &BodyReader::coolant},
+      {"compensate", &BodyReader::compensate},
       {"feed", &BodyReader::feed},
       {"rapid", &BodyReader::rapid},
       {"cut", &BodyReader::cut},
@@ -167,6 +168,17 @@ void BodyReader::coolant() {
   if (row == kStates.end()) return cursor_.expected("flood, mist or off");
   cursor_.advance();
   Step out = step(StepKind::coolant);
+  out.number = static_cast<std::int32_t>(row->second);
+  add(std::move(out));
+}
+
+void BodyReader::compensate() {
+  static constexpr std::array<std::pair<std::string_view, ir::CompSide>, 3> kSides = {
+      {{"off", ir::CompSide::off}, {"left", ir::CompSide::left}, {"right", ir::CompSide::right}}};
+  const auto row = std::ranges::find(kSides, cursor_.word(), &std::pair<std::string_view, ir::CompSide>::first);
+  if (row == kSides.end()) return cursor_.expected("left, right or off");
+  cursor_.advance();
+  Step out = step(StepKind::compensate);
   out.number = static_cast<std::int32_t>(row->second);
   add(std::move(out));
 }

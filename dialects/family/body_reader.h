@@ -30,6 +30,7 @@ class BodyReader {
   void tool();
   void spindle();
   void coolant();
+  void compensate();
   void feed();
   void rapid();
   void cut();

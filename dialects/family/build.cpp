@@ -54,6 +54,7 @@ class Builder {
       emit_.set_line(step.line);
       build_step(step);
     }
+    if (compensation_ != Function::none) emit_.block({compensation_}, {});
     emit_.program_end();
     ir::match_structures(program_);
     return std::move(program_);
@@ -112,9 +113,10 @@ class Builder {
       case StepKind::spindle: spindle(step); break;
       case StepKind::spindle_off: emit_.block({Function::spindle_stop}, {}); break;
       case StepKind::coolant: coolant(step); break;
+      case StepKind::compensate: compensation_ = kCompensation[step.number]; break;
       case StepKind::feed: feed(step); break;
-      case StepKind::rapid: emit_.block({Function::rapid}, words(step)); break;
-      case StepKind::cut: emit_.block({Function::linear}, words(step)); break;
+      case StepKind::rapid: move(Function::rapid, step); break;
+      case StepKind::cut: move(Function::linear, step); break;
       case StepKind::arc_cw: emit_.block({Function::arc_cw}, words(step)); break;
       case StepKind::arc_ccw: emit_.block({Function::arc_ccw}, words(step)); break;
       case StepKind::profile_begin:
@@ -139,6 +141,14 @@ class Builder {
       out.push_back({word.address, copy(word.value)});
     }
     return out;
+  }
+
+  // Compensation begins and ends with a straight move: its code goes into the next one's block.
+  void move(Function motion, const Step& step) {
+    std::vector<EmittedCode> codes;
+    if (compensation_ != Function::none) codes.push_back({std::exchange(compensation_, Function::none)});
+    codes.push_back({motion});
+    emit_.block(codes, words(step));
   }
 
   void work_offset(const Step& step) {
@@ -169,6 +179,8 @@ class Builder {
     if (step.direction != Function::none) codes.push_back({step.direction});
     emit_.block(codes, out);
   }
+
+  static constexpr Function kCompensation[] = {Function::comp_off, Function::comp_left, Function::comp_right};
 
   void coolant(const Step& step) {
     static constexpr Function kCoolant[] = {Function::coolant_off, Function::coolant_mist, Function::coolant_flood};
@@ -246,6 +258,7 @@ class Builder {
   ir::Program program_;
   Emitter emit_;
   std::vector<Loop> loops_;
+  Function compensation_ = Function::none;  // waits for the next move
 };
 
 }  // namespace

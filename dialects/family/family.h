@@ -23,10 +23,10 @@
 //               | "tool" INTEGER ["nose" literal] ["tip" INTEGER]
 //               | "spindle" expr ["limit" expr] ["cw" | "ccw"] | "spindle" "off"   rpm, or m/min of surface speed
 //               | "coolant" ("flood" | "mist" | "off")
-//               | "feed" expr                                                      mm/min or mm/rev
-//               | ("rapid" | "cut") { axis expr }
-//               | "arc" ("cw" | "ccw") { axis expr } ("radius" expr | "center" { ("i"|"j"|"k") expr })
-//               | "retract" { axis expr } { "then" { axis expr } }                 rapids, one after the other
+//               | "compensate" ("left" | "right" | "off")    of the nose or cutter radius, from the next rapid or cut
+//               on | "feed" expr                                                      mm/min or mm/rev | ("rapid" |
+//               "cut") { axis expr } | "arc" ("cw" | "ccw") { axis expr } ("radius" expr | "center" { ("i"|"j"|"k")
+//               expr }) | "retract" { axis expr } { "then" { axis expr } }                 rapids, one after the other
 //               | "profile" … "end"                                               these moves make the nominal
 //               | "for" NAME "from" expr ["down"] "to" expr "step" expr … "end"
 //               | "if" condition … ["else" …] "end"

@@ -69,8 +69,9 @@ enum class StepKind : std::uint8_t {
   tool,         // number; nose radius, tip
   spindle,      // values[0] rpm or m/min; values[1] limit
   spindle_off,
-  coolant,  // number: CoolantState
-  feed,     // values[0]
+  coolant,     // number: CoolantState
+  compensate,  // number: CompSide; takes effect with the next rapid or cut
+  feed,        // values[0]
   rapid,
   cut,
   arc_cw,

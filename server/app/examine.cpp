@@ -123,6 +123,12 @@ class Checks {
     settings.nominal = e_.geometry->nominal;
     settings.x_is_diameter = x_is_diameter(e_.control, e_.profile);
     settings.tools = tools_of(e_);
+    if (e_.profile != nullptr) {
+      const checks::MachineAxis* x = checks::find_axis(e_.profile->machine, ir::Axis::x);
+      const checks::MachineAxis* z = checks::find_axis(e_.profile->machine, ir::Axis::z);
+      if (x != nullptr) settings.rapid_x_mm_min = x->rapid_mm_min;
+      if (z != nullptr) settings.rapid_z_mm_min = z->rapid_mm_min;
+    }
     gouge_ = std::make_unique<gouge::Gouge>(std::move(settings));
   }
 

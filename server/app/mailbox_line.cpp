@@ -40,6 +40,12 @@ constexpr std::array<StateRow, modbus::kSenderStates> kStateRows = {{
     {modbus::SenderState::stopped, LineState::idle, JobEnd::failed},
 }};
 
+// Stalls as people name them, in the sender's order; a hold is a person's stop, as on a serial line.
+constexpr std::array<std::string_view, 8> kStallNames = {
+    "",        "waiting for credit", "waiting for ledger", "waiting for text", "waiting for receiver", "peer gone",
+    "stopped", "stopped by a fault",
+};
+
 constexpr bool rows_in_order() {
   for (std::size_t i = 0; i < kStateRows.size(); ++i) {
     if (static_cast<std::size_t>(kStateRows[i].sender) != i) return false;
@@ -178,7 +184,7 @@ class MailboxLine final : public Line {
     const StateRow& row = kStateRows[static_cast<std::size_t>(sender_.state())];
     const modbus::SenderCounters counters = sender_.counters();
     const modbus::SenderStall stall = sender_.stall();
-    const std::string_view stall_name = stall == modbus::SenderStall::none ? std::string_view() : modbus::name(stall);
+    const std::string_view stall_name = kStallNames[static_cast<std::size_t>(stall)];
     const bool changed =
         row.line != report_.state || row.end != report_.end || stall_name != report_.stall || order_job_ != report_.job;
     report_.job = order_job_;

@@ -1,0 +1,8 @@
+"""deploy/run --smoke's script, on the binary that was built."""
+
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.exit(subprocess.run([sys.executable, str(ROOT / "deploy/smoke.py"), sys.argv[1]]).returncode)

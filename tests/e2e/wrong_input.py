@@ -1,0 +1,109 @@
+"""Wrong input at every door: the command, the REST API, a family, a profile. Each is told what is wrong and where, nothing is stored, nothing
+crashes."""
+
+import json
+import subprocess
+import sys
+
+from rig import Rig, binary, expect, in_folder, shop
+
+ROLL = (shop.ROOT / "deploy/families/hyperbolic-roll.family").read_text()
+
+
+def command(*arguments, stdin=""):
+    done = subprocess.run([str(binary()), *map(str, arguments)], input=stdin, capture_output=True, text=True, timeout=60)
+    return done.returncode, done.stdout, done.stderr
+
+
+def expect_command(code, words, *arguments, stdin=""):
+    returned, _, errors = command(*arguments, stdin=stdin)
+    expect(returned == code, f"{arguments}: exit {returned}, expected {code}: {errors}")
+    for word in words:
+        expect(word in errors, f"{arguments}: \"{word}\" is not in: {errors}")
+
+
+def at_the_command(folder):
+    expect_command(2, ["no-such-file.nc"], "check", folder / "no-such-file.nc")
+    expect_command(2, ["folder"], "run", folder)
+    expect_command(2, ["klingon"], "check", "-", "--dialect", "klingon", stdin="M30\n")
+    expect_command(2, ["--control"], "check", "-", "--dialect", "fanuc", "--control", "kind=boat", stdin="M30\n")
+    expect_command(2, ["no preset"], "check", "-", "--machine", "no-such-machine", stdin="M30\n")
+    expect_command(1, ["PS0124"], "check", "-", "--dialect", "fanuc", stdin="%\nO1\nWHILE[#1LT3]DO1\n#1=#1+1\nM30\n%\n")
+    expect_command(2, [], "check")
+    expect_command(2, [], "frobnicate")
+    expect_command(2, ["blocks=N"], "run", "-", "--dialect", "fanuc", "--limit", "blocks=x", stdin="M30\n")
+    expect_command(2, ["--unreleased"], "send", "-", "--link", "pty:/nowhere", stdin="%\nM30\n%\n")
+    expect_command(2, ["port"], "send", "-", "--unreleased", "--link", "tcp://host:99999", stdin="%\nM30\n%\n")
+    expect_command(1, [":"], "send", "-", "--unreleased", "--link", "pty:/nowhere", stdin="%\nO1\nG00 X1.\n%\n")
+    expect_command(2, ["frequency"], "simulate", "--link", "pty:/tmp/x?frequency=3", "--machine", "fanuc-0i-lathe")
+    family = folder / "roll.family"
+    for wrong, words in [
+        (ROLL.replace("length 100 mm ", "length 100 "), ["family", ":"]),
+        (ROLL.replace("cos(t)", "cosine(t)"), ["cosine"]),
+        (ROLL.replace("half_axis_z*tan(t)", "half_axis_z + tan(t)"), [":"]),
+        (ROLL.replace("  end\nend", "end"), [":"]),
+    ]:
+        expect(wrong != ROLL, "the family is not the one that this test was written for")
+        family.write_text(wrong)
+        expect_command(1, words, "render", family, "--dialect", "fanuc")
+    family.write_text(ROLL)
+    expect_command(1, ["roll_length"], "render", family, "--dialect", "fanuc", "--set", "roll_length=200")
+    expect_command(1, ["roll_length"], "render", family, "--dialect", "fanuc", "--set", "roll_length=5000 mm")
+    expect_command(1, ["roll_lenght"], "render", family, "--dialect", "fanuc", "--set", "roll_lenght=200 mm")
+
+
+def refused(status, words, call, *arguments, **more):
+    try:
+        call(*arguments, **more)
+    except shop.Refused as problem:
+        document = json.dumps(problem.document, ensure_ascii=False)
+        expect(problem.status == status, f"status {problem.status}, expected {status}: {document}")
+        for word in words:
+            expect(word in document, f"\"{word}\" is not in: {document}")
+        return
+    raise AssertionError(f"{arguments} was taken")
+
+
+def at_the_api(folder):
+    rig = Rig(folder, f"pty:{folder}/lathe.tty", blocks=5).start()
+    server = rig.server
+    before = {name: server.get(f"/{name}") for name in ("machines", "families", "parts", "programs", "checks", "releases", "jobs")}
+
+    refused(401, [], server.request, "GET", "/api/v1/machines", headers={"Authorization": "Bearer nonsense"})
+    refused(404, [], server.get, "/nothing")
+    refused(405, [], server.request, "DELETE", "/api/v1/machines")
+    refused(422, ["JSON"], server.request, "POST", "/api/v1/families", b"{not json")
+    refused(422, ["/text"], server.post, "/families", {"txt": "family"})
+    refused(422, ["line", "column"], server.post, "/families", {"text": ROLL.replace("cos(t)", "cosine(t)")})
+    for member, value, word in [("baud", "fast", "/link/baud"), ("framing", "9E9", "/link/framing"), ("url", "ftp://x", "/link/url"), ("unsent", 40, "budget"), ("bawd", 1, "/link/bawd")]:
+        profile = json.loads(json.dumps(rig.profile))
+        profile["name"] = "other"
+        profile["link"][member] = value
+        refused(422, [word], server.add_machine, profile)
+    refused(422, ["/dialect"], server.add_machine, dict(rig.profile, name="other", dialect="klingon"))
+    refused(422, ["axes"], server.add_machine, dict(rig.profile, name="other", axes=[]))
+    refused(409, [], server.add_machine, rig.profile)
+    refused(428, [], server.request, "PUT", "/api/v1/machines/lathe", rig.profile)
+    refused(412, [], server.request, "PUT", "/api/v1/machines/lathe", rig.profile, {"If-Match": "\"7\""})
+    refused(404, [], server.post, "/parts", {"number": "P1", "family": "no-such", "values": {}})
+    refused(404, [], server.post, "/render", {"family": "no-such", "machine": "lathe"})
+    refused(422, ["/machine"], server.post, "/render", {"family": "x"})
+    refused(404, [], server.post, "/checks", {"program": 99, "machine": "lathe"})
+    refused(422, ["/program"], server.post, "/checks", {"program": "one", "machine": "lathe"})
+    refused(422, ["/dialect"], server.post, "/programs", {"name": "x", "dialect": "klingon", "text": "M30"})
+    refused(404, [], server.post, "/jobs", {"release": 99})
+    refused(404, [], server.get, "/jobs/99")
+    refused(404, [], server.get, "/jobs/one")
+    refused(409, [], server.post, "/machines/lathe/confirm-reset", {"reason": "nothing to confirm"})
+
+    after = {name: server.get(f"/{name}") for name in before}
+    expect({k: v["items"] for k, v in after.items() if k != "machines"} == {k: v["items"] for k, v in before.items() if k != "machines"}, "something was stored")
+    expect([m["name"] for m in after["machines"]["items"]] == ["lathe"], "a machine was stored")
+    expect(server.alive(), "the server is gone")
+    server.stop()
+
+
+if __name__ == "__main__":
+    in_folder(at_the_command)
+    in_folder(at_the_api)
+    sys.exit(0)
