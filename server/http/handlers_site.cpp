@@ -37,9 +37,14 @@ constexpr std::array kFileTypes = {
     FileType{".map", "application/json"},
 };
 
+Response no_file() { return problem_response(404, "there is no such file of the page; is web/dist built?"); }
+
+// A folder opens like a file and throws when it is read, so only regular files are looked at.
 Response file_response(const std::filesystem::path& path) {
+  std::error_code unknown;  // what cannot be looked at is not there
+  if (!std::filesystem::is_regular_file(path, unknown)) return no_file();
   std::ifstream file(path, std::ios::binary);
-  if (!file) return problem_response(404, "there is no such file of the page; is web/dist built?");
+  if (!file) return no_file();
   Response response;
   response.body.assign(std::istreambuf_iterator<char>(file), {});
   for (const FileType& row : kFileTypes) {
@@ -73,11 +78,17 @@ Response get_openapi(const Call& call) {
   return json_response(200, json::openapi(described, call.api.version()));
 }
 
-Response get_page(const Call& call) { return file_response(call.api.web_root() / "index.html"); }
+Response get_page(const Call& call) {
+  if (call.api.web_root().empty()) return no_file();
+  return file_response(call.api.web_root() / "index.html");
+}
 
 Response get_asset(const Call& call) {
-  // One segment, never "." or "..": it cannot leave the folder.
-  return file_response(call.api.web_root() / "assets" / call.parameters[0]);
+  // A segment may hold an encoded slash, and "..%2F" leaves the folder: only plain names are files of the page.
+  const std::string& name = call.parameters[0];
+  if (call.api.web_root().empty() || name.starts_with('.') || name.find_first_of("/\\") != std::string::npos)
+    return no_file();
+  return file_response(call.api.web_root() / "assets" / name);
 }
 
 Response get_session(const Call& call) { return json_response(200, json::session(call.user, name_of(call.right))); }
