@@ -13,11 +13,17 @@ using ir::StatementKind;
 using ir::TokenKind;
 using enum text::DiagnosticId;
 
-// First and last token that is no blank and no EOB.
+// The first token that is no blank and no EOB, and where the last one ends.
 const ir::Token* first_token(const ir::Program& program) {
   const auto counts = [](const ir::Token& t) { return t.kind != TokenKind::white && t.kind != TokenKind::eob; };
   const auto found = std::ranges::find_if(program.tokens, counts);
   return found == program.tokens.end() ? nullptr : &*found;
+}
+
+std::uint32_t last_token_end(const ir::Program& program) {
+  const auto counts = [](const ir::Token& t) { return t.kind != TokenKind::white && t.kind != TokenKind::eob; };
+  const auto found = std::find_if(program.tokens.rbegin(), program.tokens.rend(), counts);
+  return found == program.tokens.rend() ? 0 : found->span.end;
 }
 
 // Whether the % that closes the program is there: one behind the first, or any when the text does not begin with one.
@@ -69,10 +75,12 @@ void check_frame(const ir::Program& program, const ir::Control& control, const s
                  Findings& findings) {
   const ir::Token* first = first_token(program);
   const bool opened = first != nullptr && first->kind == TokenKind::tape_mark;
-  const auto end = static_cast<std::uint32_t>(program.source.text().size());
   const std::uint32_t begin = first == nullptr ? 0 : first->span.begin;
   if (!opened) findings.add(missing_tape_mark, {begin, begin}, {"first"});
-  if (!has_closing_mark(program, opened)) findings.add(missing_tape_mark, {end, end}, {"last"});
+  if (!has_closing_mark(program, opened)) {
+    const std::uint32_t end = last_token_end(program);
+    findings.add(missing_tape_mark, {end, end}, {"last"});
+  }
   if (sections.front().number.empty()) {
     const auto content =
         std::ranges::find_if(program.statements, [](const ir::Statement& s) { return s.kind != StatementKind::empty; });

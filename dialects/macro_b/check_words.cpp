@@ -57,7 +57,7 @@ class WordCheck {
       unknown(word, use);
       point_not_allowed(word, use);
       const bool length = is_axis(control_, word.address) || (use.arc && holds("IJKR", word.address));
-      if (length) point_missing(word.value, word.span);
+      if (length) point_missing(word.address, word.value, word.span);
     }
   }
 
@@ -65,7 +65,8 @@ class WordCheck {
   void call(const ir::Call& call) {
     for (const ir::Argument& argument : program_.arguments_of(call)) {
       if (call.kind != ir::CallKind::macro || !std::string_view("XYZ").contains(argument.letter)) continue;
-      if (argument.value != ir::ExpressionId::none) point_missing(argument.value, program_.at(argument.value).span);
+      if (argument.value != ir::ExpressionId::none)
+        point_missing(Address::x, argument.value, program_.at(argument.value).span);
     }
   }
 
@@ -104,12 +105,15 @@ class WordCheck {
     }
   }
 
-  void point_missing(ir::ExpressionId id, text::Span span) {
+  void point_missing(Address address, ir::ExpressionId id, text::Span span) {
     const ir::Expression& value = program_.at(id);
     if (value.op != ir::Operator::constant || value.has_point || value.value == 0.0) return;
+    const double increment =
+        holds("ABC", address) ? control_.semantics.least_increment_deg : control_.semantics.least_increment_mm;
+    std::string counted;
+    text::append_word_number(counted, value.value * increment, 6, false);
     findings_.add_open(missing_decimal_point, span,
-                       {std::string(text_of(program_, span)), text::format_shortest(value.value),
-                        text::format_fixed(value.value * control_.semantics.least_increment_mm, 4)},
+                       {std::string(text_of(program_, span)), text::format_shortest(value.value), counted},
                        control_.from_profile && control_.semantics.decimal_mode_confirmed);
   }
 

@@ -177,6 +177,10 @@ void Parser::program_number() {
 
 void Parser::body() {
   if (cursor_.at_end()) return;
+  if (has_nested_comment()) {
+    faults_.fail(nested_comment, cursor_.comments().back());
+    return;
+  }
   if (cursor_.kind() == TokenKind::variable) {
     assignment();
     return trailer();
@@ -315,6 +319,17 @@ void Parser::character_fault() {
   if (fault == nullptr) return;
   if (looks != '?') fault->fix = text::Edit{cursor_.span(), looks == '\0' ? std::string() : std::string(1, looks)};
   if (lower_case) fault->fix = text::Edit{cursor_.span(), std::string(1, static_cast<char>(bytes.front() - 'a' + 'A'))};
+}
+
+// (OUTER (INNER) REST) ends at the first closing bracket, and REST) is read as program.
+bool Parser::has_nested_comment() const {
+  if (cursor_.comments().empty()) return false;
+  if (!cursor_.comments().back().in(cursor_.whole_text()).substr(1).contains('(')) return false;
+  for (std::uint32_t i = cursor_.index(); program_.tokens[i].kind != TokenKind::eob; ++i) {
+    const ir::Token& token = program_.tokens[i];
+    if (token.kind == TokenKind::symbol && token.span.in(cursor_.whole_text()) == ")") return true;
+  }
+  return false;
 }
 
 void Parser::comment_faults() {

@@ -53,6 +53,7 @@ class Parser {
   void bare_expression(text::Span address, std::uint32_t value_index);
   void unexpected();
   void character_fault();
+  [[nodiscard]] bool has_nested_comment() const;
   void comment_faults();
   std::uint8_t loop_number(std::string_view word);
   void structure(ir::StatementKind kind, ir::ExpressionId condition, std::uint8_t number);

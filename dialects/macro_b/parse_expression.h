@@ -36,7 +36,7 @@ class ExpressionReader {
   std::optional<ir::Variable> variable();
   // The keyword at the cursor, nullptr when there is none.
   [[nodiscard]] const Keyword* keyword() const;
-  void begin_block() { depth_ = 0; }
+  void begin_block() { depth_ = 0, said_beside_logic_ = false; }
 
  private:
   ir::ExpressionId comparison(std::string_view after);
@@ -60,6 +60,7 @@ class ExpressionReader {
   Cursor& cursor_;
   Faults& faults_;
   std::uint32_t depth_ = 0;
+  bool said_beside_logic_ = false;
   std::uint32_t open_at_ = 0;  // of the innermost bracket that is open
 };
 

@@ -139,7 +139,7 @@ void Parser::one_macro_statement(std::string_view after) {
                         program_.statements.back().kind == StatementKind::native);
   if (!is_call) {
     faults_.fail(statement_not_alone, {begin_, std::max(begin_, cursor_.previous_end())},
-                 {fmt::format("what follows {} is no macro statement and", after)});
+                 {fmt::format("the NC block after {}", after)});
   }
 }
 

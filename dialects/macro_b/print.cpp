@@ -27,6 +27,8 @@ using ir::StatementKind;
 
 constexpr std::string_view kWholeAddresses = "DHLNOPT";  // take no decimal point
 constexpr std::int16_t kLastPlainOffset = 6;             // G59
+constexpr int kComputedDecimals = 4;
+constexpr int kWrittenDecimals = 6;
 
 std::string_view string_of(const ir::Program& program, ExpressionId id) {
   return id == ExpressionId::none ? std::string_view() : program.strings.at(program.at(id).string);
@@ -192,12 +194,15 @@ std::string ProgramPrinter::word(const ir::Word& word) const {
   const ir::Expression& value = program_.at(word.value);
   if (value.op != Operator::constant) return out + expressions_.word_value(word.value);
   const bool whole = kWholeAddresses.contains(out.front()) || (out == "S" && value.value == std::floor(value.value));
-  if (whole) return out + fmt::format("{}", std::llround(value.value));
+  // T0606: two digits each for the tool and its offset.
+  const bool pairs = out == "T" && control_.semantics.tool_word == ir::ToolWord::number_and_offset;
+  if (whole) return out + fmt::format("{:0{}}", std::llround(value.value), pairs ? 4 : 0);
   const double magnitude = std::abs(value.value);
   const int whole_digits = magnitude < 1.0 ? 0 : static_cast<int>(std::floor(std::log10(magnitude))) + 1;
   const int room = static_cast<int>(control_.limits.digits) - whole_digits;
-  const int wanted =
-      control_.from_profile ? control_.limits.linear_decimals : std::max(control_.limits.linear_decimals, 6);
+  // Computed values get the places that the trace has; written ones keep theirs, on a named machine both get its own.
+  const int unnamed = value.span.empty() ? kComputedDecimals : kWrittenDecimals;
+  const int wanted = control_.from_profile ? control_.limits.linear_decimals : unnamed;
   text::append_word_number(out, value.value, std::clamp(std::min(room, wanted), 0, 9), !value.has_point);
   return out;
 }

@@ -147,7 +147,7 @@ std::string ExpressionPrinter::word_value(ExpressionId id) const {
   if (inner == Operator::variable) return expression(id);
   ExpressionPrinter printer = *this;
   printer.in_word_ = true;
-  return printer.condition(id);
+  return e.op == Operator::negate ? "-" + printer.condition(e.a) : printer.condition(id);
 }
 
 std::uint32_t ExpressionPrinter::depth(ExpressionId id) const {

@@ -51,7 +51,7 @@ BlockRaiser::BlockRaiser(ir::Program& program, const ir::Control& from, const ir
       out_(out),
       diagnostics_(diagnostics),
       same_(from.dialect == to.dialect && from.kind == to.kind && from.g_system == to.g_system),
-      edges_(from.semantics.d_selects_edge || program.source.text().empty()),
+      edges_(from.semantics.d_selects_edge),
       inch_(from.semantics.power_on_unit == Function::unit_inch),
       diameter_(from.semantics.power_on_diameter) {}
 

@@ -1,0 +1,7 @@
+%
+O0001(ORACLE: PS0118: FIVE LEVELS WITH FUNCTIONS)
+G21 G17 G90 G94
+#1=[[[[[[#2]]]]]]
+#3=[[[[SIN[COS[#2]]]]]]
+M30
+%
