@@ -140,7 +140,7 @@ class Flattener {
   }
 
   ExpressionId legal(ExpressionId id, std::uint32_t budget, bool in_word) {
-    if (id == ExpressionId::none) return id;
+    if (id == ExpressionId::none || program_.at(id).op == Operator::string) return id;
     return within(rewritten(id, in_word), budget);
   }
 
