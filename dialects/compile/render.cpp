@@ -13,6 +13,7 @@
 #include "dialects/compile/explicit_program.h"
 #include "dialects/compile/index_places.h"
 #include "dialects/compile/printed_lines.h"
+#include "dialects/compile/wrap.h"
 #include "dialects/family/build.h"
 #include "dialects/family/read.h"
 
@@ -82,7 +83,7 @@ class Renderer {
     if (text::has_error(raised.diagnostics)) return;
     result_.mode = RenderMode::macro;
     result_.because = because;
-    printed_ = dialect_.print(raised.program, request_.target);
+    print(raised.program);
   }
 
   void explicit_blocks(std::string_view because) {
@@ -94,8 +95,13 @@ class Renderer {
     if (text::has_error(result_.diagnostics)) return;
     result_.mode = RenderMode::explicit_blocks;
     result_.because = because;
-    printed_ = dialect_.print(raised.program, request_.target);
+    print(raised.program);
     index_places(made);
+  }
+
+  void print(const ir::Program& raised) {
+    printed_ = dialect_.print(raised, request_.target);
+    if (request_.delivery == ir::Delivery::drip) wrap_for_wire(printed_, dialect_.name, built_.name);
   }
 
   // From numbers of explicit blocks to lines of the family.
