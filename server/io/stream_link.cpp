@@ -3,8 +3,6 @@
 #include "server/io/stream_link.h"
 
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <utility>
 
 #include <boost/asio/ip/tcp.hpp>
@@ -15,7 +13,6 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include "server/io/serial_port.h"
 
@@ -51,17 +48,20 @@ class Core : public std::enable_shared_from_this<Core<Stream>> {
     stream_.close(ignored);
   }
 
+  // Through Asio and not ::write: a socket whose peer is gone must give an error, no SIGPIPE.
   std::size_t write(std::span<const std::byte> bytes) {
-    const ssize_t taken = ::write(stream_.native_handle(), bytes.data(), bytes.size());
-    if (taken == static_cast<ssize_t>(bytes.size())) return bytes.size();
-    if (taken >= 0 || errno == EAGAIN || errno == EINTR) {
+    boost::system::error_code error;
+    const std::size_t taken = stream_.write_some(asio::buffer(bytes.data(), bytes.size()), error);
+    if (taken == bytes.size()) return taken;
+    if (!error || error == asio::error::would_block || error == asio::error::try_again ||
+        error == asio::error::interrupted) {
       wait_writable();
-      return taken > 0 ? static_cast<std::size_t>(taken) : 0;
+      return taken;
     }
     // The listener must not hear of it from inside its own call.
     asio::post(stream_.get_executor(),
-               [self = this->shared_from_this(), reason = std::string(std::strerror(errno))] { self->lose(reason); });
-    return 0;
+               [self = this->shared_from_this(), reason = error.message()] { self->lose(reason); });
+    return taken;
   }
 
   void lose(const std::string& reason) {
@@ -110,6 +110,7 @@ class SerialLink final : public app::Link {
   SerialLink(asio::io_context& context, int descriptor, bool watch_lines, app::LinkListener& listener)
       : core_(std::make_shared<SerialCore>(asio::posix::stream_descriptor(context, descriptor), listener)),
         poll_(std::make_shared<asio::steady_timer>(context)) {
+    core_->stream().non_blocking(true);
     asio::post(context, [core = core_] {
       if (core->listener() != nullptr) core->begin();
     });
@@ -165,16 +166,16 @@ class TcpLink : public app::Link {
       : core_(std::make_shared<TcpCore>(tcp::socket(context), listener)) {}
   ~TcpLink() override { core_->detach(); }
 
-  // Throws boost::system::system_error when the socket cannot be made; open_link is the fence.
-  void connect(const tcp::endpoint& peer) {
-    core_->stream().open(peer.protocol());
-    set_option(core_->stream().native_handle(), SOL_SOCKET, SO_SNDBUF, kSocketSendBytes);
-    core_->stream().async_connect(peer, [core = core_](boost::system::error_code error) {
-      if (core->listener() == nullptr) return;
-      if (error) return core->lose(error.message());
-      tune(core->stream());
-      core->begin();
-    });
+  // A name is looked up on a thread of Asio's own: a slow name server must not hold up the lines that run.
+  void connect(asio::io_context& context, const std::string& host, std::uint16_t port) {
+    const auto resolver = std::make_shared<tcp::resolver>(context);
+    resolver->async_resolve(
+        host, std::to_string(port),
+        [core = core_, resolver](boost::system::error_code error, const tcp::resolver::results_type& peers) {
+          if (core->listener() == nullptr) return;
+          if (error) return core->lose(error.message());
+          connect_to(core, *peers.begin());
+        });
   }
 
   std::size_t write(std::span<const std::byte> bytes) override { return core_->write(bytes); }
@@ -185,6 +186,19 @@ class TcpLink : public app::Link {
   std::shared_ptr<TcpCore>& core() { return core_; }
 
  private:
+  static void connect_to(const std::shared_ptr<TcpCore>& core, const tcp::endpoint& peer) {
+    boost::system::error_code failed;
+    core->stream().open(peer.protocol(), failed);
+    if (failed) return core->lose(failed.message());
+    set_option(core->stream().native_handle(), SOL_SOCKET, SO_SNDBUF, kSocketSendBytes);
+    core->stream().async_connect(peer, [core](boost::system::error_code error) {
+      if (core->listener() == nullptr) return;
+      if (error) return core->lose(error.message());
+      tune(core->stream());
+      core->begin();
+    });
+  }
+
   std::shared_ptr<TcpCore> core_;
 };
 
@@ -223,10 +237,8 @@ Opened open_serial(asio::io_context& context, const machine::LineSettings& line,
 }
 
 Opened open_tcp(asio::io_context& context, const machine::LineSettings& line, app::LinkListener& listener) {
-  // Names are looked up by the system here; a numeric address never blocks.
-  const auto peers = tcp::resolver(context).resolve(line.link.host, std::to_string(line.link.port));
   auto link = std::make_unique<TcpLink>(context, listener);
-  link->connect(*peers.begin());
+  link->connect(context, line.link.host, line.link.port);
   return link;
 }
 
