@@ -1,0 +1,93 @@
+// The explicit form of programs with what families do not have: arcs in every plane, threads, dwells, compensation,
+// machine coordinates, increments, inches, shifts, surface speed, calls. Run as they are and run as plain blocks of the
+// same control, they must move alike.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "dialects/compile/explicit_program.h"
+#include "tests/unit/dialects/compile/harness.h"
+
+namespace dripfeed::compile::test {
+namespace {
+
+std::string explicit_text(const std::string& text, const ir::Control& from) {
+  ConvertRequest request;
+  request.source = text::Source("program", text);
+  request.from = request.to = from;
+  request.mode = ConvertMode::explicit_blocks;
+  const ConvertResult result = convert(request);
+  EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, request.source);
+  return result.text;
+}
+
+void expect_kept(const std::string& text, const ir::Control& on) {
+  const Played before = run_text(text, on);
+  const std::string plain = explicit_text(text, on);
+  const Played after = run_text(plain, on);
+  ASSERT_FALSE(before.motions.empty());
+  expect_same(before.motions, after.motions, 0.0006, plain);
+}
+
+TEST(Explicit, SinumerikMillKeepsItsMotions) {
+  expect_kept(
+      "G17 G90 G94 G710 G40\nG54\nT4 D1 M6\nS1000 M3 M8\nG0 X0 Y0\nZ5\nG1 Z-1 F100\nG2 X10 Y0 I5 J0\nG3 X0 Y0 CR=-5\n"
+      "G91 G1 X3 Y2\nG90 X=IC(2)\nTRANS X10 Y5\nG1 X0 Y0\nTRANS\nX0 Y0\nG18 G2 X4 Z-1 I2 K0\nG19 G3 Y4 Z-1 J2 K0\nG17\n"
+      "G4 F1.5\nG1 G41 X20 Y20\nX30\nG40 X40 Y0\nG700 G1 X1 Y1 F10\nG710\nM0\nM1\nSUPA G0 Z0 D0\nG55 G0 X0 Y0 Z5\n"
+      "MSG(\"TEXT\")\nMSG()\nM9\nM5\nM30\n",
+      control("sinumerik-840d", ir::MachineKind::mill));
+}
+
+TEST(Explicit, SinumerikLatheKeepsItsMotions) {
+  expect_kept(
+      "G18 G90 G95 G710 G40 DIAMON\nG54\nT2 D1\nG96 S200 LIMS=3000 M4\nG0 X50 Z2\nG1 Z-10 F0.2\nG2 X60 Z-15 I5 K0\n"
+      "G3 X70 Z-20 CR=5\nG91 G1 X2 Z-1\nG90\nDIAM90\nG91 X1\nG90 DIAMOF\nX40\nDIAMON\nG97 S500\nG0 X100\n"
+      "G33 Z-30 K1.5\nG0 Z2\nT3 D2\nX20\nT3 D1\nX30\nM5\nM30\n",
+      control("sinumerik-840d", ir::MachineKind::lathe));
+}
+
+TEST(Explicit, FanucMillKeepsItsMotions) {
+  expect_kept(
+      "%\nO1\nG21 G17 G90 G94 G40\nG54\nT4 M06\nS1000 M03\nM08\nG00 X0 Y0\nG43 H4 Z5.\nG01 Z-1. F100.\n"
+      "G02 X10. Y0 I5. J0\nG03 X0 Y0 R-5.\nG91 G01 X3. Y2.\nG90\nG52 X10. Y5.\nX0 Y0\nG52 X0 Y0\nX0 Y0\n"
+      "G18 G02 X4. Z-1. I2. K0\nG19 G03 Y4. Z-1. J2. K0\nG17\nG04 P1500\nG01 G41 D4 X20. Y20.\nX30.\nG40 X40. Y0\n"
+      "G20 G01 X1. Y1. F10.\nG21\nM00\nM01\nG53 G00 Z0\nG55 G00 X0 Y0 Z5.\nM09\nM05\nM30\n%\n",
+      control("fanuc", ir::MachineKind::mill));
+}
+
+TEST(Explicit, FanucLatheKeepsItsMotions) {
+  expect_kept(
+      "%\nO1\nG21 G18 G40 G99\nG54\nT0202\nG50 S3000\nG96 S200 M04\nG00 X50. Z2.\nG01 Z-10. F0.2\n"
+      "G02 X60. Z-15. I5. K0\nG03 X70. Z-20. R5.\nG01 U2. W-1.\nG97 S500\nG00 X100.\nG32 Z-30. F1.5\nG00 Z2.\nT0303\n"
+      "X20.\nT0300\nX30.\nM05\nM30\n%\n",
+      control("fanuc", ir::MachineKind::lathe));
+}
+
+// A loop a thousand blocks long stays one block a motion, in the order of execution, each with its own line.
+TEST(Explicit, BlocksKnowLineAndOrdinal) {
+  const ir::Control on = control("sinumerik-840d", ir::MachineKind::mill);
+  const text::Source source("p", "G17 G90 G94 G710\nR1=0\nWHILE R1<1000\nR1=R1+1\nG1 X=R1 F100\nENDWHILE\nM30\n");
+  const ir::ReadResult read = find_dialect(on.dialect)->read(source, on);
+  const ExplicitProgram made = explicit_program(read.program, on, interpreter::no_programs(),
+                                                {.limits = {}, .initial_values = {}, .want_changes = true});
+  ASSERT_EQ(made.origins.size(), 1001U);
+  for (std::size_t i = 0; i < 1000; ++i) ASSERT_EQ(made.origins[i].line, 5U);
+  for (std::size_t i = 1; i < 1000; ++i) ASSERT_GT(made.origins[i].ordinal, made.origins[i - 1].ordinal);
+  ASSERT_EQ(made.changes.size(), 1001U);
+  EXPECT_DOUBLE_EQ(made.changes.back().change.value, 1000.0);
+  EXPECT_EQ(made.variable_names[made.changes.back().change.variable], "R1");
+}
+
+TEST(Explicit, LimitsEndTheRunWithAnError) {
+  const ir::Control on = control("sinumerik-840d", ir::MachineKind::mill);
+  const text::Source source("p", "AGAIN:\nG1 X1 F100\nGOTOB AGAIN\nM30\n");
+  const ir::ReadResult read = find_dialect(on.dialect)->read(source, on);
+  ExplicitOptions options;
+  options.limits.blocks = 1000;
+  const ExplicitProgram made = explicit_program(read.program, on, interpreter::no_programs(), options);
+  EXPECT_EQ(made.run.ended, interpreter::Ended::limit);
+  EXPECT_TRUE(text::has_error(run_faults(made.run)));
+}
+
+}  // namespace
+}  // namespace dripfeed::compile::test
