@@ -136,8 +136,9 @@ std::string axes_of(const Evidence& e, const ir::Control& usual) {
   std::string axes;
   for (const char letter : std::string_view("XYZABCUVW")) {
     const bool used = e.axes[static_cast<std::size_t>(letter - 'A')];
+    const bool increment_used = letter == 'C' && !mill && e.axes['H' - 'A'];
     const bool may_be_axis = mill || letter < 'U' || letter > 'W';
-    if (usual.axes.contains(letter) || (used && may_be_axis)) axes.push_back(letter);
+    if (usual.axes.contains(letter) || (used && may_be_axis) || increment_used) axes.push_back(letter);
   }
   return axes;
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "dialects/macro_b/check.h"
+#include "dialects/macro_b/lower.h"
 
 namespace dripfeed::macro_b {
 
@@ -33,7 +34,8 @@ bool has_closing_mark(const ir::Program& program, bool opened) {
 
 bool ends_flow(const ir::Program& program, const ir::Statement& s) {
   const bool jumps = s.kind == StatementKind::go_to && program.jumps[s.payload].condition == ir::ExpressionId::none;
-  return jumps || is_end_of_program(s.kind) || s.kind == StatementKind::alarm || native_name(program, s) == "M99 P";
+  return jumps || is_end_of_program(s.kind) || s.kind == StatementKind::alarm ||
+         native_name(program, s) == kReturnToBlock;
 }
 
 // The last block that does something must end the program, or jump, or lie behind a block that does and be reached by
@@ -45,7 +47,7 @@ bool is_ended(const ir::Program& program, const Section& section) {
     const ir::Statement& s = program.statements[i];
     if (s.is_label) open_end = true;
     if (s.kind == StatementKind::empty) continue;
-    any_end |= is_end_of_program(s.kind) || native_name(program, s) == "M99 P";
+    any_end |= is_end_of_program(s.kind) || native_name(program, s) == kReturnToBlock;
     if (ends_flow(program, s)) open_end = false;
   }
   return any_end && !open_end;
@@ -109,7 +111,8 @@ void check_drip(const ir::Program& program, Findings& findings) {
       forbid(s, conditional ? "IF GOTO" : "GOTO", {});
     } else if (s.kind == StatementKind::while_begin || s.kind == StatementKind::loop_begin) {
       forbid(s, s.kind == StatementKind::while_begin ? "WHILE" : "DO", {});
-    } else if (const std::string name = written_native(program, s); name == "M99 P" || name == "M198") {
+    } else if (const std::string name = written_native(program, s);
+               name == kReturnToBlock || name == kExternalCallName) {
       forbid(s, name, "PS0210");
     }
   }
@@ -123,7 +126,7 @@ void check_not_interpreted(const ir::Program& program, const ir::Control& contro
   for (const ir::Statement& s : program.statements) {
     if (s.kind == StatementKind::native && !program.natives[s.payload].effects_known) {
       const std::string name = written_native(program, s);
-      if (!name.starts_with("a block")) tell(name, s.span);
+      if (name != kNotUnderstood) tell(name, s.span);
     }
     if (s.kind != StatementKind::block) continue;
     for (const ir::Code& code : program.codes_of(program.blocks[s.payload])) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "dialects/macro_b/check.h"
+#include "dialects/macro_b/lower.h"
 
 namespace dripfeed::macro_b {
 
@@ -97,7 +98,7 @@ class JumpCheck {
   void check_reached() {
     for (std::uint32_t i = section_.first; i < section_.last && !names_blocks_; ++i) {
       const ir::Statement& s = program_.statements[i];
-      if (s.kind == StatementKind::native) names_blocks_ = native_name(program_, s) == "M99 P";
+      if (s.kind == StatementKind::native) names_blocks_ = native_name(program_, s) == kReturnToBlock;
       if (s.kind == StatementKind::call) names_blocks_ = true;  // M99 P of the called program
       if (s.kind != StatementKind::block) continue;
       for (const ir::Word& word : program_.words_of(program_.blocks[s.payload])) {

@@ -80,6 +80,7 @@ class LoopCheck {
   // A loop without condition, or whose condition cannot change inside it, needs a jump, a return or a stop.
   void check_way_out(std::uint32_t begin, std::uint32_t end) {
     const ir::ExpressionId condition = structure(begin).condition;
+    if (changes_by_itself(condition)) return;
     for (std::uint32_t i = begin + 1; i < end; ++i) {
       const ir::Statement& s = program_.statements[i];
       if (s.kind == StatementKind::go_to && leaves(program_.jumps[s.payload], i, begin, end)) return;
@@ -106,11 +107,19 @@ class LoopCheck {
     if (id == ir::ExpressionId::none) return false;
     const ir::Expression& e = program_.at(id);
     if (e.op == ir::Operator::variable) {
-      const ir::Variable& v = program_.at(e.variable);
-      const bool fixed = v.index == ir::ExpressionId::none && target.index == ir::ExpressionId::none;
-      return !fixed || v.number == target.number || v.number >= kFirstSystemVariable;
+      return target.index != ir::ExpressionId::none || program_.at(e.variable).number == target.number;
     }
     return reads(e.a, target) || reads(e.b, target) || reads(e.c, target);
+  }
+  // Clocks, signals and positions do; a variable with a computed number may be one of them.
+  bool changes_by_itself(ir::ExpressionId id) const {
+    if (id == ir::ExpressionId::none) return false;
+    const ir::Expression& e = program_.at(id);
+    if (e.op == ir::Operator::variable) {
+      const ir::Variable& v = program_.at(e.variable);
+      return v.index != ir::ExpressionId::none || v.number >= kFirstSystemVariable;
+    }
+    return changes_by_itself(e.a) || changes_by_itself(e.b) || changes_by_itself(e.c);
   }
 
   void block_condition(std::uint32_t i) {
@@ -131,7 +140,7 @@ class LoopCheck {
 
   // Deeper loops are a fault already, and a text of nothing but DO must not take for ever.
   static constexpr std::size_t kDeepestLoopLookedAt = 32;
-  static constexpr std::uint32_t kFirstSystemVariable = 1000;  // clocks and signals change by themselves
+  static constexpr std::uint32_t kFirstSystemVariable = 1000;
 
   const ir::Program& program_;
   const ir::Control& control_;

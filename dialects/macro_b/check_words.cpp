@@ -99,6 +99,8 @@ class WordCheck {
 
   void point_not_allowed(const ir::Word& word, const BlockUse& use) {
     if (word.value == ir::ExpressionId::none || !holds(use.other_words ? "T" : "DHLPT", word.address)) return;
+    // H is the increment of C where increments have letters.
+    if (word.address == Address::h && control_.semantics.incremental_letters_uvw) return;
     const ir::Expression& value = program_.at(word.value);
     if (value.op == ir::Operator::constant && value.has_point) {
       findings_.add(decimal_point_not_allowed, word.span, {address_name(program_, word)});

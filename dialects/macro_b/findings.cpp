@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "dialects/macro_b/lower.h"
+
 namespace dripfeed::macro_b {
 
 namespace {
@@ -25,7 +27,7 @@ text::Span number_of(const ir::Program& program, const ir::Statement& statement)
 }
 
 bool returns(const ir::Program& program, const ir::Statement& statement) {
-  return statement.kind == ir::StatementKind::subprogram_return || native_name(program, statement) == "M99 P";
+  return statement.kind == ir::StatementKind::subprogram_return || native_name(program, statement) == kReturnToBlock;
 }
 
 }  // namespace
@@ -64,7 +66,9 @@ std::vector<Section> sections_of(const ir::Program& program) {
       }
       sections.back().number = number;
     }
-    has_content |= statement.kind != ir::StatementKind::empty;
+    // Lines before the first O number that are no program do not make one.
+    const bool noise = native_name(program, statement) == kNotUnderstood;
+    has_content |= statement.kind != ir::StatementKind::empty && !noise;
   }
   sections.back().last = static_cast<std::uint32_t>(program.statements.size());
   for (Section& section : sections) {

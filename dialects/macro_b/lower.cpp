@@ -26,8 +26,6 @@ constexpr std::int32_t kModalCallEachBlock = 661;
 constexpr std::int32_t kModalCallEnd = 670;
 constexpr std::int32_t kDataInput = 100;  // G10
 constexpr std::int32_t kDataInputEnd = 110;
-constexpr std::string_view kReturnToBlock = "M99 P";
-constexpr std::string_view kExternalCallName = "M198";
 constexpr double kPackedProgram = 10'000.0;  // M98 P51234: five times O1234
 
 // Codes as ten times their number: more decimals or digits than any table has are unknown codes.

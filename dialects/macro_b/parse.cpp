@@ -19,8 +19,6 @@ using ir::StatementKind;
 using ir::TokenKind;
 using enum text::DiagnosticId;
 
-constexpr std::string_view kNotUnderstood = "a block that was not understood";
-
 bool begins_with_tape_mark(const ir::Program& program) {
   for (const ir::Token& token : program.tokens) {
     if (token.kind == TokenKind::tape_mark) return true;
