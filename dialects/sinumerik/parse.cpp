@@ -315,7 +315,7 @@ void Parser::g_code(text::Span head) {
   const GCode* code = find_g_code(n);
   if (code == nullptr) {
     report(DiagnosticId::unknown_code, span, {std::string(span.in(cursor_.whole()))});
-    return lower_.keep_as_native(span.in(cursor_.whole()), false, span);
+    return lower_.keep_as_native("unknown code", false, span);
   }
   if (code->row.name == "G291") return native(code->row.name, false, span);
   lower_.add_code(*code, span);

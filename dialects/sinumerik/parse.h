@@ -1,7 +1,7 @@
-// parse: tokens to statements, block by block. parse.cpp reads lines and words, parse_expression.cpp values,
-// parse_flow.cpp jumps and structures, parse_declarations.cpp PROC, DEF and EXTERN, parse_statements.cpp calls,
-// messages and what is kept as written. Names are resolved and statements ordered by Lowering; rules that need the
-// whole program are validate's.
+// parse: tokens to statements, block by block. parse.cpp reads lines and words, parse_expression.cpp and
+// parse_variable.cpp values, parse_flow.cpp jumps and structures, parse_declarations.cpp PROC, DEF and EXTERN,
+// parse_statements.cpp calls, messages and what is kept as written. Names are resolved and statements ordered by
+// Lowering; rules that need the whole program are validate's.
 #pragma once
 
 #include <cstdint>
@@ -65,7 +65,8 @@ class Parser {
   ir::ExpressionId missing_operand();
   ir::Operator infix_here(std::uint8_t& rank) const;
   void warn_of_rank(ir::ExpressionId operand, bool in_parentheses, text::Span span);
-  // A variable with its index; `token` is the head (R5, R, $NAME, name).
+
+  // variables: parse_variable.cpp
   ir::VariableId variable();
   ir::VariableId r_variable();
   void index_list(ir::Variable& variable, bool axes_are_numbers);
@@ -116,6 +117,10 @@ class Parser {
   void expect(char symbol);
   void skip_block();
   [[nodiscard]] std::string here() const;  // the token as written, "the end of the block"
+
+  // The manuals publish no depth of expressions; the control ends with 14050 when its stack is full. Beyond this the
+  // reader stops, so that its own stack is not.
+  static constexpr std::uint32_t kDeepestNesting = 200;
 
   ir::Program& program_;
   const ir::Control& control_;

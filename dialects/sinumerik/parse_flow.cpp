@@ -52,9 +52,13 @@ void Parser::flow(Verb verb, text::Span head) {
 ir::ExpressionId Parser::condition(text::Span head) {
   operator_ = head;
   in_condition_ = true;
-  const ir::ExpressionId value = expression();
+  ir::ExpressionId value = expression();
+  if (cursor_.is_symbol('=')) {
+    report(DiagnosticId::syntax_error, cursor_.span(), {"= compares nothing, == does"});
+    cursor_.advance();
+    value = program_.add_operator(ir::Operator::equal, value, expression(), head);
+  }
   in_condition_ = false;
-  if (cursor_.is_symbol('=')) give_up(DiagnosticId::syntax_error, cursor_.span(), {"= compares nothing, == does"});
   return value;
 }
 

@@ -70,6 +70,7 @@ void Parser::assignment(ir::VariableId target, text::Span head) {
   const text::Span variable_span = program_.at(target).span;
   if (!cursor_.take('=')) {
     report(DiagnosticId::missing_equals, variable_span, {std::string(variable_span.in(cursor_.whole()))});
+    faulty_ = true;
     return lower_.keep_as_native("missing =", false, variable_span);
   }
   operator_ = {cursor_.previous_end() - 1, cursor_.previous_end()};

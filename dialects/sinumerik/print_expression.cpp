@@ -2,6 +2,7 @@
 // an equal one on the right side, a sign behind an operator.
 #include "dialects/sinumerik/print_expression.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "dialects/sinumerik/keywords.h"
@@ -16,6 +17,7 @@ using ir::Operator;
 
 constexpr std::string_view kAxes = "XYZABCUVW";
 constexpr double kLongestWhole = 1e9;
+constexpr int kMostDecimals = 9;
 
 bool is_prefix(Operator op) { return op == Operator::negate || op == Operator::logic_not || op == Operator::bit_not; }
 
@@ -29,12 +31,17 @@ void ExpressionPrinter::append_constant(std::string& out, double value) {
     text::append_fixed(out, value, 0);
     return;
   }
-  std::string shortest = text::format_shortest(value);
-  if (const std::size_t e = shortest.find('e'); e != std::string::npos) {
-    const std::string exponent = shortest.substr(shortest[e + 1] == '+' ? e + 2 : e + 1);
-    shortest = shortest.substr(0, e) + "EX" + exponent;
+  if (text::parse_number(text::format_fixed(value, kMostDecimals)) == value) {
+    text::append_word_number(out, value, kMostDecimals, true);
+    return;
   }
-  out += shortest;
+  const std::string shortest = text::format_shortest(value);
+  const std::size_t e = shortest.find('e');
+  out += shortest.substr(0, e);
+  if (e == std::string::npos) return;
+  // e-09 is EX-9
+  out += shortest[e + 1] == '-' ? "EX-" : "EX";
+  out += shortest.substr(std::min(shortest.find_first_not_of("+-0", e + 1), shortest.size() - 1));
 }
 
 void ExpressionPrinter::append(std::string& out, ir::ExpressionId id) const { append_ranked(out, id, kWeakestRank); }

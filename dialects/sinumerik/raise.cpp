@@ -37,10 +37,25 @@ void raise_variables(const Raising& raising) {
   }
 }
 
+namespace {
+
+// A native that is not the first of its line stands behind something that was read (DEF A[30000]=REP(1)): what it adds
+// cannot be printed by itself.
+void check_natives(const Raising& raising) {
+  for (const ir::Statement& s : raising.program.statements) {
+    if (s.kind != ir::StatementKind::native || s.tokens.first < s.tokens.last) continue;
+    raising.cannot(std::string(raising.program.strings.at(raising.program.natives[s.payload].name)), s.span);
+  }
+}
+
+}  // namespace
+
 ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const ir::Control& to) {
   ir::RaiseResult result{program, {}};
   const Raising raising{result.program, from, to, result.diagnostics};
-  if (!raising.is_own()) {
+  if (raising.is_own()) {
+    check_natives(raising);
+  } else {
     raise_vacant(raising);
     raise_expressions(raising);
     raise_flow(raising);

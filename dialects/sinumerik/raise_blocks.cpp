@@ -107,8 +107,21 @@ class BlockRaiser {
       thread_is_modal_ = c.function == Function::thread;
     }
     for (const ir::Word& w : words_) word(w);
+    if (!raising_.is_own()) doubled(block.first_word);
     block.code_count = static_cast<std::uint32_t>(program_.codes.size()) - block.first_code;
     block.word_count = static_cast<std::uint32_t>(program_.words.size()) - block.first_word;
+  }
+
+  // X and U of one lathe block would both be X.
+  void doubled(std::uint32_t first_word) {
+    const auto words = std::span(program_.words).subspan(first_word);
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      const auto same = [&](const ir::Word& w) {
+        return w.address == words[i].address && w.extension == words[i].extension && w.address != Address::other;
+      };
+      if (std::ranges::any_of(words.first(i), same))
+        raising_.cannot("the second word of one address in a block", words[i].span);
+    }
   }
 
   [[nodiscard]] bool has(Function function) const {
@@ -302,6 +315,9 @@ class BlockRaiser {
     const bool per_thousand = w.address == Address::p || ((w.address == Address::x || w.address == Address::u) &&
                                                           from.decimal_mode == ir::DecimalMode::least_increment &&
                                                           e.op == ir::Operator::constant && !e.has_point);
+    const bool seconds_word = w.address == Address::p || w.address == Address::x || w.address == Address::u ||
+                              w.address == Address::f || w.address == Address::s;
+    if (!seconds_word) return raising_.cannot("a dwell by another word than its time", w.span);
     if (!from.dwell_p_is_ms || !(per_thousand || w.address == Address::x || w.address == Address::u))
       return program_.words.push_back(w);
     if (!per_thousand) return add_word(Address::f, w.value, w.span);

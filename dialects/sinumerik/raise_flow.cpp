@@ -58,6 +58,17 @@ void raise_alarm(const Raising& raising, const ir::Statement& s) {
   alarm.number = raising.program.add_constant(own, number.span, false);
 }
 
+// M99 alone is M17; M99 P100 goes on elsewhere in the caller.
+void raise_return(const Raising& raising, std::uint32_t i) {
+  ir::Program& program = raising.program;
+  ir::Statement& s = program.statements[i];
+  if (s.payload == ir::kNoIndex) return;
+  const bool block = s.payload < program.blocks.size() && program.blocks[s.payload].code_count == 1 &&
+                     program.codes[program.blocks[s.payload].first_code].function == ir::Function::subprogram_end;
+  if (!block) raising.cannot("a return to another block of the caller", s.span);
+  s.payload = ir::kNoIndex;
+}
+
 }  // namespace
 
 void raise_flow(const Raising& raising) {
@@ -67,6 +78,7 @@ void raise_flow(const Raising& raising) {
     if (s.kind == StatementKind::go_to) raise_jump(raising, i);
     if (s.kind == StatementKind::call) raise_call(raising, s);
     if (s.kind == StatementKind::alarm) raise_alarm(raising, s);
+    if (s.kind == StatementKind::subprogram_return) raise_return(raising, i);
     if (s.kind == StatementKind::native) {
       const ir::Native& native = program.natives[s.payload];
       const std::string name(program.strings.at(native.name));

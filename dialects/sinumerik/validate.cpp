@@ -39,6 +39,7 @@ std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Con
   check_values(check);
   check_blocks(check);
   check_modal_state(check);
+  check_interpreted(check);
   std::ranges::stable_sort(found, {}, [](const text::Diagnostic& d) { return d.span.begin; });
   return found;
 }

@@ -42,5 +42,6 @@ void check_names(const Check& check);        // validate_names.cpp
 void check_values(const Check& check);       // validate_values.cpp
 void check_blocks(const Check& check);       // validate_blocks.cpp
 void check_modal_state(const Check& check);  // validate_state.cpp
+void check_interpreted(const Check& check);  // validate_interpreted.cpp
 
 }  // namespace dripfeed::sinumerik

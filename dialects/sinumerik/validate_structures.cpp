@@ -45,7 +45,10 @@ class Nesting {
       check_.report(DiagnosticId::missing_end, statements[open.statement].span,
                     {std::string(open.words->begin_word), std::string(open.words->end_word)});
     }
-    if (open_.empty() && !faulty_) jumps();
+    if (!open_.empty() || faulty_) return;
+    jumps();
+    for (std::uint32_t i = 0; i < statements.size(); ++i)
+      if (repeats_for_ever(i) && !has_way_out(i)) check_.report(DiagnosticId::endless_loop, statements[i].span);
   }
 
  private:
@@ -112,6 +115,29 @@ class Nesting {
                                                                 : std::string(check_.program.strings.at(jump.label));
       check_.report(DiagnosticId::jump_into_loop, statements[i].span, {name}).severity = text::Severity::warning;
     }
+  }
+
+  // LOOP, and WHILE of a constant that is true.
+  [[nodiscard]] bool repeats_for_ever(std::uint32_t i) const {
+    const ir::Statement& s = check_.program.statements[i];
+    if (s.kind == StatementKind::loop_begin) return true;
+    if (s.kind != StatementKind::while_begin) return false;
+    const ir::Expression& e = check_.program.at(check_.program.structures[s.payload].condition);
+    return e.op == ir::Operator::constant && e.value != 0.0;
+  }
+
+  [[nodiscard]] bool has_way_out(std::uint32_t begin) const {
+    const auto& statements = check_.program.statements;
+    const std::uint32_t end = check_.program.structures[statements[begin].payload].partner;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const StatementKind kind = statements[i].kind;
+      if (kind == StatementKind::program_end || kind == StatementKind::subprogram_return) return true;
+      if (kind == StatementKind::native && !check_.program.natives[statements[i].payload].effects_known) return true;
+      if (kind != StatementKind::go_to) continue;
+      const std::uint32_t target = target_of(check_.program, i);
+      if (target == ir::kNoIndex || target <= begin || target >= end) return true;
+    }
+    return false;
   }
 
   [[nodiscard]] bool is_around(std::uint32_t part, std::uint32_t statement) const {

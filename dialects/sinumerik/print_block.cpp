@@ -1,0 +1,161 @@
+// Codes come first, then axes, the rest in the order of the block, M functions last.
+#include "dialects/sinumerik/print_block.h"
+
+#include <algorithm>
+
+#include "dialects/sinumerik/codes.h"
+#include "dialects/sinumerik/name_index.h"
+#include "dialects/text/number.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using ir::Address;
+
+constexpr int kPlainDecimals = 6;
+
+bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
+// Values with a decimal point always: positions and what belongs to them.
+bool has_point(Address a) {
+  return is_axis(a) || (a >= Address::i && a <= Address::k) || a == Address::arc_radius || a == Address::chamfer ||
+         a == Address::rounding;
+}
+
+std::string_view name_of(Address a) {
+  switch (a) {
+    case Address::arc_radius: return "CR";
+    case Address::opening_angle: return "AR";
+    case Address::spindle_limit: return "LIMS";
+    case Address::polar_angle: return "AP";
+    case Address::polar_radius: return "RP";
+    case Address::turns: return "TURN";
+    case Address::chamfer: return "CHF";
+    case Address::rounding: return "RND";
+    case Address::other:
+    case Address::count_:
+    case Address::a:
+    case Address::b:
+    case Address::c:
+    case Address::d:
+    case Address::e:
+    case Address::f:
+    case Address::g:
+    case Address::h:
+    case Address::i:
+    case Address::j:
+    case Address::k:
+    case Address::l:
+    case Address::m:
+    case Address::n:
+    case Address::o:
+    case Address::p:
+    case Address::q:
+    case Address::r:
+    case Address::s:
+    case Address::t:
+    case Address::u:
+    case Address::v:
+    case Address::w:
+    case Address::x:
+    case Address::y:
+    case Address::z: return {};
+  }
+  return {};
+}
+
+void separated(std::string& out, const std::string& word) {
+  if (word.empty()) return;
+  if (!out.empty()) out += ' ';
+  out += word;
+}
+
+bool is_coded_mode(std::string_view name) {
+  constexpr std::string_view kModes[] = {"CAC", "CIC", "CDC", "CACP", "CACN", "DAC", "DIC", "RAC", "RIC"};
+  return std::ranges::find(kModes, name) != std::end(kModes);
+}
+
+}  // namespace
+
+void BlockPrinter::append(std::string& out, const ir::Block& b) const {
+  const auto codes = program_.codes_of(b);
+  const auto words = program_.words_of(b);
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    // G96 was read as two codes of one place.
+    const bool twin = i + 1 < codes.size() && !codes[i].span.empty() && codes[i].span == codes[i + 1].span;
+    if (!is_m(codes[i]) && !twin) separated(out, code(codes[i]));
+  }
+  for (const ir::Word& w : words)
+    if (is_axis(w.address)) separated(out, word(w));
+  for (const ir::Word& w : words)
+    if (!is_axis(w.address)) separated(out, word(w));
+  for (const ir::Code& c : codes)
+    if (is_m(c)) separated(out, code(c));
+}
+
+bool BlockPrinter::is_m(const ir::Code& c) const {
+  if (c.name != ir::StringId::none) {
+    const std::string_view name = program_.strings.at(c.name);
+    return name.size() > 1 && name.front() == 'M' && is_digit(name[1]);
+  }
+  return c.letter == 'M';
+}
+
+std::string BlockPrinter::code(const ir::Code& c) const {
+  if (c.name != ir::StringId::none) return std::string(program_.strings.at(c.name));
+  if (c.number != ir::ExpressionId::none) {
+    std::string out = "M=";
+    expressions_.append(out, c.number);
+    return out;
+  }
+  if (c.function == ir::Function::machine_function) return "M" + std::to_string(c.argument);
+  // A program that was read and not raised: its codes are named by the table.
+  for (const GCode& g : g_codes())
+    if (g.row.function == c.function && g.row.argument == c.argument && g.row.number10 >= 0)
+      return std::string(g.row.name);
+  for (const GCode& g : named_codes())
+    if (g.row.function == c.function) return std::string(g.row.name);
+  for (const ir::CodeRow& m : m_code_rows())
+    if (m.function == c.function) return std::string(m.name);
+  return {};
+}
+
+std::string BlockPrinter::word(const ir::Word& w) const {
+  std::string head;
+  const bool letter = w.address <= Address::z;
+  if (letter) {
+    head = std::string(1, static_cast<char>('A' + static_cast<int>(w.address)));
+    if (w.extension != 0) head += std::to_string(w.extension);
+  } else if (w.name != ir::StringId::none) {
+    head = program_.strings.at(w.name);
+  } else {
+    head = name_of(w.address);
+  }
+  const bool kept_mode = letter && w.name != ir::StringId::none;  // DC, ACP, ACN
+  const std::string_view mode = kept_mode                             ? program_.strings.at(w.name)
+                                : w.mode == ir::WordMode::absolute    ? "AC"
+                                : w.mode == ir::WordMode::incremental ? "IC"
+                                                                      : std::string_view();
+  if (w.address == Address::other && w.mode == ir::WordMode::as_modal && is_coded_mode(head))
+    return std::string(w.span.in(program_.source.text()));
+  const ir::Expression& e = program_.at(w.value);
+  const bool plain = e.op == ir::Operator::constant && mode.empty() && letter && w.extension == 0;
+  std::string out = head;
+  if (!plain) out += '=';
+  if (!mode.empty()) out += std::string(mode) + "(";
+  if (e.op == ir::Operator::constant) {
+    const bool position = has_point(w.address);
+    text::append_word_number(out, e.value, position ? position_decimals() : kPlainDecimals, !position);
+  } else {
+    expressions_.append(out, w.value);
+  }
+  if (!mode.empty()) out += ')';
+  return out;
+}
+
+int BlockPrinter::position_decimals() const {
+  const int stated = control_.limits.linear_decimals;
+  return control_.from_profile && stated > 0 ? stated : std::max(stated, kPlainDecimals);
+}
+
+}  // namespace dripfeed::sinumerik

@@ -1,0 +1,31 @@
+// One block of codes and words as text.
+#pragma once
+
+#include <string>
+
+#include "dialects/ir/control.h"
+#include "dialects/ir/program.h"
+#include "dialects/sinumerik/print_expression.h"
+
+namespace dripfeed::sinumerik {
+
+class BlockPrinter {
+ public:
+  BlockPrinter(const ir::Program& program, const ir::Control& control)
+      : program_(program), control_(control), expressions_(program, control) {}
+
+  void append(std::string& out, const ir::Block& block) const;
+
+ private:
+  [[nodiscard]] bool is_m(const ir::Code& code) const;
+  [[nodiscard]] std::string code(const ir::Code& code) const;
+  [[nodiscard]] std::string word(const ir::Word& word) const;
+  // Only a machine that states its increment rounds; otherwise a position keeps what a trace would show and more.
+  [[nodiscard]] int position_decimals() const;
+
+  const ir::Program& program_;
+  const ir::Control& control_;
+  ExpressionPrinter expressions_;
+};
+
+}  // namespace dripfeed::sinumerik

@@ -1,0 +1,52 @@
+// What the control knows and a run does not: said once by each name, where it stands first.
+#include <set>
+
+#include "dialects/sinumerik/validate.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using ir::StatementKind;
+
+class Unread {
+ public:
+  explicit Unread(const Check& check) : check_(check) {}
+
+  void run() {
+    for (const ir::Statement& s : check_.program.statements) {
+      if (s.kind == StatementKind::native) native(s);
+      if (s.kind == StatementKind::block) block(check_.block_of(s));
+    }
+  }
+
+ private:
+  void say(std::string_view name, text::Span span) {
+    if (seen_.insert(std::string(name)).second)
+      check_.report(text::DiagnosticId::not_interpreted, span, {std::string(name)});
+  }
+
+  // Lines that could not be read have names in words, and their own diagnostic.
+  void native(const ir::Statement& s) {
+    const std::string_view name = check_.native_name(s);
+    if (!check_.program.natives[s.payload].effects_known && name.find(' ') == std::string_view::npos &&
+        name != "UNREADABLE")
+      say(name, s.span);
+  }
+
+  void block(const ir::Block& block) {
+    for (const ir::Code& code : check_.program.codes_of(block))
+      if (code.function == ir::Function::not_modelled) say(check_.program.strings.at(code.name), code.span);
+    for (const ir::Word& word : check_.program.words_of(block))
+      if (word.address == ir::Address::other) say(check_.program.strings.at(word.name), word.span);
+  }
+
+  const Check& check_;
+  std::set<std::string> seen_;
+};
+
+}  // namespace
+
+void check_interpreted(const Check& check) { Unread(check).run(); }
+
+}  // namespace dripfeed::sinumerik

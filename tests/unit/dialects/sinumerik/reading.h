@@ -1,0 +1,42 @@
+// What the tests of this folder share: reading a text, printing it again, and seeing what was said of it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "dialects/sinumerik/sinumerik.h"
+
+namespace dripfeed::sinumerik {
+
+inline ir::ReadResult read_text(std::string_view text, ir::MachineKind kind = ir::MachineKind::mill) {
+  return read(text::Source("TEST.MPF", std::string(text)), control(kind));
+}
+
+// Read without a fault.
+inline ir::Program good(std::string_view text, ir::MachineKind kind = ir::MachineKind::mill) {
+  ir::ReadResult result = read_text(text, kind);
+  for (const text::Diagnostic& d : result.diagnostics) ADD_FAILURE() << text << ": " << text::message_of(d);
+  return std::move(result.program);
+}
+
+inline std::string printed(const ir::Program& program, ir::MachineKind kind = ir::MachineKind::mill) {
+  const ir::Control c = control(kind);
+  const ir::RaiseResult raised = raise(program, c, c);
+  EXPECT_TRUE(raised.diagnostics.empty());
+  return print(raised.program, c).text;
+}
+
+// Names of the diagnostics of reading, in order.
+inline std::string faults_of(std::string_view text) {
+  std::string out;
+  for (const text::Diagnostic& d : read_text(text).diagnostics) {
+    if (!out.empty()) out += ' ';
+    out += text::row_of(d.id).name;
+  }
+  return out;
+}
+
+}  // namespace dripfeed::sinumerik
