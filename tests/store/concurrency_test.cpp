@@ -67,6 +67,22 @@ TEST_F(Concurrency, OfManyChangesOfOneRevisionOneWins) {
   EXPECT_EQ(must(store_->audit().verify()).first_broken, std::nullopt);
 }
 
+// Two processes on one file, as a server and a command: what one changes the other waits for.
+TEST_F(Concurrency, TwoStoresOnOneFileWaitForEachOther) {
+  const auto guest = must(sqlite::open(path()));
+  must(store_->machines().add("a", "0", by("anna")));
+  must(store_->machines().add("b", "0", by("anna")));
+  const auto change = [](Store& store, const char* name) {
+    for (Revision revision = 1; revision <= 40; ++revision) must(store.machines().change(name, revision, "p", by("x")));
+  };
+  {
+    const std::jthread one([&] { change(*store_, "a"); });
+    const std::jthread other([&] { change(*guest, "b"); });
+  }
+  EXPECT_EQ(must(store_->audit().verify()).rows, 82U);
+  EXPECT_EQ(must(store_->audit().verify()).first_broken, std::nullopt);
+}
+
 TEST_F(Concurrency, OneLineIsArmedOnce) {
   const Job first = add_job(*store_, "mill-1");
   std::vector<Id> jobs{first.id};

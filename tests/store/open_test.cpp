@@ -45,6 +45,11 @@ TEST_F(OpenTest, OtherFilesAreLeftAlone) {
   EXPECT_EQ(refusal(sqlite::open(path())), ErrorCode::not_a_store);
 }
 
+TEST_F(OpenTest, TheFileIsInWalMode) {
+  must(store_->machines().add("mill-1", "p", by("anna")));
+  EXPECT_TRUE(std::filesystem::exists(path() + "-wal"));
+}
+
 TEST_F(OpenTest, ANewerSchemaIsRefused) {
   must(store_->machines().add("mill-1", "p", by("anna")));
   store_.reset();

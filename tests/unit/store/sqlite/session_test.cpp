@@ -78,6 +78,19 @@ TEST_F(SessionTest, AnUnknownNameIsDamage) {
   EXPECT_EQ(session.error().code, ErrorCode::corrupt);
 }
 
+TEST_F(SessionTest, EveryConnectionKeepsTheRulesOfTheStore) {
+  Session session(*connection_, "test");
+  const auto setting = [&](std::string_view sql) {
+    Query query(session, sql);
+    return query.next() ? query.number() : 99;
+  };
+  EXPECT_EQ(setting("PRAGMA foreign_keys"), 1U);
+  EXPECT_EQ(setting("PRAGMA synchronous"), 2U) << "FULL";
+  EXPECT_EQ(setting("PRAGMA recursive_triggers"), 1U);
+  EXPECT_EQ(setting("PRAGMA trusted_schema"), 0U);
+  EXPECT_EQ(setting("PRAGMA busy_timeout"), OpenSettings{}.busy_timeout_ms);
+}
+
 TEST_F(SessionTest, AStatementMayRunInsideItself) {
   Session session(*connection_, "test");
   for (unsigned i = 1; i <= 3; ++i) session.run("INSERT INTO t (a) VALUES (?)", i);

@@ -1,0 +1,89 @@
+// Stores of every old schema, as SQL, are opened, brought up to date and read. schema/vN.sql is a store as version N
+// wrote it; UPDATE_GOLDEN=1 writes the newest version's, which is then never changed again.
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include "store/sqlite/migrations.h"
+#include "tests/store/fixture.h"
+
+namespace dripfeed::store_test {
+namespace {
+
+using namespace store;
+
+class SchemaTest : public StoreTest {};
+
+std::string fixture(std::uint32_t version) {
+  return fmt::format("{}/tests/store/schema/v{}.sql", DRIPFEED_SOURCE_DIR, version);
+}
+
+// Tables, then their rows, then what watches over them.
+std::string dump(const std::string& path) {
+  sqlite3* connection = nullptr;
+  sqlite3_open(path.c_str(), &connection);
+  std::string text = "PRAGMA application_id = 0x44524950;\n";
+  const auto each = [&](const std::string& query, const std::function<void(std::string)>& row) {
+    sqlite3_stmt* statement = nullptr;
+    EXPECT_EQ(sqlite3_prepare_v2(connection, query.c_str(), -1, &statement, nullptr), SQLITE_OK) << query;
+    while (sqlite3_step(statement) == SQLITE_ROW) row(reinterpret_cast<const char*>(sqlite3_column_text(statement, 0)));
+    sqlite3_finalize(statement);
+  };
+  const auto schema = [&](std::string_view type) {
+    each(fmt::format("SELECT sql FROM sqlite_master WHERE type {} 'table' AND sql IS NOT NULL ORDER BY rowid", type),
+         [&](const std::string& sql) { text += sql + ";\n"; });
+  };
+  schema("=");
+  each("SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY rowid", [&](const std::string& table) {
+    std::string columns;
+    each(fmt::format("SELECT group_concat('quote(' || name || ')', '||'',''||') FROM pragma_table_info('{}')", table),
+         [&](const std::string& list) { columns = list; });
+    each(fmt::format("SELECT {} FROM {}", columns, table),
+         [&](const std::string& row) { text += fmt::format("INSERT INTO {} VALUES ({});\n", table, row); });
+  });
+  schema("<>");
+  sqlite3_close(connection);
+  return text;
+}
+
+void write_newest(Store& store, const std::string& path) {
+  const Job job = add_job(store, "mill-1");
+  bring(store, job.id, JobState::held);
+  const std::array rows{NewLedgerRow{job.id, {0, 0, 0, 96}, "armed"}};
+  must(store.ledger().append(rows, 5));
+  must(store.tokens().add("mes", Role::operator_, "hash", by("tester")));
+  must(store.replies().keep({"mes", "POST /jobs", "k", "x"}, {201, "", "body", 5}));
+  std::ofstream(fixture(sqlite::migrations().back().version), std::ios::binary) << dump(path);
+}
+
+TEST_F(SchemaTest, EveryOldOneIsReadByThisProgram) {
+  if (std::getenv("UPDATE_GOLDEN") != nullptr) write_newest(*store_, path());
+  for (const sqlite::Migration& migration : sqlite::migrations()) {
+    std::ifstream file(fixture(migration.version), std::ios::binary);
+    ASSERT_TRUE(file) << fixture(migration.version);
+    std::stringstream text;
+    text << file.rdbuf();
+    store_.reset();
+    for (const char* ending : {"", "-wal", "-shm"}) std::filesystem::remove(path() + ending);
+    ASSERT_EQ(sql(text.str()), "");
+    reopen({.own = true});
+    must(store_->check());
+    EXPECT_EQ(must(store_->audit().verify()).first_broken, std::nullopt);
+    const Job job = must(store_->jobs().on_line("mill-1")).value();
+    EXPECT_EQ(job.state, JobState::held);
+    EXPECT_EQ(must(store_->ledger().interval(job.id)).high, 96U);
+    EXPECT_EQ(must(store_->ledger().verify(job.id)), 1U);
+    must(store_->contents().verify(job.text_sha256));
+    EXPECT_EQ(must(store_->tokens().find("hash")).role, Role::operator_);
+    must(store_->releases().released_for(job.text_sha256, "mill-1", Delivery::drip));
+    EXPECT_EQ(must(store_->jobs().interrupt_unfinished(by("server"))).size(), 1U);
+    EXPECT_EQ(sql("DELETE FROM audit"), "append-only");
+  }
+}
+
+}  // namespace
+}  // namespace dripfeed::store_test
