@@ -148,6 +148,9 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     link_up_ = true;
     reopen_wait_ = {};
     link_error_.clear();
+    // A new link begins with both on and reports what is not; what the lost one last said is worth nothing.
+    feed_.line(feed::LineChange::cts_on, now());
+    feed_.line(feed::LineChange::dsr_on, now());
     feed_.line(feed::LineChange::link_up, now());
     settle();
   }
