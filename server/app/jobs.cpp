@@ -2,6 +2,7 @@
 // first row, then the line gets the order. If the line refuses, the job is over before a byte went out.
 #include "server/app/jobs.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -90,8 +91,8 @@ Result<store::Job> Jobs::add(store::Id release, std::string_view actor) {
   return std::move(*job);
 }
 
-Result<store::Job> Jobs::arm(store::Id id, double minutes, std::string_view actor) {
-  if (!std::isfinite(minutes) || minutes <= 0 || minutes > kLongestArming_min) {
+Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::string_view actor) {
+  if (given && (!std::isfinite(*given) || *given <= 0 || *given > kLongestArming_min)) {
     return fail(ErrorCode::invalid, "an arming lasts more than 0 and at most 60 minutes",
                 {{.pointer = "/minutes", .text = "0 < minutes <= 60"}});
   }
@@ -106,10 +107,12 @@ Result<store::Job> Jobs::arm(store::Id id, double minutes, std::string_view acto
   const auto facts = check_program(store_.contents(), job->text_sha256,
                                    machine::program_syntax_of(*profile, delivery_of(job->delivery)));
   if (!facts) return std::unexpected(facts.error());
+  const auto bytes = wire_bytes(*profile, *facts);
+  if (!bytes) return std::unexpected(bytes.error());
 
   auto armed = store_.jobs().move(id, {.to = store::JobState::armed, .reason = "armed", .torn = false}, stamp(actor));
   if (!armed) return std::unexpected(from_store(armed.error()));
-  const std::uint64_t reserve = reserve_window(line->report());
+  const std::uint64_t reserve = std::min(reserve_window(line->report()), *bytes);
   const store::NewLedgerRow first{
       .job = id, .counts = {.handed = 0, .clocked = 0, .confirmed = 0, .reserve = reserve}, .note = "armed"};
   const auto written = store_.ledger().append(std::span(&first, 1), clock_.wall_ms());
@@ -117,6 +120,7 @@ Result<store::Job> Jobs::arm(store::Id id, double minutes, std::string_view acto
   if (!written->empty()) return disarm_after(*armed, written->front().why, actor);
 
   auto source = std::make_shared<ContentSource>(store_.contents(), job->text_sha256);
+  const double minutes = given.value_or(profile->line.arming_minutes);
   const auto expires = feed::Time(static_cast<std::int64_t>(minutes * 60e9));
   const auto on_line = line->arm({.job = id,
                                   .facts = *facts,
@@ -141,7 +145,7 @@ Result<store::Job> Jobs::disarm_after(const store::Job& job, const std::string& 
 }
 
 Result<store::Job> Jobs::command(store::Id id, feed::Command command, std::string_view action, std::string_view reason,
-                                 std::string_view actor) {
+                                 std::string_view actor, std::string note) {
   const auto job = store_.jobs().get(id);
   if (!job) return std::unexpected(from_store(job.error()));
   const auto line = line_with(*job);
@@ -152,6 +156,7 @@ Result<store::Job> Jobs::command(store::Id id, feed::Command command, std::strin
   if (!noted) return std::unexpected(from_store(noted.error()));
   const auto done = (*line)->command(command);
   if (!done) return fail(ErrorCode::refused, done.error());
+  if (!note.empty()) keeper_.note(job->machine, std::move(note));
   keeper_.round();
   auto now = store_.jobs().get(id);
   if (!now) return std::unexpected(from_store(now.error()));
@@ -190,7 +195,8 @@ Result<store::Job> Jobs::resume(store::Id id, std::string_view reason, std::stri
   if (reason.empty())
     return fail(ErrorCode::invalid, "a reason is needed to go on as if DC1 had come",
                 {{.pointer = "/reason", .text = "a reason"}});
-  return command(id, feed::Command::resume_as_if_dc1, "job.resume-as-if-dc1", reason, actor);
+  return command(id, feed::Command::resume_as_if_dc1, "job.resume-as-if-dc1", reason, actor,
+                 fmt::format("{} resumes as if DC1 had come: {}", actor, reason));
 }
 
 Result<store::Job> Jobs::confirm_reset(std::string_view machine, std::string_view reason, std::string_view actor) {

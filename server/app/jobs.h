@@ -2,6 +2,7 @@
 // confirm that a control was reset. Nothing here ever starts or resumes motion by itself.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,9 +22,9 @@ class Jobs {
 
   // Queued. Errors: not_found, refused (not released, or its text cannot be fed: with the place).
   Result<store::Job> add(store::Id release, std::string_view actor);
-  // The named person arms it for its machine's line. Errors: not_found, refused with the reason (torn, busy, link down,
-  // …).
-  Result<store::Job> arm(store::Id job, double minutes, std::string_view actor);
+  // The named person arms it for its machine's line, for so long or as the profile says. Errors: not_found, invalid,
+  // refused with the reason (torn, busy, link down, …).
+  Result<store::Job> arm(store::Id job, std::optional<double> minutes, std::string_view actor);
   // At a block end: the feed stops and waits / is over. A queued job is cancelled at once.
   Result<store::Job> stop(store::Id job, std::string_view actor);
   Result<store::Job> cancel(store::Id job, std::string_view actor);
@@ -35,8 +36,9 @@ class Jobs {
  private:
   Result<machine::Profile> profile_of(std::string_view machine);
   Result<std::shared_ptr<Line>> line_with(const store::Job& job);
+  // `note`: what stands in the ledger, where something does.
   Result<store::Job> command(store::Id job, feed::Command command, std::string_view action, std::string_view reason,
-                             std::string_view actor);
+                             std::string_view actor, std::string note = {});
   Result<store::Job> cancel_queued(const store::Job& job, std::string_view actor);
   Result<store::Job> disarm_after(const store::Job& job, const std::string& why, std::string_view actor);
   store::Stamp stamp(std::string_view actor) const;

@@ -49,7 +49,7 @@ std::optional<store::JobState> target_of(const LineReport& report) {
   return std::nullopt;
 }
 
-// The shortest allowed way from one state to another: a line may have passed through several between two rounds.
+// The shortest allowed way from one state to another.
 std::vector<store::JobState> way(store::JobState from, store::JobState to) {
   std::array<std::optional<store::JobState>, store::kJobStates> before;
   std::deque<store::JobState> next = {from};
@@ -70,8 +70,19 @@ std::vector<store::JobState> way(store::JobState from, store::JobState to) {
   return steps;
 }
 
+// A line may have passed through several states between two rounds. One that handed bytes has fed, and that counts as a
+// transfer, however soon it broke off.
+std::vector<store::JobState> steps_to(store::JobState from, store::JobState to, const LineReport& report) {
+  if (from != store::JobState::armed || report.handed == 0) return way(from, to);
+  std::vector<store::JobState> steps = {store::JobState::feeding};
+  const std::vector<store::JobState> rest = way(store::JobState::feeding, to);
+  steps.insert(steps.end(), rest.begin(), rest.end());
+  return steps;
+}
+
 std::string reason_of(const LineReport& report) {
   if (report.end == JobEnd::none || report.end == JobEnd::done) return std::string(report.stall);
+  if (report.end == JobEnd::disarmed) return fmt::format("disarmed, nothing was sent: {}", report.cause);
   std::string reason = fmt::format("{}: between wire byte {} and {} of {} may have reached the control", report.cause,
                                    report.known.from, report.known.to, report.total);
   if (report.known.from_line > 0)
@@ -79,10 +90,6 @@ std::string reason_of(const LineReport& report) {
   if (report.state == LineState::torn) reason += "; a block is torn: reset the control and confirm it";
   if (!report.link_error.empty()) reason += fmt::format("; {}", report.link_error);
   return reason;
-}
-
-bool same_counts(const store::LedgerCounts& a, const store::LedgerCounts& b) {
-  return a.handed == b.handed && a.clocked == b.clocked && a.confirmed == b.confirmed && a.reserve == b.reserve;
 }
 
 }  // namespace
@@ -114,6 +121,13 @@ void Keeper::set_source(const std::string& machine, std::shared_ptr<ContentSourc
   sources_[machine] = std::move(source);
 }
 
+void Keeper::note(const std::string& machine, std::string text) {
+  const std::lock_guard lock(round_mutex_);
+  std::string& note = tracked_[machine].note;
+  note += note.empty() ? "" : "; ";
+  note += text;
+}
+
 void Keeper::loop(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     {
@@ -137,29 +151,39 @@ void Keeper::round() {
 
   const std::vector<store::NewLedgerRow> rows = rows_of(all);
   if (!rows.empty()) {
-    const auto refused = store_.ledger().append(rows, clock_.wall_ms());
-    if (!refused) {
-      // Nothing is reserved, so the feeds stop at what they have and say that they wait for the ledger.
-      spdlog::error("ledger: {}", store::message_of(refused.error()));
+    const auto faults = store_.ledger().append(rows, clock_.wall_ms());
+    if (!faults) {
+      // Nothing is reserved, so the feeds stop at what they have and say that they wait for the ledger. No job moves
+      // without its row.
+      spdlog::error("ledger: {}", store::message_of(faults.error()));
+      for (const Due& due : all) events_.progress(due.machine, due.report);
       return;
     }
-    for (const store::LedgerFault& fault : *refused) spdlog::error("ledger: job {}: {}", fault.job, fault.why);
-    for (const Due& due : all) {
-      Tracked& tracked = tracked_[due.machine];
-      const auto row = std::ranges::find(rows, tracked.job.id, &store::NewLedgerRow::job);
-      if (row == rows.end() || std::ranges::find(*refused, tracked.job.id, &store::LedgerFault::job) != refused->end())
-        continue;
-      tracked.committed = row->counts;
-      due.line->extend_reserve(tracked.job.id, row->counts.reserve);
-    }
+    for (const store::LedgerFault& fault : *faults) spdlog::error("ledger: job {}: {}", fault.job, fault.why);
+    commit(rows, *faults, all);
   }
   for (const Due& due : all) follow(tracked_[due.machine], due);
 }
 
+// The rows are durable: their windows may be used.
+void Keeper::commit(std::span<const store::NewLedgerRow> rows, std::span<const store::LedgerFault> faults,
+                    const std::vector<Due>& all) {
+  for (const Due& due : all) {
+    Tracked& tracked = tracked_[due.machine];
+    const auto row = std::ranges::find(rows, tracked.job.id, &store::NewLedgerRow::job);
+    if (row == rows.end() || due.report.job != tracked.job.id) continue;
+    const auto fault = std::ranges::find(faults, tracked.job.id, &store::LedgerFault::job);
+    if (fault != faults.end() && !fault->written) continue;
+    tracked.committed = row->counts;
+    tracked.note.clear();
+    due.line->extend_reserve(tracked.job.id, row->counts.reserve);
+  }
+}
+
 // A job that the line has and the books do not know yet.
 void Keeper::begin(Tracked& tracked, const Due& due) {
-  // A disarmed job may come again.
-  const bool again = tracked.over && due.report.end == JobEnd::none;
+  // A disarmed job may come again; one that ended does not.
+  const bool again = tracked.over && due.report.end == JobEnd::none && !store::ended(tracked.job.state);
   if (due.report.job == 0 || (due.report.job == tracked.job.id && !again)) return;
   const auto job = store_.jobs().get(due.report.job);
   const auto interval = store_.ledger().interval(due.report.job);
@@ -185,11 +209,17 @@ std::vector<store::NewLedgerRow> Keeper::rows_of(const std::vector<Due>& all) {
     const bool runs = report.end == JobEnd::none;
     // A window is opened anew when half of it is used, so that a feed at full speed never meets its end.
     const std::uint64_t window = reserve_window(report);
-    const bool open_more = runs && tracked.committed.reserve < report.handed + window / 2 + window / 4;
-    row.counts.reserve = open_more ? report.handed + window : std::max(tracked.committed.reserve, report.handed);
-    if (report.stall != tracked.last.stall || report.state != tracked.last.state)
-      row.note = runs ? std::string(report.stall) : reason_of(report);
-    if (!same_counts(row.counts, tracked.committed) || !runs || !row.note.empty()) rows.push_back(std::move(row));
+    const bool open_more = tracked.committed.reserve < report.handed + window / 2 + window / 4;
+    row.counts.reserve = std::max(tracked.committed.reserve, report.handed);
+    if (open_more) row.counts.reserve = std::max(row.counts.reserve, std::min(report.handed + window, report.total));
+    // A job that is over hands nothing more: what it had left of its window is given back.
+    if (!runs) row.counts.reserve = report.handed;
+    row.note = tracked.note;
+    if (report.stall != tracked.last.stall || report.state != tracked.last.state) {
+      const std::string news = runs ? std::string(report.stall) : reason_of(report);
+      row.note += row.note.empty() || news.empty() ? news : "; " + news;
+    }
+    if (row.counts != tracked.committed || !runs || !row.note.empty()) rows.push_back(std::move(row));
   }
   return rows;
 }
@@ -198,8 +228,8 @@ std::vector<store::NewLedgerRow> Keeper::rows_of(const std::vector<Due>& all) {
 void Keeper::follow(Tracked& tracked, const Due& due) {
   const LineReport& report = due.report;
   events_.progress(due.machine, report);
-  if (report.unarmed_starts != tracked.unarmed_starts) {
-    tracked.unarmed_starts = report.unarmed_starts;
+  const std::uint64_t starts_before = std::exchange(tracked.unarmed_starts, report.unarmed_starts);
+  if (report.unarmed_starts > starts_before) {
     events_.publish({.id = 0,
                      .kind = EventKind::alarm,
                      .machine = due.machine,
@@ -221,8 +251,9 @@ void Keeper::follow(Tracked& tracked, const Due& due) {
   if (report.job == 0 || report.job != tracked.job.id || tracked.over) return;
   const auto target = target_of(report);
   if (!target || *target == tracked.job.state) return;
-  for (const store::JobState step : way(tracked.job.state, *target)) move(tracked, step, report);
-  if (report.end == JobEnd::none) return;
+  for (const store::JobState step : steps_to(tracked.job.state, *target, report)) move(tracked, step, report);
+  // What the store did not take is tried again in the next round.
+  if (report.end == JobEnd::none || (tracked.job.state != *target && !store::ended(tracked.job.state))) return;
   tracked.over = true;
   const std::lock_guard lock(sources_mutex_);
   sources_.erase(due.machine);
@@ -230,12 +261,14 @@ void Keeper::follow(Tracked& tracked, const Due& due) {
 
 void Keeper::move(Tracked& tracked, store::JobState to, const LineReport& report) {
   const bool ends = store::ended(to);
+  const bool disarms = to == store::JobState::queued;
   const store::JobMove step{.to = to,
-                            .reason = ends ? reason_of(report) : std::string(report.stall),
+                            .reason = ends || disarms ? reason_of(report) : std::string(report.stall),
                             .torn = ends && report.state == LineState::torn};
   const auto moved = store_.jobs().move(tracked.job.id, step, {std::string(kActor), clock_.wall_ms()});
   if (!moved) {
     spdlog::error("job {}: {}", tracked.job.id, store::message_of(moved.error()));
+    if (const auto now = store_.jobs().get(tracked.job.id)) tracked.job = *now;
     return;
   }
   tracked.job = *moved;

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -38,6 +39,8 @@ class Keeper {
   void wake();
   // The text of the machine's job, to be read ahead of the feed.
   void set_source(const std::string& machine, std::shared_ptr<ContentSource> source);
+  // What a person did to the machine's job stands in its next ledger row.
+  void note(const std::string& machine, std::string text);
   // One round now, on the caller's thread. For the start, the end and tests.
   void round();
 
@@ -47,6 +50,7 @@ class Keeper {
     LineReport last;
     store::LedgerCounts committed;
     bool over = true;  // nothing is to be written for it any more
+    std::string note;  // for the next row
     std::uint64_t unarmed_starts = 0;
   };
   struct Due {
@@ -58,6 +62,8 @@ class Keeper {
   void loop(const std::stop_token& stop);
   void begin(Tracked& tracked, const Due& due);
   std::vector<store::NewLedgerRow> rows_of(const std::vector<Due>& all);
+  void commit(std::span<const store::NewLedgerRow> rows, std::span<const store::LedgerFault> faults,
+              const std::vector<Due>& all);
   void follow(Tracked& tracked, const Due& due);
   void move(Tracked& tracked, store::JobState to, const LineReport& report);
 

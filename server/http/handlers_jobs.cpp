@@ -106,8 +106,7 @@ Response get_job(const Call& call) {
 Response arm_job(const Call& call) {
   const auto id = id_of(call.parameters[0]);
   if (!id) return id.error();
-  constexpr double kUsualMinutes = 10.0;
-  const auto minutes = json::read_arm_minutes(call.request.body, kUsualMinutes);
+  const auto minutes = json::read_arm_minutes(call.request.body);
   if (!minutes) return problem_response(minutes.error());
   return job_response(call.api.application().jobs().arm(*id, *minutes, call.user));
 }

@@ -133,8 +133,8 @@ app::Result<JobBody> read_job_body(std::string_view body) {
   return read;
 }
 
-app::Result<double> read_arm_minutes(std::string_view body, double standard) {
-  double minutes = standard;
+app::Result<std::optional<double>> read_arm_minutes(std::string_view body) {
+  std::optional<double> minutes;
   if (body.empty()) return minutes;
   const auto done = read_object(body, "request", [&](ObjectReader& o) { o.number("minutes", minutes, 0.01, 60.0); });
   if (!done) return std::unexpected(done.error());

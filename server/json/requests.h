@@ -52,8 +52,8 @@ struct JobBody {
 };
 app::Result<JobBody> read_job_body(std::string_view body);
 
-// An empty body gives the default.
-app::Result<double> read_arm_minutes(std::string_view body, double standard);
+// Nothing when the body does not say.
+app::Result<std::optional<double>> read_arm_minutes(std::string_view body);
 
 struct SessionBody {
   std::string token;
