@@ -1,10 +1,13 @@
 // Start and end, and what several use cases show together.
 #include "server/app/application.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
 #include <spdlog/spdlog.h>
+
+#include "dialects/text/source.h"
 
 namespace dripfeed::app {
 
@@ -17,6 +20,18 @@ bool runs(const Line& line) {
   const LineReport report = line.report();
   return report.job != 0 && report.end == JobEnd::none && report.state != LineState::idle &&
          report.state != LineState::disconnected;
+}
+
+// Positions of a feed count each EOB once. Of a stored text that has more characters a line, as its first line shows,
+// the place is behind that.
+std::uint64_t stored_place(store::Contents& contents, const std::string& sha256, const KnownInterval& known) {
+  std::string begin(kBlockAround, '\0');
+  const auto count = contents.read(sha256, 0, begin);
+  if (!count || known.to_line == 0) return known.to_text;
+  begin.resize(*count);
+  const std::size_t eob = begin.find_first_of("\r\n");
+  if (eob == std::string::npos) return known.to_text;
+  return known.to_text + (known.to_line - 1) * (text::eob_length(begin, eob) - 1);
 }
 
 // The line of the text that holds the character at `at`.
@@ -38,6 +53,7 @@ Application::Application(const Environment& environment)
     : store_(environment.store),
       clock_(environment.clock),
       documents_(environment.documents),
+      events_(static_cast<std::uint64_t>(clock_.wall_ms())),
       lines_(environment.links, environment.make_bus, [this] { keeper_.wake(); }),
       keeper_(store_, lines_, events_, clock_),
       catalog_(store_, lines_, events_, clock_, documents_),
@@ -78,7 +94,8 @@ MachineStatus Application::status(const std::string& machine) {
   if (!job) return status;
   if (const auto program = store_.programs().get(job->program)) status.program = program->name;
   if (status.report.handed > 0)
-    status.block_text = block_around(store_.contents(), job->text_sha256, status.report.known.to_text);
+    status.block_text = block_around(store_.contents(), job->text_sha256,
+                                     stored_place(store_.contents(), job->text_sha256, status.report.known));
   return status;
 }
 

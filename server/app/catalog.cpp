@@ -66,6 +66,7 @@ Result<store::Machine> Catalog::change_machine(std::string_view name, store::Rev
   const auto on_line = lift(store_.jobs().on_line(name));
   if (!on_line) return std::unexpected(on_line.error());
   if (*on_line) return fail(ErrorCode::refused, fmt::format("job {} is on the line of {}", (*on_line)->id, name));
+  if (auto free = lines_.may_set(*profile); !free) return std::unexpected(free.error());
   auto stored = lift(store_.machines().change(name, expected, document, stamp(actor)));
   if (!stored) return stored;
   const auto line = lines_.set(*profile);

@@ -34,7 +34,7 @@ Events::Batch Events::since(std::uint64_t after) const {
   const std::lock_guard lock(mutex_);
   Batch batch;
   batch.last = next_id_ - 1;
-  const std::uint64_t oldest = next_id_ > kRing ? next_id_ - kRing : 1;
+  const std::uint64_t oldest = std::max(next_id_, first_id_ + kRing) - kRing;
   // An id that was never given comes from a server before this one.
   batch.reset = after + 1 < oldest || after >= next_id_;
   for (std::uint64_t id = std::max(after + 1, oldest); !batch.reset && id < next_id_; ++id) {

@@ -37,6 +37,9 @@ class Events {
  public:
   static constexpr std::size_t kRing = 1024;
 
+  // A server begins above all that the one before it gave, so that a watcher who saw that one is told to reload.
+  explicit Events(std::uint64_t first_id = 1) : first_id_(first_id), next_id_(first_id) {}
+
   void publish(Event event);
   void progress(const std::string& machine, const LineReport& report);
 
@@ -61,7 +64,8 @@ class Events {
 
   mutable std::mutex mutex_;
   std::vector<Event> ring_;
-  std::uint64_t next_id_ = 1;
+  std::uint64_t first_id_;
+  std::uint64_t next_id_;
   std::map<std::string, LineReport> progress_;
   std::mutex watch_mutex_;
   std::map<Watch, std::function<void()>> watchers_;

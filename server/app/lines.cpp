@@ -31,18 +31,26 @@ bool has_job(const Line& line) {
 Lines::Lines(LinkThread& thread, RegisterBusMaker make_bus, LineChanged changed)
     : thread_(thread), make_bus_(make_bus), changed_(std::move(changed)) {}
 
+Result<void> Lines::refuse_busy(const machine::Profile& profile, const std::string& settings) const {
+  const auto known = lines_.find(profile.name);
+  if (known == lines_.end() || known->second.settings == settings || !has_job(*known->second.line)) return {};
+  return fail(ErrorCode::refused, fmt::format("the line of {} has a job or a torn block; its settings can be changed "
+                                              "when that is over",
+                                              profile.name));
+}
+
+Result<void> Lines::may_set(const machine::Profile& profile) const {
+  const std::lock_guard lock(mutex_);
+  return refuse_busy(profile, fingerprint(profile.line));
+}
+
 Result<void> Lines::set(const machine::Profile& profile) {
   const std::lock_guard lock(mutex_);
   const std::string settings = fingerprint(profile.line);
+  if (auto free = refuse_busy(profile, settings); !free) return free;
   const auto known = lines_.find(profile.name);
-  if (known != lines_.end()) {
-    if (known->second.settings == settings) return {};
-    if (has_job(*known->second.line)) {
-      return fail(ErrorCode::refused,
-                  fmt::format("the line of {} has a job; its settings can be changed when it is over", profile.name));
-    }
-    lines_.erase(known);
-  }
+  if (known != lines_.end() && known->second.settings == settings) return {};
+  if (known != lines_.end()) lines_.erase(known);
   auto line = make_line(profile.line, thread_, make_bus_, changed_);
   if (!line) return std::unexpected(line.error());
   lines_[profile.name] = {settings, std::move(*line)};

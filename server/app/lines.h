@@ -24,6 +24,8 @@ class Lines {
   // Makes the machine's line, or makes it anew when its settings changed. Refused while a job is on the old one, and
   // when the settings cannot be kept.
   Result<void> set(const machine::Profile& profile);
+  // Whether set() would refuse because of a job or a torn block, so that a profile is not stored for nothing.
+  [[nodiscard]] Result<void> may_set(const machine::Profile& profile) const;
   // Closes all. What was on a line is over; callers see to it before.
   void close();
   // nullptr: there is no such machine. The line lives as long as the pointer.
@@ -31,6 +33,8 @@ class Lines {
   [[nodiscard]] std::vector<std::pair<std::string, std::shared_ptr<Line>>> all() const;
 
  private:
+  [[nodiscard]] Result<void> refuse_busy(const machine::Profile& profile, const std::string& settings) const;
+
   struct Entry {
     std::string settings;  // the link and line settings as one text, to see whether they changed
     std::shared_ptr<Line> line;
