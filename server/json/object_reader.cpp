@@ -137,6 +137,11 @@ void ObjectReader::objects(std::string_view name, const std::function<void(Objec
   }
 }
 
+bool ObjectReader::has(std::string_view name) const {
+  const auto found = object_.find(name);
+  return found != object_.end() && !found->is_null();
+}
+
 void ObjectReader::finish() {
   for (const auto& [name, value] : object_.items()) {
     if (!asked_.contains(name)) fault(name, "is not known here");

@@ -53,7 +53,8 @@ class ObjectReader {
   void fault(std::string_view name, std::string text);
   // Every member that nobody asked for is a fault. Call it last.
   void finish();
-  [[nodiscard]] bool has(std::string_view name) const { return object_.contains(name); }
+  // A null counts as not there.
+  [[nodiscard]] bool has(std::string_view name) const;
 
  private:
   std::optional<std::int64_t> integer_at(std::string_view name, std::int64_t low, std::int64_t high);
