@@ -91,8 +91,9 @@ void BlockWriter::safe_start(ir::Plane plane, ir::FeedMode feed_mode) {
 
 void BlockWriter::block() {
   for (const family::EmittedCode& code : std::exchange(carried_.codes, {})) codes_.push_back(code);
-  for (const auto& [address, value] : std::exchange(carried_.words, {})) {
-    if (std::ranges::find(words_, address, &family::EmittedWord::address) == words_.end()) add(address, value);
+  for (const CarriedWord& word : std::exchange(carried_.words, {})) {
+    if (std::ranges::find(words_, word.address, &family::EmittedWord::address) != words_.end()) continue;
+    words_.push_back({word.address, emit_.constant(word.value), word.mode});
   }
   emit_.block(codes_, words_);
   codes_.clear();
@@ -102,6 +103,13 @@ void BlockWriter::block() {
 void BlockWriter::carry(const CarriedWords& words) {
   carried_.codes.insert(carried_.codes.end(), words.codes.begin(), words.codes.end());
   carried_.words.insert(carried_.words.end(), words.words.begin(), words.words.end());
+}
+
+void BlockWriter::write_alone(const CarriedWords& words, std::uint32_t line) {
+  flush(line);
+  emit_.set_line(line);
+  carry(words);
+  block();
 }
 
 void BlockWriter::flush(std::uint32_t line) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "dialects/compile/carried_words.h"
 #include "dialects/family/emitter.h"
 #include "dialects/interpreter/interpreter.h"
 #include "dialects/ir/control.h"
@@ -14,12 +15,6 @@
 #include "dialects/ir/program.h"
 
 namespace dripfeed::compile {
-
-// Codes and words that motions do not carry; they go into the next block.
-struct CarriedWords {
-  std::vector<family::EmittedCode> codes;
-  std::vector<std::pair<ir::Address, double>> words;
-};
 
 class BlockWriter {
  public:
@@ -33,6 +28,8 @@ class BlockWriter {
   void write(const ir::Motion& motion, std::uint32_t line);
   // `words` belong to the block that is written next.
   void carry(const CarriedWords& words);
+  // A block of these words alone.
+  void write_alone(const CarriedWords& words, std::uint32_t line);
   // Carried words that found no block get one of their own.
   void flush(std::uint32_t line);
 

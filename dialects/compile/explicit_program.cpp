@@ -3,65 +3,15 @@
 #include "dialects/compile/explicit_program.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "dialects/compile/block_writer.h"
+#include "dialects/compile/carried_words.h"
 #include "dialects/compile/dialect.h"
 
 namespace dripfeed::compile {
 
 namespace {
-
-// Functions that motions say nothing of, and the address that goes with each.
-struct CarriedRow {
-  ir::Function function;
-  ir::Address address;
-};
-constexpr auto kCarried = std::to_array<CarriedRow>({
-    {ir::Function::length_offset_plus, ir::Address::h},
-    {ir::Function::length_offset_minus, ir::Address::h},
-    {ir::Function::length_offset_off, ir::Address::h},
-    {ir::Function::comp_left, ir::Address::d},
-    {ir::Function::comp_right, ir::Address::d},
-});
-bool is_length_offset(ir::Function function) {
-  return function >= ir::Function::length_offset_plus && function <= ir::Function::length_offset_off;
-}
-
-// The blocks of the main program that have something to carry, by line.
-class CarriedBlocks {
- public:
-  CarriedBlocks(const ir::Program& program, bool d_selects_edge) {
-    for (const ir::Statement& statement : program.statements) {
-      if (statement.kind == ir::StatementKind::block) {
-        collect(program, program.blocks[statement.payload], d_selects_edge, by_line_[statement.line]);
-      }
-    }
-    std::erase_if(by_line_, [](const auto& entry) { return entry.second.codes.empty() && entry.second.words.empty(); });
-  }
-
-  [[nodiscard]] const CarriedWords* at(std::uint32_t line) const {
-    const auto found = by_line_.find(line);
-    return found == by_line_.end() ? nullptr : &found->second;
-  }
-
- private:
-  static void collect(const ir::Program& program, const ir::Block& block, bool d_selects_edge, CarriedWords& out) {
-    for (const ir::Code& code : program.codes_of(block)) {
-      const auto row = std::ranges::find(kCarried, code.function, &CarriedRow::function);
-      if (row == kCarried.end() || (row->address == ir::Address::d && d_selects_edge)) continue;
-      if (is_length_offset(code.function)) out.codes.push_back({code.function, code.argument});
-      for (const ir::Word& word : program.words_of(block)) {
-        if (word.address != row->address || word.value == ir::ExpressionId::none) continue;
-        const ir::Expression& value = program.at(word.value);
-        if (value.op == ir::Operator::constant) out.words.emplace_back(word.address, value.value);
-      }
-    }
-  }
-
-  std::map<std::uint32_t, CarriedWords> by_line_;
-};
 
 // The control that the explicit blocks are written for: neutral, but with the tool words of the source.
 ir::Control explicit_control(const ir::Control& source) {
@@ -77,16 +27,22 @@ ir::Control explicit_control(const ir::Control& source) {
 
 class Recorder final : public ir::MotionSink, public interpreter::BlockObserver {
  public:
-  Recorder(ExplicitProgram& out, const CarriedBlocks& carried, const interpreter::RunNames& names, bool want_changes)
-      : out_(out), carried_(carried), writer_(out.program, out.control, names), want_changes_(want_changes) {}
+  Recorder(ExplicitProgram& out, CarriedBlocks& carried, const interpreter::RunNames& names, bool want_changes)
+      : out_(out),
+        carried_(carried),
+        names_(names),
+        writer_(out.program, out.control, names),
+        want_changes_(want_changes) {}
 
   void block(const ir::Place& place, std::span<const interpreter::VariableChange> changes) override {
     if (place.program == 0) {
       main_line_ = place.line;
-      if (const CarriedWords* words = carried_.at(place.line)) pending_.push_back({place.ordinal, place.line, words});
       in_call_ = false;
     } else if (!std::exchange(in_call_, true)) {
       calls_.push_back({main_line_, place.ordinal});
+    }
+    if (const CarriedBlock* carried = carried_.at(place.program, names_.programs, place.line)) {
+      pending_.push_back({place.ordinal, main_line_, carried});
     }
     if (!want_changes_) return;
     for (const interpreter::VariableChange& change : changes) out_.changes.push_back({place.ordinal, change});
@@ -110,7 +66,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   struct Pending {
     std::uint64_t ordinal;
     std::uint32_t line;
-    const CarriedWords* words;
+    const CarriedBlock* carried;
   };
 
   void start(const ir::Motion& first) {
@@ -123,16 +79,21 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
     return static_cast<std::uint32_t>(out_.origins.size());
   }
 
-  // Words of all blocks up to the motion's own. Those of an earlier block than that stand alone.
+  // What blocks before `ordinal` carry stands alone; what that block carries goes into its first one, but what has a
+  // block of its own comes after its motion.
   void carry_until(std::uint64_t ordinal) {
     for (; next_pending_ < pending_.size() && pending_[next_pending_].ordinal <= ordinal; ++next_pending_) {
       const Pending& pending = pending_[next_pending_];
-      if (!started_) {
-        started_ = true;
-        start({});
+      const bool own = pending.ordinal == ordinal;
+      if (!std::exchange(started_, true)) start({});
+      if (!std::exchange(attached_, true)) writer_.carry(pending.carried->attached);
+      if (own && !pending.carried->alone.empty()) return;
+      if (!own) {
+        const std::uint32_t line = origin({pending.line, pending.ordinal});
+        writer_.flush(line);
+        if (!pending.carried->alone.empty()) writer_.write_alone(pending.carried->alone, line);
       }
-      writer_.carry(*pending.words);
-      if (pending.ordinal < ordinal) writer_.flush(origin({pending.line, pending.ordinal}));
+      attached_ = false;
     }
   }
 
@@ -144,7 +105,8 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   }
 
   ExplicitProgram& out_;
-  const CarriedBlocks& carried_;
+  CarriedBlocks& carried_;
+  const interpreter::RunNames& names_;
   BlockWriter writer_;
   bool want_changes_;
   bool started_ = false;
@@ -153,6 +115,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   std::vector<BlockOrigin> calls_;
   std::vector<Pending> pending_;
   std::size_t next_pending_ = 0;
+  bool attached_ = false;  // of pending_[next_pending_]: its words are in a block already
 };
 
 }  // namespace
@@ -161,8 +124,12 @@ std::vector<text::Diagnostic> run_faults(const interpreter::RunResult& run) {
   std::vector<text::Diagnostic> out;
   out.reserve(run.diagnostics.size());
   for (const interpreter::RunDiagnostic& fault : run.diagnostics) out.push_back(fault.diagnostic);
+  for (const interpreter::NotInterpreted& lost : run.not_interpreted) {
+    if (lost.effects_known || is_carried(lost.function)) continue;
+    out.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, {}, {lost.name, "plain blocks"}));
+  }
   const bool broke_off = run.ended == interpreter::Ended::alarm || run.ended == interpreter::Ended::limit;
-  if (broke_off && !out.empty()) out.back().severity = text::Severity::error;
+  if (broke_off && !run.diagnostics.empty()) out[run.diagnostics.size() - 1].severity = text::Severity::error;
   return out;
 }
 
@@ -171,7 +138,7 @@ ExplicitProgram explicit_program(const ir::Program& program, const ir::Control& 
   ExplicitProgram out;
   out.program.name = program.name;
   out.control = explicit_control(control);
-  const CarriedBlocks carried(program, control.semantics.d_selects_edge);
+  CarriedBlocks carried(program, control.semantics.d_selects_edge, finder);
   interpreter::RunNames names;
   Recorder recorder(out, carried, names, options.want_changes);
   interpreter::RunOptions run;

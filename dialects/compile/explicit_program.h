@@ -41,13 +41,12 @@ struct ExplicitOptions {
   bool want_changes = false;
 };
 
-// The diagnostics of the run; one that ended it is an error, whatever its row says. Spans are in the program that was
-// run, also for faults of called ones.
+// The diagnostics of the run, and an error for whatever was met and would be lost in plain blocks; the one that ended
+// the run is an error, whatever its row says. Spans of faults in called programs are in those.
 std::vector<text::Diagnostic> run_faults(const interpreter::RunResult& run);
 
 // Runs `program` as `control` would. The result is whole when run.ended is `end` or `text_end` and no diagnostic is an
-// error; words that motions do not carry (tool length offsets, compensation numbers) are taken over as written when
-// they are constants.
+// error; words that motions do not carry are taken over, see carried_words.h.
 ExplicitProgram explicit_program(const ir::Program& program, const ir::Control& control,
                                  interpreter::ProgramFinder& finder, const ExplicitOptions& options);
 

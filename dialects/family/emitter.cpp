@@ -84,12 +84,14 @@ void Emitter::block(std::span<const EmittedCode> codes, std::span<const EmittedW
     code.function = emitted.function;
     code.argument = emitted.argument;
     code.group = group_of(emitted.function);
+    if (emitted.function == Function::machine_function) code.letter = 'M';
     program_.codes.push_back(code);
   }
   for (const EmittedWord& emitted : words) {
     ir::Word word;
     word.address = emitted.address;
     word.value = emitted.value;
+    word.mode = emitted.mode;
     program_.words.push_back(word);
   }
   program_.blocks.push_back(block);

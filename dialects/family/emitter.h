@@ -18,6 +18,7 @@ struct EmittedCode {
 struct EmittedWord {
   ir::Address address = ir::Address::x;
   ir::ExpressionId value = ir::ExpressionId::none;
+  ir::WordMode mode = ir::WordMode::as_modal;
 };
 
 class Emitter {

@@ -218,6 +218,41 @@ TEST(Convert, OffsetsThatMotionsDoNotCarryAreKept) {
   expect_same(moves_of(before.motions), moves_of(after.motions), 1e-9, result.text);
 }
 
+TEST(Convert, MachineFunctionsAndReferenceReturnsAreKept) {
+  ConvertRequest request;
+  request.source = text::Source("mill",
+                                "%\nO1\nG21 G17 G90 G94 G40 G54\nM68\nG00 X5. Y5. Z50.\nG01 X10. F100. M77\n"
+                                "G91 G28 Z0\nG90 G28 X0 Y0\nM30\n%\n");
+  request.from = request.to = control("fanuc", ir::MachineKind::mill);
+  request.mode = ConvertMode::explicit_blocks;
+  const ConvertResult result = convert(request);
+  EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, request.source);
+  const std::string& text = result.text;
+  EXPECT_LT(text.find("M68"), text.find("X5."));
+  EXPECT_NE(text.find("M77"), std::string::npos);
+  const std::size_t first = text.find("G28 Z0");
+  ASSERT_NE(first, std::string::npos) << text;
+  EXPECT_LT(text.rfind("G91", first), first) << text;
+  const std::size_t intermediate = text.find("X0. Y0.", first);
+  ASSERT_NE(intermediate, std::string::npos) << text;
+  EXPECT_NE(text.find("G28 X0. Y0.", intermediate), std::string::npos) << text;
+  const Played before = run_text(std::string(request.source.text()), request.from);
+  expect_same(moves_of(before.motions), moves_of(run_text(text, request.to).motions), 1e-9, text);
+}
+
+// A cycle that is not carried out would leave its holes out of the plain blocks.
+TEST(Convert, WhatWouldBeLostIsAnError) {
+  ConvertRequest request;
+  request.source = text::Source("mill",
+                                "%\nO1\nG21 G17 G90 G94 G40 G54\nG00 X5. Y5. Z50.\n"
+                                "G83 Z-10. R2. Q1. F100.\nX20.\nG80\nM30\n%\n");
+  request.from = request.to = control("fanuc", ir::MachineKind::mill);
+  request.mode = ConvertMode::explicit_blocks;
+  const ConvertResult result = convert(request);
+  EXPECT_TRUE(text::has_error(result.diagnostics));
+  EXPECT_TRUE(result.text.empty());
+}
+
 TEST(Library, AsksOnceAndRemembersWhatIsMissing) {
   Cycle cycle;
   const ir::Program* found = cycle.library.find("TURNING_CYCLE");

@@ -1,0 +1,58 @@
+// What a block says and motions do not: numbers of tool lengths and compensation, M functions of the machine, the way
+// to the reference point. The explicit form takes it over as it stands in the program.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dialects/family/emitter.h"
+#include "dialects/interpreter/interpreter.h"
+#include "dialects/ir/program.h"
+
+namespace dripfeed::compile {
+
+struct CarriedWord {
+  ir::Address address = ir::Address::h;
+  double value = 0.0;
+  ir::WordMode mode = ir::WordMode::as_modal;
+};
+
+struct CarriedWords {
+  std::vector<family::EmittedCode> codes;
+  std::vector<CarriedWord> words;
+
+  [[nodiscard]] bool empty() const { return codes.empty() && words.empty(); }
+};
+
+struct CarriedBlock {
+  CarriedWords attached;  // goes into the block of what the source's block does
+  CarriedWords alone;     // stands in a block of its own, after that
+};
+
+// Functions that are carried, so that nothing is lost when the interpreter does not carry them out.
+bool is_carried(ir::Function function);
+
+// The blocks that have something to carry, by program of the run and line. Words with a computed value are not carried.
+class CarriedBlocks {
+ public:
+  // `main` is program 0 of the run; the others are asked of `finder` by name.
+  CarriedBlocks(const ir::Program& main, bool d_selects_edge, interpreter::ProgramFinder& finder)
+      : main_(main), d_selects_edge_(d_selects_edge), finder_(finder) {}
+
+  // nullptr: nothing. `names` are the run's programs. Valid as long as this.
+  const CarriedBlock* at(std::uint32_t program, const std::vector<std::string>& names, std::uint32_t line);
+
+ private:
+  using ByLine = std::map<std::uint32_t, CarriedBlock>;
+  [[nodiscard]] ByLine collect(const ir::Program& program) const;
+
+  const ir::Program& main_;
+  bool d_selects_edge_;
+  interpreter::ProgramFinder& finder_;
+  std::map<std::uint32_t, ByLine> programs_;
+};
+
+}  // namespace dripfeed::compile
