@@ -80,7 +80,11 @@ void BlockCompiler::compile_codes(const ir::Block& block) {
 void BlockCompiler::compile_word(const ir::Word& word) {
   if (!is_interpreted(word)) return report(name_of(word), Function::not_modelled, false);
   if (word.value == ir::ExpressionId::none) return;
-  put_word(word, expressions_.compile_word(word.value), flags_of(word));
+  // A written number needs no register: programs have millions of them.
+  const ir::Expression* number = builder_.find_literal(word.value);
+  if (number == nullptr) return put_word(word, expressions_.compile_word(word.value), flags_of(word));
+  const bool negative = number != builder_.find(word.value);
+  put_word(word, {Operand::none, ir::ValueType::real, negative ? -number->value : number->value}, flags_of(word));
 }
 
 void BlockCompiler::put_word(const ir::Word& word, const Value& value, std::uint8_t flags) {
@@ -108,9 +112,8 @@ std::uint8_t BlockCompiler::flags_of(const ir::Word& word) const {
 bool BlockCompiler::counts_increments(const ir::Word& word) const {
   if (builder_.context().control.semantics.decimal_mode != ir::DecimalMode::least_increment) return false;
   if (((builder_.context().rules.axis_addresses | kAxisLetters64 | kLengths) & bit_of(word.address)) == 0) return false;
-  const ir::Expression* e = &builder_.source().at(word.value);
-  if (e->op == ir::Operator::negate) e = &builder_.source().at(e->a);
-  return e->op == ir::Operator::constant && !e->has_point;
+  const ir::Expression* number = builder_.find_literal(word.value);
+  return number != nullptr && !number->has_point;
 }
 
 bool BlockCompiler::is_interpreted(const ir::Word& word) const {

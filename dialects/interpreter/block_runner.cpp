@@ -111,6 +111,8 @@ bool BlockRunner::add_computed_code(const Instruction& i, const ComputedCode& co
 
 // Said once a word: a control is silent about it, and the axis does not move.
 void BlockRunner::skip_vacant(const Instruction& i, const CompiledProgram& program, std::uint32_t word) {
+  constexpr std::size_t kSaidAtMost = 100;
+  if (said_vacant_.size() == kSaidAtMost) return;
   const std::pair key(&program, word);
   if (std::ranges::find(said_vacant_, key) != said_vacant_.end()) return;
   said_vacant_.push_back(key);

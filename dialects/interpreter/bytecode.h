@@ -28,6 +28,8 @@ constexpr Operand make_operand(Space space, std::uint32_t index) {
 constexpr Space space_of(Operand operand) { return static_cast<Space>(static_cast<std::uint32_t>(operand) & 3U); }
 constexpr std::uint32_t index_of(Operand operand) { return static_cast<std::uint32_t>(operand) >> 2; }
 constexpr std::uint32_t raw_of(Operand operand) { return static_cast<std::uint32_t>(operand); }
+// The register behind another one of the same space.
+constexpr std::uint32_t next_register(std::uint32_t operand) { return operand + 4; }
 
 // `a` is what is written unless said otherwise; `extra` a small enum; targets are instruction indices.
 enum class Opcode : std::uint8_t {

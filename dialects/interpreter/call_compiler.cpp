@@ -75,9 +75,9 @@ CallArgument CallCompiler::compile_argument(const ir::Argument& argument, bool k
   if (argument.value == ir::ExpressionId::none) return {};
   const ir::Expression& e = builder_.source().at(argument.value);
   Value value = expressions_.compile_word(argument.value);
-  const ir::Expression& digits = e.op == Operator::negate ? builder_.source().at(e.a) : e;
+  const ir::Expression* number = builder_.find_literal(argument.value);
   const bool counts = builder_.context().control.semantics.decimal_mode == ir::DecimalMode::least_increment &&
-                      kLengthLetters.contains(argument.letter) && digits.op == Operator::constant && !digits.has_point;
+                      kLengthLetters.contains(argument.letter) && number != nullptr && !number->has_point;
   CallArgument result{.is_string = value.is_string()};
   if (counts) {
     const Operand to = builder_.take();

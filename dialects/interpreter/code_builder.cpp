@@ -9,6 +9,21 @@ namespace dripfeed::interpreter {
 CodeBuilder::CodeBuilder(CompiledProgram& out, const CompileContext& context)
     : out_(out), context_(context), next_number_(out.frame_slots), next_string_(out.string_slots) {}
 
+const ir::Expression* CodeBuilder::find_literal(ir::ExpressionId id) const {
+  const ir::Expression* e = find(id);
+  if (e != nullptr && e->op == ir::Operator::negate) e = find(e->a);
+  return e != nullptr && e->op == ir::Operator::constant ? e : nullptr;
+}
+
+void CodeBuilder::reserve() {
+  const ir::Program& program = source();
+  out_.code.reserve(2 * program.statements.size() + 1);
+  out_.spans.reserve(2 * program.statements.size() + 1);
+  out_.blocks.reserve(program.blocks.size());
+  out_.words.reserve(program.words.size());
+  out_.codes.reserve(program.codes.size());
+}
+
 std::uint32_t CodeBuilder::emit(Opcode op, text::Span span, std::uint32_t a, std::uint32_t b, std::uint32_t c,
                                 std::uint8_t extra) {
   out_.code.push_back({.op = op, .extra = extra, .a = a, .b = b, .c = c});

@@ -33,7 +33,15 @@ class CodeBuilder {
   [[nodiscard]] CompiledProgram& out() { return out_; }
   [[nodiscard]] const CompileContext& context() const { return context_; }
   [[nodiscard]] const ir::Program& source() const { return *out_.source; }
+  // nullptr for none: a reader may leave out what it could not read.
+  [[nodiscard]] const ir::Expression* find(ir::ExpressionId id) const {
+    return id == ir::ExpressionId::none ? nullptr : &source().at(id);
+  }
+  // The number that an expression writes, with its sign; nullptr when it is no plain number.
+  [[nodiscard]] const ir::Expression* find_literal(ir::ExpressionId id) const;
 
+  // Makes room for what a program of plain blocks needs, so that a long one is not copied while it grows.
+  void reserve();
   // Appends and returns the instruction's index.
   std::uint32_t emit(Opcode op, text::Span span, std::uint32_t a = 0, std::uint32_t b = 0, std::uint32_t c = 0,
                      std::uint8_t extra = 0);

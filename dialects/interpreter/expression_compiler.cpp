@@ -13,6 +13,9 @@ using ir::Operator;
 using ir::ValueType;
 using text::DiagnosticId;
 
+// Deeper trees would take the stack of the compiler itself.
+constexpr std::uint32_t kDepthAtMost = 1000;
+
 struct OpcodeRow {
   Operator op;
   Opcode opcode;
@@ -71,6 +74,11 @@ ValueType type_of_result(Operator op, ValueType a, ValueType b) {
 
 Value ExpressionCompiler::constant(double value, ValueType type) { return {builder_.constant(value), type, value}; }
 
+text::Span ExpressionCompiler::span_of(ir::ExpressionId id) const {
+  const ir::Expression* e = builder_.find(id);
+  return e == nullptr ? text::Span() : e->span;
+}
+
 Value ExpressionCompiler::failure(text::Span span, DiagnosticId id, std::vector<std::string> arguments) {
   builder_.emit_failure(span, id, std::move(arguments));
   Value value = constant(0.0);
@@ -79,7 +87,16 @@ Value ExpressionCompiler::failure(text::Span span, DiagnosticId id, std::vector<
 }
 
 Value ExpressionCompiler::compile(ir::ExpressionId id, Operand target) {
+  if (id == ir::ExpressionId::none) return failure({}, DiagnosticId::missing_operand, {"the expression"});
   const ir::Expression& e = builder_.source().at(id);
+  if (depth_ == kDepthAtMost) return failure(e.span, DiagnosticId::limit_reached, {"expression depth"});
+  ++depth_;
+  const Value value = compile_node(e, target);
+  --depth_;
+  return value;
+}
+
+Value ExpressionCompiler::compile_node(const ir::Expression& e, Operand target) {
   if (costs_operator(e.op))
     ++builder_.work.operators;
   else if (ir::operand_count(e.op) > 0)
@@ -99,22 +116,25 @@ Value ExpressionCompiler::compile(ir::ExpressionId id, Operand target) {
 }
 
 Value ExpressionCompiler::compile_number(ir::ExpressionId id, Operand target) {
-  return as_number(compile(id, target), builder_.source().at(id).span);
+  const Value value = compile(id, target);
+  return value.is_string() ? as_number(value, span_of(id)) : value;
 }
 
 Value ExpressionCompiler::compile_string(ir::ExpressionId id) {
-  return as_string(compile(id), builder_.source().at(id).span);
+  const Value value = compile(id);
+  return value.is_string() ? value : as_string(value, span_of(id));
 }
 
 Value ExpressionCompiler::compile_word(ir::ExpressionId id) {
-  const ir::Expression& e = builder_.source().at(id);
-  const bool signed_variable = e.op == Operator::negate && builder_.source().at(e.a).op == Operator::variable;
+  const ir::Expression* e = builder_.find(id);
+  const ir::Expression* operand_node = e != nullptr && e->op == Operator::negate ? builder_.find(e->a) : nullptr;
+  const bool signed_variable = operand_node != nullptr && operand_node->op == Operator::variable;
   if (!signed_variable || !builder_.context().control.semantics.has_vacant) return compile(id);
   ++builder_.work.operators;
-  const Value operand = compile_number(e.a);
+  const Value operand = compile_number(e->a);
   if (operand.constant.has_value()) return constant(is_vacant(*operand.constant) ? kVacant : -*operand.constant);
   const Operand to = builder_.take();
-  builder_.emit(Opcode::negate_word, e.span, raw_of(to), raw_of(operand.operand));
+  builder_.emit(Opcode::negate_word, e->span, raw_of(to), raw_of(operand.operand));
   return {to, ValueType::real, std::nullopt};
 }
 
@@ -138,8 +158,7 @@ Value ExpressionCompiler::compile_binary(const ir::Expression& e, Operand target
   const Value a = compile(e.a);
   const Value b = compile(e.b);
   if (is_comparison(e.op) && (a.is_string() || b.is_string())) return compile_string_comparison(e, a, b, target);
-  return combine(e.op, as_number(a, builder_.source().at(e.a).span), as_number(b, builder_.source().at(e.b).span),
-                 e.span, target);
+  return combine(e.op, as_number(a, span_of(e.a)), as_number(b, span_of(e.b)), e.span, target);
 }
 
 Value ExpressionCompiler::combine(Operator op, const Value& a, const Value& b, text::Span span, Operand target) {
@@ -218,10 +237,10 @@ Value ExpressionCompiler::compile_string_comparison(const ir::Expression& e, con
 // ISVAR("NAME"): names are known when the program is compiled.
 Value ExpressionCompiler::compile_is_variable(const ir::Expression& e) {
   const ir::Program& program = builder_.source();
-  const ir::Expression& operand = program.at(e.a);
-  if (operand.op != Operator::string)
+  const ir::Expression* operand = builder_.find(e.a);
+  if (operand == nullptr || operand->op != Operator::string)
     return failure(e.span, DiagnosticId::not_interpreted, {"ISVAR of a computed name"});
-  const std::string_view name = program.strings.at(operand.string);
+  const std::string_view name = program.strings.at(operand->string);
   for (const ir::Symbol& symbol : program.symbols)
     if (program.strings.at(symbol.name) == name) return constant(1.0, ValueType::boolean);
   for (const ir::SystemVariableRow& row : builder_.context().control.system_variables)

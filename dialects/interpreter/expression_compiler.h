@@ -23,6 +23,7 @@ class ExpressionCompiler {
   [[nodiscard]] VariableCompiler& variables() { return variables_; }
 
  private:
+  Value compile_node(const ir::Expression& e, Operand target);
   Value compile_unary(const ir::Expression& e, Operand target);
   Value compile_binary(const ir::Expression& e, Operand target);
   Value compile_bound(const ir::Expression& e, Operand target);
@@ -34,9 +35,11 @@ class ExpressionCompiler {
 
   Operand result(Operand target) { return target == Operand::none ? builder_.take() : target; }
   Value constant(double value, ir::ValueType type = ir::ValueType::real);
+  [[nodiscard]] text::Span span_of(ir::ExpressionId id) const;
   Value failure(text::Span span, text::DiagnosticId id, std::vector<std::string> arguments);
 
   CodeBuilder& builder_;
+  std::uint32_t depth_ = 0;  // of the expression that is being compiled
   VariableCompiler variables_{builder_, *this};
 };
 

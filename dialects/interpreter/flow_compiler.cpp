@@ -123,6 +123,10 @@ Operand FlowCompiler::compile_for_test(const ir::Structure& loop, text::Span spa
 void FlowCompiler::compile_for(std::uint32_t index) {
   const ir::Structure& loop = structure(index);
   const text::Span span = statement(index).span;
+  if (loop.counter == ir::VariableId::none) {
+    builder_.emit_failure(span, DiagnosticId::missing_operand, {"FOR"});
+    return;
+  }
   expressions_.variables().assign(builder_.source().at(loop.counter), loop.first, span);
   const Operand goes_on = compile_for_test(loop, span);
   branches_.push_back({builder_.emit(Opcode::branch_false, span, raw_of(goes_on)), loop.partner, Edge::after});
@@ -131,6 +135,7 @@ void FlowCompiler::compile_for(std::uint32_t index) {
 void FlowCompiler::compile_for_end(std::uint32_t index) {
   const std::uint32_t opener = structure(index).partner;
   const ir::Structure& loop = structure(opener);
+  if (loop.counter == ir::VariableId::none) return;  // its FOR is an alarm
   const text::Span span = statement(index).span;
   const ir::Variable& counter = builder_.source().at(loop.counter);
   const Value one{builder_.constant(1.0), ir::ValueType::integer, 1.0};

@@ -53,7 +53,7 @@ RunResult Machine::run(const ir::Program& program) {
   RunResult& result = report_.result();
   result.blocks = executed_;
   result.motions = out_.count();
-  result.last = out_.place;
+  result.last = begun_;
   if (options_.want_variables) result.variables = list_variables(variables_, main, storage_);
   result.strings = names_.strings;
   result.programs = names_.programs;
@@ -193,8 +193,9 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
   const auto reg = [this](std::uint32_t operand) -> double& { return storage_.reg(operand); };
   if (i.op == Opcode::integer_quotient)
     return settle(i, arithmetic_.integer_quotient(reg(i.b), reg(i.c)), "the quotient", reg(i.b));
-  if (i.op == Opcode::bound)  // three registers in a row
-    return settle(i, arithmetic_.bound(reg(i.b), reg(i.b + 4), reg(i.b + 8)), "the bound", reg(i.b));
+  if (i.op == Opcode::bound)
+    return settle(i, arithmetic_.bound(reg(i.b), reg(next_register(i.b)), reg(next_register(next_register(i.b)))),
+                  "the bound", reg(i.b));
   if (i.op == Opcode::refer_number) return access_.refer_number(i);
   if (i.op == Opcode::refer_element) return access_.refer_element(i, program);
   if (i.op == Opcode::load_system) return access_.load_system(i);
@@ -267,6 +268,7 @@ void Machine::begin_block(const Instruction& i) {
     tell_block();
   out_.place.line = i.a;
   out_.place.ordinal = executed_++;
+  begun_ = out_.place;
   const Work& work = stack_.program().works[i.b];
   ++out_.work.blocks;
   if (i.b == 0) return;
@@ -383,7 +385,7 @@ void Machine::tell_rare(const Instruction& i) {
 }
 
 void Machine::tell_block() {
-  options_.observer->block(out_.place, changes_);
+  options_.observer->block(begun_, changes_);
   changes_.clear();
 }
 

@@ -63,6 +63,7 @@ class Machine {
   BlockRunner blocks_;
   StringOperations strings_;
   std::uint64_t executed_ = 0;
+  ir::Place begun_;  // of the running block; a call and a return change out_.place within it
   std::uint64_t passes_ = 0;
   std::vector<VariableChange> changes_;  // of the running block
 };

@@ -31,6 +31,7 @@ StatementCompiler::StatementCompiler(CodeBuilder& builder)
 void StatementCompiler::compile() {
   builder_.out().works.push_back({.blocks = 1});  // a block without anything to compute
   const auto count = static_cast<std::uint32_t>(builder_.source().statements.size());
+  builder_.reserve();
   std::vector<StatementCode> code;
   code.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) {

@@ -79,9 +79,8 @@ bool VariableAccess::refer_number(const Instruction& i) {
 std::optional<std::uint32_t> VariableAccess::find_element(const Instruction& i, const CompiledProgram& program,
                                                           std::uint32_t array, std::uint32_t indices) {
   const Array& a = program.arrays[array];
-  // The second index stands in the register behind the first.
   const auto row = whole_number(storage_.reg(indices), a.dimension1 - 1.0);
-  const auto column = whole_number(storage_.reg(indices + 4), a.dimension2 - 1.0);
+  const auto column = whole_number(storage_.reg(next_register(indices)), a.dimension2 - 1.0);
   if (!row.has_value() || !column.has_value()) {
     report_.fail(i, DiagnosticId::variable_out_of_range, {name_of_element(program, array, indices)});
     return std::nullopt;
@@ -95,7 +94,7 @@ std::string VariableAccess::name_of_element(const CompiledProgram& program, std:
   std::string name(program.source->strings.at(symbol.name));
   name += '[' + text::format_shortest(arithmetic_.round(value_or_zero(storage_.reg(indices))));
   if (symbol.dimension2 > 0)
-    name += ',' + text::format_shortest(arithmetic_.round(value_or_zero(storage_.reg(indices + 4))));
+    name += ',' + text::format_shortest(arithmetic_.round(value_or_zero(storage_.reg(next_register(indices)))));
   return name + ']';
 }
 

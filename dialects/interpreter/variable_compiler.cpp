@@ -16,6 +16,11 @@ constexpr std::uint32_t kNoArray = 0xFFFFFFFFU;
 
 std::uint8_t extra_of(Bank bank) { return static_cast<std::uint8_t>(bank); }
 
+// A name that the reader could not resolve.
+bool is_unknown(const ir::Variable& variable) {
+  return variable.bank == Bank::named && variable.symbol == ir::SymbolId::none;
+}
+
 Operand register_of(Slot slot) {
   if (slot.kind == SlotKind::global) return make_operand(Space::global, slot.index);
   if (slot.kind == SlotKind::local) return make_operand(Space::local, slot.index);
@@ -76,6 +81,7 @@ Operand VariableCompiler::system_index(const ir::Variable& variable) {
 // ----------------------------------------------------------------------------------------------------------
 
 Value VariableCompiler::load(const ir::Variable& variable, Operand target) {
+  if (is_unknown(variable)) return failure(variable.span, DiagnosticId::unknown_name, {"here"});
   const bool numbered = variable.bank == Bank::hash || variable.bank == Bank::r;
   ++(numbered ? builder_.work.number_reads : builder_.work.named_reads);
   if (variable.bank == Bank::named) return load_symbol(variable, target);
@@ -130,6 +136,10 @@ Value VariableCompiler::load_numbered(const ir::Variable& variable, Operand targ
 // --------------------------------------------------------------------------------------------------------
 
 void VariableCompiler::assign(const ir::Variable& target, ir::ExpressionId value, text::Span span) {
+  if (is_unknown(target)) {
+    failure(span, DiagnosticId::unknown_name, {"here"});
+    return;
+  }
   // A plain register takes the result directly, unless the type converts.
   const bool converts = target.bank == Bank::named && builder_.source().at(target.symbol).type != ValueType::real;
   const bool writable =
@@ -251,7 +261,7 @@ void VariableCompiler::initialise(ir::SymbolId symbol, ir::ExpressionId value, t
 // -----------------------------------------------------------------------------------------
 
 Operand VariableCompiler::refer(const ir::Variable& variable) {
-  if (variable.bank == Bank::system) return Operand::none;
+  if (variable.bank == Bank::system || is_unknown(variable)) return Operand::none;
   const Operand at = direct(variable);
   if (at == Operand::none && variable.bank == Bank::named) {
     const SymbolSlot& slot = slot_of(variable.symbol);

@@ -268,5 +268,70 @@ TEST(Variables, AnObserverHearsOfEveryBlock) {
   EXPECT_EQ(changes.text, "0/1 R1=5\n1/2\n2/3 R2=6\n3/4 LIST[1]=7\n4/5\n");
 }
 
+// A block belongs to the program and line where it stands, also when it calls.
+TEST(Variables, AnObserverHearsTheRightPlaceAroundCalls) {
+  Builder sub("S");
+  sub.add(ir::StatementKind::empty);
+  sub.assign(Builder::r(1), sub.number(1));
+  sub.back();
+  Programs programs;
+  programs.add("S", sub.build());
+  Builder b;
+  b.call(ir::CallKind::subprogram, "S");
+  b.end();
+  class Places : public interpreter::BlockObserver {
+   public:
+    void block(const ir::Place& place, std::span<const interpreter::VariableChange>) override {
+      text += std::to_string(place.program) + ":" + std::to_string(place.line) + " ";
+    }
+    std::string text;
+  };
+  Places places;
+  interpreter::RunOptions options;
+  options.observer = &places;
+  run_program(b.build(), sinumerik_control(), options, programs);
+  EXPECT_EQ(places.text, "0:1 1:2 1:3 0:2 ");
+}
+
+// What a reader could not read is an alarm where it is reached, never more.
+TEST(Variables, HolesInTheProgramAreAlarms) {
+  const auto id_of = [](auto make) {
+    Builder b;
+    make(b);
+    b.end();
+    const Ran ran = run_program(b.build(), mill_control());
+    EXPECT_EQ(ran.result.ended, Ended::alarm);
+    return ran.last_diagnostic()->diagnostic.id;
+  };
+  constexpr auto kNone = ir::ExpressionId::none;
+  EXPECT_EQ(id_of([](Builder& b) { b.assign(Builder::hash(1), kNone); }), DiagnosticId::missing_operand);
+  EXPECT_EQ(id_of([](Builder& b) { b.assign(Builder::hash(1), b.apply(Operator::negate, kNone)); }),
+            DiagnosticId::missing_operand);
+  EXPECT_EQ(id_of([](Builder& b) { b.assign(Builder::hash(1), b.apply(Operator::add, b.number(1), kNone)); }),
+            DiagnosticId::missing_operand);
+  EXPECT_EQ(id_of([](Builder& b) { b.block({{Function::rapid}}, {{Address::x, b.apply(Operator::negate, kNone)}}); }),
+            DiagnosticId::missing_operand);
+  EXPECT_EQ(id_of([](Builder& b) { b.assign(Builder::hash(1), b.apply(Operator::bound, kNone, kNone, kNone)); }),
+            DiagnosticId::missing_operand);
+  EXPECT_EQ(id_of([](Builder& b) { b.assign(Builder::named(ir::SymbolId::none), b.number(1)); }),
+            DiagnosticId::unknown_name);
+  EXPECT_EQ(id_of([](Builder& b) { b.assign(Builder::hash(1), b.read(Builder::named(ir::SymbolId::none))); }),
+            DiagnosticId::unknown_name);
+  EXPECT_EQ(id_of([](Builder& b) {
+              b.structure(ir::StatementKind::for_begin);
+              b.structure(ir::StatementKind::for_end);
+            }),
+            DiagnosticId::missing_operand);
+}
+
+TEST(Variables, EndlessExpressionsAreALimit) {
+  Builder b;
+  ir::ExpressionId sum = b.read(Builder::hash(100));
+  for (int i = 0; i < 200'000; ++i) sum = b.apply(Operator::add, sum, b.number(1));
+  b.assign(Builder::hash(100), sum);
+  b.end();
+  EXPECT_EQ(run_program(b.build(), mill_control()).result.ended, Ended::limit);
+}
+
 }  // namespace
 }  // namespace dripfeed::test
