@@ -139,6 +139,7 @@ void Parser::block_head() {
 
 bool Parser::label_here() {
   if (cursor_.kind() != TokenKind::name || !cursor_.after().is_symbol(':')) return false;
+  if (go_to_verb(cursor_.text())) return false;  // GOTO :100
   lower_.add_label(cursor_.text(), cursor_.span());
   cursor_.advance();
   cursor_.advance();

@@ -18,8 +18,9 @@ constexpr std::uint32_t kMostElements = 20'000;
 
 }  // namespace
 
-// DEF REAL L1: by the manual a name begins with two letters, but controls in use take such names. To the lexer L1 is an
-// address with a number; from its definition on it is one name, and its tokens are joined wherever it stands.
+// DEF REAL L1: by the manual a name begins with two letters, but its own examples and controls in use have others. To
+// the lexer L1 is an address with a number; from its definition on it is one name, and its tokens are joined wherever
+// it stands.
 void Parser::join_short_name() {
   if (cursor_.kind() != TokenKind::address) return;
   const std::string_view text = cursor_.whole();
@@ -29,7 +30,6 @@ void Parser::join_short_name() {
     return text::Span{begin, end};
   };
   const std::string_view name = run_at(cursor_.span().begin).in(text);
-  if (name.size() < 2) return;
   std::vector<ir::Token>& tokens = program_.tokens;
   std::uint32_t kept = cursor_.index();
   for (std::uint32_t i = kept; i < tokens.size(); ++kept) {

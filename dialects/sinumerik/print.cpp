@@ -73,7 +73,7 @@ class Printer {
     origin_ = s.line;
     open_skip_ = s.skip_level;
     joinable_ = s.kind == StatementKind::assign && comment_.empty();
-    if (s.skip_level > 0) line_ += s.skip_level == 1 ? "/" : "/" + std::to_string(s.skip_level - 1);
+    if (s.skip_level > 0) line_ += s.skip_level == 1 ? "/ " : "/" + std::to_string(s.skip_level - 1) + " ";
     if (labelled) labels(i);
     line_ += words;
     if (!comment_.empty()) line_ += " ; " + std::exchange(comment_, {});

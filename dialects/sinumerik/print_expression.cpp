@@ -31,7 +31,7 @@ void ExpressionPrinter::append_constant(std::string& out, double value) {
     text::append_fixed(out, value, 0);
     return;
   }
-  if (text::parse_number(text::format_fixed(value, kMostDecimals)) == value) {
+  if (std::abs(value) < kLongestWhole && text::parse_number(text::format_fixed(value, kMostDecimals)) == value) {
     text::append_word_number(out, value, kMostDecimals, true);
     return;
   }

@@ -173,10 +173,12 @@ TEST(Lower, HeadsNameTheProgram) {
 
 TEST(Lower, SystemVariablesTakeAxesAsNumbers) {
   const ir::Program p = good("R1=$P_EP[Z] R2=$AA_IM[C]");
-  EXPECT_EQ(p.at(p.variables[0].index).value, 2.0);
-  EXPECT_EQ(p.variables[0].bank, ir::Bank::system);
-  EXPECT_EQ(control(ir::MachineKind::mill).system_variables[p.variables[0].number].name, "$P_EP");
-  EXPECT_EQ(p.at(p.variables[2].index).value, 5.0);
+  const ir::Variable& end = p.at(p.at(p.assigns.at(0).value).variable);
+  const ir::Variable& machine = p.at(p.at(p.assigns.at(1).value).variable);
+  EXPECT_EQ(end.bank, ir::Bank::system);
+  EXPECT_EQ(control(ir::MachineKind::mill).system_variables[end.number].name, "$P_EP");
+  EXPECT_EQ(p.at(end.index).value, 2.0);
+  EXPECT_EQ(p.at(machine.index).value, 5.0);
 }
 
 TEST(Lower, SkipLevels) {
