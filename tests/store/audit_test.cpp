@@ -72,6 +72,26 @@ TEST_F(AuditTest, AMissingRowIsFound) {
   EXPECT_EQ(must(store_->audit().verify()).first_broken, 2U);
 }
 
+// Whoever alters a row and gives it the right hash again breaks the row behind it.
+TEST_F(AuditTest, AHashMadeAnewIsFound) {
+  fill();
+  EXPECT_EQ(sql("DROP TRIGGER audit_update"), "");
+  const auto page = must(store_->audit().list({.limit = 10, .after = {}}));
+  AuditRow row = page.items.at(6);
+  ASSERT_EQ(row.seq, 4U);
+  const auto hash_with = [&](const std::string& detail) {
+    std::string all;
+    for (const std::string& field : {row.previous_hash, std::string("4"), fmt::format("{}", row.by.at_ms), row.by.actor,
+                                     row.entry.action, row.entry.subject, detail}) {
+      all += fmt::format("{}:{}", field.size(), field);
+    }
+    return hash::sha256_hex(all);
+  };
+  ASSERT_EQ(row.hash, hash_with(row.entry.detail)) << "the formula that an outside check would use";
+  EXPECT_EQ(sql(fmt::format("UPDATE audit SET detail = 'evil', hash = '{}' WHERE seq = 4", hash_with("evil"))), "");
+  EXPECT_EQ(must(store_->audit().verify()).first_broken, 5U);
+}
+
 // Fields are hashed with their lengths: moving a letter from one to the next is another row.
 TEST_F(AuditTest, FieldsDoNotFlowTogether) {
   must(store_->audit().append({"ab", "c", "d"}, by("anna", 1)));
