@@ -43,16 +43,20 @@ constexpr CodeSign kCodes[] = {
     {"96", Sign::lathe}, {"961", Sign::lathe}, {"18", Sign::lathe}, {"17", Sign::mill}, {"19", Sign::mill},
 };
 
+// Bytes that are lexed at once: the tokens of a long program are looked at and forgotten.
+constexpr std::size_t kPiece = 65'536;
+
 class Inference {
  public:
-  explicit Inference(std::string_view text) : text_(text) { lex(text, tokens_); }
-
-  void run() {
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      const ir::Token& token = tokens_[i];
-      if (token.kind == TokenKind::address && token.span.size() == 1) letter(i);
-      if (sign_ == Sign::nothing && (token.kind == TokenKind::name || token.kind == TokenKind::string))
-        decide(sign_of_name(token.span.in(text_)), i);
+  void run(std::string_view text) {
+    for (std::size_t at = 0; at < text.size();) {
+      const std::size_t end = at + kPiece < text.size() ? text.find('\n', at + kPiece) : std::string_view::npos;
+      text_ = text.substr(at, end == std::string_view::npos ? text.size() - at : end + 1 - at);
+      base_ = static_cast<std::uint32_t>(at);
+      tokens_.clear();
+      lex(text_, tokens_);
+      piece();
+      at += text_.size();
     }
   }
 
@@ -61,6 +65,15 @@ class Inference {
   [[nodiscard]] bool moves(char letter) const { return letters_.find(letter) != std::string::npos; }
 
  private:
+  void piece() {
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      const ir::Token& token = tokens_[i];
+      if (token.kind == TokenKind::address && token.span.size() == 1) letter(i);
+      if (sign_ == Sign::nothing && (token.kind == TokenKind::name || token.kind == TokenKind::string))
+        decide(sign_of_name(token.span.in(text_)), i);
+    }
+  }
+
   // A letter is a word when a value follows: a number with or without sign, or '='.
   [[nodiscard]] std::size_t after(std::size_t i) const {
     ++i;
@@ -90,10 +103,11 @@ class Inference {
 
   void decide(Sign sign, std::size_t token) {
     sign_ = sign;
-    if (sign != Sign::nothing) offset_ = tokens_[token].span.begin;
+    if (sign != Sign::nothing) offset_ = base_ + tokens_[token].span.begin;
   }
 
-  std::string_view text_;
+  std::string_view text_;   // of the piece
+  std::uint32_t base_ = 0;  // where it begins
   std::vector<ir::Token> tokens_;
   Sign sign_ = Sign::nothing;
   std::uint32_t offset_ = 0;
@@ -103,8 +117,8 @@ class Inference {
 }  // namespace
 
 ir::Control infer_control(const text::Source& source) {
-  Inference inference(source.text());
-  inference.run();
+  Inference inference;
+  inference.run(source.text());
   ir::Control result = control(inference.sign() == Sign::lathe ? ir::MachineKind::lathe : ir::MachineKind::mill);
   if (inference.sign() != Sign::nothing) result.because_line = source.position(inference.offset()).line;
   std::string axes;
