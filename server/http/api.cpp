@@ -1,11 +1,14 @@
 // Order: find the route, the caller, the right, the origin of a write by cookie, an earlier answer; then the handler.
 #include "server/http/api.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <exception>
 #include <utility>
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include "server/json/records.h"
 #include "store/hash/hash.h"
@@ -111,11 +114,22 @@ bool Api::is_heavy(const Request& request) const {
   return match.route != nullptr && match.route->weight == Weight::heavy;
 }
 
+// The fence of what libraries throw (a document too deep, no memory): one request fails, the lines go on.
 Response Api::answer(const Request& request) {
-  const Match match = find_route(routes(), request);
+  try {
+    return answer_found(request, find_route(routes(), request));
+  } catch (const std::exception& error) {
+    spdlog::error("{} {}: {}", name_of(request.method), request.target, error.what());
+    return problem_response(500, "the request failed inside the server");
+  }
+}
+
+Response Api::answer_found(const Request& request, const Match& match) {
   if (match.route != nullptr) return answer_route(request, match);
-  if (match.path_known) return problem_response(405, fmt::format("{} is not for this path", name_of(request.method)));
-  return problem_response(404, fmt::format("there is nothing at {}", request.target));
+  if (!match.path_known) return problem_response(404, fmt::format("there is nothing at {}", request.target));
+  Response response = problem_response(405, fmt::format("{} is not for this path", name_of(request.method)));
+  response.headers.emplace_back("Allow", match.allowed);
+  return response;
 }
 
 Response Api::answer_route(const Request& request, const Match& match) {
@@ -141,9 +155,61 @@ Response Api::answer_route(const Request& request, const Match& match) {
   return answer_once(request, route, call);
 }
 
+namespace {
+
+// Headers of a kept answer: one a line.
+std::string write_headers(const Response& response) {
+  std::string lines;
+  for (const auto& [name, value] : response.headers) lines += fmt::format("{}: {}\n", name, value);
+  return lines;
+}
+
+void read_headers(std::string_view lines, Response& response) {
+  while (!lines.empty()) {
+    const std::string_view line = lines.substr(0, lines.find('\n'));
+    lines.remove_prefix(std::min(lines.size(), line.size() + 1));
+    const std::size_t colon = line.find(": ");
+    if (colon != std::string_view::npos) response.headers.emplace_back(line.substr(0, colon), line.substr(colon + 2));
+  }
+}
+
+// Holds a key while it lives, if nobody else does.
+class KeyInUse {
+ public:
+  KeyInUse(std::mutex& mutex, std::set<std::string>& keys, std::string key)
+      : mutex_(mutex), keys_(keys), key_(std::move(key)) {
+    const std::lock_guard lock(mutex_);
+    is_ours_ = keys_.insert(key_).second;
+  }
+  KeyInUse(const KeyInUse&) = delete;
+  KeyInUse& operator=(const KeyInUse&) = delete;
+  ~KeyInUse() {
+    const std::lock_guard lock(mutex_);
+    if (is_ours_) keys_.erase(key_);
+  }
+  [[nodiscard]] bool is_ours() const { return is_ours_; }
+
+ private:
+  std::mutex& mutex_;
+  std::set<std::string>& keys_;
+  std::string key_;
+  bool is_ours_ = false;
+};
+
+}  // namespace
+
+// While one request with a key is being answered, another with the same key is told to come again.
+Response Api::answer_once(const Request& request, const Route& route, const Call& call) {
+  const std::string key =
+      fmt::format("{} {} {} {}", call.user, name_of(request.method), request.target, request.idempotency_key);
+  const KeyInUse use(keys_mutex_, keys_in_use_, key);
+  if (!use.is_ours()) return problem_response(409, "a request with this key is being answered");
+  return answer_first(request, route, call);
+}
+
 // Under a key the effect happens once. A light route's effect and its kept answer are one transaction; for the others a
 // crash between the two lets a repetition try again, and the state of things (a job that is armed already) refuses it.
-Response Api::answer_once(const Request& request, const Route& route, const Call& call) {
+Response Api::answer_first(const Request& request, const Route& route, const Call& call) {
   store::Store& store = application_.store();
   const store::ReplyKey key{.actor = std::string(call.user),
                             .route = fmt::format("{} {}", name_of(request.method), request.target),
@@ -153,20 +219,17 @@ Response Api::answer_once(const Request& request, const Route& route, const Call
   if (!before) return problem_response(app::from_store(before.error()));
   if (*before) {
     Response response = json_response((*before)->status, (*before)->body);
-    if (!(*before)->headers.empty()) response.headers.emplace_back("Location", (*before)->headers);
+    read_headers((*before)->headers, response);
     return response;
   }
   Response response;
   const auto work = [&]() -> store::Result<void> {
     response = route.handler(call);
     if (response.status >= 400) return {};
-    store::Reply reply{.status = static_cast<std::uint16_t>(response.status),
-                       .headers = {},
-                       .body = response.body,
-                       .at_ms = application_.clock().wall_ms()};
-    for (const auto& [name, value] : response.headers) {
-      if (name == "Location") reply.headers = value;
-    }
+    const store::Reply reply{.status = static_cast<std::uint16_t>(response.status),
+                             .headers = write_headers(response),
+                             .body = response.body,
+                             .at_ms = application_.clock().wall_ms()};
     return store.replies().keep(key, reply);
   };
   const auto done = route.weight == Weight::light ? store.atomically(work) : work();

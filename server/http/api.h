@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <mutex>
+#include <set>
 #include <span>
 #include <string>
 
@@ -26,13 +28,17 @@ class Api {
   [[nodiscard]] const std::string& version() const { return version_; }
 
  private:
+  Response answer_found(const Request& request, const Match& match);
   Response answer_route(const Request& request, const Match& match);
   Response answer_once(const Request& request, const Route& route, const Call& call);
+  Response answer_first(const Request& request, const Route& route, const Call& call);
 
   app::Application& application_;
   std::filesystem::path web_root_;
   std::string version_;
   Sessions sessions_;
+  std::mutex keys_mutex_;
+  std::set<std::string> keys_in_use_;
 };
 
 // All routes, in the order of openapi.json.

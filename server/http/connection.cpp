@@ -13,6 +13,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 namespace dripfeed::http {
@@ -25,6 +26,7 @@ namespace bhttp = boost::beast::http;
 
 constexpr std::chrono::seconds kReadTimeout{60};
 constexpr std::chrono::seconds kWriteTimeout{30};
+constexpr std::chrono::seconds kLinger{2};
 constexpr std::chrono::seconds kEventComment{15};
 constexpr std::size_t kPieceBytes = std::size_t{64} << 10U;
 
@@ -66,6 +68,7 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
 
  private:
   void on_read(beast::error_code error) {
+    head_only_ = false;
     if (error == bhttp::error::body_limit || error == bhttp::error::header_limit) {
       keep_alive_ = false;
       return write_text(plain_problem(413, "the request is too large"));
@@ -78,10 +81,11 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
     if (error) return close();
     auto& message = parser_->get();
     keep_alive_ = message.keep_alive();
+    head_only_ = message.method() == bhttp::verb::head;
     Request request;
-    request.method = method_of(message.method());
+    request.method = head_only_ ? Method::get : method_of(message.method());
     if (!read_target(message.target(), request)) {
-      return write_text(plain_problem(400, "the path of the request is malformed"));
+      return respond(plain_problem(400, "the path of the request is malformed"));
     }
     copy_headers(message, request);
     request.body = std::move(message.body());
@@ -109,11 +113,13 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
     request.content_type = take(bhttp::field::content_type);
   }
 
-  static Response plain_problem(unsigned status, std::string detail) {
+  // `detail` is one of our own sentences, so it needs no escapes.
+  static Response plain_problem(unsigned status, std::string_view detail) {
     Response response;
     response.status = status;
-    response.content_type = "text/plain; charset=utf-8";
-    response.body = std::move(detail) + "\n";
+    response.content_type = "application/problem+json";
+    response.body =
+        fmt::format(R"({{"type":"about:blank","title":"bad request","status":{},"detail":"{}"}})", status, detail);
     return response;
   }
 
@@ -128,6 +134,7 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
   }
 
   void respond(Response response) {
+    if (head_only_) return write_head(response);
     if (response.events) return write_events(std::move(response));
     if (response.source) return write_source(std::move(response));
     write_text(std::move(response));
@@ -140,9 +147,41 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
     message->prepare_payload();
     stream_.expires_after(kWriteTimeout);
     bhttp::async_write(stream_, *message, [self = shared_from_this(), message](beast::error_code error, std::size_t) {
-      if (error || !self->keep_alive_) return self->close();
-      self->read_next();
+      self->after_answer(error);
     });
+  }
+
+  void after_answer(beast::error_code error) {
+    if (error) return close();
+    if (keep_alive_) return read_next();
+    // Closing with bytes unread would reset the connection, and the client might never see the answer.
+    stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, error);
+    stream_.expires_after(kLinger);
+    read_out();
+  }
+
+  void read_out() {
+    stream_.async_read_some(asio::buffer(probe_), [self = shared_from_this()](beast::error_code error, std::size_t) {
+      if (error) return self->close();
+      self->read_out();
+    });
+  }
+
+  // HEAD: as GET, without the body.
+  void write_head(const Response& response) {
+    auto message = std::make_shared<bhttp::response<bhttp::empty_body>>();
+    fill_head(*message, response);
+    if (response.events || response.source) {
+      message->chunked(true);
+    } else if (response.status != 204) {
+      message->content_length(response.body.size());
+    }
+    auto serializer = std::make_shared<bhttp::response_serializer<bhttp::empty_body>>(*message);
+    stream_.expires_after(kWriteTimeout);
+    bhttp::async_write_header(stream_, *serializer,
+                              [self = shared_from_this(), message, serializer](beast::error_code error, std::size_t) {
+                                self->after_answer(error);
+                              });
   }
 
   // The head of a chunked answer, then `next`.
@@ -186,10 +225,7 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
     }
     source_ = nullptr;
     asio::async_write(stream_, bhttp::make_chunk_last(),
-                      [self = shared_from_this()](beast::error_code error, std::size_t) {
-                        if (error || !self->keep_alive_) return self->close();
-                        self->read_next();
-                      });
+                      [self = shared_from_this()](beast::error_code error, std::size_t) { self->after_answer(error); });
   }
 
   void write_events(Response response) {
@@ -245,8 +281,9 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
   BodySource source_;
   std::shared_ptr<EventSubscription> events_;
   std::string piece_;
-  std::array<char, 1> probe_{};
+  std::array<char, 4096> probe_{};
   bool keep_alive_ = false;
+  bool head_only_ = false;
   bool writing_events_ = false;
   bool comment_due_ = false;
 };

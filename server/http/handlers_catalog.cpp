@@ -33,8 +33,9 @@ Response add_machine(const Call& call) {
   app::Application& app = call.api.application();
   const auto machine = app.catalog().add_machine(call.request.body, call.user);
   if (!machine) return problem_response(machine.error());
-  return with_revision(created(fmt::format("/api/v1/machines/{}", machine->name), machine_json(app, *machine, true)),
-                       machine->revision);
+  return with_revision(
+      created(fmt::format("/api/v1/machines/{}", escape_segment(machine->name)), machine_json(app, *machine, true)),
+      machine->revision);
 }
 
 Response get_machine(const Call& call) {
@@ -57,6 +58,8 @@ Response confirm_reset(const Call& call) {
   const auto body = json::read_reason_body(call.request.body);
   if (!body) return problem_response(body.error());
   app::Application& app = call.api.application();
+  const auto machine = app.store().machines().get(call.parameters[0]);
+  if (!machine) return problem_response(app::from_store(machine.error()));
   if (!app.status(call.parameters[0]).needs_confirmation)
     return problem_response(409, "no torn block waits for a confirmation on this machine");
   const auto job = app.jobs().confirm_reset(call.parameters[0], body->reason, call.user);
@@ -76,8 +79,9 @@ Response add_family(const Call& call) {
   if (!body) return problem_response(body.error());
   const auto family = call.api.application().catalog().add_family(body->text, call.user);
   if (!family) return problem_response(family.error());
-  return with_revision(created(fmt::format("/api/v1/families/{}", family->name), family_json(*family, true)),
-                       family->revision);
+  return with_revision(
+      created(fmt::format("/api/v1/families/{}", escape_segment(family->name)), family_json(*family, true)),
+      family->revision);
 }
 
 Response get_family(const Call& call) {
@@ -111,7 +115,8 @@ Response add_part(const Call& call) {
   if (!body) return problem_response(body.error());
   const auto part = call.api.application().catalog().add_part(body->number, body->family, body->values, call.user);
   if (!part) return problem_response(part.error());
-  return with_revision(created(fmt::format("/api/v1/parts/{}", part->number), json::part(*part)), part->revision);
+  return with_revision(created(fmt::format("/api/v1/parts/{}", escape_segment(part->number)), json::part(*part)),
+                       part->revision);
 }
 
 Response get_part(const Call& call) {

@@ -66,7 +66,6 @@ Response get_program_text(const Call& call) {
   if (!revision) return problem_response(app::from_store(revision.error()));
   Response response;
   response.content_type = "text/plain; charset=utf-8";
-  response.headers.emplace_back("ETag", fmt::format("\"{}\"", revision->sha256));
   const auto offset = std::make_shared<std::uint64_t>(0);
   response.source = [&contents = store.contents(), sha256 = revision->sha256,
                      offset](std::span<char> into) -> std::expected<std::size_t, std::string> {

@@ -92,6 +92,21 @@ bool read_query(std::string_view query, Request& request) {
 std::string_view name_of(Right right) { return kRightNames[static_cast<std::size_t>(right)]; }
 std::string_view name_of(Method method) { return kMethodNames[static_cast<std::size_t>(method)]; }
 
+std::string escape_segment(std::string_view name) {
+  constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~";
+  constexpr std::string_view kHex = "0123456789ABCDEF";
+  std::string out;
+  for (const char c : name) {
+    if (kPlain.find(c) != std::string_view::npos) {
+      out += c;
+      continue;
+    }
+    const auto byte = static_cast<unsigned char>(c);
+    out += {'%', kHex[byte / 16], kHex[byte % 16]};
+  }
+  return out;
+}
+
 bool read_target(std::string_view target, Request& request) {
   request.target = target;
   const std::size_t question = target.find('?');
@@ -105,7 +120,11 @@ Match find_route(std::span<const Route> routes, const Request& request) {
     auto values = fit(route.pattern, request.path);
     if (!values) continue;
     match.path_known = true;
-    if (route.method != request.method) continue;
+    if (route.method != request.method) {
+      match.allowed += match.allowed.empty() ? "" : ", ";
+      match.allowed += name_of(route.method);
+      continue;
+    }
     match.route = &route;
     match.parameters = std::move(*values);
     return match;

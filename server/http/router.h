@@ -48,7 +48,11 @@ struct Match {
   const Route* route = nullptr;  // nullptr: no such path (404) or, with `path_known`, no such method (405)
   bool path_known = false;
   std::vector<std::string> parameters;
+  std::string allowed;  // without a route: the methods of this path, "GET, POST"
 };
+
+// A name as one segment of a path, for Location.
+std::string escape_segment(std::string_view name);
 
 Match find_route(std::span<const Route> routes, const Request& request);
 

@@ -20,7 +20,7 @@ constexpr Route kRoutes[] = {
     {del, "/api/v1/session", viewer, light, close_session, "sign out"},
     {get, "/api/v1/events", viewer, command, get_events, "live events, resumable (text/event-stream)"},
     {get, "/api/v1/machines", viewer, light, list_machines, "machines with the state of their lines"},
-    {post, "/api/v1/machines", admin, light, add_machine, "add a machine by its profile"},
+    {post, "/api/v1/machines", admin, command, add_machine, "add a machine by its profile"},
     {get, "/api/v1/machines/{name}", viewer, light, get_machine, "one machine with its profile"},
     {put, "/api/v1/machines/{name}", admin, command, change_machine, "change a profile"},
     {post, "/api/v1/machines/{name}/confirm-reset", operator_, command, confirm_reset,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/thread_pool.hpp>
 #include <fmt/format.h>
 
@@ -23,11 +25,13 @@ namespace {
 namespace asio = boost::asio;
 using tcp = asio::ip::tcp;
 
+constexpr std::chrono::milliseconds kAcceptAgain{100};
+
 std::size_t pool_size() { return std::max(1U, std::thread::hardware_concurrency() - 1U); }
 
 class ListeningServer final : public Server {
  public:
-  explicit ListeningServer(Answerer answerer) : pool_(pool_size()), acceptor_(context_) {
+  explicit ListeningServer(Answerer answerer) : pool_(pool_size()), acceptor_(context_), again_(context_) {
     shared_.answerer = std::move(answerer);
     shared_.pool = &pool_;
   }
@@ -50,12 +54,19 @@ class ListeningServer final : public Server {
  private:
   void accept_next() {
     acceptor_.async_accept([this](boost::system::error_code error, tcp::socket socket) {
-      if (error == asio::error::operation_aborted) return;
-      if (!error) {
-        std::erase_if(connections_, [](const auto& connection) { return connection.expired(); });
-        connections_.push_back(serve(std::move(socket), shared_));
-      }
+      if (!acceptor_.is_open()) return;  // stopped, maybe with this connection just accepted
+      if (error) return accept_later();
+      std::erase_if(connections_, [](const auto& connection) { return connection.expired(); });
+      connections_.push_back(serve(std::move(socket), shared_));
       accept_next();
+    });
+  }
+
+  // The system has no file descriptor left, or the peer went away meanwhile.
+  void accept_later() {
+    again_.expires_after(kAcceptAgain);
+    again_.async_wait([this](boost::system::error_code error) {
+      if (!error && acceptor_.is_open()) accept_next();
     });
   }
 
@@ -63,6 +74,7 @@ class ListeningServer final : public Server {
     asio::post(context_, [this] {
       boost::system::error_code ignored;  // the acceptor is going away
       acceptor_.close(ignored);
+      again_.cancel();
       for (const auto& weak : connections_) {
         if (const auto connection = weak.lock()) connection->close();
       }
@@ -75,6 +87,7 @@ class ListeningServer final : public Server {
   asio::thread_pool pool_;
   ConnectionShared shared_;
   tcp::acceptor acceptor_;
+  asio::steady_timer again_;
   std::vector<std::weak_ptr<ConnectionHandle>> connections_;
   std::uint16_t port_ = 0;
   std::jthread thread_;

@@ -5,6 +5,21 @@
 
 namespace dripfeed::http {
 
+namespace {
+
+// The name of the scheme is written in any case.
+std::optional<std::string_view> bearer_token(std::string_view authorization) {
+  constexpr std::string_view kBearer = "bearer ";
+  if (authorization.size() < kBearer.size()) return std::nullopt;
+  for (std::size_t i = 0; i < kBearer.size(); ++i) {
+    const char c = authorization[i];
+    if ((c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c) != kBearer[i]) return std::nullopt;
+  }
+  return authorization.substr(kBearer.size());
+}
+
+}  // namespace
+
 std::string cookie_value(std::string_view header, std::string_view name) {
   while (!header.empty()) {
     std::string_view item = header.substr(0, header.find(';'));
@@ -31,9 +46,7 @@ std::optional<Caller> Sessions::by_hash(const std::string& hash) {
 }
 
 std::optional<Caller> Sessions::caller(const Request& request) {
-  constexpr std::string_view kBearer = "Bearer ";
-  if (request.authorization.starts_with(kBearer))
-    return by_hash(hash::token_hash(request.authorization.substr(kBearer.size())));
+  if (const auto token = bearer_token(request.authorization)) return by_hash(hash::token_hash(*token));
   const std::string cookie = cookie_value(request.cookie, kSessionCookie);
   if (cookie.empty()) return std::nullopt;
   std::string hash;
