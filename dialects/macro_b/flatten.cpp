@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -128,7 +129,10 @@ class Flattener {
     bool needs = ExpressionPrinter(program_, grammar_).depth(id) > deepest() - 1;
     passes::for_each_node(program_, id, [&](ExpressionId node) {
       const Operator op = program_.at(node).op;
-      needs |= op == Operator::minimum || op == Operator::maximum || op == Operator::bound || turns(op);
+      const bool holds_truth =
+          ir::operand_count(op) > 0 && takes_values(op) &&
+          (is_truth(program_.at(node).a) || (ir::operand_count(op) > 1 && is_truth(program_.at(node).b)));
+      needs |= holds_truth || op == Operator::minimum || op == Operator::maximum || op == Operator::bound || turns(op);
     });
     return needs;
   }
@@ -149,6 +153,7 @@ class Flattener {
     const ir::Expression old = program_.at(id);
     if (old.op == Operator::variable) {
       ir::Variable v = program_.at(old.variable);
+      if (is_pi(v)) return program_.add_constant(std::numbers::pi, old.span);
       if (v.index != ExpressionId::none) v.index = rewritten(v.index, in_word);
       if (v.index2 != ExpressionId::none) v.index2 = rewritten(v.index2, in_word);
       program_.variables[static_cast<std::uint32_t>(old.variable)] = v;
@@ -163,7 +168,29 @@ class Flattener {
     if (count >= 1) e.a = rewritten(e.a, in_word);
     if (count >= 2) e.b = rewritten(e.b, in_word);
     if (count >= 3) e.c = rewritten(e.c, in_word);
+    if (takes_values(e.op)) {
+      if (count >= 1) e.a = as_value(e.a);
+      if (count >= 2) e.b = as_value(e.b);
+    }
     return replaced(e, in_word);
+  }
+
+  // Everything but AND, OR, XOR, NOT wants numbers: the truth of a condition is one in a variable only.
+  static bool takes_values(Operator op) {
+    return op != Operator::logic_and && op != Operator::logic_or && op != Operator::logic_xor &&
+           op != Operator::logic_not;
+  }
+  ExpressionId as_value(ExpressionId id) {
+    if (!is_truth(id)) return id;
+    const ir::Variable truth = new_variable();
+    out_.emit_assign(program_.add(truth), program_.add_constant(0.0));
+    assign_if(within(id, deepest() - 1), truth, program_.add_constant(1.0));
+    return program_.add_variable(truth);
+  }
+
+  [[nodiscard]] bool is_pi(const ir::Variable& v) const {
+    return v.bank == ir::Bank::system && v.number < from_.system_variables.size() &&
+           from_.system_variables[v.number].name == "$PI";
   }
 
   // ROUND[x*1000]/1000 is how ROUND of an address is kept; the printer says it as such again.
@@ -195,13 +222,13 @@ class Flattener {
     if (e.op == Operator::bound) return chosen(Operator::maximum, e.a, chosen(Operator::minimum, e.b, e.c));
     if (turns(e.op)) return turned(program_.add(e));
     if (e.op == Operator::round && in_word) return held(program_.add(e));
-    if (from_.semantics.comparison == ir::ComparisonMode::relative &&
-        to_.semantics.comparison == ir::ComparisonMode::exact) {
-      return tolerant(e);
-    }
+    const bool tolerance_lost = from_.semantics.comparison == ir::ComparisonMode::relative &&
+                                to_.semantics.comparison == ir::ComparisonMode::exact;
+    if (tolerance_lost && passes::opposite_comparison(e.op) != Operator::constant) return tolerant(e);
     const bool logic = e.op == Operator::logic_not;
-    if (!logic && !can_print(grammar_, e.op) && e.op != Operator::string) cannot(e);
-    return program_.add(e);
+    if (logic || can_print(grammar_, e.op)) return program_.add(e);
+    cannot(e);
+    return program_.add_constant(0.0, e.span);
   }
 
   void cannot(const ir::Expression& e) {
@@ -281,11 +308,15 @@ class Flattener {
   }
 
   ExpressionId tolerant(const ir::Expression& e) {
-    const ExpressionId same = program_.add(e);
-    if (!passes::is_comparison(program_, same) || (is_whole(e.a) && is_whole(e.b))) return same;
+    if (is_whole(e.a) && is_whole(e.b)) return program_.add(e);
     const ExpressionId within_this = program_.add_constant(kEqualWithin);
     const auto moved = [&](Operator op, Operator by) {
-      return program_.add_operator(op, e.a, program_.add_operator(by, e.b, within_this), e.span);
+      const ir::Expression& bound = program_.at(e.b);
+      const double signed_width = by == Operator::add ? kEqualWithin : -kEqualWithin;
+      const ExpressionId b = bound.op == Operator::constant
+                                 ? program_.add_constant(bound.value + signed_width, bound.span)
+                                 : program_.add_operator(by, e.b, within_this);
+      return program_.add_operator(op, e.a, b, e.span);
     };
     const auto apart = [&](Operator op) {
       const ExpressionId difference = program_.add_operator(Operator::subtract, e.a, e.b);

@@ -6,12 +6,14 @@
 #include <string>
 #include <utility>
 
+#include "dialects/macro_b/complete.h"
 #include "dialects/macro_b/flatten.h"
 #include "dialects/macro_b/raise_block.h"
 #include "dialects/passes/allocation.h"
 #include "dialects/passes/labels.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/structures.h"
+#include "dialects/passes/walk.h"
 
 namespace dripfeed::macro_b {
 
@@ -151,14 +153,18 @@ void append(std::vector<text::Diagnostic>& to, std::vector<text::Diagnostic> mor
   to.insert(to.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-// Variables that the target does not have under that name or number.
+// System variables go by name on controls that have names for them; here they have numbers, and none is taken for
+// another.
 void check_system_variables(const ir::Program& program, const ir::Control& to,
                             std::vector<text::Diagnostic>& diagnostics) {
-  for (const ir::Variable& v : program.variables) {
-    if (v.bank != ir::Bank::system) continue;
-    const std::string written(v.span.in(program.source.text()));
-    diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, v.span,
-                                                {"the system variable " + written, to.title}));
+  for (const ir::Statement& statement : program.statements) {
+    for (const passes::VariableUseAt& use : passes::variables_of(program, statement)) {
+      const ir::Variable& v = program.at(use.variable);
+      if (v.bank != ir::Bank::system) continue;
+      const std::string written(v.span.in(program.source.text()));
+      diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, v.span,
+                                                  {"the system variable " + written, to.title}));
+    }
   }
 }
 
@@ -168,6 +174,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
                       const Grammar& grammar) {
   ir::RaiseResult result{program, {}};
   ir::Program& p = result.program;
+  append(result.diagnostics, complete_statements(p, to.title));
   passes::FreeNumbers numbers(p, grammar.highest_block_number);
   append(result.diagnostics, passes::number_labels(p, numbers));
   append(result.diagnostics, passes::lower_counted_loops(p, numbers).diagnostics);

@@ -28,6 +28,8 @@ constexpr std::string_view kCenterLetters = "IJK";
 constexpr std::string_view kRotaryLetters = "ABC";
 constexpr std::int16_t kLastPlainOffset = 6;  // G59
 constexpr int kToBaseLetter = 'X' - 'U';      // U V W are increments of X Y Z
+constexpr std::int16_t kLengthsOnly = 1;      // argument of unit_inch: feeds stay in mm
+constexpr std::int16_t kWholeShift = 1;       // argument of local_shift
 constexpr double kToolPlaces = 100.0;         // T0606: two digits for the offset
 
 bool holds(std::string_view letters, Address address) { return letters.contains(letter_of(address)); }
@@ -69,6 +71,7 @@ void BlockRaiser::block(const ir::Statement& statement) {
   const std::vector<ir::Code> codes(old_codes.begin(), old_codes.end());
   const std::vector<ir::Word> words(old_words.begin(), old_words.end());
   draft_ = {};
+  shifts_whole_ = false;
   before_.clear();
   after_.clear();
   for (const ir::Code& c : codes) code(c);
@@ -78,6 +81,7 @@ void BlockRaiser::block(const ir::Statement& statement) {
   // Where D names an edge, compensation takes its radius from there; here it needs the number of an offset.
   const bool by_number = to_.semantics.tool_word == ir::ToolWord::number && tool_ != ExpressionId::none;
   if (traits.comp && edges_ && !same_ && by_number) draft_.words.push_back(word_of(Address::d, tool_));
+  if (shifts_whole_ && !same_) whole_shift();
   distance_frame(traits);
   if (!same_) split_m_codes();
   emit_all();
@@ -130,6 +134,8 @@ void BlockRaiser::code(const ir::Code& code) {
   const Function f = code.function;
   if (f == Function::absolute || f == Function::incremental) incremental_ = f == Function::incremental;
   if (f == Function::unit_inch || f == Function::unit_mm) inch_ = f == Function::unit_inch;
+  if (f == Function::unit_inch || f == Function::unit_mm) feed_in_mm_ = inch_ && code.argument == kLengthsOnly;
+  shifts_whole_ |= f == Function::local_shift && code.argument == kWholeShift;
   if (f == Function::diameter_on) diameter_ = DiameterMode::diameter;
   if (f == Function::diameter_off) diameter_ = DiameterMode::radius;
   if (f == Function::diameter_absolute_only) diameter_ = DiameterMode::diameter_absolute_only;
@@ -173,6 +179,7 @@ void BlockRaiser::word(const ir::Word& word, const Traits& traits) {
   if (length || raised.address == Address::f) {
     const bool counts = length || from_.semantics.decimal_mode == ir::DecimalMode::calculator;
     if (counts) raised.value = with_point(raised.value, false);
+    if (raised.address == Address::f && feed_in_mm_ && !same_) raised.value = scaled(raised.value, 1.0 / 25.4);
   }
   if (raised.address > Address::z && !(from_.dialect == to_.dialect)) {
     return cannot(*statement_, "a word that this control has no address for");
@@ -210,6 +217,15 @@ void BlockRaiser::distance_frame(const Traits& traits) {
   if ((!traits.any_incremental && !traits.any_absolute) || incremental == incremental_) return;
   before_.push_back({{code_of(incremental ? Function::incremental : Function::absolute)}, {}});
   after_.push_back({{code_of(incremental ? Function::absolute : Function::incremental)}, {}});
+}
+
+void BlockRaiser::whole_shift() {
+  for (const char letter : to_.axes) {
+    const auto address = static_cast<Address>(letter - 'A');
+    if (std::ranges::find(draft_.words, address, &ir::Word::address) == draft_.words.end()) {
+      draft_.words.push_back(word_of(address, program_.add_constant(0.0)));
+    }
+  }
 }
 
 // Seconds to milliseconds.

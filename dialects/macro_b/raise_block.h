@@ -55,6 +55,7 @@ class BlockRaiser {
   void emit_all();
   void emit(const Draft& draft);
   void split_m_codes();
+  void whole_shift();
 
   ir::Code code_of(ir::Function function, std::int16_t argument = 0) const;
   ir::Word word_of(ir::Address address, ir::ExpressionId value) const;
@@ -72,6 +73,8 @@ class BlockRaiser {
   bool edges_;  // D is an edge of the tool
   bool incremental_ = false;
   bool inch_ = false;
+  bool feed_in_mm_ = false;    // inch for lengths only
+  bool shifts_whole_ = false;  // the block's shift takes away those of axes that it does not name
   ir::DiameterMode diameter_;
   ir::ExpressionId tool_ = ir::ExpressionId::none;  // number of the last T
   const ir::Statement* statement_ = nullptr;

@@ -167,15 +167,16 @@ class Allocator {
   bool place_all(bool share) {
     given_.clear();
     if (pinned_ && !wanted_.empty()) return false;
-    // Arrays first: they need their numbers in a row. Then those that can keep their own number.
+    // Arrays first: they need their numbers in a row. Then those that can keep their own number, or one like it: R1 is
+    // #101.
     for (auto& [key, wanted] : wanted_) wanted.given = false;
     for (auto& [key, wanted] : wanted_) {
       if (wanted.place.count > 1 && !place(wanted, false)) return false;
     }
     for (auto& [key, wanted] : wanted_) {
-      if (!wanted.given && key.first != Bank::named && is_free(key.second, 1, wanted.live, false) &&
-          exists(key.second)) {
-        give(wanted, key.second);
+      if (wanted.given || key.first == Bank::named) continue;
+      for (const std::uint32_t number : {key.second, first_common() + key.second}) {
+        if (!wanted.given && is_shared_by_calls(number) && is_free(number, 1, wanted.live, false)) give(wanted, number);
       }
     }
     return std::ranges::all_of(wanted_, [&](auto& row) { return row.second.given || place(row.second, share); });
@@ -193,9 +194,15 @@ class Allocator {
     return false;
   }
 
-  [[nodiscard]] bool exists(std::uint32_t number) const {
-    return std::ranges::any_of(user_ranges(),
-                               [&](const ir::VariableRange& r) { return r.first <= number && number <= r.last; });
+  // A number that means the same in called programs, as those of other banks do.
+  [[nodiscard]] bool is_shared_by_calls(std::uint32_t number) const {
+    return std::ranges::any_of(user_ranges(), [&](const ir::VariableRange& r) {
+      return r.use != VariableUse::local && r.first <= number && number <= r.last;
+    });
+  }
+  [[nodiscard]] std::uint32_t first_common() const {
+    const std::vector<ir::VariableRange> ranges = user_ranges();
+    return ranges.empty() ? 0 : ranges.front().first;
   }
 
   [[nodiscard]] bool is_free(std::uint32_t first, std::uint32_t count, const LiveRange& live, bool share) const {

@@ -27,10 +27,11 @@ struct AllocationReport {
 };
 
 // Rewrites every variable that is not of `bank` (system ones excepted) to a number of `bank` that `to` has and may
-// write, common ones before permanent ones before local ones. Scalars whose live ranges do not meet share a number; a
-// number of another bank keeps its own number where that is free. With a computed number of another bank (R[R1]) all of
-// that bank's user variables in `from` move as one range. DEF statements become assignments of their initial values
-// (0 without one); the symbols stay for messages.
+// write, common ones before permanent ones before local ones. Each gets a number of its own; only when there are too
+// few, scalars whose live ranges do not meet share one. A number of another bank keeps its own, or one as far from the
+// first common one, where that is free. With a computed number of another bank (R[R1]) all of that bank's user
+// variables in `from` move as one range. DEF statements become assignments of their initial values (0 without one); the
+// symbols stay for messages.
 AllocationReport allocate_variables(ir::Program& program, const ir::Control& from, const ir::Control& to,
                                     ir::Bank bank);
 
