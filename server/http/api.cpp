@@ -127,7 +127,7 @@ Response Api::answer(const Request& request) {
 Response Api::answer_found(const Request& request, const Match& match) {
   if (match.route != nullptr) return answer_route(request, match);
   if (!match.path_known) return problem_response(404, fmt::format("there is nothing at {}", request.target));
-  Response response = problem_response(405, fmt::format("{} is not for this path", name_of(request.method)));
+  Response response = problem_response(405, fmt::format("this path is for {}", match.allowed));
   response.headers.emplace_back("Allow", match.allowed);
   return response;
 }

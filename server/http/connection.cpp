@@ -144,7 +144,7 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
     auto message = std::make_shared<bhttp::response<bhttp::string_body>>();
     fill_head(*message, response);
     message->body() = std::move(response.body);
-    message->prepare_payload();
+    if (response.status != 204) message->prepare_payload();  // a 204 says nothing of a length
     stream_.expires_after(kWriteTimeout);
     bhttp::async_write(stream_, *message, [self = shared_from_this(), message](beast::error_code error, std::size_t) {
       self->after_answer(error);
