@@ -15,6 +15,7 @@ using namespace store;
 
 class ContentTest : public StoreTest {
  protected:
+  ContentTest() : StoreTest(TempFolder::Where::disk) {}
   // "" when the table has that many rows.
   [[nodiscard]] std::string has_rows(const std::string& table, int rows) const {
     return sql(

@@ -16,7 +16,10 @@ namespace {
 
 using namespace store;
 
-class CrashTest : public StoreTest {};
+class CrashTest : public StoreTest {
+ protected:
+  CrashTest() : StoreTest(TempFolder::Where::disk) {}
+};
 
 // What the child says through its pipe after each commit: how much is handed and acknowledged.
 struct Word {

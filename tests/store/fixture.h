@@ -69,7 +69,7 @@ void bring(store::Store& store, store::Id job, store::JobState state);
 
 class StoreTest : public ::testing::Test {
  protected:
-  StoreTest() { reopen(); }
+  explicit StoreTest(TempFolder::Where where = TempFolder::Where::memory) : folder_(where) { reopen(); }
   void reopen(const sqlite::OpenSettings& settings = {});
   [[nodiscard]] std::string path() const { return folder_.file("dripfeed.db"); }
   // Runs SQL beside the store; the engine's words, "" when it went well.

@@ -15,6 +15,7 @@ using namespace store;
 
 class LedgerTest : public StoreTest {
  protected:
+  LedgerTest() : StoreTest(TempFolder::Where::disk) {}
   std::vector<LedgerFault> append(Id job, LedgerCounts counts, std::string note = {}, std::int64_t at_ms = 1) {
     const std::array rows{NewLedgerRow{job, counts, std::move(note)}};
     return must(store_->ledger().append(rows, at_ms));
