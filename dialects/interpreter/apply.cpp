@@ -26,12 +26,14 @@ struct Effects {
   bool tool_change = false;
   bool coolant_off = false;
   bool spindle_stop = false;
-  bool announces = false;  // something that events tell of may have changed
-  std::int8_t stop = -1;   // 0 program, 1 optional
+  bool surface_code = false;  // this block switches the surface speed
+  bool announces = false;     // something that events tell of may have changed
+  std::int8_t stop = -1;      // 0 program, 1 optional
   Flow flow = Flow::next;
 };
 
 struct CodeContext {
+  const BlockRules& rules;
   ModalState& state;
   Effects& effects;
   PlainCode code;
@@ -39,14 +41,12 @@ struct CodeContext {
 
 void surface_speed(CodeContext& c, bool on) {
   c.state.modes.surface_speed = on;
-  c.state.modes.surface_speed_in_feed = c.code.group == ModalGroup::feed;
-  // Of one group with the feed codes it is a feed code itself, per revolution.
-  if (c.state.modes.surface_speed_in_feed) c.state.modes.feed_mode = ir::FeedMode::per_rev;
-  c.effects.announces = true;
+  c.effects.surface_code = c.effects.announces = true;
 }
 void feed(CodeContext& c, ir::FeedMode mode) {
   c.state.modes.feed_mode = mode;
-  if (c.state.modes.surface_speed && c.state.modes.surface_speed_in_feed) {
+  // … but the feed code that a reader puts beside G96 belongs to it.
+  if (c.rules.semantics.feed_code_ends_surface_speed && c.state.modes.surface_speed && !c.effects.surface_code) {
     c.state.modes.surface_speed = false;
     c.effects.announces = true;
   }
@@ -141,13 +141,13 @@ constexpr auto kCodeRules = [] {
 
 constexpr bool is_motion(Function function) { return function >= Function::rapid && function <= Function::thread; }
 
-void apply_codes(const PlainBlock& block, ModalState& state, Effects& effects) {
+void apply_codes(const PlainBlock& block, const BlockRules& rules, ModalState& state, Effects& effects) {
   for (const PlainCode& code : block.codes) {
     if (is_motion(code.function)) {
       state.modes.motion = code.function;
       state.modes.motion_given = state.modes.motion_modelled = true;
     } else if (const auto rule = kCodeRules[static_cast<std::size_t>(code.function)]; rule != nullptr) {
-      CodeContext context{state, effects, code};
+      CodeContext context{rules, state, effects, code};
       rule(context);
     }
   }
@@ -314,7 +314,7 @@ void announce(ModalState& state, MotionBuffer& out) {
 BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out) {
   BlockResult result;
   Effects effects;
-  apply_codes(block, state, effects);
+  apply_codes(block, rules, state, effects);
   // A dwell's F and S are times; they do not change what is in effect.
   const bool times = effects.one_shot == Function::dwell && !rules.semantics.dwell_p_is_ms;
   if ((block.present & kToolWords) != 0 || block.tool_name != kNoText || effects.tool_change)

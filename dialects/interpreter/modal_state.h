@@ -31,8 +31,7 @@ struct Modes {
   bool inch_feed = false;  // feeds are in inch, too
   bool absolute = true;
   bool exact_stop = false;
-  bool surface_speed = false;          // G96
-  bool surface_speed_in_feed = false;  // … which here is of the feed's group, so that a feed code ends it
+  bool surface_speed = false;  // G96
   std::int32_t work_offset = kOffsetUnknown;
   AxisValues shift{};  // local: G52, TRANS
 };

@@ -44,7 +44,7 @@ void append_quoted(std::string& to, std::string_view text) {
 }  // namespace
 
 TraceWriter::TraceWriter(const ir::Control& control, const RunNames& names, Consumer consumer)
-    : names_(names), consumer_(std::move(consumer)) {
+    : names_(names), edges_(control.semantics.d_selects_edge), consumer_(std::move(consumer)) {
   for (std::size_t i = 0; i < kAxisLetters.size(); ++i)
     if (control.axes.find(kAxisLetters[i]) != std::string::npos) axes_.push_back(static_cast<ir::Axis>(i));
 }
@@ -120,7 +120,9 @@ void TraceWriter::write_event(const ir::Motion& motion) {
       append_quoted(text_, names_.strings[motion.text]);
     else
       append_integer(text_, motion.number);
-    if (motion.tool_offset != 0) {
+    // Which number the usual offset has is the control's own matter: a tool's own (T0606) or its first edge (D1).
+    const std::int32_t usual = edges_ ? 1 : motion.number;
+    if (motion.tool_offset != 0 && motion.tool_offset != usual) {
       text_ += " offset ";
       append_integer(text_, motion.tool_offset);
     }

@@ -4,7 +4,7 @@
 //   [@k:]LINE KIND words            @k NAME declares the k-th called program before its first line
 //   12 linear X10.0000 Y0.0000 Z-1.0000 F900.0000/min
 //   13 arc-cw X20.0000 Y0.0000 Z-1.0000 G17 I5.0000 J0.0000 K0.0000 F900.0000/min
-//   rapid … | thread … F1.5000/rev | dwell P1.5000 (s) | offset 2 | tool 6 offset 6 | tool "NAME" |
+//   rapid … | thread … F1.5000/rev | dwell P1.5000 (s) | offset 2 | tool 6 [offset 16] | tool "NAME" |
 //   comp left|right|off | spindle cw|ccw S500.0000/rpm | spindle cw S200.0000/m_min [limit 3200.0000] | spindle off |
 //   coolant flood|mist|off | message "text" | stop program|optional | end
 //
@@ -45,6 +45,7 @@ class TraceWriter : public ir::MotionSink {
 
   const RunNames& names_;
   std::vector<ir::Axis> axes_;
+  bool edges_;  // the control's D is a tool's edge
   Consumer consumer_;
   std::vector<bool> declared_;  // by program
   std::string text_;

@@ -53,10 +53,11 @@ struct Semantics {
   DiameterMode power_on_diameter = DiameterMode::radius;
 
   // Ends, alarms and edges, where controls differ.
-  bool end_in_subprogram_returns = false;  // M30 or M2 of a called program only returns (SINUMERIK)
-  bool return_in_main_restarts = false;    // M99 of the main program starts it again, without end
-  std::uint32_t user_alarm_base = 0;       // #3000 = 1 is shown as alarm 3001: 3000
-  bool d_selects_edge = false;             // D is the tool's edge and takes effect at once; otherwise a comp number
+  bool end_in_subprogram_returns = false;     // M30 or M2 of a called program only returns (SINUMERIK)
+  bool return_in_main_restarts = false;       // M99 of the main program starts it again, without end
+  std::uint32_t user_alarm_base = 0;          // #3000 = 1 is shown as alarm 3001: 3000
+  bool feed_code_ends_surface_speed = false;  // G94, G95, G96 replace each other (SINUMERIK)
+  bool d_selects_edge = false;                // D is the tool's edge and takes effect at once; otherwise a comp number
 };
 
 }  // namespace dripfeed::ir

@@ -40,6 +40,7 @@ ir::Semantics semantics(bool lathe) {
   s.power_on_diameter = lathe ? ir::DiameterMode::diameter : ir::DiameterMode::radius;
   s.end_in_subprogram_returns = true;
   s.d_selects_edge = true;
+  s.feed_code_ends_surface_speed = true;
   return s;
 }
 

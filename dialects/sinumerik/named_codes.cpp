@@ -32,7 +32,7 @@ constexpr auto kNamed = std::to_array<GCode>({
   {{"REPOSA", -1, not_modelled, 0, Group::non_modal, "PG, G group 2"}, 2, own},
   {{"REPOSQA", -1, not_modelled, 0, Group::non_modal, "PG, G group 2"}, 2, own},
   {{"REPOSHA", -1, not_modelled, 0, Group::non_modal, "PG, G group 2"}, 2, own},
-  {{"TRANS", -1, local_shift, 0, Group::frame, "PG, G group 3"}, 3, usual},
+  {{"TRANS", -1, local_shift, 1, Group::frame, "PG, G group 3"}, 3, usual},
   {{"ATRANS", -1, local_shift_add, 0, Group::frame, "PG, G group 3"}, 3, usual},
   {{"ROT", -1, not_modelled, 0, Group::frame, "PG, G group 3"}, 3, own},
   {{"SCALE", -1, not_modelled, 0, Group::frame, "PG, G group 3"}, 3, own},

@@ -145,14 +145,23 @@ TEST(Modes, SetCoordinatesWithSIsTheSpindleLimit) {
             "5 spindle off\n");
 }
 
-TEST(Modes, SurfaceSpeedOfTheFeedGroupSetsTheFeed) {
-  Builder b;
-  b.block({{Function::surface_speed_on, 0, ModalGroup::feed}, {Function::spindle_cw}, {Function::linear}},
-          {{Address::s, 100.0}, {Address::x, 1.0}, {Address::f, 0.2}});
-  b.block({{Function::feed_per_min, 0, ModalGroup::feed}}, {{Address::x, 2.0}, {Address::s, 900.0}});
-  EXPECT_EQ(trace_of(b, sinumerik_control()),
+TEST(Modes, AFeedCodeEndsTheSurfaceSpeedWhereTheyAreOfOneGroup) {
+  const auto make = [](const ir::Control& control) {
+    Builder b;
+    // The feed code beside G96 belongs to it.
+    b.block({{Function::surface_speed_on}, {Function::feed_per_rev}, {Function::spindle_cw}, {Function::linear}},
+            {{Address::s, 100.0}, {Address::x, 1.0}, {Address::f, 0.2}});
+    b.block({{Function::feed_per_min}}, {{Address::x, 2.0}, {Address::s, 900.0}});
+    return trace_of(b, control);
+  };
+  ir::Control one_group = sinumerik_control();
+  one_group.semantics.feed_code_ends_surface_speed = true;
+  EXPECT_EQ(make(one_group),
             "1 spindle cw S100.0000/m_min\n1 linear X1.0000 Y0.0000 Z0.0000 F0.2000/rev\n"
             "2 spindle cw S900.0000/rpm\n2 linear X2.0000 Y0.0000 Z0.0000 F0.2000/min\n");
+  EXPECT_EQ(make(mill_control()),
+            "1 spindle cw S100.0000/m_min\n1 linear X1.0000 Y0.0000 Z0.0000 F0.2000/rev\n"
+            "2 spindle cw S900.0000/m_min\n2 linear X2.0000 Y0.0000 Z0.0000 F0.2000/min\n");
 }
 
 TEST(Modes, EventsStandInTheirOrderAndOnceAChange) {
