@@ -1,0 +1,157 @@
+// From a profile to the settings of a feed and of a control.
+#include "server/machine/profile.h"
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+namespace dripfeed::machine {
+namespace {
+
+LineSettings line_at(std::string_view url) {
+  LineSettings line;
+  line.link = parse_link_url(url).value();
+  return line;
+}
+
+TEST(Line, OptionsOfTheUrlWin) {
+  LineSettings line = line_at(
+      "serial:/dev/ttyS0?baud=19200&framing=8N1&latency_chars=3&budget=9&unsent=6&start=at-once&eob=cr-lf&flow="
+      "xonxoff");
+  line.baud = 4800;
+  line.eob = tape_code::Eob::lf;
+  const auto effective = effective_line(line);
+  ASSERT_TRUE(effective) << effective.error();
+  EXPECT_EQ(effective->baud, 19200U);
+  EXPECT_EQ(effective->framing, (tape_code::Framing{8, tape_code::Parity::none, 1}));
+  EXPECT_EQ(effective->code, tape_code::Code::ascii);
+  EXPECT_EQ(effective->latency_chars, 3U);
+  EXPECT_EQ(effective->overrun_budget, 9U);
+  EXPECT_EQ(effective->unsent, 6U);
+  EXPECT_EQ(effective->start, feed::Start::at_once);
+  EXPECT_EQ(effective->eob, tape_code::Eob::cr_lf);
+
+  const auto feed = feed_settings_of(line);
+  ASSERT_TRUE(feed) << feed.error();
+  EXPECT_EQ(feed->baud, 19200U);
+  EXPECT_EQ(feed->wire.eob, tape_code::Eob::cr_lf);
+  EXPECT_EQ(feed->wire.eighth_bit, tape_code::EighthBit::data);
+  EXPECT_EQ(feed->start, feed::Start::at_once);
+  EXPECT_EQ(feed->overrun_budget, 9U);
+}
+
+TEST(Line, WithoutOptionsTheProfileCounts) {
+  LineSettings line = line_at("pty:/tmp/x");
+  line.baud = 4800;
+  line.leader_nuls = 50;
+  line.trailer_nuls = 20;
+  line.end_by_dc3 = false;
+  line.end_by_character = 4;
+  line.end_by_quiet_s = 2.5;
+  line.watch_cts = true;
+  const auto feed = feed_settings_of(line);
+  ASSERT_TRUE(feed) << feed.error();
+  EXPECT_EQ(feed->baud, 4800U);
+  EXPECT_EQ(feed->wire.eighth_bit, tape_code::EighthBit::even);
+  EXPECT_EQ(feed->wire.leader_nuls, 50U);
+  EXPECT_EQ(feed->wire.trailer_nuls, 20U);
+  EXPECT_FALSE(feed->end.dc3);
+  EXPECT_EQ(feed->end.eot, 4);
+  EXPECT_EQ(feed->end.quiet, feed::Time(2'500'000'000));
+  EXPECT_TRUE(feed->watch_cts);
+  EXPECT_FALSE(feed->watch_dsr);
+  EXPECT_FALSE(feed->blind);
+  EXPECT_TRUE(feed_settings_of(line_at("tcp://h:1"))->blind);
+}
+
+TEST(Line, RefusesTheBudgetWithItsSum) {
+  LineSettings line = line_at("serial:/dev/ttyS0?unsent=8");
+  line.latency_chars = 5;
+  line.overrun_budget = 10;
+  const auto feed = feed_settings_of(line);
+  ASSERT_FALSE(feed);
+  EXPECT_EQ(feed.error(), "8 unsent + 5 latency = 13 characters, more than the overrun budget of 10");
+  line.overrun_budget = 13;
+  EXPECT_TRUE(feed_settings_of(line));
+}
+
+struct Wrong {
+  std::string_view option;
+  std::string_view said;
+};
+
+TEST(Line, NamesTheOptionThatIsWrong) {
+  const std::array wrongs = {
+      Wrong{"baud=fast", "baud \"fast\" is not a whole number"},
+      Wrong{"baud=-1", "baud \"-1\" is not a whole number"},
+      Wrong{"baud=96.5", "baud \"96.5\" is not a whole number"},
+      Wrong{"unsent=99999999999", "unsent \"99999999999\" is not a whole number"},
+      Wrong{"framing=9N1", "framing \"9N1\":"},
+      Wrong{"start=now", "start \"now\" is not dc1 or at-once"},
+      Wrong{"eob=crlf", "eob \"crlf\" is not lf, cr-lf, lf-cr-cr or cr"},
+      Wrong{"flow=rtscts", "flow \"rtscts\" is not xonxoff"},
+  };
+  for (const Wrong& wrong : wrongs) {
+    const LineSettings line = line_at("serial:/dev/ttyS0?" + std::string(wrong.option));
+    const auto effective = effective_line(line);
+    ASSERT_FALSE(effective) << wrong.option;
+    EXPECT_NE(effective.error().find(wrong.said), std::string::npos) << effective.error();
+    EXPECT_EQ(feed_settings_of(line).error(), effective.error());
+  }
+  EXPECT_NE(feed_settings_of(line_at("serial:/dev/ttyS0?baud=0")).error().find("baud"), std::string::npos);
+}
+
+TEST(Line, ReadsEveryEob) {
+  const std::array<std::pair<std::string_view, tape_code::Eob>, 5> eobs = {{{"lf", tape_code::Eob::lf},
+                                                                            {"cr-lf", tape_code::Eob::cr_lf},
+                                                                            {"lf-cr-cr", tape_code::Eob::lf_cr_cr},
+                                                                            {"cr", tape_code::Eob::cr},
+                                                                            {"LF_CR_CR", tape_code::Eob::lf_cr_cr}}};
+  for (const auto& [name, eob] : eobs) {
+    EXPECT_EQ(effective_line(line_at("pty:/x?eob=" + std::string(name)))->eob, eob) << name;
+  }
+}
+
+TEST(Control, TheProfileLiesOverTheUsualControl) {
+  ir::Control usual;
+  usual.title = "usual";
+  usual.semantics.least_increment_mm = 0.001;
+  usual.semantics.power_on_unit = ir::Function::unit_mm;
+  Profile profile;
+  const ir::Control same = control_of(profile, usual);
+  EXPECT_EQ(same.title, "usual");
+  EXPECT_EQ(same.semantics.least_increment_mm, 0.001);
+  EXPECT_EQ(same.semantics.power_on_unit, ir::Function::unit_mm);
+  EXPECT_TRUE(same.from_profile);
+  EXPECT_FALSE(same.semantics.power_on_known);
+
+  profile.control.title = "Fanuc 0i-TF";
+  profile.control.increment_mm = 0.0001;
+  profile.control.power_on_unit = ir::Function::unit_inch;
+  profile.control.power_on_confirmed = true;
+  profile.control.decimal_mode = ir::DecimalMode::calculator;
+  profile.control.variables = {{.bank = ir::Bank::r, .first = 0, .last = 99}};
+  profile.control.block_length_bytes = 80;
+  const ir::Control set = control_of(profile, usual);
+  EXPECT_EQ(set.title, "Fanuc 0i-TF");
+  EXPECT_EQ(set.semantics.least_increment_mm, 0.0001);
+  EXPECT_EQ(set.semantics.power_on_unit, ir::Function::unit_inch);
+  EXPECT_TRUE(set.semantics.power_on_known);
+  EXPECT_EQ(set.semantics.decimal_mode, ir::DecimalMode::calculator);
+  ASSERT_EQ(set.variables.size(), 1U);
+  EXPECT_EQ(set.variables.front().last, 99U);
+  EXPECT_EQ(set.limits.block_length_bytes, 80U);
+}
+
+TEST(Syntax, FollowsTheDialectAndTheDelivery) {
+  Profile profile;
+  profile.control.dialect = "fanuc";
+  EXPECT_EQ(program_syntax_of(profile, ir::Delivery::drip).comments[0].open, '(');
+  EXPECT_TRUE(program_syntax_of(profile, ir::Delivery::drip).end_code);
+  EXPECT_FALSE(program_syntax_of(profile, ir::Delivery::memory).end_code);
+  profile.control.dialect = "sinumerik-840d";
+  EXPECT_EQ(program_syntax_of(profile, ir::Delivery::drip).comments[0].open, ';');
+}
+
+}  // namespace
+}  // namespace dripfeed::machine
