@@ -14,6 +14,7 @@ namespace {
 using ir::Address;
 
 constexpr int kPlainDecimals = 6;
+constexpr int kComputedDecimals = 4;
 
 bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
 // Values with a decimal point always: positions and what belongs to them.
@@ -145,7 +146,7 @@ std::string BlockPrinter::word(const ir::Word& w) const {
   if (!mode.empty()) out += std::string(mode) + "(";
   if (e.op == ir::Operator::constant) {
     const bool position = has_point(w.address);
-    text::append_word_number(out, e.value, position ? position_decimals() : kPlainDecimals, !position);
+    text::append_word_number(out, e.value, position ? position_decimals(e) : kPlainDecimals, !position);
   } else {
     expressions_.append(out, w.value);
   }
@@ -153,9 +154,11 @@ std::string BlockPrinter::word(const ir::Word& w) const {
   return out;
 }
 
-int BlockPrinter::position_decimals() const {
+int BlockPrinter::position_decimals(const ir::Expression& e) const {
   const int stated = control_.limits.linear_decimals;
-  return control_.from_profile && stated > 0 ? stated : std::max(stated, kPlainDecimals);
+  if (control_.from_profile && stated > 0) return stated;
+  // Computed values get the places that the trace has, written ones keep theirs.
+  return std::max(stated, e.span.empty() ? kComputedDecimals : kPlainDecimals);
 }
 
 }  // namespace dripfeed::sinumerik

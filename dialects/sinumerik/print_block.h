@@ -21,7 +21,7 @@ class BlockPrinter {
   [[nodiscard]] std::string code(const ir::Code& code) const;
   [[nodiscard]] std::string word(const ir::Word& word) const;
   // Only a machine that states its increment rounds; otherwise a position keeps what a trace would show and more.
-  [[nodiscard]] int position_decimals() const;
+  [[nodiscard]] int position_decimals(const ir::Expression& e) const;
 
   const ir::Program& program_;
   const ir::Control& control_;

@@ -227,58 +227,20 @@ class BlockRaiser {
     if (dwell_) return dwell_word(w);
     w.value = in_units(w);
     if (from.incremental_letters_uvw) incremental_letter(w);
-    switch (w.address) {
-      case Address::t: return tool_word(w);
-      case Address::h:
-        if (has(Function::length_offset_plus)) return;
-        break;
-      case Address::s:
-        if (has(Function::set_coordinates)) w.address = Address::spindle_limit;
-        break;
-      case Address::r:
-        if (!from.arc_radius_is_r) break;
-        if (!has(Function::arc_cw) && !has(Function::arc_ccw) && !arc_is_modal_)
-          return raising_.cannot("the word R", w.span);
-        w.address = Address::arc_radius;
-        break;
-      case Address::f:
-        // A thread's lead is K along Z and I along X here, F elsewhere.
-        if (thread_is_modal_) w.address = find(Address::z) != nullptr ? Address::k : Address::i;
-        break;
-      case Address::chamfer: w.name = program_.strings.add("CHR"); break;
-      case Address::d:
-        // A compensation number of the other control is the edge of its own tool here.
-        if (!from.d_selects_edge) return edge(w);
-        break;
-      case Address::other:
-      case Address::e:
-      case Address::l:
-      case Address::o:
-      case Address::p:
-      case Address::q: return raising_.cannot("the word " + std::string(raising_.text_of(w.span)), w.span);
-      case Address::a:
-      case Address::b:
-      case Address::c:
-      case Address::g:
-      case Address::i:
-      case Address::j:
-      case Address::k:
-      case Address::m:
-      case Address::n:
-      case Address::u:
-      case Address::v:
-      case Address::w:
-      case Address::x:
-      case Address::y:
-      case Address::z:
-      case Address::arc_radius:
-      case Address::opening_angle:
-      case Address::spindle_limit:
-      case Address::polar_angle:
-      case Address::polar_radius:
-      case Address::turns:
-      case Address::rounding:
-      case Address::count_: break;
+    const bool no_address = w.address == Address::other || w.address == Address::e || w.address == Address::l ||
+                            w.address == Address::o || w.address == Address::p || w.address == Address::q;
+    if (no_address) return raising_.cannot("the word " + std::string(raising_.text_of(w.span)), w.span);
+    if (w.address == Address::t) return tool_word(w);
+    if (w.address == Address::h && has(Function::length_offset_plus)) return;
+    // A compensation number of the other control is the edge of its own tool here.
+    if (w.address == Address::d && !from.d_selects_edge) return edge(w);
+    if (w.address == Address::s && has(Function::set_coordinates)) w.address = Address::spindle_limit;
+    // A thread's lead is K along Z and I along X here, F elsewhere.
+    if (w.address == Address::f && thread_is_modal_) w.address = find(Address::z) != nullptr ? Address::k : Address::i;
+    if (w.address == Address::chamfer) w.name = program_.strings.add("CHR");
+    if (w.address == Address::r && from.arc_radius_is_r) {
+      if (!arc_is_modal_) return raising_.cannot("the word R", w.span);
+      w.address = Address::arc_radius;
     }
     program_.words.push_back(w);
   }

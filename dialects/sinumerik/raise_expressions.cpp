@@ -4,9 +4,9 @@
 //   angle 0…360     a + 360*ROUNDUP(MAXVAL(-a,0)/180), because the last factor is 1 for negative a and 0 otherwise
 //   ROUND, FUP of negative numbers, which Fanuc takes away from zero: f(MAXVAL(x,0)) - f(MAXVAL(-x,0))
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
+#include <span>
 
 #include "dialects/passes/walk.h"
 #include "dialects/sinumerik/keywords.h"
@@ -66,77 +66,44 @@ class ExpressionRaiser {
     return keeps && never_negative(e.a) && never_negative(e.b);
   }
 
+  // Operators without a row are the same here.
+  using Step = void (ExpressionRaiser::*)(std::uint32_t, const ir::Expression&);
+  struct Row {
+    Operator op;
+    Step step;
+  };
+  static std::span<const Row> rows();
+
   void raise(std::uint32_t id) {
     const ir::Expression e = program_.expressions[id];
+    const auto row = std::ranges::find(rows(), e.op, &Row::op);
+    if (row != rows().end()) (this->*row->step)(id, e);
+  }
+
+  void refuse(std::uint32_t, const ir::Expression& e) {
+    raising_.cannot(e.op == Operator::vacant ? "an empty value (#0)" : e.op == Operator::bcd ? "BCD" : "BIN", e.span);
+  }
+
+  void atan(std::uint32_t id, const ir::Expression&) {
+    const ExpressionId one = constant(1.0);
+    program_.expressions[id].op = Operator::atan2;
+    program_.expressions[id].b = one;
+  }
+
+  void atan2(std::uint32_t id, const ir::Expression&) {
+    if (raising_.from.semantics.atan_full_circle && !raising_.to.semantics.atan_full_circle) full_circle(id, 180.0);
+  }
+
+  void asin(std::uint32_t id, const ir::Expression& e) {
+    const bool other_range = raising_.from.semantics.asin_from_90_to_270 && !raising_.to.semantics.asin_from_90_to_270;
+    if (other_range && !never_negative(e.a)) full_circle(id, 90.0);
+  }
+
+  void round(std::uint32_t id, const ir::Expression& e) {
     const ir::Semantics& from = raising_.from.semantics;
     const ir::Semantics& to = raising_.to.semantics;
-    switch (e.op) {
-      case Operator::vacant: return raising_.cannot("an empty value (#0)", e.span);
-      case Operator::bcd: return raising_.cannot("BCD", e.span);
-      case Operator::bin: return raising_.cannot("BIN", e.span);
-      case Operator::variable: return system_variable(id);
-      case Operator::power: return power(id, e);
-      case Operator::atan:
-        program_.expressions[id].op = Operator::atan2;
-        program_.expressions[id].b = constant(1.0);
-        return;
-      case Operator::atan2:
-        if (from.atan_full_circle && !to.atan_full_circle) full_circle(id, 180.0);
-        return;
-      case Operator::asin:
-        if (from.asin_from_90_to_270 && !to.asin_from_90_to_270 && !never_negative(e.a)) full_circle(id, 90.0);
-        return;
-      case Operator::round:
-        if (from.round_half != to.round_half) away_from_zero(id, e);
-        return;
-      case Operator::round_up:
-        if (from.round_up != to.round_up) away_from_zero(id, e);
-        return;
-      case Operator::constant:
-      case Operator::string:
-      case Operator::negate:
-      case Operator::logic_not:
-      case Operator::bit_not:
-      case Operator::sin:
-      case Operator::cos:
-      case Operator::tan:
-      case Operator::acos:
-      case Operator::sqrt:
-      case Operator::square:
-      case Operator::abs:
-      case Operator::ln:
-      case Operator::exp:
-      case Operator::truncate:
-      case Operator::is_variable:
-      case Operator::string_length:
-      case Operator::to_string:
-      case Operator::to_number:
-      case Operator::to_upper:
-      case Operator::to_lower:
-      case Operator::add:
-      case Operator::subtract:
-      case Operator::multiply:
-      case Operator::divide:
-      case Operator::integer_divide:
-      case Operator::modulo:
-      case Operator::bit_and:
-      case Operator::bit_or:
-      case Operator::bit_xor:
-      case Operator::logic_and:
-      case Operator::logic_or:
-      case Operator::logic_xor:
-      case Operator::equal:
-      case Operator::not_equal:
-      case Operator::less:
-      case Operator::less_equal:
-      case Operator::greater:
-      case Operator::greater_equal:
-      case Operator::concatenate:
-      case Operator::minimum:
-      case Operator::maximum:
-      case Operator::bound:
-      case Operator::count_: return;
-    }
+    const bool same = e.op == Operator::round ? from.round_half == to.round_half : from.round_up == to.round_up;
+    if (!same) away_from_zero(id, e);
   }
 
   void power(std::uint32_t id, const ir::Expression& e) {
@@ -170,8 +137,7 @@ class ExpressionRaiser {
   }
 
   // #5041 and the like: the position of an axis has a name here.
-  void system_variable(std::uint32_t id) {
-    const ir::Expression e = program_.expressions[id];
+  void system_variable(std::uint32_t id, const ir::Expression& e) {
     const ir::Variable v = program_.at(e.variable);
     const ir::SystemVariableRow* row = row_of(v);
     if (row == nullptr) return;
@@ -206,6 +172,17 @@ class ExpressionRaiser {
   const Raising& raising_;
   ir::Program& program_;
 };
+
+std::span<const ExpressionRaiser::Row> ExpressionRaiser::rows() {
+  static constexpr Row kRows[] = {
+      {Operator::vacant, &ExpressionRaiser::refuse}, {Operator::bcd, &ExpressionRaiser::refuse},
+      {Operator::bin, &ExpressionRaiser::refuse},    {Operator::variable, &ExpressionRaiser::system_variable},
+      {Operator::power, &ExpressionRaiser::power},   {Operator::atan, &ExpressionRaiser::atan},
+      {Operator::atan2, &ExpressionRaiser::atan2},   {Operator::asin, &ExpressionRaiser::asin},
+      {Operator::round, &ExpressionRaiser::round},   {Operator::round_up, &ExpressionRaiser::round},
+  };
+  return kRows;
+}
 
 }  // namespace
 

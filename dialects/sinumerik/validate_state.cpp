@@ -3,6 +3,7 @@
 // effect anything may have been stated, and nothing more is said. Diameter programming is followed in subprograms as
 // well.
 #include <algorithm>
+#include <span>
 
 #include "dialects/sinumerik/validate.h"
 
@@ -41,92 +42,28 @@ class ModalState {
     if (!words_are_no_move_) moves(block, s);
   }
 
+  // What a code states; codes without a row state nothing that is followed here.
+  using Statement = void (*)(ModalState&, const ir::Code&);
+  struct Row {
+    Function function;
+    Statement state;
+  };
+  static std::span<const Row> rows();
+
   void take(const ir::Code& code) {
-    switch (code.function) {
-      case Function::rapid:
-        cuts_ = false;
-        motion_ = true;
-        return;
-      case Function::linear:
-        cuts_ = true;
-        motion_ = true;
-        return;
-      case Function::arc_cw:
-      case Function::arc_ccw:
-        cuts_ = true;
-        motion_ = true;
-        plane_needed(code.span);
-        return;
-      case Function::thread:
-        cuts_ = false;
-        motion_ = true;
-        return;
-      case Function::comp_left:
-      case Function::comp_right: plane_needed(code.span); return;
-      case Function::plane_xy:
-      case Function::plane_zx:
-      case Function::plane_yz: plane_ = true; return;
-      case Function::unit_inch:
-      case Function::unit_mm: unit_ = true; return;
-      case Function::absolute:
-        distance_ = true;
-        incremental_ = false;
-        return;
-      case Function::incremental:
-        distance_ = true;
-        incremental_ = true;
-        return;
-      case Function::feed_per_min:
-      case Function::feed_per_rev:
-      case Function::feed_inverse_time: feed_mode_ = true; return;
-      case Function::diameter_on: doubles_ = true; return;
-      case Function::diameter_off:
-      case Function::diameter_absolute_only: doubles_ = false; return;
-      case Function::dwell:
-      case Function::local_shift:
-      case Function::local_shift_add:
-      case Function::set_coordinates: words_are_no_move_ = true; return;
-      case Function::machine_coordinates: machine_coordinates_ = true; return;
-      case Function::not_modelled:
-        // CIP, splines: a motion, of which only that it is one is known.
-        if (code.group == ir::ModalGroup::motion) {
-          motion_ = true;
-          cuts_ = false;
-        }
-        if (code.group == ir::ModalGroup::feed) feed_mode_ = true;
-        return;
-      case Function::none:
-      case Function::exact_stop_once:
-      case Function::exact_stop_mode:
-      case Function::continuous_path:
-      case Function::work_offset:
-      case Function::reference_return:
-      case Function::comp_off:
-      case Function::length_offset_plus:
-      case Function::length_offset_minus:
-      case Function::length_offset_off:
-      case Function::tool_change:
-      case Function::surface_speed_on:
-      case Function::surface_speed_off:
-      case Function::spindle_cw:
-      case Function::spindle_ccw:
-      case Function::spindle_stop:
-      case Function::spindle_orient:
-      case Function::coolant_mist:
-      case Function::coolant_flood:
-      case Function::coolant_off:
-      case Function::program_stop:
-      case Function::optional_stop:
-      case Function::program_end:
-      case Function::program_end_rewind:
-      case Function::subprogram_end:
-      case Function::cycle_off:
-      case Function::return_to_initial:
-      case Function::return_to_r:
-      case Function::no_effect:
-      case Function::machine_function:
-      case Function::count_: return;
-    }
+    const auto row = std::ranges::find(rows(), code.function, &Row::function);
+    if (row != rows().end()) row->state(*this, code);
+  }
+
+  void move(bool cuts) {
+    motion_ = true;
+    cuts_ = cuts;
+  }
+
+  // CIP, splines: a motion, of which only that it is one is known.
+  void unread(const ir::Code& code) {
+    if (code.group == ir::ModalGroup::motion) move(false);
+    if (code.group == ir::ModalGroup::feed) feed_mode_ = true;
   }
 
   void moves(const ir::Block& block, const ir::Statement& s) {
@@ -194,6 +131,37 @@ class ModalState {
   bool words_are_no_move_ = false;
   text::Span feed_span_;  // the first F
 };
+
+std::span<const ModalState::Row> ModalState::rows() {
+  static constexpr Row kRows[] = {
+      {Function::rapid, [](ModalState& m, const ir::Code&) { m.move(false); }},
+      {Function::linear, [](ModalState& m, const ir::Code&) { m.move(true); }},
+      {Function::thread, [](ModalState& m, const ir::Code&) { m.move(false); }},
+      {Function::arc_cw, [](ModalState& m, const ir::Code& c) { m.move(true), m.plane_needed(c.span); }},
+      {Function::arc_ccw, [](ModalState& m, const ir::Code& c) { m.move(true), m.plane_needed(c.span); }},
+      {Function::comp_left, [](ModalState& m, const ir::Code& c) { m.plane_needed(c.span); }},
+      {Function::comp_right, [](ModalState& m, const ir::Code& c) { m.plane_needed(c.span); }},
+      {Function::plane_xy, [](ModalState& m, const ir::Code&) { m.plane_ = true; }},
+      {Function::plane_zx, [](ModalState& m, const ir::Code&) { m.plane_ = true; }},
+      {Function::plane_yz, [](ModalState& m, const ir::Code&) { m.plane_ = true; }},
+      {Function::unit_inch, [](ModalState& m, const ir::Code&) { m.unit_ = true; }},
+      {Function::unit_mm, [](ModalState& m, const ir::Code&) { m.unit_ = true; }},
+      {Function::absolute, [](ModalState& m, const ir::Code&) { m.distance_ = true, m.incremental_ = false; }},
+      {Function::incremental, [](ModalState& m, const ir::Code&) { m.distance_ = m.incremental_ = true; }},
+      {Function::feed_per_min, [](ModalState& m, const ir::Code&) { m.feed_mode_ = true; }},
+      {Function::feed_per_rev, [](ModalState& m, const ir::Code&) { m.feed_mode_ = true; }},
+      {Function::feed_inverse_time, [](ModalState& m, const ir::Code&) { m.feed_mode_ = true; }},
+      {Function::diameter_on, [](ModalState& m, const ir::Code&) { m.doubles_ = true; }},
+      {Function::diameter_off, [](ModalState& m, const ir::Code&) { m.doubles_ = false; }},
+      {Function::diameter_absolute_only, [](ModalState& m, const ir::Code&) { m.doubles_ = false; }},
+      {Function::dwell, [](ModalState& m, const ir::Code&) { m.words_are_no_move_ = true; }},
+      {Function::local_shift, [](ModalState& m, const ir::Code&) { m.words_are_no_move_ = true; }},
+      {Function::local_shift_add, [](ModalState& m, const ir::Code&) { m.words_are_no_move_ = true; }},
+      {Function::machine_coordinates, [](ModalState& m, const ir::Code&) { m.machine_coordinates_ = true; }},
+      {Function::not_modelled, [](ModalState& m, const ir::Code& c) { m.unread(c); }},
+  };
+  return kRows;
+}
 
 }  // namespace
 
