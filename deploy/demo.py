@@ -55,7 +55,7 @@ def main():
         lines.append((name, url, profile, program))
         machine = shop.ROOT / "deploy/machines" / f"{preset}.json"
         link = url + (f"?baud={line['baud']}&framing={line['framing']}" if line else "")
-        controls.append(shop.Control(binary, link, machine, "--speed", "100", "--operator", "4").start())
+        controls.append(shop.Control(binary, link, machine, "--speed", "100", "--operator", "4", "--repeat").start())
     server = shop.Server(binary, data, port).start()
     stopped = []
     signal.signal(signal.SIGTERM, lambda *_: stopped.append(True))

@@ -28,6 +28,7 @@ struct Options {
   std::string record;
   double speed = 1.0;
   double operator_s = 0.0;
+  bool repeat = false;
   std::vector<std::string> faults;
   bool json = false;
 };
@@ -89,7 +90,7 @@ int run_plc(const machine::LinkUrl& link, const machine::Profile& profile, const
     return kWrongUse;
   }
   fmt::print(stderr, "simulated PLC at {}\n", link.text);
-  while (!stop.stop_requested() && !((*plc)->report().complete && options.operator_s <= 0))
+  while (!stop.stop_requested() && !((*plc)->report().complete && !options.repeat))
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   const simulator::PlcReport report = (*plc)->report();
   if (!options.record.empty() && !write_output(options.record, report.text)) return kWrongUse;
@@ -125,7 +126,8 @@ int run_control(const machine::LinkUrl& link, const machine::Profile& profile, c
                                       if (keep) wire += static_cast<char>(byte);
                                     },
                                 .cut_after = *cut,
-                                .operator_s = options.operator_s});
+                                .operator_s = options.operator_s,
+                                .repeat = options.repeat});
   if (!added) {
     print_error(added.error());
     return kWrongUse;
@@ -176,9 +178,9 @@ void add_simulate(CLI::App& app, int& exit_code) {
   command->add_option("--link", options->link, "pty:/path, tcp-listen://:port or modbus-tcp://:port/unit")->required();
   command->add_option("--machine", options->machine, "machine profile: a file or the name of a preset")->required();
   command->add_option("--speed", options->speed, "runs so much faster than a machine")->check(CLI::Range(0.001, 1e6));
-  command->add_option(
-      "--operator", options->operator_s,
-      "after so many seconds of silence the operator presses RESET and START; the control goes on for ever");
+  command->add_option("--operator", options->operator_s,
+                      "after so many seconds without a character the operator presses RESET and START");
+  command->add_flag("--repeat", options->repeat, "the operator starts the next program after the end of one");
   command->add_option("--fault", options->faults, "cut=BYTES: the cable is cut after so many bytes");
   command->add_option("--record", options->record, "write every byte that arrived to this file");
   command->add_flag("--json", options->json, "one JSON object on standard output");

@@ -16,6 +16,7 @@ namespace {
 
 constexpr Time_ns kMillisecond = 1'000'000;
 constexpr Time_ns kLongestWait = 20 * kMillisecond;  // an operator and a stop request are looked at this often
+constexpr Time_ns kStayAfterEnd = 1000 * kMillisecond;
 constexpr Time_ns kUnconnectedWait = 5 * kMillisecond;
 
 Time_ns now_ns() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
@@ -62,6 +63,7 @@ class Fleet::Station {
     const std::vector<std::byte> out = control_.take_out(now);
     if (!out.empty()) wire_->write(out);
     const auto quiet = control_.quiet_since();
+    if (control_.finished() && !settings_.repeat) return;
     if (settings_.operator_s > 0 && quiet && static_cast<double>(now - *quiet) > settings_.operator_s * 1e9) {
       control_.reset();
       control_.start(now);
@@ -69,8 +71,11 @@ class Fleet::Station {
   }
 
   [[nodiscard]] bool over() const {
-    if (settings_.operator_s > 0) return false;
-    return cut_ || control_.finished() || control_.state() == ControlState::alarm;
+    if (settings_.repeat) return cut_;
+    // The host must hear the last DC3 and see the line stay up behind it before the cable is pulled.
+    const auto quiet = control_.quiet_since();
+    const bool left = control_.finished() && quiet && now_ns() - *quiet > kStayAfterEnd;
+    return cut_ || left || (control_.state() == ControlState::alarm && settings_.operator_s <= 0);
   }
 
   [[nodiscard]] ControlReport report() const {

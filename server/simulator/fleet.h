@@ -22,6 +22,7 @@ struct StationSettings {
   std::function<void(std::uint8_t)> record;  // every wire byte, in the order of arrival
   std::optional<std::uint64_t> cut_after;    // the cable is cut after so many bytes (pty closed, TCP reset)
   double operator_s = 0.0;  // after so long without a character the operator presses RESET and START; 0: never
+  bool repeat = false;      // and starts the next program after the end of one
 };
 
 class Fleet {

@@ -54,7 +54,7 @@ class Rig:
 
     def control(self, *arguments):
         link = self.url if self.url.startswith("pty:") else self.url.replace("tcp://127.0.0.1", "tcp-listen://127.0.0.1")
-        return shop.Control(binary(), link, self.machine, *arguments).start()
+        return shop.Control(binary(), link, self.machine, "--operator", "0.5", *arguments).start()
 
     def arm_new_job(self):
         job = self.server.post("/jobs", {"release": self.release["id"]})["id"]
