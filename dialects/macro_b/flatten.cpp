@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "dialects/macro_b/print_expression.h"
+#include "dialects/macro_b/tolerance.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/structure_parts.h"
 #include "dialects/passes/structures.h"
@@ -24,10 +25,6 @@ namespace {
 using ir::ExpressionId;
 using ir::Operator;
 using ir::StatementKind;
-
-// Values that differ by less are equal on a control that compares with a tolerance of 1e-12 of the value; far below
-// what any axis resolves.
-constexpr double kEqualWithin = 1e-7;
 
 class Flattener {
  public:
@@ -126,7 +123,7 @@ class Flattener {
   }
 
   [[nodiscard]] bool needs_variables(ExpressionId id) const {
-    bool needs = ExpressionPrinter(program_, grammar_).depth(id) > deepest() - 1;
+    bool needs = too_deep(id);
     passes::for_each_node(program_, id, [&](ExpressionId node) {
       const Operator op = program_.at(node).op;
       const bool holds_truth =
@@ -145,7 +142,21 @@ class Flattener {
 
   ExpressionId legal(ExpressionId id, std::uint32_t budget, bool in_word) {
     if (id == ExpressionId::none || program_.at(id).op == Operator::string) return id;
-    return within(rewritten(id, in_word), budget);
+    return parts_within(rewritten(id, in_word), budget);
+  }
+
+  // AND and OR will be several jumps: each comparison is looked at by itself.
+  ExpressionId parts_within(ExpressionId id, std::uint32_t budget) {
+    if (takes_values(program_.at(id).op)) return within(id, budget);
+    ir::Expression e = program_.at(id);
+    e.a = parts_within(e.a, budget);
+    if (ir::operand_count(e.op) == 2) e.b = parts_within(e.b, budget);
+    return program_.add(e);
+  }
+  [[nodiscard]] bool too_deep(ExpressionId id) const {
+    const ir::Expression& e = program_.at(id);
+    if (takes_values(e.op)) return ExpressionPrinter(program_, grammar_).depth(id) > deepest() - 1;
+    return too_deep(e.a) || (ir::operand_count(e.op) == 2 && too_deep(e.b));
   }
 
   // Copies what changes; what can stay is shared.
@@ -184,7 +195,7 @@ class Flattener {
     if (!is_truth(id)) return id;
     const ir::Variable truth = new_variable();
     out_.emit_assign(program_.add(truth), program_.add_constant(0.0));
-    assign_if(within(id, deepest() - 1), truth, program_.add_constant(1.0));
+    assign_if(parts_within(id, deepest() - 1), truth, program_.add_constant(1.0));
     return program_.add_variable(truth);
   }
 
@@ -224,7 +235,8 @@ class Flattener {
     if (e.op == Operator::round && in_word) return held(program_.add(e));
     const bool tolerance_lost = from_.semantics.comparison == ir::ComparisonMode::relative &&
                                 to_.semantics.comparison == ir::ComparisonMode::exact;
-    if (tolerance_lost && passes::opposite_comparison(e.op) != Operator::constant) return tolerant(e);
+    if (tolerance_lost && passes::opposite_comparison(e.op) != Operator::constant)
+      return tolerant_comparison(program_, e);
     const bool logic = e.op == Operator::logic_not;
     if (logic || can_print(grammar_, e.op)) return program_.add(e);
     cannot(e);
@@ -291,45 +303,6 @@ class Flattener {
     return program_.add_variable(result);
   }
 
-  // --- comparisons
-
-  // Whole numbers compare alike everywhere.
-  [[nodiscard]] bool is_whole(ExpressionId id) const {
-    const ir::Expression& e = program_.at(id);
-    if (e.op == Operator::constant) return e.value == std::floor(e.value);
-    if (e.op == Operator::truncate || e.op == Operator::round || e.op == Operator::round_up) return true;
-    if (e.op == Operator::variable) {
-      const ir::SymbolId symbol = program_.at(e.variable).symbol;
-      return symbol != ir::SymbolId::none && program_.at(symbol).type == ir::ValueType::integer;
-    }
-    const bool keeps = e.op == Operator::add || e.op == Operator::subtract || e.op == Operator::multiply ||
-                       e.op == Operator::negate || e.op == Operator::modulo;
-    return keeps && is_whole(e.a) && (e.b == ExpressionId::none || is_whole(e.b));
-  }
-
-  ExpressionId tolerant(const ir::Expression& e) {
-    if (is_whole(e.a) && is_whole(e.b)) return program_.add(e);
-    const ExpressionId within_this = program_.add_constant(kEqualWithin);
-    const auto moved = [&](Operator op, Operator by) {
-      const ir::Expression& bound = program_.at(e.b);
-      const double signed_width = by == Operator::add ? kEqualWithin : -kEqualWithin;
-      const ExpressionId b = bound.op == Operator::constant
-                                 ? program_.add_constant(bound.value + signed_width, bound.span)
-                                 : program_.add_operator(by, e.b, within_this);
-      return program_.add_operator(op, e.a, b, e.span);
-    };
-    const auto apart = [&](Operator op) {
-      const ExpressionId difference = program_.add_operator(Operator::subtract, e.a, e.b);
-      return program_.add_operator(op, program_.add_operator(Operator::abs, difference), within_this, e.span);
-    };
-    if (e.op == Operator::equal) return apart(Operator::less);
-    if (e.op == Operator::not_equal) return apart(Operator::greater_equal);
-    if (e.op == Operator::less) return moved(Operator::less, Operator::subtract);
-    if (e.op == Operator::less_equal) return moved(Operator::less_equal, Operator::add);
-    if (e.op == Operator::greater) return moved(Operator::greater, Operator::add);
-    return moved(Operator::greater_equal, Operator::subtract);
-  }
-
   // --- depth
 
   // Takes the deepest operand out as long as the expression nests too many brackets. A condition is never taken out: it
@@ -346,6 +319,7 @@ class Flattener {
     ExpressionId* operands[] = {&e.a, &e.b};
     if (e.op == Operator::variable) {
       ir::Variable v = program_.at(e.variable);
+      if (v.index == ExpressionId::none) return id;
       v.index = held(v.index);
       return program_.add_variable(v);
     }

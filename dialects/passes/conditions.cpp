@@ -45,8 +45,10 @@ class Conditions {
   // One comparison before one assignment or alarm.
   [[nodiscard]] bool stays(std::uint32_t i) const {
     const ir::Structure head = structure_at(program_, i);
-    if (head.partner != i + 2 || head.condition == ExpressionId::none) return head.partner == ir::kNoIndex;
+    if (head.partner == ir::kNoIndex) return true;  // the reader has told
+    if (head.partner != i + 2 || program_.statements[i + 2].kind != StatementKind::if_end) return false;
     const StatementKind inner = program_.statements[i + 1].kind;
+    if (program_.statements[i + 1].is_label) return false;  // a jump into it
     return (inner == StatementKind::assign || inner == StatementKind::alarm) && is_comparison(program_, head.condition);
   }
   [[nodiscard]] bool is_lowered(std::uint32_t i) const {
