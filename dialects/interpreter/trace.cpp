@@ -44,7 +44,10 @@ void append_quoted(std::string& to, std::string_view text) {
 }  // namespace
 
 TraceWriter::TraceWriter(const ir::Control& control, const RunNames& names, Consumer consumer)
-    : names_(names), edges_(control.semantics.d_selects_edge), consumer_(std::move(consumer)) {
+    : names_(names),
+      edges_(control.semantics.d_selects_edge),
+      pairs_(control.semantics.tool_word == ir::ToolWord::number_and_offset),
+      consumer_(std::move(consumer)) {
   for (std::size_t i = 0; i < kAxisLetters.size(); ++i)
     if (control.axes.find(kAxisLetters[i]) != std::string::npos) axes_.push_back(static_cast<ir::Axis>(i));
 }
@@ -120,9 +123,10 @@ void TraceWriter::write_event(const ir::Motion& motion) {
       append_quoted(text_, names_.strings[motion.text]);
     else
       append_integer(text_, motion.number);
-    // Which number the usual offset has is the control's own matter: a tool's own (T0606) or its first edge (D1).
-    const std::int32_t usual = edges_ ? 1 : motion.number;
-    if (motion.tool_offset != 0 && motion.tool_offset != usual) {
+    // Which number the usual offset has is the control's own matter: the tool's own (T0606), its first edge (D1), or
+    // none in this word (H and D apart). T0600 takes the offset away, and that is said.
+    const std::int32_t usual = pairs_ ? motion.number : edges_ ? 1 : 0;
+    if (motion.tool_offset != usual && (pairs_ || motion.tool_offset != 0)) {
       text_ += " offset ";
       append_integer(text_, motion.tool_offset);
     }

@@ -46,6 +46,7 @@ class TraceWriter : public ir::MotionSink {
   const RunNames& names_;
   std::vector<ir::Axis> axes_;
   bool edges_;  // the control's D is a tool's edge
+  bool pairs_;  // T names tool and offset (T0606)
   Consumer consumer_;
   std::vector<bool> declared_;  // by program
   std::string text_;

@@ -191,7 +191,7 @@ TEST(Modes, ToolWords) {
   lathe.block({}, {{Address::t, 606.0}});
   lathe.block({}, {{Address::t, 600.0}});
   lathe.block({}, {{Address::t, 12012.0}});
-  EXPECT_EQ(trace_of(lathe, lathe_control()), "1 tool 6 offset 6\n3 tool 6\n4 tool 12 offset 12\n");
+  EXPECT_EQ(trace_of(lathe, lathe_control()), "1 tool 6\n3 tool 6 offset 0\n4 tool 12\n");
 
   Builder mill;
   mill.block({}, {{Address::t, 3.0}});
@@ -204,7 +204,7 @@ TEST(Modes, ToolWords) {
   sinumerik_lathe.kind = ir::MachineKind::lathe;
   Builder turning;
   turning.block({}, {{Address::t, 1.0}, {Address::d, 1.0}});
-  EXPECT_EQ(trace_of(turning, sinumerik_lathe), "1 tool 1 offset 1\n");
+  EXPECT_EQ(trace_of(turning, sinumerik_lathe), "1 tool 1\n");
 }
 
 TEST(Modes, DwellWordsAreNoModalFeedOrSpeed) {
