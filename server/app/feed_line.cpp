@@ -16,6 +16,7 @@ namespace {
 constexpr feed::Time kTick = std::chrono::milliseconds(1);
 constexpr feed::Time kReopenFirst = std::chrono::milliseconds(500);
 constexpr feed::Time kReopenLongest = std::chrono::seconds(5);
+constexpr feed::Time kHoldShown = std::chrono::seconds(1);  // a hold has no deadline, but people see how long it lasts
 
 struct StateRow {
   feed::State feed;
@@ -179,6 +180,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   // --- ticks
   // ------------------------------------------------------------------------------------------------------------
   void tick(feed::Time time) override {
+    ticked_at_ = time;
     if (!link_ && time >= reopen_at_) open();
     if (link_) {
       if (const auto unsent = link_->unsent()) feed_.report_queue(*unsent, time);
@@ -191,6 +193,8 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     const std::optional<feed::Time> feed_deadline = feed_.deadline();
     std::optional<feed::Time> due = feed_deadline ? std::optional(on_grid(*feed_deadline)) : std::nullopt;
     if (!link_) due = due ? std::min(*due, reopen_at_) : reopen_at_;
+    const bool held = kStateRows[static_cast<std::size_t>(feed_.state())].line == LineState::held;
+    if (held) due = due ? std::min(*due, ticked_at_ + kHoldShown) : ticked_at_ + kHoldShown;
     return due;
   }
 
@@ -272,6 +276,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   std::string link_error_;
   feed::Time reopen_at_{};
   feed::Time reopen_wait_{};
+  feed::Time ticked_at_{};
   std::shared_ptr<tape_code::TextSource> source_;
   std::uint64_t order_job_ = 0;
   std::uint64_t reserve_ = 0;
