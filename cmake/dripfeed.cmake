@@ -36,6 +36,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(dripfeed_flags INTERFACE
     -Wno-null-dereference -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-stringop-overread)
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  # libstdc++ 12's own stable_sort calls its own deprecated get_temporary_buffer.
+  target_compile_options(dripfeed_flags INTERFACE -Wno-deprecated-declarations)
+endif()
 if(DRIPFEED_SANITIZE)
   target_compile_options(dripfeed_flags INTERFACE -fsanitize=${DRIPFEED_SANITIZE} -fno-omit-frame-pointer
     -fno-sanitize-recover=all)

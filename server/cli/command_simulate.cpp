@@ -90,8 +90,15 @@ int run_plc(const machine::LinkUrl& link, const machine::Profile& profile, const
     return kWrongUse;
   }
   fmt::print(stderr, "simulated PLC at {}\n", link.text);
-  while (!stop.stop_requested() && !((*plc)->report().complete && !options.repeat))
+  // The host reads the end from the registers, so they stay for a while behind it.
+  constexpr std::chrono::seconds kStayAfterEnd{2};
+  auto ended = std::chrono::steady_clock::time_point::max();
+  while (!stop.stop_requested() && (options.repeat || std::chrono::steady_clock::now() < ended)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    const bool complete = (*plc)->report().complete;
+    if (complete && ended == std::chrono::steady_clock::time_point::max())
+      ended = std::chrono::steady_clock::now() + kStayAfterEnd;
+  }
   const simulator::PlcReport report = (*plc)->report();
   if (!options.record.empty() && !write_output(options.record, report.text)) return kWrongUse;
   if (options.json) {
