@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "dialects/sinumerik/name_index.h"
@@ -154,7 +155,7 @@ std::vector<GCode> make_g_codes() {
          8,
          usual});
   }
-  std::ranges::stable_sort(rows, {}, [](const GCode& g) { return g.row.number10; });
+  std::ranges::sort(rows, {}, [](const GCode& g) { return std::pair(g.row.number10, g.row.name); });
   return rows;
 }
 

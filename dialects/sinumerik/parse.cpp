@@ -210,7 +210,6 @@ void Parser::extended_address() {
 
 // P5 or P=R1: how often the subprogram of the block runs.
 void Parser::repeats_word(text::Span head) {
-  ir::Word p;
   ir::ExpressionId value = ir::ExpressionId::none;
   if (cursor_.take('=')) {
     value = expression();

@@ -1,5 +1,6 @@
 // lex -> parse -> lower, and the partners of structures.
 #include <algorithm>
+#include <tuple>
 
 #include "dialects/sinumerik/lex.h"
 #include "dialects/sinumerik/parse.h"
@@ -38,7 +39,8 @@ ir::ReadResult read(const text::Source& source, const ir::Control& control) {
   reserve_arenas(program);
   Parser(program, control, result.diagnostics).run();
   (void)ir::match_structures(program);  // what has no partner is validate's to report
-  std::ranges::stable_sort(result.diagnostics, {}, [](const text::Diagnostic& d) { return d.span.begin; });
+  std::ranges::sort(result.diagnostics, {},
+                    [](const text::Diagnostic& d) { return std::tuple(d.span.begin, d.id, d.span.end); });
   return result;
 }
 

@@ -2,6 +2,7 @@
 #include "dialects/sinumerik/validate.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "dialects/sinumerik/sinumerik.h"
@@ -40,7 +41,7 @@ std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Con
   check_blocks(check);
   check_modal_state(check);
   check_interpreted(check);
-  std::ranges::stable_sort(found, {}, [](const text::Diagnostic& d) { return d.span.begin; });
+  std::ranges::sort(found, {}, [](const text::Diagnostic& d) { return std::tuple(d.span.begin, d.id, d.span.end); });
   return found;
 }
 

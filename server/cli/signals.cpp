@@ -3,7 +3,6 @@
 
 #include <thread>
 
-#include <pthread.h>
 #include <signal.h>
 #include <unistd.h>
 

@@ -28,7 +28,7 @@ def _of_call(rules, folder, function, words):
         return _linked(rules, words[0], _after(words, 'LINKS'), itself=True)
     if function == 'target_link_libraries':
         ours = [w.removeprefix('dripfeed_') for w in words[1:] if w.startswith('dripfeed_') and w != 'dripfeed_flags']
-        return _linked(rules, folder, ours, itself=False) if folder.split('/')[0] in tree.TOPS else []
+        return _linked(rules, folder, ours, itself=True) if folder.split('/')[0] in tree.TOPS else []
     wrong = [] if words[0] == os.path.basename(folder) else [f'the library {words[0]} is not called as its folder']
     return wrong + _linked(rules, folder, _after(words, 'DEPENDS'), itself=False)
 

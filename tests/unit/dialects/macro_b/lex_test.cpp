@@ -1,3 +1,4 @@
+// The lexer of the '#'-variable controls: kinds of tokens, and that they tile any bytes.
 #include "dialects/macro_b/lex.h"
 
 #include <random>

@@ -1,3 +1,4 @@
+// Named variables to the free numbers of a control.
 #include "dialects/passes/allocation.h"
 
 #include <gtest/gtest.h>
