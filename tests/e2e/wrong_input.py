@@ -41,7 +41,7 @@ def at_the_command(folder):
         (ROLL.replace("length 100 mm ", "length 100 "), ["family", ":"]),
         (ROLL.replace("cos(t)", "cosine(t)"), ["cosine"]),
         (ROLL.replace("half_axis_z*tan(t)", "half_axis_z + tan(t)"), [":"]),
-        (ROLL.replace("  end\nend", "end"), [":"]),
+        (ROLL.rstrip().removesuffix("end"), ["no 'end'"]),
     ]:
         expect(wrong != ROLL, "the family is not the one that this test was written for")
         family.write_text(wrong)
