@@ -63,7 +63,7 @@ class Fleet::Station {
     const std::vector<std::byte> out = control_.take_out(now);
     if (!out.empty()) wire_->write(out);
     const auto quiet = control_.quiet_since();
-    if (control_.finished() && !settings_.repeat) return;
+    if ((control_.finished() || control_.state() == ControlState::alarm) && !settings_.repeat) return;
     if (settings_.operator_s > 0 && quiet && static_cast<double>(now - *quiet) > settings_.operator_s * 1e9) {
       control_.reset();
       control_.start(now);
@@ -75,7 +75,7 @@ class Fleet::Station {
     // The host must hear the last DC3 and see the line stay up behind it before the cable is pulled.
     const auto quiet = control_.quiet_since();
     const bool left = control_.finished() && quiet && now_ns() - *quiet > kStayAfterEnd;
-    return cut_ || left || (control_.state() == ControlState::alarm && settings_.operator_s <= 0);
+    return cut_ || left || control_.state() == ControlState::alarm;
   }
 
   [[nodiscard]] ControlReport report() const {
