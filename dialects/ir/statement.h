@@ -97,8 +97,8 @@ enum class StatementKind : std::uint8_t {
   call,               // subprogram or macro                   -> calls
   procedure,          // PROC … (the head of a subprogram)     -> structures
   declaration,        // EXTERN: no effect while running
-  subprogram_return,  // M99, M17, RET; with a payload (M99 P100): the jump in the caller that follows -> jumps
-  program_end,        // M30, M02 as the block's last effect
+  subprogram_return,  // M99, M17, RET; with a payload (M99 P100): the jump that its caller goes on with -> jumps
+  program_end,        // M30, M02 as the block's last effect; with a payload: the code alone -> blocks
   message,            // MSG(…), (MSG …)                       -> messages
   alarm,              // #3000 = n(…), SETAL                   -> messages
   native,             // kept as text, effects declared or unknown -> natives

@@ -34,8 +34,7 @@ bool has_closing_mark(const ir::Program& program, bool opened) {
 
 bool ends_flow(const ir::Program& program, const ir::Statement& s) {
   const bool jumps = s.kind == StatementKind::go_to && program.jumps[s.payload].condition == ir::ExpressionId::none;
-  return jumps || is_end_of_program(s.kind) || s.kind == StatementKind::alarm ||
-         native_name(program, s) == kReturnToBlock;
+  return jumps || is_end_of_program(s.kind) || s.kind == StatementKind::alarm;
 }
 
 // The last block that does something must end the program, or jump, or lie behind a block that does and be reached by
@@ -47,7 +46,7 @@ bool is_ended(const ir::Program& program, const Section& section) {
     const ir::Statement& s = program.statements[i];
     if (s.is_label) open_end = true;
     if (s.kind == StatementKind::empty) continue;
-    any_end |= is_end_of_program(s.kind) || native_name(program, s) == kReturnToBlock;
+    any_end |= is_end_of_program(s.kind);
     if (ends_flow(program, s)) open_end = false;
   }
   return any_end && !open_end;
@@ -111,8 +110,9 @@ void check_drip(const ir::Program& program, Findings& findings) {
       forbid(s, conditional ? "IF GOTO" : "GOTO", {});
     } else if (s.kind == StatementKind::while_begin || s.kind == StatementKind::loop_begin) {
       forbid(s, s.kind == StatementKind::while_begin ? "WHILE" : "DO", {});
-    } else if (const std::string name = written_native(program, s);
-               name == kReturnToBlock || name == kExternalCallName) {
+    } else if (s.kind == StatementKind::subprogram_return && s.payload != ir::kNoIndex) {
+      forbid(s, "M99 P", "PS0210");
+    } else if (const std::string name = written_native(program, s); name == kExternalCallName) {
       forbid(s, name, "PS0210");
     }
   }

@@ -26,9 +26,7 @@ text::Span number_of(const ir::Program& program, const ir::Statement& statement)
   return {};
 }
 
-bool returns(const ir::Program& program, const ir::Statement& statement) {
-  return statement.kind == ir::StatementKind::subprogram_return || native_name(program, statement) == kReturnToBlock;
-}
+bool returns(const ir::Statement& statement) { return statement.kind == ir::StatementKind::subprogram_return; }
 
 }  // namespace
 
@@ -74,7 +72,7 @@ std::vector<Section> sections_of(const ir::Program& program) {
   for (Section& section : sections) {
     const std::span all = std::span(program.statements).subspan(section.first, section.last - section.first);
     section.is_subprogram =
-        std::ranges::any_of(all, [&](const ir::Statement& s) { return returns(program, s); }) &&
+        std::ranges::any_of(all, [&](const ir::Statement& s) { return returns(s); }) &&
         std::ranges::none_of(all, [](const ir::Statement& s) { return s.kind == ir::StatementKind::program_end; });
   }
   return sections;

@@ -187,8 +187,8 @@ void BlockLowering::emit_block(std::uint32_t first_code, std::uint32_t first_wor
   emit(StatementKind::block, static_cast<std::uint32_t>(program_.blocks.size() - 1), place);
 }
 
-// The end of a program or subprogram is the last effect of its block, wherever its code stands. Its statement's
-// payload is a block that holds the code alone.
+// The end of a program or subprogram is the last effect of its block, wherever its code stands. The payload of a
+// program's end is a block that holds the code alone; M99 P100 has the jump that its caller goes on with.
 void BlockLowering::emit_ending_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place) {
   const auto is_end = [](const ir::Code& c) {
     return c.function == Function::program_end || c.function == Function::program_end_rewind ||
@@ -202,15 +202,33 @@ void BlockLowering::emit_ending_block(std::uint32_t first_code, std::uint32_t fi
   const auto first = program_.words.begin() + static_cast<std::ptrdiff_t>(first_word);
   const auto target =
       std::find_if(first, program_.words.end(), [](const ir::Word& w) { return w.address == ir::Address::p; });
-  const bool returns_to_block = is_return && target != program_.words.end();
-  if (returns_to_block) program_.words.erase(target);
+  const ExpressionId goes_on_at = is_return && target != program_.words.end() ? target->value : ExpressionId::none;
+  if (goes_on_at != ExpressionId::none) program_.words.erase(target);
   emit_block(first_code, first_word, place);
-  if (returns_to_block) return emit_native(kReturnToBlock, false, place);
+  if (is_return) {
+    emit(StatementKind::subprogram_return, goes_on_at == ExpressionId::none ? ir::kNoIndex : add_jump_to(goes_on_at),
+         place);
+    return;
+  }
   program_.codes.push_back(end);
   program_.blocks.push_back(
       {static_cast<std::uint32_t>(program_.codes.size() - 1), 1, static_cast<std::uint32_t>(program_.words.size()), 0});
-  emit(is_return ? StatementKind::subprogram_return : StatementKind::program_end,
-       static_cast<std::uint32_t>(program_.blocks.size() - 1), place);
+  emit(StatementKind::program_end, static_cast<std::uint32_t>(program_.blocks.size() - 1), place);
+}
+
+// Index of a jump to the block of that number, written or computed.
+std::uint32_t BlockLowering::add_jump_to(ExpressionId number) {
+  ir::Jump jump;
+  const ir::Expression& value = program_.at(number);
+  const bool is_number = value.op == Operator::constant && value.value >= 0.0 && value.value < ir::kNoIndex &&
+                         value.value == std::floor(value.value);
+  if (is_number) {
+    jump.number = static_cast<std::uint32_t>(value.value);
+  } else {
+    jump.computed = number;
+  }
+  program_.jumps.push_back(jump);
+  return static_cast<std::uint32_t>(program_.jumps.size() - 1);
 }
 
 // G54.1 Pn is a work offset of its own: its argument is kExtendedOffset + n. With a computed P it stays not modelled.

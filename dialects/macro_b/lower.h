@@ -16,7 +16,6 @@ namespace dripfeed::macro_b {
 
 // Names of Native statements that others ask for.
 inline constexpr std::string_view kNotUnderstood = "a block that was not understood";
-inline constexpr std::string_view kReturnToBlock = "M99 P";
 inline constexpr std::string_view kExternalCallName = "M198";
 
 // Arguments of Function::work_offset above this are G54.1 P1, P2 ….
@@ -65,6 +64,7 @@ class BlockLowering {
   void set_called_program(ir::Call& call, const RawWord& word);
   void emit_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place);
   void emit_ending_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place);
+  std::uint32_t add_jump_to(ir::ExpressionId number);
   void number_extended_offset(std::uint32_t first_code, std::uint32_t first_word);
   ir::ExpressionId in_increments(ir::ExpressionId value, double increment);
   [[nodiscard]] std::int32_t number10_of(ir::ExpressionId value) const;

@@ -107,11 +107,11 @@ void ProgramPrinter::statement(std::uint32_t index) {
   switch (s.kind) {
     case StatementKind::block:
     case StatementKind::program_end:
-    case StatementKind::subprogram_return:
       if (!is_stop_of_message(index)) text = block(program_.blocks[s.payload]);
       break;
     case StatementKind::assign: text = assignment(program_.assigns[s.payload]); break;
     case StatementKind::go_to: text = jump(program_.jumps[s.payload]); break;
+    case StatementKind::subprogram_return: text = return_to_caller(s); break;
     case StatementKind::if_begin:
       text = fmt::format("IF{}THEN", expressions_.condition(program_.structures[s.payload].condition));
       break;
@@ -219,6 +219,13 @@ std::string ProgramPrinter::jump(const ir::Jump& jump) const {
   out += "GOTO";
   if (jump.computed != ExpressionId::none) return out + expressions_.word_value(jump.computed);
   return out + fmt::format(" {}", jump.number);
+}
+
+std::string ProgramPrinter::return_to_caller(const ir::Statement& s) const {
+  if (s.payload == ir::kNoIndex) return "M99";
+  const ir::Jump& jump = program_.jumps[s.payload];
+  if (jump.computed != ExpressionId::none) return "M99 P" + expressions_.word_value(jump.computed);
+  return fmt::format("M99 P{}", jump.number);
 }
 
 std::string ProgramPrinter::call(const ir::Call& call) const {

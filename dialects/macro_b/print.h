@@ -35,6 +35,7 @@ class ProgramPrinter {
   std::string word(const ir::Word& word) const;
   std::string assignment(const ir::Assign& assign) const;
   std::string jump(const ir::Jump& jump) const;
+  std::string return_to_caller(const ir::Statement& s) const;
   std::string call(const ir::Call& call) const;
   std::string alarm(const ir::Message& message, std::uint32_t variable) const;
   std::string message(const ir::Message& message) const;

@@ -56,8 +56,8 @@ class StatementRaiser {
         if (program_.structures[s.payload].symbol_count != 0) blocks_.cannot(s, "a program with parameters");
         return;
       case StatementKind::go_to: return jump(s);
-      case StatementKind::program_end: return end(s, ir::Function::program_end_rewind);
-      case StatementKind::subprogram_return: return end(s, ir::Function::subprogram_end);
+      case StatementKind::program_end: return end(s);
+      case StatementKind::subprogram_return: return return_to_caller(s);
       case StatementKind::declaration: return;
       case StatementKind::empty:
       case StatementKind::assign:
@@ -81,6 +81,13 @@ class StatementRaiser {
     const bool unbound = jump.label != ir::StringId::none;
     if (unbound && jump.tolerant) return;  // no such label: the program goes on
     if (jump.computed != ExpressionId::none && !same_dialect_) return blocks_.cannot(s, "a calculated jump");
+    out_.keep();
+  }
+
+  // Block numbers of the caller are the same on all controls that have them.
+  void return_to_caller(const ir::Statement& s) {
+    const bool calculated = s.payload != ir::kNoIndex && program_.jumps[s.payload].computed != ExpressionId::none;
+    if (calculated && !same_dialect_) return blocks_.cannot(s, "a return to a calculated block");
     out_.keep();
   }
 
@@ -124,7 +131,8 @@ class StatementRaiser {
   }
 
   // The end's statement has a block that holds its code alone.
-  void end(const ir::Statement& s, ir::Function usual) {
+  void end(const ir::Statement& s) {
+    ir::Function usual = ir::Function::program_end_rewind;
     if (s.payload != ir::kNoIndex && s.payload < program_.blocks.size()) {
       const auto codes = program_.codes_of(program_.blocks[s.payload]);
       if (codes.size() == 1 && codes.front().function == ir::Function::program_end) usual = codes.front().function;

@@ -20,8 +20,7 @@ void for_each_root(AnyProgram& program, const ir::Statement& statement, OnExpres
   if (statement.payload == ir::kNoIndex) return;
   switch (statement.kind) {
     case block:
-    case program_end:
-    case subprogram_return: {
+    case program_end: {
       const ir::Block& b = program.blocks[statement.payload];
       for (std::uint32_t i = 0; i < b.code_count; ++i) root(program.codes[b.first_code + i].number);
       for (std::uint32_t i = 0; i < b.word_count; ++i) root(program.words[b.first_word + i].value);
@@ -32,6 +31,7 @@ void for_each_root(AnyProgram& program, const ir::Statement& statement, OnExpres
       root(program.assigns[statement.payload].value);
       return;
     case go_to:
+    case subprogram_return:
       root(program.jumps[statement.payload].condition);
       root(program.jumps[statement.payload].computed);
       return;

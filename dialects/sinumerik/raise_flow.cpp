@@ -63,9 +63,7 @@ void raise_return(const Raising& raising, std::uint32_t i) {
   ir::Program& program = raising.program;
   ir::Statement& s = program.statements[i];
   if (s.payload == ir::kNoIndex) return;
-  const bool block = s.payload < program.blocks.size() && program.blocks[s.payload].code_count == 1 &&
-                     program.codes[program.blocks[s.payload].first_code].function == ir::Function::subprogram_end;
-  if (!block) raising.cannot("a return to another block of the caller", s.span);
+  raising.cannot("a return to another block of the caller", s.span);
   s.payload = ir::kNoIndex;
 }
 

@@ -63,6 +63,23 @@ TEST(Explicit, FanucLatheKeepsItsMotions) {
       control("fanuc", ir::MachineKind::lathe));
 }
 
+// M99 of a called program goes on behind the call, M99 P at a block of the caller, written or computed.
+TEST(Explicit, ReturnsOfSubprogramsGoOnWhereTheySay) {
+  const ir::Control on = control("fanuc", ir::MachineKind::mill);
+  ProgramLibrary library(on, [](std::string_view name) -> std::optional<text::Source> {
+    if (name == "O0002") return text::Source("O0002", "%\nO0002\nG01 X1. F100.\nM99\n%\n");
+    if (name == "O0003") return text::Source("O0003", "%\nO0003\nM99 P50\n%\n");
+    if (name == "O0004") return text::Source("O0004", "%\nO0004\n#1=70.\nM99 P#1\n%\n");
+    return std::nullopt;
+  });
+  const std::string text = "%\nO0001\nG21 G17 G90 G94\nM98 P2\nM98 P3\nX2.\nN50 X3.\nM98 P4\nX4.\nN70 X5.\nM30\n%\n";
+  const std::vector<ir::Motion> moves = moves_of(run_text(text, on, &library).motions);
+  ASSERT_EQ(moves.size(), 3U);
+  EXPECT_DOUBLE_EQ(moves[0].end[0], 1.0);
+  EXPECT_DOUBLE_EQ(moves[1].end[0], 3.0);
+  EXPECT_DOUBLE_EQ(moves[2].end[0], 5.0);
+}
+
 // A loop a thousand blocks long stays one block a motion, in the order of execution, each with its own line.
 TEST(Explicit, BlocksKnowLineAndOrdinal) {
   const ir::Control on = control("sinumerik-840d", ir::MachineKind::mill);

@@ -82,10 +82,19 @@ TEST(Parse, KeepsWhatItDoesNotModelByName) {
   EXPECT_EQ(native_of("#1=[#_CLOCK1]\n"), "a variable with a name");
   EXPECT_EQ(native_of("[#NAME]=5.\n"), "a variable with a name");
   EXPECT_EQ(native_of("G66 P9100 A1.\n"), "G66");
-  EXPECT_EQ(native_of("M99 P100\n"), "M99 P");
   EXPECT_EQ(native_of("M198 P100\n"), "M198");
   EXPECT_EQ(native_of("G10 L2 P1 X1.\n"), "G10");
   EXPECT_EQ(native_of("&F=/USER/\n"), "&");
+}
+
+TEST(Parse, KnowsWhereTheCallerGoesOn) {
+  const ir::Program plain = read_text("M99\n").program;
+  EXPECT_EQ(plain.statements.front().payload, ir::kNoIndex);
+  const ir::Program written = read_text("M99 P100\n").program;
+  ASSERT_EQ(written.statements.front().kind, ir::StatementKind::subprogram_return);
+  EXPECT_EQ(written.jumps.at(written.statements.front().payload).number, 100U);
+  const ir::Program computed = read_text("M99 P#4\n").program;
+  EXPECT_NE(computed.jumps.at(computed.statements.front().payload).computed, ir::ExpressionId::none);
 }
 
 TEST(Parse, TakesNoMovesFromParameterData) {
