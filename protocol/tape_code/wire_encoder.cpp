@@ -6,6 +6,12 @@
 #include "protocol/tape_code/parity.h"
 
 namespace dripfeed::tape_code {
+namespace {
+
+// A NUL of leader and trailer is a character like others: with odd parity its eighth bit is set.
+std::byte filler(EighthBit eighth) { return std::byte{with_parity(0, eighth)}; }
+
+}  // namespace
 
 WireEncoder::WireEncoder(const WireFormat& format, TextSource& source, std::uint64_t text_bytes)
     : format_(format), source_(&source), text_bytes_(text_bytes), text_end_wire_(format.leader_nuls) {
@@ -63,7 +69,7 @@ WireEncoder::Filled WireEncoder::fill(std::span<std::byte> out, std::span<std::u
     std::uint8_t& ends = ends_block[filled.count];
     ends = 0;
     if (wire_ < format_.leader_nuls) {
-      byte = std::byte{0};
+      byte = filler(format_.eighth_bit);
       ends = 1;
       ++wire_;
     } else if (text_ < text_bytes_) {
@@ -72,7 +78,7 @@ WireEncoder::Filled WireEncoder::fill(std::span<std::byte> out, std::span<std::u
       put_character(piece_[piece_used_], byte, ends);
       if (text_ == text_bytes_) text_end_wire_ = wire_;
     } else if (wire_ - text_end_wire_ < format_.trailer_nuls) {
-      byte = std::byte{0};
+      byte = filler(format_.eighth_bit);
       ends = 1;
       ++wire_;
     } else {

@@ -51,7 +51,7 @@ Plain plain(const WireFormat& format, const std::string& text) {
   };
   for (std::uint32_t i = 0; i < format.leader_nuls; ++i) {
     mark(0, 1, WirePart::leader, true);
-    all.wire += '\0';
+    all.wire += static_cast<char>(with_parity(0, format.eighth_bit));
   }
   std::uint64_t line = 1;
   bool boundary = true;
@@ -67,7 +67,7 @@ Plain plain(const WireFormat& format, const std::string& text) {
   }
   for (std::uint32_t i = 0; i <= format.trailer_nuls; ++i) {
     mark(text.size(), line, i == 0 ? WirePart::text : WirePart::trailer, true);
-    if (i < format.trailer_nuls) all.wire += '\0';
+    if (i < format.trailer_nuls) all.wire += static_cast<char>(with_parity(0, format.eighth_bit));
   }
   return all;
 }
