@@ -21,6 +21,7 @@ text::Diagnostic* Faults::fail(text::DiagnosticId id, text::Span span, std::vect
 
 const ir::Token& Cursor::peek() const {
   std::uint32_t i = index_;
+  if (tokens_[i].kind == ir::TokenKind::eob) return tokens_[i];  // the last token of all is one
   do {
     ++i;
   } while (tokens_[i].kind == ir::TokenKind::white || tokens_[i].kind == ir::TokenKind::comment);
