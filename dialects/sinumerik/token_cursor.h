@@ -35,9 +35,10 @@ class TokenCursor {
 
   // To the next token, whatever it is.
   void step() { ++at_; }
-  // To the next token but blanks.
+  // To the next token but blanks; at the end of the text it stays there.
   void advance() {
-    if (at_ < tokens_.size()) previous_end_ = tokens_[at_].span.end;
+    if (at_text_end()) return;
+    previous_end_ = tokens_[at_].span.end;
     ++at_;
     skip_blanks();
   }
