@@ -49,7 +49,8 @@ class Converter {
   void explicit_blocks(const ir::Program& program) {
     interpreter::ProgramFinder& none = interpreter::no_programs();
     interpreter::ProgramFinder& finder = request_.library == nullptr ? none : *request_.library;
-    const ExplicitProgram made = explicit_program(program, request_.from, finder, {});
+    const ExplicitProgram made =
+        explicit_program(program, request_.from, finder, {.limits = request_.limits, .initial_values = {}});
     append(result_.diagnostics, run_faults(made.run));
     if (text::has_error(result_.diagnostics)) return;
     print(made.program, made.control);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dialects/compile/library.h"
+#include "dialects/interpreter/interpreter.h"
 #include "dialects/ir/control.h"
 #include "dialects/text/diagnostic.h"
 #include "dialects/text/source.h"
@@ -20,6 +21,7 @@ struct ConvertRequest {
   ir::Control to;
   ConvertMode mode = ConvertMode::macro;
   ProgramLibrary* library = nullptr;  // of called programs, for explicit; nullptr: none are found
+  interpreter::Limits limits = {};    // of the run, for explicit
 };
 
 struct ConvertResult {
