@@ -49,6 +49,11 @@ if(DRIPFEED_SANITIZE)
   endif()
 endif()
 
+if(DRIPFEED_FUZZ)
+  target_compile_options(dripfeed_flags INTERFACE -fsanitize=fuzzer-no-link)
+  add_custom_target(fuzz_targets)
+endif()
+
 # dripfeed_library(NAME [DEPENDS a b] [SYSTEM lib...]): the folder it is called in, as target dripfeed_NAME.
 # DEPENDS names other folders by their short names; SYSTEM names third-party targets.
 function(dripfeed_library name)
@@ -112,4 +117,27 @@ function(dripfeed_unit_test folder)
   string(REPLACE "/" "_" flat ${folder})
   string(REGEX REPLACE "/.*" "" top ${folder})
   dripfeed_test(unit_${flat} SOURCES ${sources} LINKS ${ARG_LINKS} SYSTEM ${ARG_SYSTEM} LABELS unit ${top})
+endfunction()
+
+# dripfeed_fuzz(NAME SOURCES... LINKS a b CORPUS folders... [DEFINITIONS d...]): a source with LLVMFuzzerTestOneInput. With
+# DRIPFEED_FUZZ it is the libFuzzer binary fuzz_NAME (all of them: the target fuzz_targets); else the same source with a
+# small main is a test that replays the seeds of tests/fuzz/corpus/FOLDER and what is made from them.
+function(dripfeed_fuzz name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;CORPUS;DEFINITIONS" ${ARGN})
+  set(target fuzz_${name})
+  add_executable(${target} ${ARG_SOURCES} target.cpp)
+  target_link_libraries(${target} PRIVATE dripfeed_flags fmt::fmt)
+  foreach(link IN LISTS ARG_LINKS)
+    target_link_libraries(${target} PRIVATE dripfeed_${link})
+  endforeach()
+  target_compile_definitions(${target} PRIVATE ${ARG_DEFINITIONS})
+  list(TRANSFORM ARG_CORPUS PREPEND ${CMAKE_SOURCE_DIR}/tests/fuzz/corpus/)
+  if(DRIPFEED_FUZZ)
+    target_link_options(${target} PRIVATE -fsanitize=fuzzer)
+    add_dependencies(fuzz_targets ${target})
+  else()
+    target_sources(${target} PRIVATE replay.cpp)
+    add_test(NAME ${target} COMMAND ${target} ${ARG_CORPUS})
+    set_tests_properties(${target} PROPERTIES TIMEOUT 300 LABELS fuzz)
+  endif()
 endfunction()

@@ -1,0 +1,44 @@
+// The readers of everything that comes in as JSON: the machine profile and the bodies of requests.
+#include "server/json/profile_document.h"
+#include "server/json/requests.h"
+#include "tests/fuzz/target.h"
+
+using namespace dripfeed;
+
+namespace {
+
+// A refusal names what is wrong.
+template <class T>
+void require_told(const app::Result<T>& read) {
+  if (read) return;
+  fuzz::require(!read.error().text.empty(), "a refusal has a sentence");
+  for (const app::ErrorPlace& place : read.error().places) {
+    fuzz::require(!place.text.empty(), "a fault in a document has a sentence");
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view body = fuzz::text_of(data, size);
+  require_told(json::read_profile(body));
+  require_told(json::read_text_body(body));
+  require_told(json::read_program_body(body));
+  require_told(json::read_part_body(body, true));
+  require_told(json::read_part_body(body, false));
+  require_told(json::read_render_body(body));
+  require_told(json::read_check_body(body));
+  require_told(json::read_reason_body(body));
+  require_told(json::read_transition_body(body));
+  require_told(json::read_job_body(body));
+  require_told(json::read_arm_minutes(body));
+  require_told(json::read_session_body(body));
+  const app::Result<app::Values> values = json::read_values(body);
+  require_told(values);
+  if (values) {
+    const app::Result<app::Values> again = json::read_values(json::write_values(*values));
+    fuzz::require(again.has_value() && json::write_values(*again) == json::write_values(*values),
+                  "values that were written read back the same");
+  }
+  return 0;
+}
