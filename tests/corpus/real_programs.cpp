@@ -29,6 +29,7 @@
 
 #include "dialects/compile/convert.h"
 #include "dialects/compile/dialect.h"
+#include "dialects/text/number.h"
 
 namespace {
 
