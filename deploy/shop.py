@@ -4,6 +4,7 @@ them. Standard library only. What is tried with them is left to those scripts.""
 import json
 import os
 import pathlib
+import re
 import signal
 import socket
 import subprocess
@@ -48,24 +49,35 @@ def preset(name, **link):
 
 
 class Server:
-    """dripfeed serve on a free port, with its data in a folder."""
+    """dripfeed serve on a port (without one the system chooses it at each start), with its data in a folder."""
 
-    def __init__(self, binary, data, port=None):
-        self.binary, self.data, self.port = str(binary), pathlib.Path(data), port or free_port()
+    def __init__(self, binary, data, port=None, arguments=()):
+        self.binary, self.data, self.arguments = str(binary), pathlib.Path(data), list(arguments)
+        self.given_port, self.port = port or 0, port
         self.process = None
-        self.log = None
 
     def start(self):
         self.data.mkdir(parents=True, exist_ok=True)
-        self.log = open(self.data / "server.log", "ab")
-        self.process = subprocess.Popen(
-            [self.binary, "serve", "--data", str(self.data), "--listen", f"127.0.0.1:{self.port}"], stdout=self.log, stderr=self.log)
+        log = open(self.data / "server.log", "ab")
+        said_before = log.tell()
+        command = [self.binary, "serve", "--data", str(self.data), "--listen", f"127.0.0.1:{self.given_port}", *self.arguments]
+        self.process = subprocess.Popen(command, stdout=log, stderr=log)
+        log.close()
+        self.port = wait_for("the server's address", lambda: self._port_said(said_before))
         wait_for("the server", self._answers)
         return self
 
-    def _answers(self):
+    def _port_said(self, since):
+        said = re.search(rb"http://127\.0\.0\.1:(\d+)/", (self.data / "server.log").read_bytes()[since:])
+        self._check_runs()
+        return int(said[1]) if said else None
+
+    def _check_runs(self):
         if self.process.poll() is not None:
             raise RuntimeError(f"the server ended with {self.process.returncode}: {(self.data / 'server.log').read_text()[-2000:]}")
+
+    def _answers(self):
+        self._check_runs()
         try:
             return self.request("GET", "/healthz")["status"] == "ok"
         except (urllib.error.URLError, ConnectionError, TimeoutError):
