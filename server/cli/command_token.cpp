@@ -1,0 +1,101 @@
+// dripfeed token: who may do what. It works on the store of a server, which may run meanwhile and sees the change with
+// its next request. Only hashes are kept: a token is shown once, when it is made.
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "server/app/error.h"
+#include "server/cli/cli.h"
+#include "server/cli/output.h"
+#include "server/io/steady_clock.h"
+#include "store/hash/hash.h"
+#include "store/sqlite/open.h"
+
+namespace dripfeed::cli {
+
+namespace {
+
+struct Options {
+  std::string data = "data";
+  std::string name;
+  std::string role;
+  store::Id id = 0;
+};
+
+using Work = store::Result<void> (*)(store::Store& store, const Options& options, const store::Stamp& by);
+
+store::Result<void> add_one(store::Store& store, const Options& options, const store::Stamp& by) {
+  const std::string token = hash::random_token();
+  const auto role = store::named<store::Role>(options.role);
+  if (!role) {
+    return std::unexpected(store::Error{
+        store::ErrorCode::invalid_value,
+        fmt::format("the role \"{}\" is none of {}", options.role, fmt::join(store::kNames<store::Role>, ", "))});
+  }
+  const auto added = store.tokens().add(options.name, *role, hash::token_hash(token), by);
+  if (!added) return std::unexpected(added.error());
+  fmt::print(stderr, "token {} of {} as {}; it is shown this once:\n", added->id, added->name, options.role);
+  fmt::print("{}\n", token);
+  return {};
+}
+
+store::Result<void> list_tokens(store::Store& store, const Options& /*options*/, const store::Stamp& /*by*/) {
+  store::PageRequest page{.limit = store::kPageLimitMax, .after = {}};
+  do {
+    const auto tokens = store.tokens().list(page);
+    if (!tokens) return std::unexpected(tokens.error());
+    for (const store::Token& token : tokens->items) {
+      fmt::print("{:>6}  {:10}  {:7}  {}\n", token.id, store::name_of(token.role),
+                 token.revoked_at_ms == 0 ? "valid" : "revoked", token.name);
+    }
+    page.after = tokens->next;
+  } while (!page.after.empty());
+  return {};
+}
+
+store::Result<void> revoke_token(store::Store& store, const Options& options, const store::Stamp& by) {
+  const auto revoked = store.tokens().revoke(options.id, by);
+  if (!revoked) return std::unexpected(revoked.error());
+  fmt::print(stderr, "token {} of {} is revoked\n", revoked->id, revoked->name);
+  return {};
+}
+
+// Only a store that is there: a wrong folder must not become a new one.
+int on_store(const Options& options, Work work) {
+  const auto store = sqlite::open((std::filesystem::path(options.data) / "dripfeed.db").string(), {.create = false});
+  if (!store) {
+    print_error(store::message_of(store.error()));
+    return kWrongUse;
+  }
+  const auto done = work(**store, options, {"dripfeed token", io::SteadyClock().wall_ms()});
+  if (!done) {
+    print_error(store::message_of(done.error()));
+    return kWrongUse;
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_token(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("token", "API tokens: add, list, revoke");
+  command->require_subcommand(1);
+  const auto options = std::make_shared<Options>();
+  const auto action = [&](const char* name, const char* summary, Work work) {
+    CLI::App* one = command->add_subcommand(name, summary);
+    one->add_option("--data", options->data, "folder of the store")->capture_default_str();
+    one->callback([options, work, &exit_code] { exit_code = on_store(*options, work); });
+    return one;
+  };
+  CLI::App* add = action("add", "a new token; it is printed once", add_one);
+  add->add_option("name", options->name, "of the person or program that has it")->required();
+  add->add_option("--role", options->role, "viewer, operator, programmer, approver or admin")->required();
+  action("list", "all tokens, newest first", list_tokens);
+  action("revoke", "ends a token and its sessions", revoke_token)
+      ->add_option("id", options->id, "its number")
+      ->required();
+}
+
+}  // namespace dripfeed::cli
