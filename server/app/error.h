@@ -15,6 +15,7 @@ namespace dripfeed::app {
 enum class ErrorCode : std::uint8_t {
   not_found,
   exists,
+  malformed,    // the request is not even JSON
   invalid,      // the request makes no sense: see `places`
   stale,        // another revision is the newest
   refused,      // the state of things does not allow it now

@@ -26,6 +26,7 @@ constexpr std::array kStatuses = {
     StatusRow{app::ErrorCode::not_found, 404, "not found"},
     StatusRow{app::ErrorCode::exists, 409, "exists already"},
     StatusRow{app::ErrorCode::invalid, 422, "invalid"},
+    StatusRow{app::ErrorCode::malformed, 400, "malformed"},
     StatusRow{app::ErrorCode::stale, 412, "stale revision"},
     StatusRow{app::ErrorCode::refused, 409, "refused"},
     StatusRow{app::ErrorCode::unavailable, 503, "unavailable"},

@@ -55,7 +55,7 @@ Response change_machine(const Call& call) {
 }
 
 Response confirm_reset(const Call& call) {
-  const auto body = json::read_reason_body(call.request.body);
+  const auto body = json::read_reason_body(call.request.body, true);
   if (!body) return problem_response(body.error());
   app::Application& app = call.api.application();
   const auto machine = app.store().machines().get(call.parameters[0]);

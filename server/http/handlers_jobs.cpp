@@ -126,7 +126,7 @@ Response cancel_job(const Call& call) {
 Response resume_job(const Call& call) {
   const auto id = id_of(call.parameters[0]);
   if (!id) return id.error();
-  const auto body = json::read_reason_body(call.request.body);
+  const auto body = json::read_reason_body(call.request.body, false);
   if (!body) return problem_response(body.error());
   return job_response(call.api.application().jobs().resume(*id, body->reason, call.user));
 }

@@ -148,7 +148,7 @@ Response get_check(const Call& call) {
 Response waive_check(const Call& call) {
   const auto id = id_of(call.parameters[0]);
   if (!id) return id.error();
-  const auto body = json::read_reason_body(call.request.body);
+  const auto body = json::read_reason_body(call.request.body, true);
   if (!body) return problem_response(body.error());
   app::Application& app = call.api.application();
   const auto verdict = app.store().verdicts().waive(*id, body->reason, {std::string(call.user), app.clock().wall_ms()});

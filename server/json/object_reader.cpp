@@ -27,13 +27,52 @@ std::string escaped(std::string_view name) {
   return out;
 }
 
+// Documents of ours nest a handful deep, and each level costs many times the memory of its one character.
+constexpr std::size_t kDeepest = 64;
+
+bool is_too_deep(std::string_view text) {
+  std::size_t depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string) {
+      if (c == '\\') ++i;
+      if (c == '"') in_string = false;
+    } else if (c == '"') {
+      in_string = true;
+    } else if (c == '[' || c == '{') {
+      if (++depth > kDeepest) return true;
+    } else if ((c == ']' || c == '}') && depth > 0) {
+      --depth;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 app::Result<Document> parse(std::string_view text) {
+  if (is_too_deep(text)) {
+    return app::fail(app::ErrorCode::malformed, fmt::format("this nests more than {} levels deep", kDeepest));
+  }
+  std::vector<std::set<std::string>> names;  // of the objects that are open, by depth
+  std::string twice;
+  const auto watch = [&](int depth, Document::parse_event_t event, Document& value) {
+    const auto level = static_cast<std::size_t>(depth);
+    if (event == Document::parse_event_t::object_start) {
+      names.resize(level + 1);
+      names.back().clear();
+    } else if (event == Document::parse_event_t::key && !names[level - 1].insert(value.get<std::string>()).second) {
+      twice = value.get<std::string>();
+    }
+    return true;
+  };
   try {
-    return Document::parse(text);
+    auto document = Document::parse(text, watch);
+    if (twice.empty()) return document;
+    return app::fail(app::ErrorCode::malformed, fmt::format("\"{}\" is given twice", twice));
   } catch (const nlohmann::json::exception& error) {
-    return app::fail(app::ErrorCode::invalid, fmt::format("this is not JSON: {}", error.what()));
+    return app::fail(app::ErrorCode::malformed, fmt::format("this is not JSON: {}", error.what()));
   }
 }
 
@@ -60,6 +99,12 @@ void ObjectReader::text(std::string_view name, std::string& into, bool required)
   if (!value->is_string()) return fault(name, "must be a text");
   into = value->get<std::string>();
   if (required && into.empty()) fault(name, "must not be empty");
+}
+
+void ObjectReader::path_name(std::string_view name, std::string& into) {
+  text(name, into, true);
+  const bool control = std::ranges::any_of(into, [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; });
+  if (control || into == "." || into == "..") fault(name, "must be a name without control characters");
 }
 
 void ObjectReader::flag(std::string_view name, bool& into) {

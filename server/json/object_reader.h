@@ -20,7 +20,7 @@ namespace dripfeed::json {
 
 using Document = nlohmann::ordered_json;
 
-// The text as a document; or one fault that names the byte.
+// The text as a document; or `malformed`, where it is no JSON, nests too deep or gives a name twice.
 app::Result<Document> parse(std::string_view text);
 // Compact; text that is no UTF-8 is shown with replacement characters.
 std::string dump(const Document& document);
@@ -31,6 +31,8 @@ class ObjectReader {
 
   // Each names a member once. The value stays as it was when the member is not there or wrong.
   void text(std::string_view name, std::string& into, bool required = false);
+  // A required text that stands in paths: no "." or "..", no control characters.
+  void path_name(std::string_view name, std::string& into);
   void flag(std::string_view name, bool& into);
   void number(std::string_view name, double& into, double low, double high, bool required = false);
   void number(std::string_view name, std::optional<double>& into, double low, double high);

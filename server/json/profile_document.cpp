@@ -203,7 +203,7 @@ void read_machine(ObjectReader& object, machine::Profile& profile) {
 }
 
 void read_whole(ObjectReader& object, machine::Profile& profile) {
-  object.text("name", profile.name, true);
+  object.path_name("name", profile.name);
   object.text("title", profile.title);
   object.text("dialect", profile.control.dialect, true);
   if (const auto kind = object.choice("kind", kKinds)) profile.control.kind = static_cast<ir::MachineKind>(*kind);

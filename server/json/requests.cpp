@@ -64,7 +64,7 @@ app::Result<PartBody> read_part_body(std::string_view body, bool is_new) {
   PartBody read;
   const auto done = read_object(body, "request", [&](ObjectReader& o) {
     if (is_new) {
-      o.text("number", read.number, true);
+      o.path_name("number", read.number);
       o.text("family", read.family, true);
     }
     read_values_of(o, "values", read.values);
@@ -106,10 +106,10 @@ app::Result<CheckBody> read_check_body(std::string_view body) {
   return read;
 }
 
-app::Result<ReasonBody> read_reason_body(std::string_view body) {
+app::Result<ReasonBody> read_reason_body(std::string_view body, bool required) {
   ReasonBody read;
-  if (body.empty()) return read;
-  const auto done = read_object(body, "request", [&](ObjectReader& o) { o.text("reason", read.reason); });
+  const auto done = read_object(body.empty() ? "{}" : body, "request",
+                                [&](ObjectReader& o) { o.text("reason", read.reason, required); });
   if (!done) return std::unexpected(done.error());
   return read;
 }
@@ -121,6 +121,7 @@ app::Result<store::ReleaseMove> read_transition_body(std::string_view body) {
     if (!o.has("to")) o.fault("to", "is missing");
     o.text("note", move.note);
     o.integer("transfers", move.transfers, 1, 1'000'000);
+    if (move.to == store::ReleaseState::proving && !o.has("transfers")) o.fault("transfers", "is missing");
   });
   if (!done) return std::unexpected(done.error());
   return move;

@@ -43,7 +43,8 @@ app::Result<CheckBody> read_check_body(std::string_view body);
 struct ReasonBody {
   std::string reason;
 };
-app::Result<ReasonBody> read_reason_body(std::string_view body);
+// An empty body is one without members.
+app::Result<ReasonBody> read_reason_body(std::string_view body, bool required);
 
 app::Result<store::ReleaseMove> read_transition_body(std::string_view body);
 

@@ -72,7 +72,7 @@ def at_the_api(folder):
     refused(401, [], server.request, "GET", "/api/v1/machines", headers={"Authorization": "Bearer nonsense"})
     refused(404, [], server.get, "/nothing")
     refused(405, [], server.request, "DELETE", "/api/v1/machines")
-    refused(422, ["JSON"], server.request, "POST", "/api/v1/families", b"{not json")
+    refused(400, ["JSON"], server.request, "POST", "/api/v1/families", b"{not json")
     refused(422, ["/text"], server.post, "/families", {"txt": "family"})
     refused(422, ["line", "column"], server.post, "/families", {"text": ROLL.replace("cos(t)", "cosine(t)")})
     for member, value, word in [("baud", "fast", "/link/baud"), ("framing", "9E9", "/link/framing"), ("url", "ftp://x", "/link/url"), ("unsent", 40, "budget"), ("bawd", 1, "/link/bawd")]:
