@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdint>
 #include <exception>
 #include <utility>
 
@@ -25,18 +26,39 @@ struct StatusRow {
 constexpr std::array kStatuses = {
     StatusRow{app::ErrorCode::not_found, 404, "not found"},
     StatusRow{app::ErrorCode::exists, 409, "exists already"},
-    StatusRow{app::ErrorCode::invalid, 422, "invalid"},
     StatusRow{app::ErrorCode::malformed, 400, "malformed"},
+    StatusRow{app::ErrorCode::invalid, 422, "invalid"},
     StatusRow{app::ErrorCode::stale, 412, "stale revision"},
     StatusRow{app::ErrorCode::refused, 409, "refused"},
     StatusRow{app::ErrorCode::unavailable, 503, "unavailable"},
     StatusRow{app::ErrorCode::internal, 500, "internal error"},
 };
 
+struct TitleRow {
+  unsigned status;
+  std::string_view title;
+};
+constexpr std::array kTitles = {
+    TitleRow{401, "not signed in"},      TitleRow{403, "not allowed"},    TitleRow{404, "not found"},
+    TitleRow{405, "method not allowed"}, TitleRow{409, "refused"},        TitleRow{412, "stale revision"},
+    TitleRow{413, "too large"},          TitleRow{415, "no JSON"},        TitleRow{422, "invalid"},
+    TitleRow{428, "revision missing"},   TitleRow{500, "internal error"},
+};
+
 template <class Number>
 bool read_number(std::string_view text, Number& into) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), into);
   return error == std::errc{} && end == text.data() + text.size();
+}
+
+// Bodies are JSON. What curl and others call a body that nobody described is taken as well; a type that a page of
+// another site may send unasked (text/plain) is not.
+bool is_json(const Request& request) {
+  constexpr std::array<std::string_view, 3> kTaken = {"", "application/json", "application/x-www-form-urlencoded"};
+  std::string type = request.content_type.substr(0, request.content_type.find(';'));
+  while (type.ends_with(' ') || type.ends_with('\t')) type.pop_back();
+  for (char& c : type) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return std::ranges::find(kTaken, type) != kTaken.end() && request.content_encoding.empty();
 }
 
 }  // namespace
@@ -59,7 +81,10 @@ Response problem_response(const app::Error& error) {
 }
 
 Response problem_response(unsigned status, std::string text) {
-  Response response = json_response(status, json::problem(status, text, {app::ErrorCode::invalid, text, {}}));
+  const auto* const row = std::ranges::find(kTitles, status, &TitleRow::status);
+  const std::string_view title = row == kTitles.end() ? "refused" : row->title;
+  Response response =
+      json_response(status, json::problem(status, title, {app::ErrorCode::invalid, std::move(text), {}}));
   response.content_type = "application/problem+json";
   return response;
 }
@@ -98,8 +123,9 @@ std::expected<store::PageRequest, Response> page_of(const Request& request) {
 }
 
 std::expected<store::Id, Response> id_of(std::string_view text) {
+  constexpr store::Id kMostId = INT64_MAX;  // of a row
   store::Id id = 0;
-  if (!read_number(text, id) || id == 0)
+  if (!read_number(text, id) || id == 0 || id > kMostId)
     return std::unexpected(problem_response(404, fmt::format("\"{}\" is no id", text)));
   return id;
 }
@@ -135,6 +161,7 @@ Response Api::answer_found(const Request& request, const Match& match) {
 
 Response Api::answer_route(const Request& request, const Match& match) {
   const Route& route = *match.route;
+  if (!request.body.empty() && !is_json(request)) return problem_response(415, "a body is JSON, as it is written");
   Call call{.api = *this, .request = request, .parameters = match.parameters, .user = {}, .right = Right::anybody};
   if (route.right == Right::anybody) return route.handler(call);
   const auto caller = sessions_.caller(request);
@@ -220,6 +247,7 @@ Response Api::answer_first(const Request& request, const Route& route, const Cal
   if (!before) return problem_response(app::from_store(before.error()));
   if (*before) {
     Response response = json_response((*before)->status, (*before)->body);
+    if (response.body.empty()) response.content_type.clear();
     read_headers((*before)->headers, response);
     return response;
   }

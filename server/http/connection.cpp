@@ -71,7 +71,9 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
     head_only_ = false;
     if (error == bhttp::error::body_limit || error == bhttp::error::header_limit) {
       keep_alive_ = false;
-      return write_text(plain_problem(413, "the request is too large"));
+      const bool body = error == bhttp::error::body_limit;
+      return write_text(body ? plain_problem(413, "the body of the request is too large")
+                             : plain_problem(431, "the header of the request is too large"));
     }
     if (error && error.category() == make_error_code(bhttp::error::bad_method).category() &&
         error != bhttp::error::end_of_stream && error != bhttp::error::partial_message) {
@@ -82,6 +84,10 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
     auto& message = parser_->get();
     keep_alive_ = message.keep_alive();
     head_only_ = message.method() == bhttp::verb::head;
+    if (const std::string_view fault = framing_fault(message); !fault.empty()) {
+      keep_alive_ = false;  // where the next request begins is not known
+      return respond(plain_problem(400, fault));
+    }
     Request request;
     request.method = head_only_ ? Method::get : method_of(message.method());
     if (!read_target(message.target(), request)) {
@@ -99,6 +105,16 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
     });
   }
 
+  // What the parser takes and RFC 9112 (3.2, 6.1) does not: no host or two, a coding of the body that is not ours.
+  template <class Message>
+  static std::string_view framing_fault(const Message& message) {
+    if (message.version() >= 11 && message.count(bhttp::field::host) != 1) return "one Host is needed";
+    const auto codings = message.count(bhttp::field::transfer_encoding);
+    if (codings > 1 || (codings == 1 && !beast::iequals(message[bhttp::field::transfer_encoding], "chunked")))
+      return "a body comes as it is or chunked";
+    return {};
+  }
+
   template <class Message>
   static void copy_headers(const Message& message, Request& request) {
     const auto take = [&](bhttp::field field) { return std::string(message[field]); };
@@ -111,6 +127,7 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
     request.host = take(bhttp::field::host);
     request.fetch_site = std::string(message["Sec-Fetch-Site"]);
     request.content_type = take(bhttp::field::content_type);
+    request.content_encoding = take(bhttp::field::content_encoding);
   }
 
   // `detail` is one of our own sentences, so it needs no escapes.
@@ -130,6 +147,7 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
     message.keep_alive(keep_alive_);
     if (!response.content_type.empty()) message.set(bhttp::field::content_type, response.content_type);
     message.set("X-Content-Type-Options", "nosniff");
+    message.set(bhttp::field::cache_control, "no-store");  // unless the answer says otherwise
     for (const auto& [name, value] : response.headers) message.set(name, value);
   }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "server/http/router.h"
+#include "store/store.h"
 
 namespace dripfeed::http {
 
@@ -43,6 +44,9 @@ Response list_checks(const Call& call);
 Response add_check(const Call& call);
 Response get_check(const Call& call);
 Response waive_check(const Call& call);
+
+// This revision of a program, or the newest one for 0.
+store::Result<store::ProgramRevision> find_revision(store::Store& store, store::Id program, store::Revision revision);
 
 // handlers_jobs.cpp
 Response list_releases(const Call& call);

@@ -50,14 +50,12 @@ Response add_release(const Call& call) {
   const auto body = json::read_check_body(call.request.body);
   if (!body) return problem_response(body.error());
   app::Application& app = call.api.application();
-  store::Revision revision = body->revision;
-  if (revision == 0) {
-    const auto program = app.store().programs().get(body->program);
-    if (!program) return problem_response(app::from_store(program.error()));
-    revision = program->newest.revision;
-  }
+  const auto text = find_revision(app.store(), body->program, body->revision);
+  if (!text) return problem_response(app::from_store(text.error()));
+  if (const auto machine = app.store().machines().get(body->machine); !machine)
+    return problem_response(app::from_store(machine.error()));
   const store::NewRelease release{
-      .program = body->program, .revision = revision, .machine = body->machine, .delivery = body->delivery};
+      .program = body->program, .revision = text->revision, .machine = body->machine, .delivery = body->delivery};
   return release_response(201, app.store().releases().add(release, {std::string(call.user), app.clock().wall_ms()}));
 }
 

@@ -20,14 +20,14 @@ std::expected<store::Revision, Response> revision_of(const Request& request) {
   return id_of(given->second);
 }
 
+}  // namespace
+
 store::Result<store::ProgramRevision> find_revision(store::Store& store, store::Id program, store::Revision revision) {
   if (revision != 0) return store.programs().get_revision(program, revision);
   auto newest = store.programs().get(program);
   if (!newest) return std::unexpected(newest.error());
   return std::move(newest->newest);
 }
-
-}  // namespace
 
 Response list_programs(const Call& call) {
   const auto page = page_of(call.request);
@@ -82,7 +82,9 @@ Response list_revisions(const Call& call) {
   if (!id) return id.error();
   const auto page = page_of(call.request);
   if (!page) return page.error();
-  return list_response(call.api.application().store().programs().revisions(*id, *page),
+  store::Programs& programs = call.api.application().store().programs();
+  if (const auto known = programs.get(*id); !known) return problem_response(app::from_store(known.error()));
+  return list_response(programs.revisions(*id, *page),
                        [](const store::ProgramRevision& r) { return json::program_revision(r); });
 }
 

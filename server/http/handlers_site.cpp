@@ -24,6 +24,8 @@ constexpr std::string_view kPagePolicy =
     "'self'; form-action 'self'; "
     "base-uri 'none'; frame-ancestors 'none'";
 
+constexpr std::size_t kSignInLimit = 4096;  // bytes that anybody may have read as JSON
+
 struct FileType {
   std::string_view ending;
   std::string_view type;
@@ -68,12 +70,13 @@ Response get_health(const Call& call) {
 Response get_openapi(const Call& call) {
   std::vector<json::OpenApiRoute> described;
   for (const Route& route : routes()) {
-    if (!route.pattern.starts_with("/api/v1") && route.pattern != "/healthz") continue;
     described.push_back({.method = name_of(route.method),
                          .path = route.pattern,
                          .summary = route.summary,
                          .right = name_of(route.right),
-                         .open = route.right == Right::anybody});
+                         .open = route.right == Right::anybody,
+                         .paged = route.takes == Takes::page,
+                         .if_match = route.takes == Takes::if_match});
   }
   return json_response(200, json::openapi(described, call.api.version()));
 }
@@ -94,6 +97,10 @@ Response get_asset(const Call& call) {
 Response get_session(const Call& call) { return json_response(200, json::session(call.user, name_of(call.right))); }
 
 Response open_session(const Call& call) {
+  // Nobody signs a browser in from another site.
+  if (!call.request.origin.empty() && !same_origin(call.request))
+    return problem_response(403, "a sign-in must come from this server's own page");
+  if (call.request.body.size() > kSignInLimit) return problem_response(413, "this is longer than any token");
   const auto body = json::read_session_body(call.request.body);
   if (!body) return problem_response(body.error());
   const auto value = call.api.sessions().open(body->token);

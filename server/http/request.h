@@ -34,6 +34,7 @@ struct Request {
   std::string host;
   std::string fetch_site;  // Sec-Fetch-Site
   std::string content_type;
+  std::string content_encoding;
   std::string body;
 };
 

@@ -21,6 +21,9 @@ std::string_view name_of(Right right);
 // can undo.
 enum class Weight : std::uint8_t { light, heavy, command };
 
+// What a route takes besides its path and body: a page of a list, or the revision that is changed.
+enum class Takes : std::uint8_t { no_more, page, if_match };
+
 class Api;  // what handlers work with: the application and who calls
 
 // Values of the pattern's {names}, in their order.
@@ -42,6 +45,7 @@ struct Route {
   Weight weight;
   Handler handler;
   std::string_view summary;  // one line for openapi.json
+  Takes takes = Takes::no_more;
 };
 
 struct Match {

@@ -1,0 +1,84 @@
+"""What is wrong with an OpenAPI 3.1 document, in sentences: its shape, and where it tells of other routes than a table does."""
+
+import re
+
+METHODS = {"get", "post", "put", "delete"}
+
+
+def shape_faults(document):
+    found = []
+    if not re.fullmatch(r"3\.1\.\d+", document.get("openapi", "")):
+        found.append("openapi is not 3.1.x")
+    for member in ("title", "version"):
+        if not document.get("info", {}).get(member):
+            found.append(f"info has no {member}")
+    schemes = document.get("components", {}).get("securitySchemes", {})
+    seen = set()
+    for path, item in document.get("paths", {}).items():
+        if not path.startswith("/"):
+            found.append(f"{path} does not begin with a slash")
+        for method, operation in item.items():
+            found += [f"{method} {path}: {fault}" for fault in operation_faults(path, method, operation, schemes, document.get("security"))]
+            name = operation.get("operationId")
+            if name in seen:
+                found.append(f"{method} {path}: the operationId {name} is given twice")
+            seen.add(name)
+    found += [f"{reference} leads nowhere" for reference in references(document) if not resolves(document, reference)]
+    return found
+
+
+def operation_faults(path, method, operation, schemes, default_security):
+    found = []
+    if method not in METHODS:
+        found.append("is no method of ours")
+    for member in ("operationId", "summary"):
+        if not isinstance(operation.get(member), str) or not operation[member]:
+            found.append(f"no {member}")
+    if not operation.get("responses"):
+        found.append("no responses")
+    for status, response in operation.get("responses", {}).items():
+        if not re.fullmatch(r"default|[1-5](XX|\d\d)", status) or not response.get("description"):
+            found.append(f"response {status} is none, or is not described")
+    security = operation.get("security", default_security)
+    if security is None:
+        found.append("nothing is said of security")
+    found += [f"the scheme {name} is not described" for one in security or [] for name in one if name not in schemes]
+    in_path = [p["name"] for p in operation.get("parameters", []) if p.get("in") == "path"]
+    if sorted(in_path) != sorted(re.findall(r"\{(\w+)\}", path)):
+        found.append(f"the parameters {in_path} are not those of the path")
+    for parameter in operation.get("parameters", []):
+        if parameter.get("in") not in ("path", "query", "header") or "schema" not in parameter:
+            found.append(f"the parameter {parameter.get('name')} has no place or no schema")
+        if parameter.get("in") == "path" and parameter.get("required") is not True:
+            found.append(f"the parameter {parameter.get('name')} of the path is not required")
+    if method in ("post", "put") and "application/json" not in operation.get("requestBody", {}).get("content", {}):
+        found.append("no body is described")
+    return found
+
+
+def references(node):
+    if isinstance(node, dict):
+        return [value for key, value in node.items() if key == "$ref"] + [r for value in node.values() for r in references(value)]
+    return [r for value in node for r in references(value)] if isinstance(node, list) else []
+
+
+def resolves(document, reference):
+    node = document
+    for step in reference.removeprefix("#/").split("/"):
+        if not isinstance(node, dict) or step not in node:
+            return False
+        node = node[step]
+    return reference.startswith("#/")
+
+
+def differences(rights, document):
+    """Between {(method, path): role} and what the document says; a role of None is anybody's."""
+    told = {}
+    for path, item in document["paths"].items():
+        for method, operation in item.items():
+            told[method.upper(), path] = None if operation.get("security") == [] else operation.get("x-role")
+    found = [f"{method} {path} is described and has no row" for method, path in told.keys() - rights.keys()]
+    found += [f"{method} {path} has a row and is not described" for method, path in rights.keys() - told.keys()]
+    found += [f"{method} {path} is said to need {told[method, path]}, not {role}"
+              for (method, path), role in rights.items() if (method, path) in told and told[method, path] != role]
+    return sorted(found)

@@ -1,0 +1,191 @@
+"""Every route with and without rights: without a token 401, with a role below its own 403, with its own an answer of 2xx. The rows are compared
+with /api/openapi.json, which the server writes from its own table, so that no route is without a row. Tokens of the roles are made with
+`dripfeed token add`."""
+
+import copy
+import sys
+
+from client import DC1, ROLES, ROLL, Client, HandControl, expect, expect_problem, hand_profile, in_folder, plain_program, shop
+from openapi_shape import differences, shape_faults
+
+MATCH_1 = {"If-Match": '"1"'}
+ROLL_2 = ROLL.replace("in 10..3000", "in 10..2500")
+
+
+def rows(made):
+    """(method, path of the route, role, {name in the path: value}, body, more): `made` holds what earlier rows and the preparation made. more:
+    headers; keep = under which name the answer's id is kept; ready = what has to be so before."""
+    return [
+        ("GET", "/healthz", None, {}, None, {}),
+        ("GET", "/api/openapi.json", None, {}, None, {}),
+        ("GET", "/", None, {}, None, {}),
+        ("GET", "/assets/{name}", None, {"name": "app.js"}, None, {}),
+        ("POST", "/api/v1/session", None, {}, lambda: {"token": made["token"]}, {}),
+        ("GET", "/api/v1/session", "viewer", {}, None, {}),
+        ("DELETE", "/api/v1/session", "viewer", {}, None, {}),
+        ("GET", "/api/v1/events", "viewer", {}, None, {}),
+        ("GET", "/api/v1/machines", "viewer", {}, None, {}),
+        ("POST", "/api/v1/machines", "admin", {}, lambda: made["mill_profile"], {}),
+        ("GET", "/api/v1/machines/{name}", "viewer", {"name": "mill"}, None, {}),
+        ("PUT", "/api/v1/machines/{name}", "admin", {"name": "mill"}, lambda: made["mill_profile"] | {"title": "Another"}, {"headers": MATCH_1}),
+        ("GET", "/api/v1/families", "viewer", {}, None, {}),
+        ("POST", "/api/v1/families", "programmer", {}, {"text": ROLL}, {}),
+        ("GET", "/api/v1/families/{name}", "viewer", {"name": "hyperbolic-roll"}, None, {}),
+        ("PUT", "/api/v1/families/{name}", "programmer", {"name": "hyperbolic-roll"}, {"text": ROLL_2}, {"headers": MATCH_1}),
+        ("GET", "/api/v1/parts", "viewer", {}, None, {}),
+        ("POST", "/api/v1/parts", "programmer", {}, {"number": "R-1", "family": "hyperbolic-roll", "values": {}}, {}),
+        ("GET", "/api/v1/parts/{number}", "viewer", {"number": "R-1"}, None, {}),
+        ("PUT", "/api/v1/parts/{number}", "programmer", {"number": "R-1"}, {"values": {"angle_step": "1 deg"}}, {"headers": MATCH_1}),
+        ("POST", "/api/v1/render", "programmer", {}, {"part": "R-1", "machine": "lathe", "name": "O0100"}, {}),
+        ("GET", "/api/v1/programs", "viewer", {}, None, {}),
+        ("POST", "/api/v1/programs", "programmer", {}, {"name": "O0042", "dialect": "fanuc", "text": plain_program(2000)}, {"keep": "program"}),
+        ("GET", "/api/v1/programs/{id}", "viewer", {"id": "program"}, None, {}),
+        ("GET", "/api/v1/programs/{id}/text", "viewer", {"id": "program"}, None, {}),
+        ("POST", "/api/v1/programs/{id}/revisions", "programmer", {"id": "program"}, {"text": plain_program(2001)}, {"headers": MATCH_1}),
+        ("GET", "/api/v1/programs/{id}/revisions", "viewer", {"id": "program"}, None, {}),
+        ("POST", "/api/v1/checks", "programmer", {}, lambda: {"program": made["program"], "machine": "lathe"}, {"keep": "check"}),
+        ("GET", "/api/v1/checks", "viewer", {}, None, {}),
+        ("GET", "/api/v1/checks/{id}", "viewer", {"id": "check"}, None, {}),
+        ("POST", "/api/v1/checks/{id}/waivers", "approver", {"id": "check"}, {"reason": "seen"}, {}),
+        ("POST", "/api/v1/releases", "programmer", {}, lambda: {"program": made["program"], "machine": "lathe"}, {"keep": "release"}),
+        ("GET", "/api/v1/releases", "viewer", {}, None, {}),
+        ("GET", "/api/v1/releases/{id}", "viewer", {"id": "release"}, None, {}),
+        ("POST", "/api/v1/releases/{id}/transitions", "approver", {"id": "release"}, {"to": "in_review"}, {}),
+        ("POST", "/api/v1/jobs", "operator", {}, lambda: {"release": made["release"]}, {"keep": "job", "ready": "proving"}),
+        ("GET", "/api/v1/jobs", "viewer", {}, None, {}),
+        ("GET", "/api/v1/jobs/{id}", "viewer", {"id": "job"}, None, {}),
+        ("POST", "/api/v1/jobs/{id}/arm", "operator", {"id": "job"}, {}, {"ready": "idle"}),
+        ("POST", "/api/v1/jobs/{id}/stop", "operator", {"id": "job"}, {}, {"ready": "feeding"}),
+        ("POST", "/api/v1/jobs/{id}/resume", "operator", {"id": "job"}, {"reason": "looked at it"}, {"ready": "stopped"}),
+        ("POST", "/api/v1/jobs/{id}/cancel", "operator", {"id": "job"}, {}, {}),
+        ("GET", "/api/v1/jobs/{id}/ledger", "viewer", {"id": "job"}, None, {}),
+        ("POST", "/api/v1/machines/{name}/confirm-reset", "operator", {"name": "lathe"}, {"reason": "RESET pressed"}, {"ready": "torn"}),
+    ]
+
+
+class Stage:
+    """Brings the shop to where a row can be taken."""
+
+    def __init__(self, client, control, made):
+        self.client, self.control, self.made = client, control, made
+
+    def proving(self):
+        self.client.post(f"/releases/{self.made['release']}/transitions", {"to": "proving", "transfers": 9})
+
+    def idle(self):
+        self.client.wait_line("lathe", "idle")
+
+    def feeding(self):
+        self.control.say(DC1)
+        self.client.wait_job(self.made["job"], "feeding")
+
+    def stopped(self):
+        self.client.wait_job(self.made["job"], "held", stall="stopped")
+
+    def torn(self):
+        self.client.wait_job(self.made["job"], "cancelled")
+        job = self.client.queue(self.made["release"])
+        self.idle()
+        self.client.post(f"/jobs/{job}/arm")
+        self.control.say(DC1)
+        self.control.hold_inside_block()
+        self.control.cut()
+        expect(self.client.wait_job(job, "failed")["needs_confirmation"], "the block is not known as torn")
+
+
+def path_of(pattern, names, made):
+    for name, value in names.items():
+        pattern = pattern.replace("{" + name + "}", str(made.get(value, value)))
+    return pattern
+
+
+def try_row(client, stage, made, row):
+    method, pattern, role, names, body, more = row
+    if "ready" in more:
+        getattr(stage, more["ready"])()
+    path, body = path_of(pattern, names, made), body() if callable(body) else body
+    headers, what = more.get("headers", {}), f"{method} {pattern}"
+    if role:
+        for wrong in ({}, {"Authorization": "Bearer nonsense"}, {"Authorization": f"Basic {client.tokens['admin']}"}, {"Cookie": "dripfeed_session=nonsense"}):
+            answer = client.call(method, path, body, None, headers | wrong)
+            expect_problem(answer, 401, f"{what} with {wrong or 'no token'}")
+            expect(answer.headers["WWW-Authenticate"] == "Bearer", f"{what}: a 401 without its WWW-Authenticate")
+        for below in ROLES[: ROLES.index(role)]:
+            expect_problem(client.call(method, path, body, below, headers), 403, f"{what} as {below}", [role, below])
+    answer = client.call(method, path, body, role, headers)
+    expect(200 <= answer.status < 300, f"{what} as {role or 'anybody'}: {answer}")
+    if "keep" in more:
+        made[more["keep"]] = answer.document["id"]
+        expect(answer.status == 201 and answer.headers["Location"] == f"{path}/{answer.document['id']}", f"{what}: {answer.headers['Location']}")
+    if method == "GET" and role:
+        for above in ROLES[ROLES.index(role):]:
+            expect(client.call(method, path, None, above, headers).status == answer.status, f"{what} as {above}")
+
+
+def every_route(folder):
+    web = folder / "web"
+    (web / "assets").mkdir(parents=True)
+    (web / "index.html").write_text("<!doctype html><title>page</title>")
+    (web / "assets" / "app.js").write_text("'use strict';")
+    control = HandControl()
+    client = Client(folder, "--web", str(web)).start()
+    client.post("/machines", hand_profile(control))
+    mill = shop.preset("fanuc-0i-mill", url=f"pty:{folder}/nobody")
+    made = {"token": client.tokens["viewer"], "mill_profile": mill | {"name": "mill"}}
+    stage = Stage(client, control, made)
+    for row in rows(made):
+        try_row(client, stage, made, row)
+    expect(client.server.alive(), "the server is gone")
+    client.server.stop()
+    control.close()
+
+
+def no_route_without_a_row(folder):
+    client = Client(folder).start()
+    document = client.call("GET", "/api/openapi.json", role=None).document
+    client.server.stop()
+    rights = {(method, pattern): role for method, pattern, role, *_ in rows({})}
+    expect(len(rights) == len(rows({})), "a route has two rows")
+    found = differences(rights, document) + shape_faults(document)
+    expect(not found, "\n".join(found))
+    the_comparison_can_fail(rights, document)
+    the_shape_can_fail(document)
+
+
+def the_comparison_can_fail(rights, document):
+    job = ("GET", "/api/v1/jobs/{id}")
+    for changed, sentence in [
+        ({k: v for k, v in rights.items() if k != job}, "GET /api/v1/jobs/{id} is described and has no row"),
+        (rights | {("GET", "/api/v1/orders"): "viewer"}, "GET /api/v1/orders has a row and is not described"),
+        (rights | {job: "operator"}, "GET /api/v1/jobs/{id} is said to need viewer, not operator"),
+        (rights | {job: None}, "GET /api/v1/jobs/{id} is said to need viewer, not None"),
+    ]:
+        found = differences(changed, document)
+        expect(found == [sentence], f"expected \"{sentence}\", found {found}")
+
+
+def the_shape_can_fail(document):
+    def broken(word, change):
+        wrong = copy.deepcopy(document)
+        change(wrong, wrong["paths"]["/api/v1/jobs/{id}"]["get"])
+        found = shape_faults(wrong)
+        expect(found and all(word in one for one in found), f"expected faults with \"{word}\", found {found}")
+
+    broken("operationId", lambda d, o: o.pop("operationId"))
+    broken("given twice", lambda d, o: o.update(operationId="get_jobs"))
+    broken("summary", lambda d, o: o.update(summary=""))
+    broken("no responses", lambda d, o: o.pop("responses"))
+    broken("response 99", lambda d, o: o["responses"].update({"99": {"description": "x"}}))
+    broken("not those of the path", lambda d, o: o.update(parameters=[]))
+    broken("is not required", lambda d, o: o["parameters"][0].update(required=False))
+    broken("scheme nobody", lambda d, o: o.update(security=[{"nobody": []}]))
+    broken("leads nowhere", lambda d, o: d["components"]["schemas"].pop("Problem"))
+    broken("3.1", lambda d, o: d.update(openapi="3.0.3"))
+    broken("no version", lambda d, o: d["info"].pop("version"))
+    broken("no body", lambda d, o: d["paths"]["/api/v1/jobs"]["post"].pop("requestBody"))
+
+
+if __name__ == "__main__":
+    in_folder(no_route_without_a_row)
+    in_folder(every_route)
+    sys.exit(0)
