@@ -83,6 +83,10 @@ Result<store::Origin> Programs::origin_of(const RenderOrder& order, std::string&
   if (order.part.empty() == order.family.empty()) {
     return fail(ErrorCode::invalid, "name a part or a family", {{.pointer = "/part", .text = "either part or family"}});
   }
+  if (!order.part.empty() && !order.values.empty()) {
+    return fail(ErrorCode::invalid, "a part has values of its own",
+                {{.pointer = "/values", .text = "only with a family; a part is rendered with its own"}});
+  }
   store::Origin origin;
   origin.kind = store::OriginKind::rendered;
   store::Result<store::Family> family = std::unexpected(store::Error{});
