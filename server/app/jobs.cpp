@@ -66,6 +66,19 @@ Result<machine::Profile> Jobs::profile_of(std::string_view machine) {
   return documents_.read_profile(row->profile);
 }
 
+// A verdict on the machine as it was says nothing of the machine as it is. The approval stays: a new check is enough.
+Result<void> Jobs::refuse_changed_machine(std::string_view text_sha256, std::string_view machine,
+                                          store::Delivery delivery) {
+  const auto verdict = lift(store_.verdicts().newest(text_sha256, machine, delivery));
+  if (!verdict) return std::unexpected(verdict.error());
+  if (!*verdict) return {};  // the store says so in its own words
+  const auto row = lift(store_.machines().get(machine));
+  if (!row) return std::unexpected(row.error());
+  if ((*verdict)->of.machine_revision == row->revision) return {};
+  return fail(ErrorCode::refused, fmt::format("machine {} was changed after verdict {}: check the text for it again",
+                                              machine, (*verdict)->id));
+}
+
 Result<std::shared_ptr<Line>> Jobs::line_with(const store::Job& job) {
   auto line = lines_.find(job.machine);
   if (!line) return fail(ErrorCode::refused, fmt::format("machine {} has no line", job.machine));
@@ -84,6 +97,8 @@ Result<store::Job> Jobs::add(store::Id release, std::string_view actor) {
   if (!facts) return std::unexpected(facts.error());
   const auto bytes = wire_bytes(*profile, *facts);
   if (!bytes) return std::unexpected(bytes.error());
+  if (auto same = refuse_changed_machine(row->text_sha256, row->of.machine, row->of.delivery); !same)
+    return std::unexpected(same.error());
   auto job =
       store_.jobs().add({.release = release, .link = profile->line.link.text, .bytes_total = *bytes}, stamp(actor));
   if (!job) return std::unexpected(from_store(job.error()));
@@ -109,6 +124,8 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
   if (!facts) return std::unexpected(facts.error());
   const auto bytes = wire_bytes(*profile, *facts);
   if (!bytes) return std::unexpected(bytes.error());
+  if (auto same = refuse_changed_machine(job->text_sha256, job->machine, job->delivery); !same)
+    return std::unexpected(same.error());
 
   auto armed = store_.jobs().move(id, {.to = store::JobState::armed, .reason = "armed", .torn = false}, stamp(actor));
   if (!armed) return std::unexpected(from_store(armed.error()));

@@ -20,10 +20,11 @@ class Jobs {
   Jobs(store::Store& store, Lines& lines, Keeper& keeper, Events& events, const Clock& clock,
        const Documents& documents);
 
-  // Queued. Errors: not_found, refused (not released, or its text cannot be fed: with the place).
+  // Queued. Errors: not_found, refused (not released, the machine changed after the verdict, or its text cannot be
+  // fed: with the place).
   Result<store::Job> add(store::Id release, std::string_view actor);
   // The named person arms it for its machine's line, for so long or as the profile says. Errors: not_found, invalid,
-  // refused with the reason (torn, busy, link down, …).
+  // refused with the reason (torn, busy, link down, machine changed, …).
   Result<store::Job> arm(store::Id job, std::optional<double> minutes, std::string_view actor);
   // At a block end: the feed stops and waits / is over. A queued job is cancelled at once.
   Result<store::Job> stop(store::Id job, std::string_view actor);
@@ -35,6 +36,7 @@ class Jobs {
 
  private:
   Result<machine::Profile> profile_of(std::string_view machine);
+  Result<void> refuse_changed_machine(std::string_view text_sha256, std::string_view machine, store::Delivery delivery);
   Result<std::shared_ptr<Line>> line_with(const store::Job& job);
   // `note`: what stands in the ledger, where something does.
   Result<store::Job> command(store::Id job, feed::Command command, std::string_view action, std::string_view reason,

@@ -1,0 +1,150 @@
+"""The life of a release: every step that is allowed and every one that is not, what guards them, and what may be fed in which state."""
+
+import sys
+
+from client import Client, HandControl, expect, hand_profile, in_folder, plain_program
+
+STATES = ["draft", "in_review", "proving", "approved", "obsolete"]
+ALLOWED = {("draft", "in_review"), ("draft", "obsolete"), ("in_review", "draft"), ("in_review", "proving"), ("in_review", "obsolete"), ("proving", "in_review"),
+           ("proving", "approved"), ("proving", "obsolete"), ("approved", "obsolete")}
+WAY = {"draft": [], "in_review": ["in_review"], "proving": ["in_review", "proving"], "approved": ["in_review", "proving", "approved"], "obsolete": ["obsolete"]}
+FED = {"proving", "approved"}
+
+
+def move(state):
+    return {"to": state, "note": "signed by a test", "transfers": 3}
+
+
+class Texts:
+    """Programs that differ, each checked, so that each has a release of its own."""
+
+    def __init__(self, client):
+        self.client, self.count = client, 0
+
+    def release_in(self, state):
+        self.count += 1
+        program = self.client.add_program(self.count + 2, f"O{self.count:04}")["id"]
+        self.client.check(program)
+        release = self.client.post("/releases", {"program": program, "machine": "lathe"})["id"]
+        for step in WAY[state]:
+            self.client.post(f"/releases/{release}/transitions", move(step))
+        return release
+
+
+def every_step(client):
+    texts = Texts(client)
+    for state in STATES:
+        release = texts.release_in(state)
+        for to in STATES:
+            if (state, to) not in ALLOWED:
+                client.refuse(409, "POST", f"/releases/{release}/transitions", move(to), words=[state, to])
+        now = client.get(f"/releases/{release}")
+        expect(now["state"] == state, f"a refused step moved {state} to {now['state']}")
+        may_be_fed(client, release, state)
+        for to in (to for at, to in ALLOWED if at == state):
+            moving = texts.release_in(state)
+            moved = client.post(f"/releases/{moving}/transitions", move(to))
+            expect(moved["state"] == to and client.get(f"/releases/{moving}") == moved, f"{state} to {to}: {moved}")
+            may_be_fed(client, moving, to)
+
+
+def may_be_fed(client, release, state):
+    if state in FED:
+        expect(client.post("/jobs", {"release": release})["state"] == "queued", f"{state} is not fed")
+    else:
+        client.refuse(409, "POST", "/jobs", {"release": release}, words=[state])
+
+
+def guards(client):
+    unchecked = client.add_program(50, "O0050")["id"]
+    release = client.post("/releases", {"program": unchecked, "machine": "lathe"})["id"]
+    client.refuse(409, "POST", f"/releases/{release}/transitions", {"to": "in_review"}, words=["never checked"])
+    client.check(unchecked)
+    client.post(f"/releases/{release}/transitions", {"to": "in_review", "note": "now it was"})
+    problem = client.refuse(422, "POST", f"/releases/{release}/transitions", {"to": "proving"})
+    expect([e["pointer"] for e in problem["errors"]] == ["/transfers"], f"{problem}")
+    client.post(f"/releases/{release}/transitions", {"to": "proving", "transfers": 1})
+    client.refuse(409, "POST", f"/releases/{release}/transitions", {"to": "approved"}, words=["note"])
+    approved = client.post(f"/releases/{release}/transitions", {"to": "approved", "note": "first part measured"})
+    expect(approved["approved_by"] == "admin" and approved["sign_off"] == "first part measured", f"{approved}")
+    client.refuse(409, "POST", "/releases", {"program": unchecked, "machine": "lathe"}, words=["exists"])
+    client.post(f"/releases/{release}/transitions", {"to": "obsolete"})
+    client.post("/releases", {"program": unchecked, "machine": "lathe"})  # the way is free again
+
+
+def fail_is_never_released(client):
+    text = plain_program(3, "O0900").replace("G00 X100. Z10.", "G00 X9000. Z10.")
+    program = client.post("/programs", {"name": "O0900", "dialect": "fanuc", "text": text})["id"]
+    verdict = client.post("/checks", {"program": program, "machine": "lathe"})
+    expect(verdict["verdict"] == "fail", f"a move beyond the travel is {verdict['verdict']}")
+    release = client.post("/releases", {"program": program, "machine": "lathe"})["id"]
+    client.refuse(409, "POST", f"/releases/{release}/transitions", {"to": "in_review"}, words=["fail"])
+    client.call("POST", f"/checks/{verdict['id']}/waivers", {"reason": "it will be fine"})
+    client.refuse(409, "POST", f"/releases/{release}/transitions", {"to": "in_review"}, words=["fail"])
+    client.refuse(409, "POST", "/jobs", {"release": release})
+
+
+def unknown_needs_a_waiver(client):
+    text = plain_program(3, "O0910").replace("M05", "M123\nM05")
+    program = client.post("/programs", {"name": "O0910", "dialect": "fanuc", "text": text})["id"]
+    verdict = client.post("/checks", {"program": program, "machine": "lathe"})
+    expect(verdict["verdict"] in ("unknown", "warn"), f"a code that only the machine knows is {verdict['verdict']}")
+    release = client.post("/releases", {"program": program, "machine": "lathe"})["id"]
+    client.refuse(409, "POST", f"/releases/{release}/transitions", {"to": "in_review"}, words=[verdict["verdict"]])
+    waived = client.must("POST", f"/checks/{verdict['id']}/waivers", {"reason": "M123 is the chip conveyor"}, role="approver")
+    expect([(w["name"], w["reason"]) for w in waived["waivers"]] == [("the approver", "M123 is the chip conveyor")], f"{waived['waivers']}")
+    client.post(f"/releases/{release}/transitions", {"to": "in_review"})
+
+
+def another_text_is_not_released(client):
+    release = Texts(client)
+    release.count = 60
+    old = client.get(f"/releases/{release.release_in('approved')}")
+    program = old["program"]
+    client.must("POST", f"/programs/{program}/revisions", {"text": plain_program(70)}, headers={"If-Match": '"1"'})
+    new = client.post("/releases", {"program": program, "machine": "lathe"})
+    expect(new["revision"] == 2 and new["sha256"] != old["sha256"], f"{new}")
+    client.refuse(409, "POST", "/jobs", {"release": new["id"]}, words=["draft"])
+    client.refuse(409, "POST", f"/releases/{new['id']}/transitions", {"to": "in_review"}, words=["never checked"])
+    job = client.post("/jobs", {"release": old["id"]})
+    expect((job["revision"], job["sha256"]) == (1, old["sha256"]), f"the release of one text feeds another: {job}")
+
+
+def another_machine_is_not_released(client, control):
+    profile = hand_profile(control)
+    texts = Texts(client)
+    texts.count = 80
+    in_review, approved = texts.release_in("in_review"), texts.release_in("approved")
+    queued = client.queue(approved)
+    revision = client.get("/machines/lathe")["revision"]
+    smaller = dict(profile, axes=[dict(axis, max_mm=axis["max_mm"] - 1) for axis in profile["axes"]])
+    client.must("PUT", "/machines/lathe", smaller, headers={"If-Match": f'"{revision}"'})
+    client.refuse(409, "POST", f"/releases/{in_review}/transitions", {"to": "proving", "transfers": 1}, words=["changed"])
+    client.refuse(409, "POST", "/jobs", {"release": approved}, words=["changed"])
+    client.wait_line("lathe", "idle")
+    client.refuse(409, "POST", f"/jobs/{queued}/arm", words=["changed"])
+    expect(client.job(queued)["state"] == "queued", "a refused arming moved the job")
+    client.check(client.get(f"/releases/{approved}")["program"])  # a check for the machine as it is now
+    client.post(f"/jobs/{client.queue(approved)}/cancel")
+    client.post(f"/jobs/{queued}/arm")
+    client.refuse(409, "PUT", "/machines/lathe", profile, headers={"If-Match": f'"{revision + 1}"'}, words=[f"job {queued}"])
+    client.post(f"/jobs/{queued}/cancel")
+
+
+def life_of_a_release(folder):
+    control = HandControl()
+    client = Client(folder).start()
+    client.post("/machines", hand_profile(control))
+    every_step(client)
+    guards(client)
+    fail_is_never_released(client)
+    unknown_needs_a_waiver(client)
+    another_text_is_not_released(client)
+    another_machine_is_not_released(client, control)
+    client.server.stop()
+    control.close()
+
+
+if __name__ == "__main__":
+    in_folder(life_of_a_release)
+    sys.exit(0)
