@@ -28,8 +28,8 @@ std::span<const ReleaseTransition> release_transitions() { return kTransitions; 
 
 bool clears(const Verdict& verdict) {
   switch (verdict.of.outcome) {
-    case Outcome::pass:
-    case Outcome::warn: return true;
+    case Outcome::pass: return true;
+    case Outcome::warn:
     case Outcome::unknown: return !verdict.waivers.empty();
     case Outcome::fail: return false;
   }

@@ -39,7 +39,8 @@ struct Verdict {
   std::vector<Waiver> waivers;
 };
 
-// Whether a verdict lets its text be released: pass and warn do, unknown does when a person waived it, fail never does.
+// Whether a verdict lets its text be released: pass does, warn and unknown do when a person waived them with a reason,
+// fail never does.
 bool clears(const Verdict& verdict);
 
 struct VerdictFilter {

@@ -98,7 +98,9 @@ class Checks {
     settings.cost = e_.control.cost;
     settings.x_is_diameter = x_is_diameter(e_.control, e_.profile);
     if (e_.delivery == ir::Delivery::drip && e_.profile->line.link.kind != machine::LinkKind::modbus_tcp) {
-      const machine::LineSettings& line = e_.profile->line;
+      const auto effective = machine::effective_line(e_.profile->line);  // the URL's options count
+      if (!effective) return skip(effective.error());
+      const machine::LineSettings& line = *effective;
       const double bits = line.framing.bits_per_char();
       settings.line = timing::Line{.baud = static_cast<double>(line.baud),
                                    .bits_per_char = bits,

@@ -68,6 +68,12 @@ constexpr std::array kCommandRows = {
     CommandRow{feed::Command::abort, modbus::SenderCommand::abort},
 };
 
+// An armed job that is called back drains nothing: it stays armed until the receiver has closed the session.
+LineState line_state(const StateRow& row, std::uint64_t handed) {
+  const bool called_back = row.sender == modbus::SenderState::aborting && handed == 0;
+  return called_back ? LineState::armed : row.line;
+}
+
 class MailboxLine final : public Line {
  public:
   MailboxLine(std::unique_ptr<RegisterBus> bus, const Clock& clock, LineChanged changed)
@@ -183,12 +189,13 @@ class MailboxLine final : public Line {
   void publish() {
     const StateRow& row = kStateRows[static_cast<std::size_t>(sender_.state())];
     const modbus::SenderCounters counters = sender_.counters();
+    const LineState state = line_state(row, counters.handed);
     const modbus::SenderStall stall = sender_.stall();
     const std::string_view stall_name = kStallNames[static_cast<std::size_t>(stall)];
     const bool changed =
-        row.line != report_.state || row.end != report_.end || stall_name != report_.stall || order_job_ != report_.job;
+        state != report_.state || row.end != report_.end || stall_name != report_.stall || order_job_ != report_.job;
     report_.job = order_job_;
-    report_.state = row.line;
+    report_.state = state;
     report_.end = row.end;
     report_.stall = stall_name;
     report_.cause =

@@ -48,17 +48,18 @@ TEST(ReleaseStates, NothingReachesTheControlWithoutAVerdict) {
   }
 }
 
-TEST(Verdicts, FailIsNeverClearedAndUnknownOnlyByAWaiver) {
+TEST(Verdicts, FailIsNeverClearedWarnAndUnknownOnlyByAWaiver) {
   Verdict verdict;
   const auto with = [&](Outcome outcome) {
     verdict.of.outcome = outcome;
     return clears(verdict);
   };
   EXPECT_TRUE(with(Outcome::pass));
-  EXPECT_TRUE(with(Outcome::warn));
+  EXPECT_FALSE(with(Outcome::warn));
   EXPECT_FALSE(with(Outcome::unknown));
   EXPECT_FALSE(with(Outcome::fail));
   verdict.waivers.push_back({"anna", "measured by hand", 1});
+  EXPECT_TRUE(with(Outcome::warn));
   EXPECT_TRUE(with(Outcome::unknown));
   EXPECT_FALSE(with(Outcome::fail));
 }
