@@ -2,11 +2,13 @@
 // behind each function is its own folder's; the rest of the program knows this struct only.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "dialects/ir/control.h"
+#include "dialects/ir/plain_batch.h"
 #include "dialects/ir/program.h"
 #include "dialects/ir/stage.h"
 #include "dialects/text/diagnostic.h"
@@ -23,6 +25,8 @@ struct Dialect {
   ir::Control (*infer_control)(const text::Source& source);
   // Never fails; tokens tile the text.
   ir::ReadResult (*read)(const text::Source& source, const ir::Control& control);
+  // Plain blocks of a text in batches, for running it while it is read. `control` must outlive it.
+  std::unique_ptr<ir::PlainScanner> (*plain_scanner)(const ir::Control& control);
   // What the control would alarm on, or what can be seen from the program to be wrong.
   std::vector<text::Diagnostic> (*validate)(const ir::Program& program, const ir::Control& control,
                                             ir::Delivery delivery);

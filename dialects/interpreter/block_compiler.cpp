@@ -16,8 +16,6 @@ constexpr std::uint64_t kAxisLetters64 = bit_of(Address::x) | bit_of(Address::y)
 constexpr std::uint64_t kGeometryNotModelled = bit_of(Address::polar_angle) | bit_of(Address::polar_radius) |
                                                bit_of(Address::chamfer) | bit_of(Address::rounding) |
                                                bit_of(Address::other);
-constexpr std::uint64_t kLengths = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k) | bit_of(Address::r) |
-                                   bit_of(Address::arc_radius) | bit_of(Address::f);
 
 struct AddressName {
   Address address;
@@ -110,8 +108,7 @@ std::uint8_t BlockCompiler::flags_of(const ir::Word& word) const {
 
 // A constant as it was written, with its sign; a computed value never counts.
 bool BlockCompiler::counts_increments(const ir::Word& word) const {
-  if (builder_.context().control.semantics.decimal_mode != ir::DecimalMode::least_increment) return false;
-  if (((builder_.context().rules.axis_addresses | kAxisLetters64 | kLengths) & bit_of(word.address)) == 0) return false;
+  if ((builder_.context().rules.counting & bit_of(word.address)) == 0) return false;
   const ir::Expression* number = builder_.find_literal(word.value);
   return number != nullptr && !number->has_point;
 }
@@ -120,7 +117,7 @@ bool BlockCompiler::is_interpreted(const ir::Word& word) const {
   if ((bit_of(word.address) & kGeometryNotModelled) != 0) return false;
   // A second spindle; the first may be written with its number.
   if (word.extension > 1 && (kAxisLetters64 & bit_of(word.address)) == 0) return false;
-  const bool on_axis = (kAxisLetters64 & ~builder_.context().rules.axis_addresses & bit_of(word.address)) == 0;
+  const bool on_axis = (builder_.context().rules.foreign_axes & bit_of(word.address)) == 0;
   return on_axis || words_belong_to_code_;
 }
 

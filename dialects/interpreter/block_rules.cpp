@@ -30,6 +30,8 @@ constexpr AxisLetter kIncrementalRows[] = {
     {Address::h, Axis::c, 'H', true},
 };
 constexpr std::string_view kBaseLetters = "XYZC";
+constexpr std::uint64_t kLengths = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k) | bit_of(Address::r) |
+                                   bit_of(Address::arc_radius) | bit_of(Address::f);
 
 // 1 / 0.001 is not quite 1000 in every binary; a whole number divides as the decimal would.
 double reciprocal(double increment) {
@@ -53,12 +55,16 @@ BlockRules::BlockRules(const ir::Control& control)
     axis_addresses |= bit_of(row.address);
     axis_words[interpreter::index_of(row.address)] = {row.axis, incremental, row.rotary};
   };
-  for (const AxisLetter& row : kAxisLetterRows)
+  std::uint64_t letters = 0;
+  for (const AxisLetter& row : kAxisLetterRows) {
+    letters |= bit_of(row.address);
     if (control.axes.contains(row.letter)) add(row, false);
-  if (!semantics.incremental_letters_uvw) return;
-  for (std::size_t i = 0; i < std::size(kIncrementalRows); ++i)
+  }
+  for (std::size_t i = 0; semantics.incremental_letters_uvw && i < std::size(kIncrementalRows); ++i)
     if (control.axes.contains(kBaseLetters[i]) && !control.axes.contains(kIncrementalRows[i].letter))
       add(kIncrementalRows[i], true);
+  foreign_axes = letters & ~axis_addresses;
+  if (semantics.decimal_mode == ir::DecimalMode::least_increment) counting = letters | axis_addresses | kLengths;
 }
 
 ModalState initial_state(const ir::Control& control) {

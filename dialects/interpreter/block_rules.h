@@ -24,8 +24,10 @@ class BlockRules {
   ir::Semantics semantics;
   std::uint64_t axis_addresses = 0;  // addresses that name an axis of the control
   std::array<AxisWord, kAddressCount> axis_words{};
-  bool x_is_diameter = false;  // the control's X is a diameter, whatever mode is programmed
-  bool tool_at_once = false;   // T takes effect without M6
+  std::uint64_t foreign_axes = 0;  // axis letters that the control has no axis for
+  std::uint64_t counting = 0;      // addresses whose constants without a point count least increments
+  bool x_is_diameter = false;      // the control's X is a diameter, whatever mode is programmed
+  bool tool_at_once = false;       // T takes effect without M6
   double increments_per_mm = 1000.0;
   double increments_per_degree = 1000.0;
 

@@ -40,6 +40,39 @@ std::optional<Flow> BlockRunner::run(const Instruction& i, const CompiledProgram
   const BlockTemplate& made = program.blocks[i.a];
   fill(made, program);
   if (made.extra != kNoExtra && !fill_computed(i, made, program)) return std::nullopt;
+  return apply_block(i);
+}
+
+std::optional<Flow> BlockRunner::run_plain(const Instruction& i, const ir::PlainBatch& batch,
+                                           const ir::PlainBlockRow& row) {
+  block_.clear();
+  block_.codes = {batch.codes.data() + row.first_code, row.code_count};
+  const ir::PlainWord* word = batch.words.data() + row.first_word;
+  for (std::uint32_t n = 0; n < row.word_count; ++n, ++word) {
+    const std::uint64_t bit = bit_of(word->address);
+    block_.present |= bit;
+    block_.values[index_of(word->address)] = word->value;
+    // A later word of the same address counts.
+    const bool counts = !word->has_point && (rules_.counting & bit) != 0;
+    block_.in_increments = counts ? block_.in_increments | bit : block_.in_increments & ~bit;
+  }
+  if ((block_.present & rules_.foreign_axes) != 0) [[unlikely]]
+    drop_foreign_axes({batch.words.data() + row.first_word, row.word_count});
+  return apply_block(i);
+}
+
+// Axes that the control does not have are named in the report, unless a code takes the letters for something else.
+void BlockRunner::drop_foreign_axes(std::span<const ir::PlainWord> words) {
+  const auto takes_letters = [](const PlainCode& code) {
+    return code.function == ir::Function::dwell || code.function == ir::Function::set_coordinates;
+  };
+  if (std::ranges::any_of(block_.codes, takes_letters)) return;
+  for (const ir::PlainWord& word : words)
+    if ((rules_.foreign_axes & bit_of(word.address)) != 0) report_.count({letter_of(word.address)});
+  block_.present &= ~rules_.foreign_axes;
+}
+
+std::optional<Flow> BlockRunner::apply_block(const Instruction& i) {
   const BlockResult result = apply(block_, rules_, state_, out_);
   if (result.notes != 0) take_notes(i, result.notes);
   if (result.fault != DiagnosticId::count_) {
@@ -50,8 +83,14 @@ std::optional<Flow> BlockRunner::run(const Instruction& i, const CompiledProgram
 }
 
 void BlockRunner::set_word(ir::Address address, double value, std::uint8_t flags) {
-  if (flags == 0) return block_.set(address, value);
   const std::uint64_t bit = bit_of(address);
+  // Of an address that is written twice the last word counts, and how that one is written.
+  if ((block_.present & bit) != 0) {
+    block_.in_increments &= ~bit;
+    block_.absolute &= ~bit;
+    block_.incremental &= ~bit;
+  }
+  if (flags == 0) return block_.set(address, value);
   if ((flags & kWordInIncrements) != 0) block_.in_increments |= bit;
   if ((flags & kWordAbsolute) != 0) block_.absolute |= bit;
   if ((flags & kWordIncremental) != 0) block_.incremental |= bit;

@@ -2,6 +2,7 @@
 // which is applied. What came of it (alarm, notes) goes to the report.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "dialects/interpreter/apply.h"
@@ -25,8 +26,12 @@ class BlockRunner {
 
   // What the block asks of the flow; nothing when the run has ended.
   std::optional<Flow> run(const Instruction& i, const CompiledProgram& program);
+  // The same for a block that was scanned; its reports are the caller's. `i` tells the report the place.
+  std::optional<Flow> run_plain(const Instruction& i, const ir::PlainBatch& batch, const ir::PlainBlockRow& row);
 
  private:
+  std::optional<Flow> apply_block(const Instruction& i);
+  void drop_foreign_axes(std::span<const ir::PlainWord> words);
   void fill(const BlockTemplate& made, const CompiledProgram& program);
   bool fill_computed(const Instruction& i, const BlockTemplate& made, const CompiledProgram& program);
   bool add_computed_code(const Instruction& i, const ComputedCode& code);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "dialects/ir/ir.h"
+#include "dialects/ir/plain_batch.h"
 #include "dialects/text/diagnostic.h"
 
 namespace dripfeed::interpreter {
@@ -125,6 +126,30 @@ struct RunResult {
 // clock and no file; the only thing that fails is the program, and then the result says where and with which alarm of
 // the control.
 RunResult run(const ir::Program& program, const ir::Control& control, ProgramFinder& finder, ir::MotionSink& sink,
+              const RunOptions& options);
+
+// A program that is run while it is read: plain blocks in batches, and once a block is met that is not plain, the whole
+// program, in which the run goes on there.
+class PlainStream {
+ public:
+  PlainStream() = default;
+  PlainStream(const PlainStream&) = delete;
+  PlainStream& operator=(const PlainStream&) = delete;
+  virtual ~PlainStream() = default;
+  // nullptr: no plain block follows. The batch is valid until the next call.
+  virtual const ir::PlainBatch* next() = 0;
+  struct Rest {
+    const ir::Program* program = nullptr;  // nullptr: nothing is left
+    std::uint32_t offset = 0;              // of the block to go on with
+    bool broken = false;                   // there is more, but it cannot be read: an alarm without a diagnostic
+  };
+  // Asked once, after next() gave nullptr.
+  virtual Rest rest() = 0;
+  [[nodiscard]] virtual std::string_view name() const = 0;
+};
+
+// As above, with the same result as for the program read whole. No observer: it would be told of blocks too late.
+RunResult run(PlainStream& stream, const ir::Control& control, ProgramFinder& finder, ir::MotionSink& sink,
               const RunOptions& options);
 
 }  // namespace dripfeed::interpreter

@@ -47,7 +47,11 @@ RunResult Machine::run(const ir::Program& program) {
   CompiledProgram& main = programs_.add(program, program.name);
   stack_.start(main);
   set_initial_values(main);
-  execute();
+  execute(0);
+  return finish(main);
+}
+
+RunResult Machine::finish(const CompiledProgram& main) {
   if (options_.observer != nullptr && executed_ > 0) tell_block();
   out_.flush();
   RunResult& result = report_.result();
@@ -66,6 +70,7 @@ void Machine::set_initial_values(const CompiledProgram& main) {
       access_.set_initial(value);
       continue;
     }
+    if (main.source == nullptr) continue;  // a stream declares no names
     const ir::Program& source = *main.source;
     for (std::size_t s = 0; s < source.symbols.size(); ++s) {
       const ir::Symbol& symbol = source.symbols[s];
@@ -76,9 +81,8 @@ void Machine::set_initial_values(const CompiledProgram& main) {
   }
 }
 
-void Machine::execute() {
+void Machine::execute(std::uint32_t next) {
   const Instruction* code = stack_.program().code.data();
-  std::uint32_t next = 0;
   const double limit = arithmetic_.limit();
   const auto reg = [this](std::uint32_t operand) -> double& { return storage_.reg(operand); };
   // Stores a result that is in range; the rest (vacant operands, overflow, division by zero) goes the long way.

@@ -16,10 +16,15 @@ class Machine {
  public:
   Machine(const ir::Control& control, ProgramFinder& finder, ir::MotionSink& sink, const RunOptions& options);
   RunResult run(const ir::Program& program);
+  // stream.cpp
+  RunResult run(PlainStream& stream);
 
  private:
+  // Blocks as they are scanned; false when the run has ended. `plain` stands for the program that is not read whole.
+  bool run_plain_blocks(PlainStream& stream, CompiledProgram& plain);
+  RunResult finish(const CompiledProgram& main);
   void set_initial_values(const CompiledProgram& main);
-  void execute();
+  void execute(std::uint32_t next);
   // Instructions that do not stand in the inner loop; false when the run has ended. `next` may be changed, and after a
   // call or a return it is meant in another program.
   bool execute_rare(const Instruction& i, std::uint32_t& next);

@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "dialects/ir/function.h"
-#include "dialects/ir/statement.h"
+#include "dialects/ir/plain_batch.h"
 
 namespace dripfeed::interpreter {
 
@@ -19,11 +18,7 @@ constexpr std::size_t index_of(ir::Address address) { return static_cast<std::si
 
 inline constexpr std::uint32_t kNoText = 0xFFFFFFFFU;  // as Motion::text
 
-struct PlainCode {
-  ir::Function function = ir::Function::none;
-  std::int16_t argument = 0;
-  ir::ModalGroup group = ir::ModalGroup::none;
-};
+using ir::PlainCode;
 
 struct PlainBlock {
   // Bits by address. Values of absent addresses are left over from other blocks: clearing them would cost more than

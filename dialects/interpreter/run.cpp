@@ -28,4 +28,9 @@ RunResult run(const ir::Program& program, const ir::Control& control, ProgramFin
   return Machine(control, finder, sink, options).run(program);
 }
 
+RunResult run(PlainStream& stream, const ir::Control& control, ProgramFinder& finder, ir::MotionSink& sink,
+              const RunOptions& options) {
+  return Machine(control, finder, sink, options).run(stream);
+}
+
 }  // namespace dripfeed::interpreter

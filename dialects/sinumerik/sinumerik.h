@@ -4,9 +4,11 @@
 // file or another dialect.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "dialects/ir/control.h"
+#include "dialects/ir/plain_batch.h"
 #include "dialects/ir/program.h"
 #include "dialects/ir/stage.h"
 #include "dialects/text/diagnostic.h"
@@ -24,6 +26,9 @@ ir::Control infer_control(const text::Source& source);
 // Lexes, parses and lowers. Never fails: what cannot be understood is a diagnostic and a Native statement. The tokens
 // tile the text. Diagnostics are those of the syntax; the rest is validate's.
 ir::ReadResult read(const text::Source& source, const ir::Control& control);
+
+// Plain blocks of a text of that control, in batches. `control` must outlive it.
+std::unique_ptr<ir::PlainScanner> plain_scanner(const ir::Control& control);
 
 // What the control would alarm on, or what can be seen from the program to be wrong, in the order of the text; those of
 // reading are not repeated.

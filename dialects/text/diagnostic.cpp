@@ -21,8 +21,8 @@ void append_caret(std::string& out, std::string_view line, std::uint32_t column)
   out.append("^\n");
 }
 
-void append_head(std::string& out, const Source& source, Position position) {
-  fmt::format_to(std::back_inserter(out), "{}:{}:{}: ", source.name(), position.line, position.column);
+void append_head(std::string& out, std::string_view name, Position position) {
+  fmt::format_to(std::back_inserter(out), "{}:{}:{}: ", name, position.line, position.column);
 }
 
 }  // namespace
@@ -51,20 +51,26 @@ std::string message_of(const Diagnostic& diagnostic) {
   return out.append(rest);
 }
 
-std::string format_diagnostic(const Diagnostic& diagnostic, const Source& source, std::string_view control) {
+std::string format_diagnostic_at(const Diagnostic& diagnostic, std::string_view name, Position position,
+                                 std::string_view line, std::string_view control) {
   std::string out;
-  const Position position = source.position(diagnostic.span.begin);
-  append_head(out, source, position);
+  append_head(out, name, position);
   fmt::format_to(std::back_inserter(out), "{}[{}]: {}", name_of(diagnostic.severity), row_of(diagnostic.id).name,
                  message_of(diagnostic));
   if (!diagnostic.alarm.empty()) {
     fmt::format_to(std::back_inserter(out), " ({}{}{})", control, control.empty() ? "" : " ", diagnostic.alarm);
   }
   out.push_back('\n');
-  append_caret(out, source.line(position.line), position.column);
+  append_caret(out, line, position.column);
+  return out;
+}
+
+std::string format_diagnostic(const Diagnostic& diagnostic, const Source& source, std::string_view control) {
+  const Position position = source.position(diagnostic.span.begin);
+  std::string out = format_diagnostic_at(diagnostic, source.name(), position, source.line(position.line), control);
   for (const DiagnosticNote& note : diagnostic.notes) {
     const Position at = source.position(note.span.begin);
-    append_head(out, source, at);
+    append_head(out, source.name(), at);
     out.append("note: ").append(note.text).push_back('\n');
     append_caret(out, source.line(at.line), at.column);
   }

@@ -2,15 +2,18 @@
 // dialect.
 #include <charconv>
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "dialects/compile/convert.h"
 #include "dialects/compile/execute.h"
+#include "dialects/compile/stream.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"
 #include "server/cli/inputs.h"
 #include "server/cli/output.h"
+#include "server/cli/program_file.h"
 #include "server/cli/state_file.h"
 
 namespace dripfeed::cli {
@@ -49,21 +52,24 @@ app::Result<interpreter::Limits> read_limits(const std::vector<std::string>& giv
   return limits;
 }
 
-int report_run(const interpreter::RunResult& result, const ir::Program& program, const ir::Control& control) {
+// One of a called program: its text is not at hand here.
+void print_elsewhere(const interpreter::RunDiagnostic& one, const std::vector<std::string>& programs) {
+  fmt::print(stderr, "{}:{}: {}[{}]: {}{}\n", programs[one.program], one.line, text::name_of(one.diagnostic.severity),
+             text::row_of(one.diagnostic.id).name, text::message_of(one.diagnostic),
+             one.diagnostic.alarm.empty() ? "" : fmt::format(" (alarm {})", one.diagnostic.alarm));
+}
+
+// `print_main` prints a diagnostic of the main program.
+template <class PrintMain>
+int report_run(const interpreter::RunResult& result, std::string_view name, PrintMain print_main) {
   for (const interpreter::RunDiagnostic& one : result.diagnostics) {
-    if (one.program == 0) {
-      print_diagnostics({one.diagnostic}, program.source, control.title);
-    } else {
-      fmt::print(stderr, "{}:{}: {}[{}]: {}{}\n", result.programs[one.program], one.line,
-                 text::name_of(one.diagnostic.severity), text::row_of(one.diagnostic.id).name,
-                 text::message_of(one.diagnostic),
-                 one.diagnostic.alarm.empty() ? "" : fmt::format(" (alarm {})", one.diagnostic.alarm));
-    }
+    if (one.program == 0)
+      print_main(one);
+    else
+      print_elsewhere(one, result.programs);
   }
-  for (const interpreter::NotInterpreted& one : result.not_interpreted) {
-    if (!one.effects_known)
-      fmt::print(stderr, "{}:{}: not interpreted: {}\n", program.source.name(), one.first_line, one.name);
-  }
+  for (const interpreter::NotInterpreted& one : result.not_interpreted)
+    if (!one.effects_known) fmt::print(stderr, "{}:{}: not interpreted: {}\n", name, one.first_line, one.name);
   return result.ended == interpreter::Ended::end ? kDone : kFailed;
 }
 
@@ -79,7 +85,39 @@ int print_blocks(const Options& options, const text::Source& source, const Chose
   return write_output(options.text.output, converted.text) ? kDone : kWrongUse;
 }
 
-int interpret(const Options& options, const interpreter::RunOptions& run_options, const text::Source& source,
+// Where the motions of a run go, and what is printed of them.
+class Output {
+ public:
+  Output(const Options& options, const ir::Control& control, interpreter::RunNames& names)
+      : options_(options),
+        traces_(options.trace == "motions" && !options.text.json),
+        writer_(control, names, [this](std::string_view text) { take(text); }) {}
+
+  ir::MotionSink& sink() { return traces_ ? static_cast<ir::MotionSink&>(writer_) : nobody_; }
+  // False, with a message, when it could not be written.
+  bool finish(const interpreter::RunResult& result) {
+    if (traces_ && !options_.text.output.empty()) written_ = write_output(options_.text.output, kept_);
+    if (options_.text.json) written_ = write_output(options_.text.output, run_document(result));
+    return written_;
+  }
+
+ private:
+  void take(std::string_view text) {
+    if (options_.text.output.empty())
+      written_ = written_ && std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    else
+      kept_ += text;
+  }
+
+  const Options& options_;
+  bool traces_;
+  bool written_ = true;
+  std::string kept_;
+  compile::NoMotions nobody_;
+  interpreter::TraceWriter writer_;
+};
+
+int interpret(const Options& options, interpreter::RunOptions run, const text::Source& source,
               const ChosenControl& chosen) {
   const ir::ReadResult read = chosen.dialect->read(source, chosen.control);
   print_diagnostics(read.diagnostics, source, chosen.control.title);
@@ -87,48 +125,92 @@ int interpret(const Options& options, const interpreter::RunOptions& run_options
 
   compile::ProgramLibrary library(chosen.control, find_in(folders_for(options.text, options.file)));
   interpreter::RunNames names;
-  interpreter::RunOptions run = run_options;
-  run.want_variables = options.text.json;
   run.names = &names;
-  const bool traces = options.trace == "motions" && !options.text.json;
-  std::string kept;
-  bool written = true;
-  interpreter::TraceWriter writer(chosen.control, names, [&](std::string_view text) {
-    if (options.text.output.empty()) {
-      written = written && std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-    } else {
-      kept += text;
-    }
+  Output output(options, chosen.control, names);
+  const interpreter::RunResult result = compile::execute(read.program, chosen.control, &library, output.sink(), run);
+  const bool written = output.finish(result);
+  const int code = report_run(result, source.name(), [&](const interpreter::RunDiagnostic& one) {
+    print_diagnostics({one.diagnostic}, source, chosen.control.title);
   });
-  compile::NoMotions nobody;
-  ir::MotionSink& sink = traces ? static_cast<ir::MotionSink&>(writer) : nobody;
-  const interpreter::RunResult result = compile::execute(read.program, chosen.control, &library, sink, run);
-  if (traces && !options.text.output.empty()) written = write_output(options.text.output, kept);
-  if (options.text.json) written = write_output(options.text.output, run_document(result));
-  const int code = report_run(result, read.program, chosen.control);
   return written ? code : kWrongUse;
 }
 
-int run_command(const Options& options) {
+// A diagnostic of a text that was not kept: its line is read once more.
+void print_from_file(const interpreter::RunDiagnostic& one, ProgramFile& file, const std::string& name,
+                     std::string_view control) {
+  const auto line = file.line_at(one.diagnostic.span.begin);
+  if (!line) return print_error(line.error());
+  const text::Position position{.line = one.line, .column = static_cast<std::uint32_t>(line->before + 1)};
+  fmt::print(stderr, "{}", text::format_diagnostic_at(one.diagnostic, name, position, line->text, control));
+}
+
+// The program while it is read.
+int interpret_stream(const Options& options, interpreter::RunOptions run, ProgramFile& file,
+                     const ChosenControl& chosen) {
+  compile::ProgramLibrary library(chosen.control, find_in(folders_for(options.text, options.file)));
+  interpreter::RunNames names;
+  run.names = &names;
+  Output output(options, chosen.control, names);
+  const compile::StreamRun ran =
+      compile::execute_stream(file, options.file, *chosen.dialect, chosen.control, &library, output.sink(), run);
+  if (!ran.read_error.empty()) {
+    print_error(ran.read_error);
+    return kWrongUse;
+  }
+  if (ran.source) print_diagnostics(ran.diagnostics, *ran.source, chosen.control.title);
+  const bool written = output.finish(ran.result);
+  const int code = report_run(ran.result, options.file, [&](const interpreter::RunDiagnostic& one) {
+    print_from_file(one, file, options.file, chosen.control.title);
+  });
+  return written ? code : kWrongUse;
+}
+
+int run_source(const Options& options, interpreter::RunOptions run) {
   const auto source = read_source(options.file);
   if (!source) {
     print_error(source.error());
     return kWrongUse;
   }
   const auto chosen = choose_control(options.text, *source);
+  if (!chosen) {
+    print_error(chosen.error());
+    return kWrongUse;
+  }
+  if (options.trace == "blocks") return print_blocks(options, *source, *chosen);
+  return interpret(options, std::move(run), *source, *chosen);
+}
+
+int run_stream(const Options& options, interpreter::RunOptions run, ProgramFile& file) {
+  const auto head = file.head();
+  const auto chosen =
+      head ? choose_control(options.text, *head) : app::Result<ChosenControl>(std::unexpected(head.error()));
+  if (!chosen) {
+    print_error(chosen.error());
+    return kWrongUse;
+  }
+  return interpret_stream(options, std::move(run), file, *chosen);
+}
+
+int run_command(const Options& options) {
   const auto limits = read_limits(options.limits);
   const auto state = read_state(options.state);
-  for (const app::Error* error :
-       {chosen ? nullptr : &chosen.error(), limits ? nullptr : &limits.error(), state ? nullptr : &state.error()}) {
+  for (const app::Error* error : {limits ? nullptr : &limits.error(), state ? nullptr : &state.error()}) {
     if (error == nullptr) continue;
     print_error(*error);
     return kWrongUse;
   }
-  if (options.trace == "blocks") return print_blocks(options, *source, *chosen);
   interpreter::RunOptions run;
   run.limits = *limits;
   run.initial_values = *state;
-  return interpret(options, run, *source, *chosen);
+  run.want_variables = options.text.json;
+  if (options.file == "-" || options.trace == "blocks") return run_source(options, std::move(run));
+  const auto file = ProgramFile::open(options.file);
+  if (!file) {
+    print_error(file.error());
+    return kWrongUse;
+  }
+  if ((*file)->size_bytes().value_or(0) <= kWholeBytes) return run_source(options, std::move(run));
+  return run_stream(options, std::move(run), **file);
 }
 
 }  // namespace

@@ -1,0 +1,71 @@
+// Running what is scanned. The machine's state is the same whichever way a block comes, so a run that began on a stream
+// goes on in the whole program from any block. Only what the whole program would have had by then must not be missing:
+// plain blocks compute nothing and call nothing, so that is the modal state and the counts.
+#include <algorithm>
+
+#include "dialects/interpreter/machine.h"
+
+namespace dripfeed::interpreter {
+
+namespace {
+
+// The instruction that begins the block at `offset` of the text; instructions stand in the order of the text.
+std::uint32_t instruction_at(const CompiledProgram& program, std::uint32_t offset) {
+  for (std::uint32_t i = 0; i < program.code.size(); ++i)
+    if (program.code[i].op == Opcode::block && program.spans[i].begin >= offset) return i;
+  return static_cast<std::uint32_t>(program.code.size() - 1);  // text_end
+}
+
+}  // namespace
+
+RunResult Machine::run(PlainStream& stream) {
+  // One instruction, for the report to tell places by.
+  CompiledProgram plain;
+  plain.code.emplace_back();
+  plain.spans.emplace_back();
+  report_.enter(plain);
+  const bool goes_on = run_plain_blocks(stream, plain);
+  const PlainStream::Rest rest = goes_on ? stream.rest() : PlainStream::Rest{};
+  if (rest.program != nullptr) {
+    CompiledProgram& main = programs_.add(*rest.program, rest.program->name);
+    stack_.start(main);
+    set_initial_values(main);
+    execute(instruction_at(main, rest.offset));
+    return finish(main);
+  }
+  plain.spans.front() = {};
+  if (rest.broken)
+    report_.end(Ended::alarm);
+  else if (goes_on)
+    end_text(plain.code.front());
+  names_.programs.emplace_back(stream.name());
+  stack_.start(plain);  // its variables are listed as those of any program
+  set_initial_values(plain);
+  return finish(plain);
+}
+
+bool Machine::run_plain_blocks(PlainStream& stream, CompiledProgram& plain) {
+  const Instruction& here = plain.code.front();
+  while (const ir::PlainBatch* batch = stream.next()) {
+    auto report = batch->reports.begin();
+    for (std::uint32_t n = 0; n < batch->blocks.size(); ++n) {
+      const ir::PlainBlockRow& row = batch->blocks[n];
+      const auto offset = static_cast<std::uint32_t>(row.offset);
+      plain.spans.front() = {offset, offset + row.length};
+      if (executed_ == options_.limits.blocks) return report_.fail_limit(here, "blocks");
+      out_.place.line = row.line;
+      out_.place.ordinal = executed_++;
+      begun_ = out_.place;
+      ++out_.work.blocks;
+      for (; report != batch->reports.end() && report->block == n; ++report)
+        report_.count({std::string(report->name), report->function, report->function == ir::Function::no_effect});
+      if (row.word_count + row.code_count > 0 && !blocks_.run_plain(here, *batch, row).has_value()) return false;
+      if (!row.ends_program) continue;
+      emit_event(ir::MotionKind::end, state_, out_);
+      return report_.end(Ended::end);
+    }
+  }
+  return true;
+}
+
+}  // namespace dripfeed::interpreter
