@@ -30,8 +30,8 @@ def code_of(line, dialect):
 
 
 class Fault:
-    """`pattern` finds places in the code of a line, `change` gives the new text of a match. `at`: "line", or "any" where the line at which a control
-    notices is not the line of the fault (an end that is missing)."""
+    """`pattern` finds places in the code of a line, `change` gives the new text of a match. `at`: "line"; "any" where the line at which a control
+    notices is not the line of the fault (an end that is missing); "only": the same, and a fault only where the program has one such place."""
 
     def __init__(self, name, ids, pattern, change, at="line"):
         self.name, self.ids, self.at = name, set(ids.split()), at
@@ -46,25 +46,25 @@ MOVE = r"(?<![A-Z#\[(=$_\"])([XYZ])([-+]?\d+\.\d*|[-+]?\d+)(?![\d.])"
 COMMON = [
     Fault("letter of another alphabet", "homoglyph", MOVE, lambda m: {"X": "Х", "Y": "У", "Z": "Ζ"}[m[1]] + m[2]),
     Fault("address without value", "address-without-value syntax-error missing-operand unknown-name", MOVE + r"(?=\s*([A-Z]|$))", lambda m: m[1]),
-    Fault("two decimal points", "malformed-number syntax-error", MOVE, lambda m: m[1] + m[2] + ".5.5" if "." not in m[2] else m[1] + m[2] + "5.5"),
+    Fault("two decimal points", "malformed-number syntax-error value-without-address", MOVE, lambda m: m[1] + m[2] + ".5.5" if "." not in m[2] else m[1] + m[2] + "5.5"),
     Fault("too many digits", "too-many-digits", MOVE, lambda m: m[1] + "123456789012.5"),
     Fault("code that is not there", "unknown-code", r"(?<![A-Z])G0?1(?!\d|\.)", replace("G777")),
     Fault("value without address", "value-without-address syntax-error", MOVE + r"\s", lambda m: m[0] + "12.5 "),
 ]
 MACRO = [
     Fault("jump to nowhere", "jump-target-missing", r"GOTO\s*\d+", replace("GOTO987654")),
-    Fault("END without DO", "end-without-begin wrong-nesting", r"^(?=\s*G0?1\s*X)", replace("END3\n"), "any"),
+    Fault("END without DO", "end-without-begin wrong-nesting", r"^(?=\s*(?:N\d+)?\s*G0?1\s*X)", replace("END3\n"), "any"),
     Fault("END is missing", "missing-end end-without-begin wrong-nesting", r"^\s*END\s*[1-3]\s*$", replace(""), "any"),
     Fault("DO of a wrong number", "loop-number-invalid", r"(?<=\bDO)\s*[1-3](?=\s*$)", replace("9"), "any"),
     Fault("bracket is missing", "missing-bracket unbalanced-bracket syntax-error missing-operand", r"(?<=[\d\]])\]", replace("")),
     Fault("operand is missing", "missing-operand syntax-error", r"(?<=[\d\]])([-+*])#", lambda m: m[1] + m[1].replace("-", "*") + "#"),
     Fault("division by nothing", "division-by-zero", r"^#(\d+)=#?[\d.]+\s*$", lambda m: f"#{m[1]}=1/0"),
-    Fault("move and macro statement", "statement-not-alone syntax-error", r"^(\s*G0?[01]\s.*\S)\s*$", lambda m: m[1] + " #100=1"),
+    Fault("move and macro statement", "statement-not-alone syntax-error", r"^(\s*(?:N\d+)?\s*G0?[01](?![\d.]).*\S)\s*$", lambda m: m[1] + " #100=1"),
     Fault("variable that is not there", "variable-out-of-range", r"#\d+(?=\s*=)", replace("#99999")),
     Fault("system variable written", "variable-write-protected", r"^#\d+(?=\s*=)", replace("#5041")),
     Fault("NC word without brackets", "expression-without-brackets syntax-error", r"([XYZ])#(\d+)\s*$", lambda m: f"{m[1]}#{m[2]}+5."),
-    Fault("program end is missing", "missing-program-end", r"M30|M02|M99", replace(""), "any"),
-    Fault("comment without end", "unterminated-comment", r"^(?=\s*G0?[01])", replace("(ROUGH\n")),
+    Fault("program end is missing", "missing-program-end", r"M30|M02|M99", replace(""), "only"),
+    Fault("comment without end", "unterminated-comment", r"^(?=\s*(?:N\d+)?\s*G0?[01](?![\d.]))", replace("(ROUGH\n")),
     Fault("arc that does not close", "arc-radius-mismatch arc-without-center", r"(?<=[IJK])[-+]?\d+\.\d*", lambda m: "8765.4321"),
 ]
 SIEMENS = [
@@ -80,7 +80,7 @@ SIEMENS = [
     Fault("two codes of a group", "codes-of-one-group", r"(?<![A-Z])G0?1\s", replace("G1 G2 ")),
     Fault("division by nothing", "division-by-zero", r"^(\s*(?:N\d+\s*)?R\d+)=[\d.]+\s*$", lambda m: f"{m[1]}=1/0"),
     Fault("string without end", "unterminated-string", r'"\s*(?=\)\s*$)', replace("")),
-    Fault("program end is missing", "missing-program-end", r"(?<!\w)(M30|M17|RET|M2|M02)(?![\w(])", replace(""), "any"),
+    Fault("program end is missing", "missing-program-end", r"(?<!\w)(M30|M17|RET|M2|M02)(?![\w(])", replace(""), "only"),
 ]
 
 
@@ -140,7 +140,7 @@ def main():
             before = {(d["id"], d["line"]) for d in said[str(path)]}
             for number, fault in enumerate(faults_of(given.dialect)):
                 choice = places(text, fault, given.dialect)
-                if not choice:
+                if not choice or (fault.at == "only" and len(choice) > 1):
                     continue
                 begin, end, new = chance.choice(choice)
                 mutant = pathlib.Path(name) / f"{index}_{number}.nc"
@@ -150,7 +150,7 @@ def main():
         for mutant, (fault, path, line, before) in changed.items():
             tried[fault.name] += 1
             hits = [d for d in after[mutant] if d["id"] in fault.ids and (d["id"], d["line"]) not in before]
-            if any(fault.at == "any" or d["line"] == line for d in hits):
+            if any(fault.at != "line" or d["line"] == line for d in hits):
                 found[fault.name] += 1
             else:
                 missed.append(f"{path}:{line}: {fault.name}: said {[(d['id'], d['line']) for d in after[mutant] if d['severity'] == 'error'][:3]}")
