@@ -85,7 +85,8 @@ int run_server(const Options& options, const http::ListenAddress& address, store
     return kWrongUse;
   }
   http::Api api(application, web_root(options), kVersion);
-  auto server = http::Server::start(address, {.is_heavy = [&](const http::Request& r) { return api.is_heavy(r); },
+  auto server = http::Server::start(address, {.refuse_long = [&](const http::Request& r) { return api.refuse_long(r); },
+                                              .is_heavy = [&](const http::Request& r) { return api.is_heavy(r); },
                                               .answer = [&](const http::Request& r) { return api.answer(r); }});
   if (!server) {
     print_error(server.error());

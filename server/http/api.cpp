@@ -151,12 +151,46 @@ Response Api::answer(const Request& request) {
   }
 }
 
-Response Api::answer_found(const Request& request, const Match& match) {
-  if (match.route != nullptr) return answer_route(request, match);
+namespace {
+
+Response no_route(const Request& request, const Match& match) {
   if (!match.path_known) return problem_response(404, fmt::format("there is nothing at {}", request.target));
   Response response = problem_response(405, fmt::format("this path is for {}", match.allowed));
   response.headers.emplace_back("Allow", match.allowed);
   return response;
+}
+
+}  // namespace
+
+Response Api::answer_found(const Request& request, const Match& match) {
+  return match.route != nullptr ? answer_route(request, match) : no_route(request, match);
+}
+
+std::optional<Response> Api::refuse_long(const Request& head) {
+  const Match match = find_route(routes(), head);
+  if (match.route == nullptr) return no_route(head, match);
+  if (match.route->right == Right::anybody) return problem_response(413, "the body is too long for this path");
+  const auto caller = admit(head, *match.route);
+  return caller ? std::nullopt : std::optional(caller.error());
+}
+
+// Who calls, if they may.
+std::expected<Caller, Response> Api::admit(const Request& request, const Route& route) {
+  auto caller = sessions_.caller(request);
+  if (!caller) {
+    Response response = problem_response(401, "sign in with a token");
+    response.headers.emplace_back("WWW-Authenticate", "Bearer");
+    return std::unexpected(std::move(response));
+  }
+  if (caller->right < route.right) {
+    return std::unexpected(
+        problem_response(403, fmt::format("this needs the role {}; {} has the role {}", name_of(route.right),
+                                          caller->name, name_of(caller->right))));
+  }
+  if (request.method != Method::get && caller->by_cookie && !same_origin(request)) {
+    return std::unexpected(problem_response(403, "a change by cookie must come from this server's own page"));
+  }
+  return std::move(*caller);
 }
 
 Response Api::answer_route(const Request& request, const Match& match) {
@@ -164,19 +198,8 @@ Response Api::answer_route(const Request& request, const Match& match) {
   if (!request.body.empty() && !is_json(request)) return problem_response(415, "a body is JSON, as it is written");
   Call call{.api = *this, .request = request, .parameters = match.parameters, .user = {}, .right = Right::anybody};
   if (route.right == Right::anybody) return route.handler(call);
-  const auto caller = sessions_.caller(request);
-  if (!caller) {
-    Response response = problem_response(401, "sign in with a token");
-    response.headers.emplace_back("WWW-Authenticate", "Bearer");
-    return response;
-  }
-  if (caller->right < route.right) {
-    return problem_response(403, fmt::format("this needs the role {}; {} has the role {}", name_of(route.right),
-                                             caller->name, name_of(caller->right)));
-  }
-  if (request.method != Method::get && caller->by_cookie && !same_origin(request)) {
-    return problem_response(403, "a change by cookie must come from this server's own page");
-  }
+  const auto caller = admit(request, route);
+  if (!caller) return caller.error();
   call.user = caller->name;
   call.right = caller->right;
   if (request.method == Method::get || request.idempotency_key.empty()) return route.handler(call);

@@ -2,8 +2,10 @@
 // requests; handlers live in handlers_*.cpp, one file a kind of thing, and are listed in routes.cpp.
 #pragma once
 
+#include <expected>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -21,6 +23,9 @@ class Api {
 
   [[nodiscard]] bool is_heavy(const Request& request) const;
   Response answer(const Request& request);
+  // Whether the head of a request says enough to refuse it before a long body is read: no route, no right, nothing
+  // that takes one.
+  std::optional<Response> refuse_long(const Request& head);
 
   app::Application& application() { return application_; }
   Sessions& sessions() { return sessions_; }
@@ -28,6 +33,7 @@ class Api {
   [[nodiscard]] const std::string& version() const { return version_; }
 
  private:
+  std::expected<Caller, Response> admit(const Request& request, const Route& route);
   Response answer_found(const Request& request, const Match& match);
   Response answer_route(const Request& request, const Match& match);
   Response answer_once(const Request& request, const Route& route, const Call& call);

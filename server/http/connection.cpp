@@ -54,8 +54,9 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
     parser_->body_limit(kBodyLimit);
     parser_->header_limit(static_cast<std::uint32_t>(kHeaderLimit));
     stream_.expires_after(kReadTimeout);
-    bhttp::async_read(stream_, buffer_, *parser_,
-                      [self = shared_from_this()](beast::error_code error, std::size_t) { self->on_read(error); });
+    bhttp::async_read_header(
+        stream_, buffer_, *parser_,
+        [self = shared_from_this()](beast::error_code error, std::size_t) { self->on_header(error); });
   }
 
   void close() override {
@@ -67,37 +68,55 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
   }
 
  private:
-  void on_read(beast::error_code error) {
+  // A long body of somebody who may not send it is not read.
+  void on_header(beast::error_code error) {
     head_only_ = false;
-    if (error == bhttp::error::body_limit || error == bhttp::error::header_limit) {
-      keep_alive_ = false;
-      const bool body = error == bhttp::error::body_limit;
-      return write_text(body ? plain_problem(413, "the body of the request is too large")
-                             : plain_problem(431, "the header of the request is too large"));
-    }
-    if (error && error.category() == make_error_code(bhttp::error::bad_method).category() &&
-        error != bhttp::error::end_of_stream && error != bhttp::error::partial_message) {
-      keep_alive_ = false;
-      return write_text(plain_problem(400, "this is not HTTP/1.1: " + error.message()));
-    }
-    if (error) return close();
+    if (error) return refuse_unread(error);
     auto& message = parser_->get();
     keep_alive_ = message.keep_alive();
     head_only_ = message.method() == bhttp::verb::head;
+    request_ = {};
+    request_.method = head_only_ ? Method::get : method_of(message.method());
     if (const std::string_view fault = framing_fault(message); !fault.empty()) {
-      keep_alive_ = false;  // where the next request begins is not known
-      return respond(plain_problem(400, fault));
+      return respond_unread(plain_problem(400, fault));
     }
-    Request request;
-    request.method = head_only_ ? Method::get : method_of(message.method());
-    if (!read_target(message.target(), request)) {
-      return respond(plain_problem(400, "the path of the request is malformed"));
+    if (!read_target(message.target(), request_)) {
+      return respond_unread(plain_problem(400, "the path of the request is malformed"));
     }
-    copy_headers(message, request);
-    request.body = std::move(message.body());
+    copy_headers(message, request_);
+    if (parser_->chunked() || parser_->content_length().value_or(0) > kShortBody) {
+      auto refusal = shared_.answerer.refuse_long(request_);
+      if (refusal && !parser_->chunked()) return respond_unread(std::move(*refusal));
+      if (refusal) parser_->body_limit(kShortBody);
+    }
+    bhttp::async_read(stream_, buffer_, *parser_,
+                      [self = shared_from_this()](beast::error_code read, std::size_t) { self->on_read(read); });
+  }
+
+  // Where the next request would begin is not known, or not waited for.
+  void respond_unread(Response response) {
+    keep_alive_ = false;
+    respond(std::move(response));
+  }
+
+  void refuse_unread(beast::error_code error) {
+    if (error == bhttp::error::body_limit)
+      return respond_unread(plain_problem(413, "the body of the request is too large"));
+    if (error == bhttp::error::header_limit)
+      return respond_unread(plain_problem(431, "the header of the request is too large"));
+    if (error.category() == make_error_code(bhttp::error::bad_method).category() &&
+        error != bhttp::error::end_of_stream && error != bhttp::error::partial_message) {
+      return respond_unread(plain_problem(400, "this is not HTTP/1.1: " + error.message()));
+    }
+    close();
+  }
+
+  void on_read(beast::error_code error) {
+    if (error) return refuse_unread(error);
+    request_.body = std::move(parser_->get().body());
     stream_.expires_never();
-    if (!shared_.answerer.is_heavy(request)) return respond(shared_.answerer.answer(request));
-    asio::post(*shared_.pool, [self = shared_from_this(), request = std::move(request)]() mutable {
+    if (!shared_.answerer.is_heavy(request_)) return respond(shared_.answerer.answer(request_));
+    asio::post(*shared_.pool, [self = shared_from_this(), request = std::move(request_)]() mutable {
       lower_priority_once();
       Response response = self->shared_.answerer.answer(request);
       asio::post(self->stream_.get_executor(),
@@ -296,6 +315,7 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
   const ConnectionShared& shared_;
   beast::flat_buffer buffer_;
   std::optional<bhttp::request_parser<bhttp::string_body>> parser_;
+  Request request_;
   BodySource source_;
   std::shared_ptr<EventSubscription> events_;
   std::string piece_;

@@ -6,6 +6,7 @@
 #include <expected>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "server/http/request.h"
@@ -13,6 +14,7 @@
 namespace dripfeed::http {
 
 inline constexpr std::size_t kBodyLimit = std::size_t{64} << 20U;  // bytes of a request's body
+inline constexpr std::size_t kShortBody = std::size_t{64} << 10U;  // is read whoever sends it
 inline constexpr std::size_t kHeaderLimit = std::size_t{16} << 10U;
 
 struct ListenAddress {
@@ -24,9 +26,11 @@ struct ListenAddress {
 std::expected<ListenAddress, std::string> parse_listen_address(std::string_view text);
 bool is_loopback(const ListenAddress& address);
 
-// `answer` gives the response at once; `is_heavy` says that it is to be called from the pool instead. Both must be safe
-// to call from several threads.
+// `answer` gives the response at once; `is_heavy` says that it is to be called from the pool instead; `refuse_long`
+// is asked with the head of a request, before a body beyond kShortBody is read. All must be safe to call from several
+// threads.
 struct Answerer {
+  std::function<std::optional<Response>(const Request&)> refuse_long;
   std::function<bool(const Request&)> is_heavy;
   std::function<Response(const Request&)> answer;
 };

@@ -2,6 +2,7 @@
 plays by hand on a socket, and a program that is released for it. The tests are the other files of this folder; each is a ctest entry with a
 server of its own on a port that the system chooses."""
 
+import atexit
 import http.client
 import json
 import pathlib
@@ -51,6 +52,11 @@ class Client:
     def __init__(self, folder, *arguments):
         self.server = shop.Server(binary(), folder / "data", arguments=arguments)
         self.tokens = {}
+        atexit.register(self.end)  # also where a test fails
+
+    def end(self):
+        if self.server.process and self.server.alive():
+            self.server.kill()
 
     def start(self):
         self.server.start()
@@ -172,7 +178,7 @@ class HandControl:
     def __init__(self):
         self.listener = socket.create_server(("127.0.0.1", 0))
         self.url = f"tcp://127.0.0.1:{self.listener.getsockname()[1]}"
-        self.link, self.got, self.lock = None, bytearray(), threading.Lock()
+        self.link, self.got, self.calls, self.lock = None, bytearray(), 0, threading.Lock()
         threading.Thread(target=self._accept, daemon=True).start()
 
     def _accept(self):
@@ -182,7 +188,7 @@ class HandControl:
             except OSError:
                 return
             with self.lock:
-                self.link, self.got = link, bytearray()
+                self.link, self.got, self.calls = link, bytearray(), self.calls + 1
             threading.Thread(target=self._read, args=(link,), daemon=True).start()
 
     def _read(self, link):
@@ -198,7 +204,11 @@ class HandControl:
         with self.lock:
             return bytes(byte & 0x7F for byte in self.got)
 
+    def wait_called(self, times):
+        shop.wait_for(f"call {times} of the server", lambda: self.calls >= times)
+
     def say(self, code):
+        self.wait_called(1)
         self.link.sendall(code)
 
     def wait_bytes(self, count):

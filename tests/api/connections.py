@@ -14,6 +14,7 @@ POST = b"POST /api/v1/session HTTP/1.1\r\n" + HOST
 BROKEN = [  # each followed by a request that must not be answered
     b"GARBAGE\r\n\r\n", b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03\r\n\r\n", b"GET\r\n\r\n", b"GET /healthz\r\n\r\n", b"GET /healthz HTTP/3.0\r\n\r\n", b"GET /healthz HTTP/1.1 x\r\n\r\n",
     b"GET /healthz http/1.1\r\n" + HOST + b"\r\n", b"GET  /healthz HTTP/1.1\r\n" + HOST + b"\r\n", b"GET /he\x01althz HTTP/1.1\r\n" + HOST + b"\r\n", b" GET /healthz HTTP/1.1\r\n" + HOST + b"\r\n",
+    b"GET healthz HTTP/1.1\r\n" + HOST + b"\r\n", b"GET /a/../healthz HTTP/1.1\r\n" + HOST + b"\r\n", b"GET /%0 HTTP/1.1\r\n" + HOST + b"\r\n",
     b"GET /healthz HTTP/1.1\r\n\r\n", b"GET /healthz HTTP/1.1\r\nHost: a\r\nHost: b\r\n\r\n",
     b"GET /healthz HTTP/1.1\r\n" + HOST + b"No colon\r\n\r\n", b"GET /healthz HTTP/1.1\r\n" + HOST + b"A b: c\r\n\r\n", b"GET /healthz HTTP/1.1\r\n" + HOST + b"A : c\r\n\r\n",
     b"GET /healthz HTTP/1.1\r\n" + HOST + b"A: b\x00c\r\n\r\n", b"GET /healthz HTTP/1.1\n" + HOST + b"\n",
@@ -73,7 +74,7 @@ def connections_are_kept(client):
             expect(answer.status == status, f"{method} {path}: {answer}")
             expect((answer.body == b"") == (method == "HEAD") and int(answer.headers["Content-Length"]) > 0, f"{method} {path}: {answer}")
     expect(ask(connection, "DELETE", f"{API}/session", None, headers).status == 204, "DELETE")
-    refused = ask(connection, "POST", f"{API}/programs", b"x" * 100000, headers)
+    refused = ask(connection, "POST", f"{API}/programs", b"x" * 50000, headers)
     expect(refused.status == 403, f"{refused}")
     expect(ask(connection, "GET", "/healthz").status == 200 and connection.sock.getsockname()[1] == port, "the connection was not kept")
     connection.close()
@@ -93,6 +94,20 @@ def bodies_in_chunks(client):
     expect(answer.startswith(b"HTTP/1.1 201 "), f"{answer}")
     program = client.get("/programs")["items"][0]["id"]
     expect(client.call("GET", f"/programs/{program}/text").body.decode() == text, "a body in chunks came otherwise")
+
+
+def long_bodies_are_for_those_who_may(client):
+    """The answer comes at the head, before any of 60 MB is sent."""
+    for path, role, status in [("/api/v1/programs", None, 401), ("/api/v1/programs", "viewer", 403), ("/api/v1/nothing", "admin", 404), ("/api/v1/machines/x", "admin", 405),
+                               ("/api/v1/session", None, 413), ("/api/v1/session", "admin", 413)]:
+        head = f"POST {path} HTTP/1.1\r\nHost: x\r\n" + (f"Authorization: Bearer {client.tokens[role]}\r\n" if role else "")
+        answer = raw(client, f"{head}Content-Length: 60000000\r\n\r\n".encode(), until_closed=False)
+        expect(answer.startswith(b"HTTP/1.1 %d " % status) and b"Connection: close" in answer, f"{path} as {role}: {answer}")
+        chunked = f"{head}Transfer-Encoding: chunked\r\n\r\n".encode()
+        answer = raw(client, chunked + b"20000\r\n", until_closed=False)
+        expect(answer.startswith(b"HTTP/1.1 413 "), f"{path} as {role} in chunks: {answer}")
+        answer = raw(client, chunked + b"2\r\n{}\r\n0\r\n\r\n")
+        expect(answer.startswith(b"HTTP/1.1 %d " % (422 if status == 413 else status)), f"{path} as {role} in short chunks: {answer}")
 
 
 def nobody_is_held_up(client):
@@ -139,7 +154,7 @@ def read_all(link):
 
 def on_the_wire(folder):
     client = Client(folder).start()
-    for test in (broken_requests, connections_are_kept, bodies_in_chunks, nobody_is_held_up):
+    for test in (broken_requests, connections_are_kept, bodies_in_chunks, long_bodies_are_for_those_who_may, nobody_is_held_up):
         test(client)
         expect(client.server.alive() and client.call("GET", "/healthz", role=None).status == 200, f"the server is gone after {test.__name__}")
     client.server.stop()

@@ -82,6 +82,7 @@ def a_key_acts_once(folder):
     expect(client.release(other)["id"] == release + 1, "the second release")
     rows = creations(hand_profile(control), {"release": release})
     kept = [once(client, *row, key=f"key-{n}") for n, row in enumerate(rows)]
+    eight_at_once(client)
     a_change_is_once(client)
     a_command_is_once(client, release)
     client.restart()
@@ -106,6 +107,18 @@ def once(client, name, path, body, another, key):
     # Keys belong to a person and a route, and a refusal keeps none.
     client.refuse(403, "POST", path, body, role="viewer", headers=headers)
     return first
+
+
+def eight_at_once(client):
+    """One order that is sent eight times at once acts once; who comes too early is told to come again."""
+    before = len(client.get("/checks?limit=200")["items"])
+    def send(_):
+        return client.call("POST", "/checks", {"program": 1, "machine": "lathe"}, headers={"Idempotency-Key": "eight"})
+    with concurrent.futures.ThreadPoolExecutor(8) as people:
+        answers = list(people.map(send, range(8)))
+    made = {answer.body for answer in answers if answer.status == 201}
+    expect(len(made) == 1 and all(answer.status in (201, 409) for answer in answers), f"{[str(answer) for answer in answers]}")
+    expect(len(client.get("/checks?limit=200")["items"]) == before + 1, "one key made several checks")
 
 
 def same(answer, first, what):
