@@ -13,8 +13,7 @@ using ir::Function;
 
 enum class Carry : std::uint8_t {
   code,         // the code alone
-  code_and_h,   // with the number of the length
-  d_only,       // the number only: motions carry the code
+  number,       // nothing but the number: motions carry the code
   code_in_own,  // a block of its own, with the axes that were named, as increments of nothing
 };
 struct CarriedRow {
@@ -22,11 +21,11 @@ struct CarriedRow {
   Carry carry;
 };
 constexpr auto kRows = std::to_array<CarriedRow>({
-    {Function::length_offset_plus, Carry::code_and_h},
-    {Function::length_offset_minus, Carry::code_and_h},
+    {Function::length_offset_plus, Carry::code},
+    {Function::length_offset_minus, Carry::code},
     {Function::length_offset_off, Carry::code},
-    {Function::comp_left, Carry::d_only},
-    {Function::comp_right, Carry::d_only},
+    {Function::comp_left, Carry::number},
+    {Function::comp_right, Carry::number},
     {Function::machine_function, Carry::code},
     {Function::reference_return, Carry::code_in_own},
 });
@@ -48,11 +47,14 @@ constexpr auto kAxes = std::to_array<AxisRow>({
     {Address::w, Address::z},
 });
 
-void add_number(const ir::Program& program, const ir::Block& block, Address address, CarriedWords& out) {
-  for (const ir::Word& word : program.words_of(block)) {
-    if (word.address != address || word.value == ir::ExpressionId::none) continue;
-    const ir::Expression& value = program.at(word.value);
-    if (value.op == ir::Operator::constant) out.words.push_back({address, value.value, ir::WordMode::as_modal});
+// H and D stay in effect, so that each is carried wherever it stands.
+void add_number(const ir::Program& program, const ir::Word& word, CarriedBlock& out) {
+  if (word.value == ir::ExpressionId::none) return;
+  const ir::Expression& value = program.at(word.value);
+  if (value.op == ir::Operator::constant) {
+    out.attached.words.push_back({word.address, value.value, ir::WordMode::as_modal});
+  } else {
+    out.computed.emplace_back(word.span.in(program.source.text()));
   }
 }
 
@@ -82,26 +84,32 @@ CarriedBlocks::ByLine CarriedBlocks::collect(const ir::Program& program) const {
   ByLine out;
   for (const ir::Statement& statement : program.statements) {
     if (statement.kind != ir::StatementKind::block) continue;
-    const ir::Block& block = program.blocks[statement.payload];
-    CarriedBlock carried;
-    for (const ir::Code& code : program.codes_of(block)) {
-      const auto row = std::ranges::find(kRows, code.function, &CarriedRow::function);
-      if (row == kRows.end()) continue;
-      switch (row->carry) {
-        case Carry::code_and_h: add_number(program, block, Address::h, carried.attached); [[fallthrough]];
-        case Carry::code: carried.attached.codes.push_back({code.function, code.argument}); break;
-        case Carry::d_only:
-          if (!d_selects_edge_) add_number(program, block, Address::d, carried.attached);
-          break;
-        case Carry::code_in_own:
-          carried.alone.codes.push_back({code.function, code.argument});
-          add_axes(program, block, carried.alone);
-          break;
-      }
-    }
-    if (!carried.attached.empty() || !carried.alone.empty()) out[statement.line] = std::move(carried);
+    CarriedBlock carried = carried_by(program, program.blocks[statement.payload]);
+    if (carried.empty()) continue;
+    const auto [entry, is_new] = out.try_emplace(statement.line, std::move(carried));
+    // Places are lines: with G43 H1;G41 D2; nobody knows which block is executed.
+    if (!is_new) entry->second.computed.emplace_back("numbers of several blocks in one line");
   }
   return out;
+}
+
+CarriedBlock CarriedBlocks::carried_by(const ir::Program& program, const ir::Block& block) const {
+  CarriedBlock carried;
+  bool other_words = false;  // a code that is not carried out gives its words a meaning of its own
+  for (const ir::Code& code : program.codes_of(block)) {
+    other_words |= code.function == Function::not_modelled;
+    const auto row = std::ranges::find(kRows, code.function, &CarriedRow::function);
+    if (row == kRows.end() || row->carry == Carry::number) continue;
+    CarriedWords& words = row->carry == Carry::code ? carried.attached : carried.alone;
+    words.codes.push_back({code.function, code.argument});
+    if (row->carry == Carry::code_in_own) add_axes(program, block, carried.alone);
+  }
+  if (semantics_.d_selects_edge || other_words) return carried;
+  for (const ir::Word& word : program.words_of(block)) {
+    const bool length = word.address == Address::h && !semantics_.incremental_letters_uvw;
+    if (length || word.address == Address::d) add_number(program, word, carried);
+  }
+  return carried;
 }
 
 }  // namespace dripfeed::compile

@@ -11,6 +11,7 @@
 #include "dialects/family/emitter.h"
 #include "dialects/interpreter/interpreter.h"
 #include "dialects/ir/program.h"
+#include "dialects/ir/semantics.h"
 
 namespace dripfeed::compile {
 
@@ -28,19 +29,23 @@ struct CarriedWords {
 };
 
 struct CarriedBlock {
-  CarriedWords attached;  // goes into the block of what the source's block does
-  CarriedWords alone;     // stands in a block of its own, after that
+  CarriedWords attached;              // goes into the block of what the source's block does
+  CarriedWords alone;                 // stands in a block of its own, after that
+  std::vector<std::string> computed;  // words that would have to be carried and have a computed value: "H#1"
+
+  [[nodiscard]] bool empty() const { return attached.empty() && alone.empty() && computed.empty(); }
 };
 
 // Functions that are carried, so that nothing is lost when the interpreter does not carry them out.
 bool is_carried(ir::Function function);
 
-// The blocks that have something to carry, by program of the run and line. Words with a computed value are not carried.
+// The blocks that have something to carry, by program of the run and line. Words with a computed value cannot be.
 class CarriedBlocks {
  public:
-  // `main` is program 0 of the run; the others are asked of `finder` by name.
-  CarriedBlocks(const ir::Program& main, bool d_selects_edge, interpreter::ProgramFinder& finder)
-      : main_(main), d_selects_edge_(d_selects_edge), finder_(finder) {}
+  // `main` is program 0 of the run; the others are asked of `finder` by name. `semantics` are the control's: where D
+  // selects the edge, motions have it, and H is no number of a length.
+  CarriedBlocks(const ir::Program& main, const ir::Semantics& semantics, interpreter::ProgramFinder& finder)
+      : main_(main), semantics_(semantics), finder_(finder) {}
 
   // nullptr: nothing. `names` are the run's programs. Valid as long as this.
   const CarriedBlock* at(std::uint32_t program, const std::vector<std::string>& names, std::uint32_t line);
@@ -48,9 +53,10 @@ class CarriedBlocks {
  private:
   using ByLine = std::map<std::uint32_t, CarriedBlock>;
   [[nodiscard]] ByLine collect(const ir::Program& program) const;
+  [[nodiscard]] CarriedBlock carried_by(const ir::Program& program, const ir::Block& block) const;
 
   const ir::Program& main_;
-  bool d_selects_edge_;
+  const ir::Semantics& semantics_;
   interpreter::ProgramFinder& finder_;
   std::map<std::uint32_t, ByLine> programs_;
 };

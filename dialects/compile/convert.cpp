@@ -51,7 +51,7 @@ class Converter {
     interpreter::ProgramFinder& finder = request_.library == nullptr ? none : *request_.library;
     const ExplicitProgram made =
         explicit_program(program, request_.from, finder, {.limits = request_.limits, .initial_values = {}});
-    append(result_.diagnostics, run_faults(made.run));
+    append(result_.diagnostics, run_faults(made));
     if (text::has_error(result_.diagnostics)) return;
     print(made.program, made.control);
     for (std::uint32_t& line : result_.origin_lines) {

@@ -3,6 +3,8 @@
 #include "dialects/compile/explicit_program.h"
 
 #include <algorithm>
+#include <functional>
+#include <set>
 #include <utility>
 
 #include "dialects/compile/block_writer.h"
@@ -12,6 +14,10 @@
 namespace dripfeed::compile {
 
 namespace {
+
+text::Diagnostic cannot_say(std::string_view what) {
+  return text::make_diagnostic(text::DiagnosticId::cannot_translate, {}, {std::string(what), "plain blocks"});
+}
 
 // The control that the explicit blocks are written for: neutral, but with the tool words of the source.
 ir::Control explicit_control(const ir::Control& source) {
@@ -42,6 +48,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
       calls_.push_back({main_line_, place.ordinal});
     }
     if (const CarriedBlock* carried = carried_.at(place.program, names_.programs, place.line)) {
+      for (const std::string& word : carried->computed) lose(word);
       pending_.push_back({place.ordinal, main_line_, carried});
     }
     if (!want_changes_) return;
@@ -63,6 +70,10 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   }
 
  private:
+  void lose(const std::string& word) {
+    if (lost_.insert(word).second) out_.lost.push_back(cannot_say(word));
+  }
+
   struct Pending {
     std::uint64_t ordinal;
     std::uint32_t line;
@@ -109,6 +120,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   const interpreter::RunNames& names_;
   BlockWriter writer_;
   bool want_changes_;
+  std::set<std::string, std::less<>> lost_;
   bool started_ = false;
   bool in_call_ = false;
   std::uint32_t main_line_ = 0;
@@ -120,14 +132,20 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
 
 }  // namespace
 
-std::vector<text::Diagnostic> run_faults(const interpreter::RunResult& run) {
+std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made) {
+  const interpreter::RunResult& run = made.run;
   std::vector<text::Diagnostic> out;
   out.reserve(run.diagnostics.size());
   for (const interpreter::RunDiagnostic& fault : run.diagnostics) out.push_back(fault.diagnostic);
   for (const interpreter::NotInterpreted& lost : run.not_interpreted) {
     if (lost.effects_known || is_carried(lost.function)) continue;
-    out.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, {}, {lost.name, "plain blocks"}));
+    out.push_back(cannot_say(lost.name));
   }
+  // What is carried is taken from the text, where the number of such a code does not stand.
+  for (const interpreter::ComputedCodeUse& code : run.computed_codes) {
+    if (is_carried(code.function)) out.push_back(cannot_say("a calculated code, here " + code.name));
+  }
+  out.insert(out.end(), made.lost.begin(), made.lost.end());
   const bool broke_off = run.ended == interpreter::Ended::alarm || run.ended == interpreter::Ended::limit;
   if (broke_off && !run.diagnostics.empty()) out[run.diagnostics.size() - 1].severity = text::Severity::error;
   return out;
@@ -138,7 +156,7 @@ ExplicitProgram explicit_program(const ir::Program& program, const ir::Control& 
   ExplicitProgram out;
   out.program.name = program.name;
   out.control = explicit_control(control);
-  CarriedBlocks carried(program, control.semantics.d_selects_edge, finder);
+  CarriedBlocks carried(program, control.semantics, finder);
   interpreter::RunNames names;
   Recorder recorder(out, carried, names, options.want_changes);
   interpreter::RunOptions run;

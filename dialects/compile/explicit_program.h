@@ -33,6 +33,7 @@ struct ExplicitProgram {
   std::vector<LoggedChange> changes;        // filled when wanted
   std::vector<std::string> variable_names;  // VariableChange::variable
   interpreter::RunResult run;               // with the diagnostics of running
+  std::vector<text::Diagnostic> lost;       // errors: words of executed blocks that plain blocks would not have
 };
 
 struct ExplicitOptions {
@@ -41,13 +42,13 @@ struct ExplicitOptions {
   bool want_changes = false;
 };
 
-// The diagnostics of the run, and an error for whatever was met and would be lost in plain blocks; the one that ended
-// the run is an error, whatever its row says. Spans of faults in called programs are in those.
-std::vector<text::Diagnostic> run_faults(const interpreter::RunResult& run);
-
 // Runs `program` as `control` would. The result is whole when run.ended is `end` or `text_end` and no diagnostic is an
 // error; words that motions do not carry are taken over, see carried_words.h.
 ExplicitProgram explicit_program(const ir::Program& program, const ir::Control& control,
                                  interpreter::ProgramFinder& finder, const ExplicitOptions& options);
+
+// The diagnostics of the run, and an error for whatever was met and would be lost in plain blocks; the one that ended
+// the run is an error, whatever its row says. Spans of faults in called programs are in those.
+std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made);
 
 }  // namespace dripfeed::compile

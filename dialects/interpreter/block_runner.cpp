@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 
 #include "dialects/interpreter/trace.h"
 #include "dialects/text/number.h"
@@ -15,6 +16,7 @@ namespace {
 using text::DiagnosticId;
 
 constexpr std::uint32_t kNoExtra = 0xFFFFFFFFU;
+constexpr double kHighestMachineFunction = 9999.0;
 
 struct NoteRow {
   std::uint32_t note;
@@ -140,11 +142,17 @@ bool BlockRunner::add_computed_code(const Instruction& i, const ComputedCode& co
   const auto table = code.letter == 'M' ? control_.m_codes : control_.g_codes;
   const ir::CodeRow* row =
       std::abs(tenths) < 32767.0 ? ir::find_code(table, static_cast<std::int32_t>(tenths)) : nullptr;
-  if (row == nullptr)
-    return report_.fail(i, DiagnosticId::unknown_code, {code.letter + text::format_shortest(tenths / 10.0)});
-  if (row->function == ir::Function::not_modelled || row->function == ir::Function::machine_function)
-    report_.count({std::string(row->name), row->function, false});
-  codes_.push_back({row->function, row->argument, row->group});
+  const std::string name = code.letter + text::format_shortest(tenths / 10.0);
+  // An M number that the control has no row for is the machine's own, as when it is written.
+  const bool whole = std::fmod(tenths, 10.0) == 0.0 && tenths >= 0.0 && tenths <= kHighestMachineFunction * 10.0;
+  if (row == nullptr && !(code.letter == 'M' && whole)) return report_.fail(i, DiagnosticId::unknown_code, {name});
+  const PlainCode resolved = row == nullptr ? PlainCode{ir::Function::machine_function,
+                                                        static_cast<std::int16_t>(tenths / 10.0), ir::ModalGroup::none}
+                                            : PlainCode{row->function, row->argument, row->group};
+  if (resolved.function == ir::Function::not_modelled || resolved.function == ir::Function::machine_function)
+    report_.count({row == nullptr ? name : std::string(row->name), resolved.function, false});
+  report_.note_computed(name, resolved.function);
+  codes_.push_back(resolved);
   return true;
 }
 

@@ -110,6 +110,14 @@ struct NotInterpreted {
   bool effects_known = false;  // known to neither move nor change what is modelled
 };
 
+// A code whose number was computed (G#130, M[#1+1]) and what it came to, once a function.
+struct ComputedCodeUse {
+  std::string name;  // "M150"
+  ir::Function function = ir::Function::none;
+  std::uint32_t program = 0;
+  std::uint32_t first_line = 0;
+};
+
 struct RunResult {
   std::uint64_t blocks = 0;   // executed; blank lines and comments do not count
   std::uint64_t motions = 0;  // moves, dwells and events handed to the sink
@@ -119,6 +127,7 @@ struct RunResult {
   std::vector<std::string> programs;       // Place::program
   std::vector<VariableValue> variables;    // those that the program names or that have a value, by bank and number
   std::vector<NotInterpreted> not_interpreted;
+  std::vector<ComputedCodeUse> computed_codes;
   ir::Place last;  // the last block that was executed
 };
 

@@ -1,6 +1,8 @@
 // Collecting what a run has to say.
 #include "dialects/interpreter/run_report.h"
 
+#include <algorithm>
+
 namespace dripfeed::interpreter {
 
 using text::DiagnosticId;
@@ -45,6 +47,12 @@ void RunReport::count(const Report& report) {
     result_.not_interpreted.push_back(
         {report.name, program_->index, out_.place.line, 0, report.function, report.effects_known});
   ++result_.not_interpreted[entry->second].count;
+}
+
+void RunReport::note_computed(const std::string& name, ir::Function function) {
+  const auto same = [function](const ComputedCodeUse& use) { return use.function == function; };
+  if (std::ranges::any_of(result_.computed_codes, same)) return;
+  result_.computed_codes.push_back({name, function, program_->index, out_.place.line});
 }
 
 std::uint32_t RunReport::text_index(const std::string& text) {

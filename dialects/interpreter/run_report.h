@@ -30,6 +30,7 @@ class RunReport {
   // A diagnostic that does not end the run.
   void say(const Instruction& at, text::DiagnosticId id, std::vector<std::string> arguments = {});
   void count(const Report& report);
+  void note_computed(const std::string& name, ir::Function function);
   // Motion::text of that text; kNoText when there are too many.
   std::uint32_t text_index(const std::string& text);
 
