@@ -102,7 +102,7 @@ class WordCheck {
     // H is the increment of C where increments have letters.
     if (word.address == Address::h && control_.semantics.incremental_letters_uvw) return;
     const ir::Expression& value = program_.at(word.value);
-    if (value.op == ir::Operator::constant && value.has_point) {
+    if (value.op == ir::Operator::constant && value.has_point && !text_of(program_, value.span).starts_with('[')) {
       findings_.add(decimal_point_not_allowed, word.span, {address_name(program_, word)});
     }
   }

@@ -20,6 +20,8 @@ using ir::TokenKind;
 using enum text::DiagnosticId;
 
 constexpr std::uint32_t kDeepestBracket = 64;
+// Of one block. A chain of operators is a tree as deep as it is long, and whoever walks it must not run out of stack.
+constexpr std::uint32_t kMostOperators = 1000;
 constexpr double kHighestNumber = 99'999'999.0;
 
 bool is_comparison(Operator op) { return op >= Operator::equal && op <= Operator::greater_equal; }
@@ -293,15 +295,31 @@ ExpressionId ExpressionReader::word_value() {
     const char c = next.span.empty() ? '\0' : cursor_.whole_text()[next.span.begin];
     const bool value_follows = next.kind == TokenKind::variable || next.kind == TokenKind::name || c == '[';
     if (!value_follows && c != '-' && c != '+') return ExpressionId::none;
-    return factor(minus ? "-" : "+");
+    if (c != '[') return factor(minus ? "-" : "+");
+    cursor_.advance();
+    const ExpressionId value = calculated(bracketed(minus ? "-" : "+"), next.span.begin);
+    if (!minus || faults_.failed()) return value;
+    return program_.add_operator(Operator::negate, value, ExpressionId::none, {begin, cursor_.previous_end()});
   }
   const Keyword* word = keyword();
   const bool is_function = word != nullptr && word->role == KeywordRole::function;
-  if (cursor_.kind() == TokenKind::variable || cursor_.is_symbol('[') || is_function) return factor("");
+  if (cursor_.is_symbol('[')) return calculated(bracketed(""), begin);
+  if (cursor_.kind() == TokenKind::variable || is_function) return factor("");
   return ExpressionId::none;
 }
 
+// X[100] is calculated: its value counts in whole units, like that of a variable, whether it has a point or not. Its
+// span holds the brackets, so that nobody looks for a point in it.
+ExpressionId ExpressionReader::calculated(ExpressionId id, std::uint32_t begin) {
+  if (faults_.failed() || program_.at(id).op != Operator::constant) return id;
+  return program_.add_constant(program_.at(id).value, {begin, cursor_.previous_end()});
+}
+
 ExpressionId ExpressionReader::combine(Operator op, ExpressionId a, ExpressionId b) {
+  if (++operators_ > kMostOperators) {
+    faults_.fail(syntax_error, program_.at(b).span, {fmt::format("a block of more than {} operators", kMostOperators)});
+    return ExpressionId::none;
+  }
   // AND between conditions joins truths; between values it joins bits.
   if (is_condition(a) && is_condition(b)) {
     if (op == Operator::bit_and) op = Operator::logic_and;

@@ -36,7 +36,7 @@ class ExpressionReader {
   std::optional<ir::Variable> variable();
   // The keyword at the cursor, nullptr when there is none.
   [[nodiscard]] const Keyword* keyword() const;
-  void begin_block() { depth_ = 0, said_beside_logic_ = false; }
+  void begin_block() { depth_ = 0, operators_ = 0, said_beside_logic_ = false; }
 
  private:
   ir::ExpressionId comparison(std::string_view after);
@@ -48,6 +48,7 @@ class ExpressionReader {
   ir::ExpressionId bracketed(std::string_view after);
   ir::ExpressionId function(const Keyword& keyword);
   ir::ExpressionId second_argument(const Keyword& keyword, ir::ExpressionId first, std::uint32_t begin);
+  ir::ExpressionId calculated(ir::ExpressionId id, std::uint32_t begin);
   ir::ExpressionId combine(ir::Operator op, ir::ExpressionId a, ir::ExpressionId b);
   bool open_bracket(std::string_view after);
   bool close_bracket();
@@ -60,6 +61,7 @@ class ExpressionReader {
   Cursor& cursor_;
   Faults& faults_;
   std::uint32_t depth_ = 0;
+  std::uint32_t operators_ = 0;  // of the block
   bool said_beside_logic_ = false;
   std::uint32_t open_at_ = 0;  // of the innermost bracket that is open
 };

@@ -157,7 +157,8 @@ void Parser::go_to(ExpressionId condition) {
   const ir::Expression& value = program_.at(target);
   if (value.op != ir::Operator::constant) {
     jump.computed = target;
-  } else if (value.value < 1.0 || value.value > grammar_.highest_block_number || value.has_point) {
+  } else if (value.value < 1.0 || value.value > grammar_.highest_block_number ||
+             (value.has_point && at.in(cursor_.whole_text()) != "[")) {
     faults_.fail(syntax_error, at, {fmt::format("GOTO {} is no block number", at.in(cursor_.whole_text()))}, "PS1128");
     return;
   } else {

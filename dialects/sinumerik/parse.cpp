@@ -50,6 +50,7 @@ void Parser::line() {
   faulty_ = false;
   in_condition_ = false;
   brackets_ = 0;
+  operators_ = 0;
   repeats_ = ir::ExpressionId::none;
   has_call_ = false;
   operator_ = {};

@@ -121,6 +121,8 @@ class Parser {
   // The manuals publish no depth of expressions; the control ends with 14050 when its stack is full. Beyond this the
   // reader stops, so that its own stack is not.
   static constexpr std::uint32_t kDeepestNesting = 200;
+  // Of one block. A chain of operators is a tree as deep as it is long, and whoever walks it must not run out of stack.
+  static constexpr std::uint32_t kMostOperators = 1000;
 
   ir::Program& program_;
   const ir::Control& control_;
@@ -134,6 +136,7 @@ class Parser {
   bool foreign_chain_ = false;  // ':' between frames was read: the value is not interpreted
   std::uint32_t brackets_ = 0;  // open around the value being read
   std::uint32_t nesting_ = 0;
+  std::uint32_t operators_ = 0;
   text::Span operator_;                                // the last operator or function read: what lacks its operand
   bool in_parentheses_ = false;                        // the last operand read was
   ir::ExpressionId repeats_ = ir::ExpressionId::none;  // P= before a call

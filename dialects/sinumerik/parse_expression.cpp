@@ -98,6 +98,11 @@ ir::ExpressionId Parser::binary(std::uint8_t weakest) {
   for (Operator op = infix_here(rank); op != Operator::constant && rank <= weakest; op = infix_here(rank)) {
     operator_ = cursor_.span();
     const text::Span sign = operator_;
+    if (++operators_ > kMostOperators) {
+      give_up(DiagnosticId::syntax_error, sign,
+              {"a block of more than " + std::to_string(kMostOperators) + " operators"});
+      return left;
+    }
     cursor_.advance();
     const ir::ExpressionId right = binary(static_cast<std::uint8_t>(rank - 1));
     if (is_comparison(op)) {

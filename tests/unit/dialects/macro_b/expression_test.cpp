@@ -130,6 +130,16 @@ class RandomTree {
   std::mt19937 random_;
 };
 
+TEST(Expression, ChainsAreAsLongAsABlockMayBeAndNoLonger) {
+  std::string chain = "1";
+  for (int i = 0; i < 1000; ++i) chain += "+1";
+  EXPECT_TRUE(read_text("#9=" + chain + "\n").diagnostics.empty());
+  for (int i = 0; i < 200'000; ++i) chain += "*2";
+  const ir::ReadResult read = read_text("#9=" + chain + "\n");
+  ASSERT_EQ(read.diagnostics.size(), 1U);
+  EXPECT_EQ(read.diagnostics.front().id, text::DiagnosticId::syntax_error);
+}
+
 TEST(ExpressionProperty, PrintedReadsBackToTheSameTree) {
   ir::Control control = test_control();
   control.limits.expression_nesting = 60;

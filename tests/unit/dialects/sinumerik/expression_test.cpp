@@ -105,6 +105,14 @@ class RandomTrees {
   std::mt19937 random_;
 };
 
+TEST(Expression, ChainsAreAsLongAsABlockMayBeAndNoLonger) {
+  std::string chain = "1";
+  for (int i = 0; i < 1000; ++i) chain += "+1";
+  EXPECT_EQ(faults_of("R9=" + chain), "");
+  for (int i = 0; i < 200'000; ++i) chain += "*2";
+  EXPECT_EQ(faults_of("R9=" + chain), "syntax-error");
+}
+
 TEST(Expression, PrintedTreesAreReadAsTheyWere) {
   RandomTrees trees(42);
   const ir::Control c = control(ir::MachineKind::mill);
