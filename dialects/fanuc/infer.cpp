@@ -1,5 +1,6 @@
 // Which machine a text was written for, when nobody says. Rules, the first line that meets one decides:
-//   lathe: T with four digits and no M06; U or W beside X or Z words; G50 S; G32; G70-G76 with P and Q or with U and R
+//   lathe: T with four digits and no M06; U or W beside X or Z words; G50 S; G32; G70-G76 with P and Q or with U and R;
+//          H with a point, the increment of C, in a block that says no tool length
 //   mill:  a Y word; G43, G44 or G49; G17; M06; G81, G82 or G73 with R
 //   then:  X and Z in one block and no Y anywhere: lathe; otherwise mill, with no line.
 // G-code system of a lathe: A by G50 S, G32, U or W, G98 or G99; B by G90 or G91 alone, G94, G95, G92 S, G33; C by G70
@@ -27,6 +28,7 @@ struct Block {
   std::vector<std::int32_t> g10;  // ten times the G numbers
   std::vector<std::int32_t> m10;
   std::size_t tool_digits = 0;
+  bool h_has_point = false;
 
   [[nodiscard]] bool has(char letter) const { return letters[static_cast<std::size_t>(letter - 'A')]; }
   [[nodiscard]] bool g(double number) const {
@@ -46,6 +48,7 @@ class BlockScan {
     Block block;
     block.line = line_;
     char letter = 0;
+    bool folder_line = false;  // &F=/USER/ of a memory dump: the letters are no addresses
     while (at_ < tokens_.size()) {
       const ir::Token& token = tokens_[at_++];
       const std::string_view written = token.span.in(text_);
@@ -53,13 +56,15 @@ class BlockScan {
         if (written != ";") ++line_;
         break;
       }
+      folder_line |= written == "&";
+      if (folder_line) continue;
       if (token.kind == ir::TokenKind::address) {
         letter = written.front();
         block.letters.set(static_cast<std::size_t>(letter - 'A'));
       } else if (token.kind == ir::TokenKind::number) {
         number(block, letter, written);
         letter = 0;
-      } else if (token.kind != ir::TokenKind::white) {
+      } else if (token.kind != ir::TokenKind::white && written != "-" && written != "+") {
         letter = 0;
       }
     }
@@ -69,6 +74,7 @@ class BlockScan {
  private:
   static void number(Block& block, char letter, std::string_view written) {
     if (letter == 'T') block.tool_digits = written.size();
+    if (letter == 'H') block.h_has_point = written.contains('.');
     if (letter != 'G' && letter != 'M') return;
     const auto value = text::parse_number(written);
     if (!value || *value > 9999.0) return;
@@ -84,6 +90,8 @@ class BlockScan {
 bool is_lathe(const Block& b) {
   const bool turning_cycle = std::ranges::any_of(b.g10, [](std::int32_t g) { return g >= 700 && g <= 760; });
   if (b.tool_digits == 4 && !b.m(6)) return true;
+  const bool length = b.g(43) || b.g(44) || b.g(49) || b.has('D');
+  if (b.h_has_point && !length && !b.is_call() && !b.has('Y')) return true;
   if (b.g(32) || (b.g(50) && b.has('S'))) return true;
   if (turning_cycle && ((b.has('P') && b.has('Q') && !b.has('Y')) || (b.has('U') && b.has('R')))) return true;
   return !b.is_call() && !b.has('Y') && (b.has('U') || b.has('W')) && !b.g(28) && !b.g(30);

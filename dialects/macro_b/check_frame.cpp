@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <unordered_set>
+#include <vector>
 
 #include "dialects/macro_b/check.h"
 #include "dialects/macro_b/lower.h"
@@ -37,15 +39,33 @@ bool ends_flow(const ir::Program& program, const ir::Statement& s) {
   return jumps || is_end_of_program(s.kind) || s.kind == StatementKind::alarm;
 }
 
+// The statements of a section that a jump of it leads to, in order; every label where a jump is calculated.
+std::vector<std::uint32_t> jump_targets(const ir::Program& program, const Section& section) {
+  std::unordered_set<std::uint32_t> numbers;
+  bool calculated = false;
+  for (std::uint32_t i = section.first; i < section.last; ++i) {
+    const ir::Statement& s = program.statements[i];
+    if (s.kind != StatementKind::go_to) continue;
+    calculated |= program.jumps[s.payload].number == ir::kNoIndex;
+    numbers.insert(program.jumps[s.payload].number);
+  }
+  std::vector<std::uint32_t> targets;
+  for (const ir::Label& label : program.labels) {
+    if (calculated || numbers.contains(label.number)) targets.push_back(label.statement);
+  }
+  return targets;
+}
+
 // The last block that does something must end the program, or jump, or lie behind a block that does and be reached by
-// no label.
+// no jump.
 bool is_ended(const ir::Program& program, const Section& section) {
+  const std::vector<std::uint32_t> targets = jump_targets(program, section);
   bool open_end = true;
   bool any_end = false;
   for (std::uint32_t i = section.first; i < section.last; ++i) {
     const ir::Statement& s = program.statements[i];
-    if (s.is_label) open_end = true;
-    if (s.kind == StatementKind::empty) continue;
+    if (s.is_label && std::ranges::binary_search(targets, i)) open_end = true;
+    if (s.kind == StatementKind::empty || is_folder_line(program, s)) continue;
     any_end |= is_end_of_program(s.kind);
     if (ends_flow(program, s)) open_end = false;
   }
@@ -56,7 +76,8 @@ void check_end(const ir::Program& program, const Section& section, Findings& fin
   if (is_ended(program, section)) return;
   const ir::Statement* last = nullptr;
   for (std::uint32_t i = section.first; i < section.last; ++i) {
-    if (program.statements[i].kind != StatementKind::empty) last = &program.statements[i];
+    const ir::Statement& s = program.statements[i];
+    if (s.kind != StatementKind::empty && !is_folder_line(program, s)) last = &s;
   }
   findings.add(missing_program_end, last != nullptr ? last->span : section.number);
 }

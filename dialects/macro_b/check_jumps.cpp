@@ -114,7 +114,7 @@ class JumpCheck {
       const bool closes = s.kind == StatementKind::if_end || s.kind == StatementKind::while_end ||
                           s.kind == StatementKind::loop_end || s.kind == StatementKind::else_begin;
       reached = reached || closes || is_way_in(i);
-      if (!reached && s.kind != StatementKind::empty) {
+      if (!reached && s.kind != StatementKind::empty && !is_folder_line(program_, s)) {
         findings_.add(unreachable, s.span);
         reached = true;
       }

@@ -26,6 +26,24 @@ text::Span number_of(const ir::Program& program, const ir::Statement& statement)
   return {};
 }
 
+// The statement of the % that closes the tape, or one behind the last: what follows is not read by the control.
+std::uint32_t end_of_tape(const ir::Program& program) {
+  bool opened = false;
+  bool any_content = false;
+  for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
+    const ir::TokenRange tokens = program.statements[i].tokens;
+    for (std::uint32_t t = tokens.first; t < tokens.last; ++t) {
+      const ir::TokenKind kind = program.tokens[t].kind;
+      if (kind == ir::TokenKind::tape_mark) {
+        if (opened || any_content) return i;
+        opened = true;
+      }
+      any_content |= kind != ir::TokenKind::white && kind != ir::TokenKind::eob && kind != ir::TokenKind::invalid;
+    }
+  }
+  return static_cast<std::uint32_t>(program.statements.size());
+}
+
 bool returns(const ir::Statement& statement) { return statement.kind == ir::StatementKind::subprogram_return; }
 
 }  // namespace
@@ -54,7 +72,8 @@ std::vector<text::Diagnostic> Findings::take() {
 std::vector<Section> sections_of(const ir::Program& program) {
   std::vector<Section> sections(1);
   bool has_content = false;
-  for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
+  const std::uint32_t end = end_of_tape(program);
+  for (std::uint32_t i = 0; i < end; ++i) {
     const ir::Statement& statement = program.statements[i];
     if (const text::Span number = number_of(program, statement); !number.empty()) {
       if (has_content || !sections.back().number.empty()) {
@@ -65,10 +84,10 @@ std::vector<Section> sections_of(const ir::Program& program) {
       sections.back().number = number;
     }
     // Lines before the first O number that are no program do not make one.
-    const bool noise = native_name(program, statement) == kNotUnderstood;
+    const bool noise = native_name(program, statement) == kNotUnderstood || is_folder_line(program, statement);
     has_content |= statement.kind != ir::StatementKind::empty && !noise;
   }
-  sections.back().last = static_cast<std::uint32_t>(program.statements.size());
+  sections.back().last = end;
   for (Section& section : sections) {
     const std::span all = std::span(program.statements).subspan(section.first, section.last - section.first);
     section.is_subprogram =
@@ -80,6 +99,10 @@ std::vector<Section> sections_of(const ir::Program& program) {
 
 bool is_end_of_program(ir::StatementKind kind) {
   return kind == ir::StatementKind::program_end || kind == ir::StatementKind::subprogram_return;
+}
+
+bool is_folder_line(const ir::Program& program, const ir::Statement& statement) {
+  return native_name(program, statement) == kFolderLine;
 }
 
 std::string_view native_name(const ir::Program& program, const ir::Statement& statement) {

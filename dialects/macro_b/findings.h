@@ -46,6 +46,8 @@ struct Section {
 std::vector<Section> sections_of(const ir::Program& program);
 
 bool is_end_of_program(ir::StatementKind kind);
+// &F=/USER/ of a memory dump: no part of a program.
+bool is_folder_line(const ir::Program& program, const ir::Statement& statement);
 // The name of a Native statement, "" for others.
 std::string_view native_name(const ir::Program& program, const ir::Statement& statement);
 bool is_axis(const ir::Control& control, ir::Address address);

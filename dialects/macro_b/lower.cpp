@@ -30,6 +30,7 @@ constexpr double kPackedProgram = 10'000.0;  // M98 P51234: five times O1234
 
 // Codes as ten times their number: more decimals or digits than any table has are unknown codes.
 constexpr std::int32_t kHighestCode10 = 99'999;
+constexpr std::int32_t kFirstBuilderCode = 1000;  // G100
 
 std::vector<std::int16_t> index_rows(std::span<const ir::CodeRow> table) {
   std::vector<std::int16_t> index;
@@ -138,7 +139,10 @@ void BlockLowering::add_code(const RawWord& word, std::int32_t number10) {
     code.argument = static_cast<std::int16_t>(number10 / 10);
   } else {
     const std::string_view written = word.span.in(program_.source.text());
-    faults_.report(unknown_code, word.span, {std::string(written)});
+    text::Diagnostic* fault = faults_.report(unknown_code, word.span, {std::string(written)});
+    // Which macros a machine has as G codes, only its parameters know (6050 to 6059); they are given three digits.
+    const bool may_be_macro = number10 >= kFirstBuilderCode && !control_.from_profile;
+    if (fault != nullptr && may_be_macro) fault->severity = text::Severity::warning;
     code.function = Function::not_modelled;
     code.name = program_.strings.add(written);
   }

@@ -17,6 +17,7 @@ namespace dripfeed::macro_b {
 // Names of Native statements that others ask for.
 inline constexpr std::string_view kNotUnderstood = "a block that was not understood";
 inline constexpr std::string_view kExternalCallName = "M198";
+inline constexpr std::string_view kFolderLine = "&";  // &F=/USER/ of a memory dump: where the next programs belong
 
 // Arguments of Function::work_offset above this are G54.1 P1, P2 ….
 inline constexpr std::int16_t kExtendedOffset = 100;

@@ -188,8 +188,8 @@ void Parser::body() {
     macro_statement(*keyword);
     return trailer();
   }
-  if (cursor_.is_symbol('&')) {  // folder lines of a memory dump: &F=/USER/
-    lowering_.emit_native("&", true, place());
+  if (cursor_.is_symbol('&')) {
+    lowering_.emit_native(kFolderLine, true, place());
     while (!cursor_.at_end()) cursor_.advance();
     return;
   }
