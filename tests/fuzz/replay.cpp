@@ -1,6 +1,7 @@
 // Calls a fuzz target without libFuzzer: with every seed of the folders that the command line names, with every
 // truncation of each, and with mutations whose random numbers start from the seed's own bytes, so that each run does
 // the same. What ends the process is written to the file "failed_input" first.
+//   fuzz_NAME [--mutations N] FOLDER...      N of each seed; many, to look for faults where there is no libFuzzer
 #include <algorithm>
 #include <array>
 #include <csignal>
@@ -18,7 +19,7 @@
 
 namespace {
 
-constexpr std::size_t kMutations = 120;        // of each seed
+constexpr std::size_t kMutations = 120;        // of each seed, unless the command line says how many
 constexpr std::size_t kMostTruncations = 600;  // of each seed; longer ones are cut at evenly spaced places
 
 std::string present_input;
@@ -100,9 +101,15 @@ class Mutator {
 
 int main(int count, char** arguments) {
   for (const int signal : {SIGABRT, SIGSEGV, SIGFPE, SIGILL, SIGBUS}) std::signal(signal, keep_input);
-  const std::vector<std::string> seeds = seeds_of(std::span(arguments, static_cast<std::size_t>(count)).subspan(1));
+  std::span words = std::span(arguments, static_cast<std::size_t>(count)).subspan(1);
+  std::size_t mutations = kMutations;
+  if (words.size() > 1 && std::string_view(words[0]) == "--mutations") {
+    mutations = std::stoul(words[1]);
+    words = words.subspan(2);
+  }
+  const std::vector<std::string> seeds = seeds_of(words);
   if (seeds.empty()) {
-    fmt::print(stderr, "use: {} FOLDER...; the folders must hold seeds\n", arguments[0]);
+    fmt::print(stderr, "use: {} [--mutations N] FOLDER...; the folders must hold seeds\n", arguments[0]);
     return 2;
   }
   std::size_t inputs = 0;
@@ -113,7 +120,7 @@ int main(int count, char** arguments) {
     for (std::size_t size = 0; size < seed.size(); size += stride, ++inputs) run(seed.substr(0, size));
     std::seed_seq numbers(seed.begin(), seed.end());
     std::mt19937 random(numbers);
-    for (std::size_t i = 0; i < kMutations; ++i, ++inputs) run(mutator.mutated(seed, random));
+    for (std::size_t i = 0; i < mutations; ++i, ++inputs) run(mutator.mutated(seed, random));
   }
   fmt::print("{} seeds, {} inputs made from them\n", seeds.size(), inputs);
   return 0;
