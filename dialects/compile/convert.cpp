@@ -15,6 +15,54 @@ void append(std::vector<text::Diagnostic>& out, std::vector<text::Diagnostic> mo
   out.insert(out.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
+enum class Side : std::uint8_t { none, begin, end };
+Side side_of(ir::StatementKind kind) {
+  using enum ir::StatementKind;
+  switch (kind) {
+    case if_begin:
+    case while_begin:
+    case repeat_begin:
+    case for_begin:
+    case loop_begin: return Side::begin;
+    case else_begin:
+    case if_end:
+    case while_end:
+    case repeat_end:
+    case for_end:
+    case loop_end: return Side::end;
+    case empty:
+    case block:
+    case assign:
+    case go_to:
+    case define:
+    case call:
+    case procedure:
+    case declaration:
+    case subprogram_return:
+    case program_end:
+    case message:
+    case alarm:
+    case native: return Side::none;
+  }
+  return Side::none;
+}
+
+// Structures without their other end: readers leave them to validation, and no control has words for half of one.
+std::vector<text::Diagnostic> unmatched_structures(const ir::Program& program, const ir::Control& control) {
+  std::vector<text::Diagnostic> out;
+  for (const ir::Statement& s : program.statements) {
+    const Side side = side_of(s.kind);
+    if (side == Side::none || program.structures[s.payload].partner != ir::kNoIndex) continue;
+    const std::string_view written = s.span.in(program.source.text());
+    const std::string word(written.substr(0, written.find_first_of(" \t[(")));
+    const bool begins = side == Side::begin;
+    out.push_back(ir::diagnose(control,
+                               begins ? text::DiagnosticId::missing_end : text::DiagnosticId::end_without_begin, s.span,
+                               {word, begins ? "end" : "beginning"}));
+  }
+  return out;
+}
+
 class Converter {
  public:
   Converter(const ConvertRequest& request, const Dialect& from, const Dialect& to)
@@ -27,6 +75,7 @@ class Converter {
     }
     ir::ReadResult read = from_.read(request_.source, request_.from);
     append(result_.diagnostics, std::move(read.diagnostics));
+    append(result_.diagnostics, unmatched_structures(read.program, request_.from));
     if (text::has_error(result_.diagnostics)) return std::move(result_);
     if (request_.mode == ConvertMode::macro) {
       print(read.program, request_.from);

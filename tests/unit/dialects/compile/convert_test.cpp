@@ -265,6 +265,27 @@ TEST(Library, AsksOnceAndRemembersWhatIsMissing) {
   EXPECT_EQ(cycle.library.loaded()[0]->name, "TURNING_CYCLE");
 }
 
+// No control has words for half a structure: it is refused in both modes, and the whole one is not.
+TEST(Convert, RefusesHalfAStructure) {
+  const ir::Control from = control("sinumerik-840d", ir::MachineKind::mill);
+  const std::string head = "G17 G90 G94 G710\nDEF INT N\n";
+  for (const ConvertMode mode : {ConvertMode::macro, ConvertMode::explicit_blocks}) {
+    const auto refused = [&](const std::string& body) {
+      ConvertRequest request;
+      request.source = text::Source("program", head + body);
+      request.from = from;
+      request.to = control("fanuc", ir::MachineKind::mill);
+      request.mode = mode;
+      const ConvertResult result = convert(request);
+      return text::has_error(result.diagnostics) && result.text.empty();
+    };
+    EXPECT_TRUE(refused("FOR N=1 TO 3\nG1 X=N F100\nM30\n"));
+    EXPECT_TRUE(refused("G1 X1 F100\nENDWHILE\nM30\n"));
+    EXPECT_TRUE(refused("ELSE\nG1 X1 F100\nM30\n"));
+    EXPECT_FALSE(refused("FOR N=1 TO 3\nG1 X=N F100\nENDFOR\nM30\n"));
+  }
+}
+
 TEST(Dialects, AreFoundByNameAndText) {
   EXPECT_EQ(find_dialect("klartext"), nullptr);
   EXPECT_EQ(find_dialect("Fanuc"), nullptr);
