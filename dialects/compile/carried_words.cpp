@@ -73,11 +73,21 @@ const CarriedBlock* CarriedBlocks::at(std::uint32_t program, const std::vector<s
                                       std::uint32_t line) {
   auto known = programs_.find(program);
   if (known == programs_.end()) {
-    const ir::Program* source = program == 0 ? &main_ : program < names.size() ? finder_.find(names[program]) : nullptr;
+    const ir::Program* source = program == 0 || is_section(program, names) ? &main_
+                                : program < names.size()                   ? finder_.find(names[program])
+                                                                           : nullptr;
     known = programs_.emplace(program, source == nullptr ? ByLine{} : collect(*source)).first;
   }
   const auto found = known->second.find(line);
   return found == known->second.end() ? nullptr : &found->second;
+}
+
+// A called program that stands in the text of the main one.
+bool CarriedBlocks::is_section(std::uint32_t program, const std::vector<std::string>& names) const {
+  return program < names.size() &&
+         std::ranges::any_of(
+             main_.sections,
+             [&](const ir::Section& section) { return main_.strings.at(section.name) == names[program]; });
 }
 
 CarriedBlocks::ByLine CarriedBlocks::collect(const ir::Program& program) const {

@@ -54,6 +54,7 @@ class CarriedBlocks {
   using ByLine = std::map<std::uint32_t, CarriedBlock>;
   [[nodiscard]] ByLine collect(const ir::Program& program) const;
   [[nodiscard]] CarriedBlock carried_by(const ir::Program& program, const ir::Block& block) const;
+  [[nodiscard]] bool is_section(std::uint32_t program, const std::vector<std::string>& names) const;
 
   const ir::Program& main_;
   const ir::Semantics& semantics_;

@@ -5,6 +5,8 @@
 #include <array>
 
 #include "dialects/fanuc/fanuc.h"
+#include "dialects/mazak/mazak.h"
+#include "dialects/mitsubishi/mitsubishi.h"
 #include "dialects/sinumerik/sinumerik.h"
 
 namespace dripfeed::compile {
@@ -16,6 +18,10 @@ ir::Control sinumerik_control(ir::MachineKind kind, ir::GSystem) { return sinume
 constexpr std::array kDialects = {
     Dialect{"fanuc", "Fanuc Custom Macro B", fanuc::control, fanuc::infer_control, fanuc::read, fanuc::plain_scanner,
             fanuc::validate, fanuc::raise, fanuc::print},
+    Dialect{"mazak", "Mazak EIA/ISO", mazak::control, mazak::infer_control, mazak::read, mazak::plain_scanner,
+            mazak::validate, mazak::raise, mazak::print},
+    Dialect{"mitsubishi-m80", "Mitsubishi M70, M80", mitsubishi::control, mitsubishi::infer_control, mitsubishi::read,
+            mitsubishi::plain_scanner, mitsubishi::validate, mitsubishi::raise, mitsubishi::print},
     Dialect{"sinumerik-840d", "SINUMERIK 840D sl", sinumerik_control, sinumerik::infer_control, sinumerik::read,
             sinumerik::plain_scanner, sinumerik::validate, sinumerik::raise, sinumerik::print},
 };
@@ -41,6 +47,30 @@ constexpr auto kMarks = std::to_array<Mark>({
     {"#", false, kFanuc},         {"M98", false, kFanuc},        {"M99", false, kFanuc},
     {"G65", false, kFanuc},       {"G43", false, kFanuc},        {"G28", false, kFanuc},
 });
+
+// Among the controls that read as Fanuc's do: what only one of the others has, in code or as its name in a comment.
+constexpr std::string_view kMazak = "mazak";
+constexpr std::string_view kMitsubishi = "mitsubishi-m80";
+constexpr auto kFamilyMarks = std::to_array<Mark>({
+    {"G52.5", false, kMazak},
+    {"G53.5", false, kMazak},
+    {"G68.5", false, kMazak},
+    {"G122.1", false, kMazak},
+    {"G123.1", false, kMazak},
+    {"G270 ", false, kMazak},
+    {"G271 ", false, kMazak},
+    {"G276 ", false, kMazak},
+    {"#70001", false, kMazak},
+    {"#70002", false, kMazak},
+    {"#70003", false, kMazak},
+    {"MAZAK", false, kMazak},
+    {"INTEGREX", false, kMazak},
+    {"G31.1", false, kMitsubishi},
+    {"G31.2", false, kMitsubishi},
+    {"#100100", false, kMitsubishi},
+    {"MITSUBISHI", false, kMitsubishi},
+});
+constexpr std::uint32_t kLinesLookedAt = 5000;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -70,6 +100,15 @@ std::string_view dialect_of_line(std::string_view line) {
   return {};
 }
 
+std::string_view dialect_of_family(const text::Source& source) {
+  const std::uint32_t lines = std::min<std::uint32_t>(static_cast<std::uint32_t>(source.line_count()), kLinesLookedAt);
+  for (std::uint32_t line = 1; line <= lines; ++line) {
+    for (const Mark& mark : kFamilyMarks)
+      if (source.line(line).contains(mark.text)) return mark.dialect;
+  }
+  return kFanuc;
+}
+
 }  // namespace
 
 std::span<const Dialect> dialects() { return kDialects; }
@@ -81,9 +120,11 @@ const Dialect* find_dialect(std::string_view name) {
 
 const Dialect& infer_dialect(const text::Source& source) {
   for (std::uint32_t line = 1; line <= source.line_count(); ++line) {
-    if (const Dialect* found = find_dialect(dialect_of_line(source.line(line)))) return *found;
+    const std::string_view found = dialect_of_line(source.line(line));
+    if (found == kFanuc) break;
+    if (!found.empty()) return *find_dialect(found);
   }
-  return kDialects.front();
+  return *find_dialect(dialect_of_family(source));
 }
 
 }  // namespace dripfeed::compile

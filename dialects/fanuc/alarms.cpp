@@ -9,6 +9,7 @@ namespace {
 
 using ir::AlarmRow;
 using enum text::DiagnosticId;
+using enum ir::AlarmDetail;
 
 constexpr auto kAlarms = std::to_array<AlarmRow>({
     {invalid_character, "PS0009"},
@@ -53,7 +54,25 @@ constexpr auto kAlarms = std::to_array<AlarmRow>({
     {result_overflow, "PS0111"},
     {arc_radius_mismatch, "PS0020"},
     {arc_without_center, "PS0022"},
+    {peck_without_depth, "PS0045"},
+    {modal_call_not_open, "PS1100"},
+    {reference_in_cycle, "PS0044"},
+    {comp_started_by_arc, "PS0034"},
+    {plane_changed_in_comp, "PS0037"},
+    {cycle_shape_missing, "PS0063"},
+    {cycle_shape_invalid, "PS0065"},
+    {cycle_shape_not_monotonic, "PS0064"},
+    {address_without_value, "PS1090", macro_program},
     {user_alarm, "MC3000"},
+    {syntax_error, "PS1137", if_statement},
+    {syntax_error, "PS1138", while_statement},
+    {syntax_error, "PS1128", jump_number},
+    {syntax_error, "PS0006", two_signs},
+    {missing_bracket, "PS1131", opening_bracket},
+    {missing_bracket, "PS1121", closing_bracket},
+    {wrong_type, "PS0129", code_as_argument},
+    {not_in_drip_mode, "PS0210", subprogram_in_drip},
+    {call_nesting_too_deep, "PS0122", macro_call},
 });
 
 }  // namespace

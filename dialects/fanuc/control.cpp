@@ -1,4 +1,6 @@
 // The usual controls: what the parameters are at most machines. A machine's profile overrides single fields.
+#include "dialects/macro_b/control.h"
+
 #include "dialects/fanuc/fanuc.h"
 #include "dialects/fanuc/tables.h"
 
@@ -16,26 +18,6 @@ constexpr ir::CostModel kCost = {.block_ms = 2.0,
                                  .measured = false,
                                  .origin = "assumed: 0i class"};
 
-ir::Semantics usual_semantics() {
-  ir::Semantics s;
-  s.number_format = ir::NumberFormat::double_precision;
-  s.decimal_mode = ir::DecimalMode::least_increment;  // 3401#0 = 0
-  s.arc_tolerance_mm = 0.02;
-  s.return_in_main_restarts = true;
-  s.user_alarm_base = 3000;
-  return s;
-}
-
-ir::Semantics lathe_semantics(ir::GSystem system) {
-  ir::Semantics s = usual_semantics();
-  s.incremental_letters_uvw = system == ir::GSystem::a;
-  s.tool_word = ir::ToolWord::number_and_offset;
-  s.power_on_plane = ir::Function::plane_zx;
-  s.power_on_feed = ir::Function::feed_per_rev;
-  s.power_on_diameter = ir::DiameterMode::diameter;
-  return s;
-}
-
 }  // namespace
 
 const macro_b::Grammar& grammar() {
@@ -45,14 +27,9 @@ const macro_b::Grammar& grammar() {
 
 ir::Control control(ir::MachineKind kind, ir::GSystem system) {
   const bool mill = kind == ir::MachineKind::mill;
-  ir::Control c;
+  ir::Control c = macro_b::usual_control(kind, system);
   c.dialect = "fanuc";
   c.title = mill ? "Fanuc 0i-MF" : "Fanuc 0i-TF";
-  c.kind = kind;
-  c.g_system = mill ? ir::GSystem::a : system;
-  c.axes = mill ? "XYZ" : "XZ";
-  if (kind == ir::MachineKind::mill_turn) c.axes = "XYZC";
-  c.semantics = mill ? usual_semantics() : lathe_semantics(system);
   c.limits = {.block_length_bytes = 0,
               .digits = 8,
               .expression_nesting = 5,
@@ -67,6 +44,8 @@ ir::Control control(ir::MachineKind kind, ir::GSystem system) {
   c.system_variables = system_variables();
   c.alarms = alarms();
   c.variables = variable_ranges();
+  c.semantics.user_alarm_base = 3000;
+  c.semantics.pecks_need_depth = mill;  // a lathe's G83 without Q drills in one
   return c;
 }
 

@@ -5,7 +5,10 @@
 #include <array>
 #include <cmath>
 
+#include "dialects/interpreter/drilling.h"
 #include "dialects/interpreter/move.h"
+#include "dialects/interpreter/repetitive.h"
+#include "dialects/interpreter/turning.h"
 
 namespace dripfeed::interpreter {
 
@@ -34,6 +37,7 @@ struct Effects {
 
 struct CodeContext {
   const BlockRules& rules;
+  const PlainBlock& block;
   ModalState& state;
   Effects& effects;
   PlainCode code;
@@ -72,21 +76,44 @@ void one_shot(CodeContext& c) {
   c.effects.argument = c.code.argument;
 }
 void not_modelled(CodeContext& c) {
-  if (c.code.group == ModalGroup::motion || c.code.group == ModalGroup::cycle) c.state.modes.motion_modelled = false;
+  if (c.code.group == ModalGroup::motion || c.code.group == ModalGroup::cycle) {
+    c.state.modes.motion_modelled = false;
+    c.state.drilling = {};
+    c.state.turning = {};
+  }
   if (c.code.group == ModalGroup::non_modal || c.code.group == ModalGroup::frame) one_shot(c);
+}
+void drill(CodeContext& c) {
+  c.state.modes.motion_modelled = true;
+  c.state.turning = {};
+  begin_drilling(c.code.argument, c.state);
+}
+void turn(CodeContext& c) {
+  c.state.modes.motion_modelled = true;
+  c.state.drilling = {};
+  c.state.turning = {.active = true, .cycle = static_cast<TurningCycle>(c.code.argument)};
 }
 void work_offset(CodeContext& c) {
   if (c.state.modes.work_offset == c.code.argument) return;
+  c.state.drilling.initial_known = false;
   c.state.modes.work_offset = c.code.argument;
   c.state.unknown = kAllAxes;  // offsets lie in the control: how far they are apart is not known
   c.effects.announces = true;
+}
+
+// G54.1 with a P that was computed; its number is told as those of constant ones are.
+void extended_offset(CodeContext& c) {
+  const double p = c.block.has(Address::p) ? c.block.at(Address::p) : 1.0;
+  if (!(p >= 1.0 && p <= 300.0)) return;
+  c.code.argument = static_cast<std::int16_t>(kExtendedOffset + static_cast<int>(p));
+  work_offset(c);
 }
 
 struct CodeRow {
   Function function;
   void (*apply)(CodeContext&);
 };
-// Functions without a row change nothing here: tool lengths are the control's, return levels belong to cycles.
+// Functions without a row change nothing here: tool lengths are the control's.
 constexpr CodeRow kCodeRows[] = {
     {Function::dwell, one_shot},
     {Function::exact_stop_once, [](CodeContext& c) { c.effects.exact_stop = true; }},
@@ -112,6 +139,10 @@ constexpr CodeRow kCodeRows[] = {
     {Function::local_shift_add, one_shot},
     {Function::set_coordinates, one_shot},
     {Function::reference_return, one_shot},
+    {Function::extended_offset, extended_offset},
+    {Function::data_input, one_shot},
+    {Function::skip_move, one_shot},
+    {Function::repetitive_cycle, one_shot},
     {Function::comp_off, [](CodeContext& c) { comp(c, ir::CompSide::off); }},
     {Function::comp_left, [](CodeContext& c) { comp(c, ir::CompSide::left); }},
     {Function::comp_right, [](CodeContext& c) { comp(c, ir::CompSide::right); }},
@@ -130,7 +161,15 @@ constexpr CodeRow kCodeRows[] = {
     {Function::program_end, [](CodeContext& c) { c.effects.flow = Flow::program_end; }},
     {Function::program_end_rewind, [](CodeContext& c) { c.effects.flow = Flow::program_end; }},
     {Function::subprogram_end, [](CodeContext& c) { c.effects.flow = Flow::subprogram_end; }},
-    {Function::cycle_off, [](CodeContext& c) { c.state.modes.motion_modelled = true; }},
+    {Function::drill, drill},
+    {Function::turning_cycle, turn},
+    {Function::cycle_off,
+     [](CodeContext& c) {
+       c.state.modes.motion_modelled = true;
+       c.state.drilling = {};
+     }},
+    {Function::return_to_initial, [](CodeContext& c) { c.state.modes.return_to_r = false; }},
+    {Function::return_to_r, [](CodeContext& c) { c.state.modes.return_to_r = true; }},
     {Function::not_modelled, not_modelled},
 };
 constexpr auto kCodeRules = [] {
@@ -146,8 +185,10 @@ void apply_codes(const PlainBlock& block, const BlockRules& rules, ModalState& s
     if (is_motion(code.function)) {
       state.modes.motion = code.function;
       state.modes.motion_given = state.modes.motion_modelled = true;
+      if (state.drilling.active) state.drilling = {};
+      if (state.turning.active) state.turning = {};
     } else if (const auto rule = kCodeRules[static_cast<std::size_t>(code.function)]; rule != nullptr) {
-      CodeContext context{rules, state, effects, code};
+      CodeContext context{rules, block, state, effects, code};
       rule(context);
     }
   }
@@ -159,6 +200,7 @@ void apply_codes(const PlainBlock& block, const BlockRules& rules, ModalState& s
 constexpr std::uint64_t kFeedWord = bit_of(Address::f);
 constexpr std::uint64_t kToolWords = bit_of(Address::t) | bit_of(Address::d);
 constexpr std::uint64_t kSpindleWords = bit_of(Address::s) | bit_of(Address::spindle_limit);
+constexpr std::uint64_t kNumberWords = bit_of(Address::d) | bit_of(Address::h);
 constexpr double kFootPerMinute = 0.3048;  // in m/min
 
 // F without a point counts 0.01 mm/rev, 1 mm/min, and in inch a hundredth of these in inch (usual parameter settings).
@@ -226,11 +268,18 @@ double dwell_s(const PlainBlock& block, const BlockRules& rules, const ModalStat
   return 0.0;
 }
 
+void set_numbers(const PlainBlock& block, ModalState& state) {
+  if (block.has(Address::d)) state.comp_number = block.at(Address::d);
+  if (block.has(Address::h)) state.length_number = block.at(Address::h);
+}
+
 // --- the block's one action
 // -------------------------------------------------------------------------------------------
 
-void dwell(const PlainBlock& block, const BlockRules& rules, const ModalState& state, MotionBuffer& out) {
-  emit_event(MotionKind::dwell, state, out).feed = dwell_s(block, rules, state);
+void dwell(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out) {
+  const double seconds = dwell_s(block, rules, state);
+  emit_event(MotionKind::dwell, state, out).feed = seconds;
+  state.clock_ms += seconds * 1000.0;
 }
 
 void act_once(const PlainBlock& block, const BlockRules& rules, const Effects& effects, ModalState& state,
@@ -243,6 +292,13 @@ void act_once(const PlainBlock& block, const BlockRules& rules, const Effects& e
     set_coordinates(block, rules, state);
   } else if (effects.one_shot == Function::reference_return) {
     return_to_reference(block, rules, state, out, result);
+  } else if (effects.one_shot == Function::skip_move) {
+    result.moved = true;
+    move_until_touch(block, rules, state, out, result);
+  } else if (effects.one_shot == Function::repetitive_cycle) {
+    repetitive_block(block, rules, effects.argument, state, out, result);
+  } else if (effects.one_shot == Function::data_input) {
+    result.sets_data = true;
   } else {
     forget_positions(block, rules, state);  // what the code does is not modelled
   }
@@ -321,12 +377,21 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
     set_tool(block, rules, state, effects);
   if ((block.present & kSpindleWords) != 0 && !times) set_speed(block, state, effects);
   if ((block.present & kFeedWord) != 0 && !times) set_feed(block, state);
+  if ((block.present & kNumberWords) != 0) set_numbers(block, state);
   if (effects.announces) announce(state, out);
 
-  if (effects.one_shot != Function::none)
+  if (effects.one_shot != Function::none) {
     act_once(block, rules, effects, state, out, result);
-  else if (has_move(block, rules, state))
+  } else if (state.drilling.active) {
+    drill_holes(block, rules, state, out, result);
+    result.moved = true;
+  } else if (state.turning.active) {
+    turn_once(block, rules, state, out, result);
+    result.moved = true;
+  } else if (has_move(block, rules, state)) {
     move(block, rules, {effects.machine_coordinates, effects.exact_stop}, state, out, result);
+    result.moved = true;
+  }
   if (result.fault != text::DiagnosticId::count_) return result;
 
   finish(effects, state, out);

@@ -22,9 +22,15 @@ inline constexpr std::uint32_t kNoteMotionWithoutCode = 2;        // moved as th
 inline constexpr std::uint32_t kNoteMoveNotModelled = 4;          // axis words under a cycle or curve: no move came out
 inline constexpr std::uint32_t kNoteReferenceUnknown = 8;         // to a reference point whose place is not known
 inline constexpr std::uint32_t kNoteIncrementalFromUnknown = 16;  // where the move ends is not known
+inline constexpr std::uint32_t kNoteLevelUnknown = 32;            // drilling goes back to a level that is not known
+inline constexpr std::uint32_t kNoteSkip = 128;                   // where it ends, a signal decides
+inline constexpr std::uint32_t kNoteHoleWithoutDepth = 64;        // a drilling cycle without a bottom: nothing was cut
 
 struct BlockResult {
   Flow flow = Flow::next;
+  bool moved = false;        // by its axis words, in a motion or a cycle
+  bool needs_shape = false;  // G70 to G73: the caller runs the shape's blocks
+  bool sets_data = false;    // G10: the caller has what it sets
   std::uint32_t notes = 0;
   // Alarm: count_ when there is none. `first` and `second` are its arguments (radii of an arc in mm).
   text::DiagnosticId fault = text::DiagnosticId::count_;

@@ -27,7 +27,8 @@ constexpr AddressName kNames[] = {
 // Codes whose axis words are no positions to move to, and that say themselves when they are not interpreted.
 bool takes_axis_words(const ir::Code& code) {
   if (code.function == Function::not_modelled) return true;
-  return code.function == Function::dwell || code.function == Function::set_coordinates;
+  return code.function == Function::dwell || code.function == Function::set_coordinates ||
+         code.function == Function::data_input;
 }
 
 std::string_view name_of_code(const ir::Program& program, const ir::Code& code) {

@@ -31,7 +31,7 @@ constexpr AxisLetter kIncrementalRows[] = {
 };
 constexpr std::string_view kBaseLetters = "XYZC";
 constexpr std::uint64_t kLengths = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k) | bit_of(Address::r) |
-                                   bit_of(Address::arc_radius) | bit_of(Address::f);
+                                   bit_of(Address::arc_radius) | bit_of(Address::f) | bit_of(Address::q);
 
 // 1 / 0.001 is not quite 1000 in every binary; a whole number divides as the decimal would.
 double reciprocal(double increment) {
@@ -81,6 +81,11 @@ ModalState initial_state(const ir::Control& control) {
                           : s.power_on_feed == ir::Function::feed_inverse_time ? ir::FeedMode::inverse_time
                                                                                : ir::FeedMode::per_min;
   state.modes.diameter = s.power_on_diameter;
+  state.repetitive.depth_mm = s.cycle_depth_mm;
+  state.repetitive.retract_mm = state.repetitive.peck_retract_mm = s.cycle_retract_mm;
+  state.repetitive.passes = s.cycle_passes;
+  state.repetitive.first_cut_mm = s.thread_first_cut_mm;
+  state.repetitive.least_cut_mm = s.thread_least_cut_mm;
   return state;
 }
 

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 
+#include "dialects/interpreter/data_setting.h"
 #include "dialects/interpreter/trace.h"
 #include "dialects/text/number.h"
 
@@ -23,11 +24,14 @@ struct NoteRow {
   Report report;
 };
 // Notes that are counted like a code that is not interpreted.
-const std::array<NoteRow, 3>& counted_notes() {
-  static const std::array<NoteRow, 3> rows = {{
+const std::array<NoteRow, 6>& counted_notes() {
+  static const std::array<NoteRow, 6> rows = {{
       {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
       {kNoteReferenceUnknown, {"the way to the reference point", ir::Function::reference_return}},
       {kNoteIncrementalFromUnknown, {"increments from a position that is not known", ir::Function::incremental}},
+      {kNoteLevelUnknown, {"the way back to an initial level that is not known", ir::Function::drill}},
+      {kNoteSkip, {"the end of a skip move (G31), which a signal decides", ir::Function::skip_move}},
+      {kNoteHoleWithoutDepth, {"a drilling cycle without a depth", ir::Function::drill}},
   }};
   return rows;
 }
@@ -75,13 +79,25 @@ void BlockRunner::drop_foreign_axes(std::span<const ir::PlainWord> words) {
 }
 
 std::optional<Flow> BlockRunner::apply_block(const Instruction& i) {
+  const std::uint64_t before = out_.count();
   const BlockResult result = apply(block_, rules_, state_, out_);
+  made_ = out_.count() - before;
+  moved_ = (block_.present & rules_.axis_addresses) != 0 && made_ > 0 && result.moved;
+  needs_shape_ = result.needs_shape;
+  if (result.sets_data) set_data();
   if (result.notes != 0) take_notes(i, result.notes);
   if (result.fault != DiagnosticId::count_) {
     fail(i, result);
     return std::nullopt;
   }
   return result.flow;
+}
+
+// What is set is known from here on; that the machine's memory changes is said.
+void BlockRunner::set_data() {
+  const auto set = data_values(block_, rules_, state_, control_.kind != ir::MachineKind::mill);
+  for (const DataValue& one : set.values) access_.set_system(one.number, one.value, one.adds);
+  report_.count({.name = set.name, .function = ir::Function::data_input});
 }
 
 void BlockRunner::set_word(ir::Address address, double value, std::uint8_t flags) {
@@ -182,6 +198,9 @@ void BlockRunner::take_notes(const Instruction& i, std::uint32_t notes) {
 }
 
 bool BlockRunner::fail(const Instruction& i, const BlockResult& result) {
+  if (result.fault == DiagnosticId::limit_reached) return report_.fail_limit(i, "steps of one cycle");
+  if (result.fault == DiagnosticId::cycle_shape_invalid)
+    return report_.fail(i, result.fault, {"a thread without a height"});
   if (result.fault != DiagnosticId::arc_radius_mismatch) return report_.fail(i, result.fault);
   return report_.fail(i, result.fault, {text::format_fixed(result.first, 4), text::format_fixed(result.second, 4)});
 }

@@ -9,17 +9,19 @@
 #include "dialects/interpreter/arithmetic.h"
 #include "dialects/interpreter/run_report.h"
 #include "dialects/interpreter/storage.h"
+#include "dialects/interpreter/variable_access.h"
 
 namespace dripfeed::interpreter {
 
 class BlockRunner {
  public:
   BlockRunner(const ir::Control& control, const BlockRules& rules, const Arithmetic& arithmetic, Storage& storage,
-              ModalState& state, MotionBuffer& out, RunReport& report)
+              VariableAccess& access, ModalState& state, MotionBuffer& out, RunReport& report)
       : control_(control),
         rules_(rules),
         arithmetic_(arithmetic),
         storage_(storage),
+        access_(access),
         state_(state),
         out_(out),
         report_(report) {}
@@ -28,10 +30,17 @@ class BlockRunner {
   std::optional<Flow> run(const Instruction& i, const CompiledProgram& program);
   // The same for a block that was scanned; its reports are the caller's. `i` tells the report the place.
   std::optional<Flow> run_plain(const Instruction& i, const ir::PlainBatch& batch, const ir::PlainBlockRow& row);
+  // The last block named an axis and moved (a cycle or dwell without positions did not).
+  [[nodiscard]] bool moved() const { return moved_; }
+  // How many motions and events it made; a cycle makes as many as it is asked for.
+  [[nodiscard]] std::uint64_t made() const { return made_; }
+  // … called a cycle whose shape is to be run.
+  [[nodiscard]] bool needs_shape() const { return needs_shape_; }
 
  private:
   std::optional<Flow> apply_block(const Instruction& i);
   void drop_foreign_axes(std::span<const ir::PlainWord> words);
+  void set_data();
   void fill(const BlockTemplate& made, const CompiledProgram& program);
   bool fill_computed(const Instruction& i, const BlockTemplate& made, const CompiledProgram& program);
   bool add_computed_code(const Instruction& i, const ComputedCode& code);
@@ -44,6 +53,7 @@ class BlockRunner {
   const BlockRules& rules_;
   const Arithmetic& arithmetic_;
   Storage& storage_;
+  VariableAccess& access_;
   ModalState& state_;
   MotionBuffer& out_;
   RunReport& report_;
@@ -51,6 +61,9 @@ class BlockRunner {
   std::vector<PlainCode> codes_;  // of a block with computed codes
   std::vector<std::pair<const CompiledProgram*, std::uint32_t>> said_vacant_;
   bool said_no_feed_ = false;
+  std::uint64_t made_ = 0;
+  bool moved_ = false;
+  bool needs_shape_ = false;
 };
 
 }  // namespace dripfeed::interpreter

@@ -91,12 +91,15 @@ enum class Opcode : std::uint8_t {
   jump_text,     // to the label in string a; as above
   apply,         // block template a
   call,          // call site a
-  skip_given,    // to b when parameter a was given
-  back,          // of a subprogram
-  back_to,       // … to the block with number a in the caller
+  modal_call,    // from here on call site a behind each block that moves, number b times
+  modal_end,
+  skip_given,  // to b when parameter a was given
+  back,        // of a subprogram
+  back_to,     // … to the block with number a in the caller
   program_end,
   text_end,
   message,  // string a, or none: clear
+  output,   // outputs a of the program; b: the first of the parts' registers
   alarm,    // number a (or none), string b (or none)
   fail,     // failure a: an alarm that was seen while compiling
   report,   // report a: something that is not interpreted
@@ -171,6 +174,8 @@ struct CallSite {
   ir::CallKind kind = ir::CallKind::subprogram;
   std::string name;
   Operand number = Operand::none;  // computed; the name is then "O" and four digits
+  Operand start = Operand::none;   // block number where it begins
+  bool itself = false;             // the calling program, from its block `start`
   std::uint32_t first_argument = 0;
   std::uint32_t argument_count = 0;
   CompiledProgram* target = nullptr;  // once it was looked up
@@ -210,7 +215,8 @@ struct Report {
 
 struct CompiledProgram {
   const ir::Program* source = nullptr;
-  std::uint32_t index = 0;  // RunNames::programs
+  std::uint32_t section = 0;  // of the source
+  std::uint32_t index = 0;    // RunNames::programs
   std::vector<Instruction> code;
   std::vector<text::Span> spans;  // of the instruction of the same index
   std::vector<double> constants;

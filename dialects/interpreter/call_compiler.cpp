@@ -20,15 +20,15 @@ constexpr std::string_view kLengthLetters = "ABCIJKQRUVWXYZ";
 
 }  // namespace
 
-void CallCompiler::compile(const ir::Call& call, text::Span span) {
+std::optional<std::uint32_t> CallCompiler::compile_site(const ir::Call& call, text::Span span, bool keep) {
   CompiledProgram& out = builder_.out();
   const ir::Program& program = builder_.source();
-  const bool repeats = call.repeats != ir::ExpressionId::none;
   std::vector<CallArgument> arguments;
-  for (const ir::Argument& argument : program.arguments_of(call))
-    arguments.push_back(compile_argument(argument, repeats));
+  for (const ir::Argument& argument : program.arguments_of(call)) arguments.push_back(compile_argument(argument, keep));
 
   CallSite site{.kind = call.kind, .name = std::string(program.strings.at(call.name))};
+  site.itself = call.name == ir::StringId::none && call.number == ir::ExpressionId::none;
+  if (call.start != ir::ExpressionId::none) site.start = expressions_.compile_number(call.start).operand;
   if (call.number != ir::ExpressionId::none) site.number = expressions_.compile_number(call.number).operand;
   site.first_argument = static_cast<std::uint32_t>(out.arguments.size());
   site.argument_count = static_cast<std::uint32_t>(arguments.size());
@@ -36,10 +36,25 @@ void CallCompiler::compile(const ir::Call& call, text::Span span) {
   if (call.kind == ir::CallKind::macro && !number_arguments(call, site.first_argument)) {
     builder_.emit_failure(span, DiagnosticId::wrong_argument_count,
                           {"the macro", std::to_string(kTriplets) + " groups of I J K and no G L N O P", "more"});
-    return;
+    return std::nullopt;
   }
   out.calls.push_back(site);
-  const auto index = static_cast<std::uint32_t>(out.calls.size() - 1);
+  return static_cast<std::uint32_t>(out.calls.size() - 1);
+}
+
+void CallCompiler::compile_modal(const ir::Call& call, text::Span span) {
+  const auto site = compile_site(call, span, false);
+  if (!site.has_value()) return;
+  const bool repeats = call.repeats != ir::ExpressionId::none;
+  const Operand times = repeats ? compile_repeats(call, span) : builder_.constant(1.0);
+  builder_.emit(Opcode::modal_call, span, *site, raw_of(times));
+}
+
+void CallCompiler::compile(const ir::Call& call, text::Span span) {
+  const bool repeats = call.repeats != ir::ExpressionId::none;
+  const auto site = compile_site(call, span, repeats);
+  if (!site.has_value()) return;
+  const std::uint32_t index = *site;
   if (!repeats) {
     builder_.emit(Opcode::call, span, index);
     return;

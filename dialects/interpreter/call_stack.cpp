@@ -1,6 +1,11 @@
 // A call opens the new registers while the caller's are still in force, passes the arguments across, and then switches.
 #include "dialects/interpreter/call_stack.h"
 
+#include <cmath>
+
+#include "dialects/interpreter/jump_target.h"
+#include "dialects/text/number.h"
+
 namespace dripfeed::interpreter {
 
 using text::DiagnosticId;
@@ -22,8 +27,9 @@ void CallStack::enter(Frame& frame) {
 }
 
 CompiledProgram* CallStack::find_program(const Instruction& i, CallSite& site) {
+  if (site.itself) return program_;
   if (site.number == Operand::none) {
-    if (site.target == nullptr) site.target = programs_.find(site.name);
+    if (site.target == nullptr) site.target = programs_.find(site.name, *program_);
     if (site.target == nullptr) report_.fail(i, DiagnosticId::call_target_missing, {site.name});
     return site.target;
   }
@@ -34,51 +40,104 @@ CompiledProgram* CallStack::find_program(const Instruction& i, CallSite& site) {
   }
   std::string digits = std::to_string(static_cast<std::uint32_t>(number));
   if (digits.size() < 4) digits.insert(0, 4 - digits.size(), '0');
-  CompiledProgram* target = programs_.find("O" + digits);
+  CompiledProgram* target = programs_.find("O" + digits, *program_);
   if (target == nullptr) report_.fail(i, DiagnosticId::call_target_missing, {"O" + digits});
   return target;
 }
 
 // Nesting is the control's limit and an alarm; depth is the run's.
-bool CallStack::has_room(const Instruction& i, const CallSite& site) {
-  const bool macro = site.kind == ir::CallKind::macro;
+bool CallStack::has_room(const Instruction& i, bool macro) {
   const auto subprograms = static_cast<std::uint32_t>(frames_.size() - 1) - macros_;
   const std::uint32_t depth = (macro ? macros_ : subprograms) + 1;
   const std::uint32_t nesting = macro ? context_.control.limits.macro_nesting : context_.control.limits.call_nesting;
   if (nesting > 0 && depth > nesting)
-    return report_.fail(i, DiagnosticId::call_nesting_too_deep, {std::to_string(depth), std::to_string(nesting)});
+    return report_.fail(i, DiagnosticId::call_nesting_too_deep, {std::to_string(depth), std::to_string(nesting)},
+                        macro ? ir::AlarmDetail::macro_call : ir::AlarmDetail::none);
   if (frames_.size() > context_.limits.call_depth) return report_.fail_limit(i, "call depth");
   return true;
 }
 
-bool CallStack::call(const Instruction& i, std::uint32_t next) {
-  CallSite& site = program_->calls[i.a];
-  if (!has_room(i, site)) return false;
-  CompiledProgram* target = find_program(i, site);
-  if (target == nullptr) return false;
-
+// Opens the frame; it is entered when its arguments are there.
+CallStack::Frame& CallStack::push(CompiledProgram& target, std::uint32_t next, bool is_macro) {
   Frame& caller = frames_.back();
   caller.next = next;
   caller.line = out_.place.line;
   Frame frame;
-  frame.program = target;
-  frame.is_macro = site.kind == ir::CallKind::macro;
+  frame.program = &target;
+  frame.is_macro = is_macro;
   frame.bases.frame = caller.bases.frame + program_->frame_slots;
   frame.bases.string = caller.bases.string + program_->string_slots;
-  frame.bases.local = caller.bases.local + (frame.is_macro ? storage_.local_count() : 0);
-  if (target->saves_modal) frame.modes = state_.modes;
-
-  storage_.open_frame(*target, frame.bases);
-  if (frame.is_macro) {
+  frame.bases.local = caller.bases.local + (is_macro ? storage_.local_count() : 0);
+  if (target.saves_modal) frame.modes = state_.modes;
+  storage_.open_frame(target, frame.bases);
+  if (is_macro) {
     storage_.open_locals(frame.bases);
-    pass_locals(site, frame.bases);
     ++macros_;
-  } else if (!pass_parameters(i, site, frame)) {
-    return false;
   }
   frames_.push_back(frame);
-  enter(frames_.back());
+  return frames_.back();
+}
+
+std::optional<std::uint32_t> CallStack::call(const Instruction& i, std::uint32_t next) {
+  CallSite& site = program_->calls[i.a];
+  const bool macro = site.kind == ir::CallKind::macro;
+  if (!has_room(i, macro)) return std::nullopt;
+  CompiledProgram* target = find_program(i, site);
+  if (target == nullptr) return std::nullopt;
+  std::uint32_t begin = 0;
+  if (site.start != Operand::none) {
+    const double number = storage_.reg(raw_of(site.start));
+    const double whole = is_vacant(number) ? -1.0 : context_.arithmetic.round(number);
+    begin = whole < 0.0 || whole > 99999999.0
+                ? kNoTarget
+                : find_number(*target, static_cast<std::uint32_t>(whole), 0, ir::JumpSearch::both);
+    if (begin == kNoTarget) {
+      report_.fail(i, DiagnosticId::jump_target_missing, {"N" + text::format_shortest(value_or_zero(number))});
+      return std::nullopt;
+    }
+  }
+  Frame& frame = push(*target, next, macro);
+  if (macro) {
+    pass_locals(site, frame.bases);
+  } else if (!pass_parameters(i, site, frame)) {
+    return std::nullopt;
+  }
+  enter(frame);
+  return begin;
+}
+
+bool CallStack::begin_modal(const Instruction& i, double times) {
+  CallSite& site = program_->calls[i.a];
+  ModalCall modal;
+  modal.target = find_program(i, site);
+  if (modal.target == nullptr) return false;
+  for (std::uint32_t n = site.first_argument; n < site.first_argument + site.argument_count; ++n) {
+    const CallArgument& argument = program_->arguments[n];
+    if (argument.value != Operand::none)
+      modal.locals.emplace_back(argument.local, storage_.reg(raw_of(argument.value)));
+  }
+  modal.times = static_cast<std::uint32_t>(std::fmax(0.0, std::fmin(times, 99999999.0)));
+  modal_ = std::move(modal);
   return true;
+}
+
+std::optional<std::uint32_t> CallStack::call_modal(const Instruction& i, std::uint32_t next) {
+  if (modal_->times == 0) return next;
+  if (!has_room(i, true)) return std::nullopt;
+  Frame& frame = push(*modal_->target, next, true);
+  frame.is_modal = true;
+  frame.times_left = modal_->times - 1;
+  ++modal_frames_;
+  set_locals(frame.bases);
+  enter(frame);
+  return 0;
+}
+
+void CallStack::set_locals(const Bases& bases) {
+  for (const auto& [number, value] : modal_->locals) {
+    const Slot slot = context_.variables.find(ir::Bank::hash, number);
+    if (slot.kind == SlotKind::local) storage_.local_at(bases.local + slot.index) = value;
+  }
 }
 
 void CallStack::pass_locals(const CallSite& site, const Bases& bases) {
@@ -132,9 +191,18 @@ bool CallStack::pass_parameter(const Instruction& i, const CallArgument& argumen
 }
 
 std::uint32_t CallStack::go_back() {
+  if (Frame& top = frames_.back(); top.is_modal && top.times_left > 0 && modal_.has_value()) {
+    --top.times_left;
+    storage_.open_frame(*top.program, top.bases);
+    storage_.open_locals(top.bases);
+    set_locals(top.bases);
+    enter(top);
+    return 0;
+  }
   const Frame left = frames_.back();
   frames_.pop_back();
   if (left.is_macro) --macros_;
+  if (left.is_modal) --modal_frames_;
   Frame& caller = frames_.back();
   enter(caller);
   out_.place.line = caller.line;

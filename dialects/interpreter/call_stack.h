@@ -2,6 +2,8 @@
 #pragma once
 
 #include <bitset>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "dialects/interpreter/apply.h"
@@ -21,9 +23,16 @@ class CallStack {
   // The running program.
   [[nodiscard]] CompiledProgram& program() const { return *program_; }
   [[nodiscard]] bool in_main() const { return frames_.size() == 1; }
-  // Enters the program of call site i.a; `next` is where the caller goes on. False when the run has ended.
-  bool call(const Instruction& i, std::uint32_t next);
-  // Leaves a called program; gives where the caller goes on.
+  // Enters the program of call site i.a; `next` is where the caller goes on. Gives the instruction to begin at, nothing
+  // when the run has ended.
+  std::optional<std::uint32_t> call(const Instruction& i, std::uint32_t next);
+  // G66 and its end: from now on the site's program is called, `times` at a time, behind blocks that move.
+  bool begin_modal(const Instruction& i, double times);
+  void end_modal() { modal_.reset(); }
+  // True where a block that moved is to be followed by the modal call: not in the programs that it has called.
+  [[nodiscard]] bool has_modal() const { return modal_.has_value() && modal_frames_ == 0; }
+  std::optional<std::uint32_t> call_modal(const Instruction& i, std::uint32_t next);
+  // Leaves a called program; gives where the caller goes on. A modal call may be due again: it is then entered anew.
   std::uint32_t go_back();
   [[nodiscard]] bool was_given(std::uint32_t parameter) const {
     return parameter < kParametersAtMost && frames_.back().given[parameter];
@@ -37,13 +46,23 @@ class CallStack {
     std::uint32_t next = 0;  // where it goes on when the program above has returned
     std::uint32_t line = 0;
     bool is_macro = false;
+    bool is_modal = false;
+    std::uint32_t times_left = 0;  // of a modal call
     std::bitset<kParametersAtMost> given;
     Modes modes;  // of the caller, when the program gives them back
   };
 
+  struct ModalCall {
+    CompiledProgram* target = nullptr;
+    std::vector<std::pair<std::uint32_t, double>> locals;  // number of the variable, value
+    std::uint32_t times = 1;
+  };
+
   void enter(Frame& frame);
+  Frame& push(CompiledProgram& target, std::uint32_t next, bool is_macro);
+  void set_locals(const Bases& bases);
   CompiledProgram* find_program(const Instruction& i, CallSite& site);
-  bool has_room(const Instruction& i, const CallSite& site);
+  bool has_room(const Instruction& i, bool macro);
   void pass_locals(const CallSite& site, const Bases& bases);
   bool pass_parameters(const Instruction& i, const CallSite& site, Frame& frame);
   bool pass_parameter(const Instruction& i, const CallArgument& argument, const Parameter& parameter,
@@ -58,6 +77,8 @@ class CallStack {
   std::vector<Frame> frames_;
   CompiledProgram* program_ = nullptr;
   std::uint32_t macros_ = 0;  // macro calls among the frames
+  std::uint32_t modal_frames_ = 0;
+  std::optional<ModalCall> modal_;
 };
 
 }  // namespace dripfeed::interpreter

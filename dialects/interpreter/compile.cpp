@@ -53,10 +53,11 @@ void lay_out_parameters(const ir::Program& program, CompiledProgram& out) {
 
 }  // namespace
 
-std::unique_ptr<CompiledProgram> compile(const ir::Program& program, std::uint32_t index,
+std::unique_ptr<CompiledProgram> compile(const ir::Program& program, std::uint32_t section, std::uint32_t index,
                                          const CompileContext& context) {
   auto out = std::make_unique<CompiledProgram>();
   out->source = &program;
+  out->section = section;
   out->index = index;
   const bool fits = lay_out_symbols(program, context.limits, *out);
   CodeBuilder builder(*out, context);

@@ -8,8 +8,8 @@
 
 namespace dripfeed::interpreter {
 
-// `index` is the program's number in RunNames::programs.
-std::unique_ptr<CompiledProgram> compile(const ir::Program& program, std::uint32_t index,
+// `section`: which of the text's programs, 0 when it has one; `index`: its number in RunNames::programs.
+std::unique_ptr<CompiledProgram> compile(const ir::Program& program, std::uint32_t section, std::uint32_t index,
                                          const CompileContext& context);
 
 }  // namespace dripfeed::interpreter

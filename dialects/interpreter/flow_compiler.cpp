@@ -173,10 +173,12 @@ void FlowCompiler::compile_return_jump(const ir::Jump& jump, text::Span span) {
   builder_.emit(Opcode::back_to, span, raw_of(number));
 }
 
-void FlowCompiler::settle(const std::vector<StatementCode>& code) {
+void FlowCompiler::settle(const std::vector<StatementCode>& code, std::uint32_t first, std::uint32_t last) {
   CompiledProgram& out = builder_.out();
   for (const ir::Label& label : builder_.source().labels) {
-    const std::uint32_t at = label.statement < code.size() ? code[label.statement].begin : builder_.here();
+    const bool behind = label.statement >= code.size();
+    if (!behind && (label.statement < first || label.statement >= last)) continue;
+    const std::uint32_t at = behind ? builder_.here() : code[label.statement].begin;
     if (label.name == ir::StringId::none)
       out.numbers[label.number].push_back(at);
     else

@@ -22,8 +22,8 @@ class FlowCompiler {
   bool compile(std::uint32_t statement);
   // A jump in a place of its own (M99 P100 jumps in the caller).
   void compile_return_jump(const ir::Jump& jump, text::Span span);
-  // Sets all targets; `code` has every statement. Fills the program's labels.
-  void settle(const std::vector<StatementCode>& code);
+  // Sets all targets; `code` has every statement, [first, last) are the program's. Fills the program's labels.
+  void settle(const std::vector<StatementCode>& code, std::uint32_t first, std::uint32_t last);
 
  private:
   using Compile = void (FlowCompiler::*)(std::uint32_t);

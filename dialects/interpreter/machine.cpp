@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "dialects/interpreter/jump_target.h"
+#include "dialects/interpreter/output_field.h"
 #include "dialects/interpreter/variable_listing.h"
 #include "dialects/text/number.h"
 
@@ -15,11 +15,17 @@ namespace {
 using ir::Operator;
 using text::DiagnosticId;
 
+// A block that makes more is a cycle: its steps count as passes of a loop.
+constexpr std::uint64_t kMotionsOfABlock = 16;
+
 constexpr double truth(bool value) { return value ? 1.0 : 0.0; }
 
-constexpr double kLastBlockNumber = 99999999.0;
 constexpr double kLastAlarm = 99999999.0;
-std::string block_number_name(double value) { return "N" + text::format_shortest(std::round(value_or_zero(value))); }
+// What may not stand in the shape of a cycle.
+constexpr bool leaves_shape(Opcode op) {
+  return op == Opcode::call || op == Opcode::back || op == Opcode::back_to || op == Opcode::program_end ||
+         op == Opcode::text_end || op == Opcode::modal_call;
+}
 
 }  // namespace
 
@@ -38,7 +44,7 @@ Machine::Machine(const ir::Control& control, ProgramFinder& finder, ir::MotionSi
       report_(control, options.limits, names_, out_),
       stack_(context_, programs_, storage_, state_, out_, report_),
       access_(control, arithmetic_, variables_, storage_, state_, report_),
-      blocks_(control, rules_, arithmetic_, storage_, state_, out_, report_),
+      blocks_(control, rules_, arithmetic_, storage_, access_, state_, out_, report_),
       strings_(storage_, access_, report_) {
   names_ = {};
 }
@@ -128,6 +134,8 @@ void Machine::execute(std::uint32_t next) {
       case Opcode::block:
         if (executed_ == options_.limits.blocks) [[unlikely]]
           goes_on = report_.fail_limit(i, "blocks");
+        else if (shape_.active()) [[unlikely]]
+          goes_on = shape_block(i, next);
         else
           begin_block(i);
         break;
@@ -143,6 +151,12 @@ void Machine::execute(std::uint32_t next) {
       case Opcode::apply: {
         const std::optional<Flow> flow = blocks_.run(i, stack_.program());
         goes_on = flow.has_value() && (*flow == Flow::next || follow(*flow, i, next));
+        if (goes_on && blocks_.made() > kMotionsOfABlock) [[unlikely]]
+          goes_on = count_steps(i, blocks_.made());
+        if (goes_on && blocks_.needs_shape()) [[unlikely]]
+          goes_on = begin_shape(i, next);
+        if (goes_on && blocks_.moved() && stack_.has_modal() && *flow == Flow::next) [[unlikely]]
+          goes_on = call_modal(i, next);
         code = stack_.program().code.data();
         break;
       }
@@ -172,6 +186,9 @@ void Machine::execute(std::uint32_t next) {
       case Opcode::jump_number:
       case Opcode::jump_text:
       case Opcode::call:
+      case Opcode::modal_call:
+      case Opcode::modal_end:
+      case Opcode::output:
       case Opcode::skip_given:
       case Opcode::back:
       case Opcode::back_to:
@@ -205,7 +222,14 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
   if (i.op == Opcode::load_system) return access_.load_system(i);
   if (i.op == Opcode::store_system) return access_.store_system(i);
   if (i.op == Opcode::jump_number || i.op == Opcode::jump_text) return jump(i, next);
+  if (shape_.active() && leaves_shape(i.op)) {
+    // The text may end with the shape.
+    if (i.op == Opcode::text_end && shape_.ends_before(next - 1)) return end_shape(next);
+    return report_.fail(i, DiagnosticId::cycle_shape_invalid, {"a call, a return or the program's end stands in it"});
+  }
   if (i.op == Opcode::call) return call(i, next);
+  if (i.op == Opcode::modal_call) return stack_.begin_modal(i, value_or_zero(reg(i.b)));
+  if (i.op == Opcode::output) return output(i);
   if (i.op == Opcode::back) return go_back(i, next);
   if (i.op == Opcode::back_to) return go_back_to(i, next);
   if (i.op == Opcode::program_end) return end_program(i, next);
@@ -228,6 +252,8 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
     reg(i.a) = storage_.refer(space_of(static_cast<Operand>(i.b)), index_of(static_cast<Operand>(i.b)));
   else if (i.op == Opcode::skip_given)
     next = stack_.was_given(i.a) ? i.b : next;
+  else if (i.op == Opcode::modal_end)
+    stack_.end_modal();
   else if (i.op == Opcode::report)
     report_.count(program.reports[i.a]);
   else
@@ -275,79 +301,12 @@ void Machine::begin_block(const Instruction& i) {
   begun_ = out_.place;
   const Work& work = stack_.program().works[i.b];
   ++out_.work.blocks;
+  state_.clock_ms += control_.cost.block_ms;
   if (i.b == 0) return;
   out_.work.number_reads += work.number_reads;
   out_.work.named_reads += work.named_reads;
   out_.work.operators += work.operators;
   out_.work.functions += work.functions;
-}
-
-bool Machine::follow(Flow flow, const Instruction& i, std::uint32_t& next) {
-  return flow == Flow::program_end ? end_program(i, next) : go_back(i, next);
-}
-
-bool Machine::jump(const Instruction& i, std::uint32_t& next) {
-  const auto search = static_cast<ir::JumpSearch>(i.extra);
-  const bool by_text = i.op == Opcode::jump_text;
-  const double value = by_text ? 0.0 : storage_.reg(i.a);
-  const std::uint32_t to =
-      by_text ? find_text(stack_.program(), storage_.text(i.a), next - 1, search)
-              : find_number(stack_.program(), access_.whole_number(value, kLastBlockNumber), next - 1, search);
-  if (to == kNoTarget) {
-    const bool passed_over = i.c == 1;
-    return passed_over || report_.fail(i, DiagnosticId::jump_target_missing,
-                                       {by_text ? storage_.text(i.a) : block_number_name(value)});
-  }
-  if (to < next && ++passes_ > options_.limits.loop_passes) return report_.fail_limit(i, "loop passes");
-  next = to;
-  return true;
-}
-
-bool Machine::call(const Instruction& i, std::uint32_t& next) {
-  if (++passes_ > options_.limits.loop_passes) return report_.fail_limit(i, "loop passes");
-  if (!stack_.call(i, next)) return false;
-  next = 0;
-  return true;
-}
-
-// The end of a subprogram in the main program ends it; or it starts again without end, of which one pass is enough.
-bool Machine::go_back(const Instruction& i, std::uint32_t& next) {
-  if (!stack_.in_main()) {
-    next = stack_.go_back();
-    return true;
-  }
-  if (control_.semantics.return_in_main_restarts)
-    report_.say(i, DiagnosticId::endless_loop);
-  else
-    emit_event(ir::MotionKind::end, state_, out_);
-  return report_.end(Ended::end);
-}
-
-bool Machine::go_back_to(const Instruction& i, std::uint32_t& next) {
-  const double value = storage_.reg(i.a);
-  if (!stack_.in_main()) next = stack_.go_back();
-  // From here on the instruction is one of the caller: the call, or the return itself in the main program.
-  const Instruction& from = stack_.program().code[next - 1];
-  const std::uint32_t to =
-      find_number(stack_.program(), access_.whole_number(value, kLastBlockNumber), next - 1, ir::JumpSearch::both);
-  if (to == kNoTarget) return report_.fail(from, DiagnosticId::jump_target_missing, {block_number_name(value)});
-  if (++passes_ > options_.limits.loop_passes) return report_.fail_limit(from, "loop passes");
-  next = to;
-  return true;
-}
-
-bool Machine::end_program(const Instruction&, std::uint32_t& next) {
-  if (!stack_.in_main() && control_.semantics.end_in_subprogram_returns) {
-    next = stack_.go_back();
-    return true;
-  }
-  emit_event(ir::MotionKind::end, state_, out_);
-  return report_.end(Ended::end);
-}
-
-bool Machine::end_text(const Instruction& i) {
-  report_.say(i, DiagnosticId::missing_program_end);
-  return report_.end(Ended::text_end);
 }
 
 // --- messages and observers
@@ -362,10 +321,31 @@ bool Machine::message(const Instruction& i) {
   return true;
 }
 
+// What goes to a device is told as a message.
+bool Machine::output(const Instruction& i) {
+  const ir::Program& program = *stack_.program().source;
+  const ir::Output& output = program.outputs[i.a];
+  std::string line;
+  std::uint32_t value = i.b;
+  for (std::uint32_t n = 0; n < output.part_count; ++n, value = next_register(value)) {
+    const ir::OutputPart& part = program.output_parts[output.first_part + n];
+    line += program.strings.at(part.text);
+    if (part.value != ir::ExpressionId::none)
+      append_field(line, value_or_zero(storage_.reg(value)), part.whole_digits, part.decimals);
+  }
+  if (output.kind != ir::OutputKind::line) return true;
+  const std::uint32_t text = report_.text_index(line);
+  if (text == kNoText) return report_.fail_limit(i, "strings");
+  emit_event(ir::MotionKind::message, state_, out_).text = text;
+  return true;
+}
+
 bool Machine::user_alarm(const Instruction& i) {
   const bool numbered = static_cast<Operand>(i.a) != Operand::none;
   const auto number = numbered ? access_.whole_number(value_or_zero(storage_.reg(i.a)), kLastAlarm) : std::nullopt;
-  const std::uint32_t shown = number.has_value() ? *number + control_.semantics.user_alarm_base : 0;
+  const ir::Semantics& s = control_.semantics;
+  const bool above = s.highest_user_alarm != 0 && number.has_value() && *number > s.highest_user_alarm;
+  const std::uint32_t shown = !number.has_value() ? 0 : above ? s.user_alarm_base : *number + s.user_alarm_base;
   const bool has_text = static_cast<Operand>(i.b) != Operand::none;
   return report_.fail_user(i, shown, has_text ? std::string_view(storage_.text(i.b)) : std::string_view());
 }

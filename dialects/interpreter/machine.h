@@ -7,6 +7,7 @@
 
 #include "dialects/interpreter/block_runner.h"
 #include "dialects/interpreter/call_stack.h"
+#include "dialects/interpreter/shape_run.h"
 #include "dialects/interpreter/string_operations.h"
 #include "dialects/interpreter/variable_access.h"
 
@@ -39,12 +40,18 @@ class Machine {
   bool follow(Flow flow, const Instruction& i, std::uint32_t& next);
   bool jump(const Instruction& i, std::uint32_t& next);
   bool call(const Instruction& i, std::uint32_t& next);
+  bool count_steps(const Instruction& i, std::uint64_t steps);
+  bool begin_shape(const Instruction& i, std::uint32_t& next);
+  bool shape_block(const Instruction& i, std::uint32_t& next);
+  bool end_shape(std::uint32_t& next);
+  bool call_modal(const Instruction& i, std::uint32_t& next);
   bool go_back(const Instruction& i, std::uint32_t& next);
   bool go_back_to(const Instruction& i, std::uint32_t& next);
   bool end_program(const Instruction& i, std::uint32_t& next);
   bool end_text(const Instruction& i);
 
   bool message(const Instruction& i);
+  bool output(const Instruction& i);
   bool user_alarm(const Instruction& i);
   void tell(std::string_view name, double value);
   void tell_rare(const Instruction& i);
@@ -64,6 +71,7 @@ class Machine {
   MotionBuffer out_;
   RunReport report_;
   CallStack stack_;
+  ShapeRun shape_;
   VariableAccess access_;
   BlockRunner blocks_;
   StringOperations strings_;

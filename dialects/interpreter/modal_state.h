@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "dialects/interpreter/plain_block.h"
+#include "dialects/ir/cycle.h"
 #include "dialects/ir/function.h"
 #include "dialects/ir/motion.h"
 #include "dialects/ir/semantics.h"
@@ -17,6 +18,7 @@ constexpr std::size_t index_of(ir::Axis axis) { return static_cast<std::size_t>(
 inline constexpr std::uint16_t kAllAxes = (1U << ir::kAxisCount) - 1U;
 
 inline constexpr std::int32_t kOffsetUnknown = -1;
+inline constexpr std::int32_t kExtendedOffset = 100;  // G54.1 P1 is work offset 101
 
 // The modal codes and the programmable shift: what a subprogram with SAVE gives back when it returns.
 struct Modes {
@@ -32,6 +34,7 @@ struct Modes {
   bool absolute = true;
   bool exact_stop = false;
   bool surface_speed = false;  // G96
+  bool return_to_r = false;    // G99: drilling ends at the R level
   std::int32_t work_offset = kOffsetUnknown;
   AxisValues shift{};  // local: G52, TRANS
 };
@@ -60,13 +63,78 @@ struct Announced {
   ir::CoolantState coolant = ir::CoolantState::off;
 };
 
+// The drilling cycle in effect and the words that it keeps from block to block. Levels are as ModalState::position, of
+// the drilling axis.
+struct Drilling {
+  bool active = false;
+  bool entered = false;  // the initial level is taken
+  std::uint8_t axis = 0;
+  ir::DrillCycle cycle = ir::DrillCycle::drill;
+  std::int16_t along = 0;  // kDrillAlongZ, kDrillAlongX; 0: the plane's normal
+  double initial = 0.0;    // level where the cycle began
+  bool initial_known = false;
+  double r = 0.0;  // as programmed, in mm
+  bool has_r = false;
+  bool r_by_distance = false;  // … from the initial level
+  double depth = 0.0;
+  bool has_depth = false;
+  bool depth_by_distance = false;  // … from the R level
+  double peck_mm = 0.0;            // Q
+  double dwell_s = 0.0;            // P
+  double shift_p_mm = 0.0;         // I, J of the plane's first and second axis, or Q along the first
+  double shift_q_mm = 0.0;
+};
+
+// The single turning cycle in effect and its words.
+enum class TurningCycle : std::uint8_t { along_z, thread, along_x };  // G90, G92, G94
+struct Turning {
+  bool active = false;
+  TurningCycle cycle = TurningCycle::along_z;
+  bool has_x = false;
+  bool has_z = false;
+  double x = 0.0;  // as ModalState::position
+  double z = 0.0;
+  double taper = 0.0;  // R as programmed, mm: start minus end, radius in X
+};
+
+// What multiple repetitive cycles keep: the words of the first of two blocks, and the cycle that was called last.
+// Lengths in mm, X as radius.
+struct Repetitive {
+  std::uint8_t cycle = 0;  // RepetitiveCycle
+  std::uint32_t first_block = 0;
+  std::uint32_t last_block = 0;
+  double allowance_x_mm = 0.0;
+  double allowance_z_mm = 0.0;
+  double depth_mm = 0.0;
+  double retract_mm = 0.0;
+  double relief_x_mm = 0.0;  // G73
+  double relief_z_mm = 0.0;
+  std::int32_t passes = 1;
+  double peck_retract_mm = 0.0;
+  std::int32_t finishes = 1;  // G76
+  double angle_deg = 60.0;
+  double least_cut_mm = 0.0;
+  double allowance_mm = 0.0;
+  double first_cut_mm = 0.0;
+};
+
 struct ModalState {
   Modes modes;
+  Drilling drilling;
+  Turning turning;
+  Repetitive repetitive;
   AxisValues position{};             // in the active work offset
   std::uint16_t unknown = kAllAxes;  // bit per axis: `position` is the last that was known, not where it is
   AxisValues coordinate_shift{};     // G92
-  double feed = 0.0;                 // as Motion::feed
-  double rpm = 0.0;                  // S as written, by what it means
+  AxisValues touch{};                // where a probe touches, as `position`
+  std::uint16_t touch_known = 0;     // bit per axis
+  AxisValues skipped{};              // where the last skip move ended
+  std::uint16_t skipped_known = 0;
+  double clock_ms = 0.0;  // of what was executed: blocks by the control's cost, and dwells
+  double comp_number = 0.0;
+  double length_number = 0.0;  // D, H
+  double feed = 0.0;           // as Motion::feed
+  double rpm = 0.0;            // S as written, by what it means
   double surface_speed_m_min = 0.0;
   double spindle_limit_rpm = 0.0;
   ir::SpindleState spindle = ir::SpindleState::stopped;

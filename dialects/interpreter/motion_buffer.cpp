@@ -17,6 +17,12 @@ std::uint32_t capped(std::uint64_t count) {
 MotionBuffer::MotionBuffer(ir::MotionSink& sink) : sink_(sink), motions_(ir::kMotionBatch) {}
 
 ir::Motion& MotionBuffer::add(ir::MotionKind kind) {
+  if (captured_ != nullptr) [[unlikely]] {
+    ir::Motion& kept = captured_->emplace_back();
+    kept.kind = kind;
+    kept.place = place;
+    return kept;
+  }
   if (used_ == motions_.size()) flush();
   ir::Motion& motion = motions_[used_++];
   motion = ir::Motion{};

@@ -24,6 +24,8 @@ class MotionBuffer {
 
   // The next motion, blank but for place and work. Valid until the next call.
   ir::Motion& add(ir::MotionKind kind);
+  // From here on motions are kept there instead, until nullptr is given; the place must outlive it.
+  void capture(std::vector<ir::Motion>* into) { captured_ = into; }
   // Hands over what is there.
   void flush();
   [[nodiscard]] std::uint64_t count() const { return flushed_ + used_; }
@@ -36,6 +38,7 @@ class MotionBuffer {
   std::vector<ir::Motion> motions_;
   std::size_t used_ = 0;
   std::uint64_t flushed_ = 0;
+  std::vector<ir::Motion>* captured_ = nullptr;
 };
 
 }  // namespace dripfeed::interpreter

@@ -1,9 +1,10 @@
 // Axis words become end points, end points become moves.
 #include "dialects/interpreter/move.h"
 
-#include <bit>
+#include <algorithm>
 
 #include "dialects/interpreter/arc.h"
+#include "dialects/interpreter/axis_words.h"
 
 namespace dripfeed::interpreter {
 
@@ -13,58 +14,35 @@ using ir::Address;
 using ir::Function;
 using ir::MotionKind;
 
-// Where the axis words of a block lead.
-struct Target {
-  AxisValues end{};
-  std::uint16_t commanded = 0;    // bit per axis
-  std::uint16_t incremental = 0;  // … by an increment
-};
-
-// Calls visit(axis, value, incremental) for each axis word that is there: mm or degrees, as programmed but for the
-// diameter, which becomes what is kept.
-template <class Visit>
-void for_each_axis_word(const PlainBlock& block, const BlockRules& rules, const Modes& modes, bool modal_incremental,
-                        Visit visit) {
-  for (std::uint64_t rest = block.present & rules.axis_addresses; rest != 0; rest &= rest - 1) {
-    const auto address = static_cast<Address>(std::countr_zero(rest));
-    const AxisWord& word = rules.axis_words[index_of(address)];
-    const bool by_mode = (block.absolute & bit_of(address)) == 0 && modal_incremental;
-    const bool incremental = word.incremental || by_mode || (block.incremental & bit_of(address)) != 0;
-    double value = word.rotary ? rules.angle_deg(block, address) : rules.length_mm(block, address, modes.inch);
-    if (word.axis == ir::Axis::x) value *= rules.x_factor(modes, incremental);
-    visit(index_of(word.axis), value, incremental);
-  }
-}
-
-Target find_target(const PlainBlock& block, const BlockRules& rules, const ModalState& state, bool machine) {
-  Target target{.end = state.position};
-  for_each_axis_word(block, rules, state.modes, !state.modes.absolute && !machine,
-                     [&](std::size_t axis, double value, bool incremental) {
-                       const auto bit = static_cast<std::uint16_t>(1U << axis);
-                       target.commanded |= bit;
-                       if (machine) {
-                         target.end[axis] = value;
-                       } else if (incremental) {
-                         target.end[axis] = state.position[axis] + value;
-                         target.incremental |= bit;
-                       } else {
-                         target.end[axis] = value + state.modes.shift[axis] + state.coordinate_shift[axis];
-                       }
-                     });
-  return target;
-}
-
-// The plane's axes as indices: p, q and the one that stands on it.
-struct PlaneAxes {
-  std::size_t p;
-  std::size_t q;
-  std::size_t normal;
-};
-constexpr PlaneAxes axes_of(ir::Plane plane) {
-  if (plane == ir::Plane::zx) return {2, 0, 1};
-  return plane == ir::Plane::yz ? PlaneAxes{1, 2, 0} : PlaneAxes{0, 1, 2};
-}
 constexpr std::array kCenterAddresses = {Address::i, Address::j, Address::k};
+
+// After a move in machine coordinates the place in the work offset is not known; an increment from an unknown place
+// ends at one.
+void settle(const Target& target, const MoveOptions& options, ModalState& state, BlockResult& result) {
+  if (options.machine_coordinates) {
+    state.unknown |= target.commanded;
+    return;
+  }
+  if ((state.unknown & target.incremental) != 0) result.notes |= kNoteIncrementalFromUnknown;
+  state.unknown &= static_cast<std::uint16_t>(~(target.commanded & ~target.incremental));
+  state.position = target.end;
+}
+
+ir::Motion& emit_move(MotionKind kind, const Target& target, double feed, const MoveOptions& options, ModalState& state,
+                      MotionBuffer& out, BlockResult& result) {
+  ir::Motion& motion = out.add(kind);
+  fill_common(motion, state);
+  motion.end = target.end;
+  motion.feed = feed;
+  if (kind == MotionKind::thread) motion.feed_mode = ir::FeedMode::per_rev;
+  motion.axes_commanded = target.commanded;
+  motion.axes_unknown = state.unknown;
+  motion.machine_coordinates = options.machine_coordinates;
+  motion.exact_stop = options.exact_stop || state.modes.exact_stop;
+  if (kind != MotionKind::rapid && feed == 0.0) result.notes |= kNoteNoFeed;
+  settle(target, options, state, result);
+  return motion;
+}
 
 class Mover {
  public:
@@ -177,30 +155,7 @@ class Mover {
   }
 
   ir::Motion& emit(MotionKind kind, const Target& target, double feed) {
-    ir::Motion& motion = out_.add(kind);
-    fill_common(motion, state_);
-    motion.end = target.end;
-    motion.feed = feed;
-    if (kind == MotionKind::thread) motion.feed_mode = ir::FeedMode::per_rev;
-    motion.axes_commanded = target.commanded;
-    motion.axes_unknown = state_.unknown;
-    motion.machine_coordinates = options_.machine_coordinates;
-    motion.exact_stop = options_.exact_stop || state_.modes.exact_stop;
-    if (kind != MotionKind::rapid && feed == 0.0) result_.notes |= kNoteNoFeed;
-    settle(target);
-    return motion;
-  }
-
-  // After a move in machine coordinates the place in the work offset is not known; an increment from an unknown place
-  // ends at one.
-  void settle(const Target& target) {
-    if (options_.machine_coordinates) {
-      state_.unknown |= target.commanded;
-      return;
-    }
-    if ((state_.unknown & target.incremental) != 0) result_.notes |= kNoteIncrementalFromUnknown;
-    state_.unknown &= static_cast<std::uint16_t>(~(target.commanded & ~target.incremental));
-    state_.position = target.end;
+    return emit_move(kind, target, feed, options_, state_, out_, result_);
   }
 
   void fail(text::DiagnosticId id, double first, double second) {
@@ -222,6 +177,29 @@ class Mover {
 };
 
 }  // namespace
+
+Target find_target(const PlainBlock& block, const BlockRules& rules, const ModalState& state, bool machine) {
+  Target target{.end = state.position};
+  for_each_axis_word(block, rules, state.modes, !state.modes.absolute && !machine,
+                     [&](std::size_t axis, double value, bool incremental) {
+                       const auto bit = static_cast<std::uint16_t>(1U << axis);
+                       target.commanded |= bit;
+                       if (machine) {
+                         target.end[axis] = value;
+                       } else if (incremental) {
+                         target.end[axis] = state.position[axis] + value;
+                         target.incremental |= bit;
+                       } else {
+                         target.end[axis] = value + state.modes.shift[axis] + state.coordinate_shift[axis];
+                       }
+                     });
+  return target;
+}
+
+void move_straight(MotionKind kind, const Target& target, double feed, const MoveOptions& options, ModalState& state,
+                   MotionBuffer& out, BlockResult& result) {
+  emit_move(kind, target, feed, options, state, out, result);
+}
 
 void fill_common(ir::Motion& motion, const ModalState& state) {
   motion.plane = state.modes.plane;
@@ -255,6 +233,27 @@ void move(const PlainBlock& block, const BlockRules& rules, const MoveOptions& o
                  : motion == Function::thread ? MotionKind::thread
                                               : MotionKind::rapid,
                  target);
+}
+
+// The touch of any commanded axis ends the way of all.
+void move_until_touch(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out,
+                      BlockResult& result) {
+  Target target = find_target(block, rules, state, false);
+  double part = 1.0;
+  for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
+    const auto bit = static_cast<std::uint16_t>(1U << axis);
+    const double way = target.end[axis] - state.position[axis];
+    if ((target.commanded & state.touch_known & ~state.unknown & bit) == 0 || way == 0.0) continue;
+    const double at = (state.touch[axis] - state.position[axis]) / way;
+    if (at >= 0.0) part = std::min(part, at);
+  }
+  if (part < 1.0)
+    for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis)
+      target.end[axis] = state.position[axis] + (target.end[axis] - state.position[axis]) * part;
+  emit_move(MotionKind::linear, target, state.feed, {}, state, out, result);
+  result.notes |= kNoteSkip;
+  state.skipped = state.position;
+  state.skipped_known = static_cast<std::uint16_t>(~state.unknown);
 }
 
 void return_to_reference(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out,

@@ -5,17 +5,35 @@
 
 namespace dripfeed::interpreter {
 
+namespace {
+
+// nullopt: none of that name.
+std::optional<std::uint32_t> section_named(const ir::Program& program, std::string_view name) {
+  for (std::uint32_t i = 0; i < program.sections.size(); ++i)
+    if (program.strings.at(program.sections[i].name) == name) return i;
+  return std::nullopt;
+}
+
+}  // namespace
+
 CompiledProgram& ProgramTable::add(const ir::Program& program, std::string_view name) {
-  std::unique_ptr<CompiledProgram>& entry = programs_[&program];
+  if (main_ == nullptr) main_ = &program;
+  return add_section(program, section_named(program, name).value_or(0), name);
+}
+
+CompiledProgram& ProgramTable::add_section(const ir::Program& program, std::uint32_t section, std::string_view name) {
+  std::unique_ptr<CompiledProgram>& entry = programs_[{&program, section}];
   if (entry == nullptr) {
     const auto index = static_cast<std::uint32_t>(context_.names.programs.size());
     context_.names.programs.emplace_back(name);
-    entry = compile(program, index, context_);
+    entry = compile(program, section, index, context_);
   }
   return *entry;
 }
 
-CompiledProgram* ProgramTable::find(std::string_view name) {
+CompiledProgram* ProgramTable::find(std::string_view name, const CompiledProgram& caller) {
+  for (const ir::Program* text : {caller.source, main_})
+    if (const auto section = section_named(*text, name)) return &add_section(*text, *section, name);
   const ir::Program* program = finder_.find(name);
   return program == nullptr ? nullptr : &add(*program, name);
 }

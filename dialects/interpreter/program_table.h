@@ -1,9 +1,10 @@
 // The programs of a run: each is compiled when it is first called.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string_view>
-#include <unordered_map>
+#include <utility>
 
 #include "dialects/interpreter/code_builder.h"
 
@@ -13,14 +14,19 @@ class ProgramTable {
  public:
   ProgramTable(const CompileContext& context, ProgramFinder& finder) : context_(context), finder_(finder) {}
 
+  // The program's section of that name, its first one without such.
   CompiledProgram& add(const ir::Program& program, std::string_view name);
-  // nullptr when nobody has it.
-  CompiledProgram* find(std::string_view name);
+  // Looked for in the text of the caller, in the main program's text, and then by the finder; nullptr when nobody has
+  // it.
+  CompiledProgram* find(std::string_view name, const CompiledProgram& caller);
 
  private:
   const CompileContext& context_;
   ProgramFinder& finder_;
-  std::unordered_map<const ir::Program*, std::unique_ptr<CompiledProgram>> programs_;
+  CompiledProgram& add_section(const ir::Program& program, std::uint32_t section, std::string_view name);
+
+  std::map<std::pair<const ir::Program*, std::uint32_t>, std::unique_ptr<CompiledProgram>> programs_;
+  const ir::Program* main_ = nullptr;
 };
 
 }  // namespace dripfeed::interpreter

@@ -7,14 +7,16 @@ namespace dripfeed::interpreter {
 
 using text::DiagnosticId;
 
-void RunReport::add(const Instruction& at, DiagnosticId id, std::vector<std::string> arguments) {
+void RunReport::add(const Instruction& at, DiagnosticId id, std::vector<std::string> arguments,
+                    ir::AlarmDetail detail) {
   const auto index = static_cast<std::size_t>(&at - program_->code.data());
-  result_.diagnostics.push_back(
-      {program_->index, out_.place.line, ir::diagnose(control_, id, program_->spans[index], std::move(arguments))});
+  result_.diagnostics.push_back({program_->index, out_.place.line,
+                                 ir::diagnose(control_, id, program_->spans[index], std::move(arguments), detail)});
 }
 
-bool RunReport::fail(const Instruction& at, DiagnosticId id, std::vector<std::string> arguments) {
-  add(at, id, std::move(arguments));
+bool RunReport::fail(const Instruction& at, DiagnosticId id, std::vector<std::string> arguments,
+                     ir::AlarmDetail detail) {
+  add(at, id, std::move(arguments), detail);
   return end(id == DiagnosticId::limit_reached ? Ended::limit : Ended::alarm);
 }
 

@@ -22,7 +22,8 @@ class RunReport {
   void enter(const CompiledProgram& program) { program_ = &program; }
 
   // Ends the run by an alarm, or by a limit of the run; always false.
-  bool fail(const Instruction& at, text::DiagnosticId id, std::vector<std::string> arguments = {});
+  bool fail(const Instruction& at, text::DiagnosticId id, std::vector<std::string> arguments = {},
+            ir::AlarmDetail detail = ir::AlarmDetail::none);
   bool fail_limit(const Instruction& at, std::string_view limit);
   // An alarm that the program itself raises; `number` as the control shows it, 0: without.
   bool fail_user(const Instruction& at, std::uint32_t number, std::string_view message);
@@ -37,7 +38,8 @@ class RunReport {
   [[nodiscard]] RunResult& result() { return result_; }
 
  private:
-  void add(const Instruction& at, text::DiagnosticId id, std::vector<std::string> arguments);
+  void add(const Instruction& at, text::DiagnosticId id, std::vector<std::string> arguments,
+           ir::AlarmDetail detail = ir::AlarmDetail::none);
 
   const ir::Control& control_;
   const Limits& limits_;

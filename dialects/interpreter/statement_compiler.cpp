@@ -14,6 +14,10 @@ constexpr StatementCompiler::Row StatementCompiler::kRows[] = {
     {StatementKind::procedure, &StatementCompiler::compile_procedure},
     {StatementKind::call, &StatementCompiler::compile_call},
     {StatementKind::subprogram_return, &StatementCompiler::compile_return},
+    {StatementKind::return_to, &StatementCompiler::compile_return_to},
+    {StatementKind::modal_call, &StatementCompiler::compile_modal_call},
+    {StatementKind::modal_call_end, &StatementCompiler::compile_modal_call_end},
+    {StatementKind::output, &StatementCompiler::compile_output},
     {StatementKind::program_end, &StatementCompiler::compile_program_end},
     {StatementKind::message, &StatementCompiler::compile_message},
     {StatementKind::alarm, &StatementCompiler::compile_alarm},
@@ -30,18 +34,21 @@ StatementCompiler::StatementCompiler(CodeBuilder& builder)
 
 void StatementCompiler::compile() {
   builder_.out().works.push_back({.blocks = 1});  // a block without anything to compute
-  const auto count = static_cast<std::uint32_t>(builder_.source().statements.size());
+  const ir::Program& program = builder_.source();
+  const auto count = static_cast<std::uint32_t>(program.statements.size());
+  const bool whole = program.sections.empty();
+  const std::uint32_t first = whole ? 0 : program.sections[builder_.out().section].first;
+  const std::uint32_t last = whole ? count : program.sections[builder_.out().section].last;
   builder_.reserve();
-  std::vector<StatementCode> code;
-  code.reserve(count);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const std::uint32_t begin = builder_.here();
+  std::vector<StatementCode> code(count);
+  for (std::uint32_t i = first; i < last; ++i) {
+    code[i].begin = builder_.here();
     compile_statement(i);
-    code.push_back({begin, builder_.here()});
+    code[i].end = builder_.here();
   }
   end_block();
   builder_.emit(Opcode::text_end, {});
-  flow_.settle(code);
+  flow_.settle(code, first, last);
 }
 
 // A block's first statement holds its tokens. Programs that were built have none: there each statement is a block, but
@@ -127,11 +134,33 @@ void StatementCompiler::compile_call(const ir::Statement& statement) {
   calls_.compile(builder_.source().calls[statement.payload], statement.span);
 }
 
-void StatementCompiler::compile_return(const ir::Statement& statement) {
-  if (statement.payload == ir::kNoIndex)
-    builder_.emit(Opcode::back, statement.span);
-  else
-    flow_.compile_return_jump(builder_.source().jumps[statement.payload], statement.span);
+void StatementCompiler::compile_return(const ir::Statement& statement) { builder_.emit(Opcode::back, statement.span); }
+
+void StatementCompiler::compile_return_to(const ir::Statement& statement) {
+  flow_.compile_return_jump(builder_.source().jumps[statement.payload], statement.span);
+}
+
+void StatementCompiler::compile_modal_call(const ir::Statement& statement) {
+  calls_.compile_modal(builder_.source().calls[statement.payload], statement.span);
+}
+
+void StatementCompiler::compile_modal_call_end(const ir::Statement& statement) {
+  builder_.emit(Opcode::modal_end, statement.span);
+}
+
+// The values of the parts stand in registers in a row.
+void StatementCompiler::compile_output(const ir::Statement& statement) {
+  const ir::Program& program = builder_.source();
+  const ir::Output& output = program.outputs[statement.payload];
+  std::vector<Operand> registers;
+  for (std::uint32_t i = 0; i < output.part_count; ++i) registers.push_back(builder_.take());
+  for (std::uint32_t i = 0; i < output.part_count; ++i) {
+    const ir::OutputPart& part = program.output_parts[output.first_part + i];
+    if (part.value == ir::ExpressionId::none) continue;
+    const Value value = expressions_.compile_number(part.value);
+    builder_.emit(Opcode::copy, statement.span, raw_of(registers[i]), raw_of(value.operand));
+  }
+  builder_.emit(Opcode::output, statement.span, statement.payload, registers.empty() ? 0 : raw_of(registers.front()));
 }
 
 void StatementCompiler::compile_program_end(const ir::Statement& statement) {

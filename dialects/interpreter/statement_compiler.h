@@ -31,6 +31,10 @@ class StatementCompiler {
   void compile_procedure(const ir::Statement& statement);
   void compile_call(const ir::Statement& statement);
   void compile_return(const ir::Statement& statement);
+  void compile_return_to(const ir::Statement& statement);
+  void compile_modal_call(const ir::Statement& statement);
+  void compile_modal_call_end(const ir::Statement& statement);
+  void compile_output(const ir::Statement& statement);
   void compile_program_end(const ir::Statement& statement);
   void compile_message(const ir::Statement& statement);
   void compile_alarm(const ir::Statement& statement);

@@ -57,6 +57,7 @@ bool Machine::run_plain_blocks(PlainStream& stream, CompiledProgram& plain) {
       out_.place.ordinal = executed_++;
       begun_ = out_.place;
       ++out_.work.blocks;
+      state_.clock_ms += control_.cost.block_ms;
       for (; report != batch->reports.end() && report->block == n; ++report)
         report_.count({std::string(report->name), report->function, report->function == ir::Function::no_effect});
       if (row.word_count + row.code_count > 0 && !blocks_.run_plain(here, *batch, row).has_value()) return false;

@@ -1,6 +1,8 @@
 // Answers by kind of value.
 #include "dialects/interpreter/system_values.h"
 
+#include <cmath>
+
 #include "dialects/interpreter/trace.h"
 #include "dialects/interpreter/variable_map.h"
 
@@ -9,8 +11,27 @@ namespace dripfeed::interpreter {
 namespace {
 
 using ir::Function;
+using ir::SystemValue;
 
 std::uint64_t key_of(std::uint32_t row, std::uint32_t number) { return std::uint64_t{row} << 32 | number; }
+
+constexpr double kMsPerHour = 3.6e6;
+constexpr bool is_rotary(std::size_t axis) { return axis >= 3 && axis <= 5; }
+
+// #5201 external, #5221 G54 …; #7001 G54.1 P1 …, each 20 numbers behind the one before.
+constexpr std::uint32_t kFirstOffset = 5201;
+constexpr std::uint32_t kFirstExtended = 7001;
+constexpr std::uint32_t kOffsetStep = 20;
+constexpr std::uint32_t number_of_offset(std::int32_t offset) {
+  return offset > kExtendedOffset
+             ? kFirstExtended + kOffsetStep * static_cast<std::uint32_t>(offset - kExtendedOffset - 1)
+             : kFirstOffset + kOffsetStep * static_cast<std::uint32_t>(offset);
+}
+constexpr std::int32_t offset_of_number(std::uint32_t number) {
+  return number >= kFirstExtended
+             ? static_cast<std::int32_t>((number - kFirstExtended) / kOffsetStep) + kExtendedOffset + 1
+             : static_cast<std::int32_t>((number - kFirstOffset) / kOffsetStep);
+}
 
 // Groups by the numbers that #4001 and its followers have; 0 is none.
 constexpr ir::ModalGroup kGroups[] = {
@@ -45,33 +66,102 @@ std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number
   const ir::SystemVariableRow& entry = control_.system_variables[row];
   const std::uint32_t index = entry.name.empty() ? number - entry.first : number;
   switch (entry.kind) {
-    case ir::SystemValue::end_position: return end_position(index, state);
-    case ir::SystemValue::feed: return state.modes.inch_feed ? state.feed / 25.4 : state.feed;
-    case ir::SystemValue::spindle_speed: return state.modes.surface_speed ? state.surface_speed_m_min : state.rpm;
-    case ir::SystemValue::tool_number: return static_cast<double>(state.tool.number);
-    case ir::SystemValue::active_code: return active_code(index + 1, state);
-    case ir::SystemValue::not_modelled:
-    case ir::SystemValue::machine_position:
-    case ir::SystemValue::work_offset_value:
-    case ir::SystemValue::clock_ms: break;
+    case SystemValue::end_position: return position(index, state.position, ~state.unknown & kAllAxes, state);
+    case SystemValue::skip_position: return position(index, state.skipped, state.skipped_known, state);
+    case SystemValue::machine_position: return machine_position(index, state);
+    case SystemValue::feed: return state.modes.inch_feed ? state.feed / 25.4 : state.feed;
+    case SystemValue::spindle_speed: return state.modes.surface_speed ? state.surface_speed_m_min : state.rpm;
+    case SystemValue::tool_number: return static_cast<double>(state.tool.number);
+    case SystemValue::comp_number: return state.comp_number;
+    case SystemValue::length_number: return state.length_number;
+    case SystemValue::active_code: return active_code(index + 1, state);
+    case SystemValue::clock_ms: return std::floor(clock_from_ms_ + state.clock_ms);
+    case SystemValue::clock_hours: return hours_from_ + state.clock_ms / kMsPerHour;
+    case SystemValue::not_modelled:
+    case SystemValue::work_offset_value:
+    case SystemValue::block_number:
+    case SystemValue::program_number: break;
   }
   return std::nullopt;
 }
 
-void SystemValues::write(std::uint32_t row, std::uint32_t number, double value) {
-  written_[key_of(row, number)] = value;
+void SystemValues::write(std::uint32_t row, std::uint32_t number, double value, ModalState& state) {
+  const SystemValue kind =
+      row < control_.system_variables.size() ? control_.system_variables[row].kind : SystemValue::not_modelled;
+  if (kind == SystemValue::clock_ms) {
+    clock_from_ms_ = value - state.clock_ms;
+  } else if (kind == SystemValue::clock_hours) {
+    hours_from_ = value - state.clock_ms / kMsPerHour;
+  } else {
+    if (kind == SystemValue::work_offset_value) move_offset(number, value, state);
+    written_[key_of(row, number)] = value;
+  }
 }
 
-// Of the block before, in the unit and the coordinates of the program. Axes are counted as the control has them.
-std::optional<double> SystemValues::end_position(std::uint32_t axis, const ModalState& state) const {
-  if (axis >= control_.axes.size()) return std::nullopt;
+void SystemValues::set_initial(std::uint32_t row, std::uint32_t number, double value, ModalState& state) {
+  const bool in_table = row < control_.system_variables.size();
+  if (!in_table || control_.system_variables[row].kind != SystemValue::skip_position)
+    return write(row, number, value, state);
+  const std::size_t place = place_of(number - control_.system_variables[row].first);
+  if (place >= ir::kAxisCount) return;
+  state.touch[place] = value;
+  state.touch_known |= static_cast<std::uint16_t>(1U << place);
+}
+
+// Axes are counted as the control has them; kAxisCount: it has no such.
+std::size_t SystemValues::place_of(std::uint32_t axis) const {
+  if (axis >= control_.axes.size()) return ir::kAxisCount;
   const std::size_t place = kAxisLetters.find(control_.axes[axis]);
-  if (place == std::string_view::npos || (state.unknown >> place & 1U) != 0) return std::nullopt;
-  double value = state.position[place] - state.modes.shift[place] - state.coordinate_shift[place];
-  const auto kind = static_cast<ir::Axis>(place);
-  if (kind == ir::Axis::x) value /= BlockRules(control_).x_factor(state.modes, false);
-  const bool rotary = kind == ir::Axis::a || kind == ir::Axis::b || kind == ir::Axis::c;
-  return state.modes.inch && !rotary ? value / 25.4 : value;
+  return place == std::string_view::npos ? ir::kAxisCount : place;
+}
+
+// Of the block before, in the unit and the coordinates of the program.
+std::optional<double> SystemValues::position(std::uint32_t axis, const AxisValues& of, std::uint16_t known,
+                                             const ModalState& state) const {
+  const std::size_t place = place_of(axis);
+  if (place >= ir::kAxisCount || (known >> place & 1U) == 0) return std::nullopt;
+  double value = of[place] - state.modes.shift[place] - state.coordinate_shift[place];
+  if (place == 0) value /= rules_.x_factor(state.modes, false);
+  return state.modes.inch && !is_rotary(place) ? value / 25.4 : value;
+}
+
+// Known where the offset in effect was set by the program or before the start.
+std::optional<double> SystemValues::machine_position(std::uint32_t axis, const ModalState& state) const {
+  const std::size_t place = place_of(axis);
+  if (place >= ir::kAxisCount || (state.unknown >> place & 1U) != 0) return std::nullopt;
+  const auto offset = offset_mm(state.modes.work_offset, place, state);
+  if (!offset) return std::nullopt;
+  const double value = state.position[place] + *offset + offset_mm(0, place, state).value_or(0.0);
+  return state.modes.inch && !is_rotary(place) ? value / 25.4 : value;
+}
+
+// 0 is the external offset.
+std::optional<double> SystemValues::offset_mm(std::int32_t offset, std::size_t axis, const ModalState& state) const {
+  const std::size_t index = control_.axes.find(kAxisLetters[axis]);
+  if (offset < 0 || index == std::string::npos) return std::nullopt;
+  const std::uint32_t number = number_of_offset(offset) + static_cast<std::uint32_t>(index);
+  for (std::uint32_t row = 0; row < control_.system_variables.size(); ++row) {
+    const ir::SystemVariableRow& entry = control_.system_variables[row];
+    if (!entry.name.empty() || number < entry.first || number > entry.last) continue;
+    const auto found = written_.find(key_of(row, number));
+    if (found == written_.end()) return std::nullopt;
+    return state.modes.inch && !is_rotary(axis) ? found->second * 25.4 : found->second;
+  }
+  return std::nullopt;
+}
+
+// The machine stays where it is, so that the position counted from the offset changes by as much as the offset does.
+void SystemValues::move_offset(std::uint32_t number, double value, ModalState& state) {
+  const std::int32_t offset = offset_of_number(number);
+  if (offset != 0 && offset != state.modes.work_offset) return;
+  const std::uint32_t first = number_of_offset(offset);
+  const std::size_t place = place_of(number - first);
+  if (place >= ir::kAxisCount) return;
+  if (const auto before = offset_mm(offset, place, state)) {
+    state.position[place] += *before - (state.modes.inch && !is_rotary(place) ? value * 25.4 : value);
+  } else {
+    state.unknown |= static_cast<std::uint16_t>(1U << place);
+  }
 }
 
 std::optional<double> SystemValues::active_code(std::uint32_t group, const ModalState& state) const {

@@ -13,18 +13,29 @@ namespace dripfeed::interpreter {
 
 class SystemValues {
  public:
-  explicit SystemValues(const ir::Control& control) : control_(control) {}
+  explicit SystemValues(const ir::Control& control) : control_(control), rules_(control) {}
 
   // `row` of the control's table (kNoRow without one); `number` of a numbered variable, index of a named one. Nothing
   // when it is not known.
   [[nodiscard]] std::optional<double> read(std::uint32_t row, std::uint32_t number, const ModalState& state) const;
-  void write(std::uint32_t row, std::uint32_t number, double value);
+  // What the program writes. A work offset that is in effect moves the position that is counted from it.
+  void write(std::uint32_t row, std::uint32_t number, double value, ModalState& state);
+  // Before the start: the same, but that a skip position says where the probe will touch.
+  void set_initial(std::uint32_t row, std::uint32_t number, double value, ModalState& state);
 
  private:
-  [[nodiscard]] std::optional<double> end_position(std::uint32_t axis, const ModalState& state) const;
+  [[nodiscard]] std::optional<double> position(std::uint32_t axis, const AxisValues& of, std::uint16_t known,
+                                               const ModalState& state) const;
+  [[nodiscard]] std::optional<double> machine_position(std::uint32_t axis, const ModalState& state) const;
+  [[nodiscard]] std::optional<double> offset_mm(std::int32_t offset, std::size_t axis, const ModalState& state) const;
+  void move_offset(std::uint32_t number, double value, ModalState& state);
+  [[nodiscard]] std::size_t place_of(std::uint32_t axis) const;
   [[nodiscard]] std::optional<double> active_code(std::uint32_t group, const ModalState& state) const;
 
   const ir::Control& control_;
+  BlockRules rules_;
+  double clock_from_ms_ = 0.0;  // what the program set the clocks to, less the clock then
+  double hours_from_ = 0.0;
   std::unordered_map<std::uint64_t, double> written_;
 };
 

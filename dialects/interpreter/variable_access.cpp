@@ -56,7 +56,7 @@ bool VariableAccess::store_number(const Instruction& i) {
   if (!found->slot.writable)
     return report_.fail(i, DiagnosticId::variable_write_protected, {variable_name(bank_of(i), found->number)});
   if (found->slot.kind == SlotKind::system)
-    system_.write(found->slot.index, found->number, storage_.reg(i.b));
+    system_.write(found->slot.index, found->number, storage_.reg(i.b), state_);
   else
     at(found->slot) = storage_.reg(i.b);
   return true;
@@ -155,14 +155,20 @@ bool VariableAccess::store_system(const Instruction& i) {
   const auto rows = control_.system_variables;
   if (i.a < rows.size() && !rows[i.a].writable)
     return report_.fail(i, DiagnosticId::variable_write_protected, {system_name(i.a, *number)});
-  system_.write(i.a, *number, storage_.reg(i.c));
+  system_.write(i.a, *number, storage_.reg(i.c), state_);
   return true;
 }
 
+void VariableAccess::set_system(std::uint32_t number, double value, bool adds) {
+  const std::uint32_t row = variables_.system_row(number);
+  const double before = adds ? system_.read(row, number, state_).value_or(0.0) : 0.0;
+  system_.write(row, number, before + value, state_);
+}
+
 void VariableAccess::set_initial(const InitialValue& value) {
-  if (value.bank == ir::Bank::system) return system_.write(value.number, 0, value.value);
+  if (value.bank == ir::Bank::system) return system_.write(value.number, 0, value.value, state_);
   const Slot slot = variables_.find(value.bank, value.number);
-  if (slot.kind == SlotKind::system) return system_.write(slot.index, value.number, value.value);
+  if (slot.kind == SlotKind::system) return system_.set_initial(slot.index, value.number, value.value, state_);
   if (slot.kind == SlotKind::global || slot.kind == SlotKind::local) at(slot) = value.value;
 }
 

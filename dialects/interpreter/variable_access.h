@@ -14,7 +14,7 @@ namespace dripfeed::interpreter {
 class VariableAccess {
  public:
   VariableAccess(const ir::Control& control, const Arithmetic& arithmetic, const VariableMap& variables,
-                 Storage& storage, const ModalState& state, RunReport& report)
+                 Storage& storage, ModalState& state, RunReport& report)
       : control_(control),
         arithmetic_(arithmetic),
         variables_(variables),
@@ -38,6 +38,8 @@ class VariableAccess {
   std::optional<std::uint32_t> find_element(const Instruction& i, const CompiledProgram& program, std::uint32_t array,
                                             std::uint32_t indices);
   void set_initial(const InitialValue& value);
+  // A numbered system variable, as an assignment of the program would; `adds`: to the value that it has.
+  void set_system(std::uint32_t number, double value, bool adds);
   [[nodiscard]] std::string name_of_element(const CompiledProgram& program, std::uint32_t array, std::uint32_t indices);
   // A whole number from 0 to `last`, rounded as the control does.
   [[nodiscard]] std::optional<std::uint32_t> whole_number(double value, double last) const;
@@ -56,7 +58,7 @@ class VariableAccess {
   const Arithmetic& arithmetic_;
   const VariableMap& variables_;
   Storage& storage_;
-  const ModalState& state_;
+  ModalState& state_;
   RunReport& report_;
   SystemValues system_;
 };

@@ -43,13 +43,14 @@ class VariableMap {
   // All local and global variables, locals first, in the order of the control's ranges.
   [[nodiscard]] std::vector<Named> list() const;
 
+  // Row of the control's table of system variables, kNoRow without one.
+  [[nodiscard]] std::uint32_t system_row(std::uint32_t number) const;
+
  private:
   struct Range {
     ir::VariableRange range;
     std::uint32_t first_slot = 0;  // local, global
   };
-  [[nodiscard]] std::uint32_t system_row(std::uint32_t number) const;
-
   std::vector<Range> ranges_;
   std::span<const ir::SystemVariableRow> system_variables_;
   bool has_vacant_ = true;

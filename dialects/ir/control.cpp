@@ -12,9 +12,11 @@ const CodeRow* find_code(std::span<const CodeRow> table, std::int32_t number10) 
   return row != table.end() && row->number10 == number10 ? &*row : nullptr;
 }
 
-std::string_view alarm_of(const Control& control, text::DiagnosticId id) {
-  const auto row = std::ranges::find(control.alarms, id, &AlarmRow::id);
-  return row == control.alarms.end() ? std::string_view() : row->alarm;
+std::string_view alarm_of(const Control& control, text::DiagnosticId id, AlarmDetail detail) {
+  const auto row =
+      std::ranges::find_if(control.alarms, [&](const AlarmRow& r) { return r.id == id && r.detail == detail; });
+  if (row != control.alarms.end()) return row->alarm;
+  return detail == AlarmDetail::none ? std::string_view() : alarm_of(control, id);
 }
 
 const VariableRange* find_variable(const Control& control, Bank bank, std::uint32_t number) {
@@ -25,9 +27,9 @@ const VariableRange* find_variable(const Control& control, Bank bank, std::uint3
 }
 
 text::Diagnostic diagnose(const Control& control, text::DiagnosticId id, text::Span span,
-                          std::vector<std::string> arguments) {
+                          std::vector<std::string> arguments, AlarmDetail detail) {
   text::Diagnostic diagnostic = text::make_diagnostic(id, span, std::move(arguments));
-  diagnostic.alarm = alarm_of(control, id);
+  diagnostic.alarm = alarm_of(control, id, detail);
   return diagnostic;
 }
 

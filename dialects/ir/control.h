@@ -35,11 +35,17 @@ enum class SystemValue : std::uint8_t {
   end_position,
   machine_position,
   work_offset_value,
+  skip_position,  // where G31 ended
   feed,
   spindle_speed,
   tool_number,
+  comp_number,
+  length_number,  // D, H
+  block_number,
+  program_number,
   active_code,
   clock_ms,
+  clock_hours,
 };
 struct SystemVariableRow {
   std::string_view name;    // "$P_EP"; empty for numbered ones
@@ -50,9 +56,25 @@ struct SystemVariableRow {
   std::string_view reference;
 };
 
+// Which of several alarms that a control has for one diagnostic.
+enum class AlarmDetail : std::uint8_t {
+  none,
+  if_statement,
+  while_statement,
+  jump_number,  // GOTO to a number that no block can have
+  two_signs,
+  opening_bracket,
+  closing_bracket,
+  code_as_argument,
+  subprogram_in_drip,  // M198 or M99 P while the program is fed
+  macro_call,          // nesting of macros, not of subprograms
+  macro_program,       // a macro call without its program
+  if_nesting,
+};
 struct AlarmRow {
   text::DiagnosticId id;
   std::string_view alarm;  // "PS0124", "14080"
+  AlarmDetail detail = AlarmDetail::none;
 };
 
 // 0 means: no limit.
@@ -61,10 +83,19 @@ struct ControlLimits {
   std::uint32_t digits = 8;  // of one number
   std::uint32_t expression_nesting = 5;
   std::uint32_t loop_nesting = 3;
+  std::uint32_t condition_nesting = 0;
   std::uint32_t call_nesting = 4;
   std::uint32_t macro_nesting = 4;
   std::uint32_t name_length = 31;
   int linear_decimals = 3;  // digits after the point that an axis word resolves
+};
+
+// A code that the machine's parameters turn into a call of a program.
+struct CodeCall {
+  char letter = 'G';
+  std::int32_t number10 = 0;  // as CodeRow
+  std::uint32_t program = 0;
+  bool macro = true;  // the block's words are arguments; otherwise as by M98
 };
 
 struct Control {
@@ -81,7 +112,8 @@ struct Control {
   std::span<const SystemVariableRow> system_variables;
   std::span<const AlarmRow> alarms;
   std::vector<VariableRange> variables;
-  bool from_profile = false;  // a named machine: what it leaves unconfirmed is an error, not a warning
+  std::vector<CodeCall> code_calls;  // machine
+  bool from_profile = false;         // a named machine: what it leaves unconfirmed is an error, not a warning
   // Why the control was taken for this one, when no machine was named: the line that decided, 0 for the default.
   std::uint32_t because_line = 0;
 };
@@ -89,12 +121,13 @@ struct Control {
 // nullptr when the table has no such number. `number10` is ten times the written number.
 const CodeRow* find_code(std::span<const CodeRow> table, std::int32_t number10);
 // The control's own alarm for a diagnostic, "" when it has none.
-std::string_view alarm_of(const Control& control, text::DiagnosticId id);
+// … with that detail, or without one where the control makes no difference.
+std::string_view alarm_of(const Control& control, text::DiagnosticId id, AlarmDetail detail = AlarmDetail::none);
 // The range that holds the variable; nullptr when the control has no such variable.
 const VariableRange* find_variable(const Control& control, Bank bank, std::uint32_t number);
 
 // A diagnostic with the control's alarm beside it.
 text::Diagnostic diagnose(const Control& control, text::DiagnosticId id, text::Span span,
-                          std::vector<std::string> arguments = {});
+                          std::vector<std::string> arguments = {}, AlarmDetail detail = AlarmDetail::none);
 
 }  // namespace dripfeed::ir

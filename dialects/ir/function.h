@@ -40,6 +40,9 @@ enum class Function : std::uint8_t {
   local_shift_add,      // ATRANS
   set_coordinates,      // G92; G50 of G-code system A
   reference_return,     // G28, G74; argument: reference point 1, 2 …
+  extended_offset,      // G54.1: P is its number
+  data_input,           // G10: L says what is set
+  skip_move,            // G31: a straight move that a signal may end
   // tool
   comp_off,
   comp_left,
@@ -65,7 +68,10 @@ enum class Function : std::uint8_t {
   program_end_rewind,
   subprogram_end,
   // cycles
+  drill,  // argument: drill_argument() of ir/cycle.h
   cycle_off,
+  turning_cycle,     // argument: 0 along Z (G90), 1 thread (G92), 2 along X (G94)
+  repetitive_cycle,  // argument: 0 to 6 as G70 to G76
   return_to_initial,
   return_to_r,  // G98, G99 of mills
   // without effect on motion, time or geometry that is modelled: said once by name in the report

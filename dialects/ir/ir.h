@@ -6,6 +6,7 @@
 #pragma once
 
 #include "dialects/ir/control.h"
+#include "dialects/ir/cycle.h"
 #include "dialects/ir/expression.h"
 #include "dialects/ir/function.h"
 #include "dialects/ir/motion.h"

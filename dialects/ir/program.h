@@ -47,6 +47,9 @@ struct Program {
   std::vector<Argument> arguments;
   std::vector<Message> messages;
   std::vector<Native> natives;
+  std::vector<Output> outputs;
+  std::vector<OutputPart> output_parts;
+  std::vector<Section> sections;  // empty: all statements are one program
   std::vector<Expression> expressions;
   std::vector<Variable> variables;
   std::vector<Symbol> symbols;

@@ -43,6 +43,19 @@ struct Semantics {
   bool dwell_p_is_ms = true;              // G04 P in ms, X/U in s; otherwise G4 F in s
   double arc_tolerance_mm = 0.02;         // start and end radius may differ by this (3410; MD21000)
 
+  // Cycles: what parameters decide. Neither changes the hole, only the way to it.
+  double chip_break_retract_mm = 1.0;  // machine: G73 goes back by this between pecks (5114)
+  double peck_clearance_mm = 1.0;      // machine: G83 goes back in to this far above the last depth (5115)
+  bool drill_r_from_initial = false;   // R of drilling is a distance from the initial level in G90, too (lathes)
+  bool pecks_need_depth = false;       // G73 and G83 without Q are an alarm (Fanuc mills)
+
+  // Turning cycles, where the program does not say: machine (5132 … 5145). All mm, radius.
+  double cycle_depth_mm = 1.0;       // of a pass of G71, G72
+  double cycle_retract_mm = 0.5;     // away from the work behind each pass
+  std::int32_t cycle_passes = 3;     // of G73
+  double thread_first_cut_mm = 0.3;  // G76 without Q
+  double thread_least_cut_mm = 0.05;
+
   // State at power-on or reset; `known` is false where the machine decides and nobody confirmed.
   bool power_on_known = false;
   Function power_on_motion = Function::rapid;
@@ -56,6 +69,7 @@ struct Semantics {
   bool end_in_subprogram_returns = false;     // M30 or M2 of a called program only returns (SINUMERIK)
   bool return_in_main_restarts = false;       // M99 of the main program starts it again, without end
   std::uint32_t user_alarm_base = 0;          // #3000 = 1 is shown as alarm 3001: 3000
+  std::uint32_t highest_user_alarm = 0;       // above it all are shown as the base alone; 0: no limit
   bool feed_code_ends_surface_speed = false;  // G94, G95, G96 replace each other (SINUMERIK)
   bool d_selects_edge = false;                // D is the tool's edge and takes effect at once; otherwise a comp number
 };

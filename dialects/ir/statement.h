@@ -97,7 +97,11 @@ enum class StatementKind : std::uint8_t {
   call,               // subprogram or macro                   -> calls
   procedure,          // PROC … (the head of a subprogram)     -> structures
   declaration,        // EXTERN: no effect while running
-  subprogram_return,  // M99, M17, RET; with a payload (M99 P100): the jump that its caller goes on with -> jumps
+  subprogram_return,  // M99, M17, RET
+  return_to,          // M99 P100: the jump in the caller that follows                     -> jumps
+  modal_call,         // G66: the call is made behind every block that moves               -> calls
+  modal_call_end,     // G67
+  output,             // DPRNT and what else writes to a device                            -> outputs
   program_end,        // M30, M02 as the block's last effect; with a payload: the code alone -> blocks
   message,            // MSG(…), (MSG …)                       -> messages
   alarm,              // #3000 = n(…), SETAL                   -> messages
@@ -152,7 +156,11 @@ struct Structure {
   bool saves_modal = false;  // PROC … SAVE
 };
 
-enum class CallKind : std::uint8_t { subprogram, macro };  // M98, L, name; G65: a new set of local variables
+enum class CallKind : std::uint8_t {
+  subprogram,  // M98, L, name
+  macro,       // G65: a new set of local variables
+  external,    // M198: a subprogram of another device
+};
 
 struct Argument {
   char letter = 0;                          // G65 letters; 0: by position
@@ -161,9 +169,10 @@ struct Argument {
 
 struct Call {
   CallKind kind = CallKind::subprogram;
-  StringId name = StringId::none;             // as called: "O9010", "TURNING_CYCLE", "L100"
+  StringId name = StringId::none;             // as called: "O9010", "TURNING_CYCLE", "L100"; none: the program itself
   ExpressionId number = ExpressionId::none;   // P of M98/G65 when it is computed
   ExpressionId repeats = ExpressionId::none;  // none: once
+  ExpressionId start = ExpressionId::none;    // block number in the called program; none: its beginning
   std::uint32_t first_argument = 0;
   std::uint32_t argument_count = 0;
 };
@@ -173,10 +182,31 @@ struct Message {
   ExpressionId number = ExpressionId::none;  // alarms
 };
 
+// POPEN, PCLOS and DPRNT. A part is a text, then a value in a field of digits.
+enum class OutputKind : std::uint8_t { open, close, line };
+struct OutputPart {
+  StringId text = StringId::none;
+  ExpressionId value = ExpressionId::none;
+  std::uint8_t whole_digits = 0;
+  std::uint8_t decimals = 0;
+};
+struct Output {
+  OutputKind kind = OutputKind::line;
+  std::uint32_t first_part = 0;
+  std::uint32_t part_count = 0;
+};
+
 // Words that only one control understands. `reason` says what they are; unknown effects make every verdict unknown.
 struct Native {
   StringId name = StringId::none;
   bool effects_known = false;  // declared to neither move nor change state
+};
+
+// One of several programs of a text: statements [first, last).
+struct Section {
+  StringId name = StringId::none;  // as calls name it: "O0012"
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
 };
 
 struct Label {

@@ -26,7 +26,9 @@ void check_modes(const ir::Program& program, const ir::Control& control, const S
 void check_frame(const ir::Program& program, const ir::Control& control, const std::vector<Section>& sections,
                  Findings& findings);
 // What a control does not take while it is fed.
-void check_drip(const ir::Program& program, Findings& findings);
+void check_drip(const ir::Program& program, const Grammar& grammar, Findings& findings);
+// What depends on the blocks before: compensation, drilling cycles and modal calls that are in effect.
+void check_order(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings);
 // Codes and blocks that are not interpreted here, each name once.
 void check_not_interpreted(const ir::Program& program, const ir::Control& control, Findings& findings);
 

@@ -86,6 +86,10 @@ std::string written_native(const ir::Program& program, const ir::Statement& s) {
   return std::string(native_name(program, s));
 }
 
+bool is_output(const ir::Program& program, const ir::Statement& s) {
+  return s.kind == StatementKind::output || native_name(program, s).ends_with("PRNT");
+}
+
 // A code of the control's table; others were told as unknown.
 bool is_in_table(const ir::Control& control, std::string_view name) {
   return std::ranges::find(control.g_codes, name, &ir::CodeRow::name) != control.g_codes.end();
@@ -120,21 +124,28 @@ void check_frame(const ir::Program& program, const ir::Control& control, const s
   }
 }
 
-void check_drip(const ir::Program& program, Findings& findings) {
-  const auto forbid = [&](const ir::Statement& s, std::string_view what, std::string_view alarm) {
-    text::Diagnostic* finding = findings.add(not_in_drip_mode, s.span, {std::string(what)});
-    if (finding != nullptr && !alarm.empty()) finding->alarm = alarm;
+void check_drip(const ir::Program& program, const Grammar& grammar, Findings& findings) {
+  const auto forbid = [&](const ir::Statement& s, std::string_view what,
+                          ir::AlarmDetail detail = ir::AlarmDetail::none) {
+    findings.add(not_in_drip_mode, s.span, {std::string(what)}, detail);
   };
   for (const ir::Statement& s : program.statements) {
     if (s.kind == StatementKind::go_to) {
       const bool conditional = program.jumps[s.payload].condition != ir::ExpressionId::none;
-      forbid(s, conditional ? "IF GOTO" : "GOTO", {});
+      forbid(s, conditional ? "IF GOTO" : "GOTO");
     } else if (s.kind == StatementKind::while_begin || s.kind == StatementKind::loop_begin) {
-      forbid(s, s.kind == StatementKind::while_begin ? "WHILE" : "DO", {});
-    } else if (s.kind == StatementKind::subprogram_return && s.payload != ir::kNoIndex) {
-      forbid(s, "M99 P", "PS0210");
-    } else if (const std::string name = written_native(program, s); name == kExternalCallName) {
-      forbid(s, name, "PS0210");
+      forbid(s, s.kind == StatementKind::while_begin ? "WHILE" : "DO");
+    } else if (s.kind == StatementKind::if_begin && grammar.drip_forbids_conditions) {
+      forbid(s, "IF");
+    } else if (grammar.drip_forbids_output && is_output(program, s)) {
+      forbid(s, "POPEN, DPRNT, PCLOS");
+    } else if (s.kind == StatementKind::return_to) {
+      forbid(s, "M99 P", ir::AlarmDetail::subprogram_in_drip);
+    } else if (s.kind == StatementKind::call && program.calls[s.payload].kind == ir::CallKind::external) {
+      forbid(s, "M198", ir::AlarmDetail::subprogram_in_drip);
+    } else if (s.kind == StatementKind::call && program.calls[s.payload].start != ir::ExpressionId::none &&
+               program.calls[s.payload].name == ir::StringId::none) {
+      forbid(s, "a call of a block of this program");
     }
   }
 }

@@ -98,9 +98,8 @@ class JumpCheck {
   void check_reached() {
     for (std::uint32_t i = section_.first; i < section_.last && !names_blocks_; ++i) {
       const ir::Statement& s = program_.statements[i];
-      // M99 P of a main program.
-      if (s.kind == StatementKind::subprogram_return) names_blocks_ = s.payload != ir::kNoIndex;
-      if (s.kind == StatementKind::call) names_blocks_ = true;  // M99 P of the called program
+      if (s.kind == StatementKind::return_to) names_blocks_ = true;  // M99 P of a main program
+      if (s.kind == StatementKind::call) names_blocks_ = true;       // M99 P of the called program
       if (s.kind != StatementKind::block) continue;
       for (const ir::Word& word : program_.words_of(program_.blocks[s.payload])) {
         names_blocks_ |= word.address == ir::Address::p || word.address == ir::Address::q;

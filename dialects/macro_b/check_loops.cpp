@@ -124,7 +124,14 @@ class LoopCheck {
 
   void block_condition(std::uint32_t i) {
     const StatementKind kind = program_.statements[i].kind;
-    if (kind == StatementKind::if_begin) conditions_.push_back(i);
+    if (kind == StatementKind::if_begin) {
+      conditions_.push_back(i);
+      const auto most = control_.limits.condition_nesting;
+      if (most != 0 && conditions_.size() == most + 1) {
+        findings_.add(nesting_too_deep, program_.statements[i].span,
+                      {std::to_string(conditions_.size()), std::to_string(most)}, ir::AlarmDetail::if_nesting);
+      }
+    }
     const bool has_begin = !conditions_.empty();
     if (kind == StatementKind::else_begin && !has_begin) unopened(i, "ELSE");
     if (kind != StatementKind::if_end) return;

@@ -17,7 +17,8 @@ using ir::StatementKind;
 using enum text::DiagnosticId;
 
 bool is_cut(Function f) {
-  return f == Function::linear || f == Function::arc_cw || f == Function::arc_ccw || f == Function::thread;
+  return f == Function::linear || f == Function::arc_cw || f == Function::arc_ccw || f == Function::thread ||
+         f == Function::drill;
 }
 
 class ModeCheck {

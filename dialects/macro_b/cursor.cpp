@@ -6,17 +6,16 @@
 namespace dripfeed::macro_b {
 
 text::Diagnostic* Faults::report(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments,
-                                 std::string_view alarm) {
+                                 ir::AlarmDetail detail) {
   if (diagnostics_.size() >= kMostFaults) return nullptr;
-  diagnostics_.push_back(ir::diagnose(control_, id, span, std::move(arguments)));
-  if (!alarm.empty()) diagnostics_.back().alarm = alarm;
+  diagnostics_.push_back(ir::diagnose(control_, id, span, std::move(arguments), detail));
   return &diagnostics_.back();
 }
 
 text::Diagnostic* Faults::fail(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments,
-                               std::string_view alarm) {
+                               ir::AlarmDetail detail) {
   if (std::exchange(failed_, true)) return nullptr;
-  return report(id, span, std::move(arguments), alarm);
+  return report(id, span, std::move(arguments), detail);
 }
 
 const ir::Token& Cursor::peek() const {

@@ -21,14 +21,14 @@ class Faults {
   Faults(const ir::Control& control, std::vector<text::Diagnostic>& diagnostics)
       : control_(control), diagnostics_(diagnostics) {}
 
-  // `alarm` replaces the one of the control's table where the block tells more than the id does. Returns what was
+  // `detail` chooses among the control's alarms where the block tells more than the id does. Returns what was
   // added, valid until the next report; nullptr when the list is full.
   text::Diagnostic* report(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments = {},
-                           std::string_view alarm = {});
+                           ir::AlarmDetail detail = ir::AlarmDetail::none);
   // The same, and the block is not understood; nullptr for the second fault of a block, which only follows from the
   // first.
   text::Diagnostic* fail(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments = {},
-                         std::string_view alarm = {});
+                         ir::AlarmDetail detail = ir::AlarmDetail::none);
   // Not understood, and said already or no fault: `name` tells what it is.
   void make_native(std::string_view name) { native_ = name; }
 

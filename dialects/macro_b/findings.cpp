@@ -44,15 +44,18 @@ std::uint32_t end_of_tape(const ir::Program& program) {
   return static_cast<std::uint32_t>(program.statements.size());
 }
 
-bool returns(const ir::Statement& statement) { return statement.kind == ir::StatementKind::subprogram_return; }
+bool returns(const ir::Statement& statement) {
+  return statement.kind == ir::StatementKind::subprogram_return || statement.kind == ir::StatementKind::return_to;
+}
 
 }  // namespace
 
-text::Diagnostic* Findings::add(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments) {
+text::Diagnostic* Findings::add(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments,
+                                ir::AlarmDetail detail) {
   std::uint16_t& count = counts_[static_cast<std::size_t>(id)];
   if (count >= kMostOfOneId) return nullptr;
   ++count;
-  diagnostics_.push_back(ir::diagnose(control_, id, span, std::move(arguments)));
+  diagnostics_.push_back(ir::diagnose(control_, id, span, std::move(arguments), detail));
   return &diagnostics_.back();
 }
 
@@ -98,7 +101,8 @@ std::vector<Section> sections_of(const ir::Program& program) {
 }
 
 bool is_end_of_program(ir::StatementKind kind) {
-  return kind == ir::StatementKind::program_end || kind == ir::StatementKind::subprogram_return;
+  return kind == ir::StatementKind::program_end || kind == ir::StatementKind::subprogram_return ||
+         kind == ir::StatementKind::return_to;
 }
 
 bool is_folder_line(const ir::Program& program, const ir::Statement& statement) {

@@ -21,7 +21,8 @@ class Findings {
   explicit Findings(const ir::Control& control) : control_(control) {}
 
   // nullptr when there are enough of that id; valid until the next call.
-  text::Diagnostic* add(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments = {});
+  text::Diagnostic* add(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments = {},
+                        ir::AlarmDetail detail = ir::AlarmDetail::none);
   // The same for what the machine decides: an error on a named machine that leaves it open, nothing where the machine
   // has confirmed it.
   text::Diagnostic* add_open(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments,

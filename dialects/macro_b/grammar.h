@@ -56,9 +56,14 @@ struct Grammar {
   std::span<const Keyword> keywords;  // sorted by spelling
   std::uint32_t highest_loop_number = 3;
   std::uint32_t highest_block_number = 99'999'999;
-  std::uint32_t macro_digits = 12;  // of a constant in a macro statement
-  bool condition_blocks = false;    // IF … THEN, ELSE, ENDIF over several blocks
-  bool logic_in_conditions = true;  // [a GT b] AND [c LT d]
+  std::uint32_t macro_digits = 12;       // of a constant in a macro statement
+  bool condition_blocks = false;         // IF … THEN, ELSE, ENDIF over several blocks
+  bool drip_forbids_conditions = false;  // IF … THEN as well as IF … GOTO while the program is fed
+  bool drip_forbids_output = false;      // DPRNT and the like
+  bool bare_expressions = false;         // X#1+10 without brackets
+  bool packed_calls = true;              // M98 P51234: five times O1234
+  char start_letter = 'Q';               // of M98: the block in the called program where it begins
+  bool logic_in_conditions = true;       // [a GT b] AND [c LT d]
 };
 
 // The keywords of Custom Macro B; other controls append theirs.

@@ -52,9 +52,10 @@ bool is_linear(char letter) { return std::string_view("XYZUVWIJKR").contains(let
 
 std::string program_name(double number) { return fmt::format("O{:04}", std::llround(number)); }
 
-BlockLowering::BlockLowering(ir::Program& program, const ir::Control& control, Faults& faults)
+BlockLowering::BlockLowering(ir::Program& program, const ir::Control& control, const Grammar& grammar, Faults& faults)
     : program_(program),
       control_(control),
+      grammar_(grammar),
       faults_(faults),
       rows_{index_rows(control.g_codes), index_rows(control.m_codes)} {}
 
@@ -108,15 +109,23 @@ void BlockLowering::emit_code(Function function, ir::ModalGroup group, const Blo
 }
 
 BlockLowering::CallWord BlockLowering::call_word(char letter, std::int32_t number10) const {
+  if (code_call(letter, number10) != nullptr) return CallWord::by_code;
   if (letter == 'M') {
     if (number10 == kSubprogramCall) return CallWord::subprogram;
     return number10 == kExternalCall ? CallWord::external : CallWord::none;
   }
   if (number10 == kMacroCall) return CallWord::macro;
-  if (number10 == kModalCall || number10 == kModalCallEachBlock) return CallWord::modal;
+  if (number10 == kModalCall) return CallWord::modal;
+  if (number10 == kModalCallEachBlock) return CallWord::modal_each_block;
   if (number10 == kModalCallEnd) return CallWord::modal_end;
   if (number10 == kDataInput) return CallWord::data_input;
   return number10 == kDataInputEnd ? CallWord::data_end : CallWord::none;
+}
+
+const ir::CodeCall* BlockLowering::code_call(char letter, std::int32_t number10) const {
+  const auto found = std::ranges::find_if(
+      control_.code_calls, [&](const ir::CodeCall& c) { return c.letter == letter && c.number10 == number10; });
+  return found == control_.code_calls.end() ? nullptr : &*found;
 }
 
 void BlockLowering::add_code(const RawWord& word, std::int32_t number10) {
@@ -191,8 +200,8 @@ void BlockLowering::emit_block(std::uint32_t first_code, std::uint32_t first_wor
   emit(StatementKind::block, static_cast<std::uint32_t>(program_.blocks.size() - 1), place);
 }
 
-// The end of a program or subprogram is the last effect of its block, wherever its code stands. The payload of a
-// program's end is a block that holds the code alone; M99 P100 has the jump that its caller goes on with.
+// The end of a program or subprogram is the last effect of its block, wherever its code stands. Its statement's
+// payload, for the end of a program, is a block that holds the code alone.
 void BlockLowering::emit_ending_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place) {
   const auto is_end = [](const ir::Code& c) {
     return c.function == Function::program_end || c.function == Function::program_end_rewind ||
@@ -206,12 +215,13 @@ void BlockLowering::emit_ending_block(std::uint32_t first_code, std::uint32_t fi
   const auto first = program_.words.begin() + static_cast<std::ptrdiff_t>(first_word);
   const auto target =
       std::find_if(first, program_.words.end(), [](const ir::Word& w) { return w.address == ir::Address::p; });
-  const ExpressionId goes_on_at = is_return && target != program_.words.end() ? target->value : ExpressionId::none;
-  if (goes_on_at != ExpressionId::none) program_.words.erase(target);
+  const bool returns_to_block = is_return && target != program_.words.end();
+  const ExpressionId block = returns_to_block ? target->value : ExpressionId::none;
+  if (returns_to_block) program_.words.erase(target);
   emit_block(first_code, first_word, place);
+  if (returns_to_block) return emit_return_jump(block, place);
   if (is_return) {
-    emit(StatementKind::subprogram_return, goes_on_at == ExpressionId::none ? ir::kNoIndex : add_jump_to(goes_on_at),
-         place);
+    emit(StatementKind::subprogram_return, ir::kNoIndex, place);
     return;
   }
   program_.codes.push_back(end);
@@ -220,26 +230,24 @@ void BlockLowering::emit_ending_block(std::uint32_t first_code, std::uint32_t fi
   emit(StatementKind::program_end, static_cast<std::uint32_t>(program_.blocks.size() - 1), place);
 }
 
-// Index of a jump to the block of that number, written or computed.
-std::uint32_t BlockLowering::add_jump_to(ExpressionId number) {
+// M99 P100: the block in the caller that is next.
+void BlockLowering::emit_return_jump(ExpressionId target, const BlockPlace& place) {
   ir::Jump jump;
-  const ir::Expression& value = program_.at(number);
-  const bool is_number = value.op == Operator::constant && value.value >= 0.0 && value.value < ir::kNoIndex &&
-                         value.value == std::floor(value.value);
-  if (is_number) {
-    jump.number = static_cast<std::uint32_t>(value.value);
+  const ir::Expression& e = program_.at(target);
+  if (e.op == Operator::constant && e.value >= 1.0 && e.value <= grammar_.highest_block_number) {
+    jump.number = static_cast<std::uint32_t>(e.value);
   } else {
-    jump.computed = number;
+    jump.computed = target;
   }
   program_.jumps.push_back(jump);
-  return static_cast<std::uint32_t>(program_.jumps.size() - 1);
+  emit(StatementKind::return_to, static_cast<std::uint32_t>(program_.jumps.size() - 1), place);
 }
 
-// G54.1 Pn is a work offset of its own: its argument is kExtendedOffset + n. With a computed P it stays not modelled.
+// G54.1 Pn is a work offset of its own: its argument is kExtendedOffset + n. A computed P is looked at while running.
 void BlockLowering::number_extended_offset(std::uint32_t first_code, std::uint32_t first_word) {
   for (std::uint32_t i = first_code; i < program_.codes.size(); ++i) {
     ir::Code& code = program_.codes[i];
-    if (code.group != ir::ModalGroup::work_offset || code.function != Function::not_modelled) continue;
+    if (code.function != Function::extended_offset) continue;
     const auto first = program_.words.begin() + static_cast<std::ptrdiff_t>(first_word);
     const auto p =
         std::find_if(first, program_.words.end(), [](const ir::Word& w) { return w.address == ir::Address::p; });
@@ -263,9 +271,12 @@ void BlockLowering::lower(std::span<const RawWord> words, const BlockPlace& plac
       continue;
     }
     const std::int32_t number10 = number10_of(word.value);
-    if (const CallWord kind = call_word(word.letter, number10); kind != CallWord::none) {
+    const CallWord kind = call_word(word.letter, number10);
+    const bool data = kind == CallWord::data_input || kind == CallWord::data_end;
+    if (data ? begins_data(kind, words, place) : kind != CallWord::none) {
       program_.codes.resize(first_code);
       program_.words.resize(first_word);
+      if (data) return;
       return lower_call_block(kind, i, words, place);
     }
     add_code(word, number10);
@@ -283,12 +294,13 @@ void BlockLowering::lower(std::span<const RawWord> words, const BlockPlace& plac
   emit_block(first_code, first_word, place);
 }
 
-// Before a macro call all words are the block's, after it all are the call's. M98 takes P, L, Q and a name from
-// anywhere in its block, and the rest moves first.
+// Before a macro call all words are the block's, after it all are the call's. M98 takes P, L, the start block and a
+// name from anywhere in its block, and the rest moves first.
 void BlockLowering::lower_call_block(CallWord kind, std::size_t at, std::span<const RawWord> words,
                                      const BlockPlace& place) {
-  if (kind == CallWord::data_input || kind == CallWord::data_end) return lower_data_input(kind, words, place);
+  if (kind == CallWord::by_code) return emit_code_call(words[at], words, place);
   const bool by_letter = kind == CallWord::subprogram || kind == CallWord::external;
+  const std::string of_subprogram = std::string("PL<") + grammar_.start_letter;
   const auto first_code = static_cast<std::uint32_t>(program_.codes.size());
   const auto first_word = static_cast<std::uint32_t>(program_.words.size());
   std::vector<RawWord> of_call;
@@ -296,7 +308,7 @@ void BlockLowering::lower_call_block(CallWord kind, std::size_t at, std::span<co
     if (i == at) continue;
     const RawWord& word = words[i];
     const bool code = (word.letter == 'G' || word.letter == 'M') && !word.comma;
-    if (by_letter ? std::string_view("PLQ<").contains(word.letter) : i > at) {
+    if (by_letter ? of_subprogram.contains(word.letter) && !word.comma : i > at) {
       of_call.push_back(word);
     } else if (code) {
       add_code(word, number10_of(word.value));
@@ -307,29 +319,59 @@ void BlockLowering::lower_call_block(CallWord kind, std::size_t at, std::span<co
   emit_block(first_code, first_word, place);
   switch (kind) {
     case CallWord::subprogram:
-    case CallWord::macro: return emit_call(kind, words[at], of_call, place);
-    case CallWord::external: return emit_native(kExternalCallName, false, place);
-    case CallWord::modal: return emit_native(words[at].span.in(program_.source.text()), false, place);
-    case CallWord::modal_end: return emit_native(words[at].span.in(program_.source.text()), false, place);
+    case CallWord::external:
+    case CallWord::macro:
+    case CallWord::modal: return emit_call(kind, words[at], of_call, place);
+    case CallWord::modal_each_block: return emit_native(words[at].span.in(program_.source.text()), false, place);
+    case CallWord::modal_end: emit(StatementKind::modal_call_end, ir::kNoIndex, place); return;
+    case CallWord::by_code:
     case CallWord::data_input:
     case CallWord::data_end:
     case CallWord::none: return;
   }
 }
 
-void BlockLowering::lower_data_input(CallWord kind, std::span<const RawWord> words, const BlockPlace& place) {
-  const bool holds_data = kind == CallWord::data_input && std::ranges::any_of(words, [&](const RawWord& w) {
-                            const double value = w.value == ExpressionId::none ? 0.0 : program_.at(w.value).value;
-                            return w.letter == 'L' && (value == 50.0 || value == 52.0);  // parameters; until G11
-                          });
-  in_data_input_ = holds_data;
-  emit_native(kind == CallWord::data_input ? "G10" : "G11", kind == CallWord::data_end, place);
+// G10 L50 and L52: parameters follow until G11. All other G10 say everything in their own block.
+bool BlockLowering::begins_data(CallWord kind, std::span<const RawWord> words, const BlockPlace& place) {
+  if (kind == CallWord::data_end) {
+    in_data_input_ = false;
+    return false;
+  }
+  in_data_input_ = std::ranges::any_of(words, [&](const RawWord& w) {
+    const double value = w.value == ExpressionId::none ? 0.0 : program_.at(w.value).value;
+    return w.letter == 'L' && (value == 50.0 || value == 52.0);
+  });
+  if (in_data_input_) emit_native("G10 L50", false, place);
+  return in_data_input_;
+}
+
+// A block of a code that calls: the other words are arguments, or stay the block's where it calls as M98 does.
+void BlockLowering::emit_code_call(const RawWord& code, std::span<const RawWord> words, const BlockPlace& place) {
+  const ir::CodeCall& made = *code_call(code.letter, number10_of(code.value));
+  std::vector<RawWord> others;
+  for (const RawWord& word : words) {
+    if (word.span.begin != code.span.begin) others.push_back(word);
+  }
+  if (!made.macro) lower(others, place);
+  ir::Call call;
+  call.kind = made.macro ? ir::CallKind::macro : ir::CallKind::subprogram;
+  call.name = program_.strings.add(program_name(made.program));
+  call.first_argument = static_cast<std::uint32_t>(program_.arguments.size());
+  for (const RawWord& word : others) {
+    if (made.macro && word.letter == 'L') call.repeats = word.value;
+    if (made.macro && word.letter != 'L') program_.arguments.push_back({word.letter, word.value});
+  }
+  call.argument_count = static_cast<std::uint32_t>(program_.arguments.size()) - call.first_argument;
+  program_.calls.push_back(call);
+  emit(StatementKind::call, static_cast<std::uint32_t>(program_.calls.size() - 1), place);
 }
 
 void BlockLowering::emit_call(CallWord kind, const RawWord& code, std::span<const RawWord> words,
                               const BlockPlace& place) {
   ir::Call call;
-  call.kind = kind == CallWord::macro ? ir::CallKind::macro : ir::CallKind::subprogram;
+  const bool macro = kind == CallWord::macro || kind == CallWord::modal;
+  if (macro) call.kind = ir::CallKind::macro;
+  if (kind == CallWord::external) call.kind = ir::CallKind::external;
   call.first_argument = static_cast<std::uint32_t>(program_.arguments.size());
   const RawWord* program = nullptr;
   for (const RawWord& word : words) {
@@ -337,25 +379,28 @@ void BlockLowering::emit_call(CallWord kind, const RawWord& code, std::span<cons
       program = &word;
     } else if (word.letter == 'L') {
       call.repeats = word.value;
-    } else if (call.kind == ir::CallKind::macro) {
+    } else if (!macro && word.letter == grammar_.start_letter) {
+      call.start = word.value;
+    } else if (macro) {
       if (word.letter == 'G' || word.letter == 'N' || word.letter == 'O' || word.letter == 'P') {
         faults_.report(wrong_type, word.span,
-                       {std::string(word.span.in(program_.source.text())), "a code", "an argument"}, "PS0129");
+                       {std::string(word.span.in(program_.source.text())), "a code", "an argument"},
+                       ir::AlarmDetail::code_as_argument);
       }
       program_.arguments.push_back({word.letter, word.value});
     }
   }
   call.argument_count = static_cast<std::uint32_t>(program_.arguments.size()) - call.first_argument;
-  if (program == nullptr) {
+  // Without a program, a start block means one of this program.
+  if (program == nullptr && call.start == ExpressionId::none) {
     const std::string_view written = code.span.in(program_.source.text());
-    // M98 Q10 calls a sequence of the same program: an option that is not modelled.
-    if (!words.empty() && words.front().letter == 'Q') return emit_native("M98 Q", false, place);
-    faults_.report(address_without_value, code.span, {fmt::format("P of {}", written)});
+    faults_.report(address_without_value, code.span, {fmt::format("P of {}", written)}, ir::AlarmDetail::macro_program);
     return emit_native(written, false, place);
   }
-  set_called_program(call, *program);
+  if (program != nullptr) set_called_program(call, *program);
   program_.calls.push_back(call);
-  emit(StatementKind::call, static_cast<std::uint32_t>(program_.calls.size() - 1), place);
+  emit(kind == CallWord::modal ? StatementKind::modal_call : StatementKind::call,
+       static_cast<std::uint32_t>(program_.calls.size() - 1), place);
 }
 
 void BlockLowering::set_called_program(ir::Call& call, const RawWord& word) {
@@ -374,8 +419,8 @@ void BlockLowering::set_called_program(ir::Call& call, const RawWord& word) {
     return;
   }
   double number = value.value;
-  const bool packed =
-      call.kind == ir::CallKind::subprogram && call.repeats == ExpressionId::none && number >= kPackedProgram;
+  const bool packed = grammar_.packed_calls && call.kind == ir::CallKind::subprogram &&
+                      call.repeats == ExpressionId::none && number >= kPackedProgram;
   if (packed) {
     call.repeats = program_.add_constant(std::floor(number / kPackedProgram), word.span, false);
     number = std::fmod(number, kPackedProgram);

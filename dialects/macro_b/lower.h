@@ -11,12 +11,12 @@
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
 #include "dialects/macro_b/cursor.h"
+#include "dialects/macro_b/grammar.h"
 
 namespace dripfeed::macro_b {
 
 // Names of Native statements that others ask for.
 inline constexpr std::string_view kNotUnderstood = "a block that was not understood";
-inline constexpr std::string_view kExternalCallName = "M198";
 inline constexpr std::string_view kFolderLine = "&";  // &F=/USER/ of a memory dump: where the next programs belong
 
 // Arguments of Function::work_offset above this are G54.1 P1, P2 ….
@@ -39,7 +39,7 @@ struct BlockPlace {
 
 class BlockLowering {
  public:
-  BlockLowering(ir::Program& program, const ir::Control& control, Faults& faults);
+  BlockLowering(ir::Program& program, const ir::Control& control, const Grammar& grammar, Faults& faults);
 
   // Adds the statements that the words say.
   void lower(std::span<const RawWord> words, const BlockPlace& place);
@@ -53,25 +53,40 @@ class BlockLowering {
   void emit_assign(const ir::Variable& target, ir::ExpressionId value, const BlockPlace& place);
 
  private:
-  enum class CallWord : std::uint8_t { none, subprogram, external, macro, modal, modal_end, data_input, data_end };
+  enum class CallWord : std::uint8_t {
+    none,
+    subprogram,
+    external,
+    macro,
+    modal,
+    modal_each_block,
+    modal_end,
+    data_input,
+    data_end,
+    by_code  // a code that the machine makes a call of
+  };
 
   [[nodiscard]] const ir::CodeRow* row_of(char letter, std::int32_t number10) const;
   [[nodiscard]] CallWord call_word(char letter, std::int32_t number10) const;
   void add_code(const RawWord& word, std::int32_t number10);
   void add_word(const RawWord& word);
   void lower_call_block(CallWord kind, std::size_t at, std::span<const RawWord> words, const BlockPlace& place);
-  void lower_data_input(CallWord kind, std::span<const RawWord> words, const BlockPlace& place);
+  // Whether the block begins a list of parameters; it is then lowered.
+  bool begins_data(CallWord kind, std::span<const RawWord> words, const BlockPlace& place);
   void emit_call(CallWord kind, const RawWord& code, std::span<const RawWord> words, const BlockPlace& place);
+  void emit_code_call(const RawWord& code, std::span<const RawWord> words, const BlockPlace& place);
+  void emit_return_jump(ir::ExpressionId target, const BlockPlace& place);
+  [[nodiscard]] const ir::CodeCall* code_call(char letter, std::int32_t number10) const;
   void set_called_program(ir::Call& call, const RawWord& word);
   void emit_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place);
   void emit_ending_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place);
-  std::uint32_t add_jump_to(ir::ExpressionId number);
   void number_extended_offset(std::uint32_t first_code, std::uint32_t first_word);
   ir::ExpressionId in_increments(ir::ExpressionId value, double increment);
   [[nodiscard]] std::int32_t number10_of(ir::ExpressionId value) const;
 
   ir::Program& program_;
   const ir::Control& control_;
+  const Grammar& grammar_;
   Faults& faults_;
   std::array<std::vector<std::int16_t>, 2> rows_;  // G, M: ten times the number -> row, -1
   bool in_data_input_ = false;

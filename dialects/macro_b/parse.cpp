@@ -39,7 +39,7 @@ Parser::Parser(ir::Program& program, const ir::Control& control, const Grammar& 
       cursor_(program.source.text(), program.tokens),
       faults_(control, diagnostics),
       expressions_(program, control, grammar, keywords_, cursor_, faults_),
-      lowering_(program, control, faults_) {}
+      lowering_(program, control, grammar, faults_) {}
 
 void Parser::run() {
   const std::size_t lines = program_.source.line_count();
@@ -52,6 +52,8 @@ void Parser::run() {
   const auto count = static_cast<std::uint32_t>(program_.tokens.size());
   cursor_.move_to(0);
   while (next_token_ + 1 < count) block();
+  if (!program_.sections.empty())
+    program_.sections.back().last = static_cast<std::uint32_t>(program_.statements.size());
   ir::match_structures(program_);
 }
 
@@ -63,6 +65,7 @@ void Parser::block() {
   faults_.begin_block();
   expressions_.begin_block();
   label_ = ir::kNoIndex;
+  section_name_.clear();
   skip_level_ = 0;
   keeps_structure_ = false;
   begin_ = cursor_.span().begin;
@@ -95,6 +98,8 @@ void Parser::finish_block(std::uint32_t first_statement, std::uint32_t first_tok
       lowering_.emit_native(faults_.failed() ? kNotUnderstood : faults_.native(), false, place());
     }
   }
+  if (!section_name_.empty()) open_section(first_statement);
+  has_content_ |= program_.statements.size() > first_statement && is_content(first_statement);
   if (program_.statements.size() == first_statement) lowering_.emit(StatementKind::empty, ir::kNoIndex, place());
   std::uint32_t end = cursor_.index();
   if (cursor_.kind() == TokenKind::eob) {
@@ -110,6 +115,25 @@ void Parser::finish_block(std::uint32_t first_statement, std::uint32_t first_tok
   }
   next_token_ = end;
   if (end < program_.tokens.size()) cursor_.move_to(end);
+}
+
+// Lines before the first program that are none, and those that name a folder, do not make one.
+bool Parser::is_content(std::uint32_t statement) const {
+  const ir::Statement& s = program_.statements[statement];
+  if (faults_.failed() || s.kind != StatementKind::native) return !faults_.failed();
+  return program_.strings.at(program_.natives[s.payload].name) != kFolderLine;
+}
+
+// What stands before the first O number is a program of its own, if there is anything.
+void Parser::open_section(std::uint32_t first_statement) {
+  std::vector<ir::Section>& sections = program_.sections;
+  std::uint32_t first = first_statement;
+  if (sections.empty() && has_content_)
+    sections.push_back({.name = ir::StringId::none, .first = 0, .last = first_statement});
+  if (sections.empty()) first = 0;
+  if (!sections.empty()) sections.back().last = first_statement;
+  sections.push_back({.name = program_.strings.add(section_name_), .first = first, .last = first});
+  has_content_ = false;
 }
 
 void Parser::head() {
@@ -143,6 +167,8 @@ void Parser::block_number() {
     faults_.report(too_many_digits, span,
                    {std::string(cursor_.text()), std::to_string(cursor_.text().size()),
                     std::to_string(std::to_string(grammar_.highest_block_number).size())});
+  } else if (*number == 0) {
+    zero_number("N0", span);
   } else if (label_ == ir::kNoIndex) {
     label_ = static_cast<std::uint32_t>(*number);
     label_span_ = span;
@@ -162,6 +188,7 @@ void Parser::program_number() {
       return;
     }
     name = macro_b::program_name(static_cast<double>(*number));
+    if (*number == 0) zero_number("O0", cursor_.span());
   } else if (cursor_.kind() == TokenKind::string) {
     const std::string_view written = cursor_.text();
     name = written.size() > 2 ? written.substr(1, written.size() - 2) : std::string_view();
@@ -170,7 +197,14 @@ void Parser::program_number() {
     return;
   }
   if (program_.name.empty()) program_.name = name;
+  section_name_ = name;
   cursor_.advance();
+}
+
+// An error where the control has an alarm for it.
+void Parser::zero_number(std::string_view written, text::Span span) {
+  text::Diagnostic* fault = faults_.report(number_zero, span, {std::string(written)});
+  if (fault != nullptr && !fault->alarm.empty()) fault->severity = text::Severity::error;
 }
 
 void Parser::body() {
@@ -194,7 +228,11 @@ void Parser::body() {
     return;
   }
   if (cursor_.is_symbol('[') && cursor_.peek().kind == TokenKind::variable) {
-    return faults_.make_native("a variable with a name");
+    if (!expressions_.has_names()) return faults_.make_native("a variable with a name");
+    bracketed_target_ = true;
+    cursor_.advance();
+    assignment();
+    return trailer();
   }
   words();
 }
@@ -242,9 +280,11 @@ void Parser::bare_expression(text::Span address, std::uint32_t value_index) {
   cursor_.back_to(value_index);
   const ExpressionId whole = expressions_.expression(address.in(cursor_.whole_text()));
   if (faults_.failed()) return;
+  const bool begins_with_variable = program_.at(raw_.back().value).op == ir::Operator::variable;
   raw_.back().value = whole;
   const text::Span span = {begin, cursor_.previous_end()};
   raw_.back().span.end = span.end;
+  if (grammar_.bare_expressions && begins_with_variable) return;
   text::Diagnostic* fault = faults_.report(expression_without_brackets, {address.begin, span.end},
                                            {std::string(address.in(cursor_.whole_text()))});
   if (fault != nullptr) fault->fix = text::Edit{span, fmt::format("[{}]", span.in(cursor_.whole_text()))};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "dialects/ir/control.h"
@@ -32,6 +33,7 @@ class Parser {
   void head();
   void program_number();
   void block_number();
+  void zero_number(std::string_view written, text::Span span);
   void body();
   void skip_after_end();
   void trailer();
@@ -45,6 +47,11 @@ class Parser {
   void loop_begin(ir::ExpressionId condition, bool conditional);
   void loop_end();
   void text_statement(const Keyword& keyword);
+  void output_statement(const Keyword& keyword);
+  bool output_parts(std::string_view text, std::uint32_t begin);
+  void set_names();
+  void open_section(std::uint32_t first_statement);
+  [[nodiscard]] bool is_content(std::uint32_t statement) const;
   void words();
   void word();
   void other_word();
@@ -74,6 +81,9 @@ class Parser {
   std::uint32_t label_ = ir::kNoIndex;
   text::Span label_span_;
   std::uint8_t skip_level_ = 0;
+  std::string section_name_;       // of the program that the block begins
+  bool bracketed_target_ = false;  // [#NAME] = …
+  bool has_content_ = false;       // since the section began
   std::vector<OpenLoop> open_loops_;
   bool keeps_structure_ = false;  // a fault in WHILE or END leaves the loop in place
   std::uint32_t tape_marks_ = 0;

@@ -104,7 +104,7 @@ ExpressionId ExpressionReader::factor(std::string_view after) {
   if (minus || cursor_.is_symbol('+')) {
     cursor_.advance();
     if (cursor_.is_symbol('-') || cursor_.is_symbol('+')) {
-      faults_.fail(syntax_error, cursor_.span(), {"two signs one after the other"}, "PS0006");
+      faults_.fail(syntax_error, cursor_.span(), {"two signs one after the other"}, ir::AlarmDetail::two_signs);
       return ExpressionId::none;
     }
     if (cursor_.kind() == TokenKind::number) return number(grammar_.macro_digits, minus, begin);
@@ -160,6 +160,10 @@ std::optional<ir::Variable> ExpressionReader::variable() {
       result.number = static_cast<std::uint32_t>(std::lround(index.value));
       result.index = ExpressionId::none;
     }
+  } else if (const auto named = cursor_.kind() == TokenKind::name ? names_.find(cursor_.text()) : names_.end();
+             named != names_.end()) {
+    result.number = named->second;
+    cursor_.advance();
   } else if (cursor_.kind() == TokenKind::name) {
     faults_.make_native("a variable with a name");
     cursor_.advance();
@@ -187,7 +191,7 @@ ExpressionId ExpressionReader::variable_value() {
 
 bool ExpressionReader::open_bracket(std::string_view after) {
   if (!cursor_.is_symbol('[')) {
-    faults_.fail(missing_bracket, cursor_.span(), {fmt::format("[ after {}", after)}, "PS1131");
+    faults_.fail(missing_bracket, cursor_.span(), {fmt::format("[ after {}", after)}, ir::AlarmDetail::opening_bracket);
     return false;
   }
   ++depth_;
@@ -207,7 +211,8 @@ bool ExpressionReader::open_bracket(std::string_view after) {
 bool ExpressionReader::close_bracket() {
   if (faults_.failed()) return false;
   if (!cursor_.is_symbol(']')) {
-    faults_.fail(missing_bracket, {open_at_, open_at_ + 1}, {"the ] for this bracket"}, "PS1121");
+    faults_.fail(missing_bracket, {open_at_, open_at_ + 1}, {"the ] for this bracket"},
+                 ir::AlarmDetail::closing_bracket);
     return false;
   }
   --depth_;

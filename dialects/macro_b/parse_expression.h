@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "dialects/ir/control.h"
@@ -36,6 +38,9 @@ class ExpressionReader {
   std::optional<ir::Variable> variable();
   // The keyword at the cursor, nullptr when there is none.
   [[nodiscard]] const Keyword* keyword() const;
+  // SETVN: a name for a variable, used as [#NAME].
+  void name_variable(std::string_view name, std::uint32_t number) { names_[std::string(name)] = number; }
+  [[nodiscard]] bool has_names() const { return !names_.empty(); }
   void begin_block() { depth_ = 0, operators_ = 0, said_beside_logic_ = false; }
 
  private:
@@ -60,6 +65,7 @@ class ExpressionReader {
   const KeywordIndex& keywords_;
   Cursor& cursor_;
   Faults& faults_;
+  std::map<std::string, std::uint32_t, std::less<>> names_;
   std::uint32_t depth_ = 0;
   std::uint32_t operators_ = 0;  // of the block
   bool said_beside_logic_ = false;

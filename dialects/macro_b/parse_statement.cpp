@@ -1,6 +1,7 @@
 // The macro statements of the parser: assignments, messages, IF, GOTO, loops, and those that stay text.
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -41,8 +42,8 @@ void Parser::macro_statement(const Keyword& keyword) {
       cursor_.advance();
       return structure(keyword.role == KeywordRole::end_if ? StatementKind::if_end : StatementKind::else_begin,
                        ExpressionId::none, 0);
-    case KeywordRole::output:
-    case KeywordRole::set_name:
+    case KeywordRole::output: return output_statement(keyword);
+    case KeywordRole::set_name: return set_names();
     case KeywordRole::unmodelled_function: return text_statement(keyword);
     case KeywordRole::then_word:
     case KeywordRole::function:
@@ -53,6 +54,81 @@ void Parser::macro_statement(const Keyword& keyword) {
 void Parser::text_statement(const Keyword& keyword) {
   while (!cursor_.at_end()) cursor_.advance();
   lowering_.emit_native(keyword.spelling, keyword.role == KeywordRole::output, place());
+}
+
+// POPEN, PCLOS, DPRNT[TEXT #1[53]]; other forms stay text.
+void Parser::output_statement(const Keyword& keyword) {
+  const std::string_view word = keyword.spelling;
+  if (word != "POPEN" && word != "PCLOS" && word != "DPRNT") return text_statement(keyword);
+  ir::Output output;
+  output.kind = word == "POPEN" ? ir::OutputKind::open : word == "PCLOS" ? ir::OutputKind::close : ir::OutputKind::line;
+  output.first_part = static_cast<std::uint32_t>(program_.output_parts.size());
+  cursor_.advance();
+  if (output.kind == ir::OutputKind::line) {
+    if (cursor_.kind() != TokenKind::string || !output_parts(cursor_.text(), cursor_.span().begin)) {
+      program_.output_parts.resize(output.first_part);
+      return text_statement(keyword);
+    }
+    cursor_.advance();
+  }
+  output.part_count = static_cast<std::uint32_t>(program_.output_parts.size()) - output.first_part;
+  program_.outputs.push_back(output);
+  lowering_.emit(StatementKind::output, static_cast<std::uint32_t>(program_.outputs.size() - 1), place());
+}
+
+// [X#100[53]*Y#101[53]]: an asterisk is a blank, two digits are the places before and behind the point.
+bool Parser::output_parts(std::string_view text, std::uint32_t begin) {
+  if (text.size() < 2 || !text.ends_with(']')) return false;
+  std::string words;
+  std::size_t i = 1;
+  while (i + 1 < text.size()) {
+    if (text[i] != '#') {
+      words += text[i] == '*' ? ' ' : text[i];
+      ++i;
+      continue;
+    }
+    const std::size_t end = text.find_first_not_of("0123456789", i + 1);
+    const bool has_field = end != std::string_view::npos && end > i + 1 && end + 3 < text.size() && text[end] == '[' &&
+                           text[end + 3] == ']';
+    const auto number = has_field ? text::parse_integer(text.substr(i + 1, end - i - 1)) : std::nullopt;
+    if (!number || *number > 99'999'999 || text[end + 1] < '0' || text[end + 1] > '9' || text[end + 2] < '0' ||
+        text[end + 2] > '9')
+      return false;
+    ir::Variable variable;
+    variable.number = static_cast<std::uint32_t>(*number);
+    variable.span = {begin + static_cast<std::uint32_t>(i), begin + static_cast<std::uint32_t>(end)};
+    program_.output_parts.push_back({.text = program_.strings.add(words),
+                                     .value = program_.add_variable(variable),
+                                     .whole_digits = static_cast<std::uint8_t>(text[end + 1] - '0'),
+                                     .decimals = static_cast<std::uint8_t>(text[end + 2] - '0')});
+    words.clear();
+    i = end + 4;
+  }
+  if (!words.empty()) program_.output_parts.push_back({.text = program_.strings.add(words)});
+  return true;
+}
+
+// SETVN 101[NAME1,NAME2]: from here on [#NAME1] is #101.
+void Parser::set_names() {
+  cursor_.advance();
+  const auto first = cursor_.kind() == TokenKind::number ? text::parse_integer(cursor_.text()) : std::nullopt;
+  if (first) cursor_.advance();
+  if (!first || cursor_.kind() != TokenKind::string) {
+    faults_.fail(syntax_error, {begin_, std::max(begin_, cursor_.previous_end())},
+                 {"SETVN needs a number and [NAMES]"});
+    return;
+  }
+  std::string_view names = cursor_.text();
+  names.remove_prefix(1);
+  if (names.ends_with(']')) names.remove_suffix(1);
+  auto number = static_cast<std::uint32_t>(std::clamp<std::int64_t>(*first, 0, 99'999'999));
+  while (!names.empty()) {
+    const std::string_view name = names.substr(0, names.find(','));
+    names.remove_prefix(std::min(names.size(), name.size() + 1));
+    expressions_.name_variable(name, number++);
+  }
+  cursor_.advance();
+  lowering_.emit_native("SETVN", true, place());
 }
 
 void Parser::structure(StatementKind kind, ExpressionId condition, std::uint8_t number) {
@@ -69,8 +145,9 @@ void Parser::assignment() {
     begin_ = cursor_.span().begin;
     const auto target = expressions_.variable();
     if (!target) return;
+    if (std::exchange(bracketed_target_, false) && cursor_.is_symbol(']')) cursor_.advance();
     if (!cursor_.is_symbol('=')) {
-      faults_.fail(missing_equals, target->span, {std::string(target->span.in(cursor_.whole_text()))}, "PS1133");
+      faults_.fail(missing_equals, target->span, {std::string(target->span.in(cursor_.whole_text()))});
       return;
     }
     cursor_.advance();
@@ -117,7 +194,7 @@ void Parser::if_statement() {
   if (next != nullptr && next->role == KeywordRole::go_to) return go_to(condition);
   if (next == nullptr || next->role != KeywordRole::then_word) {
     faults_.fail(syntax_error, {begin_, cursor_.previous_end()}, {"IF needs GOTO or THEN after its condition"},
-                 "PS1137");
+                 ir::AlarmDetail::if_statement);
     return;
   }
   cursor_.advance();
@@ -159,7 +236,8 @@ void Parser::go_to(ExpressionId condition) {
     jump.computed = target;
   } else if (value.value < 1.0 || value.value > grammar_.highest_block_number ||
              (value.has_point && at.in(cursor_.whole_text()) != "[")) {
-    faults_.fail(syntax_error, at, {fmt::format("GOTO {} is no block number", at.in(cursor_.whole_text()))}, "PS1128");
+    faults_.fail(syntax_error, at, {fmt::format("GOTO {} is no block number", at.in(cursor_.whole_text()))},
+                 ir::AlarmDetail::jump_number);
     return;
   } else {
     jump.number = static_cast<std::uint32_t>(value.value);
@@ -180,7 +258,8 @@ void Parser::while_statement() {
   }
   const Keyword* next = expressions_.keyword();
   if (next == nullptr || next->role != KeywordRole::do_word) {
-    faults_.fail(syntax_error, {begin_, cursor_.previous_end()}, {"WHILE needs DO after its condition"}, "PS1138");
+    faults_.fail(syntax_error, {begin_, cursor_.previous_end()}, {"WHILE needs DO after its condition"},
+                 ir::AlarmDetail::while_statement);
     return;
   }
   loop_begin(condition, condition != ExpressionId::none);

@@ -38,7 +38,9 @@ std::string_view string_of(const ir::Program& program, ExpressionId id) {
 
 const ir::CodeRow* find_function(const ir::Control& control, Function function, std::int16_t argument) {
   // Other arguments are shades of meaning that the tables do not tell apart.
-  const bool numbered = function == Function::work_offset || function == Function::reference_return;
+  const bool numbered = function == Function::work_offset || function == Function::reference_return ||
+                        function == Function::drill || function == Function::turning_cycle ||
+                        function == Function::repetitive_cycle;
   for (const auto table : {control.g_codes, control.m_codes}) {
     const auto row = std::ranges::find_if(
         table, [&](const ir::CodeRow& r) { return r.function == function && (!numbered || r.argument == argument); });
@@ -111,7 +113,6 @@ void ProgramPrinter::statement(std::uint32_t index) {
       break;
     case StatementKind::assign: text = assignment(program_.assigns[s.payload]); break;
     case StatementKind::go_to: text = jump(program_.jumps[s.payload]); break;
-    case StatementKind::subprogram_return: text = return_to_caller(s); break;
     case StatementKind::if_begin:
       text = fmt::format("IF{}THEN", expressions_.condition(program_.structures[s.payload].condition));
       break;
@@ -122,10 +123,20 @@ void ProgramPrinter::statement(std::uint32_t index) {
     case StatementKind::loop_begin: text = fmt::format("DO{}", program_.structures[s.payload].loop_number); break;
     case StatementKind::while_end:
     case StatementKind::loop_end: text = fmt::format("END{}", program_.structures[s.payload].loop_number); break;
-    case StatementKind::call: text = call(program_.calls[s.payload]); break;
+    case StatementKind::call: text = call(program_.calls[s.payload], call_word(program_.calls[s.payload].kind)); break;
     case StatementKind::message: text = message(program_.messages[s.payload]); break;
     case StatementKind::alarm: text = alarm(program_.messages[s.payload], kAlarmVariable); break;
     case StatementKind::native: text = native(s); break;
+    case StatementKind::subprogram_return: text = "M99"; break;
+    case StatementKind::return_to: {
+      const ir::Jump& to = program_.jumps[s.payload];
+      text = to.computed != ExpressionId::none ? "M99 P" + expressions_.word_value(to.computed)
+                                               : fmt::format("M99 P{}", to.number);
+      break;
+    }
+    case StatementKind::modal_call: text = call(program_.calls[s.payload], "G66"); break;
+    case StatementKind::modal_call_end: text = "G67"; break;
+    case StatementKind::output: text = output(program_.outputs[s.payload]); break;
     case StatementKind::empty:
     case StatementKind::if_end:
     case StatementKind::else_begin:
@@ -221,23 +232,45 @@ std::string ProgramPrinter::jump(const ir::Jump& jump) const {
   return out + fmt::format(" {}", jump.number);
 }
 
-std::string ProgramPrinter::return_to_caller(const ir::Statement& s) const {
-  if (s.payload == ir::kNoIndex) return "M99";
-  const ir::Jump& jump = program_.jumps[s.payload];
-  if (jump.computed != ExpressionId::none) return "M99 P" + expressions_.word_value(jump.computed);
-  return fmt::format("M99 P{}", jump.number);
+std::string_view ProgramPrinter::call_word(ir::CallKind kind) {
+  if (kind == ir::CallKind::macro) return "G65";
+  return kind == ir::CallKind::external ? "M198" : "M98";
 }
 
-std::string ProgramPrinter::call(const ir::Call& call) const {
-  std::string out = call.kind == ir::CallKind::macro ? "G65 " : "M98 ";
+std::string ProgramPrinter::output(const ir::Output& output) const {
+  if (output.kind == ir::OutputKind::open) return "POPEN";
+  if (output.kind == ir::OutputKind::close) return "PCLOS";
+  std::string out = "DPRNT[";
+  for (std::uint32_t i = 0; i < output.part_count; ++i) {
+    const ir::OutputPart& part = program_.output_parts[output.first_part + i];
+    std::string words(program_.strings.at(part.text));
+    std::ranges::replace(words, ' ', '*');
+    out += words;
+    if (part.value != ExpressionId::none)
+      out += fmt::format("{}[{}{}]", expressions_.expression(part.value), part.whole_digits, part.decimals);
+  }
+  return out + "]";
+}
+
+std::string ProgramPrinter::call(const ir::Call& call, std::string_view word) const {
+  std::string out(word);
+  out += ' ';
   const std::string_view name = program_.strings.at(call.name);
-  if (call.number != ExpressionId::none) {
+  if (call.name == ir::StringId::none && call.number == ExpressionId::none) {
+    out.pop_back();
+  } else if (call.number != ExpressionId::none) {
     out += "P" + expressions_.word_value(call.number);
   } else if (name.size() > 1 && name.front() == 'O' &&
              name.find_first_not_of("0123456789", 1) == std::string_view::npos) {
     out += fmt::format("P{}", name.substr(1));
   } else {
     out += fmt::format("<{}>", name);
+  }
+  if (call.start != ExpressionId::none) {
+    const ir::Expression& start = program_.at(call.start);
+    out += fmt::format(" {}{}", start_letter_,
+                       start.op == Operator::constant ? fmt::format("{}", std::llround(start.value))
+                                                      : expressions_.word_value(call.start));
   }
   if (call.repeats != ExpressionId::none) {
     const ir::Expression& repeats = program_.at(call.repeats);

@@ -17,7 +17,7 @@ namespace dripfeed::macro_b {
 class ProgramPrinter {
  public:
   ProgramPrinter(const ir::Program& program, const ir::Control& control, const Grammar& grammar)
-      : program_(program), control_(control), expressions_(program, grammar) {}
+      : program_(program), control_(control), expressions_(program, grammar), start_letter_(grammar.start_letter) {}
 
   // A line of the frame.
   void frame_line(std::string_view line);
@@ -35,8 +35,9 @@ class ProgramPrinter {
   std::string word(const ir::Word& word) const;
   std::string assignment(const ir::Assign& assign) const;
   std::string jump(const ir::Jump& jump) const;
-  std::string return_to_caller(const ir::Statement& s) const;
-  std::string call(const ir::Call& call) const;
+  std::string call(const ir::Call& call, std::string_view word) const;
+  static std::string_view call_word(ir::CallKind kind);
+  std::string output(const ir::Output& output) const;
   std::string alarm(const ir::Message& message, std::uint32_t variable) const;
   std::string message(const ir::Message& message) const;
   std::string native(const ir::Statement& statement) const;
@@ -46,6 +47,7 @@ class ProgramPrinter {
   const ir::Program& program_;
   const ir::Control& control_;
   ExpressionPrinter expressions_;
+  char start_letter_;
   ir::PrintResult result_;
   std::size_t next_label_ = 0;
 };

@@ -52,13 +52,17 @@ class StatementRaiser {
       case StatementKind::alarm: return alarm(s);
       case StatementKind::message: return message(s);
       case StatementKind::native: return native(s);
+      case StatementKind::return_to: return return_to_caller(s);
+      case StatementKind::modal_call: return call(s);
       case StatementKind::procedure:
         if (program_.structures[s.payload].symbol_count != 0) blocks_.cannot(s, "a program with parameters");
         return;
       case StatementKind::go_to: return jump(s);
       case StatementKind::program_end: return end(s);
-      case StatementKind::subprogram_return: return return_to_caller(s);
       case StatementKind::declaration: return;
+      case StatementKind::subprogram_return:
+      case StatementKind::modal_call_end:
+      case StatementKind::output:
       case StatementKind::empty:
       case StatementKind::assign:
       case StatementKind::define:
@@ -86,8 +90,10 @@ class StatementRaiser {
 
   // Block numbers of the caller are the same on all controls that have them.
   void return_to_caller(const ir::Statement& s) {
-    const bool calculated = s.payload != ir::kNoIndex && program_.jumps[s.payload].computed != ExpressionId::none;
-    if (calculated && !same_dialect_) return blocks_.cannot(s, "a return to a calculated block");
+    const ir::Jump& jump = program_.jumps[s.payload];
+    if (jump.label != ir::StringId::none) return blocks_.cannot(s, "a return to a label of the caller");
+    if (jump.computed != ExpressionId::none && !same_dialect_)
+      return blocks_.cannot(s, "a return to a calculated block");
     out_.keep();
   }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 #include "dialects/ir/block_scanner.h"
 #include "dialects/macro_b/lower.h"
@@ -55,7 +56,8 @@ class Words {
         highest_block_number_(grammar.highest_block_number),
         g_codes_(index_codes(control.g_codes, 'G')),
         m_codes_(index_codes(control.m_codes, 'M')),
-        m_rows_(control.m_codes) {}
+        m_rows_(control.m_codes),
+        calls_(control.code_calls) {}
 
   [[nodiscard]] std::string_view name() const { return name_; }
   static bool ends_line(char eob) { return eob != ';'; }
@@ -113,7 +115,7 @@ class Words {
 
   // Block numbers are labels, which nothing that is plain asks for. The first O of a text names it.
   const char* head(char letter, const text::ScannedDecimal& number, ScannedBlock& block) {
-    if (number.has_point) return nullptr;
+    if (number.has_point || number.mantissa == 0) return nullptr;
     if (block.first != nullptr) block.last = number.end;
     if (letter == 'N') return number.mantissa <= highest_block_number_ ? number.end : nullptr;
     if (!name_.empty() || block.first != nullptr) return nullptr;
@@ -124,12 +126,20 @@ class Words {
   const char* code(char letter, const text::ScannedDecimal& number, ScannedBlock& block) {
     if (number.fraction > 1) return nullptr;
     const std::uint64_t number10 = number.fraction == 0 ? number.mantissa * 10 : number.mantissa;
+    if (is_call(letter, number10)) return nullptr;
     const ir::CodeRow* row = (letter == 'G' ? g_codes_ : m_codes_).find(number10);
     if (row == nullptr) return letter == 'M' ? builder_code(number, block) : nullptr;
     if (ir::ends_program(row->function)) return std::exchange(block.ends_program, true) ? nullptr : number.end;
     if (row->function == Function::no_effect) block.report(row->name, row->function);
     block.add_code(row->function, row->argument, row->group);
     return number.end;
+  }
+
+  // Codes that the machine makes calls of.
+  [[nodiscard]] bool is_call(char letter, std::uint64_t number10) const {
+    return std::ranges::any_of(calls_, [&](const ir::CodeCall& c) {
+      return c.letter == letter && static_cast<std::uint64_t>(c.number10) == number10;
+    });
   }
 
   // An M code without a row is the machine tool builder's.
@@ -148,6 +158,7 @@ class Words {
   ir::PlainCodeIndex g_codes_;
   ir::PlainCodeIndex m_codes_;
   std::span<const ir::CodeRow> m_rows_;
+  std::vector<ir::CodeCall> calls_;
   bool at_start_ = true;  // nothing but blank lines so far
   std::string name_;
 };

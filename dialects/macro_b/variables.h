@@ -1,11 +1,27 @@
-// System variables whose assignment is a statement of its own on every '#' control.
+// Variables of the '#' controls: the ranges and system variables that all of them have, and those whose assignment is a
+// statement of its own.
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dialects/ir/control.h"
 
 namespace dripfeed::macro_b {
 
 inline constexpr std::uint32_t kAlarmVariable = 3000;    // #3000 = n(TEXT): stop with an alarm
 inline constexpr std::uint32_t kMessageVariable = 3006;  // #3006 = n(TEXT): stop with a message
+
+struct RangeRow {
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+  ir::VariableUse use = ir::VariableUse::common;
+  bool writable = true;
+};
+
+// The common ones with those of the dialect behind them.
+std::vector<ir::VariableRange> join_ranges(std::span<const RangeRow> own);
+std::vector<ir::SystemVariableRow> join_system_variables(std::span<const ir::SystemVariableRow> own);
 
 }  // namespace dripfeed::macro_b

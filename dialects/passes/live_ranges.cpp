@@ -27,7 +27,8 @@ std::vector<LiveRange> loops_of(const ir::Program& program) {
   std::vector<LiveRange> loops;
   for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
     const ir::Statement& s = program.statements[i];
-    if (s.kind == StatementKind::call || s.kind == StatementKind::native) return {LiveRange::always()};
+    if (s.kind == StatementKind::call || s.kind == StatementKind::modal_call || s.kind == StatementKind::native)
+      return {LiveRange::always()};
     if (opens_loop(s.kind)) {
       const std::uint32_t partner = program.structures[s.payload].partner;
       if (partner == ir::kNoIndex) return {LiveRange::always()};

@@ -31,7 +31,7 @@ void for_each_root(AnyProgram& program, const ir::Statement& statement, OnExpres
       root(program.assigns[statement.payload].value);
       return;
     case go_to:
-    case subprogram_return:
+    case return_to:
       root(program.jumps[statement.payload].condition);
       root(program.jumps[statement.payload].computed);
       return;
@@ -59,10 +59,12 @@ void for_each_root(AnyProgram& program, const ir::Statement& statement, OnExpres
       for (std::uint32_t i = 0; i < s.symbol_count; ++i) root(program.symbols[s.first_symbol + i].initial);
       return;
     }
-    case call: {
+    case call:
+    case modal_call: {
       auto& c = program.calls[statement.payload];
       root(c.number);
       root(c.repeats);
+      root(c.start);
       for (std::uint32_t i = 0; i < c.argument_count; ++i) root(program.arguments[c.first_argument + i].value);
       return;
     }
@@ -71,6 +73,13 @@ void for_each_root(AnyProgram& program, const ir::Statement& statement, OnExpres
       root(program.messages[statement.payload].text);
       root(program.messages[statement.payload].number);
       return;
+    case output: {
+      const ir::Output& o = program.outputs[statement.payload];
+      for (std::uint32_t i = 0; i < o.part_count; ++i) root(program.output_parts[o.first_part + i].value);
+      return;
+    }
+    case subprogram_return:
+    case modal_call_end:
     case empty:
     case declaration:
     case native: return;

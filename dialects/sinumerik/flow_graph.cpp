@@ -96,6 +96,7 @@ const std::vector<std::uint32_t>& FlowGraph::after(std::uint32_t i) {
       break;
     }
     case StatementKind::subprogram_return:
+    case StatementKind::return_to:
     case StatementKind::program_end: break;
     case StatementKind::native:
       if (program_.strings.at(program_.natives[s.payload].name) != "RET") after_.push_back(i + 1);
@@ -110,6 +111,9 @@ const std::vector<std::uint32_t>& FlowGraph::after(std::uint32_t i) {
     case StatementKind::call:
     case StatementKind::procedure:
     case StatementKind::declaration:
+    case StatementKind::modal_call:
+    case StatementKind::modal_call_end:
+    case StatementKind::output:
     case StatementKind::message:
     case StatementKind::alarm: after_.push_back(i + 1); break;
   }

@@ -121,7 +121,11 @@ class Printer {
 
   void words_of(std::uint32_t i, const ir::Statement& s, std::string& out) {
     switch (s.kind) {
-      case StatementKind::empty: return;
+      case StatementKind::empty:
+      case StatementKind::return_to:
+      case StatementKind::modal_call:
+      case StatementKind::modal_call_end:
+      case StatementKind::output: return;  // of other controls: raising refuses them
       case StatementKind::block: return blocks_.append(out, program_.blocks[s.payload]);
       case StatementKind::assign: return assign(program_.assigns[s.payload], out);
       case StatementKind::go_to: return jump(program_.jumps[s.payload], out);

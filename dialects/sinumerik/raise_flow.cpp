@@ -39,6 +39,7 @@ void raise_call(const Raising& raising, const ir::Statement& s) {
   ir::Program& program = raising.program;
   ir::Call& call = program.calls[s.payload];
   if (call.number != ir::ExpressionId::none) return raising.cannot("a call of a computed program number", s.span);
+  if (call.start != ir::ExpressionId::none) return raising.cannot("a call from a block of the program on", s.span);
   const bool by_letter =
       std::ranges::any_of(program.arguments_of(call), [](const ir::Argument& a) { return a.letter != 0; });
   if (by_letter) return raising.cannot("a macro call with arguments by letter", s.span);
@@ -58,13 +59,32 @@ void raise_alarm(const Raising& raising, const ir::Statement& s) {
   alarm.number = raising.program.add_constant(own, number.span, false);
 }
 
-// M99 alone is M17; M99 P100 goes on elsewhere in the caller.
-void raise_return(const Raising& raising, std::uint32_t i) {
-  ir::Program& program = raising.program;
-  ir::Statement& s = program.statements[i];
-  if (s.payload == ir::kNoIndex) return;
-  raising.cannot("a return to another block of the caller", s.span);
-  s.payload = ir::kNoIndex;
+// M99 alone is M17.
+void raise_return(const Raising& raising, std::uint32_t i) { raising.program.statements[i].payload = ir::kNoIndex; }
+
+// Statements that this control has nothing for; what writes to a device is lost without harm to the part.
+struct ForeignRow {
+  StatementKind kind;
+  std::string_view what;
+  bool harmless;
+};
+constexpr ForeignRow kForeign[] = {
+    {StatementKind::return_to, "a return to another block of the caller", false},
+    {StatementKind::modal_call, "a modal call", false},
+    {StatementKind::modal_call_end, "the end of a modal call", false},
+    {StatementKind::output, "output to a device", true},
+};
+
+void refuse_foreign(const Raising& raising, std::uint32_t i) {
+  ir::Statement& s = raising.program.statements[i];
+  for (const ForeignRow& row : kForeign) {
+    if (row.kind != s.kind) continue;
+    raising.cannot(std::string(row.what), s.span);
+    if (row.harmless) raising.diagnostics.back().severity = text::Severity::warning;
+    s.kind = StatementKind::empty;
+    s.payload = ir::kNoIndex;
+    return;
+  }
 }
 
 }  // namespace
@@ -77,6 +97,7 @@ void raise_flow(const Raising& raising) {
     if (s.kind == StatementKind::call) raise_call(raising, s);
     if (s.kind == StatementKind::alarm) raise_alarm(raising, s);
     if (s.kind == StatementKind::subprogram_return) raise_return(raising, i);
+    refuse_foreign(raising, i);
     if (s.kind == StatementKind::native) {
       const ir::Native& native = program.natives[s.payload];
       const std::string name(program.strings.at(native.name));

@@ -32,6 +32,10 @@ std::string_view loop_word(StatementKind kind) {
     case StatementKind::procedure:
     case StatementKind::declaration:
     case StatementKind::subprogram_return:
+    case StatementKind::return_to:
+    case StatementKind::modal_call:
+    case StatementKind::modal_call_end:
+    case StatementKind::output:
     case StatementKind::program_end:
     case StatementKind::message:
     case StatementKind::alarm:

@@ -183,11 +183,29 @@ std::vector<std::string> folders_for(const TextOptions& options, const std::stri
   return folders;
 }
 
+namespace {
+
+// O0012 is kept as O0012, O12, 0012 or 12; other names as they are, or in small letters.
+std::vector<std::string> spellings(std::string_view name) {
+  std::vector<std::string> result = {std::string(name), lower(name)};
+  const bool numbered =
+      name.size() > 1 && name.front() == 'O' && name.find_first_not_of("0123456789", 1) == std::string_view::npos;
+  if (!numbered) return result;
+  const std::string_view digits = name.substr(1);
+  const std::string_view shortest = digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 1));
+  result.emplace_back(digits);
+  result.emplace_back(shortest);
+  result.push_back("O" + std::string(shortest));
+  return result;
+}
+
+}  // namespace
+
 compile::FindText find_in(std::vector<std::string> folders) {
   return [folders = std::move(folders)](std::string_view name) -> std::optional<text::Source> {
     for (const std::string& folder : folders) {
       for (const std::string_view ending : kEndings) {
-        for (const std::string& spelled : {std::string(name), lower(name)}) {
+        for (const std::string& spelled : spellings(name)) {
           const fs::path path = fs::path(folder) / (spelled + std::string(ending));
           std::error_code error;
           if (!fs::is_regular_file(path, error)) continue;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/text/number.h"
 #include "protocol/tape_code/character_set.h"
 #include "server/json/object_reader.h"
 
@@ -107,6 +108,22 @@ void read_power_on(ObjectReader& object, machine::ControlSettings& control) {
   object.flag("confirmed", control.power_on_confirmed);
 }
 
+// {"code": "G100", "program": 9010, "macro": true}
+void read_code_call(ObjectReader& object, machine::ControlSettings& control) {
+  ir::CodeCall call;
+  std::string code;
+  object.text("code", code, true);
+  object.integer("program", call.program, 1, 99'999'999);
+  object.flag("macro", call.macro);
+  const auto number = code.size() > 1 ? text::parse_number(std::string_view(code).substr(1)) : std::optional<double>();
+  if (!number || (code.front() != 'G' && code.front() != 'M') || *number < 0.0 || *number > 9999.0)
+    return object.fault("code", "must be a G or M code");
+  if (call.program == 0) return object.fault("program", "is missing");
+  call.letter = code.front();
+  call.number10 = static_cast<std::int32_t>(*number * 10.0 + 0.5);
+  control.code_calls.push_back(call);
+}
+
 void read_control(ObjectReader& object, machine::ControlSettings& control) {
   object.text("title", control.title);
   if (const auto system = object.choice("g_system", kGSystems)) control.g_system = static_cast<ir::GSystem>(*system);
@@ -115,6 +132,18 @@ void read_control(ObjectReader& object, machine::ControlSettings& control) {
   object.flag("decimal_mode_confirmed", control.decimal_mode_confirmed);
   object.number("increment_mm", control.increment_mm, 0.0, 1.0);
   object.integer("block_length_bytes", control.block_length_bytes, 1, 65'536);
+  object.objects("code_calls", [&](ObjectReader& o) { read_code_call(o, control); });
+  object.object("nesting", [&](ObjectReader& o) {
+    o.integer("calls", control.call_nesting, 1, 100);
+    o.integer("macros", control.macro_nesting, 1, 100);
+    o.integer("loops", control.loop_nesting, 1, 127);
+  });
+  object.object("cycles", [&](ObjectReader& o) {
+    o.number("chip_break_mm", control.chip_break_mm, 0.0, 1000.0);
+    o.number("peck_clearance_mm", control.peck_clearance_mm, 0.0, 1000.0);
+    o.number("turning_depth_mm", control.turning_depth_mm, 0.001, 1000.0);
+    o.number("turning_retract_mm", control.turning_retract_mm, 0.0, 1000.0);
+  });
   object.object("power_on", [&](ObjectReader& o) { read_power_on(o, control); });
   object.objects("variables", [&](ObjectReader& o) { read_variables(o, control); });
 }
@@ -202,10 +231,19 @@ void read_machine(ObjectReader& object, machine::Profile& profile) {
   object.object("timing", [&](ObjectReader& o) { read_timing(o, profile); });
 }
 
+void read_notes(ObjectReader& object, const Document& notes, machine::Profile& profile) {
+  if (!notes.is_array()) return object.fault("notes", "must be a list of texts");
+  for (const Document& note : notes) {
+    if (!note.is_string()) return object.fault("notes", "must be a list of texts");
+    profile.notes.push_back(note.get<std::string>());
+  }
+}
+
 void read_whole(ObjectReader& object, machine::Profile& profile) {
   object.path_name("name", profile.name);
   object.text("title", profile.title);
   object.text("dialect", profile.control.dialect, true);
+  if (const Document* notes = object.member("notes")) read_notes(object, *notes, profile);
   if (const auto kind = object.choice("kind", kKinds)) profile.control.kind = static_cast<ir::MachineKind>(*kind);
   if (!object.has("kind")) object.fault("kind", "is missing");
   profile.machine.kind = profile.control.kind;

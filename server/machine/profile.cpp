@@ -98,6 +98,14 @@ ir::Control control_of(const Profile& profile, ir::Control control) {
   if (settings.increment_mm > 0) semantics.least_increment_mm = settings.increment_mm;
   if (!settings.variables.empty()) control.variables = settings.variables;
   if (settings.block_length_bytes) control.limits.block_length_bytes = *settings.block_length_bytes;
+  control.code_calls = settings.code_calls;
+  if (settings.call_nesting) control.limits.call_nesting = *settings.call_nesting;
+  if (settings.macro_nesting) control.limits.macro_nesting = *settings.macro_nesting;
+  if (settings.loop_nesting) control.limits.loop_nesting = *settings.loop_nesting;
+  if (settings.chip_break_mm) semantics.chip_break_retract_mm = *settings.chip_break_mm;
+  if (settings.peck_clearance_mm) semantics.peck_clearance_mm = *settings.peck_clearance_mm;
+  if (settings.turning_depth_mm) semantics.cycle_depth_mm = *settings.turning_depth_mm;
+  if (settings.turning_retract_mm) semantics.cycle_retract_mm = *settings.turning_retract_mm;
   return control;
 }
 

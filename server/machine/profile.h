@@ -35,6 +35,16 @@ struct ControlSettings {
   bool power_on_confirmed = false;
   std::vector<ir::VariableRange> variables;  // empty: the control's usual ranges
   std::optional<std::uint32_t> block_length_bytes;
+  std::vector<ir::CodeCall> code_calls;  // G and M codes that parameters turn into calls
+  // Nesting that the control takes; not given: its usual one.
+  std::optional<std::uint32_t> call_nesting;
+  std::optional<std::uint32_t> macro_nesting;
+  std::optional<std::uint32_t> loop_nesting;
+  // Parameters of cycles, mm.
+  std::optional<double> chip_break_mm;
+  std::optional<double> peck_clearance_mm;
+  std::optional<double> turning_depth_mm;
+  std::optional<double> turning_retract_mm;
 };
 
 // How the line is spoken to; becomes feed::Settings together with the URL's options, which win.
@@ -62,6 +72,7 @@ struct LineSettings {
 struct Profile {
   std::string name;  // what the shop calls the machine; also its id
   std::string title;
+  std::vector<std::string> notes;  // where the values are from, and what is assumed
   ControlSettings control;
   checks::Machine machine;
   LineSettings line;

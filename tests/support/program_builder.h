@@ -157,7 +157,7 @@ class ProgramBuilder {
   }
   void back() { add(ir::StatementKind::subprogram_return); }
   void back_to(std::uint32_t number) {
-    statement(ir::StatementKind::subprogram_return, program_.jumps, ir::Jump{.number = number});
+    statement(ir::StatementKind::return_to, program_.jumps, ir::Jump{.number = number});
   }
   void end() { add(ir::StatementKind::program_end); }
   // A statement without a payload; the index of where it stands.

@@ -240,17 +240,31 @@ TEST(Convert, MachineFunctionsAndReferenceReturnsAreKept) {
   expect_same(moves_of(before.motions), moves_of(run_text(text, request.to).motions), 1e-9, text);
 }
 
-// A cycle that is not carried out would leave its holes out of the plain blocks.
+// What is not carried out would be left out of the plain blocks.
 TEST(Convert, WhatWouldBeLostIsAnError) {
   ConvertRequest request;
   request.source = text::Source("mill",
                                 "%\nO1\nG21 G17 G90 G94 G40 G54\nG00 X5. Y5. Z50.\n"
-                                "G83 Z-10. R2. Q1. F100.\nX20.\nG80\nM30\n%\n");
+                                "G06.2 P4 X20. Y5. K0 R1.\nX25.\nG01 X30. F100.\nM30\n%\n");
   request.from = request.to = control("fanuc", ir::MachineKind::mill);
   request.mode = ConvertMode::explicit_blocks;
   const ConvertResult result = convert(request);
   EXPECT_TRUE(text::has_error(result.diagnostics));
   EXPECT_TRUE(result.text.empty());
+}
+
+TEST(Convert, CyclesBecomeTheirMoves) {
+  ConvertRequest request;
+  request.source = text::Source("mill",
+                                "%\nO1\nG21 G17 G90 G94 G40 G54\nG00 X5. Y5. Z50.\n"
+                                "G83 G99 Z-10. R2. Q5. F100.\nX20.\nG80\nM30\n%\n");
+  request.from = request.to = control("fanuc", ir::MachineKind::mill);
+  request.mode = ConvertMode::explicit_blocks;
+  const ConvertResult result = convert(request);
+  EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, request.source);
+  EXPECT_EQ(result.text.find("G83"), std::string::npos) << result.text;
+  expect_same(moves_of(run_text(std::string(request.source.text()), request.from).motions),
+              moves_of(run_text(result.text, request.to).motions), 1e-9, result.text);
 }
 
 TEST(Library, AsksOnceAndRemembersWhatIsMissing) {

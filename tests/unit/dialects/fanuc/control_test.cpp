@@ -23,12 +23,12 @@ TEST(Control, CodeSystemsOfLathesDiffer) {
   const ir::Control a = control(MachineKind::lathe, GSystem::a);
   const ir::Control b = control(MachineKind::lathe, GSystem::b);
   const ir::Control c = control(MachineKind::lathe, GSystem::c);
-  EXPECT_EQ(function_of(a, 900), Function::not_modelled);  // a cycle
+  EXPECT_EQ(function_of(a, 900), Function::turning_cycle);
   EXPECT_EQ(function_of(b, 900), Function::absolute);
   EXPECT_EQ(function_of(a, 990), Function::feed_per_rev);
   EXPECT_EQ(function_of(b, 950), Function::feed_per_rev);
   EXPECT_EQ(function_of(c, 710), Function::unit_mm);
-  EXPECT_EQ(function_of(c, 210), Function::not_modelled);
+  EXPECT_EQ(function_of(c, 210), Function::turning_cycle);
   EXPECT_EQ(function_of(a, 320), Function::thread);
   EXPECT_EQ(function_of(b, 330), Function::thread);
   EXPECT_EQ(function_of(a, 500), Function::set_coordinates);

@@ -76,14 +76,13 @@ TEST(Parse, ReadsCalls) {
 }
 
 TEST(Parse, KeepsWhatItDoesNotModelByName) {
-  EXPECT_EQ(native_of("POPEN\n"), "POPEN");
-  EXPECT_EQ(native_of("DPRNT[X#100[53]]\n"), "DPRNT");
+  EXPECT_EQ(native_of("BPRNT[X#100[3]]\n"), "BPRNT");
+  EXPECT_EQ(native_of("DPRNT[X#[#1]]\n"), "DPRNT");
   EXPECT_EQ(native_of("SETVN101[A,B]\n"), "SETVN");
   EXPECT_EQ(native_of("#1=[#_CLOCK1]\n"), "a variable with a name");
   EXPECT_EQ(native_of("[#NAME]=5.\n"), "a variable with a name");
-  EXPECT_EQ(native_of("G66 P9100 A1.\n"), "G66");
-  EXPECT_EQ(native_of("M198 P100\n"), "M198");
-  EXPECT_EQ(native_of("G10 L2 P1 X1.\n"), "G10");
+  EXPECT_EQ(native_of("G66.1 P9100 A1.\n"), "G66.1");
+  EXPECT_EQ(native_of("G10 L50\n"), "G10 L50");
   EXPECT_EQ(native_of("&F=/USER/\n"), "&");
 }
 
@@ -91,15 +90,46 @@ TEST(Parse, KnowsWhereTheCallerGoesOn) {
   const ir::Program plain = read_text("M99\n").program;
   EXPECT_EQ(plain.statements.front().payload, ir::kNoIndex);
   const ir::Program written = read_text("M99 P100\n").program;
-  ASSERT_EQ(written.statements.front().kind, ir::StatementKind::subprogram_return);
+  ASSERT_EQ(written.statements.front().kind, ir::StatementKind::return_to);
   EXPECT_EQ(written.jumps.at(written.statements.front().payload).number, 100U);
   const ir::Program computed = read_text("M99 P#4\n").program;
   EXPECT_NE(computed.jumps.at(computed.statements.front().payload).computed, ir::ExpressionId::none);
 }
 
+TEST(Parse, TellsCallsOfOtherDevicesAndModalCalls) {
+  const ir::Program external = read_text("M198 P100 L2\n").program;
+  ASSERT_EQ(external.calls.size(), 1U);
+  EXPECT_EQ(external.calls[0].kind, ir::CallKind::external);
+  const ir::Program modal = read_text("G66 P9100 A1.\nX1.\nG67\n").program;
+  EXPECT_EQ(modal.statements[0].kind, ir::StatementKind::modal_call);
+  EXPECT_EQ(modal.statements[2].kind, ir::StatementKind::modal_call_end);
+  const ir::Program start = read_text("M98 P2 Q30\n").program;
+  ASSERT_EQ(start.calls.size(), 1U);
+  EXPECT_EQ(start.at(start.calls[0].start).value, 30.0);
+}
+
+TEST(Parse, ReadsTheFieldsOfOutput) {
+  const ir::Program program = read_text("DPRNT[X#100[53]*Y]\n").program;
+  ASSERT_EQ(program.output_parts.size(), 2U);
+  EXPECT_EQ(program.strings.at(program.output_parts[0].text), "X");
+  EXPECT_EQ(program.output_parts[0].whole_digits, 5);
+  EXPECT_EQ(program.output_parts[0].decimals, 3);
+  EXPECT_EQ(program.strings.at(program.output_parts[1].text), " Y");
+}
+
+TEST(Parse, KnowsTheProgramsOfAText) {
+  const ir::Program program = read_text("%\nO1\nM98 P2\nM30\nO2\nM99\n%\n").program;
+  ASSERT_EQ(program.sections.size(), 2U);
+  EXPECT_EQ(program.strings.at(program.sections[0].name), "O0001");
+  EXPECT_EQ(program.sections[0].first, 0U);
+  EXPECT_EQ(program.strings.at(program.sections[1].name), "O0002");
+  EXPECT_EQ(program.sections[0].last, program.sections[1].first);
+  EXPECT_EQ(program.sections[1].last, program.statements.size());
+}
+
 TEST(Parse, TakesNoMovesFromParameterData) {
   const ir::ReadResult read = read_text("G10 L52\nN7810 R0\nX1.\nG11\nX2.\n");
-  EXPECT_EQ(read.program.blocks.size(), 1U);  // X2.
+  EXPECT_EQ(read.program.blocks.size(), 2U);  // G11, X2.
 }
 
 TEST(Parse, NumbersExtendedWorkOffsets) {

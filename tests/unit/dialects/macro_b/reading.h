@@ -24,7 +24,7 @@ inline ir::Control test_control() {
       {"G00", 0, Function::rapid, 0, ModalGroup::motion, ""},
       {"G01", 10, Function::linear, 0, ModalGroup::motion, ""},
       {"G54", 540, Function::work_offset, 1, ModalGroup::work_offset, ""},
-      {"G54.1", 541, Function::not_modelled, 0, ModalGroup::work_offset, ""},
+      {"G54.1", 541, Function::extended_offset, 0, ModalGroup::work_offset, ""},
       {"G81", 810, Function::not_modelled, 0, ModalGroup::cycle, ""},
   });
   static constexpr auto kM = std::to_array<CodeRow>({

@@ -1,0 +1,15 @@
+// Modal drilling cycles as motions: each block with a position, a depth or an R level makes a hole, or several. The
+// words of a cycle stay in ModalState::drilling until it ends.
+#pragma once
+
+#include "dialects/interpreter/apply.h"
+
+namespace dripfeed::interpreter {
+
+// A drilling code; `argument` as Function::drill has it. Keeps the words of the cycle before it.
+void begin_drilling(std::int16_t argument, ModalState& state);
+// Carries out the block under the active cycle: takes its words, then drills where it says so.
+void drill_holes(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out,
+                 BlockResult& result);
+
+}  // namespace dripfeed::interpreter

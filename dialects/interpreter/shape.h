@@ -1,0 +1,32 @@
+// A shape to be cut away to, as a chain of lines and arcs in a plane of levels and ways: the way is the direction that
+// passes cut along, the level the one that they are stepped in. G71 has Z as way and the radius as level, G72 the
+// radius as way and Z as level.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "dialects/ir/motion.h"
+
+namespace dripfeed::interpreter {
+
+struct ShapePoint {
+  double way = 0.0;
+  double level = 0.0;
+};
+struct ShapeSegment {
+  ShapePoint from;
+  ShapePoint to;
+  ShapePoint center;  // arcs
+  bool arc = false;
+  double turn = 0.0;  // arcs: angle from the start's to the end's direction, radians, positive from way to level
+  std::uint32_t line = 0;
+};
+
+// Where it cuts the level, as a way; the first place in the direction of the segment. Nothing when it does not.
+std::optional<double> way_at(const ShapeSegment& segment, double level);
+// True when both coordinates only rise or only fall, within a thousandth of a micrometre.
+bool is_monotonic(const std::vector<ShapeSegment>& shape, std::uint32_t& line, bool& in_level);
+
+}  // namespace dripfeed::interpreter

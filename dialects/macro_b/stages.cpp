@@ -1,0 +1,51 @@
+// The eob behind the last token saves the parser its bounds checks; it goes when all is read, so that the tokens tile
+// the text.
+#include "dialects/macro_b/stages.h"
+
+#include "dialects/macro_b/check.h"
+#include "dialects/macro_b/lex.h"
+#include "dialects/macro_b/parse.h"
+#include "dialects/macro_b/print.h"
+
+namespace dripfeed::macro_b {
+
+ir::ReadResult read(const text::Source& source, const ir::Control& control, const Grammar& grammar) {
+  ir::ReadResult result;
+  ir::Program& program = result.program;
+  program.source = source;
+  lex(source.text(), grammar, program.tokens);
+  const auto end = static_cast<std::uint32_t>(source.text().size());
+  program.tokens.push_back({ir::TokenKind::eob, {end, end}});
+  Parser(program, control, grammar, result.diagnostics).run();
+  program.tokens.pop_back();
+  return result;
+}
+
+std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Control& control, ir::Delivery delivery,
+                                       const Grammar& grammar) {
+  Findings findings(control);
+  const std::vector<Section> sections = sections_of(program);
+  check_frame(program, control, sections, findings);
+  check_variables(program, control, findings);
+  check_words(program, control, findings);
+  for (const Section& section : sections) {
+    check_loops(program, control, section, findings);
+    check_jumps(program, section, findings);
+    check_modes(program, control, section, findings);
+    check_order(program, control, section, findings);
+  }
+  if (delivery == ir::Delivery::drip) check_drip(program, grammar, findings);
+  check_not_interpreted(program, control, findings);
+  return findings.take();
+}
+
+ir::PrintResult print(const ir::Program& program, const ir::Control& control, const Grammar& grammar) {
+  ProgramPrinter printer(program, control, grammar);
+  printer.frame_line("%");
+  printer.frame_line(program_head(program.name));
+  printer.statements();
+  printer.frame_line("%");
+  return printer.take();
+}
+
+}  // namespace dripfeed::macro_b

@@ -1,0 +1,116 @@
+// G codes in which Mazak differs from the common lists, by kind of machine. A mill-turn center (Integrex) has the list
+// of machining centers and turning cycles of its own numbers: G290 for G90, G271 for G71.
+#include "dialects/macro_b/codes.h"
+
+#include <array>
+
+#include "dialects/ir/cycle.h"
+#include "dialects/mazak/tables.h"
+
+namespace dripfeed::mazak {
+
+namespace {
+
+using ir::CodeRow;
+using ir::drill_argument;
+using ir::DrillCycle;
+using ir::Function;
+using ir::ModalGroup;
+
+constexpr std::string_view kList = "Mazak EIA/ISO programming manual, G code list";
+
+// clang-format off
+constexpr auto kOwn = std::to_array<CodeRow>({
+    {"G02.1", 21, Function::not_modelled, 0, ModalGroup::motion, kList},
+    {"G03.1", 31, Function::not_modelled, 0, ModalGroup::motion, kList},
+    {"G05", 50, Function::no_effect, 0, ModalGroup::non_modal, kList},
+    {"G06.1", 61, Function::not_modelled, 0, ModalGroup::motion, kList},
+    {"G09", 90, Function::exact_stop_once, 0, ModalGroup::non_modal, kList},
+    {"G10.9", 109, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    {"G45.1", 451, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    {"G50.2", 502, Function::no_effect, 0, ModalGroup::other, kList},
+    {"G51.2", 512, Function::not_modelled, 0, ModalGroup::other, kList},
+    {"G52.5", 525, Function::no_effect, 0, ModalGroup::work_offset, kList},
+    {"G53.5", 535, Function::not_modelled, 0, ModalGroup::work_offset, kList},
+    {"G54.2", 542, Function::not_modelled, 0, ModalGroup::frame, kList},
+    {"G54.4", 544, Function::not_modelled, 0, ModalGroup::frame, kList},
+    {"G61.1", 611, Function::continuous_path, 0, ModalGroup::exact_stop, kList},
+    {"G61.2", 612, Function::continuous_path, 0, ModalGroup::exact_stop, kList},
+    {"G61.4", 614, Function::continuous_path, 0, ModalGroup::exact_stop, kList},
+    {"G68.5", 685, Function::not_modelled, 0, ModalGroup::frame, kList},
+    {"G69.5", 695, Function::no_effect, 0, ModalGroup::frame, kList},
+    {"G109", 1090, Function::no_effect, 0, ModalGroup::non_modal, kList},
+    {"G110", 1100, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    {"G111", 1110, Function::no_effect, 0, ModalGroup::non_modal, kList},
+    {"G112", 1120, Function::no_effect, 0, ModalGroup::non_modal, kList},
+    {"G113", 1130, Function::no_effect, 0, ModalGroup::other, kList},
+    {"G124", 1240, Function::not_modelled, 0, ModalGroup::other, kList},
+    {"G125", 1250, Function::no_effect, 0, ModalGroup::other, kList},
+    {"G148", 1480, Function::not_modelled, 0, ModalGroup::other, kList},
+    {"G149", 1490, Function::no_effect, 0, ModalGroup::other, kList},
+});
+constexpr auto kMill = std::to_array<CodeRow>({
+    {"G17.1", 171, Function::not_modelled, 0, ModalGroup::other, kList},
+    {"G17.2", 172, Function::not_modelled, 0, ModalGroup::other, kList},
+    {"G17.3", 173, Function::not_modelled, 0, ModalGroup::other, kList},
+    {"G17.4", 174, Function::not_modelled, 0, ModalGroup::other, kList},
+    {"G17.5", 175, Function::not_modelled, 0, ModalGroup::other, kList},
+    {"G17.6", 176, Function::not_modelled, 0, ModalGroup::other, kList},
+    {"G17.7", 177, Function::not_modelled, 0, ModalGroup::other, kList},
+    {"G17.8", 178, Function::not_modelled, 0, ModalGroup::other, kList},
+    {"G17.9", 179, Function::not_modelled, 0, ModalGroup::other, kList},
+    {"G34", 340, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    {"G34.1", 341, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    {"G35", 350, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    {"G36", 360, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    {"G37", 370, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    {"G37.1", 371, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    {"G71.1", 711, Function::not_modelled, 0, ModalGroup::cycle, kList},
+    {"G72.1", 721, Function::not_modelled, 0, ModalGroup::cycle, kList},
+    {"G75", 750, Function::not_modelled, 0, ModalGroup::cycle, kList},
+    {"G77", 770, Function::not_modelled, 0, ModalGroup::cycle, kList},
+    {"G78", 780, Function::not_modelled, 0, ModalGroup::cycle, kList},
+    {"G79", 790, Function::not_modelled, 0, ModalGroup::cycle, kList},
+    {"G82.2", 822, Function::drill, drill_argument(DrillCycle::chip_break), ModalGroup::cycle, kList},
+});
+constexpr auto kLathe = std::to_array<CodeRow>({
+    {"G122.1", 1221, Function::diameter_off, 0, ModalGroup::diameter, kList},
+    {"G123.1", 1231, Function::diameter_on, 0, ModalGroup::diameter, kList},
+});
+constexpr auto kMillTurn = std::to_array<CodeRow>({
+    {"G50", 500, Function::set_coordinates, 0, ModalGroup::non_modal, kList},
+    {"G122.1", 1221, Function::diameter_off, 0, ModalGroup::diameter, kList},
+    {"G123.1", 1231, Function::diameter_on, 0, ModalGroup::diameter, kList},
+    {"G270", 2700, Function::repetitive_cycle, 0, ModalGroup::non_modal, kList},
+    {"G271", 2710, Function::repetitive_cycle, 1, ModalGroup::non_modal, kList},
+    {"G272", 2720, Function::repetitive_cycle, 2, ModalGroup::non_modal, kList},
+    {"G273", 2730, Function::repetitive_cycle, 3, ModalGroup::non_modal, kList},
+    {"G274", 2740, Function::repetitive_cycle, 4, ModalGroup::non_modal, kList},
+    {"G275", 2750, Function::repetitive_cycle, 5, ModalGroup::non_modal, kList},
+    {"G276", 2760, Function::repetitive_cycle, 6, ModalGroup::non_modal, kList},
+    {"G290", 2900, Function::turning_cycle, 0, ModalGroup::motion, kList},
+    {"G292", 2920, Function::turning_cycle, 1, ModalGroup::motion, kList},
+    {"G294", 2940, Function::turning_cycle, 2, ModalGroup::motion, kList},
+});
+// clang-format on
+
+}  // namespace
+
+std::span<const CodeRow> g_codes(ir::MachineKind kind, ir::GSystem system) {
+  using macro_b::join_codes;
+  static const std::vector<CodeRow> kOfMills =
+      join_codes({macro_b::shared_g_codes(), macro_b::mill_g_codes(), kOwn, kMill});
+  static const std::vector<CodeRow> kOfMillTurns =
+      join_codes({macro_b::shared_g_codes(), macro_b::mill_g_codes(), kOwn, kMillTurn});
+  static const auto lathe = [](ir::GSystem of) {
+    return join_codes({macro_b::shared_g_codes(), macro_b::lathe_g_codes(of), kOwn, kLathe});
+  };
+  static const std::array<std::vector<CodeRow>, 3> kOfLathes = {lathe(ir::GSystem::a), lathe(ir::GSystem::b),
+                                                                lathe(ir::GSystem::c)};
+  if (kind == ir::MachineKind::mill) return kOfMills;
+  return kind == ir::MachineKind::lathe ? kOfLathes[static_cast<std::size_t>(system)] : kOfMillTurns;
+}
+
+std::span<const CodeRow> m_codes() { return macro_b::m_codes(); }
+
+}  // namespace dripfeed::mazak

@@ -1,0 +1,69 @@
+// The usual Mazak controls; a machine's profile overrides single fields.
+#include "dialects/macro_b/control.h"
+
+#include "dialects/mazak/mazak.h"
+#include "dialects/mazak/tables.h"
+
+namespace dripfeed::mazak {
+
+namespace {
+
+constexpr ir::CostModel kCost = {.block_ms = 1.0,
+                                 .number_read_ms = 0.1,
+                                 .named_read_ms = 0.1,
+                                 .operator_ms = 0.03,
+                                 .function_ms = 0.15,
+                                 .measured = false,
+                                 .origin = "assumed: Matrix 2, Smooth class"};
+
+std::string_view title_of(ir::MachineKind kind) {
+  if (kind == ir::MachineKind::mill) return "Mazak Smooth (machining center)";
+  return kind == ir::MachineKind::lathe ? "Mazak Matrix 2 (QTN)" : "Mazak Matrix 2 (Integrex)";
+}
+
+}  // namespace
+
+const macro_b::Grammar& grammar() {
+  static const macro_b::Grammar kGrammar = {.keywords = macro_b::common_keywords(),
+                                            .highest_loop_number = 127,
+                                            .highest_block_number = 99'999,
+                                            .macro_digits = 15,
+                                            .condition_blocks = true,
+                                            .drip_forbids_conditions = true,
+                                            .drip_forbids_output = true,
+                                            .packed_calls = false,
+                                            .start_letter = 'Q'};
+  return kGrammar;
+}
+
+ir::Control control(ir::MachineKind kind, ir::GSystem system) {
+  ir::Control c = macro_b::usual_control(kind, system);
+  c.dialect = "mazak";
+  c.title = title_of(kind);
+  c.limits = {.block_length_bytes = 248,
+              .digits = 8,
+              .expression_nesting = 5,
+              .loop_nesting = 27,
+              .call_nesting = 8,
+              .macro_nesting = 4,
+              .name_length = 32,
+              .linear_decimals = 3};
+  c.cost = kCost;
+  c.g_codes = g_codes(kind, system);
+  c.m_codes = m_codes();
+  c.system_variables = system_variables();
+  c.alarms = alarms();
+  c.variables = variable_ranges();
+  // #3000 = n: alarms 980 to 999 for n up to 20, 979 for all above.
+  c.semantics.user_alarm_base = 979;
+  c.semantics.highest_user_alarm = 20;
+  // A mill-turn center's cycles are those of machining centers.
+  if (kind == ir::MachineKind::mill_turn) {
+    c.semantics.incremental_letters_uvw = true;
+    c.semantics.drill_r_from_initial = false;
+    c.axes = "XYZBC";
+  }
+  return c;
+}
+
+}  // namespace dripfeed::mazak

@@ -1,0 +1,58 @@
+// The usual Mitsubishi controls; a machine's profile overrides single fields.
+#include "dialects/macro_b/control.h"
+
+#include "dialects/mitsubishi/mitsubishi.h"
+#include "dialects/mitsubishi/tables.h"
+
+namespace dripfeed::mitsubishi {
+
+namespace {
+
+// The published block rate of the M80 is 33.7 thousand blocks a minute; the rest is scaled after the measured constants
+// of another control.
+constexpr ir::CostModel kCost = {.block_ms = 1.78,
+                                 .number_read_ms = 0.15,
+                                 .named_read_ms = 0.15,
+                                 .operator_ms = 0.04,
+                                 .function_ms = 0.2,
+                                 .measured = false,
+                                 .origin = "assumed: M80, 33.7 thousand blocks a minute"};
+
+}  // namespace
+
+const macro_b::Grammar& grammar() {
+  static const macro_b::Grammar kGrammar = {.keywords = keywords(),
+                                            .highest_loop_number = 127,
+                                            .highest_block_number = 999'999,
+                                            .macro_digits = 15,
+                                            .condition_blocks = true,
+                                            .drip_forbids_output = true,
+                                            .bare_expressions = true,
+                                            .packed_calls = false,
+                                            .start_letter = 'H'};
+  return kGrammar;
+}
+
+ir::Control control(ir::MachineKind kind, ir::GSystem system) {
+  ir::Control c = macro_b::usual_control(kind, system);
+  c.dialect = "mitsubishi-m80";
+  c.title = kind == ir::MachineKind::mill ? "Mitsubishi M80 (machining center)" : "Mitsubishi M80 (lathe)";
+  c.limits = {.block_length_bytes = 256,
+              .digits = 8,
+              .expression_nesting = 5,
+              .loop_nesting = 27,
+              .condition_nesting = 10,
+              .call_nesting = 10,
+              .macro_nesting = 4,
+              .name_length = 32,
+              .linear_decimals = 3};
+  c.cost = kCost;
+  c.g_codes = g_codes(kind, system);
+  c.m_codes = m_codes();
+  c.system_variables = system_variables();
+  c.alarms = alarms();
+  c.variables = variable_ranges();
+  return c;
+}
+
+}  // namespace dripfeed::mitsubishi

@@ -1,0 +1,49 @@
+// Which dialect a text is taken for, and the control that it gets.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/dialects/compile/harness.h"
+
+namespace dripfeed::compile::test {
+namespace {
+
+std::string inferred(const std::string& text) { return std::string(infer_dialect(text::Source("x", text)).name); }
+
+TEST(Infer, TellsTheFamilyFirst) {
+  EXPECT_EQ(inferred("%\nO1(PART)\nG00 X1.\nM30\n%\n"), "fanuc");
+  EXPECT_EQ(inferred("%_N_PART_MPF\nG0 X1\nM30\n"), "sinumerik-840d");
+  EXPECT_EQ(inferred("G1 X10\n"), "fanuc");
+}
+
+TEST(Infer, TellsTheHashControlsApartByWhatOneAloneHas) {
+  EXPECT_EQ(inferred("%\nO1\nG53.5\nG00 X1.\nM30\n%\n"), "mazak");
+  EXPECT_EQ(inferred("%\nO1(FOR THE MAZAK)\nG00 X1.\nM30\n%\n"), "mazak");
+  EXPECT_EQ(inferred("%\nO1\nG31.1 Z-5. F50.\nM30\n%\n"), "mitsubishi-m80");
+  EXPECT_EQ(inferred("%\nO1\n#100=#70001\nM30\n%\n"), "mazak");
+}
+
+TEST(Infer, AnIntegrexHasCodesOfItsOwn) {
+  const Dialect& mazak = *find_dialect("mazak");
+  EXPECT_EQ(mazak.infer_control(text::Source("x", "%\nO1\nT0101\nG122.1\nG00 X5. Z1.\nM30\n%\n")).kind,
+            ir::MachineKind::mill_turn);
+  EXPECT_EQ(mazak.infer_control(text::Source("x", "%\nO1\nT0101\nG00 X5. Z1.\nM30\n%\n")).kind, ir::MachineKind::lathe);
+}
+
+TEST(Controls, HaveTablesInOrder) {
+  for (const Dialect& dialect : dialects()) {
+    if (dialect.name.starts_with("sinumerik")) continue;  // named codes have no number
+    for (const ir::MachineKind kind : {ir::MachineKind::mill, ir::MachineKind::lathe, ir::MachineKind::mill_turn}) {
+      for (const ir::GSystem system : {ir::GSystem::a, ir::GSystem::b, ir::GSystem::c}) {
+        const ir::Control c = dialect.control(kind, system);
+        EXPECT_EQ(c.dialect, dialect.name);
+        EXPECT_TRUE(std::ranges::is_sorted(c.g_codes, {}, &ir::CodeRow::number10)) << dialect.name;
+        for (const ir::CodeRow& row : c.g_codes) EXPECT_FALSE(row.reference.empty()) << row.name;
+        EXPECT_FALSE(c.alarms.empty());
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dripfeed::compile::test

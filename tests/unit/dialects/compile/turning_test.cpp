@@ -1,0 +1,227 @@
+// Multiple repetitive cycles: the passes by the formulas of the cycle, computed here, and the shape left untouched.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/dialects/compile/harness.h"
+
+namespace dripfeed::compile::test {
+namespace {
+
+struct Move {
+  char kind;  // r, f, t (thread), a (arc)
+  double x;
+  double z;
+};
+
+std::vector<Move> cut(const std::string& blocks, interpreter::Ended ended = interpreter::Ended::end,
+                      std::string* fault = nullptr) {
+  const ir::Control lathe = control("fanuc", ir::MachineKind::lathe);
+  const text::Source source("program", "%\nO1\nG21 G99 G18\n" + blocks + "M30\n%\n");
+  const ir::ReadResult read = find_dialect("fanuc")->read(source, lathe);
+  EXPECT_FALSE(text::has_error(read.diagnostics)) << said(read.diagnostics, source);
+  Motions motions;
+  const interpreter::RunResult result = execute(read.program, lathe, nullptr, motions, {});
+  EXPECT_EQ(result.ended, ended);
+  if (fault != nullptr && !result.diagnostics.empty())
+    *fault = result.diagnostics.back().diagnostic.alarm + " " + text::message_of(result.diagnostics.back().diagnostic);
+  std::vector<Move> moves;
+  for (const ir::Motion& m : motions.all) {
+    if (!ir::is_move(m.kind)) continue;
+    const char kind = m.kind == ir::MotionKind::rapid    ? 'r'
+                      : m.kind == ir::MotionKind::linear ? 'f'
+                      : m.kind == ir::MotionKind::thread ? 't'
+                                                         : 'a';
+    moves.push_back({kind, m.end[0], m.end[2]});
+  }
+  return moves;
+}
+
+void expect_moves(const std::vector<Move>& actual, const std::vector<Move>& expected) {
+  for (std::size_t i = 0; i < std::min(actual.size(), expected.size()); ++i) {
+    EXPECT_EQ(actual[i].kind, expected[i].kind) << i;
+    EXPECT_NEAR(actual[i].x, expected[i].x, 1e-9) << i;
+    EXPECT_NEAR(actual[i].z, expected[i].z, 1e-9) << i;
+  }
+  EXPECT_EQ(actual.size(), expected.size());
+}
+
+// A cone from X20 Z0 to X60 Z-40: at diameter x it lies at z = -(x - 20), with 0.2 (radius) and 0.1 left on it.
+TEST(Repetitive, RoughingStopsAtTheShapeWithItsAllowances) {
+  const std::vector<Move> actual =
+      cut("G00 X64. Z2.\nG71 U5. R1.\nG71 P10 Q20 U0.4 W0.1 F0.3\n"
+          "N10 G00 X20.\nG01 Z0. F0.1\nN20 X60. Z-40.\nG00 X100.\n");
+  std::vector<Move> expected = {{'r', 64, 2}};
+  const double deepest = 10.0 + 0.2;  // radius of A' with the allowance
+  for (int n = 1; 32.0 - 5.0 * n > deepest; ++n) {
+    const double r = 32.0 - 5.0 * n;
+    const double z = r > 30.2 ? -39.9 : -(2.0 * (r - 0.2) - 20.0) + 0.1;
+    expected.push_back({'r', 2 * r, 2});
+    expected.push_back({'f', 2 * r, z});
+    expected.push_back({'f', 2 * (r + 1), z + 1});
+    expected.push_back({'r', 2 * (r + 1), 2});
+  }
+  const std::vector<Move> shape = {{'r', 20.4, 2.1}, {'f', 20.4, 0.1}, {'f', 60.4, -39.9}, {'r', 64, 2}, {'r', 100, 2}};
+  expected.insert(expected.end(), shape.begin(), shape.end());
+  expect_moves(actual, expected);
+}
+
+// A quarter circle of radius 10 about X40 Z-10 (concave corner from X20 Z-10... to X40 Z-20).
+TEST(Repetitive, RoughingMeetsArcsWhereTheyAre) {
+  const std::vector<Move> actual =
+      cut("G00 X44. Z2.\nG71 U2. R0.5\nG71 P10 Q20 U0. W0. F0.3\n"
+          "N10 G00 X20.\nG01 Z-10. F0.1\nN20 G02 X40. Z-20. R10.\n");
+  int passes = 0;
+  for (std::size_t i = 0; i + 1 < actual.size(); ++i) {
+    if (actual[i].kind != 'f' || actual[i - 1].kind != 'r' || actual[i].x != actual[i - 1].x) continue;
+    const double r = actual[i].x / 2.0;
+    if (r <= 10.0) continue;  // the pass along the shape
+    ++passes;
+    const double z = r >= 20.0 ? -20.0 : -10.0 - std::sqrt(100.0 - (20.0 - r) * (20.0 - r));
+    EXPECT_NEAR(actual[i].z, z, 1e-9) << r;
+  }
+  EXPECT_EQ(passes, 5);  // radii 20, 18, 16, 14, 12
+}
+
+TEST(Repetitive, FinishingRunsTheShapeAndGoesBack) {
+  const std::vector<Move> actual =
+      cut("G00 X64. Z2.\nG71 U20. R1.\nG71 P10 Q20 U0. W0. F0.3\nN10 G00 X20.\nG01 Z0. F0.1\n"
+          "N20 X60. Z-40.\nG70 P10 Q20\nG00 X100.\n");
+  const std::vector<Move> tail(actual.end() - 5, actual.end());
+  expect_moves(tail, {{'r', 20, 2}, {'f', 20, 0}, {'f', 60, -40}, {'r', 64, 2}, {'r', 100, 2}});
+}
+
+TEST(Repetitive, FacingHasTheAxesTheOtherWayRound) {
+  // The face rises from Z-20 at X60 to Z0 at X20: z = (20 - x)/2.
+  const std::vector<Move> actual =
+      cut("G00 X64. Z2.\nG72 W4. R1.\nG72 P10 Q20 U0. W0. F0.3\n"
+          "N10 G00 Z-20.\nG01 X60. F0.1\nN20 X20. Z0.\n");
+  std::vector<Move> expected = {{'r', 64, 2}};
+  for (int n = 1; 2 - 4 * n > -20; ++n) {
+    const double z = 2.0 - 4.0 * n;
+    const double x = z > 0.0 ? 20.0 : 20.0 - 2.0 * z;
+    expected.push_back({'r', 64, z});
+    expected.push_back({'f', x, z});
+    expected.push_back({'f', x + 2, z + 1});
+    expected.push_back({'r', 64, z + 1});
+  }
+  const std::vector<Move> shape = {{'r', 64, -20}, {'f', 60, -20}, {'f', 20, 0}, {'r', 64, 2}};
+  expected.insert(expected.end(), shape.begin(), shape.end());
+  expect_moves(actual, expected);
+}
+
+TEST(Repetitive, ThePatternComesNearer) {
+  const std::vector<Move> actual =
+      cut("G00 X70. Z5.\nG73 U6. W3. R4\nG73 P10 Q20 U0.4 W0.2 F0.3\n"
+          "N10 G00 X20. Z0.\nN20 G01 X60. Z-40. F0.1\n");
+  std::vector<Move> expected = {{'r', 70, 5}};
+  for (int n = 0; n < 4; ++n) {
+    const double share = (3.0 - n) / 3.0;
+    const double dx = 2.0 * (6.0 * share + 0.2);
+    const double dz = 3.0 * share + 0.2;
+    expected.push_back({'r', 70 + dx, 5 + dz});
+    expected.push_back({'r', 20 + dx, dz});
+    expected.push_back({'f', 60 + dx, -40 + dz});
+  }
+  expected.push_back({'r', 70, 5});
+  expect_moves(actual, expected);
+}
+
+TEST(Repetitive, HollowsNeedXAndZInTheFirstBlock) {
+  const std::string shape = "G01 X20. Z-10. F0.1\nX30. Z-20.\nX20. Z-30.\nN20 X40. Z-40.\n";
+  std::string fault;
+  cut("G00 X44. Z2.\nG71 U4. R0.5\nG71 P10 Q20 U0. W0. F0.3\nN10 G00 X20.\n" + shape, interpreter::Ended::alarm,
+      &fault);
+  EXPECT_TRUE(fault.starts_with("PS0064")) << fault;
+  const std::vector<Move> actual =
+      cut("G00 X44. Z2.\nG71 U4. R0.5\nG71 P10 Q20 U0. W0. F0.3\nN10 G00 X20. Z1.\n" + shape);
+  // At radius 14 the shape is met at Z-18, left at Z-22 and met again at Z-34.
+  bool second = false;
+  for (std::size_t i = 1; i < actual.size(); ++i) {
+    if (actual[i].kind == 'f' && std::abs(actual[i].x - 28.0) < 1e-9 && std::abs(actual[i].z + 34.0) < 1e-9) {
+      second = true;
+      EXPECT_NEAR(actual[i - 1].z, -22.0, 1e-9);
+    }
+  }
+  EXPECT_TRUE(second);
+}
+
+TEST(Repetitive, PeckingGroovesByStepsAndPecks) {
+  // X steps of 2 (radius) from 40 to 30, pecks of 4 down to Z-10, back by 1.
+  const std::vector<Move> actual = cut("G00 X40. Z2.\nG74 R1.\nG74 X32. Z-10. P2000 Q5000 F0.1\n");
+  std::vector<Move> expected = {{'r', 40, 2}};
+  for (int column = 0; column <= 2; ++column) {
+    const double x = 40.0 - 4.0 * column;
+    if (column > 0) expected.push_back({'r', x, 2});
+    for (const double z : {-3.0, -8.0}) {
+      expected.push_back({'f', x, z});
+      expected.push_back({'r', x, z + 1});
+    }
+    expected.push_back({'f', x, -10});
+    expected.push_back({'r', x, 2});
+  }
+  expected.push_back({'r', 40, 2});
+  expect_moves(actual, expected);
+}
+
+TEST(Repetitive, GroovingAlongX) {
+  const std::vector<Move> actual = cut("G00 X40. Z2.\nG75 R0.5\nG75 X20. Z-1. P3000 Q1500 F0.1\n");
+  std::vector<Move> expected = {{'r', 40, 2}};
+  for (const double z : {2.0, 0.5, -1.0}) {
+    if (z < 2.0) expected.push_back({'r', 40, z});
+    for (const double r : {17.0, 14.0, 11.0}) {
+      expected.push_back({'f', 2 * r, z});
+      expected.push_back({'r', 2 * (r + 0.5), z});
+    }
+    expected.push_back({'f', 20, z});
+    expected.push_back({'r', 40, z});
+  }
+  expected.push_back({'r', 40, 2});
+  expect_moves(actual, expected);
+}
+
+// First cut 0.4, then 0.4·√n, no step under 0.1, down to 0.05 before the height of 1.2; the height itself twice.
+TEST(Repetitive, ThreadingDeepensByTheRootOfThePass) {
+  const std::vector<Move> actual = cut("G00 X34. Z4.\nG76 P021060 Q100 R0.05\nG76 X27.6 Z-20. P1200 Q400 F2.\n");
+  std::vector<double> depths;
+  for (double depth = 0.0, n = 1.0; depth < 1.15 - 1e-9; ++n) {
+    depth = std::min(1.15, std::max(0.4 * std::sqrt(n), depth + 0.1));
+    depths.push_back(depth);
+  }
+  depths.push_back(1.2);
+  depths.push_back(1.2);
+  std::vector<Move> expected = {{'r', 34, 4}};
+  for (const double depth : depths) {
+    const double x = 27.6 + 2.0 * (1.2 - depth);
+    expected.push_back({'r', x, 4.0 - depth * std::tan(30.0 * 3.14159265358979323846 / 180.0)});
+    expected.push_back({'t', x, -20});
+    expected.push_back({'r', 34, -20});
+    expected.push_back({'r', 34, 4});
+  }
+  expect_moves(actual, expected);
+}
+
+TEST(Repetitive, FaultsOfTheShape) {
+  std::string fault;
+  cut("G00 X64. Z2.\nG71 U5. R1.\nG71 P10 Q99 U0.4 W0.1 F0.3\nN10 G00 X20.\nN20 G01 Z0. F0.1\n",
+      interpreter::Ended::alarm, &fault);
+  EXPECT_TRUE(fault.starts_with("PS0063")) << fault;
+  cut("G00 X64. Z2.\nG71 U5. R1.\nG71 P10 Q20 U0.4 W0.1 F0.3\nN10 G02 X20. Z-5. R30. F0.1\nN20 G01 Z-9.\n",
+      interpreter::Ended::alarm, &fault);
+  EXPECT_TRUE(fault.starts_with("PS0065")) << fault;
+  cut("G00 X64. Z2.\nG71 U5. R1.\nG71 P10 Q20 U0.4 W0.1 F0.3\nN10 G00 X20.\nM98 P5\nN20 G01 Z0. F0.1\n",
+      interpreter::Ended::alarm, &fault);
+  EXPECT_TRUE(fault.starts_with("PS0065")) << fault;
+}
+
+TEST(Repetitive, AShapeAtTheEndOfTheText) {
+  const std::vector<Move> actual =
+      cut("GOTO5\nN10 G00 X20.\nG01 Z0. F0.1\nN20 X60. Z-40.\nM30\n"
+          "N5 G00 X64. Z2.\nG70 P10 Q20\n");
+  expect_moves(actual, {{'r', 64, 2}, {'r', 20, 2}, {'f', 20, 0}, {'f', 60, -40}, {'r', 64, 2}});
+}
+
+}  // namespace
+}  // namespace dripfeed::compile::test

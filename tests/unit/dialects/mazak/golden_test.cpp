@@ -1,0 +1,32 @@
+// The golden programs of Fanuc as this control sees them, with its own alarms, and those of rules that it has
+// otherwise.
+#include "tests/support/golden.h"
+
+#include <gtest/gtest.h>
+
+#include "dialects/mazak/mazak.h"
+
+namespace dripfeed::mazak {
+namespace {
+
+// Rules that differ: loops to 27 deep by numbers to 127, IF blocks, and what else has a program of its own.
+const std::vector<std::string> kOtherwise = {"loop-number-invalid", "nesting-too-deep", "missing-end",
+                                             "not-in-drip-mode"};
+
+test::GoldenDialect dialect() { return {".expected.mazak", control, infer_control, read, validate}; }
+
+TEST(Golden, ProgramsOfAllHashControls) {
+  const test::Golden golden(dialect(), "fanuc");
+  golden.expect_files();
+  golden.expect_triggers(kOtherwise);
+}
+TEST(Golden, ProgramsOfItsOwn) {
+  const test::Golden golden(dialect(), "mazak");
+  ASSERT_GE(golden.programs().size(), 2 * kOtherwise.size());
+  golden.expect_files();
+  golden.expect_triggers();
+  golden.expect_oracles();
+}
+
+}  // namespace
+}  // namespace dripfeed::mazak
