@@ -23,7 +23,8 @@ constexpr std::array kDialects = {
     Dialect{"mitsubishi-m80", "Mitsubishi M70, M80", mitsubishi::control, mitsubishi::infer_control, mitsubishi::read,
             mitsubishi::plain_scanner, mitsubishi::validate, mitsubishi::raise, mitsubishi::print},
     Dialect{"sinumerik-840d", "SINUMERIK 840D sl", sinumerik_control, sinumerik::infer_control, sinumerik::read,
-            sinumerik::plain_scanner, sinumerik::validate, sinumerik::raise, sinumerik::print},
+            sinumerik::plain_scanner, sinumerik::validate, sinumerik::raise, sinumerik::print,
+            sinumerik::standard_cycle},
 };
 
 // What a line holds that only one dialect has. `at_start` counts blanks and a block number before it as nothing.

@@ -7,6 +7,7 @@
 
 #include "dialects/interpreter/drilling.h"
 #include "dialects/interpreter/move.h"
+#include "dialects/interpreter/polar.h"
 #include "dialects/interpreter/repetitive.h"
 #include "dialects/interpreter/turning.h"
 
@@ -29,9 +30,10 @@ struct Effects {
   bool tool_change = false;
   bool coolant_off = false;
   bool spindle_stop = false;
-  bool surface_code = false;  // this block switches the surface speed
-  bool announces = false;     // something that events tell of may have changed
-  std::int8_t stop = -1;      // 0 program, 1 optional
+  bool surface_code = false;            // this block switches the surface speed
+  bool announces = false;               // something that events tell of may have changed
+  std::int8_t stop = -1;                // 0 program, 1 optional
+  Function move_once = Function::none;  // instead of the modal motion
   Flow flow = Flow::next;
 };
 
@@ -138,6 +140,12 @@ constexpr CodeRow kCodeRows[] = {
     {Function::local_shift, one_shot},
     {Function::local_shift_add, one_shot},
     {Function::set_coordinates, one_shot},
+    {Function::rotate, one_shot},
+    {Function::scale, one_shot},
+    {Function::mirror, one_shot},
+    {Function::pole_from_last, one_shot},
+    {Function::pole_from_zero, one_shot},
+    {Function::pole_from_pole, one_shot},
     {Function::reference_return, one_shot},
     {Function::extended_offset, extended_offset},
     {Function::data_input, one_shot},
@@ -178,11 +186,13 @@ constexpr auto kCodeRules = [] {
   return rules;
 }();
 
-constexpr bool is_motion(Function function) { return function >= Function::rapid && function <= Function::thread; }
+constexpr bool is_motion(Function function) { return function >= Function::rapid && function <= Function::tap_retract; }
 
 void apply_codes(const PlainBlock& block, const BlockRules& rules, ModalState& state, Effects& effects) {
   for (const PlainCode& code : block.codes) {
-    if (is_motion(code.function)) {
+    if (is_motion(code.function) && code.group == ModalGroup::non_modal) {
+      effects.move_once = code.function;  // G63
+    } else if (is_motion(code.function)) {
       state.modes.motion = code.function;
       state.modes.motion_given = state.modes.motion_modelled = true;
       if (state.drilling.active) state.drilling = {};
@@ -205,6 +215,11 @@ constexpr double kFootPerMinute = 0.3048;  // in m/min
 
 // F without a point counts 0.01 mm/rev, 1 mm/min, and in inch a hundredth of these in inch (usual parameter settings).
 void set_feed(const PlainBlock& block, ModalState& state) {
+  state.feed_unknown = (block.unknown & kFeedWord) != 0;
+  if (state.feed_unknown) {
+    state.feed = 0.0;
+    return;
+  }
   double value = block.at(Address::f);
   const bool counted = (block.in_increments & kFeedWord) != 0;
   if (state.modes.feed_mode != ir::FeedMode::inverse_time) {
@@ -288,6 +303,10 @@ void act_once(const PlainBlock& block, const BlockRules& rules, const Effects& e
     dwell(block, rules, state, out);
   } else if (effects.one_shot == Function::local_shift || effects.one_shot == Function::local_shift_add) {
     shift_locally(block, rules, effects.argument == 1, effects.one_shot == Function::local_shift_add, state);
+  } else if (effects.one_shot >= Function::rotate && effects.one_shot <= Function::mirror) {
+    change_frame(block, rules, effects.one_shot, effects.argument == 1, state);
+  } else if (effects.one_shot >= Function::pole_from_last && effects.one_shot <= Function::pole_from_pole) {
+    set_pole(block, rules, effects.one_shot, state);
   } else if (effects.one_shot == Function::set_coordinates) {
     set_coordinates(block, rules, state);
   } else if (effects.one_shot == Function::reference_return) {
@@ -307,9 +326,10 @@ void act_once(const PlainBlock& block, const BlockRules& rules, const Effects& e
 // Moves when there is something to move by: axis words, or the centre of an arc alone, which is a full circle.
 bool has_move(const PlainBlock& block, const BlockRules& rules, const ModalState& state) {
   constexpr std::uint64_t kArcWords = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k);
-  if ((block.present & rules.axis_addresses) != 0) return true;
+  if (((block.present | block.unknown) & rules.axis_addresses) != 0 || has_polar_words(block)) return true;
   const bool arc = state.modes.motion == Function::arc_cw || state.modes.motion == Function::arc_ccw;
-  return arc && state.modes.motion_modelled && (block.present & kArcWords) != 0;
+  if (block.has(Address::modal_rounding) && !arc) return false;
+  return arc && state.modes.motion_modelled && ((block.present | block.unknown) & kArcWords) != 0;
 }
 
 Spindle spindle_of(const ModalState& state) {
@@ -376,8 +396,10 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
   if ((block.present & kToolWords) != 0 || block.tool_name != kNoText || effects.tool_change)
     set_tool(block, rules, state, effects);
   if ((block.present & kSpindleWords) != 0 && !times) set_speed(block, state, effects);
-  if ((block.present & kFeedWord) != 0 && !times) set_feed(block, state);
+  if (((block.present | block.unknown) & kFeedWord) != 0 && !times) set_feed(block, state);
   if ((block.present & kNumberWords) != 0) set_numbers(block, state);
+  if (block.has(Address::modal_rounding))
+    state.modal_rounding_mm = rules.length_mm(block, Address::modal_rounding, state.modes.inch);
   if (effects.announces) announce(state, out);
 
   if (effects.one_shot != Function::none) {
@@ -389,7 +411,7 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
     turn_once(block, rules, state, out, result);
     result.moved = true;
   } else if (has_move(block, rules, state)) {
-    move(block, rules, {effects.machine_coordinates, effects.exact_stop}, state, out, result);
+    move(block, rules, {effects.machine_coordinates, effects.exact_stop, effects.move_once}, state, out, result);
     result.moved = true;
   }
   if (result.fault != text::DiagnosticId::count_) return result;

@@ -25,6 +25,11 @@ inline constexpr std::uint32_t kNoteIncrementalFromUnknown = 16;  // where the m
 inline constexpr std::uint32_t kNoteLevelUnknown = 32;            // drilling goes back to a level that is not known
 inline constexpr std::uint32_t kNoteSkip = 128;                   // where it ends, a signal decides
 inline constexpr std::uint32_t kNoteHoleWithoutDepth = 64;        // a drilling cycle without a bottom: nothing was cut
+inline constexpr std::uint32_t kNoteArcNotComputed = 1U << 16;    // it begins or ends where nobody knows
+inline constexpr std::uint32_t kNoteArcInFrame = 1U << 17;        // the frame makes something else of it
+inline constexpr std::uint32_t kNoteCornerNotComputed = 1U << 18;
+inline constexpr std::uint32_t kNoteMeasuring = 1U << 19;  // where the move ends, a probe decides
+inline constexpr std::uint32_t kNoteSpline = 1U << 20;     // straight to the end point
 
 struct BlockResult {
   Flow flow = Flow::next;

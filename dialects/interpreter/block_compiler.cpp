@@ -13,16 +13,7 @@ using ir::Function;
 constexpr std::uint64_t kAxisLetters64 = bit_of(Address::x) | bit_of(Address::y) | bit_of(Address::z) |
                                          bit_of(Address::a) | bit_of(Address::b) | bit_of(Address::c) |
                                          bit_of(Address::u) | bit_of(Address::v) | bit_of(Address::w);
-constexpr std::uint64_t kGeometryNotModelled = bit_of(Address::polar_angle) | bit_of(Address::polar_radius) |
-                                               bit_of(Address::chamfer) | bit_of(Address::rounding) |
-                                               bit_of(Address::other);
-
-struct AddressName {
-  Address address;
-  std::string_view name;
-};
-constexpr AddressName kNames[] = {
-    {Address::polar_angle, "AP"}, {Address::polar_radius, "RP"}, {Address::chamfer, "CHF"}, {Address::rounding, "RND"}};
+constexpr std::uint64_t kGeometryNotModelled = bit_of(Address::other);
 
 // Codes whose axis words are no positions to move to, and that say themselves when they are not interpreted.
 bool takes_axis_words(const ir::Code& code) {
@@ -78,6 +69,7 @@ void BlockCompiler::compile_codes(const ir::Block& block) {
 
 void BlockCompiler::compile_word(const ir::Word& word) {
   if (!is_interpreted(word)) return report(name_of(word), Function::not_modelled, false);
+  if (word.address == Address::named_axis) return put_named_axis(word);
   if (word.value == ir::ExpressionId::none) return;
   // A written number needs no register: programs have millions of them.
   const ir::Expression* number = builder_.find_literal(word.value);
@@ -89,14 +81,25 @@ void BlockCompiler::compile_word(const ir::Word& word) {
 void BlockCompiler::put_word(const ir::Word& word, const Value& value, std::uint8_t flags) {
   CompiledProgram& out = builder_.out();
   if (value.constant.has_value()) {
+    if (is_vacant(*value.constant) && builder_.context().control.semantics.unset_is_unknown) {
+      out.computed_words.push_back({value.operand, Operand::none, word.address, flags, false});
+      return;
+    }
     if (is_vacant(*value.constant)) return;  // X#0: as if it was not there
     if (counts_increments(word)) flags |= kWordInIncrements;
     out.words.push_back({*value.constant, word.address, flags});
   } else if (value.is_string() && word.address != Address::t) {
     builder_.emit_failure(word.span, text::DiagnosticId::wrong_type, {"the value of the word", "STRING", "REAL"});
   } else {
-    out.computed_words.push_back({value.operand, word.address, flags, value.is_string()});
+    out.computed_words.push_back({value.operand, Operand::none, word.address, flags, value.is_string()});
   }
+}
+
+void BlockCompiler::put_named_axis(const ir::Word& word) {
+  if (word.value == ir::ExpressionId::none || word.axis == ir::ExpressionId::none) return;
+  const Operand axis = expressions_.compile_index(word.axis).operand;
+  const Value value = expressions_.compile_number(word.value);
+  builder_.out().computed_words.push_back({value.operand, axis, word.address, flags_of(word), false});
 }
 
 std::uint8_t BlockCompiler::flags_of(const ir::Word& word) const {
@@ -124,8 +127,6 @@ bool BlockCompiler::is_interpreted(const ir::Word& word) const {
 
 std::string BlockCompiler::name_of(const ir::Word& word) const {
   if (word.address == Address::other) return std::string(builder_.source().strings.at(word.name));
-  for (const AddressName& row : kNames)
-    if (row.address == word.address) return std::string(row.name);
   std::string name(1, static_cast<char>('A' + static_cast<int>(word.address)));
   if (word.extension != 0) name += std::to_string(word.extension);
   return name;

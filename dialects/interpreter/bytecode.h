@@ -57,41 +57,56 @@ enum class Opcode : std::uint8_t {
   negate_word,  // a = -b, vacant stays vacant
   count,        // a = b counted in least increments: an argument that was written without a point
   convert,      // a = b as extra: ir::ValueType
-  // Variables by computed number or index. Indices of arrays stand in two registers in a row.
+  // Variables by computed number or index. Indices of arrays stand in three registers in a row.
   load_number,     // a = variable number b of bank extra
   store_number,    // variable number a of bank extra = b
-  load_element,    // a = array b [c, c + 1]
-  store_element,   // array a [b, b + 1] = c
+  load_element,    // a = array b [c …]
+  store_element,   // array a [b …] = c
   fill_array,      // every element of array a = b
   load_reference,  // a = what frame register b refers to
   store_reference,
   refer,          // a = a reference to register b
   refer_number,   // a = … to variable number b of bank extra
-  refer_element,  // a = … to array b [c, c + 1]
+  refer_element,  // a = … to array b [c …]
   load_system,    // a = row b of the system table, number or index c
   store_system,   // row a, number or index b = c
+  // Data of the control by name; extra: how many indices stand in registers in a row; detail: 0, or one more than the
+  // row of the system table.
+  load_shared,       // a = name b [c …]
+  store_shared,      // name a [b …] = c
+  load_shared_text,  // … as a text
+  store_shared_text,
+  refer_shared,  // a = a reference to name b [c …]
   // Strings: string registers, but for results that are numbers.
   string_copy,         // a = b
   string_join,         // a = b << c
   string_from_number,  // a = number b as extra: ir::ValueType
   string_to_number,    // number a
+  string_is_number,    // number a
+  string_to_axis,      // number a: the axis of a name
   string_length,       // number a
   string_upper,
   string_lower,
+  string_find,   // number a = place of c in b; extra: ir::Operator
+  string_part,   // a = of text b from number c, number c + 1 characters
+  axis_name,     // text a = name of axis b
   string_equal,  // number a = (b == c)
   string_load_element,
   string_store_element,
   string_fit,  // a = b when it has at most c characters, otherwise an alarm
   // Flow
-  block,         // a block begins: line a, work b
-  jump,          // to a
-  jump_back,     // to a, counts as a pass
-  branch_false,  // to b unless a holds
-  jump_number,   // to the block whose number is a; extra: JumpSearch; c: 1 when a missing target is passed over
-  jump_text,     // to the label in string a; as above
-  apply,         // block template a
-  call,          // call site a
-  modal_call,    // from here on call site a behind each block that moves, number b times
+  block,           // a block begins: line a, work b
+  jump,            // to a
+  jump_back,       // to a, counts as a pass
+  branch_false,    // to b unless a holds; extra 1: also when it is not known whether it does
+  jump_number,     // to the block whose number is a; extra: JumpSearch; c: 1 when a missing target is passed over
+  jump_text,       // to the label in string a; as above
+  repeat_section,  // back to a, number b times; section c
+  section_end,     // of section c: to a when it is being repeated
+  execute_text,    // string a as a block
+  apply,           // block template a
+  call,            // call site a
+  modal_call,      // from here on call site a behind each block that moves, number b times
   modal_end,
   skip_given,  // to b when parameter a was given
   back,        // of a subprogram
@@ -102,17 +117,17 @@ enum class Opcode : std::uint8_t {
   output,   // outputs a of the program; b: the first of the parts' registers
   alarm,    // number a (or none), string b (or none)
   fail,     // failure a: an alarm that was seen while compiling
-  report,   // report a: something that is not interpreted
+  report,   // report a: something that is not interpreted; b 1: axes may be anywhere after it
   // For an observer
   tell,          // register a has a new value; b: name
   tell_number,   // variable number a of bank extra is now b
-  tell_element,  // array a [b, b + 1] is now c
+  tell_element,  // array a [b …] is now c
 };
 
 struct Instruction {
   Opcode op = Opcode::text_end;
   std::uint8_t extra = 0;
-  std::uint16_t unused = 0;
+  std::uint16_t detail = 0;
   std::uint32_t a = 0;
   std::uint32_t b = 0;
   std::uint32_t c = 0;
@@ -134,6 +149,7 @@ struct TemplateWord {
 };
 struct ComputedWord {
   Operand operand = Operand::none;
+  Operand axis = Operand::none;  // Address::named_axis
   ir::Address address = ir::Address::other;
   std::uint8_t flags = 0;
   bool is_string = false;
@@ -167,6 +183,7 @@ struct CompiledProgram;
 struct CallArgument {
   Operand value = Operand::none;      // none: left out
   Operand reference = Operand::none;  // to the variable that it is, for a parameter by reference
+  Operand text = Operand::none;       // data of the control as a text, for a parameter that is one
   bool is_string = false;
   std::uint32_t local = 0;  // macro: number of the local variable
 };
@@ -176,6 +193,7 @@ struct CallSite {
   Operand number = Operand::none;  // computed; the name is then "O" and four digits
   Operand start = Operand::none;   // block number where it begins
   bool itself = false;             // the calling program, from its block `start`
+  Operand text = Operand::none;    // the name is a text that is computed
   std::uint32_t first_argument = 0;
   std::uint32_t argument_count = 0;
   CompiledProgram* target = nullptr;  // once it was looked up
@@ -194,6 +212,7 @@ struct Array {
   std::uint32_t first_slot = 0;
   std::uint32_t dimension1 = 0;
   std::uint32_t dimension2 = 1;
+  std::uint32_t dimension3 = 1;
   ir::ValueType type = ir::ValueType::real;
   ir::SymbolId symbol = ir::SymbolId::none;
 };
@@ -211,6 +230,7 @@ struct Report {
   std::string name;
   ir::Function function = ir::Function::not_modelled;
   bool effects_known = false;
+  bool is_input = false;  // a value that the control or its surroundings hold
 };
 
 struct CompiledProgram {
@@ -238,6 +258,8 @@ struct CompiledProgram {
   std::vector<Failure> failures;
   std::vector<Report> reports;
 
+  bool keeps_place = false;  // what it does is done by the block that calls it
+  bool is_text = false;      // runs in the frame of the program that has it executed
   bool has_procedure = false;
   bool saves_modal = false;
   std::vector<Parameter> parameters;

@@ -30,6 +30,7 @@ std::optional<std::uint32_t> CallCompiler::compile_site(const ir::Call& call, te
   site.itself = call.name == ir::StringId::none && call.number == ir::ExpressionId::none;
   if (call.start != ir::ExpressionId::none) site.start = expressions_.compile_number(call.start).operand;
   if (call.number != ir::ExpressionId::none) site.number = expressions_.compile_number(call.number).operand;
+  if (call.computed != ir::ExpressionId::none) site.text = expressions_.compile_string(call.computed).operand;
   site.first_argument = static_cast<std::uint32_t>(out.arguments.size());
   site.argument_count = static_cast<std::uint32_t>(arguments.size());
   out.arguments.insert(out.arguments.end(), arguments.begin(), arguments.end());
@@ -104,8 +105,12 @@ CallArgument CallCompiler::compile_argument(const ir::Argument& argument, bool k
     value.operand = to;
   }
   result.value = value.operand;
-  if (argument.letter == 0 && e.op == Operator::variable)
-    result.reference = expressions_.variables().refer(builder_.source().at(e.variable));
+  if (argument.letter == 0 && e.op == Operator::variable) {
+    const ir::Variable& variable = builder_.source().at(e.variable);
+    result.reference = expressions_.variables().refer(variable);
+    if (!value.is_string() && expressions_.variables().is_shared(variable))
+      result.text = expressions_.variables().load_shared_text(variable).operand;
+  }
   return result;
 }
 

@@ -1,9 +1,12 @@
 // A call opens the new registers while the caller's are still in force, passes the arguments across, and then switches.
 #include "dialects/interpreter/call_stack.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "dialects/interpreter/axis_names.h"
 #include "dialects/interpreter/jump_target.h"
+#include "dialects/interpreter/unknown.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::interpreter {
@@ -23,11 +26,37 @@ void CallStack::enter(Frame& frame) {
   program_ = frame.program;
   storage_.enter(*program_, frame.bases);
   report_.enter(*program_);
-  out_.place.program = program_->index;
+  if (!program_->keeps_place) out_.place.program = program_->index;
+}
+
+bool CallStack::is_unknown_call(const Instruction& i) const {
+  const CallSite& site = program_->calls[i.a];
+  return site.text != Operand::none && is_unknown(storage_.text(raw_of(site.text)));
+}
+
+bool CallStack::enter_text(const Instruction& i, CompiledProgram& text, std::uint32_t next) {
+  if (frames_.size() > context_.limits.call_depth) return report_.fail_limit(i, "call depth");
+  frames_.back().next = next;
+  frames_.back().line = out_.place.line;
+  Frame frame;
+  frame.program = &text;
+  frame.bases = frames_.back().bases;
+  storage_.make_room(text, frame.bases);
+  frames_.push_back(frame);
+  enter(frames_.back());
+  return true;
 }
 
 CompiledProgram* CallStack::find_program(const Instruction& i, CallSite& site) {
   if (site.itself) return program_;
+  if (site.text != Operand::none) {
+    std::string name(ir::program_name_of_path(storage_.text(raw_of(site.text))));
+    std::ranges::transform(name, name.begin(),
+                           [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+    CompiledProgram* target = programs_.find(name, *program_);
+    if (target == nullptr) report_.fail(i, DiagnosticId::call_target_missing, {name});
+    return target;
+  }
   if (site.number == Operand::none) {
     if (site.target == nullptr) site.target = programs_.find(site.name, *program_);
     if (site.target == nullptr) report_.fail(i, DiagnosticId::call_target_missing, {site.name});
@@ -170,6 +199,15 @@ bool CallStack::pass_parameters(const Instruction& i, const CallSite& site, Fram
 bool CallStack::pass_parameter(const Instruction& i, const CallArgument& argument, const Parameter& parameter,
                                const Bases& bases) {
   const bool wants_string = parameter.type == ir::ValueType::string;
+  if (wants_string && !argument.is_string && argument.text != Operand::none) {
+    storage_.string_at(bases.string + parameter.slot) = storage_.text(raw_of(argument.text));
+    return true;
+  }
+  if (parameter.type == ir::ValueType::axis && argument.is_string && !parameter.by_reference) {
+    const std::string& name = storage_.text(raw_of(argument.value));
+    storage_.frame_at(bases.frame + parameter.slot) = is_unknown(name) ? kVacant : axis_number(context_.shared, name);
+    return true;
+  }
   if (argument.is_string != wants_string)
     return report_.fail(i, DiagnosticId::wrong_type,
                         {"an argument", argument.is_string ? "STRING" : "REAL", wants_string ? "STRING" : "REAL"});

@@ -26,6 +26,11 @@ class CallStack {
   // Enters the program of call site i.a; `next` is where the caller goes on. Gives the instruction to begin at, nothing
   // when the run has ended.
   std::optional<std::uint32_t> call(const Instruction& i, std::uint32_t next);
+  // Whether the name of the program that call site i.a calls is not known.
+  [[nodiscard]] bool is_unknown_call(const Instruction& i) const;
+  // Enters a text that is executed as a block, in the frame of the running program.
+  bool enter_text(const Instruction& i, CompiledProgram& text, std::uint32_t next);
+  [[nodiscard]] std::size_t depth() const { return frames_.size(); }
   // G66 and its end: from now on the site's program is called, `times` at a time, behind blocks that move.
   bool begin_modal(const Instruction& i, double times);
   void end_modal() { modal_.reset(); }

@@ -13,19 +13,24 @@ namespace {
 using ir::ValueType;
 
 // Gives each symbol its registers. Arrays lie row by row.
-bool lay_out_symbols(const ir::Program& program, const Limits& limits, CompiledProgram& out) {
+bool lay_out_symbols(const ir::Program& program, const Limits& limits, SharedData& shared, CompiledProgram& out) {
   std::uint64_t numbers = 0;
   std::uint64_t strings = 0;
   for (std::uint32_t i = 0; i < program.symbols.size(); ++i) {
     const ir::Symbol& symbol = program.symbols[i];
+    if (symbol.is_global) {  // lies in the control
+      out.symbols.push_back({.slot = shared.id_of(program.strings.at(symbol.name))});
+      continue;
+    }
     std::uint64_t& next = symbol.type == ValueType::string ? strings : numbers;
     SymbolSlot slot{.slot = static_cast<std::uint32_t>(next)};
     std::uint64_t count = 1;
     if (symbol.dimension1 > 0) {
       const std::uint32_t columns = std::max<std::uint32_t>(symbol.dimension2, 1);
-      count = std::uint64_t{symbol.dimension1} * columns;
+      const std::uint32_t layers = std::max<std::uint32_t>(symbol.dimension3, 1);
+      count = std::uint64_t{symbol.dimension1} * columns * layers;
       slot.array = static_cast<std::uint32_t>(out.arrays.size());
-      out.arrays.push_back({slot.slot, symbol.dimension1, columns, symbol.type, static_cast<ir::SymbolId>(i)});
+      out.arrays.push_back({slot.slot, symbol.dimension1, columns, layers, symbol.type, static_cast<ir::SymbolId>(i)});
     }
     next += count;
     if (numbers + strings > limits.variables) return false;
@@ -59,13 +64,45 @@ std::unique_ptr<CompiledProgram> compile(const ir::Program& program, std::uint32
   out->source = &program;
   out->section = section;
   out->index = index;
-  const bool fits = lay_out_symbols(program, context.limits, *out);
+  out->keeps_place = program.is_standard;
+  const bool fits = lay_out_symbols(program, context.limits, context.shared, *out);
   CodeBuilder builder(*out, context);
   if (!fits) {
     builder.emit_failure({}, text::DiagnosticId::limit_reached, {"variables"});
     return out;
   }
   lay_out_parameters(program, *out);
+  StatementCompiler(builder).compile();
+  return out;
+}
+
+std::unique_ptr<CompiledProgram> compile_text(ir::Program& program, const CompiledProgram& host,
+                                              const CompileContext& context) {
+  auto out = std::make_unique<CompiledProgram>();
+  out->source = &program;
+  out->index = host.index;
+  out->keeps_place = out->is_text = true;
+  out->arrays = host.arrays;
+  for (std::uint32_t i = 0; i < program.symbols.size(); ++i) {
+    ir::Symbol& symbol = program.symbols[i];
+    const std::string_view name = program.strings.at(symbol.name);
+    SymbolSlot slot{.slot = context.shared.id_of(name)};
+    const auto& declared = host.source->symbols;
+    for (std::uint32_t k = 0; k < declared.size(); ++k) {
+      if (declared[k].is_global || host.source->strings.at(declared[k].name) != name) continue;
+      const ir::StringId own_name = symbol.name;
+      symbol = declared[k];
+      symbol.name = own_name;
+      slot = host.symbols[k];
+      if (slot.array != SymbolSlot{}.array) out->arrays[slot.array].symbol = static_cast<ir::SymbolId>(i);
+      break;
+    }
+    out->symbols.push_back(slot);
+  }
+  // Its temporaries lie behind everything that the host uses.
+  out->declared_slots = out->frame_slots = host.frame_slots;
+  out->declared_strings = out->string_slots = host.string_slots;
+  CodeBuilder builder(*out, context);
   StatementCompiler(builder).compile();
   return out;
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,6 +27,8 @@ class ProgramFinder {
   virtual ~ProgramFinder() = default;
   // nullptr: there is none. What it returns must live until the run has ended.
   virtual const ir::Program* find(std::string_view name) = 0;
+  // A text that a program wants executed (EXECSTRING), read in its own language; nullptr when nobody can.
+  virtual std::unique_ptr<ir::Program> read_text(std::string_view) { return nullptr; }
 };
 // A finder that finds nothing.
 ProgramFinder& no_programs();
@@ -40,8 +43,9 @@ struct Limits {
   std::uint32_t strings = 1U << 20;         // distinct texts of messages and tool names
 };
 
-// A variable's value before the start: of a state file, or an override. `name` for bank `named` (a scalar DEF or
-// parameter of the main program), `number` otherwise. Declarations with a value still set theirs.
+// A variable's value before the start: of a state file, or an override. `name` for bank `named` (a DEF or parameter of
+// the main program, otherwise global data; with its indices: "INI[53]") and `system` ("$A_IN[1]", axes by their
+// letters), `number` otherwise. Declarations with a value still set theirs.
 struct InitialValue {
   ir::Bank bank = ir::Bank::hash;
   std::uint32_t number = 0;
@@ -100,7 +104,8 @@ struct RunDiagnostic {
   text::Diagnostic diagnostic;
 };
 
-// A code, a word or native words that were met and not carried out, once a name.
+// A code, a word or native words that were met and not carried out, or a value that was needed and is not known, once a
+// name.
 struct NotInterpreted {
   std::string name;
   std::uint32_t program = 0;
@@ -108,6 +113,7 @@ struct NotInterpreted {
   std::uint64_t count = 0;  // how often it was executed
   ir::Function function = ir::Function::not_modelled;
   bool effects_known = false;  // known to neither move nor change what is modelled
+  bool is_input = false;       // a value that was not given: "INI[53]", "$A_IN[1]", "R5"
 };
 
 // A code whose number was computed (G#130, M[#1+1]) and what it came to, once a function.

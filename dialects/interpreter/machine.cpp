@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dialects/interpreter/output_field.h"
+#include "dialects/interpreter/unknown.h"
 #include "dialects/interpreter/variable_listing.h"
 #include "dialects/text/number.h"
 
@@ -36,22 +37,26 @@ Machine::Machine(const ir::Control& control, ProgramFinder& finder, ir::MotionSi
       rules_(control),
       arithmetic_(control.semantics),
       variables_(control),
-      context_{control, rules_, arithmetic_, variables_, options.limits, names_, options.observer != nullptr},
+      context_{control, rules_, arithmetic_, variables_, options.limits, names_, shared_, options.observer != nullptr},
       programs_(context_, finder),
-      storage_(variables_, control.semantics.has_vacant ? kVacant : 0.0),
+      storage_(variables_, shared_, control.semantics.has_vacant || control.semantics.unset_is_unknown ? kVacant : 0.0),
       state_(initial_state(control)),
       out_(sink),
       report_(control, options.limits, names_, out_),
       stack_(context_, programs_, storage_, state_, out_, report_),
-      access_(control, arithmetic_, variables_, storage_, state_, report_),
-      blocks_(control, rules_, arithmetic_, storage_, access_, state_, out_, report_),
-      strings_(storage_, access_, report_) {
+      access_(control, arithmetic_, variables_, storage_, shared_, state_, report_),
+      blocks_(control, rules_, arithmetic_, storage_, access_, shared_, state_, out_, report_),
+      strings_(control, storage_, access_, shared_, report_),
+      shared_access_(control, storage_, access_, shared_, state_, report_),
+      finder_(finder) {
   names_ = {};
 }
 
 RunResult Machine::run(const ir::Program& program) {
+  define_shared_data();
   CompiledProgram& main = programs_.add(program, program.name);
   stack_.start(main);
+  if (control_.semantics.unset_is_unknown) set_inputs(main);
   set_initial_values(main);
   execute(0);
   return finish(main);
@@ -60,30 +65,79 @@ RunResult Machine::run(const ir::Program& program) {
 RunResult Machine::finish(const CompiledProgram& main) {
   if (options_.observer != nullptr && executed_ > 0) tell_block();
   out_.flush();
+  if (control_.semantics.unset_is_unknown) name_unset_inputs(main);
+  if (!takes_feed_from_caller(main)) report_.say_no_feed();
   RunResult& result = report_.result();
   result.blocks = executed_;
   result.motions = out_.count();
   result.last = begun_;
-  if (options_.want_variables) result.variables = list_variables(variables_, main, storage_);
+  if (options_.want_variables) result.variables = list_variables(variables_, main, storage_, shared_);
   result.strings = names_.strings;
   result.programs = names_.programs;
   return std::move(result);
 }
 
+// Nothing in a subprogram ends a run; a text that was run while it was read has ended by its end or not at all.
+bool Machine::takes_feed_from_caller(const CompiledProgram& main) const {
+  if (!control_.semantics.unset_is_unknown) return false;
+  if (main.source == nullptr) return report_.result().ended == Ended::text_end;
+  const std::string& name = main.source->source.name();
+  if (name.ends_with(".SPF") || name.ends_with(".spf")) return true;
+  return std::ranges::none_of(main.source->statements, [](const ir::Statement& statement) {
+    return statement.kind == ir::StatementKind::program_end;
+  });
+}
+
+// Definition files declare the names that programs find in the control.
+void Machine::define_shared_data() {
+  for (const std::string& name : control_.definition_files)
+    if (const ir::Program* definitions = finder_.find(name)) shared_.define(*definitions);
+}
+
+// A subprogram that is run by itself takes its parameters and its feed from a caller that is not there.
+void Machine::set_inputs(const CompiledProgram& main) {
+  for (const Parameter& parameter : main.parameters) {
+    if (parameter.type == ir::ValueType::string)
+      storage_.string_at(parameter.slot) = kUnknownText;
+    else
+      storage_.frame_at(parameter.slot) = parameter.by_reference ? Storage::refer_shared(shared_.nameless()) : kVacant;
+  }
+  state_.feed_unknown = main.has_procedure;
+}
+
+// What the main program reads and nobody has set by the end.
+void Machine::name_unset_inputs(const CompiledProgram& main) {
+  if (main.source == nullptr) return;
+  const ir::Program& source = *main.source;
+  for (const ir::Variable& variable : source.variables) {
+    if (variable.bank != ir::Bank::r || variable.index != ir::ExpressionId::none) continue;
+    const Slot slot = variables_.find(variable.bank, variable.number);
+    if (slot.kind != SlotKind::global || !is_vacant(storage_.global_at(slot.index))) continue;
+    out_.place.program = 0;
+    out_.place.line = source.source.position(variable.span.begin).line;
+    report_.count({.name = variable_name(variable.bank, variable.number), .is_input = true});
+  }
+}
+
 void Machine::set_initial_values(const CompiledProgram& main) {
   for (const InitialValue& value : options_.initial_values) {
-    if (value.bank != ir::Bank::named) {
+    if (value.name.empty()) {
       access_.set_initial(value);
       continue;
     }
     if (main.source == nullptr) continue;  // a stream declares no names
     const ir::Program& source = *main.source;
+    bool declared = false;
     for (std::size_t s = 0; s < source.symbols.size(); ++s) {
       const ir::Symbol& symbol = source.symbols[s];
-      if (symbol.type == ir::ValueType::string || symbol.dimension1 > 0 || source.strings.at(symbol.name) != value.name)
+      if (symbol.is_global || symbol.type == ir::ValueType::string || symbol.dimension1 > 0 ||
+          source.strings.at(symbol.name) != value.name)
         continue;
-      storage_.frame_at(main.symbols[s].slot) = arithmetic_.convert(symbol.type, value.value).value;
+      declared = true;
+      double& to = storage_.frame_at(main.symbols[s].slot);
+      (symbol.by_reference ? storage_.at_reference(to) : to) = arithmetic_.convert(symbol.type, value.value).value;
     }
+    if (!declared) shared_.set(value.name, value.value);
   }
 }
 
@@ -144,9 +198,14 @@ void Machine::execute(std::uint32_t next) {
         next = i.a;
         if (++passes_ > options_.limits.loop_passes) [[unlikely]]
           goes_on = report_.fail_limit(i, "loop passes");
+        else if (last_jump_ == &i && decisions_ == 0) [[unlikely]]
+          goes_on = end_endless(i);
+        last_jump_ = &i;
+        decisions_ = 0;
         break;
       case Opcode::branch_false:
-        if (!is_true(reg(i.a))) next = i.b;
+        ++decisions_;
+        if (!is_true(reg(i.a)) && !(is_vacant(reg(i.a)) && decide_unknown(i))) next = i.b;
         break;
       case Opcode::apply: {
         const std::optional<Flow> flow = blocks_.run(i, stack_.program());
@@ -172,10 +231,20 @@ void Machine::execute(std::uint32_t next) {
       case Opcode::refer_element:
       case Opcode::load_system:
       case Opcode::store_system:
+      case Opcode::load_shared:
+      case Opcode::store_shared:
+      case Opcode::load_shared_text:
+      case Opcode::store_shared_text:
+      case Opcode::refer_shared:
       case Opcode::string_copy:
       case Opcode::string_join:
       case Opcode::string_from_number:
       case Opcode::string_to_number:
+      case Opcode::string_is_number:
+      case Opcode::string_to_axis:
+      case Opcode::string_find:
+      case Opcode::string_part:
+      case Opcode::axis_name:
       case Opcode::string_length:
       case Opcode::string_upper:
       case Opcode::string_lower:
@@ -185,6 +254,9 @@ void Machine::execute(std::uint32_t next) {
       case Opcode::string_fit:
       case Opcode::jump_number:
       case Opcode::jump_text:
+      case Opcode::repeat_section:
+      case Opcode::section_end:
+      case Opcode::execute_text:
       case Opcode::call:
       case Opcode::modal_call:
       case Opcode::modal_end:
@@ -210,6 +282,7 @@ void Machine::execute(std::uint32_t next) {
 
 bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
   if (is_string_opcode(i.op)) return strings_.execute(i, stack_.program());
+  if (is_shared_opcode(i.op)) return shared_access_.execute(i);
   CompiledProgram& program = stack_.program();
   const auto reg = [this](std::uint32_t operand) -> double& { return storage_.reg(operand); };
   if (i.op == Opcode::integer_quotient)
@@ -230,9 +303,15 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
   if (i.op == Opcode::call) return call(i, next);
   if (i.op == Opcode::modal_call) return stack_.begin_modal(i, value_or_zero(reg(i.b)));
   if (i.op == Opcode::output) return output(i);
+  if (i.op == Opcode::repeat_section) return repeat_section(i, next);
+  if (i.op == Opcode::execute_text) return execute_text(i, next);
   if (i.op == Opcode::back) return go_back(i, next);
   if (i.op == Opcode::back_to) return go_back_to(i, next);
   if (i.op == Opcode::program_end) return end_program(i, next);
+  if (i.op == Opcode::text_end && program.is_text) {
+    next = stack_.go_back();
+    return true;
+  }
   if (i.op == Opcode::text_end) return end_text(i);
   if (i.op == Opcode::message) return message(i);
   if (i.op == Opcode::alarm) return user_alarm(i);
@@ -254,9 +333,12 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
     next = stack_.was_given(i.a) ? i.b : next;
   else if (i.op == Opcode::modal_end)
     stack_.end_modal();
-  else if (i.op == Opcode::report)
+  else if (i.op == Opcode::section_end)
+    end_section(i, next);
+  else if (i.op == Opcode::report) {
     report_.count(program.reports[i.a]);
-  else
+    if (i.b == 1) state_.unknown = kAllAxes;
+  } else
     tell_rare(i);
   return true;
 }
@@ -296,7 +378,7 @@ bool Machine::convert(const Instruction& i) {
 void Machine::begin_block(const Instruction& i) {
   if (options_.observer != nullptr && executed_ > 0) [[unlikely]]
     tell_block();
-  out_.place.line = i.a;
+  if (!stack_.program().keeps_place) out_.place.line = i.a;
   out_.place.ordinal = executed_++;
   begun_ = out_.place;
   const Work& work = stack_.program().works[i.b];

@@ -2,12 +2,16 @@
 // carried out by parts of their own.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "dialects/interpreter/block_runner.h"
 #include "dialects/interpreter/call_stack.h"
 #include "dialects/interpreter/shape_run.h"
+#include "dialects/interpreter/shared_access.h"
 #include "dialects/interpreter/string_operations.h"
 #include "dialects/interpreter/variable_access.h"
 
@@ -53,6 +57,16 @@ class Machine {
   bool message(const Instruction& i);
   bool output(const Instruction& i);
   bool user_alarm(const Instruction& i);
+  bool end_endless(const Instruction& i);
+  bool repeat_section(const Instruction& i, std::uint32_t& next);
+  void end_section(const Instruction& i, std::uint32_t& next);
+  bool execute_text(const Instruction& i, std::uint32_t& next);
+  // A condition on a value that is not known; true when it is taken as fulfilled.
+  bool decide_unknown(const Instruction& i);
+  void define_shared_data();
+  void set_inputs(const CompiledProgram& main);
+  [[nodiscard]] bool takes_feed_from_caller(const CompiledProgram& main) const;
+  void name_unset_inputs(const CompiledProgram& main);
   void tell(std::string_view name, double value);
   void tell_rare(const Instruction& i);
   void tell_block();
@@ -64,6 +78,7 @@ class Machine {
   BlockRules rules_;
   Arithmetic arithmetic_;
   VariableMap variables_;
+  SharedData shared_;
   CompileContext context_;
   ProgramTable programs_;
   Storage storage_;
@@ -75,10 +90,26 @@ class Machine {
   VariableAccess access_;
   BlockRunner blocks_;
   StringOperations strings_;
+  SharedAccess shared_access_;
+  ProgramFinder& finder_;
   std::uint64_t executed_ = 0;
   ir::Place begun_;  // of the running block; a call and a return change out_.place within it
   std::uint64_t passes_ = 0;
-  std::vector<VariableChange> changes_;  // of the running block
+  const Instruction* last_jump_ = nullptr;                           // back, without a condition of its own
+  std::uint64_t decisions_ = 0;                                      // since then
+  std::vector<VariableChange> changes_;                              // of the running block
+  std::unordered_map<const Instruction*, std::uint32_t> undecided_;  // how often a condition was not known
+  struct OpenSection {
+    std::size_t depth = 0;  // of calls
+    std::uint32_t id = 0;
+    double left = 0.0;
+  };
+  std::vector<OpenSection> sections_;  // that are being repeated
+  struct Text {
+    std::unique_ptr<ir::Program> source;
+    std::unique_ptr<CompiledProgram> code;
+  };
+  std::map<std::pair<const CompiledProgram*, std::string>, Text> texts_;  // that were executed as blocks
 };
 
 }  // namespace dripfeed::interpreter

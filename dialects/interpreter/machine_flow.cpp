@@ -1,9 +1,11 @@
 // Where the machine goes on: jumps, calls and returns, the shapes of cycles, and the ends of a program.
 #include <utility>
 
+#include "dialects/interpreter/compile.h"
 #include "dialects/interpreter/jump_target.h"
 #include "dialects/interpreter/machine.h"
 #include "dialects/interpreter/repetitive.h"
+#include "dialects/interpreter/unknown.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::interpreter {
@@ -22,10 +24,27 @@ bool Machine::follow(Flow flow, const Instruction& i, std::uint32_t& next) {
   return flow == Flow::program_end ? end_program(i, next) : go_back(i, next);
 }
 
+// Not known is taken as not fulfilled. A loop that waits for an input would never end that way: from the hundredth time
+// on the condition is taken as fulfilled every other time. A loop that ends by its condition ends at once.
+bool Machine::decide_unknown(const Instruction& i) {
+  if (!control_.semantics.unset_is_unknown) return false;
+  constexpr std::uint32_t kPatience = 100;
+  report_.count({.name = "a condition on a value that is not known"});
+  report_.take_uncertain_way();
+  if (i.extra == 1) return true;
+  const std::uint32_t times = ++undecided_[&i];
+  return times >= kPatience && times % 2 == 0;
+}
+
 bool Machine::jump(const Instruction& i, std::uint32_t& next) {
+  ++decisions_;
   const auto search = static_cast<ir::JumpSearch>(i.extra);
   const bool by_text = i.op == Opcode::jump_text;
   const double value = by_text ? 0.0 : storage_.reg(i.a);
+  if (control_.semantics.unset_is_unknown && (by_text ? is_unknown(storage_.text(i.a)) : is_vacant(value))) {
+    report_.count({.name = "a jump to a label that is not known"});
+    return true;
+  }
   const std::uint32_t to =
       by_text ? find_text(stack_.program(), storage_.text(i.a), next - 1, search)
               : find_number(stack_.program(), access_.whole_number(value, kLastBlockNumber), next - 1, search);
@@ -39,12 +58,70 @@ bool Machine::jump(const Instruction& i, std::uint32_t& next) {
   return true;
 }
 
+// The first time it goes back as often as it says; each time that it is reached again counts.
+bool Machine::repeat_section(const Instruction& i, std::uint32_t& next) {
+  while (!sections_.empty() && sections_.back().depth > stack_.depth()) sections_.pop_back();
+  const bool again = !sections_.empty() && sections_.back().depth == stack_.depth() && sections_.back().id == i.c;
+  if (!again) {
+    const double times = storage_.reg(i.b);
+    if (is_vacant(times)) report_.count({.name = "a number of repetitions that is not known"});
+    sections_.push_back({stack_.depth(), i.c, is_vacant(times) ? 1.0 : arithmetic_.round(times)});
+  } else {
+    sections_.back().left -= 1.0;
+  }
+  if (sections_.back().left < 1.0) {
+    sections_.pop_back();
+    return true;
+  }
+  if (++passes_ > options_.limits.loop_passes) return report_.fail_limit(i, "loop passes");
+  next = i.a;
+  return true;
+}
+
+void Machine::end_section(const Instruction& i, std::uint32_t& next) {
+  while (!sections_.empty() && sections_.back().depth > stack_.depth()) sections_.pop_back();
+  if (!sections_.empty() && sections_.back().depth == stack_.depth() && sections_.back().id == i.c) next = i.a;
+}
+
+// Texts are read and compiled once for each program that has them.
+bool Machine::execute_text(const Instruction& i, std::uint32_t& next) {
+  const std::string text = storage_.text(i.a);
+  const auto give_up = [&](std::string name) {
+    report_.count({.name = std::move(name)});
+    state_.unknown = kAllAxes;
+    return true;
+  };
+  if (is_unknown(text)) return give_up("EXECSTRING of a text that is not known");
+  CompiledProgram& host = stack_.program();
+  Text& known = texts_[{&host, text}];
+  if (known.source == nullptr) {
+    known.source = finder_.read_text(text);
+    if (known.source == nullptr) return give_up("EXECSTRING");
+    known.code = compile_text(*known.source, host, context_);
+  }
+  if (++passes_ > options_.limits.loop_passes) return report_.fail_limit(i, "loop passes");
+  if (!stack_.enter_text(i, *known.code, next)) return false;
+  next = 0;
+  return true;
+}
+
+// The same jump back twice, and nothing decided between: the program goes on so for ever.
+bool Machine::end_endless(const Instruction& i) {
+  report_.say(i, DiagnosticId::endless_loop);
+  return report_.end(Ended::limit);
+}
+
 bool Machine::count_steps(const Instruction& i, std::uint64_t steps) {
   passes_ += steps;
   return passes_ <= options_.limits.loop_passes || report_.fail_limit(i, "loop passes");
 }
 
 bool Machine::call(const Instruction& i, std::uint32_t& next) {
+  if (stack_.is_unknown_call(i)) {
+    report_.count({.name = "a call of a program that is not known"});
+    state_.unknown = kAllAxes;
+    return true;
+  }
   if (++passes_ > options_.limits.loop_passes) return report_.fail_limit(i, "loop passes");
   const auto begin = stack_.call(i, next);
   next = begin.value_or(0);

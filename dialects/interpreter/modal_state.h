@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "dialects/interpreter/frame.h"
 #include "dialects/interpreter/plain_block.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/ir/function.h"
@@ -36,7 +37,9 @@ struct Modes {
   bool surface_speed = false;  // G96
   bool return_to_r = false;    // G99: drilling ends at the R level
   std::int32_t work_offset = kOffsetUnknown;
-  AxisValues shift{};  // local: G52, TRANS
+  AxisValues shift{};         // local: G52, TRANS
+  Matrix matrix = kIdentity;  // ROT, SCALE, MIRROR
+  bool has_matrix = false;    // it is not the identity
 };
 
 struct Tool {
@@ -118,6 +121,20 @@ struct Repetitive {
   double first_cut_mm = 0.0;
 };
 
+// What polar words go by: all of programmed coordinates, radius values.
+struct Polar {
+  Vector pole{};
+  double angle_deg = 0.0;
+  double radius_mm = 0.0;
+};
+
+// A chamfer or rounding that waits for the move behind the corner.
+struct PendingCorner {
+  std::uint8_t kind = 0;  // CornerKind
+  double size_mm = 0.0;
+  std::size_t motion = 0;  // place in the buffer of the move before the corner
+};
+
 struct ModalState {
   Modes modes;
   Drilling drilling;
@@ -134,11 +151,17 @@ struct ModalState {
   double comp_number = 0.0;
   double length_number = 0.0;  // D, H
   double feed = 0.0;           // as Motion::feed
+  bool feed_unknown = false;   // given by a value that is not known, or by a caller that is not run
   double rpm = 0.0;            // S as written, by what it means
   double surface_speed_m_min = 0.0;
   double spindle_limit_rpm = 0.0;
   ir::SpindleState spindle = ir::SpindleState::stopped;
   ir::CoolantState coolant = ir::CoolantState::off;
+  Polar polar;
+  Vector tangent{};  // direction at the end of the last move of a contour, radius values
+  bool tangent_known = false;
+  double modal_rounding_mm = 0.0;  // RNDM
+  PendingCorner corner;
   Tool selected;  // T, before M6
   Tool tool;
   Announced announced;

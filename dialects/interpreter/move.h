@@ -3,12 +3,14 @@
 #pragma once
 
 #include "dialects/interpreter/apply.h"
+#include "dialects/interpreter/frame.h"
 
 namespace dripfeed::interpreter {
 
 struct MoveOptions {
-  bool machine_coordinates = false;  // G53
-  bool exact_stop = false;           // G09
+  bool machine_coordinates = false;          // G53
+  bool exact_stop = false;                   // G09
+  ir::Function motion = ir::Function::none;  // of this block alone (G63)
 };
 
 // Where the axis words of a block lead: as Motion::end, bits per axis.
@@ -16,18 +18,8 @@ struct Target {
   AxisValues end{};
   std::uint16_t commanded = 0;
   std::uint16_t incremental = 0;  // … by an increment
+  std::uint16_t unknown = 0;      // named with a value that is not known
 };
-
-// The plane's axes as indices, right-handed: p, q and the one that stands on it.
-struct PlaneAxes {
-  std::size_t p = 0;
-  std::size_t q = 1;
-  std::size_t normal = 2;
-};
-constexpr PlaneAxes axes_of(ir::Plane plane) {
-  if (plane == ir::Plane::zx) return {2, 0, 1};
-  return plane == ir::Plane::yz ? PlaneAxes{1, 2, 0} : PlaneAxes{0, 1, 2};
-}
 
 Target find_target(const PlainBlock& block, const BlockRules& rules, const ModalState& state, bool machine);
 // A straight move to the target; the state is there afterwards.
@@ -45,6 +37,9 @@ void return_to_reference(const PlainBlock& block, const BlockRules& rules, Modal
                          BlockResult& result);
 // G52, TRANS. `whole`: axes that are not named lose their shift. `add`: ATRANS.
 void shift_locally(const PlainBlock& block, const BlockRules& rules, bool whole, bool add, ModalState& state);
+// ROT, SCALE, MIRROR. `replace`: in the place of the whole programmable frame; otherwise on top of it.
+void change_frame(const PlainBlock& block, const BlockRules& rules, ir::Function function, bool replace,
+                  ModalState& state);
 // G92: the current position gets the named values.
 void set_coordinates(const PlainBlock& block, const BlockRules& rules, ModalState& state);
 

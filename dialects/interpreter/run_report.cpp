@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "dialects/interpreter/unknown.h"
+
 namespace dripfeed::interpreter {
 
 using text::DiagnosticId;
@@ -10,8 +12,13 @@ using text::DiagnosticId;
 void RunReport::add(const Instruction& at, DiagnosticId id, std::vector<std::string> arguments,
                     ir::AlarmDetail detail) {
   const auto index = static_cast<std::size_t>(&at - program_->code.data());
-  result_.diagnostics.push_back({program_->index, out_.place.line,
-                                 ir::diagnose(control_, id, program_->spans[index], std::move(arguments), detail)});
+  text::Diagnostic made = ir::diagnose(control_, id, program_->spans[index], std::move(arguments), detail);
+  const bool certain = !uncertain_ || id == DiagnosticId::call_target_missing;
+  if (!certain && made.severity == text::Severity::error) {
+    made.severity = text::Severity::warning;
+    made.notes.push_back({made.span, "behind a condition on a value that is not known"});
+  }
+  result_.diagnostics.push_back({program_->index, out_.place.line, std::move(made)});
 }
 
 bool RunReport::fail(const Instruction& at, DiagnosticId id, std::vector<std::string> arguments,
@@ -43,11 +50,25 @@ void RunReport::say(const Instruction& at, DiagnosticId id, std::vector<std::str
   add(at, id, std::move(arguments));
 }
 
+void RunReport::keep_no_feed(const Instruction& at) {
+  add(at, DiagnosticId::no_feed, {});
+  no_feed_ = std::move(result_.diagnostics.back());
+  result_.diagnostics.pop_back();
+  no_feed_place_ = result_.diagnostics.size();
+}
+
+void RunReport::say_no_feed() {
+  if (!no_feed_.has_value()) return;
+  const auto place = result_.diagnostics.begin() + static_cast<std::ptrdiff_t>(no_feed_place_);
+  result_.diagnostics.insert(place, *std::move(no_feed_));
+  no_feed_.reset();
+}
+
 void RunReport::count(const Report& report) {
   const auto [entry, added] = counted_.try_emplace(report.name, result_.not_interpreted.size());
   if (added)
     result_.not_interpreted.push_back(
-        {report.name, program_->index, out_.place.line, 0, report.function, report.effects_known});
+        {report.name, program_->index, out_.place.line, 0, report.function, report.effects_known, report.is_input});
   ++result_.not_interpreted[entry->second].count;
 }
 
@@ -57,7 +78,13 @@ void RunReport::note_computed(const std::string& name, ir::Function function) {
   result_.computed_codes.push_back({name, function, program_->index, out_.place.line});
 }
 
-std::uint32_t RunReport::text_index(const std::string& text) {
+std::uint32_t RunReport::text_index(const std::string& written) {
+  if (is_unknown(written)) {
+    std::string shown = written;
+    std::ranges::replace(shown, kUnknownMark, '?');
+    return text_index(shown);
+  }
+  const std::string& text = written;
   const auto next = static_cast<std::uint32_t>(names_.strings.size());
   if (const auto found = texts_.find(text); found != texts_.end()) return found->second;
   if (next >= limits_.strings) return kNoText;

@@ -5,16 +5,24 @@
 
 namespace dripfeed::interpreter {
 
-Storage::Storage(const VariableMap& variables, double unset)
-    : globals_(variables.global_count(), unset), local_count_(variables.local_count()), unset_(unset) {}
+Storage::Storage(const VariableMap& variables, SharedData& shared, double unset)
+    : shared_(shared),
+      globals_(variables.global_count(), unset),
+      local_count_(variables.local_count()),
+      unset_(unset) {}
 
 void Storage::open_frame(const CompiledProgram& program, const Bases& bases) {
+  make_room(program, bases);
+  std::fill_n(frames_.begin() + bases.frame, program.declared_slots, 0.0);
+  for (std::uint32_t i = 0; i < program.declared_strings; ++i) strings_[bases.string + i].clear();
+  if (program_ != nullptr) enter(*program_, current_);
+}
+
+void Storage::make_room(const CompiledProgram& program, const Bases& bases) {
   const std::size_t frame_end = std::size_t{bases.frame} + program.frame_slots;
   const std::size_t string_end = std::size_t{bases.string} + program.string_slots;
   if (frames_.size() < frame_end) frames_.resize(frame_end);
   if (strings_.size() < string_end) strings_.resize(string_end);
-  std::fill_n(frames_.begin() + bases.frame, program.declared_slots, 0.0);
-  for (std::uint32_t i = 0; i < program.declared_strings; ++i) strings_[bases.string + i].clear();
   if (program_ != nullptr) enter(*program_, current_);
 }
 
@@ -44,6 +52,7 @@ double& Storage::at_reference(double reference) {
   const std::uint64_t index = bits >> 2;
   const auto space = static_cast<Space>(bits & 3U);
   if (space == Space::global) return globals_[index];
+  if (space == Space::constant) return shared_.at(static_cast<std::uint32_t>(index)).number;
   return space == Space::local ? locals_[index] : frames_[index];
 }
 

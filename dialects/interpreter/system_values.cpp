@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "dialects/interpreter/polar.h"
 #include "dialects/interpreter/trace.h"
 #include "dialects/interpreter/variable_map.h"
 
@@ -58,7 +59,83 @@ Function function_of(ir::ModalGroup group, const Modes& modes) {
   return group == ir::ModalGroup::work_offset ? Function::work_offset : Function::none;
 }
 
+// Place of the active code in a G group of SINUMERIK, counted as its list of G functions does (PG, "G functions").
+std::optional<double> index_in_group(std::uint32_t group, const Modes& modes) {
+  constexpr std::uint32_t kMotion = 1;
+  constexpr std::uint32_t kPlane = 6;
+  constexpr std::uint32_t kComp = 7;
+  constexpr std::uint32_t kOffset = 8;
+  constexpr std::uint32_t kUnit = 13;
+  constexpr std::uint32_t kDistance = 14;
+  constexpr std::uint32_t kFeed = 15;
+  constexpr std::uint32_t kDiameter = 29;
+  if (group == kMotion && modes.motion_given && modes.motion <= Function::arc_ccw)
+    return 1.0 + static_cast<double>(modes.motion) - static_cast<double>(Function::rapid);
+  if (group == kPlane) return 1.0 + static_cast<double>(modes.plane);
+  if (group == kComp) return 1.0 + static_cast<double>(modes.comp);
+  if (group == kOffset && modes.work_offset >= 0) return 1.0 + static_cast<double>(modes.work_offset);
+  if (group == kUnit && modes.inch) return modes.inch_feed ? 3.0 : 1.0;  // G71 and G710 cannot be told apart
+  if (group == kDistance) return modes.absolute ? 1.0 : 2.0;
+  if (group == kFeed) {
+    if (modes.surface_speed) return 4.0;
+    return modes.feed_mode == ir::FeedMode::inverse_time ? 1.0 : modes.feed_mode == ir::FeedMode::per_min ? 2.0 : 3.0;
+  }
+  if (group == kDiameter) return 1.0 + static_cast<double>(modes.diameter);
+  return std::nullopt;
+}
+
+// Of the block before, in the unit and the coordinates of the program.
+std::optional<double> end_position(const ir::Control& control, std::size_t place, const ModalState& state) {
+  if (place >= ir::kAxisCount || (state.unknown >> place & 1U) != 0) return std::nullopt;
+  double value = state.position[place] - state.modes.shift[place] - state.coordinate_shift[place];
+  const BlockRules rules(control);
+  if (state.modes.has_matrix && place < 3) {
+    if ((state.unknown & 7U) != 0) return std::nullopt;
+    value = programmed_position(rules, state)[place] * (place == 0 && rules.x_is_diameter ? 2.0 : 1.0);
+  }
+  const auto kind = static_cast<ir::Axis>(place);
+  if (kind == ir::Axis::x) value /= rules.x_factor(state.modes, false);
+  const bool rotary = kind == ir::Axis::a || kind == ir::Axis::b || kind == ir::Axis::c;
+  return state.modes.inch && !rotary ? value / 25.4 : value;
+}
+
 }  // namespace
+
+std::optional<double> answer_system(const ir::Control& control, const ir::SystemVariableRow& row,
+                                    const Indices& indices, const ModalState& state) {
+  switch (row.kind) {
+    case ir::SystemValue::end_position: return end_position(control, indices[0], state);
+    case ir::SystemValue::feed:
+      if (state.feed_unknown) return std::nullopt;
+      return state.modes.inch_feed ? state.feed / 25.4 : state.feed;
+    case ir::SystemValue::spindle_speed:
+      if (indices[0] > 1) return std::nullopt;  // another spindle
+      return state.modes.surface_speed ? state.surface_speed_m_min : state.rpm;
+    case ir::SystemValue::tool_number:
+      return state.tool.name == kNoText ? std::optional(static_cast<double>(state.tool.number)) : std::nullopt;
+    case ir::SystemValue::selected_tool:
+      return state.selected.name == kNoText ? std::optional(static_cast<double>(state.selected.number)) : std::nullopt;
+    case ir::SystemValue::tool_edge: return static_cast<double>(state.tool.offset);
+    case ir::SystemValue::spindle_direction:
+      if (indices[0] > 1) return std::nullopt;
+      return state.spindle == ir::SpindleState::clockwise ? 3.0
+             : state.spindle == ir::SpindleState::stopped ? 5.0
+                                                          : 4.0;
+    case ir::SystemValue::constant: return static_cast<double>(row.first);
+    case ir::SystemValue::active_code: return index_in_group(indices[0], state.modes);
+    case ir::SystemValue::not_modelled:
+    case ir::SystemValue::machine_position:
+    case ir::SystemValue::work_offset_value:
+    case ir::SystemValue::skip_position:
+    case ir::SystemValue::comp_number:
+    case ir::SystemValue::length_number:
+    case ir::SystemValue::block_number:
+    case ir::SystemValue::program_number:
+    case ir::SystemValue::clock_hours:
+    case ir::SystemValue::clock_ms: break;
+  }
+  return std::nullopt;
+}
 
 std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number, const ModalState& state) const {
   if (const auto found = written_.find(key_of(row, number)); found != written_.end()) return found->second;
@@ -66,7 +143,9 @@ std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number
   const ir::SystemVariableRow& entry = control_.system_variables[row];
   const std::uint32_t index = entry.name.empty() ? number - entry.first : number;
   switch (entry.kind) {
-    case SystemValue::end_position: return position(index, state.position, ~state.unknown & kAllAxes, state);
+    case SystemValue::end_position:
+      if (state.modes.has_matrix) return end_position(control_, place_of(index), state);
+      return position(index, state.position, ~state.unknown & kAllAxes, state);
     case SystemValue::skip_position: return position(index, state.skipped, state.skipped_known, state);
     case SystemValue::machine_position: return machine_position(index, state);
     case SystemValue::feed: return state.modes.inch_feed ? state.feed / 25.4 : state.feed;
@@ -77,6 +156,10 @@ std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number
     case SystemValue::active_code: return active_code(index + 1, state);
     case SystemValue::clock_ms: return std::floor(clock_from_ms_ + state.clock_ms);
     case SystemValue::clock_hours: return hours_from_ + state.clock_ms / kMsPerHour;
+    case SystemValue::selected_tool:
+    case SystemValue::tool_edge:
+    case SystemValue::spindle_direction:
+    case SystemValue::constant: return answer_system(control_, entry, {}, state);
     case SystemValue::not_modelled:
     case SystemValue::work_offset_value:
     case SystemValue::block_number:

@@ -7,9 +7,15 @@
 #include <unordered_map>
 
 #include "dialects/interpreter/block_rules.h"
+#include "dialects/interpreter/shared_data.h"
 #include "dialects/ir/control.h"
 
 namespace dripfeed::interpreter {
+
+// What the modal state answers for a system variable that has a name; nothing when it is not known. Axes are indexed by
+// their number in the trace.
+std::optional<double> answer_system(const ir::Control& control, const ir::SystemVariableRow& row,
+                                    const Indices& indices, const ModalState& state);
 
 class SystemValues {
  public:

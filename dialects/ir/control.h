@@ -46,6 +46,10 @@ enum class SystemValue : std::uint8_t {
   active_code,
   clock_ms,
   clock_hours,
+  selected_tool,
+  tool_edge,
+  spindle_direction,
+  constant,  // SystemVariableRow::first
 };
 struct SystemVariableRow {
   std::string_view name;    // "$P_EP"; empty for numbered ones
@@ -54,6 +58,7 @@ struct SystemVariableRow {
   SystemValue kind = SystemValue::not_modelled;
   bool writable = false;
   std::string_view reference;
+  bool inert = false;  // writing it neither moves nor changes what is modelled
 };
 
 // Which of several alarms that a control has for one diagnostic.
@@ -112,8 +117,9 @@ struct Control {
   std::span<const SystemVariableRow> system_variables;
   std::span<const AlarmRow> alarms;
   std::vector<VariableRange> variables;
-  std::vector<CodeCall> code_calls;  // machine
-  bool from_profile = false;         // a named machine: what it leaves unconfirmed is an error, not a warning
+  std::vector<CodeCall> code_calls;           // machine
+  std::vector<std::string> definition_files;  // programs that declare global data, by name; read before a run
+  bool from_profile = false;                  // a named machine: what it leaves unconfirmed is an error, not a warning
   // Why the control was taken for this one, when no machine was named: the line that decided, 0 for the default.
   std::uint32_t because_line = 0;
 };

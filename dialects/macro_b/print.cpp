@@ -137,6 +137,8 @@ void ProgramPrinter::statement(std::uint32_t index) {
     case StatementKind::modal_call: text = call(program_.calls[s.payload], "G66"); break;
     case StatementKind::modal_call_end: text = "G67"; break;
     case StatementKind::output: text = output(program_.outputs[s.payload]); break;
+    case StatementKind::repeat_section:
+    case StatementKind::execute_text:
     case StatementKind::empty:
     case StatementKind::if_end:
     case StatementKind::else_begin:

@@ -54,6 +54,8 @@ class StatementRaiser {
       case StatementKind::native: return native(s);
       case StatementKind::return_to: return return_to_caller(s);
       case StatementKind::modal_call: return call(s);
+      case StatementKind::repeat_section: return blocks_.cannot(s, "a section that is repeated");
+      case StatementKind::execute_text: return blocks_.cannot(s, "a text that is executed as a block");
       case StatementKind::procedure:
         if (program_.structures[s.payload].symbol_count != 0) blocks_.cannot(s, "a program with parameters");
         return;
@@ -84,6 +86,7 @@ class StatementRaiser {
     const ir::Jump& jump = program_.jumps[s.payload];
     const bool unbound = jump.label != ir::StringId::none;
     if (unbound && jump.tolerant) return;  // no such label: the program goes on
+    if (jump.restart) return blocks_.cannot(s, "a jump to the start of the program");
     if (jump.computed != ExpressionId::none && !same_dialect_) return blocks_.cannot(s, "a calculated jump");
     out_.keep();
   }
@@ -102,6 +105,7 @@ class StatementRaiser {
     const auto arguments = program_.arguments_of(call);
     const bool by_position = std::ranges::any_of(arguments, [](const ir::Argument& a) { return a.letter == 0; });
     if (by_position) return blocks_.cannot(s, "a call with arguments by position");
+    if (call.computed != ExpressionId::none) return blocks_.cannot(s, "a call of a program whose name is computed");
     // Numbered subprograms of other controls keep their number: L100 is O0100.
     const std::string name(program_.strings.at(call.name));
     if (!same_dialect_ && name.size() > 1 && name.front() == 'L' &&
@@ -174,8 +178,14 @@ void check_system_variables(const ir::Program& program, const ir::Control& to,
   for (const ir::Statement& statement : program.statements) {
     for (const passes::VariableUseAt& use : passes::variables_of(program, statement)) {
       const ir::Variable& v = program.at(use.variable);
-      if (v.bank != ir::Bank::system) continue;
+      const bool global = v.bank == ir::Bank::named && v.symbol != ir::SymbolId::none && program.at(v.symbol).is_global;
+      if (v.bank != ir::Bank::system && !global) continue;
       const std::string written(v.span.in(program.source.text()));
+      if (global) {
+        diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, v.span,
+                                                    {"the global data " + written, to.title}));
+        continue;
+      }
       diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, v.span,
                                                   {"the system variable " + written, to.title}));
     }

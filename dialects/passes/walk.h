@@ -23,7 +23,10 @@ void for_each_root(AnyProgram& program, const ir::Statement& statement, OnExpres
     case program_end: {
       const ir::Block& b = program.blocks[statement.payload];
       for (std::uint32_t i = 0; i < b.code_count; ++i) root(program.codes[b.first_code + i].number);
-      for (std::uint32_t i = 0; i < b.word_count; ++i) root(program.words[b.first_word + i].value);
+      for (std::uint32_t i = 0; i < b.word_count; ++i) {
+        root(program.words[b.first_word + i].value);
+        root(program.words[b.first_word + i].axis);
+      }
       return;
     }
     case assign:
@@ -63,6 +66,7 @@ void for_each_root(AnyProgram& program, const ir::Statement& statement, OnExpres
     case modal_call: {
       auto& c = program.calls[statement.payload];
       root(c.number);
+      root(c.computed);
       root(c.repeats);
       root(c.start);
       for (std::uint32_t i = 0; i < c.argument_count; ++i) root(program.arguments[c.first_argument + i].value);
@@ -82,6 +86,8 @@ void for_each_root(AnyProgram& program, const ir::Statement& statement, OnExpres
     case modal_call_end:
     case empty:
     case declaration:
+    case execute_text: root(program.messages[statement.payload].text); return;
+    case repeat_section: root(program.repeats[statement.payload].times); return;
     case native: return;
   }
 }
@@ -95,6 +101,7 @@ void for_each_node(const ir::Program& program, ir::ExpressionId id, Visit&& visi
     const ir::Variable v = program.at(e.variable);
     for_each_node(program, v.index, visit);
     for_each_node(program, v.index2, visit);
+    for_each_node(program, v.index3, visit);
   } else {
     for_each_node(program, e.a, visit);
     for_each_node(program, e.b, visit);

@@ -138,7 +138,25 @@ void Parser::block_head() {
   }
 }
 
+// L1, a letter and a number in one: by the manual a label begins with two letters, but programs have such ones.
+text::Span Parser::short_label() const {
+  if (cursor_.kind() != TokenKind::address || cursor_.span().size() != 1 || to_upper(cursor_.first()) == 'N') return {};
+  const TokenCursor digits = cursor_.after();
+  const bool joined = digits.kind() == TokenKind::number && digits.span().begin == cursor_.span().end &&
+                      std::ranges::all_of(digits.text(), is_digit);
+  return joined ? text::Span{cursor_.span().begin, digits.span().end} : text::Span{};
+}
+
 bool Parser::label_here() {
+  if (const text::Span name = short_label(); !name.empty()) {
+    TokenCursor colon = cursor_.after();
+    colon.advance();
+    if (!colon.is_symbol(':')) return false;
+    lower_.add_label(name.in(cursor_.whole()), name);
+    colon.advance();
+    cursor_.go_to(colon.index());
+    return true;
+  }
   if (cursor_.kind() != TokenKind::name || !cursor_.after().is_symbol(':')) return false;
   if (go_to_verb(cursor_.text())) return false;  // GOTO :100
   lower_.add_label(cursor_.text(), cursor_.span());
@@ -148,6 +166,7 @@ bool Parser::label_here() {
 }
 
 void Parser::statement() {
+  if (expand_macro()) return;
   switch (cursor_.kind()) {
     case TokenKind::address:
       if (cursor_.span().size() > 1) {
@@ -205,6 +224,10 @@ void Parser::extended_address() {
   cursor_.advance();
   const bool indexed = (letter == 'S' || letter == 'T' || letter == 'H' || letter == 'D') && extension <= 255;
   if (letter == 'M') return m_function(extension, head);
+  // I1= J1= K1=: the point in between of CIP
+  if (extension == 1 && letter >= 'I' && letter <= 'K')
+    return word(static_cast<ir::Address>(static_cast<int>(ir::Address::via_i) + (letter - 'I')), 0, ir::StringId::none,
+                head);
   if (!indexed) return word(ir::Address::other, 0, lower_.name(name), head);
   word(letter_address(letter), static_cast<std::uint8_t>(extension), ir::StringId::none, head);
 }
@@ -238,8 +261,10 @@ bool Parser::signed_constant(ir::ExpressionId& value) {
   return true;
 }
 
-void Parser::word(ir::Address address, std::uint8_t extension, ir::StringId name, text::Span head) {
+void Parser::word(ir::Address address, std::uint8_t extension, ir::StringId name, text::Span head,
+                  ir::ExpressionId axis) {
   ir::Word w;
+  w.axis = axis;
   w.address = address;
   w.extension = extension;
   w.name = name;
@@ -293,7 +318,8 @@ void Parser::named_word(const Keyword& keyword) {
   cursor_.advance();
   if (keyword.name == "PO") return native("PO", false, head);
   ir::StringId name = program_.strings.add(keyword.name);
-  if (keyword.address != ir::Address::other && keyword.address != ir::Address::chamfer) name = ir::StringId::none;
+  if (keyword.address != ir::Address::other) name = ir::StringId::none;
+  if (keyword.name == "MEAW") name = program_.strings.add(keyword.name);
   if (cursor_.is_symbol('[')) {
     ir::Variable index;  // POS[X]: the index is a part of the name
     index_list(index, false);
@@ -303,6 +329,15 @@ void Parser::named_word(const Keyword& keyword) {
     return word(usual ? keyword.address : ir::Address::other, 0, name, head);
   }
   word(keyword.address, 0, name, head);
+}
+
+// AX[A1]=…: the axis is computed.
+void Parser::named_axis_word(text::Span head) {
+  cursor_.advance();
+  ir::Variable index;
+  index_list(index, false);
+  if (index.index == ir::ExpressionId::none) return native("AX", false, head);
+  word(ir::Address::named_axis, 0, ir::StringId::none, to_here(head), index.index);
 }
 
 void Parser::g_code(text::Span head) {
@@ -316,7 +351,11 @@ void Parser::g_code(text::Span head) {
   const GCode* code = find_g_code(n);
   if (code == nullptr) {
     report(DiagnosticId::unknown_code, span, {std::string(span.in(cursor_.whole()))});
-    return lower_.keep_as_native("unknown code", false, span);
+    // Three digits may be a macro of the machine (DEFINE G301 AS … in its definition files).
+    const bool may_be_macro = !faulty_ && !control_.from_profile && n >= 100;
+    if (may_be_macro) diagnostics_.back().severity = text::Severity::warning;
+    return lower_.keep_as_native(may_be_macro ? UpperName(span.in(cursor_.whole())).view() : "unknown code", false,
+                                 span, may_be_macro);
   }
   if (code->row.name == "G291") return native(code->row.name, false, span);
   lower_.add_code(*code, span);
@@ -348,10 +387,8 @@ void Parser::numbered_m_function(double number, std::uint32_t extension, text::S
 
 void Parser::variable_statement() {
   const text::Span head = cursor_.span();
-  const std::string_view name = cursor_.text();
   const ir::VariableId target = variable();
   assignment(target, head);
-  if (name.front() == '$') lower_.keep_as_native(name, is_harmless_to_write(name), to_here(head));
 }
 
 void Parser::name_statement() {
@@ -359,8 +396,11 @@ void Parser::name_statement() {
   const std::string_view name = cursor_.text();
   const Keyword* keyword = find_keyword(name);
   const bool variable_here = lower_.is_declared(lower_.find_symbol(name));
-  if (keyword != nullptr && !(variable_here && keyword->role != Role::statement)) return statement_of(*keyword, head);
+  const bool axis_word = same_name(name, "AX") && !variable_here && cursor_.after().is_symbol('[');
+  if (keyword != nullptr && !axis_word && !(variable_here && keyword->role != Role::statement))
+    return statement_of(*keyword, head);
   const TokenCursor next = cursor_.after();
+  if (same_name(name, "AX") && next.is_symbol('[')) return named_axis_word(head);
   const bool assigned = next.is_symbol('=') || next.is_symbol('[');
   if (!variable_here && !assigned) {
     if (const GCode* code = find_named_code(name)) {

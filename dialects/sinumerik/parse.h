@@ -30,6 +30,7 @@ class Parser {
   void line();
   void block_head();
   bool label_here();
+  [[nodiscard]] text::Span short_label() const;
   void statement();
   void address_word();
   void extended_address();
@@ -39,8 +40,10 @@ class Parser {
   void g_code(text::Span head);
   void m_function(std::uint32_t extension, text::Span head);
   void numbered_m_function(double number, std::uint32_t extension, text::Span span);
-  void word(ir::Address address, std::uint8_t extension, ir::StringId name, text::Span head);
+  void word(ir::Address address, std::uint8_t extension, ir::StringId name, text::Span head,
+            ir::ExpressionId axis = ir::ExpressionId::none);
   void named_word(const Keyword& keyword);
+  void named_axis_word(text::Span head);
   bool signed_constant(ir::ExpressionId& value);
   ir::ExpressionId word_value(ir::Word& word);
   ir::ExpressionId moded_value(ir::Word& word);
@@ -62,6 +65,7 @@ class Parser {
   ir::ExpressionId function_call(const Keyword& keyword, text::Span name);
   ir::ExpressionId foreign_call(text::Span name);
   ir::ExpressionId axis_name();
+  ir::ExpressionId system_index();
   ir::ExpressionId missing_operand();
   ir::Operator infix_here(std::uint8_t& rank) const;
   void warn_of_rank(ir::ExpressionId operand, bool in_parentheses, text::Span span);
@@ -69,7 +73,7 @@ class Parser {
   // variables: parse_variable.cpp
   ir::VariableId variable();
   ir::VariableId r_variable();
-  void index_list(ir::Variable& variable, bool axes_are_numbers);
+  void index_list(ir::Variable& variable, bool of_system);
   ir::ExpressionId constant(double value, text::Span span);
 
   // jumps and structures: parse_flow.cpp
@@ -80,7 +84,8 @@ class Parser {
   void for_statement(text::Span head);
   void case_statement(text::Span head);
   bool case_branch(ir::ExpressionId selector, text::Span head);
-  void repeat_statement(text::Span head);
+  void repeat_statement(text::Span head, bool one_block);
+  bool section_label(ir::StringId& label, std::uint32_t& number);
   void opener(ir::StatementKind kind, text::Span head, bool with_condition);
   ir::ExpressionId condition(text::Span head);
   static std::optional<Verb> go_to_verb(std::string_view name);
@@ -95,13 +100,19 @@ class Parser {
   bool value_list(const ir::Variable& first, text::Span head);
   void repeated_value(const ir::Variable& first, text::Span head);
   bool element(const ir::Variable& first, std::uint32_t offset, ir::ExpressionId value, text::Span head);
-  void skip_value_attributes();
+  bool skip_value_attributes();
 
   // the rest: parse_statements.cpp
   void assignment(ir::VariableId target, text::Span head);
   void statement_of(const Keyword& keyword, text::Span head);
   void call_by_name(ir::StringId name, text::Span head);
   void call_statement(text::Span head);
+  void path_call(text::Span head);
+  void external_call(text::Span head);
+  void computed_call(ir::ExpressionId name, text::Span head);
+  void execute_statement(text::Span head);
+  void macro_definition(text::Span head);
+  bool expand_macro();
   void numbered_call(text::Span head);
   void arguments(ir::Call& call);
   void message(text::Span head);
@@ -143,6 +154,12 @@ class Parser {
   text::Span repeats_span_;
   bool has_call_ = false;
   bool has_invalid_ = false;  // anywhere in the text
+  struct Macro {
+    std::string name;  // upper case
+    ir::TokenRange body;
+  };
+  std::vector<Macro> macros_;  // DEFINE … AS
+  bool in_macro_ = false;
 };
 
 }  // namespace dripfeed::sinumerik

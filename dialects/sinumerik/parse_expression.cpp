@@ -1,6 +1,7 @@
 // Values. Operators are read by their rank, strongest first, equal ranks from left to right; a comparison is the
 // weakest of all, weaker than AND and OR, and where it meets one of them without parentheses there is a warning.
 #include <algorithm>
+#include <numbers>
 
 #include "dialects/sinumerik/parse.h"
 #include "dialects/sinumerik/system_variables.h"
@@ -13,6 +14,8 @@ namespace {
 using ir::Operator;
 using ir::TokenKind;
 using text::DiagnosticId;
+
+constexpr double kLongestString = 200.0;
 
 bool is_comparison(Operator op) { return op >= Operator::equal && op <= Operator::greater_equal; }
 bool is_logic(Operator op) {
@@ -154,6 +157,11 @@ ir::ExpressionId Parser::primary() {
     case TokenKind::string: return string_literal();
     case TokenKind::name: return name_value();
     case TokenKind::variable: {
+      if (same_name(cursor_.text(), "$PI")) {
+        const text::Span span = cursor_.span();
+        cursor_.advance();
+        return program_.add_constant(std::numbers::pi, span, true);
+      }
       const ir::VariableId id = variable();
       ir::Expression e;
       e.op = Operator::variable;
@@ -321,6 +329,11 @@ ir::ExpressionId Parser::function_call(const Keyword& keyword, text::Span name) 
   --brackets_;
   expect(')');
   e.span = to_here(name);
+  // SUBSTR(text, first): to the end.
+  if (keyword.op == Operator::substring && given == 2) {
+    operands[2] = constant(kLongestString, e.span);
+    given = 3;
+  }
   if (given != wanted) {
     report(DiagnosticId::wrong_argument_count, e.span,
            {std::string(keyword.name), std::to_string(wanted), std::to_string(given)});

@@ -148,6 +148,8 @@ class Printer {
       case StatementKind::program_end: return program_end(s, out);
       case StatementKind::message: return message("MSG", program_.messages[s.payload], out);
       case StatementKind::alarm: return message("SETAL", program_.messages[s.payload], out);
+      case StatementKind::repeat_section:
+      case StatementKind::execute_text:
       case StatementKind::native:
         // A fault behind IF or WHILE is a second statement of its line, which is printed already.
         if (s.tokens.first < s.tokens.last) out += written_line(i);
@@ -205,10 +207,18 @@ class Printer {
   }
 
   void jump(const ir::Jump& j, std::string& out) const {
+    if (j.restart && j.condition == ir::ExpressionId::none) {
+      out += "GOTOS";
+      return;
+    }
     if (j.condition != ir::ExpressionId::none) {
       out += "IF ";
       value(out, j.condition);
       out += ' ';
+    }
+    if (j.restart) {
+      out += "GOTOS";
+      return;
     }
     out += j.tolerant                             ? "GOTOC "
            : j.search == ir::JumpSearch::forward  ? "GOTOF "
@@ -242,6 +252,7 @@ class Printer {
     if (s.dimension1 > 0) {
       out += "[" + std::to_string(s.dimension1);
       if (s.dimension2 > 0) out += "," + std::to_string(s.dimension2);
+      if (s.dimension3 > 0) out += "," + std::to_string(s.dimension3);
       out += "]";
     }
     if (s.initial != ir::ExpressionId::none) {
@@ -278,6 +289,11 @@ class Printer {
   }
 
   void call(const ir::Call& c, std::string& out) const {
+    if (c.computed != ir::ExpressionId::none) {
+      out += "CALL(";
+      value(out, c.computed);
+      out += ')';
+    }
     out += program_.strings.at(c.name);
     if (c.argument_count > 0) {
       out += '(';
