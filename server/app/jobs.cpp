@@ -173,7 +173,7 @@ Result<store::Job> Jobs::command(store::Id id, feed::Command command, std::strin
   if (!noted) return std::unexpected(from_store(noted.error()));
   const auto done = (*line)->command(command);
   if (!done) return fail(ErrorCode::refused, done.error());
-  if (!note.empty()) keeper_.note(job->machine, std::move(note));
+  if (!note.empty()) keeper_.note(id, note);
   keeper_.round();
   auto now = store_.jobs().get(id);
   if (!now) return std::unexpected(from_store(now.error()));

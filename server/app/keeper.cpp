@@ -121,9 +121,9 @@ void Keeper::set_source(const std::string& machine, std::shared_ptr<ContentSourc
   sources_[machine] = std::move(source);
 }
 
-void Keeper::note(const std::string& machine, std::string text) {
+void Keeper::note(store::Id job, std::string_view text) {
   const std::lock_guard lock(round_mutex_);
-  std::string& note = tracked_[machine].note;
+  std::string& note = notes_[job];
   note += note.empty() ? "" : "; ";
   note += text;
 }
@@ -155,14 +155,33 @@ void Keeper::round() {
     if (!faults) {
       // Nothing is reserved, so the feeds stop at what they have and say that they wait for the ledger. No job moves
       // without its row.
-      spdlog::error("ledger: {}", store::message_of(faults.error()));
+      complain(store::message_of(faults.error()), all);
       for (const Due& due : all) events_.progress(due.machine, due.report);
       return;
     }
+    if (!complaint_.empty()) spdlog::info("ledger: it is written again");
+    complaint_.clear();
     for (const store::LedgerFault& fault : *faults) spdlog::error("ledger: job {}: {}", fault.job, fault.why);
     commit(rows, *faults, all);
   }
   for (const Due& due : all) follow(tracked_[due.machine], due);
+}
+
+// Says it once and not ten times a second, to the log and to who watches a machine that is concerned.
+void Keeper::complain(const std::string& error, const std::vector<Due>& all) {
+  if (error == complaint_) return;
+  complaint_ = error;
+  spdlog::error("ledger: {}", error);
+  for (const Due& due : all) {
+    if (tracked_[due.machine].over) continue;
+    events_.publish({.id = 0,
+                     .kind = EventKind::alarm,
+                     .machine = due.machine,
+                     .job = {},
+                     .verdict = 0,
+                     .outcome = {},
+                     .text = fmt::format("the ledger cannot be written: {}", error)});
+  }
 }
 
 // The rows are durable: their windows may be used.
@@ -175,7 +194,7 @@ void Keeper::commit(std::span<const store::NewLedgerRow> rows, std::span<const s
     const auto fault = std::ranges::find(faults, tracked.job.id, &store::LedgerFault::job);
     if (fault != faults.end() && !fault->written) continue;
     tracked.committed = row->counts;
-    tracked.note.clear();
+    notes_.erase(tracked.job.id);
     due.line->extend_reserve(tracked.job.id, row->counts.reserve);
   }
 }
@@ -214,7 +233,7 @@ std::vector<store::NewLedgerRow> Keeper::rows_of(const std::vector<Due>& all) {
     if (open_more) row.counts.reserve = std::max(row.counts.reserve, std::min(report.handed + window, report.total));
     // A job that is over hands nothing more: what it had left of its window is given back.
     if (!runs) row.counts.reserve = report.handed;
-    row.note = tracked.note;
+    if (const auto note = notes_.find(report.job); note != notes_.end()) row.note = note->second;
     if (report.stall != tracked.last.stall || report.state != tracked.last.state) {
       const std::string news = runs ? std::string(report.stall) : reason_of(report);
       row.note += row.note.empty() || news.empty() ? news : "; " + news;
@@ -230,6 +249,7 @@ void Keeper::follow(Tracked& tracked, const Due& due) {
   events_.progress(due.machine, report);
   const std::uint64_t starts_before = std::exchange(tracked.unarmed_starts, report.unarmed_starts);
   if (report.unarmed_starts > starts_before) {
+    spdlog::warn("{}: DC1 with nothing armed, nothing was sent", due.machine);
     events_.publish({.id = 0,
                      .kind = EventKind::alarm,
                      .machine = due.machine,
@@ -255,6 +275,7 @@ void Keeper::follow(Tracked& tracked, const Due& due) {
   // What the store did not take is tried again in the next round.
   if (report.end == JobEnd::none || (tracked.job.state != *target && !store::ended(tracked.job.state))) return;
   tracked.over = true;
+  notes_.erase(tracked.job.id);
   const std::lock_guard lock(sources_mutex_);
   sources_.erase(due.machine);
 }

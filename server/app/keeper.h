@@ -9,6 +9,7 @@
 #include <mutex>
 #include <span>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -39,8 +40,8 @@ class Keeper {
   void wake();
   // The text of the machine's job, to be read ahead of the feed.
   void set_source(const std::string& machine, std::shared_ptr<ContentSource> source);
-  // What a person did to the machine's job stands in its next ledger row.
-  void note(const std::string& machine, std::string text);
+  // What a person did to the job stands in its next ledger row, if there is one.
+  void note(store::Id job, std::string_view text);
   // One round now, on the caller's thread. For the start, the end and tests.
   void round();
 
@@ -50,7 +51,6 @@ class Keeper {
     LineReport last;
     store::LedgerCounts committed;
     bool over = true;  // nothing is to be written for it any more
-    std::string note;  // for the next row
     std::uint64_t unarmed_starts = 0;
   };
   struct Due {
@@ -64,6 +64,7 @@ class Keeper {
   std::vector<store::NewLedgerRow> rows_of(const std::vector<Due>& all);
   void commit(std::span<const store::NewLedgerRow> rows, std::span<const store::LedgerFault> faults,
               const std::vector<Due>& all);
+  void complain(const std::string& error, const std::vector<Due>& all);
   void follow(Tracked& tracked, const Due& due);
   void move(Tracked& tracked, store::JobState to, const LineReport& report);
 
@@ -73,6 +74,8 @@ class Keeper {
   const Clock& clock_;
   std::mutex round_mutex_;
   std::map<std::string, Tracked> tracked_;
+  std::map<store::Id, std::string> notes_;  // for the jobs' next rows
+  std::string complaint_;                   // why the last commit failed; empty: it did not
   std::map<std::string, std::shared_ptr<ContentSource>> sources_;
   std::mutex sources_mutex_;
   std::mutex wake_mutex_;
