@@ -199,11 +199,10 @@ void Keeper::commit(std::span<const store::NewLedgerRow> rows, std::span<const s
   }
 }
 
-// A job that the line has and the books do not know yet.
+// An arming that the line has and the books do not know yet. A disarmed job may come again, and may be disarmed again
+// before anybody looked.
 void Keeper::begin(Tracked& tracked, const Due& due) {
-  // A disarmed job may come again; one that ended does not.
-  const bool again = tracked.over && due.report.end == JobEnd::none && !store::ended(tracked.job.state);
-  if (due.report.job == 0 || (due.report.job == tracked.job.id && !again)) return;
+  if (due.report.job == 0 || (due.report.job == tracked.job.id && due.report.session == tracked.session)) return;
   const auto job = store_.jobs().get(due.report.job);
   const auto interval = store_.ledger().interval(due.report.job);
   if (!job || !interval) {
@@ -211,6 +210,7 @@ void Keeper::begin(Tracked& tracked, const Due& due) {
     return;
   }
   tracked.job = *job;
+  tracked.session = due.report.session;
   tracked.committed = interval->last;
   tracked.over = store::ended(job->state);
 }

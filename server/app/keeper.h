@@ -48,6 +48,7 @@ class Keeper {
  private:
   struct Tracked {
     store::Job job;
+    std::uint64_t session = 0;  // of the arming that is followed
     LineReport last;
     store::LedgerCounts committed;
     bool over = true;  // nothing is to be written for it any more

@@ -99,6 +99,7 @@ class MailboxLine final : public Line {
     }
     source_ = std::move(order.source);
     order_job_ = order.job;
+    session_ = order.session;
     total_ = job.text_bytes;
     reserve_ = order.reserve;
     publish();
@@ -195,9 +196,10 @@ class MailboxLine final : public Line {
     const LineState state = line_state(row, counters.handed);
     const modbus::SenderStall stall = sender_.stall();
     const std::string_view stall_name = kStallNames[static_cast<std::size_t>(stall)];
-    const bool changed =
-        state != report_.state || row.end != report_.end || stall_name != report_.stall || order_job_ != report_.job;
+    const bool changed = state != report_.state || row.end != report_.end || stall_name != report_.stall ||
+                         order_job_ != report_.job || session_ != report_.session;
     report_.job = order_job_;
+    report_.session = session_;
     report_.state = state;
     report_.end = row.end;
     report_.stall = stall_name;
@@ -223,6 +225,7 @@ class MailboxLine final : public Line {
   modbus::Sender sender_{modbus::SenderSettings{}};
   std::shared_ptr<tape_code::TextSource> source_;
   std::uint64_t order_job_ = 0;
+  std::uint64_t session_ = 0;
   std::uint64_t total_ = 0;
   std::uint64_t reserve_ = 0;
   std::uint64_t wakes_ = 0;

@@ -85,8 +85,9 @@ TEST_F(KeeperTest, ACommitThatFailsReservesNothingAndMovesNoJob) {
   const store::Job job = shop.start_job(kLathe, text);
   shop.run(300ms);
   ASSERT_EQ(shop.state(job.id), store::JobState::feeding);
-  const store::LedgerRow last = shop.ledger_of(job.id).back();
   shop.store.watched_ledger().watch([](auto) { return store::Error{store::ErrorCode::io_failed, "the disk is gone"}; });
+  shop.round();
+  const store::LedgerRow last = shop.ledger_of(job.id).back();
   shop.run(2s);
   EXPECT_EQ(shop.written(kLathe).size(), last.counts.reserve);
   shop.links.receive(url_of(kLathe), kSyn);
@@ -261,6 +262,36 @@ TEST_F(KeeperTest, AJobThatWasQuickerThanARoundTakesEveryStep) {
       seen.emplace_back(store::name_of(event.job.state));
   }
   EXPECT_EQ(seen, steps);
+}
+
+// Armed again and disarmed again while the keeper was busy elsewhere: the books must not believe in the first
+// disarming.
+TEST_F(KeeperTest, ASecondDisarmingThatNobodySawIsBookedToo) {
+  Gate gate;
+  Shop shop(database());
+  shop.add_machine(kLathe);
+  shop.add_machine("mill");
+  const store::Job job = shop.add_job(kLathe, program(3));
+  must(shop.jobs.arm(job.id, std::nullopt, "olga"));
+  shop.links.advance(10min);
+  shop.round();
+  ASSERT_EQ(shop.state(job.id), store::JobState::queued);
+  shop.start_job("mill", program(50));
+  shop.store.watched_ledger().watch([&](std::span<const store::NewLedgerRow> rows) {
+    if (rows.front().note != "armed") gate.pass();
+    return std::nullopt;
+  });
+  shop.links.advance(50ms);
+  shop.keeper.wake();
+  gate.await_someone();
+  must(shop.jobs.arm(job.id, std::nullopt, "olga"));
+  shop.links.lose(url_of(kLathe));
+  gate.open();
+  shop.round();
+  EXPECT_EQ(shop.state(job.id), store::JobState::queued);
+  EXPECT_EQ(shop.job(job.id).reason, "disarmed, nothing was sent: link_lost");
+  shop.links.advance(1s);
+  must(shop.jobs.arm(job.id, std::nullopt, "olga"));
 }
 
 TEST_F(KeeperTest, ATornBlockIsToldWithItsPlace) {
