@@ -59,6 +59,13 @@ Document revision_document(const store::ProgramRevision& revision) {
           {"created_at_ms", revision.created_at_ms}};
 }
 
+// A member of a kept document; "" where it is not what it should be.
+std::string text_at(const Document& document, const char* name) {
+  if (!document.is_object()) return {};
+  const auto found = document.find(name);
+  return found != document.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
 // The raw text of a JSON document that is kept or was written here, as a member.
 Document embedded(std::string_view text) {
   auto document = parse(text);
@@ -108,8 +115,8 @@ std::string machine(const store::Machine& machine, const app::MachineStatus& sta
   if (whole) {
     document["profile"] = profile;
   } else {
-    for (const char* member : {"title", "dialect", "kind"}) document[member] = profile.value(member, "");
-    document["link"] = profile.contains("link") ? profile["link"].value("url", "") : "";
+    for (const char* member : {"title", "dialect", "kind"}) document[member] = text_at(profile, member);
+    document["link"] = profile.is_object() && profile.contains("link") ? text_at(profile["link"], "url") : "";
   }
   document["status"] = status_document(status);
   return dump(document);
