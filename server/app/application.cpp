@@ -56,9 +56,9 @@ Application::Application(const Environment& environment)
       documents_(environment.documents),
       events_(static_cast<std::uint64_t>(clock_.wall_ms())),
       lines_(environment.links, environment.make_bus, [this] { keeper_.wake(); }),
-      keeper_(store_, lines_, events_, clock_),
+      keeper_(store_, lines_, events_, clock_, environment.ballast),
       catalog_(store_, lines_, events_, clock_, documents_),
-      programs_(store_, catalog_, clock_, documents_),
+      programs_(store_, catalog_, clock_, documents_, environment.ballast),
       checking_(store_, catalog_, events_, clock_, documents_),
       jobs_(store_, lines_, keeper_, events_, clock_, documents_) {}
 

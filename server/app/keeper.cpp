@@ -17,6 +17,7 @@ namespace dripfeed::app {
 namespace {
 
 constexpr std::chrono::milliseconds kRound{100};
+constexpr feed::Time kRestoreEvery = std::chrono::seconds(10);
 constexpr std::string_view kActor = "dripfeed";
 
 // What the job's state should be for a line that runs, and for a job that ended.
@@ -99,10 +100,13 @@ std::uint64_t reserve_window(const LineReport& report) {
   return std::max(kReserveAtLeast, static_cast<std::uint64_t>(kReserveAhead_s / report.char_s));
 }
 
-Keeper::Keeper(store::Store& store, Lines& lines, Events& events, const Clock& clock)
-    : store_(store), lines_(lines), events_(events), clock_(clock), thread_([this](const std::stop_token& stop) {
-        loop(stop);
-      }) {}
+Keeper::Keeper(store::Store& store, Lines& lines, Events& events, const Clock& clock, Ballast* ballast)
+    : store_(store),
+      lines_(lines),
+      events_(events),
+      clock_(clock),
+      ballast_(ballast),
+      thread_([this](const std::stop_token& stop) { loop(stop); }) {}
 
 Keeper::~Keeper() {
   thread_.request_stop();
@@ -151,7 +155,7 @@ void Keeper::round() {
 
   const std::vector<store::NewLedgerRow> rows = rows_of(all);
   if (!rows.empty()) {
-    const auto faults = store_.ledger().append(rows, clock_.wall_ms());
+    const auto faults = append(rows);
     if (!faults) {
       // Nothing is reserved, so the feeds stop at what they have and say that they wait for the ledger. No job moves
       // without its row.
@@ -165,6 +169,21 @@ void Keeper::round() {
     commit(rows, *faults, all);
   }
   for (const Due& due : all) follow(tracked_[due.machine], due);
+  if (ballast_ != nullptr && clock_.now() >= restore_at_) {
+    restore_at_ = clock_.now() + kRestoreEvery;
+    ballast_->restore();
+  }
+}
+
+// On a full disk the ballast makes room, once.
+store::Result<std::vector<store::LedgerFault>> Keeper::append(std::span<const store::NewLedgerRow> rows) {
+  auto faults = store_.ledger().append(rows, clock_.wall_ms());
+  const bool full = !faults && faults.error().code == store::ErrorCode::disk_full;
+  if (full && ballast_ != nullptr && ballast_->give_up()) {
+    restore_at_ = clock_.now() + kRestoreEvery;
+    faults = store_.ledger().append(rows, clock_.wall_ms());
+  }
+  return faults;
 }
 
 // Says it once and not ten times a second, to the log and to who watches a machine that is concerned.

@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "server/app/ballast.h"
 #include "server/app/content_source.h"
 #include "server/app/events.h"
 #include "server/app/lines.h"
@@ -31,7 +32,8 @@ std::uint64_t reserve_window(const LineReport& report);
 
 class Keeper {
  public:
-  Keeper(store::Store& store, Lines& lines, Events& events, const Clock& clock);
+  // Without a ballast a full disk stops the feeds at what is reserved for them.
+  Keeper(store::Store& store, Lines& lines, Events& events, const Clock& clock, Ballast* ballast = nullptr);
   ~Keeper();
   Keeper(const Keeper&) = delete;
   Keeper& operator=(const Keeper&) = delete;
@@ -42,6 +44,7 @@ class Keeper {
   void set_source(const std::string& machine, std::shared_ptr<ContentSource> source);
   // What a person did to the job stands in its next ledger row, if there is one.
   void note(store::Id job, std::string_view text);
+  [[nodiscard]] const Ballast* ballast() const { return ballast_; }
   // One round now, on the caller's thread. For the start, the end and tests.
   void round();
 
@@ -65,6 +68,7 @@ class Keeper {
   std::vector<store::NewLedgerRow> rows_of(const std::vector<Due>& all);
   void commit(std::span<const store::NewLedgerRow> rows, std::span<const store::LedgerFault> faults,
               const std::vector<Due>& all);
+  store::Result<std::vector<store::LedgerFault>> append(std::span<const store::NewLedgerRow> rows);
   void complain(const std::string& error, const std::vector<Due>& all);
   void follow(Tracked& tracked, const Due& due);
   void move(Tracked& tracked, store::JobState to, const LineReport& report);
@@ -73,6 +77,8 @@ class Keeper {
   Lines& lines_;
   Events& events_;
   const Clock& clock_;
+  Ballast* ballast_;
+  feed::Time restore_at_{};
   std::mutex round_mutex_;
   std::map<std::string, Tracked> tracked_;
   std::map<store::Id, std::string> notes_;  // for the jobs' next rows

@@ -54,11 +54,13 @@ TEST_F(JobsTest, AJobGoesItsWay) {
   const store::Job armed = must(shop_.jobs.arm(queued.id, std::nullopt, "olga"));
   EXPECT_EQ(armed.state, JobState::armed);
   EXPECT_EQ(armed.armed_by, "olga");
+  EXPECT_EQ(armed.expires_at_ms, armed.armed_at_ms + 600'000);
   shop_.run(1s);
   EXPECT_EQ(shop_.written(kLathe), "") << "armed is not started";
   shop_.links.receive(url_of(kLathe), kDc1);
   shop_.run(50ms);
   EXPECT_EQ(shop_.state(queued.id), JobState::feeding);
+  EXPECT_EQ(shop_.job(queued.id).expires_at_ms, 0);
   shop_.links.receive(url_of(kLathe), kDc3);
   shop_.round();
   EXPECT_EQ(shop_.state(queued.id), JobState::held);

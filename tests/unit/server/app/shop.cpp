@@ -59,11 +59,11 @@ store::Release release_text(store::Store& store, const std::string& machine, con
   return must(store.releases().move(release.id, {store::ReleaseState::approved, "measured", 0}, by("boris")));
 }
 
-Shop::Shop(const std::string& database, RegisterBusMaker make_bus)
+Shop::Shop(const std::string& database, RegisterBusMaker make_bus, Ballast* ballast)
     : sqlite_(must(sqlite::open(database, {.own = true}))),
       store(*sqlite_),
       lines(links, make_bus, [this] { keeper.wake(); }),
-      keeper(store, lines, events, links.clock()),
+      keeper(store, lines, events, links.clock(), ballast),
       catalog(store, lines, events, links.clock(), documents),
       jobs(store, lines, keeper, events, links.clock(), documents) {}
 
