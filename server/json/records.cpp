@@ -88,6 +88,7 @@ Document job_document(const store::Job& job) {
           {"created_at_ms", job.created_at_ms},
           {"armed_by", text_or_null(job.armed_by)},
           {"armed_at_ms", time_or_null(job.armed_at_ms)},
+          {"expires_at_ms", time_or_null(job.expires_at_ms)},
           {"started_at_ms", time_or_null(job.started_at_ms)},
           {"ended_at_ms", time_or_null(job.ended_at_ms)},
           {"torn", job.torn},
@@ -260,12 +261,9 @@ std::string event_data(const app::Event& event) {
   return dump({{"name", event.machine}});
 }
 
-std::string progress(const app::Progress& progress) {
-  Document document = {{"machine", progress.machine}};
-  document.update(
-      status_document({.report = progress.report, .program = {}, .block_text = {}, .needs_confirmation = {}}));
-  document.erase("program");
-  document.erase("block_text");
+std::string progress(std::string_view machine, const app::MachineStatus& status) {
+  Document document = {{"machine", machine}};
+  document.update(status_document(status));
   document.erase("needs_confirmation");
   return dump(document);
 }

@@ -36,6 +36,7 @@ store::Job a_job() {
   job.created_at_ms = 10;
   job.armed_by = "olga";
   job.armed_at_ms = 20;
+  job.expires_at_ms = 25;
   job.torn = true;
   return job;
 }
@@ -44,7 +45,10 @@ TEST(Records, AJobSaysWhatAPersonMustDo) {
   const std::string text = job(a_job());
   EXPECT_TRUE(is_json(text));
   EXPECT_THAT(text, HasSubstr(R"("id":7,"state":"failed","machine":"mill","release":3)"));
-  EXPECT_THAT(text, HasSubstr(R"("started_at_ms":null,"ended_at_ms":null,"torn":true,"needs_confirmation":true)"));
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          R"("armed_at_ms":20,"expires_at_ms":25,"started_at_ms":null,"ended_at_ms":null,"torn":true,"needs_confirmation":true)"));
   EXPECT_THAT(text, HasSubstr(R"("confirmed_by":null)"));
   store::Job confirmed = a_job();
   confirmed.confirmed_at_ms = 30;
@@ -136,16 +140,18 @@ TEST(Records, EventsAndProgress) {
   event.job = a_job();
   EXPECT_EQ(event_data(event), job(a_job()));
   EXPECT_EQ(event_data(event).find('\n'), std::string::npos) << "one data line";
-  app::Progress one;
-  one.machine = "mill";
-  one.report.handed = 12;
-  EXPECT_THAT(progress(one), HasSubstr(R"({"machine":"mill","line":"disconnected",)"));
-  EXPECT_THAT(progress(one), HasSubstr(R"("handed":12)"));
+  app::MachineStatus status;
+  status.report.handed = 12;
+  status.program = "O1";
+  EXPECT_THAT(progress("mill", status), HasSubstr(R"({"machine":"mill","line":"disconnected",)"));
+  EXPECT_THAT(progress("mill", status), HasSubstr(R"("handed":12)"));
+  EXPECT_THAT(progress("mill", status), HasSubstr(R"("program":"O1","block_text":""})"));
 }
 
 TEST(Records, ProblemsNameTheirPlaces) {
-  const app::Error error{
-      app::ErrorCode::invalid, "wrong", {{.pointer = "/a/0", .text = "x"}, {.line = 3, .column = 4, .text = "y"}}};
+  const app::Error error{app::ErrorCode::invalid,
+                         "wrong",
+                         {{.pointer = "/a/0", .text = "x"}, {.pointer = {}, .line = 3, .column = 4, .text = "y"}}};
   EXPECT_EQ(problem(422, "invalid", error),
             R"({"type":"about:blank","title":"invalid","status":422,"detail":"wrong",)"
             R"("errors":[{"pointer":"/a/0","text":"x"},{"line":3,"column":4,"text":"y"}]})");
