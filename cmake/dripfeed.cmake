@@ -106,17 +106,21 @@ function(dripfeed_test name)
   endif()
 endfunction()
 
-# dripfeed_unit_test(FOLDER LINKS a b): tests/unit/FOLDER/*.cpp becomes the test unit_<FOLDER with _> that links LINKS only.
+# dripfeed_unit_test(FOLDER LINKS a b [SERIAL]): tests/unit/FOLDER/*.cpp becomes the test unit_<FOLDER with _> that links LINKS only.
 # Its labels are unit and the top folder.
 function(dripfeed_unit_test folder)
-  cmake_parse_arguments(ARG "" "" "LINKS;SYSTEM" ${ARGN})
+  cmake_parse_arguments(ARG "SERIAL" "" "LINKS;SYSTEM" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/unit/${folder}/*.cpp)
   if(NOT sources)
     return()
   endif()
   string(REPLACE "/" "_" flat ${folder})
   string(REGEX REPLACE "/.*" "" top ${folder})
-  dripfeed_test(unit_${flat} SOURCES ${sources} LINKS ${ARG_LINKS} SYSTEM ${ARG_SYSTEM} LABELS unit ${top})
+  set(serial "")
+  if(ARG_SERIAL)
+    set(serial SERIAL)
+  endif()
+  dripfeed_test(unit_${flat} SOURCES ${sources} LINKS ${ARG_LINKS} SYSTEM ${ARG_SYSTEM} LABELS unit ${top} ${serial})
 endfunction()
 
 # dripfeed_fuzz(NAME SOURCES... LINKS a b CORPUS folders... [DEFINITIONS d...]): a source with LLVMFuzzerTestOneInput. With

@@ -55,6 +55,7 @@ struct Job {
   std::string armed_by;
   std::int64_t created_at_ms = 0;
   std::int64_t armed_at_ms = 0;    // 0: never
+  std::int64_t expires_at_ms = 0;  // while armed, where the line lets an arming expire; 0 otherwise
   std::int64_t started_at_ms = 0;  // when it first fed; 0: never
   std::int64_t ended_at_ms = 0;    // 0: not yet
   bool torn = false;               // the control may hold a part of a block
@@ -75,7 +76,8 @@ struct NewJob {
 struct JobMove {
   JobState to = JobState::queued;
   std::string reason{};
-  bool torn = false;  // only with failed, cancelled and interrupted
+  bool torn = false;               // only with failed, cancelled and interrupted
+  std::int64_t expires_at_ms = 0;  // only with armed
 };
 
 struct JobFilter {

@@ -34,8 +34,9 @@ std::uint64_t stored_place(store::Contents& contents, const std::string& sha256,
   return known.to_text + (known.to_line - 1) * (text::eob_length(begin, eob) - 1);
 }
 
-// The line of the text that holds the character at `at`.
-std::string block_around(store::Contents& contents, const std::string& sha256, std::uint64_t at) {
+// The line of the text that holds the last of its first `end` characters; an EOB belongs to the line that it ends.
+std::string block_around(store::Contents& contents, const std::string& sha256, std::uint64_t end) {
+  const std::uint64_t at = end == 0 ? 0 : end - 1;
   const std::uint64_t from = at > kBlockAround ? at - kBlockAround : 0;
   std::string window(2 * kBlockAround, '\0');
   const auto count = contents.read(sha256, from, window);
@@ -55,9 +56,9 @@ Application::Application(const Environment& environment)
       documents_(environment.documents),
       events_(static_cast<std::uint64_t>(clock_.wall_ms())),
       lines_(environment.links, environment.make_bus, [this] { keeper_.wake(); }),
-      keeper_(store_, lines_, events_, clock_),
+      keeper_(store_, lines_, events_, clock_, environment.ballast),
       catalog_(store_, lines_, events_, clock_, documents_),
-      programs_(store_, catalog_, clock_, documents_),
+      programs_(store_, catalog_, clock_, documents_, environment.ballast),
       checking_(store_, catalog_, events_, clock_, documents_),
       jobs_(store_, lines_, keeper_, events_, clock_, documents_) {}
 

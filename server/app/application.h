@@ -31,6 +31,7 @@ class Application {
     RegisterBusMaker make_bus;
     const Clock& clock;
     const Documents& documents;
+    Ballast* ballast = nullptr;
   };
   explicit Application(const Environment& environment);
   // Jobs on a line are cancelled at a block end, as far as their control lets them.

@@ -122,6 +122,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     // The feed reads the source until it is over, so the source lives until the next order.
     source_ = std::move(order.source);
     order_job_ = order.job;
+    session_ = order.session;
     reserve_ = order.reserve;
     settle();
     return {};
@@ -233,9 +234,10 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     const std::lock_guard lock(report_mutex_);
     const LineState state = row.line == LineState::idle && !link_up_ ? LineState::disconnected : row.line;
     const std::string_view stall_name = name_of(stall);
-    const bool changed =
-        state != report_.state || row.end != report_.end || stall_name != report_.stall || order_job_ != report_.job;
+    const bool changed = state != report_.state || row.end != report_.end || stall_name != report_.stall ||
+                         order_job_ != report_.job || session_ != report_.session;
     report_.job = order_job_;
+    report_.session = session_;
     report_.state = state;
     report_.end = row.end;
     report_.stall = stall_name;
@@ -279,6 +281,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   feed::Time ticked_at_{};
   std::shared_ptr<tape_code::TextSource> source_;
   std::uint64_t order_job_ = 0;
+  std::uint64_t session_ = 0;
   std::uint64_t reserve_ = 0;
   std::uint64_t unarmed_starts_ = 0;
   mutable std::mutex report_mutex_;

@@ -88,6 +88,7 @@ Result<std::shared_ptr<Line>> Jobs::line_with(const store::Job& job) {
 }
 
 Result<store::Job> Jobs::add(store::Id release, std::string_view actor) {
+  if (auto room = refuse_on_full_disk(keeper_.ballast()); !room) return std::unexpected(room.error());
   const auto row = store_.releases().get(release);
   if (!row) return std::unexpected(from_store(row.error()));
   const auto profile = profile_of(row->of.machine);
@@ -111,6 +112,7 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
     return fail(ErrorCode::invalid, "an arming lasts more than 0 and at most 60 minutes",
                 {{.pointer = "/minutes", .text = "0 < minutes <= 60"}});
   }
+  if (auto room = refuse_on_full_disk(keeper_.ballast()); !room) return std::unexpected(room.error());
   const auto job = store_.jobs().get(id);
   if (!job) return std::unexpected(from_store(job.error()));
   const auto profile = profile_of(job->machine);
@@ -127,7 +129,13 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
   if (auto same = refuse_changed_machine(job->text_sha256, job->machine, job->delivery); !same)
     return std::unexpected(same.error());
 
-  auto armed = store_.jobs().move(id, {.to = store::JobState::armed, .reason = "armed", .torn = false}, stamp(actor));
+  const double minutes = given.value_or(profile->line.arming_minutes);
+  // A block transfer begins at once, so its arming does not expire.
+  const bool waits = profile->line.link.kind != machine::LinkKind::modbus_tcp;
+  const std::int64_t expires_at_ms = waits ? clock_.wall_ms() + static_cast<std::int64_t>(minutes * 60e3) : 0;
+  auto armed = store_.jobs().move(
+      id, {.to = store::JobState::armed, .reason = "armed", .torn = false, .expires_at_ms = expires_at_ms},
+      stamp(actor));
   if (!armed) return std::unexpected(from_store(armed.error()));
   const std::uint64_t reserve = std::min(reserve_window(line->report()), *bytes);
   const store::NewLedgerRow first{
@@ -137,7 +145,6 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
   if (!written->empty()) return disarm_after(*armed, written->front().why, actor);
 
   auto source = std::make_shared<ContentSource>(store_.contents(), job->text_sha256);
-  const double minutes = given.value_or(profile->line.arming_minutes);
   const auto expires = feed::Time(static_cast<std::int64_t>(minutes * 60e9));
   const auto on_line = line->arm({.job = id,
                                   .facts = *facts,
@@ -173,7 +180,7 @@ Result<store::Job> Jobs::command(store::Id id, feed::Command command, std::strin
   if (!noted) return std::unexpected(from_store(noted.error()));
   const auto done = (*line)->command(command);
   if (!done) return fail(ErrorCode::refused, done.error());
-  if (!note.empty()) keeper_.note(job->machine, std::move(note));
+  if (!note.empty()) keeper_.note(id, note);
   keeper_.round();
   auto now = store_.jobs().get(id);
   if (!now) return std::unexpected(from_store(now.error()));

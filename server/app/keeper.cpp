@@ -17,6 +17,7 @@ namespace dripfeed::app {
 namespace {
 
 constexpr std::chrono::milliseconds kRound{100};
+constexpr feed::Time kRestoreEvery = std::chrono::seconds(10);
 constexpr std::string_view kActor = "dripfeed";
 
 // What the job's state should be for a line that runs, and for a job that ended.
@@ -99,10 +100,13 @@ std::uint64_t reserve_window(const LineReport& report) {
   return std::max(kReserveAtLeast, static_cast<std::uint64_t>(kReserveAhead_s / report.char_s));
 }
 
-Keeper::Keeper(store::Store& store, Lines& lines, Events& events, const Clock& clock)
-    : store_(store), lines_(lines), events_(events), clock_(clock), thread_([this](const std::stop_token& stop) {
-        loop(stop);
-      }) {}
+Keeper::Keeper(store::Store& store, Lines& lines, Events& events, const Clock& clock, Ballast* ballast)
+    : store_(store),
+      lines_(lines),
+      events_(events),
+      clock_(clock),
+      ballast_(ballast),
+      thread_([this](const std::stop_token& stop) { loop(stop); }) {}
 
 Keeper::~Keeper() {
   thread_.request_stop();
@@ -121,9 +125,9 @@ void Keeper::set_source(const std::string& machine, std::shared_ptr<ContentSourc
   sources_[machine] = std::move(source);
 }
 
-void Keeper::note(const std::string& machine, std::string text) {
+void Keeper::note(store::Id job, std::string_view text) {
   const std::lock_guard lock(round_mutex_);
-  std::string& note = tracked_[machine].note;
+  std::string& note = notes_[job];
   note += note.empty() ? "" : "; ";
   note += text;
 }
@@ -151,18 +155,52 @@ void Keeper::round() {
 
   const std::vector<store::NewLedgerRow> rows = rows_of(all);
   if (!rows.empty()) {
-    const auto faults = store_.ledger().append(rows, clock_.wall_ms());
+    const auto faults = append(rows);
     if (!faults) {
       // Nothing is reserved, so the feeds stop at what they have and say that they wait for the ledger. No job moves
       // without its row.
-      spdlog::error("ledger: {}", store::message_of(faults.error()));
+      complain(store::message_of(faults.error()), all);
       for (const Due& due : all) events_.progress(due.machine, due.report);
       return;
     }
+    if (!complaint_.empty()) spdlog::info("ledger: it is written again");
+    complaint_.clear();
     for (const store::LedgerFault& fault : *faults) spdlog::error("ledger: job {}: {}", fault.job, fault.why);
     commit(rows, *faults, all);
   }
   for (const Due& due : all) follow(tracked_[due.machine], due);
+  if (ballast_ != nullptr && clock_.now() >= restore_at_) {
+    restore_at_ = clock_.now() + kRestoreEvery;
+    ballast_->restore();
+  }
+}
+
+// On a full disk the ballast makes room, once.
+store::Result<std::vector<store::LedgerFault>> Keeper::append(std::span<const store::NewLedgerRow> rows) {
+  auto faults = store_.ledger().append(rows, clock_.wall_ms());
+  const bool full = !faults && faults.error().code == store::ErrorCode::disk_full;
+  if (full && ballast_ != nullptr && ballast_->give_up()) {
+    restore_at_ = clock_.now() + kRestoreEvery;
+    faults = store_.ledger().append(rows, clock_.wall_ms());
+  }
+  return faults;
+}
+
+// Says it once and not ten times a second, to the log and to who watches a machine that is concerned.
+void Keeper::complain(const std::string& error, const std::vector<Due>& all) {
+  if (error == complaint_) return;
+  complaint_ = error;
+  spdlog::error("ledger: {}", error);
+  for (const Due& due : all) {
+    if (tracked_[due.machine].over) continue;
+    events_.publish({.id = 0,
+                     .kind = EventKind::alarm,
+                     .machine = due.machine,
+                     .job = {},
+                     .verdict = 0,
+                     .outcome = {},
+                     .text = fmt::format("the ledger cannot be written: {}", error)});
+  }
 }
 
 // The rows are durable: their windows may be used.
@@ -175,16 +213,15 @@ void Keeper::commit(std::span<const store::NewLedgerRow> rows, std::span<const s
     const auto fault = std::ranges::find(faults, tracked.job.id, &store::LedgerFault::job);
     if (fault != faults.end() && !fault->written) continue;
     tracked.committed = row->counts;
-    tracked.note.clear();
+    notes_.erase(tracked.job.id);
     due.line->extend_reserve(tracked.job.id, row->counts.reserve);
   }
 }
 
-// A job that the line has and the books do not know yet.
+// An arming that the line has and the books do not know yet. A disarmed job may come again, and may be disarmed again
+// before anybody looked.
 void Keeper::begin(Tracked& tracked, const Due& due) {
-  // A disarmed job may come again; one that ended does not.
-  const bool again = tracked.over && due.report.end == JobEnd::none && !store::ended(tracked.job.state);
-  if (due.report.job == 0 || (due.report.job == tracked.job.id && !again)) return;
+  if (due.report.job == 0 || (due.report.job == tracked.job.id && due.report.session == tracked.session)) return;
   const auto job = store_.jobs().get(due.report.job);
   const auto interval = store_.ledger().interval(due.report.job);
   if (!job || !interval) {
@@ -192,6 +229,7 @@ void Keeper::begin(Tracked& tracked, const Due& due) {
     return;
   }
   tracked.job = *job;
+  tracked.session = due.report.session;
   tracked.committed = interval->last;
   tracked.over = store::ended(job->state);
 }
@@ -214,7 +252,7 @@ std::vector<store::NewLedgerRow> Keeper::rows_of(const std::vector<Due>& all) {
     if (open_more) row.counts.reserve = std::max(row.counts.reserve, std::min(report.handed + window, report.total));
     // A job that is over hands nothing more: what it had left of its window is given back.
     if (!runs) row.counts.reserve = report.handed;
-    row.note = tracked.note;
+    if (const auto note = notes_.find(report.job); note != notes_.end()) row.note = note->second;
     if (report.stall != tracked.last.stall || report.state != tracked.last.state) {
       const std::string news = runs ? std::string(report.stall) : reason_of(report);
       row.note += row.note.empty() || news.empty() ? news : "; " + news;
@@ -230,6 +268,7 @@ void Keeper::follow(Tracked& tracked, const Due& due) {
   events_.progress(due.machine, report);
   const std::uint64_t starts_before = std::exchange(tracked.unarmed_starts, report.unarmed_starts);
   if (report.unarmed_starts > starts_before) {
+    spdlog::warn("{}: DC1 with nothing armed, nothing was sent", due.machine);
     events_.publish({.id = 0,
                      .kind = EventKind::alarm,
                      .machine = due.machine,
@@ -255,6 +294,7 @@ void Keeper::follow(Tracked& tracked, const Due& due) {
   // What the store did not take is tried again in the next round.
   if (report.end == JobEnd::none || (tracked.job.state != *target && !store::ended(tracked.job.state))) return;
   tracked.over = true;
+  notes_.erase(tracked.job.id);
   const std::lock_guard lock(sources_mutex_);
   sources_.erase(due.machine);
 }

@@ -9,9 +9,11 @@
 #include <mutex>
 #include <span>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
+#include "server/app/ballast.h"
 #include "server/app/content_source.h"
 #include "server/app/events.h"
 #include "server/app/lines.h"
@@ -30,7 +32,8 @@ std::uint64_t reserve_window(const LineReport& report);
 
 class Keeper {
  public:
-  Keeper(store::Store& store, Lines& lines, Events& events, const Clock& clock);
+  // Without a ballast a full disk stops the feeds at what is reserved for them.
+  Keeper(store::Store& store, Lines& lines, Events& events, const Clock& clock, Ballast* ballast = nullptr);
   ~Keeper();
   Keeper(const Keeper&) = delete;
   Keeper& operator=(const Keeper&) = delete;
@@ -39,18 +42,19 @@ class Keeper {
   void wake();
   // The text of the machine's job, to be read ahead of the feed.
   void set_source(const std::string& machine, std::shared_ptr<ContentSource> source);
-  // What a person did to the machine's job stands in its next ledger row.
-  void note(const std::string& machine, std::string text);
+  // What a person did to the job stands in its next ledger row, if there is one.
+  void note(store::Id job, std::string_view text);
+  [[nodiscard]] const Ballast* ballast() const { return ballast_; }
   // One round now, on the caller's thread. For the start, the end and tests.
   void round();
 
  private:
   struct Tracked {
     store::Job job;
+    std::uint64_t session = 0;  // of the arming that is followed
     LineReport last;
     store::LedgerCounts committed;
     bool over = true;  // nothing is to be written for it any more
-    std::string note;  // for the next row
     std::uint64_t unarmed_starts = 0;
   };
   struct Due {
@@ -64,6 +68,8 @@ class Keeper {
   std::vector<store::NewLedgerRow> rows_of(const std::vector<Due>& all);
   void commit(std::span<const store::NewLedgerRow> rows, std::span<const store::LedgerFault> faults,
               const std::vector<Due>& all);
+  store::Result<std::vector<store::LedgerFault>> append(std::span<const store::NewLedgerRow> rows);
+  void complain(const std::string& error, const std::vector<Due>& all);
   void follow(Tracked& tracked, const Due& due);
   void move(Tracked& tracked, store::JobState to, const LineReport& report);
 
@@ -71,8 +77,12 @@ class Keeper {
   Lines& lines_;
   Events& events_;
   const Clock& clock_;
+  Ballast* ballast_;
+  feed::Time restore_at_{};
   std::mutex round_mutex_;
   std::map<std::string, Tracked> tracked_;
+  std::map<store::Id, std::string> notes_;  // for the jobs' next rows
+  std::string complaint_;                   // why the last commit failed; empty: it did not
   std::map<std::string, std::shared_ptr<ContentSource>> sources_;
   std::mutex sources_mutex_;
   std::mutex wake_mutex_;

@@ -40,7 +40,8 @@ struct KnownInterval {
 };
 
 struct LineReport {
-  std::uint64_t job = 0;  // 0: none since the start
+  std::uint64_t job = 0;      // 0: none since the start
+  std::uint64_t session = 0;  // of its order: tells one arming of a job from the next
   LineState state = LineState::disconnected;
   JobEnd end = JobEnd::none;
   std::string_view stall;   // "" or a name: "waiting for DC1", "held by DC3", "CTS off", "peer gone", …
@@ -68,7 +69,7 @@ struct LineOrder {
   std::shared_ptr<tape_code::TextSource> source;  // at the start of the text
   feed::Time expires_after = feed::kArmingExpiry;
   std::uint64_t reserve = 0;  // already committed in the ledger
-  std::uint64_t session = 0;  // block transfer: identifies the job at the PLC
+  std::uint64_t session = 0;  // new for each arming; 32 bits of it identify a block transfer at the PLC
 };
 
 class Line {

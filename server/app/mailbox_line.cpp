@@ -99,6 +99,7 @@ class MailboxLine final : public Line {
     }
     source_ = std::move(order.source);
     order_job_ = order.job;
+    session_ = order.session;
     total_ = job.text_bytes;
     reserve_ = order.reserve;
     publish();
@@ -141,27 +142,30 @@ class MailboxLine final : public Line {
 
   void loop(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
-    publish();
     while (!stop.stop_requested()) {
       sender_.tick(clock_.now());
-      if (const auto request = sender_.next_request(clock_.now())) {
+      const auto request = sender_.next_request(clock_.now());
+      while (sender_.next_event()) {
+      }  // the report says all that the events changed
+      publish();  // before a sleep that may have no end: the job may just have stopped
+      if (request) {
         serve(*request, lock);
       } else {
         sleep(stop, lock);
       }
-      while (sender_.next_event()) {
-      }  // the report says all that the events changed
-      publish();
     }
   }
 
-  // The request's registers stay valid until it is answered, so the bus may work without the lock.
+  // The bus works without the lock. A command given meanwhile composes another message in the sender's registers, so
+  // those that are written are a copy.
   void serve(const modbus::Request& request, std::unique_lock<std::mutex>& lock) {
     modbus::StatusImage status{};
+    modbus::Mailbox mailbox{};
+    std::ranges::copy(request.registers, mailbox.begin());
+    const auto registers = std::span<const std::uint16_t>(mailbox).first(request.registers.size());
     lock.unlock();
-    const auto result = request.kind == modbus::Request::Kind::write_mailbox
-                            ? bus_->write(kMailboxAddress, request.registers)
-                            : bus_->read(kStatusAddress, status);
+    const auto result = request.kind == modbus::Request::Kind::write_mailbox ? bus_->write(kMailboxAddress, registers)
+                                                                             : bus_->read(kStatusAddress, status);
     lock.lock();
     if (!result) {
       link_error_ = result.error().text;
@@ -192,9 +196,10 @@ class MailboxLine final : public Line {
     const LineState state = line_state(row, counters.handed);
     const modbus::SenderStall stall = sender_.stall();
     const std::string_view stall_name = kStallNames[static_cast<std::size_t>(stall)];
-    const bool changed =
-        state != report_.state || row.end != report_.end || stall_name != report_.stall || order_job_ != report_.job;
+    const bool changed = state != report_.state || row.end != report_.end || stall_name != report_.stall ||
+                         order_job_ != report_.job || session_ != report_.session;
     report_.job = order_job_;
+    report_.session = session_;
     report_.state = state;
     report_.end = row.end;
     report_.stall = stall_name;
@@ -220,6 +225,7 @@ class MailboxLine final : public Line {
   modbus::Sender sender_{modbus::SenderSettings{}};
   std::shared_ptr<tape_code::TextSource> source_;
   std::uint64_t order_job_ = 0;
+  std::uint64_t session_ = 0;
   std::uint64_t total_ = 0;
   std::uint64_t reserve_ = 0;
   std::uint64_t wakes_ = 0;

@@ -45,8 +45,9 @@ std::uint64_t count_blocks(std::string_view text) {
   return count;
 }
 
-Programs::Programs(store::Store& store, Catalog& catalog, const Clock& clock, const Documents& documents)
-    : store_(store), catalog_(catalog), clock_(clock), documents_(documents) {}
+Programs::Programs(store::Store& store, Catalog& catalog, const Clock& clock, const Documents& documents,
+                   const Ballast* ballast)
+    : store_(store), catalog_(catalog), clock_(clock), documents_(documents), ballast_(ballast) {}
 
 store::Stamp Programs::stamp(std::string_view actor) const { return {std::string(actor), clock_.wall_ms()}; }
 
@@ -58,6 +59,7 @@ Result<store::Program> Programs::upload(std::string_view name, std::string_view 
   }
   if (text.empty())
     return fail(ErrorCode::invalid, "the text is empty", {{.pointer = "/text", .text = "must not be empty"}});
+  if (auto room = refuse_on_full_disk(ballast_); !room) return std::unexpected(room.error());
   const auto content = lift(store_.contents().put(text));
   if (!content) return std::unexpected(content.error());
   return lift(store_.programs().add(
@@ -70,6 +72,7 @@ Result<store::Program> Programs::upload_revision(store::Id program, store::Revis
                                                  std::string_view actor) {
   if (text.empty())
     return fail(ErrorCode::invalid, "the text is empty", {{.pointer = "/text", .text = "must not be empty"}});
+  if (auto room = refuse_on_full_disk(ballast_); !room) return std::unexpected(room.error());
   const auto content = lift(store_.contents().put(text));
   if (!content) return std::unexpected(content.error());
   return lift(store_.programs().add_revision(
@@ -134,6 +137,7 @@ Result<Rendered> Programs::render(const RenderOrder& order, std::string_view act
       refuse_errors(rendered.result.diagnostics, request.family, fmt::format("family {}", origin->family));
   if (!fine) return std::unexpected(fine.error());
 
+  if (auto room = refuse_on_full_disk(ballast_); !room) return std::unexpected(room.error());
   const auto content = lift(store_.contents().put(rendered.result.text));
   if (!content) return std::unexpected(content.error());
   store::NewProgramText text{.sha256 = content->sha256,

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "dialects/compile/render.h"
+#include "server/app/ballast.h"
 #include "server/app/catalog.h"
 #include "server/app/documents.h"
 #include "server/app/error.h"
@@ -32,8 +33,10 @@ struct Rendered {
 
 class Programs {
  public:
-  Programs(store::Store& store, Catalog& catalog, const Clock& clock, const Documents& documents);
+  Programs(store::Store& store, Catalog& catalog, const Clock& clock, const Documents& documents,
+           const Ballast* ballast = nullptr);
 
+  // Texts are large, so none is taken while the room for the ledger is given up: all have the error unavailable, too.
   // Errors: invalid (no such dialect, empty).
   Result<store::Program> upload(std::string_view name, std::string_view dialect, std::string_view text,
                                 std::string_view actor);
@@ -50,6 +53,7 @@ class Programs {
   Catalog& catalog_;
   const Clock& clock_;
   const Documents& documents_;
+  const Ballast* ballast_;
 };
 
 // Non-empty lines but '%'.

@@ -76,8 +76,13 @@ int run_server(const Options& options, const http::ListenAddress& address, store
   const io::SteadyClock clock;
   const json::JsonDocuments documents;
   const auto links = io::start_link_thread();
-  app::Application application(
-      {.store = store, .links = *links, .make_bus = io::make_modbus_bus, .clock = clock, .documents = documents});
+  app::Ballast ballast(fs::path(options.data) / "ballast");
+  app::Application application({.store = store,
+                                .links = *links,
+                                .make_bus = io::make_modbus_bus,
+                                .clock = clock,
+                                .documents = documents,
+                                .ballast = &ballast});
   const auto token = ensure_first_token(store, options.data, clock);
   const auto started = token ? application.start() : token;
   if (!started) {

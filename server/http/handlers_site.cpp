@@ -133,7 +133,9 @@ Response get_events(const Call& call) {
   Response response;
   response.content_type = "text/event-stream";
   response.headers.emplace_back("Cache-Control", "no-store");
-  response.events = watch_events(events, after);
+  response.events = watch_events(events, after, [&application = call.api.application()](const std::string& machine) {
+    return application.status(machine);
+  });
   return response;
 }
 

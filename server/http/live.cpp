@@ -20,7 +20,8 @@ constexpr std::chrono::milliseconds kProgressEvery{200};
 
 class Watcher final : public EventSubscription {
  public:
-  Watcher(app::Events& events, std::uint64_t after) : events_(events), after_(after) {}
+  Watcher(app::Events& events, std::uint64_t after, Describe describe)
+      : events_(events), after_(after), describe_(std::move(describe)) {}
   ~Watcher() override { on_ready({}); }
 
   std::string take() override {
@@ -54,10 +55,13 @@ class Watcher final : public EventSubscription {
     if (held_back_) return;
     next_progress_ = now + kProgressEvery;
     for (const app::Progress& progress : events_.snapshot()) {
-      std::string data = json::progress(progress);
+      app::MachineStatus line_alone;
+      line_alone.report = progress.report;
+      std::string data = json::progress(progress.machine, line_alone);
       std::string& sent = sent_[progress.machine];
       if (sent == data) continue;
-      out += fmt::format("event: progress\ndata: {}\n\n", data);
+      out +=
+          fmt::format("event: progress\ndata: {}\n\n", json::progress(progress.machine, describe_(progress.machine)));
       sent = std::move(data);
     }
   }
@@ -66,15 +70,16 @@ class Watcher final : public EventSubscription {
   std::uint64_t after_;
   std::chrono::steady_clock::time_point next_progress_;
   bool held_back_ = false;
-  std::map<std::string, std::string> sent_;
+  Describe describe_;
+  std::map<std::string, std::string> sent_;  // of each line's report
   std::mutex mutex_;
   app::Events::Watch watch_ = 0;
 };
 
 }  // namespace
 
-std::shared_ptr<EventSubscription> watch_events(app::Events& events, std::uint64_t after) {
-  return std::make_shared<Watcher>(events, after);
+std::shared_ptr<EventSubscription> watch_events(app::Events& events, std::uint64_t after, Describe describe) {
+  return std::make_shared<Watcher>(events, after, std::move(describe));
 }
 
 }  // namespace dripfeed::http

@@ -34,7 +34,7 @@ std::string cookie_value(std::string_view header, std::string_view name) {
 bool same_origin(const Request& request) {
   if (request.origin.empty()) return request.fetch_site == "same-origin";
   const std::size_t scheme = request.origin.find("://");
-  return scheme != std::string::npos && request.origin.substr(scheme + 3) == request.host;
+  return scheme != std::string::npos && !request.host.empty() && request.origin.substr(scheme + 3) == request.host;
 }
 
 std::optional<Caller> Sessions::by_hash(const std::string& hash) {

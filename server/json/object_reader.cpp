@@ -10,79 +10,12 @@
 
 namespace dripfeed::json {
 
-namespace {
-
-// RFC 6901: '~' and '/' inside a name.
-std::string escaped(std::string_view name) {
-  std::string out;
-  for (const char c : name) {
-    if (c == '~') {
-      out += "~0";
-    } else if (c == '/') {
-      out += "~1";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
-
-// Documents of ours nest a handful deep, and each level costs many times the memory of its one character.
-constexpr std::size_t kDeepest = 64;
-
-bool is_too_deep(std::string_view text) {
-  std::size_t depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      if (c == '"') in_string = false;
-    } else if (c == '"') {
-      in_string = true;
-    } else if (c == '[' || c == '{') {
-      if (++depth > kDeepest) return true;
-    } else if ((c == ']' || c == '}') && depth > 0) {
-      --depth;
-    }
-  }
-  return false;
-}
-
-}  // namespace
-
-app::Result<Document> parse(std::string_view text) {
-  if (is_too_deep(text)) {
-    return app::fail(app::ErrorCode::malformed, fmt::format("this nests more than {} levels deep", kDeepest));
-  }
-  std::vector<std::set<std::string>> names;  // of the objects that are open, by depth
-  std::string twice;
-  const auto watch = [&](int depth, Document::parse_event_t event, Document& value) {
-    const auto level = static_cast<std::size_t>(depth);
-    if (event == Document::parse_event_t::object_start) {
-      names.resize(level + 1);
-      names.back().clear();
-    } else if (event == Document::parse_event_t::key && !names[level - 1].insert(value.get<std::string>()).second) {
-      twice = value.get<std::string>();
-    }
-    return true;
-  };
-  try {
-    auto document = Document::parse(text, watch);
-    if (twice.empty()) return document;
-    return app::fail(app::ErrorCode::malformed, fmt::format("\"{}\" is given twice", twice));
-  } catch (const nlohmann::json::exception& error) {
-    return app::fail(app::ErrorCode::malformed, fmt::format("this is not JSON: {}", error.what()));
-  }
-}
-
-std::string dump(const Document& document) { return document.dump(-1, ' ', false, Document::error_handler_t::replace); }
-
 ObjectReader::ObjectReader(const Document& object, std::string pointer, std::vector<app::ErrorPlace>& faults)
     : object_(object), pointer_(std::move(pointer)), faults_(faults) {}
 
 void ObjectReader::fault(std::string_view name, std::string text) {
-  faults_.push_back({.pointer = pointer_ + "/" + escaped(name), .line = 0, .column = 0, .text = std::move(text)});
+  faults_.push_back(
+      {.pointer = pointer_ + "/" + escape_pointer(name), .line = 0, .column = 0, .text = std::move(text)});
 }
 
 const Document* ObjectReader::member(std::string_view name, bool required) {
@@ -161,7 +94,7 @@ void ObjectReader::object(std::string_view name, const std::function<void(Object
   const Document* value = member(name, required);
   if (value == nullptr) return;
   if (!value->is_object()) return fault(name, "must be an object");
-  ObjectReader reader(*value, pointer_ + "/" + escaped(name), faults_);
+  ObjectReader reader(*value, pointer_ + "/" + escape_pointer(name), faults_);
   read(reader);
   reader.finish();
 }

@@ -12,18 +12,10 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "server/app/error.h"
+#include "server/json/parse.h"
 
 namespace dripfeed::json {
-
-using Document = nlohmann::ordered_json;
-
-// The text as a document; or `malformed`, where it is no JSON, nests too deep or gives a name twice.
-app::Result<Document> parse(std::string_view text);
-// Compact; text that is no UTF-8 is shown with replacement characters.
-std::string dump(const Document& document);
 
 class ObjectReader {
  public:

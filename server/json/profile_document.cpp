@@ -69,6 +69,8 @@ void read_work_offset(ObjectReader& object, machine::Profile& profile) {
     object.number(fmt::format("{}_mm", kAxisNames[i]), offset.zero[i], -kLongest_mm, kLongest_mm);
   }
   if (offset.number == 0) object.fault("number", "is missing");
+  const auto known = std::ranges::find(profile.machine.work_offsets, offset.number, &checks::WorkOffset::number);
+  if (known != profile.machine.work_offsets.end()) object.fault("number", "is given twice");
   profile.machine.work_offsets.push_back(offset);
 }
 
@@ -221,6 +223,7 @@ void read_machine(ObjectReader& object, machine::Profile& profile) {
   object.object("spindle", [&](ObjectReader& o) {
     o.number("min_rpm", machine.spindle_min_rpm, 0.0, 1e6);
     o.number("max_rpm", machine.spindle_max_rpm, 0.0, 1e6, true);
+    if (machine.spindle_max_rpm < machine.spindle_min_rpm) o.fault("max_rpm", "must not be below min_rpm");
   });
   object.objects("tools", [&](ObjectReader& o) { read_tool(o, profile); });
   object.objects("work_offsets", [&](ObjectReader& o) { read_work_offset(o, profile); });

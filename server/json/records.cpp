@@ -59,6 +59,13 @@ Document revision_document(const store::ProgramRevision& revision) {
           {"created_at_ms", revision.created_at_ms}};
 }
 
+// A member of a kept document; "" where it is not what it should be.
+std::string text_at(const Document& document, const char* name) {
+  if (!document.is_object()) return {};
+  const auto found = document.find(name);
+  return found != document.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
 // The raw text of a JSON document that is kept or was written here, as a member.
 Document embedded(std::string_view text) {
   auto document = parse(text);
@@ -81,6 +88,7 @@ Document job_document(const store::Job& job) {
           {"created_at_ms", job.created_at_ms},
           {"armed_by", text_or_null(job.armed_by)},
           {"armed_at_ms", time_or_null(job.armed_at_ms)},
+          {"expires_at_ms", time_or_null(job.expires_at_ms)},
           {"started_at_ms", time_or_null(job.started_at_ms)},
           {"ended_at_ms", time_or_null(job.ended_at_ms)},
           {"torn", job.torn},
@@ -108,8 +116,8 @@ std::string machine(const store::Machine& machine, const app::MachineStatus& sta
   if (whole) {
     document["profile"] = profile;
   } else {
-    for (const char* member : {"title", "dialect", "kind"}) document[member] = profile.value(member, "");
-    document["link"] = profile.contains("link") ? profile["link"].value("url", "") : "";
+    for (const char* member : {"title", "dialect", "kind"}) document[member] = text_at(profile, member);
+    document["link"] = profile.is_object() && profile.contains("link") ? text_at(profile["link"], "url") : "";
   }
   document["status"] = status_document(status);
   return dump(document);
@@ -253,12 +261,9 @@ std::string event_data(const app::Event& event) {
   return dump({{"name", event.machine}});
 }
 
-std::string progress(const app::Progress& progress) {
-  Document document = {{"machine", progress.machine}};
-  document.update(
-      status_document({.report = progress.report, .program = {}, .block_text = {}, .needs_confirmation = {}}));
-  document.erase("program");
-  document.erase("block_text");
+std::string progress(std::string_view machine, const app::MachineStatus& status) {
+  Document document = {{"machine", machine}};
+  document.update(status_document(status));
   document.erase("needs_confirmation");
   return dump(document);
 }

@@ -33,7 +33,7 @@ std::string session(std::string_view name, std::string_view role);
 // The data line of a live event, and its name.
 std::string_view event_name(app::EventKind kind);
 std::string event_data(const app::Event& event);
-std::string progress(const app::Progress& progress);
+std::string progress(std::string_view machine, const app::MachineStatus& status);
 
 // application/problem+json.
 std::string problem(unsigned status, std::string_view title, const app::Error& error);

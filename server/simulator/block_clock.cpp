@@ -22,6 +22,10 @@ constexpr std::size_t letter_index(char letter) { return static_cast<std::size_t
 constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 constexpr bool is_letter(char c) { return upper(c) >= 'A' && upper(c) <= 'Z'; }
 constexpr std::string_view kAxes = "XYZABCUVW";
+constexpr double kLongestBlock_s = 1e6;  // a feed of next to nothing, a dwell of years: still a time
+
+// A G or M number; -1 for one that no control has.
+constexpr int code_of(double value) { return value >= 0.0 && value < 10'000.0 ? static_cast<int>(value) : -1; }
 
 }  // namespace
 
@@ -53,7 +57,8 @@ double BlockClock::run(std::string_view block) {
     seconds += move_s(words);
   }
   for (std::size_t i = 0; i < words.m_count; ++i) apply_function(words.m[i]);
-  return seconds;
+  if (!(seconds < kLongestBlock_s)) return kLongestBlock_s;  // also what is no number any more
+  return std::max(seconds, 0.0);
 }
 
 bool BlockClock::read(std::string_view block, Words& words) {
@@ -97,8 +102,8 @@ bool BlockClock::read_word(std::string_view block, std::size_t& i, Words& words)
   }
   i += number->length;
   const double value = negative ? -number->value : number->value;
-  if (letter == 'G' && words.g_count < kMaxCodes) words.g[words.g_count++] = static_cast<int>(value);
-  if (letter == 'M' && words.m_count < kMaxCodes) words.m[words.m_count++] = static_cast<int>(value);
+  if (letter == 'G' && words.g_count < kMaxCodes) words.g[words.g_count++] = code_of(value);
+  if (letter == 'M' && words.m_count < kMaxCodes) words.m[words.m_count++] = code_of(value);
   words.value[letter_index(letter)] = value;
   words.given[letter_index(letter)] = true;
   return true;

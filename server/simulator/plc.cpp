@@ -1,5 +1,5 @@
-// libmodbus keeps the registers and the frames; this file looks at each write and lets the receiver decide. One client
-// at a time, as small PLCs do: a new one replaces the old.
+// libmodbus answers from its registers; this file gathers the requests, so that half a one holds nobody up, looks at
+// each write and lets the receiver decide. One client at a time, as small PLCs do: a new one replaces the old.
 #include "server/simulator/plc.h"
 
 #include <algorithm>
@@ -29,6 +29,15 @@ constexpr int kMailboxAddress = 0;
 constexpr int kStatusAddress = 128;
 constexpr int kRegisters = 256;
 constexpr int kPoll_ms = 5;
+// Of a request (Modbus Messaging on TCP/IP, 3.1.3): transaction, protocol 0, length of what follows, unit; then the
+// PDU.
+constexpr std::size_t kLengthAt = 4;
+constexpr std::size_t kBeforeUnit = 6;
+constexpr std::size_t kFunctionAt = 7;
+constexpr std::size_t kShortest = 8;
+// FC16: first register, count, bytes of data, data.
+constexpr std::size_t kDataBytesAt = 12;
+constexpr std::size_t kBeforeData = 13;
 
 class PlcText final : public modbus::TextSink {
  public:
@@ -99,6 +108,7 @@ class ModbusPlc final : public Plc {
     if (client < 0) return;
     drop_client();
     client_ = client;
+    gathered_ = 0;
     modbus_set_socket(context_.get(), client_);
   }
 
@@ -107,20 +117,41 @@ class ModbusPlc final : public Plc {
     client_ = -1;
   }
 
+  // What has come by now; each request that is whole is answered.
   void answer() {
-    std::array<std::uint8_t, MODBUS_TCP_MAX_ADU_LENGTH> query{};
+    const ssize_t count =
+        ::recv(client_, gathered_bytes_.data() + gathered_, gathered_bytes_.size() - gathered_, MSG_DONTWAIT);
+    if (count < 0 && (errno == EAGAIN || errno == EINTR)) return;
+    if (count <= 0) return drop_client();
+    gathered_ += static_cast<std::size_t>(count);
+    while (client_ >= 0 && gathered_ >= kBeforeUnit) {
+      const std::size_t length = kBeforeUnit + gathered_bytes_[kLengthAt] * 256U + gathered_bytes_[kLengthAt + 1];
+      if (length < kShortest || length > gathered_bytes_.size()) return drop_client();  // the stream is out of step
+      if (gathered_ < length) return;
+      answer_one(std::span(gathered_bytes_).first(length));
+      std::copy(gathered_bytes_.begin() + static_cast<std::ptrdiff_t>(length),
+                gathered_bytes_.begin() + static_cast<std::ptrdiff_t>(gathered_), gathered_bytes_.begin());
+      gathered_ -= length;
+    }
+  }
+
+  void answer_one(std::span<const std::uint8_t> request) {
+    const bool writes = request[kFunctionAt] == MODBUS_FC_WRITE_MULTIPLE_REGISTERS;
+    if (writes && (request.size() < kBeforeData || request.size() != kBeforeData + request[kDataBytesAt]))
+      return drop_client();
+    std::array<std::uint8_t, MODBUS_TCP_MAX_ADU_LENGTH> query{};  // libmodbus looks no further than the longest one
+    std::ranges::copy(request, query.begin());
     publish();
-    const int length = modbus_receive(context_.get(), query.data());
-    if (length <= 0) return drop_client();  // after a bad or broken request the stream is out of step
     ++requests_;
+    const auto length = static_cast<int>(request.size());
     if (modbus_reply(context_.get(), query.data(), length, mapping_.get()) < 0) return drop_client();
-    take_write(query, static_cast<std::size_t>(length));
+    take_write(request);
     publish();
   }
 
   // FC16 as it stands in the request: function at byte 7, first register at 8-9, count at 10-11.
-  void take_write(std::span<const std::uint8_t> query, std::size_t length) {
-    if (length < 13 || query[7] != MODBUS_FC_WRITE_MULTIPLE_REGISTERS) return;
+  void take_write(std::span<const std::uint8_t> query) {
+    if (query[kFunctionAt] != MODBUS_FC_WRITE_MULTIPLE_REGISTERS) return;
     const int first = query[8] * 256 + query[9];
     const int count = query[10] * 256 + query[11];
     if (first < kMailboxAddress || first + count > kRegisters) return;
@@ -167,6 +198,8 @@ class ModbusPlc final : public Plc {
   std::unique_ptr<modbus_mapping_t, FreeMapping> mapping_;
   int listener_;
   int client_ = -1;
+  std::array<std::uint8_t, MODBUS_TCP_MAX_ADU_LENGTH> gathered_bytes_{};
+  std::size_t gathered_ = 0;
   BlockClock clock_;
   PlcText text_;
   modbus::Receiver receiver_;

@@ -19,7 +19,7 @@ constexpr std::string_view kInsertHead =
 constexpr std::string_view kUpdate =
     "UPDATE job SET state = ?, reason = ?, armed_by = ?, armed_at_ms = ?, started_at_ms = ?, ended_at_ms = ?, torn = "
     "?, "
-    "confirmed_by = ?, confirm_reason = ?, confirmed_at_ms = ? WHERE id = ?";
+    "confirmed_by = ?, confirm_reason = ?, confirmed_at_ms = ?, expires_at_ms = ? WHERE id = ?";
 
 }  // namespace
 
@@ -30,7 +30,7 @@ std::string jobs_where(std::string_view rest) {
       "SELECT id, text_release, program, revision, sha256, machine, delivery, link, bytes_total, state, reason, "
       "created_by, armed_by, created_at_ms, armed_at_ms, started_at_ms, ended_at_ms, torn, confirmed_by, "
       "confirm_reason, "
-      "confirmed_at_ms FROM job WHERE {}",
+      "confirmed_at_ms, expires_at_ms FROM job WHERE {}",
       rest);
 }
 
@@ -57,6 +57,7 @@ Job read_job(Query& query) {
   job.confirmed_by = query.text();
   job.confirm_reason = query.text();
   job.confirmed_at_ms = query.signed_number();
+  job.expires_at_ms = query.signed_number();
   return job;
 }
 
@@ -70,7 +71,7 @@ Id insert_job(Session& session, const Job& job) {
 
 void update_job(Session& session, const Job& job) {
   session.run(kUpdate, job.state, job.reason, job.armed_by, job.armed_at_ms, job.started_at_ms, job.ended_at_ms,
-              job.torn, job.confirmed_by, job.confirm_reason, job.confirmed_at_ms, job.id);
+              job.torn, job.confirmed_by, job.confirm_reason, job.confirmed_at_ms, job.expires_at_ms, job.id);
 }
 
 std::uint64_t reserve_of(Session& session, Id job) {

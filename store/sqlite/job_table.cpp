@@ -35,6 +35,7 @@ bool is_audited(JobState from, JobState to) {
 Job moved(Job job, const JobMove& move, const Stamp& by) {
   job.state = move.to;
   job.reason = move.reason;
+  job.expires_at_ms = move.to == JobState::armed ? move.expires_at_ms : 0;
   if (move.to == JobState::armed) {
     job.armed_by = by.actor;
     job.armed_at_ms = by.at_ms;

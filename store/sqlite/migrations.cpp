@@ -24,6 +24,10 @@ constexpr const char* kMark =
     "PRAGMA application_id = 0x44524950;"
     "CREATE TABLE migration (version INTEGER PRIMARY KEY, name TEXT NOT NULL, sha256 TEXT NOT NULL) STRICT;";
 
+// Version 2: until when an arming lasts.
+constexpr const char* kSchemaV2 =
+    "ALTER TABLE job ADD COLUMN expires_at_ms INTEGER NOT NULL DEFAULT 0 CHECK (expires_at_ms >= 0);";
+
 enum class FileKind : std::uint8_t { empty, store, other };
 
 std::uint64_t one_number(Session& session, std::string_view sql) {
@@ -113,7 +117,7 @@ Result<void> apply_in_transaction(Connection& connection, std::span<const Migrat
 }  // namespace
 
 std::span<const Migration> migrations() {
-  static const std::array kMigrations{Migration{1, "first", kSchemaV1}};
+  static const std::array kMigrations{Migration{1, "first", kSchemaV1}, Migration{2, "arming expires", kSchemaV2}};
   return kMigrations;
 }
 

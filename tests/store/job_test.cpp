@@ -22,7 +22,8 @@ class JobTest : public StoreTest {
 TEST_F(JobTest, RoundTrip) {
   const Job made = add_job(*store_, "mill-1");
   EXPECT_EQ(made.state, JobState::queued);
-  must(store_->jobs().move(made.id, {JobState::armed, "shift 2", false}, by("olga", 20)));
+  must(store_->jobs().move(made.id, {JobState::armed, "shift 2", false, 620}, by("olga", 20)));
+  EXPECT_EQ(must(store_->jobs().get(made.id)).expires_at_ms, 620);
   must(store_->jobs().move(made.id, {JobState::feeding, "DC1", false}, by("line", 30)));
   must(store_->jobs().move(made.id, {JobState::held, "DC3", false}, by("line", 31)));
   must(store_->jobs().move(made.id, {JobState::feeding, "DC1", false}, by("line", 32)));
@@ -37,6 +38,7 @@ TEST_F(JobTest, RoundTrip) {
   EXPECT_EQ(job.revision, 1U);
   EXPECT_EQ(job.armed_by, "olga");
   EXPECT_EQ(job.armed_at_ms, 20);
+  EXPECT_EQ(job.expires_at_ms, 0) << "only while it is armed";
   EXPECT_EQ(job.started_at_ms, 30) << "the first time it fed";
   EXPECT_EQ(job.ended_at_ms, 50);
   EXPECT_EQ(job.reason, "DC3");

@@ -1,6 +1,7 @@
 // A folder that goes away with the test.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -10,8 +11,13 @@ namespace dripfeed::test {
 
 class TempFolder {
  public:
-  TempFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "dripfeed-test-XXXXXX").string();
+  // In memory where the system has such a place: for tests that commit very often.
+  enum class Where : std::uint8_t { disk, memory };
+
+  explicit TempFolder(Where where = Where::disk) {
+    const std::filesystem::path memory = "/dev/shm";
+    const bool there = where == Where::memory && std::filesystem::is_directory(memory);
+    std::string name = ((there ? memory : std::filesystem::temp_directory_path()) / "dripfeed-test-XXXXXX").string();
     path_ = ::mkdtemp(name.data());
   }
   TempFolder(const TempFolder&) = delete;

@@ -1,0 +1,27 @@
+// A text as a JSON document, and back. Stricter than the parser: a member that is given twice and nesting that no
+// document has are refused, too, and every fault has its place. Only files of this folder include this.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "server/app/error.h"
+
+namespace dripfeed::json {
+
+using Document = nlohmann::ordered_json;
+
+inline constexpr std::size_t kDeepest =
+    64;  // objects and arrays inside each other; each level costs many times the memory of its one character
+
+// The text as a document; or `malformed`: one fault with line, column and the JSON pointer (RFC 6901) of what was being
+// read.
+app::Result<Document> parse(std::string_view text);
+// Compact; text that is no UTF-8 is shown with replacement characters.
+std::string dump(const Document& document);
+// A member's name as a part of a pointer.
+std::string escape_pointer(std::string_view name);
+
+}  // namespace dripfeed::json

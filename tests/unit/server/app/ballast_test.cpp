@@ -1,0 +1,112 @@
+// A full disk: what runs is booked to its end in the room that was kept for it, nothing new begins, and with room again
+// all is as before. The disk is full here as long as the ballast lies on it.
+#include "server/app/ballast.h"
+
+#include <chrono>
+
+#include <sys/stat.h>
+
+#include "tests/unit/server/app/shop.h"
+
+namespace dripfeed::app {
+namespace {
+
+using namespace std::chrono_literals;
+using namespace test;
+using store::JobState;
+
+constexpr std::uint64_t kSmall = std::uint64_t{1} << 20U;
+
+class BallastTest : public ShopTest {
+ protected:
+  [[nodiscard]] std::string path() const { return folder_.file("ballast"); }
+  [[nodiscard]] bool is_there() const { return std::filesystem::exists(path()); }
+};
+
+TEST_F(BallastTest, HoldsItsRoomAndGivesItOnce) {
+  Ballast ballast(path(), kSmall);
+  ASSERT_TRUE(ballast.is_whole());
+  struct stat file{};
+  ASSERT_EQ(::stat(path().c_str(), &file), 0);
+  EXPECT_GE(static_cast<std::uint64_t>(file.st_blocks) * 512, kSmall) << "blocks of its own, not only a length";
+  EXPECT_TRUE(refuse_on_full_disk(&ballast));
+  EXPECT_TRUE(refuse_on_full_disk(nullptr));
+  EXPECT_TRUE(ballast.give_up());
+  EXPECT_FALSE(is_there());
+  EXPECT_FALSE(ballast.is_whole());
+  EXPECT_FALSE(ballast.give_up()) << "there is nothing left to give";
+  EXPECT_EQ(refusal(refuse_on_full_disk(&ballast)).code, ErrorCode::unavailable);
+  ballast.restore();
+  EXPECT_TRUE(ballast.is_whole());
+  EXPECT_TRUE(is_there());
+}
+
+TEST_F(BallastTest, ADiskWithoutRoomHasNone) {
+  const Ballast ballast(path(), std::uint64_t{1} << 50U);
+  EXPECT_FALSE(ballast.is_whole());
+  EXPECT_FALSE(is_there()) << "no half one is left";
+  const Ballast nowhere(folder_.file("no/such/folder"), kSmall);
+  EXPECT_FALSE(nowhere.is_whole());
+}
+
+TEST_F(BallastTest, IsTakenBackOnlyWhereThereIsRoomBesideIt) {
+  const auto space = std::filesystem::space(folder_.path());
+  Ballast ballast(path(), kSmall);
+  ASSERT_TRUE(ballast.give_up());
+  Ballast large(folder_.file("large"), space.available * 3 / 4);
+  const bool was_whole = large.is_whole();
+  static_cast<void>(large.give_up());
+  large.restore();
+  EXPECT_FALSE(large.is_whole()) << was_whole;
+}
+
+TEST_F(BallastTest, WhatRunsIsFinishedAndNothingNewBegins) {
+  Ballast ballast(path(), kSmall);
+  Shop shop(database(), nullptr, &ballast);
+  Programs programs(shop.store, shop.catalog, shop.links.clock(), shop.documents, &ballast);
+  shop.add_machine(kLathe);
+  shop.add_machine("mill");
+  const std::string text = program(100);
+  const store::Job waits = shop.add_job("mill", "%\n(MILL)\nM30\n%\n");
+  const store::Release released = release_text(shop.store, "mill", "%\n(NEXT)\nM30\n%\n");
+  const store::Job runs = shop.start_job(kLathe, text);
+  shop.run(200ms);
+  shop.store.watched_ledger().watch([this](auto) -> std::optional<store::Error> {
+    if (is_there()) return store::Error{store::ErrorCode::disk_full, "no room"};
+    return std::nullopt;
+  });
+  shop.run(500ms);
+  EXPECT_FALSE(is_there());
+  EXPECT_NE(shop.report(kLathe).stall, "waiting for ledger");
+  EXPECT_EQ(refusal(shop.jobs.arm(waits.id, std::nullopt, "olga")).code, ErrorCode::unavailable);
+  EXPECT_EQ(shop.state(waits.id), JobState::queued);
+  EXPECT_EQ(refusal(shop.jobs.add(released.id, "anna")).code, ErrorCode::unavailable);
+  EXPECT_EQ(refusal(programs.upload("O1", "fanuc", "%\nM30\n%\n", "anna")).code, ErrorCode::unavailable);
+  shop.run(3s);
+  EXPECT_EQ(shop.written(kLathe), text);
+  shop.links.receive(url_of(kLathe), kDc3);
+  shop.round();
+  EXPECT_EQ(shop.state(runs.id), JobState::done);
+  must(shop.store.ledger().verify(runs.id));
+
+  shop.store.watched_ledger().watch({});
+  shop.run(11s);
+  EXPECT_TRUE(is_there()) << "the disk has room again";
+  must(shop.jobs.arm(waits.id, std::nullopt, "olga"));
+}
+
+// The second time the disk is full there is nothing left: the feed stops at what is booked, and the ledger stays true.
+TEST_F(BallastTest, WithNothingLeftAFeedStopsAtItsReserve) {
+  Ballast ballast(path(), kSmall);
+  Shop shop(database(), nullptr, &ballast);
+  shop.add_machine(kLathe);
+  const store::Job job = shop.start_job(kLathe, program(200));
+  shop.run(200ms);
+  shop.store.watched_ledger().watch([](auto) { return store::Error{store::ErrorCode::disk_full, "no room"}; });
+  shop.run(3s);
+  EXPECT_EQ(shop.report(kLathe).stall, "waiting for ledger");
+  EXPECT_EQ(shop.written(kLathe).size(), shop.ledger_of(job.id).back().counts.reserve);
+}
+
+}  // namespace
+}  // namespace dripfeed::app

@@ -1,0 +1,118 @@
+// A stored text as a feed takes it: whole, with one LF an EOB, whatever its length; a piece stays as it is until the
+// next one is asked for; one thread fills while another takes.
+#include "server/app/content_source.h"
+
+#include <atomic>
+#include <thread>
+
+#include "tests/unit/server/app/shop.h"
+
+namespace dripfeed::app {
+namespace {
+
+using namespace test;
+using tape_code::SourceStatus;
+
+std::string numbered(std::size_t bytes, std::string_view eob) {
+  std::string text;
+  for (int i = 0; text.size() < bytes; ++i) text += "N" + std::to_string(i) + std::string(eob);
+  text.resize(bytes);
+  return text;
+}
+
+std::string with_lf(const std::string& text) {
+  tape_code::EobReader reader;
+  std::string out;
+  for (const char c : text) reader.put(c, out);
+  reader.finish(out);
+  return out;
+}
+
+class ContentSourceTest : public ShopTest {
+ protected:
+  ContentSourceTest() : store_(must(sqlite::open(database()))) {}
+  std::string put(const std::string& text) { return must(store_->contents().put(text)).sha256; }
+
+  std::unique_ptr<store::Store> store_;
+};
+
+TEST_F(ContentSourceTest, GivesTheWholeTextAtEveryLength) {
+  constexpr std::size_t kChunk = store::kChunkBytes;
+  for (const std::string_view eob : {"\n", "\r\n", "\n\r\r", "\r"}) {
+    for (const std::size_t bytes : {std::size_t{1}, kChunk - 1, kChunk, kChunk + 1, 5 * kChunk, 6 * kChunk + 17}) {
+      const std::string text = numbered(bytes, eob);
+      ContentSource source(store_->contents(), put(text));
+      std::string taken;
+      for (;;) {
+        const auto piece = source.next();
+        if (piece.status == SourceStatus::end) break;
+        ASSERT_NE(piece.status, SourceStatus::failed);
+        if (piece.status == SourceStatus::not_ready) {
+          source.refill();
+          continue;
+        }
+        ASSERT_FALSE(piece.text.empty());
+        const std::string before(piece.text.begin(), piece.text.end());
+        source.refill();
+        ASSERT_EQ(std::string(piece.text.begin(), piece.text.end()), before) << "a piece that the feed still reads";
+        taken += before;
+      }
+      EXPECT_EQ(taken, with_lf(text)) << bytes;
+      EXPECT_EQ(source.next().status, SourceStatus::end) << "and stays at its end";
+    }
+  }
+}
+
+TEST_F(ContentSourceTest, ReadsNoFurtherAheadThanItsChunks) {
+  ContentSource source(store_->contents(), put(numbered(10 * store::kChunkBytes, "\n")));
+  for (std::size_t i = 0; i < ContentSource::kChunks; ++i) ASSERT_EQ(source.next().status, SourceStatus::text);
+  EXPECT_EQ(source.next().status, SourceStatus::not_ready) << "nobody filled it meanwhile";
+  EXPECT_EQ(source.next().status, SourceStatus::not_ready);
+  source.refill();
+  EXPECT_EQ(source.next().status, SourceStatus::text);
+}
+
+TEST_F(ContentSourceTest, ATextThatIsNotThereHasFailed) {
+  ContentSource source(store_->contents(), std::string(64, 'a'));
+  EXPECT_EQ(source.next().status, SourceStatus::failed);
+  source.refill();
+  EXPECT_EQ(source.next().status, SourceStatus::failed);
+}
+
+TEST_F(ContentSourceTest, OneThreadFillsWhileAnotherTakes) {
+  const std::string text = numbered(40 * store::kChunkBytes, "\n");
+  ContentSource source(store_->contents(), put(text));
+  std::atomic<bool> over = false;
+  std::thread filling([&] {
+    while (!over.load()) source.refill();
+  });
+  std::string taken;
+  for (;;) {
+    const auto piece = source.next();
+    if (piece.status == SourceStatus::end || piece.status == SourceStatus::failed) break;
+    taken.append(piece.text.begin(), piece.text.end());
+  }
+  over.store(true);
+  filling.join();
+  EXPECT_TRUE(taken == text);
+}
+
+TEST_F(ContentSourceTest, ChecksAStoredTextWholeAndNamesThePlaceOfAFault) {
+  const std::string body = numbered(3 * store::kChunkBytes, "\r\n");
+  const std::string lines = body.substr(0, body.rfind("\r\n") + 2);
+  const std::string good = "%\r\n" + lines + "M30\r\n%\r\n";
+  const auto facts = must(check_program(store_->contents(), put(good), feed::kParenthesesSyntax));
+  EXPECT_EQ(facts.text_bytes(), with_lf(good).size());
+  const std::string bad = "%\r\n" + lines + "(50%)\r\nM30\r\n%\r\n";
+  const Error error = refusal(check_program(store_->contents(), put(bad), feed::kParenthesesSyntax));
+  EXPECT_EQ(error.code, ErrorCode::refused);
+  ASSERT_EQ(error.places.size(), 1U);
+  const std::string head = with_lf("%\r\n" + lines);
+  EXPECT_EQ(error.places.front().line, 1 + std::count(head.begin(), head.end(), '\n'));
+  EXPECT_EQ(error.places.front().column, 4U);
+  EXPECT_EQ(refusal(check_program(store_->contents(), std::string(64, 'a'), feed::kParenthesesSyntax)).code,
+            ErrorCode::unavailable);
+}
+
+}  // namespace
+}  // namespace dripfeed::app

@@ -1,0 +1,127 @@
+// The ways that the tests of the use cases walk first.
+#include "tests/unit/server/app/shop.h"
+
+#include <algorithm>
+
+namespace dripfeed::app::test {
+
+Result<machine::Profile> PlainDocuments::read_profile(std::string_view document) const {
+  const std::size_t blank = document.find(' ');
+  const auto url =
+      machine::parse_link_url(blank == std::string_view::npos ? std::string_view() : document.substr(blank + 1));
+  if (!url) return fail(ErrorCode::invalid, url.error(), {{.pointer = "/link/url", .text = url.error()}});
+  machine::Profile profile;
+  profile.name = document.substr(0, blank);
+  profile.control.dialect = profile.name.starts_with("martian") ? "martian" : "fanuc";
+  profile.line = line_settings();
+  profile.line.link = *url;
+  return profile;
+}
+
+Result<Values> PlainDocuments::read_values(std::string_view document) const {
+  Values values;
+  while (!document.empty()) {
+    const std::string_view item = document.substr(0, document.find(';'));
+    document.remove_prefix(std::min(document.size(), item.size() + 1));
+    const std::size_t equals = item.find('=');
+    if (equals == std::string_view::npos) return fail(ErrorCode::invalid, "no value");
+    values[std::string(item.substr(0, equals))] = item.substr(equals + 1);
+  }
+  return values;
+}
+
+std::string PlainDocuments::write_values(const Values& values) const {
+  std::string text;
+  for (const auto& [name, value] : values) text += (text.empty() ? "" : ";") + name + "=" + value;
+  return text;
+}
+
+std::string PlainDocuments::write_report(const CheckReport& report) const {
+  return std::string(checks::name_of(report.verdict));
+}
+
+store::Release release_text(store::Store& store, const std::string& machine, const std::string& text) {
+  store::NewProgramText row;
+  row.sha256 = must(store.contents().put(text)).sha256;
+  row.blocks = 1;
+  const store::Program program = must(store.programs().add("O0042", "fanuc", row, by("anna")));
+  store::NewVerdict verdict;
+  verdict.program = program.id;
+  verdict.revision = 1;
+  verdict.machine = machine;
+  verdict.machine_revision = must(store.machines().get(machine)).revision;
+  verdict.outcome = store::Outcome::pass;
+  must(store.verdicts().add(verdict, by("anna")));
+  const store::Release release =
+      must(store.releases().add({program.id, 1, machine, store::Delivery::drip}, by("anna")));
+  must(store.releases().move(release.id, {store::ReleaseState::in_review, "", 0}, by("anna")));
+  must(store.releases().move(release.id, {store::ReleaseState::proving, "", 100}, by("boris")));
+  return must(store.releases().move(release.id, {store::ReleaseState::approved, "measured", 0}, by("boris")));
+}
+
+Shop::Shop(const std::string& database, RegisterBusMaker make_bus, Ballast* ballast)
+    : sqlite_(must(sqlite::open(database, {.own = true}))),
+      store(*sqlite_),
+      lines(links, make_bus, [this] { keeper.wake(); }),
+      keeper(store, lines, events, links.clock(), ballast),
+      catalog(store, lines, events, links.clock(), documents),
+      jobs(store, lines, keeper, events, links.clock(), documents) {}
+
+Shop::~Shop() {
+  store.watched_ledger().watch({});
+  lines.close();  // they wake the keeper
+}
+
+void Shop::add_machine(const std::string& name, const std::string& url) {
+  must(catalog.add_machine(name + " " + (url.empty() ? url_of(name) : url), "anna"));
+  links.settle();
+}
+
+store::Job Shop::add_job(const std::string& machine, const std::string& text) {
+  return must(jobs.add(release_text(store, machine, text).id, "anna"));
+}
+
+store::Job Shop::start_job(const std::string& machine, const std::string& text) {
+  const store::Job added = add_job(machine, text);
+  must(jobs.arm(added.id, std::nullopt, "olga"));
+  links.receive(url_of(machine), kDc1);
+  return added;
+}
+
+void Shop::run(feed::Time span) {
+  constexpr feed::Time kStep = std::chrono::milliseconds(50);
+  for (feed::Time passed{}; passed < span; passed += kStep) {
+    links.advance(std::min(kStep, span - passed));
+    round();
+  }
+}
+
+void Shop::round() {
+  keeper.round();
+  links.settle();
+}
+
+std::string Shop::written(const std::string& machine) { return text_of(links.cable(url_of(machine)).written); }
+
+std::vector<std::string> Shop::told() const {
+  static constexpr const char* kKinds[] = {"job", "machine", "verdict", "alarm"};
+  std::vector<std::string> all;
+  for (const Event& event : events.since(0).events) {
+    all.push_back(std::string(kKinds[static_cast<std::size_t>(event.kind)]) + " " + event.machine + " " + event.text);
+  }
+  return all;
+}
+
+std::vector<std::string> Shop::audited(store::Id id) {
+  std::vector<std::string> all;
+  const auto page = must(store.audit().list({.limit = store::kPageLimitMax, .after = {}}, "job/" + std::to_string(id)));
+  for (const store::AuditRow& row : page.items) all.push_back(row.entry.action + ": " + row.entry.detail);
+  std::ranges::reverse(all);
+  return all;
+}
+
+std::vector<store::LedgerRow> Shop::ledger_of(store::Id id) {
+  return must(store.ledger().rows(id, {.limit = store::kPageLimitMax, .after = {}})).items;
+}
+
+}  // namespace dripfeed::app::test

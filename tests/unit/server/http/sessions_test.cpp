@@ -1,0 +1,156 @@
+// Who calls: tokens, cookies given for them, revocation, and where a write by cookie may come from.
+#include "server/http/sessions.h"
+
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "store/hash/hash.h"
+
+namespace dripfeed::http {
+namespace {
+
+class KnownTokens final : public store::Tokens {
+ public:
+  void give(const std::string& token, std::string name, store::Role role) {
+    store::Token row;
+    row.name = std::move(name);
+    row.role = role;
+    rows_[hash::token_hash(token)] = row;
+  }
+  void take(const std::string& token) { rows_.erase(hash::token_hash(token)); }
+
+  store::Result<store::Token> find(std::string_view token_hash) override {
+    const auto found = rows_.find(std::string(token_hash));
+    if (found == rows_.end()) return std::unexpected(store::Error{store::ErrorCode::not_found, ""});
+    return found->second;
+  }
+  store::Result<store::Token> add(std::string_view, store::Role, std::string_view, const store::Stamp&) override {
+    return std::unexpected(store::Error{});
+  }
+  store::Result<store::Token> revoke(store::Id, const store::Stamp&) override {
+    return std::unexpected(store::Error{});
+  }
+  store::Result<store::Page<store::Token>> list(const store::PageRequest&) override {
+    return std::unexpected(store::Error{});
+  }
+
+ private:
+  std::map<std::string, store::Token> rows_;
+};
+
+class SessionsTest : public ::testing::Test {
+ protected:
+  SessionsTest() { tokens_.give("secret", "olga", store::Role::operator_); }
+  std::optional<Caller> by_header(std::string header) {
+    Request request;
+    request.authorization = std::move(header);
+    return sessions_.caller(request);
+  }
+  std::optional<Caller> by_cookie(const std::string& header) {
+    Request request;
+    request.cookie = header;
+    return sessions_.caller(request);
+  }
+  static std::string cookie(const std::string& value) { return std::string(kSessionCookie) + "=" + value; }
+
+  KnownTokens tokens_;
+  Sessions sessions_{tokens_};
+};
+
+TEST_F(SessionsTest, ATokenIsItsBearer) {
+  for (const char* header : {"Bearer secret", "bearer secret", "BEARER secret"}) {
+    const auto caller = by_header(header);
+    ASSERT_TRUE(caller) << header;
+    EXPECT_EQ(caller->name, "olga");
+    EXPECT_EQ(caller->right, Right::operator_);
+    EXPECT_FALSE(caller->by_cookie);
+  }
+  for (const char* header : {"", "secret", "Basic secret", "Bearer", "Bearer ", "Bearer secre", "Bearer  secret",
+                             "Bearer secret ", "Bearersecret"}) {
+    EXPECT_FALSE(by_header(header)) << header;
+  }
+}
+
+TEST_F(SessionsTest, EveryRoleHasItsRight) {
+  const std::pair<store::Role, Right> rows[] = {{store::Role::viewer, Right::viewer},
+                                                {store::Role::operator_, Right::operator_},
+                                                {store::Role::programmer, Right::programmer},
+                                                {store::Role::approver, Right::approver},
+                                                {store::Role::admin, Right::admin}};
+  for (const auto& [role, right] : rows) {
+    tokens_.give("t", "x", role);
+    EXPECT_EQ(by_header("Bearer t")->right, right);
+    EXPECT_EQ(name_of(right), store::name_of(role));
+  }
+}
+
+TEST_F(SessionsTest, ACookieStandsForItsTokenAsLongAsThatIsValid) {
+  EXPECT_FALSE(sessions_.open("wrong"));
+  const auto value = sessions_.open("secret");
+  ASSERT_TRUE(value);
+  EXPECT_NE(*value, "secret");
+  EXPECT_NE(*value, *sessions_.open("secret")) << "each sign-in has its own";
+  const auto caller = by_cookie("a=b; " + cookie(*value) + "; c=d");
+  ASSERT_TRUE(caller);
+  EXPECT_TRUE(caller->by_cookie);
+  EXPECT_EQ(caller->name, "olga");
+  EXPECT_FALSE(by_cookie(cookie(*value + "x")));
+  EXPECT_FALSE(by_cookie(cookie("")));
+  EXPECT_FALSE(by_cookie("x" + cookie(*value)));
+  tokens_.give("secret", "olga", store::Role::viewer);
+  EXPECT_EQ(by_cookie(cookie(*value))->right, Right::viewer) << "a changed role counts at once";
+  tokens_.take("secret");
+  EXPECT_FALSE(by_cookie(cookie(*value))) << "a revoked token ends its sessions";
+}
+
+TEST_F(SessionsTest, SigningOutEndsThatSessionAlone) {
+  const std::string first = *sessions_.open("secret");
+  const std::string second = *sessions_.open("secret");
+  Request request;
+  request.cookie = cookie(first);
+  sessions_.close(request);
+  EXPECT_FALSE(by_cookie(cookie(first)));
+  EXPECT_TRUE(by_cookie(cookie(second)));
+  sessions_.close(request);
+  sessions_.close({});
+  EXPECT_TRUE(by_cookie(cookie(second)));
+}
+
+TEST_F(SessionsTest, AWrongTokenIsNotHelpedByACookie) {
+  Request request;
+  request.cookie = cookie(*sessions_.open("secret"));
+  request.authorization = "Bearer wrong";
+  EXPECT_FALSE(sessions_.caller(request));
+}
+
+TEST(Cookies, AreFoundByTheirName) {
+  EXPECT_EQ(cookie_value("a=1; b=2", "b"), "2");
+  EXPECT_EQ(cookie_value("b=2", "b"), "2");
+  EXPECT_EQ(cookie_value("ab=1;b=x=y", "b"), "x=y");
+  EXPECT_EQ(cookie_value("b", "b"), "");
+  EXPECT_EQ(cookie_value("", "b"), "");
+  EXPECT_EQ(cookie_value(";;; ", "b"), "");
+}
+
+TEST(SameOrigin, IsOurHostOrTheBrowsersWord) {
+  const auto is_same = [](std::string origin, std::string host, std::string site) {
+    Request request;
+    request.origin = std::move(origin);
+    request.host = std::move(host);
+    request.fetch_site = std::move(site);
+    return same_origin(request);
+  };
+  EXPECT_TRUE(is_same("http://shop:8840", "shop:8840", ""));
+  EXPECT_TRUE(is_same("", "shop:8840", "same-origin"));
+  EXPECT_FALSE(is_same("", "shop:8840", ""));
+  EXPECT_FALSE(is_same("", "shop:8840", "cross-site"));
+  EXPECT_FALSE(is_same("http://evil", "shop:8840", "same-origin")) << "a stated origin counts";
+  EXPECT_FALSE(is_same("http://shop:8840.evil", "shop:8840", ""));
+  EXPECT_FALSE(is_same("http://evil/shop:8840", "shop:8840", ""));
+  EXPECT_FALSE(is_same("null", "shop:8840", ""));
+  EXPECT_FALSE(is_same("http://", "", ""));
+}
+
+}  // namespace
+}  // namespace dripfeed::http

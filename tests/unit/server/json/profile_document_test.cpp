@@ -1,0 +1,240 @@
+// Machine profiles: the presets are read, every wrong member has its own place, and a text that is no document says
+// where it stops being one.
+#include "server/json/profile_document.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <gtest/gtest.h>
+
+namespace dripfeed::json {
+namespace {
+
+std::string file_text(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+const std::filesystem::path kPresets = DRIPFEED_SOURCE_DIR "/deploy/machines";
+
+// A small profile in which each row of a test changes one thing.
+constexpr std::string_view kProfile = R"({
+  "name": "mill-1", "title": "Mill", "dialect": "fanuc", "kind": "mill",
+  "axes": [{"name": "X", "min_mm": -10, "max_mm": 500, "rapid_mm_min": 10000, "acceleration_mm_s2": 2000}],
+  "feed_limit_mm_min": 5000, "spindle": {"min_rpm": 10, "max_rpm": 4000},
+  "tools": [{"number": 1, "offset": 1, "nose_radius_mm": 0.8, "tip": 3}],
+  "work_offsets": [{"number": 1, "X_mm": 5.5}, {"number": 2}],
+  "control": {"decimal_mode": "calculator", "g_system": "B", "increment_mm": 0.001, "block_length_bytes": 128,
+              "power_on": {"unit": "inch", "plane": "yz"},
+              "variables": [{"bank": "#", "first": 100, "last": 199, "use": "common", "writable": true}]},
+  "timing": {"sample_time_ms": 8, "look_ahead_blocks": 20, "cost": {"block_ms": 1.5, "function_ms": 0.25}},
+  "buffer": {"bytes": 2048, "blocks": 10},
+  "link": {"url": "serial:/dev/ttyS0", "baud": 4800, "framing": "7E2", "code": "iso", "eob": "lf-cr-cr", "leader": 5,
+           "trailer": 6, "start": "at-once", "end_by_dc3": false, "end_by_character": 4, "end_by_quiet_s": 2.5,
+           "overrun_budget": 12, "unsent": 3, "latency_chars": 6, "watch_cts": true, "arming_minutes": 5}})";
+
+std::string with(std::string_view from, std::string_view to) {
+  std::string text(kProfile);
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(ProfileDocument, ReadsEveryPreset) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kPresets)) {
+    const auto profile = read_profile(file_text(entry.path()));
+    ASSERT_TRUE(profile) << entry.path() << profile.error().text;
+    EXPECT_EQ(profile->name, entry.path().stem());
+    ++count;
+  }
+  EXPECT_GE(count, 5);
+}
+
+TEST(ProfileDocument, EveryMemberArrives) {
+  const auto read = read_profile(kProfile);
+  ASSERT_TRUE(read) << read.error().text;
+  const machine::Profile& p = *read;
+  EXPECT_EQ(p.name, "mill-1");
+  EXPECT_EQ(p.title, "Mill");
+  EXPECT_EQ(p.control.dialect, "fanuc");
+  EXPECT_EQ(p.control.kind, ir::MachineKind::mill);
+  EXPECT_EQ(p.control.g_system, ir::GSystem::b);
+  EXPECT_EQ(p.control.decimal_mode, ir::DecimalMode::calculator);
+  EXPECT_EQ(p.control.increment_mm, 0.001);
+  EXPECT_EQ(p.control.block_length_bytes, 128U);
+  EXPECT_EQ(p.control.power_on_unit, ir::Function::unit_inch);
+  EXPECT_EQ(p.control.power_on_plane, ir::Function::plane_yz);
+  EXPECT_FALSE(p.control.power_on_confirmed);
+  ASSERT_EQ(p.control.variables.size(), 1U);
+  EXPECT_EQ(p.control.variables[0].last, 199U);
+  ASSERT_EQ(p.machine.axes.size(), 1U);
+  EXPECT_EQ(p.machine.axes[0].max, 500.0);
+  EXPECT_EQ(p.machine.spindle_max_rpm, 4000.0);
+  EXPECT_EQ(p.machine.tools.at(0).tip, 3);
+  EXPECT_EQ(p.machine.work_offsets.at(0).zero[0], 5.5);
+  EXPECT_EQ(p.machine.timing.look_ahead_blocks, 20U);
+  ASSERT_TRUE(p.machine.timing.cost);
+  EXPECT_EQ(p.machine.timing.cost->function_ms, 0.25);
+  EXPECT_EQ(p.machine.buffer.bytes, 2048U);
+  EXPECT_EQ(p.line.baud, 4800U);
+  EXPECT_EQ(p.line.framing.data_bits, 7);
+  EXPECT_EQ(p.line.eob, tape_code::Eob::lf_cr_cr);
+  EXPECT_EQ(p.line.leader_nuls, 5U);
+  EXPECT_EQ(p.line.trailer_nuls, 6U);
+  EXPECT_EQ(p.line.start, feed::Start::at_once);
+  EXPECT_FALSE(p.line.end_by_dc3);
+  EXPECT_EQ(p.line.end_by_character, 4);
+  EXPECT_EQ(p.line.end_by_quiet_s, 2.5);
+  EXPECT_EQ(p.line.overrun_budget, 12U);
+  EXPECT_EQ(p.line.unsent, 3U);
+  EXPECT_EQ(p.line.latency_chars, 6U);
+  EXPECT_TRUE(p.line.watch_cts);
+  EXPECT_FALSE(p.line.watch_dsr);
+  EXPECT_EQ(p.line.arming_minutes, 5.0);
+}
+
+struct Wrong {
+  std::string_view from;
+  std::string_view to;
+  std::string_view pointer;
+};
+
+TEST(ProfileDocument, EveryWrongMemberHasItsPlace) {
+  const Wrong rows[] = {
+      // missing
+      {R"("name": "mill-1", )", "", "/name"},
+      {R"("name": "mill-1")", R"("name": "")", "/name"},
+      {R"("dialect": "fanuc", )", "", "/dialect"},
+      {R"("kind": "mill")", R"("kind": null)", "/kind"},
+      {R"("url": "serial:/dev/ttyS0", )", "", "/link/url"},
+      {R"("rapid_mm_min": 10000, )", "", "/axes/0/rapid_mm_min"},
+      {R"(, "acceleration_mm_s2": 2000)", "", "/axes/0/acceleration_mm_s2"},
+      {R"({"number": 1, "offset")", R"({"offset")", "/tools/0/number"},
+      {R"({"number": 2})", "{}", "/work_offsets/1/number"},
+      {R"("block_ms": 1.5, )", "", "/timing/cost/block_ms"},
+      {R"(, "max_rpm": 4000)", "", "/spindle/max_rpm"},
+      // of another type
+      {R"("title": "Mill")", R"("title": 5)", "/title"},
+      {R"("axes": [)", R"("axes": 7, "axis": [)", "/axes"},
+      {R"([{"name": "X")", R"([3, {"name": "X")", "/axes/0"},
+      {R"("feed_limit_mm_min": 5000)", R"("feed_limit_mm_min": "5000")", "/feed_limit_mm_min"},
+      {R"("spindle": {"min_rpm": 10, "max_rpm": 4000})", R"("spindle": [])", "/spindle"},
+      {R"("watch_cts": true)", R"("watch_cts": 1)", "/link/watch_cts"},
+      {R"("baud": 4800)", R"("baud": 4800.5)", "/link/baud"},
+      {R"("baud": 4800)", R"("baud": "4800")", "/link/baud"},
+      {R"("power_on": {"unit": "inch")", R"("power_on": {"unit": 1)", "/control/power_on/unit"},
+      // out of range, or out of a list
+      {R"("kind": "mill")", R"("kind": "drill")", "/kind"},
+      {R"("name": "X")", R"("name": "Q")", "/axes/0/name"},
+      {R"("name": "X")", R"("name": "XY")", "/axes/0/name"},
+      {R"("max_mm": 500)", R"("max_mm": -10)", "/axes/0/max_mm"},
+      {R"("max_mm": 500)", R"("max_mm": 1e7)", "/axes/0/max_mm"},
+      {R"("rapid_mm_min": 10000)", R"("rapid_mm_min": 0)", "/axes/0/rapid_mm_min"},
+      {R"("max_rpm": 4000)", R"("max_rpm": 5)", "/spindle/max_rpm"},
+      {R"("tip": 3)", R"("tip": 10)", "/tools/0/tip"},
+      {R"({"number": 2})", R"({"number": 1})", "/work_offsets/1/number"},
+      {R"("increment_mm": 0.001)", R"("increment_mm": -0.001)", "/control/increment_mm"},
+      {R"("g_system": "B")", R"("g_system": "D")", "/control/g_system"},
+      {R"("last": 199)", R"("last": 99)", "/control/variables/0/last"},
+      {R"("url": "serial:/dev/ttyS0")", R"("url": "ftp://x")", "/link/url"},
+      {R"("baud": 4800)", R"("baud": 0)", "/link/baud"},
+      {R"("baud": 4800)", R"("baud": 18446744073709551615)", "/link/baud"},
+      {R"("baud": 4800)", R"("baud": -4800)", "/link/baud"},
+      {R"("framing": "7E2")", R"("framing": "9E1")", "/link/framing"},
+      {R"("eob": "lf-cr-cr")", R"("eob": "crlf")", "/link/eob"},
+      {R"("end_by_character": 4)", R"("end_by_character": 128)", "/link/end_by_character"},
+      {R"("end_by_quiet_s": 2.5)", R"("end_by_quiet_s": 0)", "/link/end_by_quiet_s"},
+      {R"("unsent": 3)", R"("unsent": 257)", "/link/unsent"},
+      {R"("arming_minutes": 5)", R"("arming_minutes": 61)", "/link/arming_minutes"},
+      {R"("arming_minutes": 5)", R"("arming_minutes": 5, "character_set": "klingon")", "/link/character_set"},
+      {R"("name": "mill-1")", R"("name": "..")", "/name"},
+      {R"("name": "mill-1")", R"("name": "a\u0000b")", "/name"},
+      // unknown
+      {R"("title": "Mill")", R"("titel": "Mill")", "/titel"},
+      {R"("unsent": 3)", R"("unset": 3)", "/link/unset"},
+      {R"("X_mm": 5.5)", R"("x_mm": 5.5)", "/work_offsets/0/x_mm"},
+      {R"("title": "Mill")", R"("a/b~c": 1)", "/a~1b~0c"},
+      // the sum that the line must keep
+      {R"("latency_chars": 6)", R"("latency_chars": 10)", "/link"},
+      // given twice
+      {R"("title": "Mill")", R"("name": "mill-2")", "/name"},
+      {R"("unsent": 3)", R"("baud": 9600)", "/link/baud"},
+  };
+  for (const Wrong& row : rows) {
+    const auto read = read_profile(with(row.from, row.to));
+    ASSERT_FALSE(read) << row.to;
+    const bool found = std::ranges::any_of(read.error().places,
+                                           [&](const app::ErrorPlace& place) { return place.pointer == row.pointer; });
+    EXPECT_TRUE(found) << row.to << ": " << read.error().text;
+  }
+}
+
+TEST(ProfileDocument, AllFaultsAreToldAtOnce) {
+  std::string text = with(R"("baud": 4800)", R"("baud": "fast")");
+  text.replace(text.find(R"("tip": 3)"), 8, R"("tip": -1)");
+  const auto read = read_profile(text);
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().places.size(), 2U);
+  EXPECT_NE(read.error().text.find("(and 1 more)"), std::string::npos) << read.error().text;
+}
+
+TEST(ProfileDocument, ATextThatIsNoDocumentSaysWhere) {
+  struct Row {
+    std::string text;
+    std::uint32_t line;
+    std::uint32_t column;
+    std::string pointer;
+  };
+  const Row rows[] = {
+      {"", 1, 1, ""},
+      {"{", 1, 2, ""},
+      {"{\n  \"name\": NaN}", 2, 12, "/name"},
+      {"{\n\"a\": {\"b\": [1, 2, Infinity]}}", 2, 20, "/a/b/1"},
+      {"{\"a\": 1e999}", 1, 11, "/a"},
+      {"{\"a\": -1e400}", 1, 12, "/a"},
+      {"{\"a\": 01}", 1, 8, "/a"},
+      {"{\"a\": \"\xC3\x28\"}", 1, 9, "/a"},
+      {"{\"a\": \"\xFF\"}", 1, 8, "/a"},
+      {"{\"a\": \"\xED\xA0\x80\"}", 1, 9, "/a"},
+      {"{\"a\": \"\\ud800\"}", 1, 14, "/a"},
+      {"{\"a\": \"line\nbreak\"}", 1, 12, "/a"},
+      {"{\"a\": 1,}", 1, 9, "/a"},
+      {"{} {}", 1, 4, ""},
+  };
+  for (const Row& row : rows) {
+    const auto read = read_profile(row.text);
+    ASSERT_FALSE(read) << row.text;
+    EXPECT_EQ(read.error().code, app::ErrorCode::malformed);
+    ASSERT_EQ(read.error().places.size(), 1U) << row.text << read.error().text;
+    const app::ErrorPlace& place = read.error().places.front();
+    EXPECT_EQ(place.line, row.line) << row.text << read.error().text;
+    EXPECT_EQ(place.column, row.column) << row.text << read.error().text;
+    EXPECT_EQ(place.pointer, row.pointer) << row.text;
+    EXPECT_TRUE(read.error().text.starts_with("this is not JSON: line ")) << read.error().text;
+  }
+}
+
+TEST(ProfileDocument, NestingHasAnEnd) {
+  const std::string open(1'000'000, '[');
+  const auto arrays = read_profile("{\"a\":" + open);
+  ASSERT_FALSE(arrays);
+  EXPECT_NE(arrays.error().text.find("is nested deeper than 64 levels"), std::string::npos) << arrays.error().text;
+  std::string objects;
+  for (int i = 0; i < 65; ++i) objects += "{\"a\":";
+  const auto deep = read_profile(objects + "1" + std::string(65, '}'));
+  ASSERT_FALSE(deep);
+  EXPECT_NE(deep.error().text.find("is nested deeper"), std::string::npos) << deep.error().text;
+  const auto fits = read_profile(objects.substr(5) + "1" + std::string(64, '}'));
+  ASSERT_FALSE(fits);
+  EXPECT_EQ(fits.error().text.find("is nested deeper"), std::string::npos) << fits.error().text;
+}
+
+TEST(ProfileDocument, OnlyAnObjectIsAProfile) {
+  for (const char* text : {"[]", "null", "5", "\"x\"", "true"}) EXPECT_FALSE(read_profile(text)) << text;
+}
+
+}  // namespace
+}  // namespace dripfeed::json

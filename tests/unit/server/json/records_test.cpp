@@ -1,0 +1,178 @@
+// What is shown of the store and of the lines: member by member, and as JSON whatever bytes people put into names.
+#include "server/json/records.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "server/json/openapi.h"
+#include "server/json/requests.h"
+
+namespace dripfeed::json {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// Whether a text is one JSON document: the reader of values embeds it and takes texts and numbers alone, so a fault is
+// about the members, never about the form.
+bool is_json(const std::string& text) {
+  const auto read = read_values(text);
+  return read || read.error().text.find("this is not JSON") == std::string::npos;
+}
+
+store::Job a_job() {
+  store::Job job;
+  job.id = 7;
+  job.release = 3;
+  job.program = 2;
+  job.revision = 1;
+  job.text_sha256 = "ab";
+  job.machine = "mill";
+  job.link = "serial:/dev/ttyS0";
+  job.bytes_total = 100;
+  job.state = store::JobState::failed;
+  job.reason = "syn: between wire byte 3 and 9";
+  job.created_by = "anna";
+  job.created_at_ms = 10;
+  job.armed_by = "olga";
+  job.armed_at_ms = 20;
+  job.expires_at_ms = 25;
+  job.torn = true;
+  return job;
+}
+
+TEST(Records, AJobSaysWhatAPersonMustDo) {
+  const std::string text = job(a_job());
+  EXPECT_TRUE(is_json(text));
+  EXPECT_THAT(text, HasSubstr(R"("id":7,"state":"failed","machine":"mill","release":3)"));
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          R"("armed_at_ms":20,"expires_at_ms":25,"started_at_ms":null,"ended_at_ms":null,"torn":true,"needs_confirmation":true)"));
+  EXPECT_THAT(text, HasSubstr(R"("confirmed_by":null)"));
+  store::Job confirmed = a_job();
+  confirmed.confirmed_at_ms = 30;
+  confirmed.confirmed_by = "olga";
+  EXPECT_THAT(job(confirmed), HasSubstr(R"("needs_confirmation":false,"confirmed_by":"olga")"));
+}
+
+TEST(Records, BytesThatAreNoUtf8AreShownAndStayJson) {
+  store::Job odd = a_job();
+  odd.reason = "quote \" back\\slash \x01 \xFF\xC3";
+  const std::string text = job(odd);
+  EXPECT_TRUE(is_json(text)) << text;
+  EXPECT_THAT(text, HasSubstr("quote \\\" back\\\\slash \\u0001 "));
+  EXPECT_THAT(text, Not(HasSubstr("\xFF")));
+  EXPECT_TRUE(is_json(problem(422, "bad", {app::ErrorCode::invalid, "\xFE", {{.pointer = "\xFE", .text = "\xFE"}}})));
+}
+
+TEST(Records, AMachineWithAProfileThatCannotBeReadIsListedAllTheSame) {
+  for (const char* profile : {"", "nonsense", "5", "[]", R"({"title":5,"link":7})"}) {
+    const store::Machine row{.name = "m", .revision = 2, .profile = profile, .changed_by = "a", .changed_at_ms = 1};
+    const std::string text = machine(row, {}, false);
+    EXPECT_THAT(text, HasSubstr(R"("name":"m","revision":2,"title":"","dialect":"","kind":"","link":"")")) << profile;
+    EXPECT_TRUE(is_json(machine(row, {}, true)));
+  }
+  const store::Machine row{.name = "m",
+                           .revision = 2,
+                           .profile = R"({"title":"T","kind":"mill","link":{"url":"pty:/x"}})",
+                           .changed_by = "a"};
+  EXPECT_THAT(machine(row, {}, false), HasSubstr(R"("title":"T","dialect":"","kind":"mill","link":"pty:/x")"));
+}
+
+TEST(Records, TheStateOfALine) {
+  app::MachineStatus status;
+  status.report.state = app::LineState::held;
+  status.report.stall = "held by DC3";
+  status.report.job = 7;
+  status.report.handed = 50;
+  status.report.clocked = 40;
+  status.report.known = {.from = 40, .to = 50, .from_line = 3, .to_line = 4, .to_text = 50};
+  status.program = "O1";
+  status.block_text = "G1X1.";
+  const std::string text = machine_status(status);
+  EXPECT_THAT(text, HasSubstr(R"("line":"held","stall":"held by DC3","link_error":null,"job":7,"handed":50)"));
+  EXPECT_THAT(text, HasSubstr(R"("block_from":3,"block":4)"));
+  EXPECT_THAT(text, HasSubstr(R"("program":"O1","block_text":"G1X1.","needs_confirmation":null)"));
+  status.needs_confirmation = a_job();
+  EXPECT_THAT(machine_status(status), HasSubstr(R"("needs_confirmation":{"job":7,"text":"syn: between)"));
+}
+
+TEST(Records, ALedgerNamesWhatItsIntervalRestsOn) {
+  const store::LedgerRow rows[] = {{.seq = 1, .at_ms = 5, .counts = {10, 8, 0, 64}, .note = "armed"}};
+  const store::LedgerInterval interval{.low = 8, .high = 64, .seq = 1, .at_ms = 5, .last = rows[0].counts};
+  EXPECT_EQ(ledger(rows, "", interval, false),
+            R"({"items":[{"seq":1,"at_ms":5,"handed":10,"clocked":8,"confirmed":0,"reserve":64,"note":"armed"}],)"
+            R"("next":null,"interval":{"low":8,"high":64,"known":"clocked"}})");
+  EXPECT_THAT(ledger({}, "9", interval, true),
+              HasSubstr(R"("next":"9","interval":{"low":8,"high":64,"known":"confirmed"})"));
+}
+
+TEST(Records, AVerdictIsItsRowWithTheReportsMembers) {
+  store::Verdict row;
+  row.id = 4;
+  row.of.outcome = store::Outcome::unknown;
+  row.of.report = R"({"id":99,"verdict":"pass","blocks":12,"not_checked":["a"]})";
+  row.waivers = {{.name = "boris", .reason = "seen", .at_ms = 3}};
+  const std::string text = verdict(row);
+  EXPECT_THAT(text, HasSubstr(R"("id":4,)"));
+  EXPECT_THAT(text, HasSubstr(R"("verdict":"unknown")"));
+  EXPECT_THAT(text, Not(HasSubstr("99"))) << "what the row says counts";
+  EXPECT_THAT(text,
+              HasSubstr(R"("blocks":12,"not_checked":["a"],"waivers":[{"name":"boris","reason":"seen","at_ms":3}])"));
+  row.of.report = "not a document";
+  EXPECT_TRUE(is_json(verdict(row)));
+}
+
+TEST(Records, EventsAndProgress) {
+  app::Event event;
+  event.kind = app::EventKind::alarm;
+  event.machine = "mill";
+  event.text = "DC1";
+  EXPECT_EQ(event_name(event.kind), "alarm");
+  EXPECT_EQ(event_data(event), R"({"machine":"mill","text":"DC1"})");
+  event.kind = app::EventKind::machine;
+  EXPECT_EQ(event_data(event), R"({"name":"mill"})");
+  event.kind = app::EventKind::verdict;
+  event.verdict = 5;
+  EXPECT_EQ(event_data(event), R"({"id":5,"verdict":"unknown","machine":"mill","text":"DC1"})");
+  event.kind = app::EventKind::job;
+  event.job = a_job();
+  EXPECT_EQ(event_data(event), job(a_job()));
+  EXPECT_EQ(event_data(event).find('\n'), std::string::npos) << "one data line";
+  app::MachineStatus status;
+  status.report.handed = 12;
+  status.program = "O1";
+  EXPECT_THAT(progress("mill", status), HasSubstr(R"({"machine":"mill","line":"disconnected",)"));
+  EXPECT_THAT(progress("mill", status), HasSubstr(R"("handed":12)"));
+  EXPECT_THAT(progress("mill", status), HasSubstr(R"("program":"O1","block_text":""})"));
+}
+
+TEST(Records, ProblemsNameTheirPlaces) {
+  const app::Error error{app::ErrorCode::invalid,
+                         "wrong",
+                         {{.pointer = "/a/0", .text = "x"}, {.pointer = {}, .line = 3, .column = 4, .text = "y"}}};
+  EXPECT_EQ(problem(422, "invalid", error),
+            R"({"type":"about:blank","title":"invalid","status":422,"detail":"wrong",)"
+            R"("errors":[{"pointer":"/a/0","text":"x"},{"line":3,"column":4,"text":"y"}]})");
+  EXPECT_EQ(problem(404, "not found", {app::ErrorCode::not_found, "none", {}}),
+            R"({"type":"about:blank","title":"not found","status":404,"detail":"none"})");
+}
+
+TEST(Records, ListsAndOpenApi) {
+  const std::string items[] = {"1", "{\"a\":2}"};
+  EXPECT_EQ(list(items, ""), R"({"items":[1,{"a":2}],"next":null})");
+  EXPECT_EQ(list({}, "x\"y"), R"({"items":[],"next":"x\"y"})");
+  const OpenApiRoute routes[] = {{.method = "GET", .path = "/a/{id}/b/{name}", .summary = "s", .right = "viewer"},
+                                 {.method = "POST", .path = "/a/{id}/b/{name}", .summary = "t", .right = "admin"},
+                                 {.method = "GET", .path = "/open", .summary = "u", .right = "anybody", .open = true}};
+  const std::string text = openapi(routes, "1.2");
+  EXPECT_TRUE(is_json(text));
+  EXPECT_THAT(text, HasSubstr(R"("openapi":"3.1.0")"));
+  EXPECT_THAT(text, HasSubstr(R"({"name":"id","in":"path","required":true)"));
+  EXPECT_THAT(text, HasSubstr(R"("post":{"summary":"t")"));
+  EXPECT_THAT(text, HasSubstr(R"("/open":{"get":{"summary":"u","parameters":[],"x-role":"anybody","security":[])"));
+}
+
+}  // namespace
+}  // namespace dripfeed::json
