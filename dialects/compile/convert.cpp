@@ -39,10 +39,16 @@ Side side_of(ir::StatementKind kind) {
     case procedure:
     case declaration:
     case subprogram_return:
+    case return_to:
+    case modal_call:
+    case modal_call_end:
+    case output:
     case program_end:
     case message:
     case alarm:
-    case native: return Side::none;
+    case native:
+    case repeat_section:
+    case execute_text: return Side::none;
   }
   return Side::none;
 }

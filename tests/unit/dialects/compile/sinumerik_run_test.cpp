@@ -50,7 +50,10 @@ Result run(const std::string& text, const Texts& called = {}, ir::MachineKind ki
     return text::Source(found->first, found->second);
   });
   interpreter::RunNames names;
-  interpreter::RunOptions options{.initial_values = std::move(state), .want_variables = true, .names = &names};
+  interpreter::RunOptions options;
+  options.initial_values = std::move(state);
+  options.want_variables = true;
+  options.names = &names;
   options.limits.loop_passes = 100'000;
   interpreter::TraceWriter writer(control, names);
   Motions motions;
