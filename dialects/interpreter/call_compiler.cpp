@@ -27,7 +27,8 @@ std::optional<std::uint32_t> CallCompiler::compile_site(const ir::Call& call, te
   for (const ir::Argument& argument : program.arguments_of(call)) arguments.push_back(compile_argument(argument, keep));
 
   CallSite site{.kind = call.kind, .name = std::string(program.strings.at(call.name))};
-  site.itself = call.name == ir::StringId::none && call.number == ir::ExpressionId::none;
+  site.itself = call.name == ir::StringId::none && call.number == ir::ExpressionId::none &&
+                call.computed == ir::ExpressionId::none;
   if (call.start != ir::ExpressionId::none) site.start = expressions_.compile_number(call.start).operand;
   if (call.number != ir::ExpressionId::none) site.number = expressions_.compile_number(call.number).operand;
   if (call.computed != ir::ExpressionId::none) site.text = expressions_.compile_string(call.computed).operand;

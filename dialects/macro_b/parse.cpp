@@ -99,7 +99,6 @@ void Parser::finish_block(std::uint32_t first_statement, std::uint32_t first_tok
     }
   }
   if (!section_name_.empty()) open_section(first_statement);
-  has_content_ |= program_.statements.size() > first_statement && is_content(first_statement);
   if (program_.statements.size() == first_statement) lowering_.emit(StatementKind::empty, ir::kNoIndex, place());
   std::uint32_t end = cursor_.index();
   if (cursor_.kind() == TokenKind::eob) {
@@ -117,23 +116,12 @@ void Parser::finish_block(std::uint32_t first_statement, std::uint32_t first_tok
   if (end < program_.tokens.size()) cursor_.move_to(end);
 }
 
-// Lines before the first program that are none, and those that name a folder, do not make one.
-bool Parser::is_content(std::uint32_t statement) const {
-  const ir::Statement& s = program_.statements[statement];
-  if (faults_.failed() || s.kind != StatementKind::native) return !faults_.failed();
-  return program_.strings.at(program_.natives[s.payload].name) != kFolderLine;
-}
-
-// What stands before the first O number is a program of its own, if there is anything.
+// What stands before the first O number belongs to the program that it names.
 void Parser::open_section(std::uint32_t first_statement) {
   std::vector<ir::Section>& sections = program_.sections;
-  std::uint32_t first = first_statement;
-  if (sections.empty() && has_content_)
-    sections.push_back({.name = ir::StringId::none, .first = 0, .last = first_statement});
-  if (sections.empty()) first = 0;
+  const std::uint32_t first = sections.empty() ? 0 : first_statement;
   if (!sections.empty()) sections.back().last = first_statement;
   sections.push_back({.name = program_.strings.add(section_name_), .first = first, .last = first});
-  has_content_ = false;
 }
 
 void Parser::head() {

@@ -51,7 +51,6 @@ class Parser {
   bool output_parts(std::string_view text, std::uint32_t begin);
   void set_names();
   void open_section(std::uint32_t first_statement);
-  [[nodiscard]] bool is_content(std::uint32_t statement) const;
   void words();
   void word();
   void other_word();
@@ -83,7 +82,6 @@ class Parser {
   std::uint8_t skip_level_ = 0;
   std::string section_name_;       // of the program that the block begins
   bool bracketed_target_ = false;  // [#NAME] = …
-  bool has_content_ = false;       // since the section began
   std::vector<OpenLoop> open_loops_;
   bool keeps_structure_ = false;  // a fault in WHILE or END leaves the loop in place
   std::uint32_t tape_marks_ = 0;

@@ -18,11 +18,13 @@ std::size_t places_in(std::string_view sentence) {
 std::size_t arena_size(const ir::Program& program, ir::StatementKind kind) {
   switch (kind) {
     case ir::StatementKind::empty:
+    case ir::StatementKind::modal_call_end:
+    case ir::StatementKind::subprogram_return:
     case ir::StatementKind::declaration: return 0;
     case ir::StatementKind::program_end:
     case ir::StatementKind::block: return program.blocks.size();
     case ir::StatementKind::assign: return program.assigns.size();
-    case ir::StatementKind::subprogram_return:
+    case ir::StatementKind::return_to:
     case ir::StatementKind::go_to: return program.jumps.size();
     case ir::StatementKind::if_begin:
     case ir::StatementKind::else_begin:
@@ -37,7 +39,11 @@ std::size_t arena_size(const ir::Program& program, ir::StatementKind kind) {
     case ir::StatementKind::loop_end:
     case ir::StatementKind::define:
     case ir::StatementKind::procedure: return program.structures.size();
-    case ir::StatementKind::call: return program.calls.size();
+    case ir::StatementKind::call:
+    case ir::StatementKind::modal_call: return program.calls.size();
+    case ir::StatementKind::output: return program.outputs.size();
+    case ir::StatementKind::repeat_section: return program.repeats.size();
+    case ir::StatementKind::execute_text:
     case ir::StatementKind::message:
     case ir::StatementKind::alarm: return program.messages.size();
     case ir::StatementKind::native: return program.natives.size();

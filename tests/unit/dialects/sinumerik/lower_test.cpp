@@ -11,10 +11,11 @@ using ir::Function;
 using ir::StatementKind;
 
 std::string kinds(const ir::Program& p) {
-  static constexpr std::string_view kNames[] = {"empty",   "block",  "assign",   "goto",    "if",    "else",
-                                                "endif",   "while",  "endwhile", "repeat",  "until", "for",
-                                                "endfor",  "loop",   "endloop",  "define",  "call",  "procedure",
-                                                "declare", "return", "end",      "message", "alarm", "native"};
+  static constexpr std::string_view kNames[] = {
+      "empty",      "block",          "assign", "goto",      "if",      "else",   "endif",
+      "while",      "endwhile",       "repeat", "until",     "for",     "endfor", "loop",
+      "endloop",    "define",         "call",   "procedure", "declare", "return", "return to",
+      "modal call", "modal call end", "output", "end",       "message", "alarm",  "native"};
   std::string out;
   for (const ir::Statement& s : p.statements) {
     if (!out.empty()) out += ' ';
