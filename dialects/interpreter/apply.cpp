@@ -163,6 +163,11 @@ constexpr double kFootPerMinute = 0.3048;  // in m/min
 
 // F without a point counts 0.01 mm/rev, 1 mm/min, and in inch a hundredth of these in inch (usual parameter settings).
 void set_feed(const PlainBlock& block, ModalState& state) {
+  state.feed_unknown = (block.unknown & kFeedWord) != 0;
+  if (state.feed_unknown) {
+    state.feed = 0.0;
+    return;
+  }
   double value = block.at(Address::f);
   const bool counted = (block.in_increments & kFeedWord) != 0;
   if (state.modes.feed_mode != ir::FeedMode::inverse_time) {
@@ -251,9 +256,9 @@ void act_once(const PlainBlock& block, const BlockRules& rules, const Effects& e
 // Moves when there is something to move by: axis words, or the centre of an arc alone, which is a full circle.
 bool has_move(const PlainBlock& block, const BlockRules& rules, const ModalState& state) {
   constexpr std::uint64_t kArcWords = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k);
-  if ((block.present & rules.axis_addresses) != 0) return true;
+  if (((block.present | block.unknown) & rules.axis_addresses) != 0) return true;
   const bool arc = state.modes.motion == Function::arc_cw || state.modes.motion == Function::arc_ccw;
-  return arc && state.modes.motion_modelled && (block.present & kArcWords) != 0;
+  return arc && state.modes.motion_modelled && ((block.present | block.unknown) & kArcWords) != 0;
 }
 
 Spindle spindle_of(const ModalState& state) {
@@ -320,7 +325,7 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
   if ((block.present & kToolWords) != 0 || block.tool_name != kNoText || effects.tool_change)
     set_tool(block, rules, state, effects);
   if ((block.present & kSpindleWords) != 0 && !times) set_speed(block, state, effects);
-  if ((block.present & kFeedWord) != 0 && !times) set_feed(block, state);
+  if (((block.present | block.unknown) & kFeedWord) != 0 && !times) set_feed(block, state);
   if (effects.announces) announce(state, out);
 
   if (effects.one_shot != Function::none)

@@ -22,6 +22,7 @@ inline constexpr std::uint32_t kNoteMotionWithoutCode = 2;        // moved as th
 inline constexpr std::uint32_t kNoteMoveNotModelled = 4;          // axis words under a cycle or curve: no move came out
 inline constexpr std::uint32_t kNoteReferenceUnknown = 8;         // to a reference point whose place is not known
 inline constexpr std::uint32_t kNoteIncrementalFromUnknown = 16;  // where the move ends is not known
+inline constexpr std::uint32_t kNoteArcNotComputed = 32;          // it begins or ends where nobody knows
 
 struct BlockResult {
   Flow flow = Flow::next;

@@ -119,7 +119,8 @@ Arithmetic::Arithmetic(const ir::Semantics& semantics)
       relative_(semantics.comparison == ir::ComparisonMode::relative),
       tolerance_(semantics.relative_tolerance),
       limit_(semantics.number_format == ir::NumberFormat::eight_digit ? kEightDigitLimit
-                                                                      : std::numeric_limits<double>::max()) {}
+                                                                      : std::numeric_limits<double>::max()),
+      unset_is_unknown_(semantics.unset_is_unknown) {}
 
 Outcome Arithmetic::finish(double value) const {
   if (!(std::abs(value) <= limit_)) return fault(Fault::result_overflow);
@@ -250,24 +251,34 @@ constexpr std::array<Arithmetic::Rules::Unary, kOperatorCount> Arithmetic::Rules
 constexpr std::array<Arithmetic::Rules::Binary, kOperatorCount> Arithmetic::Rules::kBinaryTable = table(kBinary);
 
 Outcome Arithmetic::unary(Operator op, double a) const {
+  if (unknown(a)) return {kVacant};
   return Rules::kUnaryTable[static_cast<std::size_t>(op)](*this, value_or_zero(a));
 }
 
 Outcome Arithmetic::binary(Operator op, double a, double b) const {
+  if (unknown(a) || unknown(b)) {
+    // One side alone may decide: FALSE AND …, TRUE OR …
+    if (op == Operator::logic_and && (a == 0.0 || b == 0.0)) return {0.0};
+    if (op == Operator::logic_or && (is_true(a) || is_true(b))) return {1.0};
+    return {kVacant};
+  }
   if (op == Operator::equal) return {truth(equal(a, b))};
   if (op == Operator::not_equal) return {truth(!equal(a, b))};
   return Rules::kBinaryTable[static_cast<std::size_t>(op)](*this, value_or_zero(a), value_or_zero(b));
 }
 
 Outcome Arithmetic::integer_quotient(double a, double b) const {
+  if (unknown(a) || unknown(b)) return {kVacant};
   return Rules::quotient<Rules::whole_quotient>(*this, value_or_zero(a), value_or_zero(b));
 }
 
 Outcome Arithmetic::bound(double low, double high, double value) const {
+  if (unknown(low) || unknown(high) || unknown(value)) return {kVacant};
   return finish(std::fmax(value_or_zero(low), std::fmin(value_or_zero(high), value_or_zero(value))));
 }
 
 Outcome Arithmetic::convert(ir::ValueType type, double value) const {
+  if (unknown(value)) return {kVacant};
   switch (type) {
     case ir::ValueType::integer: {
       const double whole = round(value_or_zero(value));

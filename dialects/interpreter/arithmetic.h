@@ -13,12 +13,13 @@
 
 namespace dripfeed::interpreter {
 
-// The vacant value (#0, a variable that was never set).
+// The vacant value (#0, a variable that was never set). Where nothing is vacant it is a value that is not known
+// (Semantics::unset_is_unknown): what is computed from one is not known either.
 inline constexpr double kVacant = std::bit_cast<double>(std::uint64_t{0x7FF8'0000'0000'0D1FULL});
 // Every NaN that gets this far is the vacant one.
 inline bool is_vacant(double value) { return value != value; }
 inline double value_or_zero(double value) { return is_vacant(value) ? 0.0 : value; }
-// What a condition takes a value for: not zero; vacant is false.
+// What a condition takes a value for: not zero; vacant is false, and one that is not known as well.
 inline bool is_true(double value) { return value != 0.0 && !is_vacant(value); }
 
 enum class Fault : std::uint8_t { none, division_by_zero, argument_out_of_domain, result_overflow };
@@ -76,9 +77,13 @@ class Arithmetic {
   [[nodiscard]] Outcome finish(double value) const;
 
   ir::Semantics semantics_;
+  // A value that is not known makes the result not known, whatever the operator does with vacant.
+  [[nodiscard]] bool unknown(double a) const { return unset_is_unknown_ && is_vacant(a); }
+
   bool relative_;
   double tolerance_;
   double limit_;
+  bool unset_is_unknown_;
 };
 
 }  // namespace dripfeed::interpreter

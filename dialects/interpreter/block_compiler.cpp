@@ -77,6 +77,7 @@ void BlockCompiler::compile_codes(const ir::Block& block) {
 
 void BlockCompiler::compile_word(const ir::Word& word) {
   if (!is_interpreted(word)) return report(name_of(word), Function::not_modelled, false);
+  if (word.address == Address::named_axis) return put_named_axis(word);
   if (word.value == ir::ExpressionId::none) return;
   // A written number needs no register: programs have millions of them.
   const ir::Expression* number = builder_.find_literal(word.value);
@@ -88,14 +89,25 @@ void BlockCompiler::compile_word(const ir::Word& word) {
 void BlockCompiler::put_word(const ir::Word& word, const Value& value, std::uint8_t flags) {
   CompiledProgram& out = builder_.out();
   if (value.constant.has_value()) {
+    if (is_vacant(*value.constant) && builder_.context().control.semantics.unset_is_unknown) {
+      out.computed_words.push_back({value.operand, Operand::none, word.address, flags, false});
+      return;
+    }
     if (is_vacant(*value.constant)) return;  // X#0: as if it was not there
     if (counts_increments(word)) flags |= kWordInIncrements;
     out.words.push_back({*value.constant, word.address, flags});
   } else if (value.is_string() && word.address != Address::t) {
     builder_.emit_failure(word.span, text::DiagnosticId::wrong_type, {"the value of the word", "STRING", "REAL"});
   } else {
-    out.computed_words.push_back({value.operand, word.address, flags, value.is_string()});
+    out.computed_words.push_back({value.operand, Operand::none, word.address, flags, value.is_string()});
   }
+}
+
+void BlockCompiler::put_named_axis(const ir::Word& word) {
+  if (word.value == ir::ExpressionId::none || word.axis == ir::ExpressionId::none) return;
+  const Operand axis = expressions_.compile_index(word.axis).operand;
+  const Value value = expressions_.compile_number(word.value);
+  builder_.out().computed_words.push_back({value.operand, axis, word.address, flags_of(word), false});
 }
 
 std::uint8_t BlockCompiler::flags_of(const ir::Word& word) const {

@@ -16,6 +16,7 @@ class BlockCompiler {
   void compile_codes(const ir::Block& block);
   void compile_word(const ir::Word& word);
   void put_word(const ir::Word& word, const Value& value, std::uint8_t flags);
+  void put_named_axis(const ir::Word& word);
   void report(std::string_view name, ir::Function function, bool effects_known);
   [[nodiscard]] bool is_interpreted(const ir::Word& word) const;
   [[nodiscard]] std::string name_of(const ir::Word& word) const;

@@ -6,7 +6,9 @@
 #include <bit>
 #include <cmath>
 
+#include "dialects/interpreter/axis_names.h"
 #include "dialects/interpreter/trace.h"
+#include "dialects/interpreter/unknown.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::interpreter {
@@ -23,10 +25,11 @@ struct NoteRow {
   Report report;
 };
 // Notes that are counted like a code that is not interpreted.
-const std::array<NoteRow, 3>& counted_notes() {
-  static const std::array<NoteRow, 3> rows = {{
+const std::array<NoteRow, 4>& counted_notes() {
+  static const std::array<NoteRow, 4> rows = {{
       {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
       {kNoteReferenceUnknown, {"the way to the reference point", ir::Function::reference_return}},
+      {kNoteArcNotComputed, {"arcs from or to a place that is not known"}},
       {kNoteIncrementalFromUnknown, {"increments from a position that is not known", ir::Function::incremental}},
   }};
   return rows;
@@ -119,10 +122,15 @@ bool BlockRunner::fill_computed(const Instruction& i, const BlockTemplate& made,
       continue;
     }
     const double value = storage_.reg(raw_of(word.operand));
-    if (is_vacant(value))
+    const ir::Address address = word.axis == Operand::none ? word.address : find_axis(word);
+    if (address == ir::Address::other) continue;
+    if (is_vacant(value) && control_.semantics.unset_is_unknown) {
+      block_.unknown |= bit_of(address);
+      report_.count({.name = letter_of(address) + " from a value that is not known"});
+    } else if (is_vacant(value))
       skip_vacant(i, program, n);
     else
-      set_word(word.address, value, word.flags);
+      set_word(address, value, word.flags);
   }
   for (std::uint32_t n = extra.first_report; n < extra.first_report + extra.report_count; ++n)
     report_.count(program.reports[program.block_reports[n]]);
@@ -132,6 +140,20 @@ bool BlockRunner::fill_computed(const Instruction& i, const BlockTemplate& made,
     if (!add_computed_code(i, program.computed_codes[n])) return false;
   block_.codes = codes_;
   return true;
+}
+
+// AX[…]: the letter of the axis when the control has it; otherwise the report names the axis.
+ir::Address BlockRunner::find_axis(const ComputedWord& word) {
+  const double axis = storage_.reg(raw_of(word.axis));
+  for (std::uint64_t rest = rules_.axis_addresses; rest != 0; rest &= rest - 1) {
+    const auto address = static_cast<ir::Address>(std::countr_zero(rest));
+    const AxisWord& known = rules_.axis_words[index_of(address)];
+    if (!known.incremental && static_cast<double>(known.axis) == axis) return address;
+  }
+  const std::string name = axis_name(shared_, axis);
+  report_.count({.name = is_unknown(name) ? "AX[] of an axis that is not known" : "AX[" + name + "]"});
+  if (is_unknown(name)) block_.unknown |= rules_.axis_addresses;
+  return ir::Address::other;
 }
 
 // The number is looked up as it comes; G54.1 is 541.

@@ -15,11 +15,12 @@ namespace dripfeed::interpreter {
 class BlockRunner {
  public:
   BlockRunner(const ir::Control& control, const BlockRules& rules, const Arithmetic& arithmetic, Storage& storage,
-              ModalState& state, MotionBuffer& out, RunReport& report)
+              SharedData& shared, ModalState& state, MotionBuffer& out, RunReport& report)
       : control_(control),
         rules_(rules),
         arithmetic_(arithmetic),
         storage_(storage),
+        shared_(shared),
         state_(state),
         out_(out),
         report_(report) {}
@@ -36,6 +37,7 @@ class BlockRunner {
   bool fill_computed(const Instruction& i, const BlockTemplate& made, const CompiledProgram& program);
   bool add_computed_code(const Instruction& i, const ComputedCode& code);
   void set_word(ir::Address address, double value, std::uint8_t flags);
+  ir::Address find_axis(const ComputedWord& word);
   void skip_vacant(const Instruction& i, const CompiledProgram& program, std::uint32_t word);
   void take_notes(const Instruction& i, std::uint32_t notes);
   bool fail(const Instruction& i, const BlockResult& result);
@@ -44,6 +46,7 @@ class BlockRunner {
   const BlockRules& rules_;
   const Arithmetic& arithmetic_;
   Storage& storage_;
+  SharedData& shared_;
   ModalState& state_;
   MotionBuffer& out_;
   RunReport& report_;

@@ -57,27 +57,39 @@ enum class Opcode : std::uint8_t {
   negate_word,  // a = -b, vacant stays vacant
   count,        // a = b counted in least increments: an argument that was written without a point
   convert,      // a = b as extra: ir::ValueType
-  // Variables by computed number or index. Indices of arrays stand in two registers in a row.
+  // Variables by computed number or index. Indices of arrays stand in three registers in a row.
   load_number,     // a = variable number b of bank extra
   store_number,    // variable number a of bank extra = b
-  load_element,    // a = array b [c, c + 1]
-  store_element,   // array a [b, b + 1] = c
+  load_element,    // a = array b [c …]
+  store_element,   // array a [b …] = c
   fill_array,      // every element of array a = b
   load_reference,  // a = what frame register b refers to
   store_reference,
   refer,          // a = a reference to register b
   refer_number,   // a = … to variable number b of bank extra
-  refer_element,  // a = … to array b [c, c + 1]
+  refer_element,  // a = … to array b [c …]
   load_system,    // a = row b of the system table, number or index c
   store_system,   // row a, number or index b = c
+  // Data of the control by name; extra: how many indices stand in registers in a row; detail: 0, or one more than the
+  // row of the system table.
+  load_shared,        // a = name b [c …]
+  store_shared,       // name a [b …] = c
+  load_shared_text,   // … as a text
+  store_shared_text,
+  refer_shared,       // a = a reference to name b [c …]
   // Strings: string registers, but for results that are numbers.
   string_copy,         // a = b
   string_join,         // a = b << c
   string_from_number,  // a = number b as extra: ir::ValueType
   string_to_number,    // number a
+  string_is_number,    // number a
+  string_to_axis,      // number a: the axis of a name
   string_length,       // number a
   string_upper,
   string_lower,
+  string_find,  // number a = place of c in b; extra: ir::Operator
+  string_part,  // a = of text b from number c, number c + 1 characters
+  axis_name,    // text a = name of axis b
   string_equal,  // number a = (b == c)
   string_load_element,
   string_store_element,
@@ -86,7 +98,7 @@ enum class Opcode : std::uint8_t {
   block,         // a block begins: line a, work b
   jump,          // to a
   jump_back,     // to a, counts as a pass
-  branch_false,  // to b unless a holds
+  branch_false,  // to b unless a holds; extra 1: also when it is not known whether it does
   jump_number,   // to the block whose number is a; extra: JumpSearch; c: 1 when a missing target is passed over
   jump_text,     // to the label in string a; as above
   apply,         // block template a
@@ -103,13 +115,13 @@ enum class Opcode : std::uint8_t {
   // For an observer
   tell,          // register a has a new value; b: name
   tell_number,   // variable number a of bank extra is now b
-  tell_element,  // array a [b, b + 1] is now c
+  tell_element,  // array a [b …] is now c
 };
 
 struct Instruction {
   Opcode op = Opcode::text_end;
   std::uint8_t extra = 0;
-  std::uint16_t unused = 0;
+  std::uint16_t detail = 0;
   std::uint32_t a = 0;
   std::uint32_t b = 0;
   std::uint32_t c = 0;
@@ -131,6 +143,7 @@ struct TemplateWord {
 };
 struct ComputedWord {
   Operand operand = Operand::none;
+  Operand axis = Operand::none;  // Address::named_axis
   ir::Address address = ir::Address::other;
   std::uint8_t flags = 0;
   bool is_string = false;
@@ -164,6 +177,7 @@ struct CompiledProgram;
 struct CallArgument {
   Operand value = Operand::none;      // none: left out
   Operand reference = Operand::none;  // to the variable that it is, for a parameter by reference
+  Operand text = Operand::none;       // data of the control as a text, for a parameter that is one
   bool is_string = false;
   std::uint32_t local = 0;  // macro: number of the local variable
 };
@@ -189,6 +203,7 @@ struct Array {
   std::uint32_t first_slot = 0;
   std::uint32_t dimension1 = 0;
   std::uint32_t dimension2 = 1;
+  std::uint32_t dimension3 = 1;
   ir::ValueType type = ir::ValueType::real;
   ir::SymbolId symbol = ir::SymbolId::none;
 };
@@ -206,6 +221,7 @@ struct Report {
   std::string name;
   ir::Function function = ir::Function::not_modelled;
   bool effects_known = false;
+  bool is_input = false;  // a value that the control or its surroundings hold
 };
 
 struct CompiledProgram {

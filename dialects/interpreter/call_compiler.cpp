@@ -90,7 +90,12 @@ CallArgument CallCompiler::compile_argument(const ir::Argument& argument, bool k
   }
   result.value = value.operand;
   if (argument.letter == 0 && e.op == Operator::variable)
-    result.reference = expressions_.variables().refer(builder_.source().at(e.variable));
+{
+    const ir::Variable& variable = builder_.source().at(e.variable);
+    result.reference = expressions_.variables().refer(variable);
+    if (!value.is_string() && expressions_.variables().is_shared(variable))
+      result.text = expressions_.variables().load_shared_text(variable).operand;
+  }
   return result;
 }
 

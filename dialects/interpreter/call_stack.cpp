@@ -1,6 +1,9 @@
 // A call opens the new registers while the caller's are still in force, passes the arguments across, and then switches.
 #include "dialects/interpreter/call_stack.h"
 
+#include "dialects/interpreter/axis_names.h"
+#include "dialects/interpreter/unknown.h"
+
 namespace dripfeed::interpreter {
 
 using text::DiagnosticId;
@@ -111,6 +114,15 @@ bool CallStack::pass_parameters(const Instruction& i, const CallSite& site, Fram
 bool CallStack::pass_parameter(const Instruction& i, const CallArgument& argument, const Parameter& parameter,
                                const Bases& bases) {
   const bool wants_string = parameter.type == ir::ValueType::string;
+  if (wants_string && !argument.is_string && argument.text != Operand::none) {
+    storage_.string_at(bases.string + parameter.slot) = storage_.text(raw_of(argument.text));
+    return true;
+  }
+  if (parameter.type == ir::ValueType::axis && argument.is_string && !parameter.by_reference) {
+    const std::string& name = storage_.text(raw_of(argument.value));
+    storage_.frame_at(bases.frame + parameter.slot) = is_unknown(name) ? kVacant : axis_number(context_.shared, name);
+    return true;
+  }
   if (argument.is_string != wants_string)
     return report_.fail(i, DiagnosticId::wrong_type,
                         {"an argument", argument.is_string ? "STRING" : "REAL", wants_string ? "STRING" : "REAL"});

@@ -11,6 +11,7 @@
 #include "dialects/interpreter/block_rules.h"
 #include "dialects/interpreter/bytecode.h"
 #include "dialects/interpreter/interpreter.h"
+#include "dialects/interpreter/shared_data.h"
 #include "dialects/interpreter/variable_map.h"
 
 namespace dripfeed::interpreter {
@@ -23,6 +24,7 @@ struct CompileContext {
   const VariableMap& variables;
   const Limits& limits;
   RunNames& names;
+  SharedData& shared;
   bool observed = false;  // write `tell` instructions
 };
 

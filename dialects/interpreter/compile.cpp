@@ -13,19 +13,24 @@ namespace {
 using ir::ValueType;
 
 // Gives each symbol its registers. Arrays lie row by row.
-bool lay_out_symbols(const ir::Program& program, const Limits& limits, CompiledProgram& out) {
+bool lay_out_symbols(const ir::Program& program, const Limits& limits, SharedData& shared, CompiledProgram& out) {
   std::uint64_t numbers = 0;
   std::uint64_t strings = 0;
   for (std::uint32_t i = 0; i < program.symbols.size(); ++i) {
     const ir::Symbol& symbol = program.symbols[i];
+    if (symbol.is_global) {  // lies in the control
+      out.symbols.push_back({.slot = shared.id_of(program.strings.at(symbol.name))});
+      continue;
+    }
     std::uint64_t& next = symbol.type == ValueType::string ? strings : numbers;
     SymbolSlot slot{.slot = static_cast<std::uint32_t>(next)};
     std::uint64_t count = 1;
     if (symbol.dimension1 > 0) {
       const std::uint32_t columns = std::max<std::uint32_t>(symbol.dimension2, 1);
-      count = std::uint64_t{symbol.dimension1} * columns;
+      const std::uint32_t layers = std::max<std::uint32_t>(symbol.dimension3, 1);
+      count = std::uint64_t{symbol.dimension1} * columns * layers;
       slot.array = static_cast<std::uint32_t>(out.arrays.size());
-      out.arrays.push_back({slot.slot, symbol.dimension1, columns, symbol.type, static_cast<ir::SymbolId>(i)});
+      out.arrays.push_back({slot.slot, symbol.dimension1, columns, layers, symbol.type, static_cast<ir::SymbolId>(i)});
     }
     next += count;
     if (numbers + strings > limits.variables) return false;
@@ -58,7 +63,7 @@ std::unique_ptr<CompiledProgram> compile(const ir::Program& program, std::uint32
   auto out = std::make_unique<CompiledProgram>();
   out->source = &program;
   out->index = index;
-  const bool fits = lay_out_symbols(program, context.limits, *out);
+  const bool fits = lay_out_symbols(program, context.limits, context.shared, *out);
   CodeBuilder builder(*out, context);
   if (!fits) {
     builder.emit_failure({}, text::DiagnosticId::limit_reached, {"variables"});

@@ -2,6 +2,7 @@
 // through Arithmetic.
 #include "dialects/interpreter/expression_compiler.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -46,6 +47,9 @@ std::optional<Opcode> fast_opcode(const ir::Semantics& semantics, Operator op) {
 constexpr bool is_comparison(Operator op) { return op >= Operator::equal && op <= Operator::greater_equal; }
 constexpr bool is_string_operator(Operator op) {
   return (op >= Operator::string_length && op <= Operator::to_lower) || op == Operator::concatenate;
+}
+constexpr bool is_search(Operator op) {
+  return op == Operator::find_text || op == Operator::find_text_last || op == Operator::find_any;
 }
 constexpr bool is_logic(Operator op) {
   return op == Operator::logic_not || (op >= Operator::logic_and && op <= Operator::logic_xor);
@@ -112,6 +116,8 @@ Value ExpressionCompiler::compile_node(const ir::Expression& e, Operand target) 
   if (e.op == Operator::is_variable) return compile_is_variable(e);
   if (e.op == Operator::bound) return compile_bound(e, target);
   if (is_string_operator(e.op)) return compile_string_operator(e, target);
+  if (is_search(e.op)) return compile_search(e, target);
+  if (e.op == Operator::substring) return compile_substring(e);
   return ir::operand_count(e.op) == 1 ? compile_unary(e, target) : compile_binary(e, target);
 }
 
@@ -120,7 +126,25 @@ Value ExpressionCompiler::compile_number(ir::ExpressionId id, Operand target) {
   return value.is_string() ? as_number(value, span_of(id)) : value;
 }
 
+Value ExpressionCompiler::compile_index(ir::ExpressionId id, Operand target) {
+  const Value value = compile(id, target);
+  return value.is_string() ? as_axis(value, span_of(id)) : value;
+}
+
+Value ExpressionCompiler::as_axis(const Value& name, text::Span span) {
+  if (!name.is_string()) return name;
+  const Operand to = builder_.take();
+  builder_.emit(Opcode::string_to_axis, span, raw_of(to), raw_of(name.operand));
+  return {to, ValueType::axis, std::nullopt};
+}
+
 Value ExpressionCompiler::compile_string(ir::ExpressionId id) {
+  // What global data holds is known when it is read.
+  const ir::Expression* e = builder_.find(id);
+  if (e != nullptr && e->op == Operator::variable) {
+    const ir::Variable& variable = builder_.source().at(e->variable);
+    if (variables_.is_shared(variable)) return variables_.load_shared_text(variable);
+  }
   const Value value = compile(id);
   return value.is_string() ? value : as_string(value, span_of(id));
 }
@@ -155,8 +179,15 @@ Value ExpressionCompiler::compile_unary(const ir::Expression& e, Operand target)
 }
 
 Value ExpressionCompiler::compile_binary(const ir::Expression& e, Operand target) {
-  const Value a = compile(e.a);
-  const Value b = compile(e.b);
+  Value a = compile(e.a);
+  Value b = compile(e.b);
+  if (is_comparison(e.op) && a.is_string() != b.is_string()) {
+    // An axis beside its name, or global data beside a text.
+    if (a.type == ValueType::axis || b.type == ValueType::axis)
+      return combine(e.op, as_axis(a, span_of(e.a)), as_axis(b, span_of(e.b)), e.span, target);
+    if (!a.is_string() && is_shared_variable(e.a)) a = compile_string(e.a);
+    if (!b.is_string() && is_shared_variable(e.b)) b = compile_string(e.b);
+  }
   if (is_comparison(e.op) && (a.is_string() || b.is_string())) return compile_string_comparison(e, a, b, target);
   return combine(e.op, as_number(a, span_of(e.a)), as_number(b, span_of(e.b)), e.span, target);
 }
@@ -204,11 +235,22 @@ Value ExpressionCompiler::compile_bound(const ir::Expression& e, Operand target)
 Value ExpressionCompiler::compile_string_operator(const ir::Expression& e, Operand target) {
   const Value a = compile_string(e.a);
   if (e.op == Operator::to_string) return a;
-  if (e.op == Operator::string_length || e.op == Operator::to_number) {
+  struct Row {
+    Operator op;
+    Opcode opcode;
+    ValueType type;
+  };
+  static constexpr Row kToNumber[] = {
+      {Operator::string_length, Opcode::string_length, ValueType::integer},
+      {Operator::to_number, Opcode::string_to_number, ValueType::real},
+      {Operator::is_number, Opcode::string_is_number, ValueType::boolean},
+      {Operator::to_axis, Opcode::string_to_axis, ValueType::axis},
+  };
+  for (const Row& row : kToNumber) {
+    if (row.op != e.op) continue;
     const Operand to = result(target);
-    const bool length = e.op == Operator::string_length;
-    builder_.emit(length ? Opcode::string_length : Opcode::string_to_number, e.span, raw_of(to), raw_of(a.operand));
-    return {to, length ? ValueType::integer : ValueType::real, std::nullopt};
+    builder_.emit(row.opcode, e.span, raw_of(to), raw_of(a.operand));
+    return {to, row.type, std::nullopt};
   }
   const Operand to = builder_.take_string();
   if (e.op == Operator::concatenate) {
@@ -218,6 +260,27 @@ Value ExpressionCompiler::compile_string_operator(const ir::Expression& e, Opera
     builder_.emit(e.op == Operator::to_upper ? Opcode::string_upper : Opcode::string_lower, e.span, raw_of(to),
                   raw_of(a.operand));
   }
+  return {to, ValueType::string, std::nullopt};
+}
+
+Value ExpressionCompiler::compile_search(const ir::Expression& e, Operand target) {
+  const Value text = compile_string(e.a);
+  const Value wanted = compile_string(e.b);
+  const Operand to = result(target);
+  builder_.emit(Opcode::string_find, e.span, raw_of(to), raw_of(text.operand), raw_of(wanted.operand),
+                static_cast<std::uint8_t>(e.op));
+  return {to, ValueType::integer, std::nullopt};
+}
+
+Value ExpressionCompiler::compile_substring(const ir::Expression& e) {
+  const Value text = compile_string(e.a);
+  const std::array<Operand, 2> row{builder_.take(), builder_.take()};
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const Value value = compile_number(i == 0 ? e.b : e.c, row[i]);
+    if (value.operand != row[i]) builder_.emit(Opcode::copy, e.span, raw_of(row[i]), raw_of(value.operand));
+  }
+  const Operand to = builder_.take_string();
+  builder_.emit(Opcode::string_part, e.span, raw_of(to), raw_of(text.operand), raw_of(row.front()));
   return {to, ValueType::string, std::nullopt};
 }
 
@@ -240,16 +303,33 @@ Value ExpressionCompiler::compile_is_variable(const ir::Expression& e) {
   const ir::Expression* operand = builder_.find(e.a);
   if (operand == nullptr || operand->op != Operator::string)
     return failure(e.span, DiagnosticId::not_interpreted, {"ISVAR of a computed name"});
-  const std::string_view name = program.strings.at(operand->string);
+  std::string name(program.strings.at(operand->string));
+  name.resize(std::min(name.size(), name.find('[')));
+  std::ranges::transform(name, name.begin(), [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  SharedData& shared = builder_.context().shared;
   for (const ir::Symbol& symbol : program.symbols)
-    if (program.strings.at(symbol.name) == name) return constant(1.0, ValueType::boolean);
+    if (program.strings.at(symbol.name) == name && !symbol.is_global) return constant(1.0, ValueType::boolean);
+  if (shared.definition_of(shared.id_of(name)) != nullptr) return constant(1.0, ValueType::boolean);
   for (const ir::SystemVariableRow& row : builder_.context().control.system_variables)
     if (!row.name.empty() && row.name == name) return constant(1.0, ValueType::boolean);
-  return constant(0.0, ValueType::boolean);
+  // Without the definition files nobody knows the control's names.
+  const bool unknown = builder_.context().control.semantics.unset_is_unknown && !shared.has_definitions();
+  if (!unknown) return constant(0.0, ValueType::boolean);
+  return {builder_.constant(kVacant), ValueType::boolean, std::nullopt};
+}
+
+bool ExpressionCompiler::is_shared_variable(ir::ExpressionId id) const {
+  const ir::Expression* e = builder_.find(id);
+  return e != nullptr && e->op == Operator::variable && variables_.is_shared(builder_.source().at(e->variable));
 }
 
 Value ExpressionCompiler::as_string(const Value& value, text::Span span) {
   if (value.is_string()) return value;
+  if (value.type == ValueType::axis) {
+    const Operand name = builder_.take_string();
+    builder_.emit(Opcode::axis_name, span, raw_of(name), raw_of(value.operand));
+    return {name, ValueType::string, std::nullopt};
+  }
   const Operand to = builder_.take_string();
   builder_.emit(Opcode::string_from_number, span, raw_of(to), raw_of(value.operand), 0,
                 static_cast<std::uint8_t>(value.type));

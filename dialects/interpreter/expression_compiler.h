@@ -16,6 +16,10 @@ class ExpressionCompiler {
   // … as a number or a string; an alarm when it is neither and cannot become it.
   Value compile_number(ir::ExpressionId id, Operand target = Operand::none);
   Value compile_string(ir::ExpressionId id);
+  // An index: a number, or an axis by its name.
+  Value compile_index(ir::ExpressionId id, Operand target = Operand::none);
+  // The axis of a name.
+  Value as_axis(const Value& name, text::Span span);
   // A word's value: a sign before a vacant variable leaves it vacant.
   Value compile_word(ir::ExpressionId id);
   // a op b of two numbers that are compiled.
@@ -30,6 +34,9 @@ class ExpressionCompiler {
   Value compile_string_operator(const ir::Expression& e, Operand target);
   Value compile_string_comparison(const ir::Expression& e, const Value& a, const Value& b, Operand target);
   Value compile_is_variable(const ir::Expression& e);
+  Value compile_search(const ir::Expression& e, Operand target);
+  Value compile_substring(const ir::Expression& e);
+  [[nodiscard]] bool is_shared_variable(ir::ExpressionId id) const;
   Value as_string(const Value& value, text::Span span);
   Value as_number(const Value& value, text::Span span);
 

@@ -106,7 +106,8 @@ void FlowCompiler::compile_repeat_end(std::uint32_t index) {
   const text::Span span = statement(index).span;
   if (until != ir::ExpressionId::none) {
     const Value done = expressions_.compile_number(until);
-    const std::uint32_t test = builder_.emit(Opcode::branch_false, span, raw_of(done.operand));
+    // Whether it is done may not be known: then it is.
+    const std::uint32_t test = builder_.emit(Opcode::branch_false, span, raw_of(done.operand), 0, 0, 1);
     jump_to(Opcode::jump, span, index, Edge::after);
     builder_.at(test).b = builder_.here();
   }

@@ -40,8 +40,9 @@ struct Limits {
   std::uint32_t strings = 1U << 20;         // distinct texts of messages and tool names
 };
 
-// A variable's value before the start: of a state file, or an override. `name` for bank `named` (a scalar DEF or
-// parameter of the main program), `number` otherwise. Declarations with a value still set theirs.
+// A variable's value before the start: of a state file, or an override. `name` for bank `named` (a DEF or parameter of
+// the main program, otherwise global data; with its indices: "INI[53]") and `system` ("$A_IN[1]", axes by their
+// letters), `number` otherwise. Declarations with a value still set theirs.
 struct InitialValue {
   ir::Bank bank = ir::Bank::hash;
   std::uint32_t number = 0;
@@ -100,7 +101,8 @@ struct RunDiagnostic {
   text::Diagnostic diagnostic;
 };
 
-// A code, a word or native words that were met and not carried out, once a name.
+// A code, a word or native words that were met and not carried out, or a value that was needed and is not known, once a
+// name.
 struct NotInterpreted {
   std::string name;
   std::uint32_t program = 0;
@@ -108,6 +110,7 @@ struct NotInterpreted {
   std::uint64_t count = 0;  // how often it was executed
   ir::Function function = ir::Function::not_modelled;
   bool effects_known = false;  // known to neither move nor change what is modelled
+  bool is_input = false;       // a value that was not given: "INI[53]", "$A_IN[1]", "R5"
 };
 
 // A code whose number was computed (G#130, M[#1+1]) and what it came to, once a function.

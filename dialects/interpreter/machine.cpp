@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dialects/interpreter/jump_target.h"
+#include "dialects/interpreter/unknown.h"
 #include "dialects/interpreter/variable_listing.h"
 #include "dialects/text/number.h"
 
@@ -30,22 +31,27 @@ Machine::Machine(const ir::Control& control, ProgramFinder& finder, ir::MotionSi
       rules_(control),
       arithmetic_(control.semantics),
       variables_(control),
-      context_{control, rules_, arithmetic_, variables_, options.limits, names_, options.observer != nullptr},
+      context_{control, rules_, arithmetic_, variables_, options.limits, names_, shared_, options.observer != nullptr},
       programs_(context_, finder),
-      storage_(variables_, control.semantics.has_vacant ? kVacant : 0.0),
+      storage_(variables_, shared_,
+               control.semantics.has_vacant || control.semantics.unset_is_unknown ? kVacant : 0.0),
       state_(initial_state(control)),
       out_(sink),
       report_(control, options.limits, names_, out_),
       stack_(context_, programs_, storage_, state_, out_, report_),
-      access_(control, arithmetic_, variables_, storage_, state_, report_),
-      blocks_(control, rules_, arithmetic_, storage_, state_, out_, report_),
-      strings_(storage_, access_, report_) {
+      access_(control, arithmetic_, variables_, storage_, shared_, state_, report_),
+      blocks_(control, rules_, arithmetic_, storage_, shared_, state_, out_, report_),
+      strings_(control, storage_, access_, shared_, report_),
+      shared_access_(control, storage_, access_, shared_, state_, report_),
+      finder_(finder) {
   names_ = {};
 }
 
 RunResult Machine::run(const ir::Program& program) {
+  define_shared_data();
   CompiledProgram& main = programs_.add(program, program.name);
   stack_.start(main);
+  if (control_.semantics.unset_is_unknown) set_inputs(main);
   set_initial_values(main);
   execute(0);
   return finish(main);
@@ -54,30 +60,72 @@ RunResult Machine::run(const ir::Program& program) {
 RunResult Machine::finish(const CompiledProgram& main) {
   if (options_.observer != nullptr && executed_ > 0) tell_block();
   out_.flush();
+  if (control_.semantics.unset_is_unknown) name_unset_inputs(main);
   RunResult& result = report_.result();
   result.blocks = executed_;
   result.motions = out_.count();
   result.last = begun_;
-  if (options_.want_variables) result.variables = list_variables(variables_, main, storage_);
+  if (options_.want_variables) result.variables = list_variables(variables_, main, storage_, shared_);
   result.strings = names_.strings;
   result.programs = names_.programs;
   return std::move(result);
 }
 
+// Definition files declare the names that programs find in the control.
+void Machine::define_shared_data() {
+  for (const std::string& name : control_.definition_files)
+    if (const ir::Program* definitions = finder_.find(name)) shared_.define(*definitions);
+}
+
+// A subprogram that is run by itself takes its parameters and its feed from a caller that is not there.
+void Machine::set_inputs(const CompiledProgram& main) {
+  for (const Parameter& parameter : main.parameters) {
+    if (parameter.type == ir::ValueType::string)
+      storage_.string_at(parameter.slot) = kUnknownText;
+    else
+      storage_.frame_at(parameter.slot) =
+          parameter.by_reference ? Storage::refer_shared(shared_.nameless()) : kVacant;
+  }
+  bool returns = main.has_procedure;
+  for (const ir::Statement& statement : main.source->statements) {
+    if (statement.kind == ir::StatementKind::program_end) break;
+    returns = returns || statement.kind == ir::StatementKind::subprogram_return;
+  }
+  state_.feed_unknown = returns;
+}
+
+// What the main program reads and nobody has set by the end.
+void Machine::name_unset_inputs(const CompiledProgram& main) {
+  const ir::Program& source = *main.source;
+  for (const ir::Variable& variable : source.variables) {
+    if (variable.bank != ir::Bank::r || variable.index != ir::ExpressionId::none) continue;
+    const Slot slot = variables_.find(variable.bank, variable.number);
+    if (slot.kind != SlotKind::global || !is_vacant(storage_.global_at(slot.index))) continue;
+    out_.place.program = 0;
+    out_.place.line = source.source.position(variable.span.begin).line;
+    report_.count({.name = variable_name(variable.bank, variable.number), .is_input = true});
+  }
+}
+
 void Machine::set_initial_values(const CompiledProgram& main) {
   for (const InitialValue& value : options_.initial_values) {
-    if (value.bank != ir::Bank::named) {
+    if (value.name.empty()) {
       access_.set_initial(value);
       continue;
     }
     if (main.source == nullptr) continue;  // a stream declares no names
     const ir::Program& source = *main.source;
+    bool declared = false;
     for (std::size_t s = 0; s < source.symbols.size(); ++s) {
       const ir::Symbol& symbol = source.symbols[s];
-      if (symbol.type == ir::ValueType::string || symbol.dimension1 > 0 || source.strings.at(symbol.name) != value.name)
+      if (symbol.is_global || symbol.type == ir::ValueType::string || symbol.dimension1 > 0 ||
+          source.strings.at(symbol.name) != value.name)
         continue;
-      storage_.frame_at(main.symbols[s].slot) = arithmetic_.convert(symbol.type, value.value).value;
+      declared = true;
+      double& to = storage_.frame_at(main.symbols[s].slot);
+      (symbol.by_reference ? storage_.at_reference(to) : to) = arithmetic_.convert(symbol.type, value.value).value;
     }
+    if (!declared) shared_.set(value.name, value.value);
   }
 }
 
@@ -138,7 +186,7 @@ void Machine::execute(std::uint32_t next) {
           goes_on = report_.fail_limit(i, "loop passes");
         break;
       case Opcode::branch_false:
-        if (!is_true(reg(i.a))) next = i.b;
+        if (!is_true(reg(i.a)) && !(is_vacant(reg(i.a)) && decide_unknown(i))) next = i.b;
         break;
       case Opcode::apply: {
         const std::optional<Flow> flow = blocks_.run(i, stack_.program());
@@ -158,10 +206,20 @@ void Machine::execute(std::uint32_t next) {
       case Opcode::refer_element:
       case Opcode::load_system:
       case Opcode::store_system:
+      case Opcode::load_shared:
+      case Opcode::store_shared:
+      case Opcode::load_shared_text:
+      case Opcode::store_shared_text:
+      case Opcode::refer_shared:
       case Opcode::string_copy:
       case Opcode::string_join:
       case Opcode::string_from_number:
       case Opcode::string_to_number:
+      case Opcode::string_is_number:
+      case Opcode::string_to_axis:
+      case Opcode::string_find:
+      case Opcode::string_part:
+      case Opcode::axis_name:
       case Opcode::string_length:
       case Opcode::string_upper:
       case Opcode::string_lower:
@@ -193,6 +251,7 @@ void Machine::execute(std::uint32_t next) {
 
 bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
   if (is_string_opcode(i.op)) return strings_.execute(i, stack_.program());
+  if (is_shared_opcode(i.op)) return shared_access_.execute(i);
   CompiledProgram& program = stack_.program();
   const auto reg = [this](std::uint32_t operand) -> double& { return storage_.reg(operand); };
   if (i.op == Opcode::integer_quotient)
@@ -286,10 +345,25 @@ bool Machine::follow(Flow flow, const Instruction& i, std::uint32_t& next) {
   return flow == Flow::program_end ? end_program(i, next) : go_back(i, next);
 }
 
+// Not known is taken as not fulfilled. A loop that waits for an input would never end that way: from the hundredth time
+// on the condition is taken as fulfilled every other time. A loop that ends by its condition ends at once.
+bool Machine::decide_unknown(const Instruction& i) {
+  if (!control_.semantics.unset_is_unknown) return false;
+  constexpr std::uint32_t kPatience = 100;
+  report_.count({.name = "a condition on a value that is not known"});
+  if (i.extra == 1) return true;
+  const std::uint32_t times = ++undecided_[&i];
+  return times >= kPatience && times % 2 == 0;
+}
+
 bool Machine::jump(const Instruction& i, std::uint32_t& next) {
   const auto search = static_cast<ir::JumpSearch>(i.extra);
   const bool by_text = i.op == Opcode::jump_text;
   const double value = by_text ? 0.0 : storage_.reg(i.a);
+  if (control_.semantics.unset_is_unknown && (by_text ? is_unknown(storage_.text(i.a)) : is_vacant(value))) {
+    report_.count({.name = "a jump to a label that is not known"});
+    return true;
+  }
   const std::uint32_t to =
       by_text ? find_text(stack_.program(), storage_.text(i.a), next - 1, search)
               : find_number(stack_.program(), access_.whole_number(value, kLastBlockNumber), next - 1, search);

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "dialects/interpreter/block_runner.h"
 #include "dialects/interpreter/call_stack.h"
+#include "dialects/interpreter/shared_access.h"
 #include "dialects/interpreter/string_operations.h"
 #include "dialects/interpreter/variable_access.h"
 
@@ -46,6 +48,11 @@ class Machine {
 
   bool message(const Instruction& i);
   bool user_alarm(const Instruction& i);
+  // A condition on a value that is not known; true when it is taken as fulfilled.
+  bool decide_unknown(const Instruction& i);
+  void define_shared_data();
+  void set_inputs(const CompiledProgram& main);
+  void name_unset_inputs(const CompiledProgram& main);
   void tell(std::string_view name, double value);
   void tell_rare(const Instruction& i);
   void tell_block();
@@ -57,6 +64,7 @@ class Machine {
   BlockRules rules_;
   Arithmetic arithmetic_;
   VariableMap variables_;
+  SharedData shared_;
   CompileContext context_;
   ProgramTable programs_;
   Storage storage_;
@@ -67,10 +75,13 @@ class Machine {
   VariableAccess access_;
   BlockRunner blocks_;
   StringOperations strings_;
+  SharedAccess shared_access_;
+  ProgramFinder& finder_;
   std::uint64_t executed_ = 0;
   ir::Place begun_;  // of the running block; a call and a return change out_.place within it
   std::uint64_t passes_ = 0;
   std::vector<VariableChange> changes_;  // of the running block
+  std::unordered_map<const Instruction*, std::uint32_t> undecided_;  // how often a condition was not known
 };
 
 }  // namespace dripfeed::interpreter

@@ -66,6 +66,7 @@ struct ModalState {
   std::uint16_t unknown = kAllAxes;  // bit per axis: `position` is the last that was known, not where it is
   AxisValues coordinate_shift{};     // G92
   double feed = 0.0;                 // as Motion::feed
+  bool feed_unknown = false;         // given by a value that is not known, or by a caller that is not run
   double rpm = 0.0;                  // S as written, by what it means
   double surface_speed_m_min = 0.0;
   double spindle_limit_rpm = 0.0;

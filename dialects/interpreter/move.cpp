@@ -18,6 +18,7 @@ struct Target {
   AxisValues end{};
   std::uint16_t commanded = 0;    // bit per axis
   std::uint16_t incremental = 0;  // … by an increment
+  std::uint16_t unknown = 0;      // named with a value that is not known
 };
 
 // Calls visit(axis, value, incremental) for each axis word that is there: mm or degrees, as programmed but for the
@@ -51,6 +52,9 @@ Target find_target(const PlainBlock& block, const BlockRules& rules, const Modal
                          target.end[axis] = value + state.modes.shift[axis] + state.coordinate_shift[axis];
                        }
                      });
+  for (std::uint64_t rest = block.unknown & rules.axis_addresses; rest != 0; rest &= rest - 1)
+    target.unknown |= static_cast<std::uint16_t>(
+        1U << index_of(rules.axis_words[static_cast<std::size_t>(std::countr_zero(rest))].axis));
   return target;
 }
 
@@ -79,20 +83,39 @@ class Mover {
 
   void arc(MotionKind kind, Target target) {
     const PlaneAxes axes = axes_of(state_.modes.plane);
+    if (has_unknown_parts(target)) return lose(target);
     const Turn turn = kind == MotionKind::arc_ccw ? Turn::counterclockwise : Turn::clockwise;
     const std::optional<PlanePoint> center = find_center(axes, turn, target);
-    if (!center.has_value()) return;
+    if (!center.has_value()) return starts_unknown(axes) ? lose(target) : void();
     const PlanePoint to_end = chord(axes, target);
     const double start_radius = length_of(*center);
     const double end_radius = length_of({to_end.p - center->p, to_end.q - center->q});
-    if (std::abs(start_radius - end_radius) > rules_.semantics.arc_tolerance_mm)
-      return fail(text::DiagnosticId::arc_radius_mismatch, start_radius, end_radius);
+    const bool fits = std::abs(start_radius - end_radius) <= rules_.semantics.arc_tolerance_mm;
+    if (!fits && starts_unknown(axes)) return lose(target);
+    if (!fits) return fail(text::DiagnosticId::arc_radius_mismatch, start_radius, end_radius);
     if (block_.has(Address::turns) && block_.at(Address::turns) >= 1.0)
       emit_turns(kind, axes, *center, opening_of(*center, to_end, turn), target);
     emit_arc(kind, axes, *center, target);
   }
 
  private:
+  // Whether a word that the arc is made of has a value that is not known.
+  [[nodiscard]] bool has_unknown_parts(const Target& target) const {
+    constexpr std::uint64_t kParts = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k) |
+                                     bit_of(Address::r) | bit_of(Address::arc_radius) |
+                                     bit_of(Address::opening_angle) | bit_of(Address::turns);
+    return target.unknown != 0 || (block_.unknown & kParts) != 0;
+  }
+  [[nodiscard]] bool starts_unknown(PlaneAxes axes) const {
+    return ((state_.unknown >> axes.p | state_.unknown >> axes.q) & 1U) != 0;
+  }
+  // No arc can be said, but where it ends may be known.
+  void lose(const Target& target) {
+    result_ = {};
+    result_.notes |= kNoteArcNotComputed;
+    settle(target);
+  }
+
   // End minus start in the plane, radius values.
   [[nodiscard]] PlanePoint chord(PlaneAxes axes, const Target& target) const {
     return {radius_of(axes.p, target.end[axes.p] - state_.position[axes.p]),
@@ -183,10 +206,10 @@ class Mover {
     motion.feed = feed;
     if (kind == MotionKind::thread) motion.feed_mode = ir::FeedMode::per_rev;
     motion.axes_commanded = target.commanded;
-    motion.axes_unknown = state_.unknown;
+    motion.axes_unknown = state_.unknown | target.unknown;
     motion.machine_coordinates = options_.machine_coordinates;
     motion.exact_stop = options_.exact_stop || state_.modes.exact_stop;
-    if (kind != MotionKind::rapid && feed == 0.0) result_.notes |= kNoteNoFeed;
+    if (kind != MotionKind::rapid && feed == 0.0 && !state_.feed_unknown) result_.notes |= kNoteNoFeed;
     settle(target);
     return motion;
   }
@@ -200,6 +223,7 @@ class Mover {
     }
     if ((state_.unknown & target.incremental) != 0) result_.notes |= kNoteIncrementalFromUnknown;
     state_.unknown &= static_cast<std::uint16_t>(~(target.commanded & ~target.incremental));
+    state_.unknown |= target.unknown;
     state_.position = target.end;
   }
 
@@ -270,7 +294,7 @@ void return_to_reference(const PlainBlock& block, const BlockRules& rules, Modal
 }
 
 void forget_positions(const PlainBlock& block, const BlockRules& rules, ModalState& state) {
-  for (std::uint64_t rest = (block.present | block.numbered) & rules.axis_addresses; rest != 0; rest &= rest - 1)
+  for (std::uint64_t rest = (block.present | block.numbered | block.unknown) & rules.axis_addresses; rest != 0; rest &= rest - 1)
     state.unknown |= static_cast<std::uint16_t>(
         1U << index_of(rules.axis_words[static_cast<std::size_t>(std::countr_zero(rest))].axis));
 }

@@ -28,11 +28,12 @@ struct PlainBlock {
   std::uint64_t absolute = 0;       // AC()
   std::uint64_t incremental = 0;    // IC()
   std::uint64_t numbered = 0;       // written with a number (X1=): a machine axis; not in `present`
+  std::uint64_t unknown = 0;        // its value is not known; not in `present`
   std::array<double, kAddressCount> values{};
   std::span<const PlainCode> codes;
   std::uint32_t tool_name = kNoText;  // T="NAME": index of a text of the run
 
-  void clear() { present = in_increments = absolute = incremental = numbered = 0, codes = {}, tool_name = kNoText; }
+  void clear() { present = in_increments = absolute = incremental = numbered = unknown = 0, codes = {}, tool_name = kNoText; }
   [[nodiscard]] bool has(ir::Address address) const { return (present & bit_of(address)) != 0; }
   [[nodiscard]] double at(ir::Address address) const { return values[index_of(address)]; }
   void set(ir::Address address, double value) {

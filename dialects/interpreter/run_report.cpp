@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "dialects/interpreter/unknown.h"
+
 namespace dripfeed::interpreter {
 
 using text::DiagnosticId;
@@ -45,7 +47,8 @@ void RunReport::count(const Report& report) {
   const auto [entry, added] = counted_.try_emplace(report.name, result_.not_interpreted.size());
   if (added)
     result_.not_interpreted.push_back(
-        {report.name, program_->index, out_.place.line, 0, report.function, report.effects_known});
+        {report.name, program_->index, out_.place.line, 0, report.function, report.effects_known,
+         report.is_input});
   ++result_.not_interpreted[entry->second].count;
 }
 
@@ -55,7 +58,9 @@ void RunReport::note_computed(const std::string& name, ir::Function function) {
   result_.computed_codes.push_back({name, function, program_->index, out_.place.line});
 }
 
-std::uint32_t RunReport::text_index(const std::string& text) {
+std::uint32_t RunReport::text_index(const std::string& written) {
+  std::string text = written;
+  std::ranges::replace(text, kUnknownMark, '?');
   const auto next = static_cast<std::uint32_t>(names_.strings.size());
   if (const auto found = texts_.find(text); found != texts_.end()) return found->second;
   if (next >= limits_.strings) return kNoText;

@@ -32,7 +32,7 @@ class RunReport {
   void count(const Report& report);
   void note_computed(const std::string& name, ir::Function function);
   // Motion::text of that text; kNoText when there are too many.
-  std::uint32_t text_index(const std::string& text);
+  std::uint32_t text_index(const std::string& written);
 
   [[nodiscard]] RunResult& result() { return result_; }
 

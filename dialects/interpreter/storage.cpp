@@ -5,8 +5,8 @@
 
 namespace dripfeed::interpreter {
 
-Storage::Storage(const VariableMap& variables, double unset)
-    : globals_(variables.global_count(), unset), local_count_(variables.local_count()), unset_(unset) {}
+Storage::Storage(const VariableMap& variables, SharedData& shared, double unset)
+    : shared_(shared), globals_(variables.global_count(), unset), local_count_(variables.local_count()), unset_(unset) {}
 
 void Storage::open_frame(const CompiledProgram& program, const Bases& bases) {
   const std::size_t frame_end = std::size_t{bases.frame} + program.frame_slots;
@@ -44,6 +44,7 @@ double& Storage::at_reference(double reference) {
   const std::uint64_t index = bits >> 2;
   const auto space = static_cast<Space>(bits & 3U);
   if (space == Space::global) return globals_[index];
+  if (space == Space::constant) return shared_.at(static_cast<std::uint32_t>(index)).number;
   return space == Space::local ? locals_[index] : frames_[index];
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dialects/interpreter/bytecode.h"
+#include "dialects/interpreter/shared_data.h"
 #include "dialects/interpreter/variable_map.h"
 
 namespace dripfeed::interpreter {
@@ -22,7 +23,7 @@ struct Bases {
 class Storage {
  public:
   // `unset`: what a variable reads before it is set (vacant or 0).
-  Storage(const VariableMap& variables, double unset);
+  Storage(const VariableMap& variables, SharedData& shared, double unset);
 
   // Makes room for the program's frame at `bases` and clears its declared names; the registers that `reg` gives are not
   // changed by it.
@@ -48,9 +49,14 @@ class Storage {
   // A reference is a number that a register can hold: the space and the place in its whole stack.
   [[nodiscard]] double refer(Space space, std::uint32_t index) const;
   [[nodiscard]] double& at_reference(double reference);
+  // Data of the control has no register; its places are counted in the space that constants have otherwise.
+  static double refer_shared(std::uint32_t place) {
+    return static_cast<double>(std::uint64_t{place} << 2 | static_cast<std::uint64_t>(Space::constant));
+  }
   [[nodiscard]] const Bases& bases() const { return current_; }
 
  private:
+  SharedData& shared_;
   std::vector<double> globals_;
   std::vector<double> frames_;
   std::vector<double> locals_;

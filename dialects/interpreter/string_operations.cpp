@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "dialects/interpreter/axis_names.h"
+#include "dialects/interpreter/unknown.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::interpreter {
@@ -22,10 +24,23 @@ bool StringOperations::execute(const Instruction& i, const CompiledProgram& prog
   if (i.op == Opcode::string_load_element) return load_element(i, program);
   if (i.op == Opcode::string_store_element) return store_element(i, program);
   if (i.op == Opcode::string_fit) return fit(i);
+  if (i.op == Opcode::string_find) return find(i);
+  if (i.op == Opcode::string_part) return part(i);
   if (i.op == Opcode::string_length) {
-    storage_.reg(i.a) = static_cast<double>(storage_.text(i.b).size());
+    const std::string& text = storage_.text(i.b);
+    storage_.reg(i.a) = is_unknown(text) ? kVacant : static_cast<double>(text.size());
   } else if (i.op == Opcode::string_equal) {
-    storage_.reg(i.a) = storage_.text(i.b) == storage_.text(i.c) ? 1.0 : 0.0;
+    const std::string& a = storage_.text(i.b);
+    const std::string& b = storage_.text(i.c);
+    storage_.reg(i.a) = is_unknown(a) || is_unknown(b) ? kVacant : a == b ? 1.0 : 0.0;
+  } else if (i.op == Opcode::string_is_number) {
+    const std::string& text = storage_.text(i.b);
+    storage_.reg(i.a) = is_unknown(text) ? kVacant : text::parse_number(text).has_value() ? 1.0 : 0.0;
+  } else if (i.op == Opcode::string_to_axis) {
+    const std::string& text = storage_.text(i.b);
+    storage_.reg(i.a) = is_unknown(text) ? kVacant : axis_number(shared_, text);
+  } else if (i.op == Opcode::axis_name) {
+    storage_.string(i.a) = axis_name(shared_, storage_.reg(i.b));
   } else if (i.op == Opcode::string_copy) {
     storage_.string(i.a) = storage_.text(i.b);
   } else if (i.op == Opcode::string_join) {
@@ -46,7 +61,10 @@ bool StringOperations::execute(const Instruction& i, const CompiledProgram& prog
 
 // Reals as short as they can be read back, whole ones without a point; a CHAR is its character.
 void StringOperations::append_number(std::string& to, double value, ir::ValueType type) {
-  if (is_vacant(value)) return;
+  if (is_vacant(value)) {
+    if (unset_is_unknown_) to += kUnknownText;
+    return;
+  }
   if (type == ir::ValueType::character)
     to += static_cast<char>(static_cast<unsigned char>(value));
   else
@@ -54,6 +72,10 @@ void StringOperations::append_number(std::string& to, double value, ir::ValueTyp
 }
 
 bool StringOperations::to_number(const Instruction& i) {
+  if (is_unknown(storage_.text(i.b))) {
+    storage_.reg(i.a) = kVacant;
+    return true;
+  }
   const auto value = text::parse_number(storage_.text(i.b));
   if (!value.has_value())
     return report_.fail(i, DiagnosticId::argument_out_of_domain, {"NUMBER", '"' + storage_.text(i.b) + '"'});
@@ -62,15 +84,57 @@ bool StringOperations::to_number(const Instruction& i) {
 }
 
 bool StringOperations::load_element(const Instruction& i, const CompiledProgram& program) {
+  if (access_.has_unknown_index(i.c)) {
+    storage_.string(i.a) = kUnknownText;
+    return true;
+  }
   const auto element = access_.find_element(i, program, i.b, i.c);
   if (element.has_value()) storage_.string(i.a) = storage_.string_at(storage_.bases().string + *element);
   return element.has_value();
 }
 
 bool StringOperations::store_element(const Instruction& i, const CompiledProgram& program) {
+  if (access_.has_unknown_index(i.b)) {
+    const Array& a = program.arrays[i.a];
+    for (std::uint32_t n = 0; n < a.dimension1 * a.dimension2 * a.dimension3; ++n)
+      storage_.string_at(storage_.bases().string + a.first_slot + n) = kUnknownText;
+    return true;
+  }
   const auto element = access_.find_element(i, program, i.a, i.b);
   if (element.has_value()) storage_.string_at(storage_.bases().string + *element) = storage_.text(i.c);
   return element.has_value();
+}
+
+// INDEX, RINDEX: where the character is, counted from 0; MINDEX: the first of any of the characters. -1 for none.
+bool StringOperations::find(const Instruction& i) {
+  const std::string& text = storage_.text(i.b);
+  const std::string& wanted = storage_.text(i.c);
+  if (is_unknown(text) || is_unknown(wanted)) {
+    storage_.reg(i.a) = kVacant;
+    return true;
+  }
+  const auto op = static_cast<ir::Operator>(i.extra);
+  const std::size_t at = op == ir::Operator::find_text        ? text.find(wanted.substr(0, 1))
+                         : op == ir::Operator::find_text_last ? text.rfind(wanted.substr(0, 1))
+                                                              : text.find_first_of(wanted);
+  storage_.reg(i.a) = at == std::string::npos || wanted.empty() ? -1.0 : static_cast<double>(at);
+  return true;
+}
+
+// SUBSTR(text, first, count): what of it lies in the text.
+bool StringOperations::part(const Instruction& i) {
+  const std::string& text = storage_.text(i.b);
+  const double first = storage_.reg(i.c);
+  const double count = storage_.reg(next_register(i.c));
+  if (is_unknown(text) || is_vacant(first) || is_vacant(count)) {
+    storage_.string(i.a) = kUnknownText;
+    return true;
+  }
+  if (first < 0.0 || count < 0.0) return report_.fail(i, DiagnosticId::result_overflow);
+  const auto from = static_cast<std::size_t>(std::min(first, static_cast<double>(text.size())));
+  scratch_ = text.substr(from, static_cast<std::size_t>(std::min(count, static_cast<double>(text.size()))));
+  storage_.string(i.a) = scratch_;
+  return true;
 }
 
 bool StringOperations::fit(const Instruction& i) {

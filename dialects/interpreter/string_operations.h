@@ -7,8 +7,13 @@ namespace dripfeed::interpreter {
 
 class StringOperations {
  public:
-  StringOperations(Storage& storage, VariableAccess& access, RunReport& report)
-      : storage_(storage), access_(access), report_(report) {}
+  StringOperations(const ir::Control& control, Storage& storage, VariableAccess& access, SharedData& shared,
+                   RunReport& report)
+      : storage_(storage),
+        access_(access),
+        shared_(shared),
+        report_(report),
+        unset_is_unknown_(control.semantics.unset_is_unknown) {}
 
   // Carries out a string instruction; false when the run has ended.
   bool execute(const Instruction& i, const CompiledProgram& program);
@@ -18,11 +23,15 @@ class StringOperations {
   bool load_element(const Instruction& i, const CompiledProgram& program);
   bool store_element(const Instruction& i, const CompiledProgram& program);
   bool fit(const Instruction& i);
+  bool find(const Instruction& i);
+  bool part(const Instruction& i);
   void append_number(std::string& to, double value, ir::ValueType type);
 
   Storage& storage_;
   VariableAccess& access_;
+  SharedData& shared_;
   RunReport& report_;
+  bool unset_is_unknown_;
   std::string scratch_;
 };
 

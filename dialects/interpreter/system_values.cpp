@@ -37,7 +37,45 @@ Function function_of(ir::ModalGroup group, const Modes& modes) {
   return group == ir::ModalGroup::work_offset ? Function::work_offset : Function::none;
 }
 
+// Of the block before, in the unit and the coordinates of the program.
+std::optional<double> end_position(const ir::Control& control, std::size_t place, const ModalState& state) {
+  if (place >= ir::kAxisCount || (state.unknown >> place & 1U) != 0) return std::nullopt;
+  double value = state.position[place] - state.modes.shift[place] - state.coordinate_shift[place];
+  const auto kind = static_cast<ir::Axis>(place);
+  if (kind == ir::Axis::x) value /= BlockRules(control).x_factor(state.modes, false);
+  const bool rotary = kind == ir::Axis::a || kind == ir::Axis::b || kind == ir::Axis::c;
+  return state.modes.inch && !rotary ? value / 25.4 : value;
+}
+
 }  // namespace
+
+std::optional<double> answer_system(const ir::Control& control, const ir::SystemVariableRow& row,
+                                    const Indices& indices, const ModalState& state) {
+  switch (row.kind) {
+    case ir::SystemValue::end_position: return end_position(control, indices[0], state);
+    case ir::SystemValue::feed:
+      if (state.feed_unknown) return std::nullopt;
+      return state.modes.inch_feed ? state.feed / 25.4 : state.feed;
+    case ir::SystemValue::spindle_speed:
+      if (indices[0] > 1) return std::nullopt;  // another spindle
+      return state.modes.surface_speed ? state.surface_speed_m_min : state.rpm;
+    case ir::SystemValue::tool_number:
+      return state.tool.name == kNoText ? std::optional(static_cast<double>(state.tool.number)) : std::nullopt;
+    case ir::SystemValue::selected_tool:
+      return state.selected.name == kNoText ? std::optional(static_cast<double>(state.selected.number)) : std::nullopt;
+    case ir::SystemValue::tool_edge: return static_cast<double>(state.tool.offset);
+    case ir::SystemValue::spindle_direction:
+      if (indices[0] > 1) return std::nullopt;
+      return state.spindle == ir::SpindleState::clockwise ? 3.0 : state.spindle == ir::SpindleState::stopped ? 5.0 : 4.0;
+    case ir::SystemValue::constant: return static_cast<double>(row.first);
+    case ir::SystemValue::not_modelled:
+    case ir::SystemValue::machine_position:
+    case ir::SystemValue::work_offset_value:
+    case ir::SystemValue::active_code:
+    case ir::SystemValue::clock_ms: break;
+  }
+  return std::nullopt;
+}
 
 std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number, const ModalState& state) const {
   if (const auto found = written_.find(key_of(row, number)); found != written_.end()) return found->second;
@@ -45,11 +83,20 @@ std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number
   const ir::SystemVariableRow& entry = control_.system_variables[row];
   const std::uint32_t index = entry.name.empty() ? number - entry.first : number;
   switch (entry.kind) {
-    case ir::SystemValue::end_position: return end_position(index, state);
+    case ir::SystemValue::end_position: {
+      // Axes are counted as the control has them.
+      if (index >= control_.axes.size()) return std::nullopt;
+      const std::size_t place = kAxisLetters.find(control_.axes[index]);
+      return place == std::string_view::npos ? std::nullopt : end_position(control_, place, state);
+    }
     case ir::SystemValue::feed: return state.modes.inch_feed ? state.feed / 25.4 : state.feed;
     case ir::SystemValue::spindle_speed: return state.modes.surface_speed ? state.surface_speed_m_min : state.rpm;
     case ir::SystemValue::tool_number: return static_cast<double>(state.tool.number);
     case ir::SystemValue::active_code: return active_code(index + 1, state);
+    case ir::SystemValue::selected_tool:
+    case ir::SystemValue::tool_edge:
+    case ir::SystemValue::spindle_direction:
+    case ir::SystemValue::constant: return answer_system(control_, entry, {}, state);
     case ir::SystemValue::not_modelled:
     case ir::SystemValue::machine_position:
     case ir::SystemValue::work_offset_value:
@@ -60,18 +107,6 @@ std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number
 
 void SystemValues::write(std::uint32_t row, std::uint32_t number, double value) {
   written_[key_of(row, number)] = value;
-}
-
-// Of the block before, in the unit and the coordinates of the program. Axes are counted as the control has them.
-std::optional<double> SystemValues::end_position(std::uint32_t axis, const ModalState& state) const {
-  if (axis >= control_.axes.size()) return std::nullopt;
-  const std::size_t place = kAxisLetters.find(control_.axes[axis]);
-  if (place == std::string_view::npos || (state.unknown >> place & 1U) != 0) return std::nullopt;
-  double value = state.position[place] - state.modes.shift[place] - state.coordinate_shift[place];
-  const auto kind = static_cast<ir::Axis>(place);
-  if (kind == ir::Axis::x) value /= BlockRules(control_).x_factor(state.modes, false);
-  const bool rotary = kind == ir::Axis::a || kind == ir::Axis::b || kind == ir::Axis::c;
-  return state.modes.inch && !rotary ? value / 25.4 : value;
 }
 
 std::optional<double> SystemValues::active_code(std::uint32_t group, const ModalState& state) const {

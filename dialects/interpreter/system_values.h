@@ -7,9 +7,15 @@
 #include <unordered_map>
 
 #include "dialects/interpreter/block_rules.h"
+#include "dialects/interpreter/shared_data.h"
 #include "dialects/ir/control.h"
 
 namespace dripfeed::interpreter {
+
+// What the modal state answers for a system variable that has a name; nothing when it is not known. Axes are indexed by
+// their number in the trace.
+std::optional<double> answer_system(const ir::Control& control, const ir::SystemVariableRow& row,
+                                    const Indices& indices, const ModalState& state);
 
 class SystemValues {
  public:
@@ -21,7 +27,6 @@ class SystemValues {
   void write(std::uint32_t row, std::uint32_t number, double value);
 
  private:
-  [[nodiscard]] std::optional<double> end_position(std::uint32_t axis, const ModalState& state) const;
   [[nodiscard]] std::optional<double> active_code(std::uint32_t group, const ModalState& state) const;
 
   const ir::Control& control_;

@@ -38,6 +38,10 @@ double& VariableAccess::at(const Slot& slot) {
 }
 
 bool VariableAccess::load_number(const Instruction& i) {
+  if (is_unknown(storage_.reg(i.b))) {
+    storage_.reg(i.a) = kVacant;
+    return true;
+  }
   const auto found = find(i, storage_.reg(i.b));
   if (!found.has_value()) return false;
   double& to = storage_.reg(i.a);
@@ -51,6 +55,7 @@ bool VariableAccess::load_number(const Instruction& i) {
 }
 
 bool VariableAccess::store_number(const Instruction& i) {
+  if (is_unknown(storage_.reg(i.a))) return forget_bank(bank_of(i));
   const auto found = find(i, storage_.reg(i.a));
   if (!found.has_value()) return false;
   if (!found->slot.writable)
@@ -63,6 +68,10 @@ bool VariableAccess::store_number(const Instruction& i) {
 }
 
 bool VariableAccess::refer_number(const Instruction& i) {
+  if (is_unknown(storage_.reg(i.b))) {
+    storage_.reg(i.a) = Storage::refer_shared(shared_.nameless());
+    return true;
+  }
   const auto found = find(i, storage_.reg(i.b));
   if (!found.has_value()) return false;
   if (found->slot.kind != SlotKind::global && found->slot.kind != SlotKind::local)
@@ -81,11 +90,12 @@ std::optional<std::uint32_t> VariableAccess::find_element(const Instruction& i, 
   const Array& a = program.arrays[array];
   const auto row = whole_number(storage_.reg(indices), a.dimension1 - 1.0);
   const auto column = whole_number(storage_.reg(next_register(indices)), a.dimension2 - 1.0);
-  if (!row.has_value() || !column.has_value()) {
+  const auto layer = whole_number(storage_.reg(next_register(next_register(indices))), a.dimension3 - 1.0);
+  if (!row.has_value() || !column.has_value() || !layer.has_value()) {
     report_.fail(i, DiagnosticId::variable_out_of_range, {name_of_element(program, array, indices)});
     return std::nullopt;
   }
-  return a.first_slot + *row * a.dimension2 + *column;
+  return a.first_slot + (*row * a.dimension2 + *column) * a.dimension3 + *layer;
 }
 
 std::string VariableAccess::name_of_element(const CompiledProgram& program, std::uint32_t array,
@@ -95,10 +105,29 @@ std::string VariableAccess::name_of_element(const CompiledProgram& program, std:
   name += '[' + text::format_shortest(arithmetic_.round(value_or_zero(storage_.reg(indices))));
   if (symbol.dimension2 > 0)
     name += ',' + text::format_shortest(arithmetic_.round(value_or_zero(storage_.reg(next_register(indices)))));
+  if (symbol.dimension3 > 0)
+    name += ',' + text::format_shortest(
+                      arithmetic_.round(value_or_zero(storage_.reg(next_register(next_register(indices))))));
   return name + ']';
 }
 
+// One element was written, nobody knows which: nothing of them is known any more.
+bool VariableAccess::forget_bank(ir::Bank bank) {
+  for (const VariableMap::Named& entry : variables_.list())
+    if (entry.bank == bank && entry.kind == SlotKind::global) storage_.global_at(entry.index) = kVacant;
+  return true;
+}
+
+bool VariableAccess::has_unknown_index(std::uint32_t indices) {
+  return is_unknown(storage_.reg(indices)) || is_unknown(storage_.reg(next_register(indices))) ||
+         is_unknown(storage_.reg(next_register(next_register(indices))));
+}
+
 bool VariableAccess::load_element(const Instruction& i, const CompiledProgram& program) {
+  if (has_unknown_index(i.c)) {
+    storage_.reg(i.a) = kVacant;
+    return true;
+  }
   const auto element = find_element(i, program, i.b, i.c);
   if (!element.has_value()) return false;
   storage_.reg(i.a) = storage_.frame_at(storage_.bases().frame + *element);
@@ -106,6 +135,10 @@ bool VariableAccess::load_element(const Instruction& i, const CompiledProgram& p
 }
 
 bool VariableAccess::store_element(const Instruction& i, const CompiledProgram& program) {
+  if (has_unknown_index(i.b)) {
+    fill(program.arrays[i.a], kVacant);
+    return true;
+  }
   const auto element = find_element(i, program, i.a, i.b);
   if (!element.has_value()) return false;
   storage_.frame_at(storage_.bases().frame + *element) = storage_.reg(i.c);
@@ -113,6 +146,10 @@ bool VariableAccess::store_element(const Instruction& i, const CompiledProgram& 
 }
 
 bool VariableAccess::refer_element(const Instruction& i, const CompiledProgram& program) {
+  if (has_unknown_index(i.c)) {
+    storage_.reg(i.a) = Storage::refer_shared(shared_.nameless());
+    return true;
+  }
   const auto element = find_element(i, program, i.b, i.c);
   if (!element.has_value()) return false;
   storage_.reg(i.a) = storage_.refer(Space::frame, *element);
@@ -120,9 +157,11 @@ bool VariableAccess::refer_element(const Instruction& i, const CompiledProgram& 
 }
 
 void VariableAccess::fill_array(const Instruction& i, const CompiledProgram& program) {
-  const Array& a = program.arrays[i.a];
-  const double value = storage_.reg(i.b);
-  for (std::uint32_t n = 0; n < a.dimension1 * a.dimension2; ++n)
+  fill(program.arrays[i.a], storage_.reg(i.b));
+}
+
+void VariableAccess::fill(const Array& a, double value) {
+  for (std::uint32_t n = 0; n < a.dimension1 * a.dimension2 * a.dimension3; ++n)
     storage_.frame_at(storage_.bases().frame + a.first_slot + n) = value;
 }
 
@@ -160,7 +199,7 @@ bool VariableAccess::store_system(const Instruction& i) {
 }
 
 void VariableAccess::set_initial(const InitialValue& value) {
-  if (value.bank == ir::Bank::system) return system_.write(value.number, 0, value.value);
+  if (value.bank == ir::Bank::system && value.name.empty()) return system_.write(value.number, 0, value.value);
   const Slot slot = variables_.find(value.bank, value.number);
   if (slot.kind == SlotKind::system) return system_.write(slot.index, value.number, value.value);
   if (slot.kind == SlotKind::global || slot.kind == SlotKind::local) at(slot) = value.value;

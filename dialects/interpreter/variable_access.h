@@ -14,11 +14,12 @@ namespace dripfeed::interpreter {
 class VariableAccess {
  public:
   VariableAccess(const ir::Control& control, const Arithmetic& arithmetic, const VariableMap& variables,
-                 Storage& storage, const ModalState& state, RunReport& report)
+                 Storage& storage, SharedData& shared, const ModalState& state, RunReport& report)
       : control_(control),
         arithmetic_(arithmetic),
         variables_(variables),
         storage_(storage),
+        shared_(shared),
         state_(state),
         report_(report),
         system_(control) {}
@@ -38,6 +39,8 @@ class VariableAccess {
   std::optional<std::uint32_t> find_element(const Instruction& i, const CompiledProgram& program, std::uint32_t array,
                                             std::uint32_t indices);
   void set_initial(const InitialValue& value);
+  // One of three registers in a row holds an index that is not known.
+  bool has_unknown_index(std::uint32_t indices);
   [[nodiscard]] std::string name_of_element(const CompiledProgram& program, std::uint32_t array, std::uint32_t indices);
   // A whole number from 0 to `last`, rounded as the control does.
   [[nodiscard]] std::optional<std::uint32_t> whole_number(double value, double last) const;
@@ -51,11 +54,15 @@ class VariableAccess {
   double read_system(std::uint32_t row, std::uint32_t number);
   [[nodiscard]] std::string system_name(std::uint32_t row, std::uint32_t number) const;
   double& at(const Slot& slot);
+  [[nodiscard]] bool is_unknown(double value) const { return control_.semantics.unset_is_unknown && is_vacant(value); }
+  bool forget_bank(ir::Bank bank);
+  void fill(const Array& array, double value);
 
   const ir::Control& control_;
   const Arithmetic& arithmetic_;
   const VariableMap& variables_;
   Storage& storage_;
+  SharedData& shared_;
   const ModalState& state_;
   RunReport& report_;
   SystemValues system_;

@@ -2,6 +2,8 @@
 // variables in the control's table.
 #include "dialects/interpreter/variable_compiler.h"
 
+#include <array>
+
 #include "dialects/interpreter/expression_compiler.h"
 
 namespace dripfeed::interpreter {
@@ -31,6 +33,8 @@ Operand register_of(Slot slot) {
 
 std::string name_of(const ir::Program& program, const ir::Control& control, const ir::Variable& variable) {
   if (variable.bank == Bank::named) return std::string(program.strings.at(program.at(variable.symbol).name));
+  if (variable.bank == Bank::system && variable.name != ir::StringId::none)
+    return std::string(program.strings.at(variable.name));
   if (variable.bank == Bank::system)
     return variable.number < control.system_variables.size()
                ? std::string(control.system_variables[variable.number].name)
@@ -52,6 +56,7 @@ Operand VariableCompiler::direct(const ir::Variable& variable) const {
   if (variable.bank == Bank::named) {
     const ir::Symbol& symbol = builder_.source().at(variable.symbol);
     const SymbolSlot& slot = slot_of(variable.symbol);
+    if (symbol.is_global) return Operand::none;
     const bool plain = slot.array == kNoArray && !symbol.by_reference && symbol.type != ValueType::string;
     return plain ? make_operand(Space::frame, slot.slot) : Operand::none;
   }
@@ -59,17 +64,80 @@ Operand VariableCompiler::direct(const ir::Variable& variable) const {
   return register_of(builder_.context().variables.find(variable.bank, variable.number));
 }
 
-Operand VariableCompiler::index_pair(const ir::Variable& variable) {
-  const Operand first = builder_.take();
-  const Operand second = builder_.take();
-  const auto put = [&](ir::ExpressionId id, Operand to) {
-    const Value value = id == ir::ExpressionId::none ? Value{builder_.constant(0.0), ValueType::integer, 0.0}
-                                                     : expressions_.compile_number(id, to);
-    if (value.operand != to) builder_.emit(Opcode::copy, variable.span, raw_of(to), raw_of(value.operand));
-  };
-  put(variable.index, first);
-  put(variable.index2, second);
-  return first;
+Operand VariableCompiler::index_registers(const ir::Variable& variable) {
+  const std::array<Operand, 3> to{builder_.take(), builder_.take(), builder_.take()};
+  const std::array<ir::ExpressionId, 3> ids{variable.index, variable.index2, variable.index3};
+  for (std::size_t n = 0; n < to.size(); ++n) {
+    const Value value = ids[n] == ir::ExpressionId::none ? Value{builder_.constant(0.0), ValueType::integer, 0.0}
+                                                         : expressions_.compile_index(ids[n], to[n]);
+    if (value.operand != to[n]) builder_.emit(Opcode::copy, variable.span, raw_of(to[n]), raw_of(value.operand));
+  }
+  return to.front();
+}
+
+std::uint8_t VariableCompiler::index_count(const ir::Variable& variable) {
+  if (variable.index3 != ir::ExpressionId::none) return 3;
+  if (variable.index2 != ir::ExpressionId::none) return 2;
+  return variable.index != ir::ExpressionId::none ? 1 : 0;
+}
+
+bool VariableCompiler::is_shared(const ir::Variable& variable) const {
+  if (variable.bank == Bank::system) return variable.name != ir::StringId::none;
+  return variable.bank == Bank::named && variable.symbol != ir::SymbolId::none &&
+         builder_.source().at(variable.symbol).is_global;
+}
+
+std::uint32_t VariableCompiler::shared_id(const ir::Variable& variable) const {
+  const ir::Program& program = builder_.source();
+  SharedData& shared = builder_.context().shared;
+  const std::uint32_t id = shared.id_of(
+      program.strings.at(variable.bank == Bank::system ? variable.name : program.at(variable.symbol).name));
+  shared.note_indices(id, index_count(variable));
+  return id;
+}
+
+ValueType VariableCompiler::shared_type(const ir::Variable& variable) const {
+  if (variable.bank == Bank::system) return ValueType::real;
+  const SharedDefinition* definition = builder_.context().shared.definition_of(shared_id(variable));
+  return definition == nullptr ? builder_.source().at(variable.symbol).type : definition->type;
+}
+
+// The instruction that reads, writes or refers to a value of the control; the operands stand as its opcode says.
+void VariableCompiler::emit_shared(Opcode op, const ir::Variable& variable, Operand value, text::Span span) {
+  const bool writes = op == Opcode::store_shared || op == Opcode::store_shared_text;
+  const std::uint32_t id = shared_id(variable);
+  const std::uint8_t count = index_count(variable);
+  const std::uint32_t indices = count == 0 ? 0 : raw_of(index_registers(variable));
+  const std::uint32_t at = writes ? builder_.emit(op, span, id, indices, raw_of(value), count)
+                                  : builder_.emit(op, span, raw_of(value), id, indices, count);
+  if (variable.bank == Bank::system) builder_.at(at).detail = static_cast<std::uint16_t>(variable.number + 1);
+}
+
+Value VariableCompiler::load_shared(const ir::Variable& variable, Operand target) {
+  const ValueType type = shared_type(variable);
+  if (type == ValueType::string) return load_shared_text(variable);
+  const Operand to = target == Operand::none ? builder_.take() : target;
+  emit_shared(Opcode::load_shared, variable, to, variable.span);
+  return {to, type, std::nullopt};
+}
+
+Value VariableCompiler::load_shared_text(const ir::Variable& variable) {
+  const Operand to = builder_.take_string();
+  emit_shared(Opcode::load_shared_text, variable, to, variable.span);
+  return {to, ValueType::string, std::nullopt};
+}
+
+void VariableCompiler::store_shared(const ir::Variable& target, const Value& value, text::Span span) {
+  const ValueType type = shared_type(target);
+  const bool declared = target.bank == Bank::named && builder_.context().shared.definition_of(shared_id(target)) != nullptr;
+  if (declared && value.is_string() != (type == ValueType::string) && type != ValueType::axis) {
+    failure(span, DiagnosticId::wrong_type,
+            {name_of(builder_.source(), builder_.context().control, target), type == ValueType::string ? "STRING" : "REAL",
+             value.is_string() ? "STRING" : "REAL"});
+    return;
+  }
+  if (value.is_string() && type != ValueType::axis) return emit_shared(Opcode::store_shared_text, target, value.operand, span);
+  emit_shared(Opcode::store_shared, target, convert(type, value, Operand::none, span).operand, span);
 }
 
 Operand VariableCompiler::system_index(const ir::Variable& variable) {
@@ -84,6 +152,7 @@ Value VariableCompiler::load(const ir::Variable& variable, Operand target) {
   if (is_unknown(variable)) return failure(variable.span, DiagnosticId::unknown_name, {"here"});
   const bool numbered = variable.bank == Bank::hash || variable.bank == Bank::r;
   ++(numbered ? builder_.work.number_reads : builder_.work.named_reads);
+  if (is_shared(variable)) return load_shared(variable, target);
   if (variable.bank == Bank::named) return load_symbol(variable, target);
   if (numbered) return load_numbered(variable, target);
   const Operand index = system_index(variable);
@@ -97,13 +166,13 @@ Value VariableCompiler::load_symbol(const ir::Variable& variable, Operand target
   const SymbolSlot& slot = slot_of(variable.symbol);
   if (symbol.type == ValueType::string) {
     if (slot.array == kNoArray) return {make_operand(Space::frame, slot.slot), ValueType::string, std::nullopt};
-    const Operand indices = index_pair(variable);
+    const Operand indices = index_registers(variable);
     const Operand to = builder_.take_string();
     builder_.emit(Opcode::string_load_element, variable.span, raw_of(to), slot.array, raw_of(indices));
     return {to, ValueType::string, std::nullopt};
   }
   if (const Operand at = direct(variable); at != Operand::none) return {at, symbol.type, std::nullopt};
-  const Operand indices = slot.array == kNoArray ? Operand::none : index_pair(variable);
+  const Operand indices = slot.array == kNoArray ? Operand::none : index_registers(variable);
   const Operand to = target == Operand::none ? builder_.take() : target;
   if (slot.array == kNoArray)
     builder_.emit(Opcode::load_reference, variable.span, raw_of(to), raw_of(make_operand(Space::frame, slot.slot)));
@@ -150,6 +219,7 @@ void VariableCompiler::assign(const ir::Variable& target, ir::ExpressionId value
 }
 
 void VariableCompiler::store(const ir::Variable& target, const Value& value, text::Span span) {
+  if (is_shared(target)) return store_shared(target, value, span);
   if (target.bank == Bank::named) return store_symbol(target, value, span);
   if (value.is_string()) {
     failure(span, DiagnosticId::wrong_type,
@@ -161,6 +231,7 @@ void VariableCompiler::store(const ir::Variable& target, const Value& value, tex
 }
 
 Value VariableCompiler::convert(ValueType type, const Value& value, Operand target, text::Span span) {
+  if (type == ValueType::axis && value.is_string()) return expressions_.as_axis(value, span);
   if (type == ValueType::real || type == ValueType::axis || type == ValueType::frame) return value;
   // A sum of INTs may be out of range; BOOL and CHAR come from where they were checked.
   if (type == value.type && type != ValueType::integer) return value;
@@ -177,7 +248,7 @@ void VariableCompiler::store_symbol(const ir::Variable& target, const Value& val
   const ir::Symbol& symbol = builder_.source().at(target.symbol);
   const std::string_view name = builder_.source().strings.at(symbol.name);
   if (symbol.type == ValueType::string) return store_string(target, value, span);
-  if (value.is_string()) {
+  if (value.is_string() && symbol.type != ValueType::axis) {
     failure(span, DiagnosticId::wrong_type, {std::string(name), "a number", "STRING"});
     return;
   }
@@ -193,7 +264,7 @@ void VariableCompiler::store_symbol(const ir::Variable& target, const Value& val
                   raw_of(converted.operand));
     return tell(converted.operand, name, span);
   }
-  const Operand indices = index_pair(target);
+  const Operand indices = index_registers(target);
   builder_.emit(Opcode::store_element, span, slot.array, raw_of(indices), raw_of(converted.operand));
   if (builder_.context().observed)
     builder_.emit(Opcode::tell_element, span, slot.array, raw_of(indices), raw_of(converted.operand));
@@ -215,7 +286,7 @@ void VariableCompiler::store_string(const ir::Variable& target, const Value& val
   if (slot.array == kNoArray)
     builder_.emit(Opcode::string_copy, span, raw_of(make_operand(Space::frame, slot.slot)), raw_of(from));
   else
-    builder_.emit(Opcode::string_store_element, span, slot.array, raw_of(index_pair(target)), raw_of(from));
+    builder_.emit(Opcode::string_store_element, span, slot.array, raw_of(index_registers(target)), raw_of(from));
 }
 
 void VariableCompiler::store_numbered(const ir::Variable& target, const Value& value, text::Span span) {
@@ -245,6 +316,7 @@ void VariableCompiler::store_numbered(const ir::Variable& target, const Value& v
 
 void VariableCompiler::initialise(ir::SymbolId symbol, ir::ExpressionId value, text::Span span) {
   const ir::Symbol& declared = builder_.source().at(symbol);
+  if (declared.is_global) return;  // a definition file's: it is set when the control starts for the first time
   const SymbolSlot& slot = slot_of(symbol);
   if (slot.array == kNoArray || declared.type == ValueType::string) {
     ir::Variable variable;
@@ -261,14 +333,21 @@ void VariableCompiler::initialise(ir::SymbolId symbol, ir::ExpressionId value, t
 // -----------------------------------------------------------------------------------------
 
 Operand VariableCompiler::refer(const ir::Variable& variable) {
-  if (variable.bank == Bank::system || is_unknown(variable)) return Operand::none;
+  if (is_unknown(variable)) return Operand::none;
+  if (is_shared(variable)) {
+    if (shared_type(variable) == ValueType::string) return Operand::none;
+    const Operand to = builder_.take();
+    emit_shared(Opcode::refer_shared, variable, to, variable.span);
+    return to;
+  }
+  if (variable.bank == Bank::system) return Operand::none;
   const Operand at = direct(variable);
   if (at == Operand::none && variable.bank == Bank::named) {
     const SymbolSlot& slot = slot_of(variable.symbol);
     if (builder_.source().at(variable.symbol).type == ValueType::string) return Operand::none;
     // A parameter by reference is a reference itself.
     if (slot.array == kNoArray) return make_operand(Space::frame, slot.slot);
-    const Operand indices = index_pair(variable);
+    const Operand indices = index_registers(variable);
     const Operand to = builder_.take();
     builder_.emit(Opcode::refer_element, variable.span, raw_of(to), slot.array, raw_of(indices));
     return to;

@@ -32,6 +32,10 @@ class VariableCompiler {
   void initialise(ir::SymbolId symbol, ir::ExpressionId value, text::Span span);
   // A register with a reference to the variable, for a parameter by reference; none for what cannot be referred to.
   Operand refer(const ir::Variable& variable);
+  // Data of the control: global user data, a system variable by name.
+  [[nodiscard]] bool is_shared(const ir::Variable& variable) const;
+  // … read as a text, whatever it was set to.
+  Value load_shared_text(const ir::Variable& variable);
 
  private:
   Value load_symbol(const ir::Variable& variable, Operand target);
@@ -42,8 +46,14 @@ class VariableCompiler {
   Value convert(ir::ValueType type, const Value& value, Operand target, text::Span span);
   // The register that the variable is, when it is one.
   [[nodiscard]] Operand direct(const ir::Variable& variable) const;
-  // Two registers in a row with the indices of an array element.
-  Operand index_pair(const ir::Variable& variable);
+  // Three registers in a row with the indices of an array element.
+  Operand index_registers(const ir::Variable& variable);
+  static std::uint8_t index_count(const ir::Variable& variable);
+  [[nodiscard]] std::uint32_t shared_id(const ir::Variable& variable) const;
+  [[nodiscard]] ir::ValueType shared_type(const ir::Variable& variable) const;
+  void emit_shared(Opcode op, const ir::Variable& variable, Operand value, text::Span span);
+  Value load_shared(const ir::Variable& variable, Operand target);
+  void store_shared(const ir::Variable& target, const Value& value, text::Span span);
   Operand system_index(const ir::Variable& variable);
   Value failure(text::Span span, text::DiagnosticId id, std::vector<std::string> arguments);
   void tell(Operand operand, std::string_view name, text::Span span);

@@ -18,14 +18,17 @@ std::string element_name(std::string_view name, const ir::Symbol& symbol, std::u
   std::string result(name);
   if (symbol.dimension1 == 0) return result;
   const std::uint32_t columns = std::max<std::uint32_t>(symbol.dimension2, 1);
-  result += '[' + std::to_string(element / columns);
-  if (symbol.dimension2 > 0) result += ',' + std::to_string(element % columns);
+  const std::uint32_t layers = std::max<std::uint32_t>(symbol.dimension3, 1);
+  result += '[' + std::to_string(element / layers / columns);
+  if (symbol.dimension2 > 0) result += ',' + std::to_string(element / layers % columns);
+  if (symbol.dimension3 > 0) result += ',' + std::to_string(element % layers);
   return result + ']';
 }
 
 }  // namespace
 
-std::vector<VariableValue> list_variables(const VariableMap& variables, const CompiledProgram& main, Storage& storage) {
+std::vector<VariableValue> list_variables(const VariableMap& variables, const CompiledProgram& main, Storage& storage,
+                                          SharedData& shared) {
   std::vector<VariableValue> result;
   std::vector<std::pair<ir::Bank, std::uint32_t>> named = main.named_variables;
   std::ranges::sort(named);
@@ -39,7 +42,9 @@ std::vector<VariableValue> list_variables(const VariableMap& variables, const Co
     const ir::Symbol& symbol = main.source->symbols[s];
     const std::string_view name = main.source->strings.at(symbol.name);
     const std::uint32_t count =
-        std::max<std::uint32_t>(symbol.dimension1, 1) * std::max<std::uint32_t>(symbol.dimension2, 1);
+        std::max<std::uint32_t>(symbol.dimension1, 1) * std::max<std::uint32_t>(symbol.dimension2, 1) *
+        std::max<std::uint32_t>(symbol.dimension3, 1);
+    if (symbol.is_global) continue;
     for (std::uint32_t n = 0; n < count; ++n) {
       const std::uint32_t slot = main.symbols[s].slot + n;
       if (symbol.type == ir::ValueType::string)
@@ -47,6 +52,15 @@ std::vector<VariableValue> list_variables(const VariableMap& variables, const Co
       else
         result.push_back({element_name(name, symbol, n), shown(storage.frame_at(slot)), std::nullopt});
     }
+  }
+  for (const SharedData::Entry& entry : shared.entries()) {
+    SharedValue& value = shared.at(entry.place);
+    if (!value.has_text && is_vacant(value.number)) continue;
+    const std::string name = shared.name_of_element(entry.id, entry.indices, shared.index_count_of(entry.id));
+    if (value.has_text)
+      result.push_back({name, std::nullopt, value.text});
+    else
+      result.push_back({name, shown(value.number), std::nullopt});
   }
   return result;
 }

@@ -40,6 +40,10 @@ enum class SystemValue : std::uint8_t {
   tool_number,
   active_code,
   clock_ms,
+  selected_tool,
+  tool_edge,
+  spindle_direction,
+  constant,  // SystemVariableRow::first
 };
 struct SystemVariableRow {
   std::string_view name;    // "$P_EP"; empty for numbered ones
@@ -48,6 +52,7 @@ struct SystemVariableRow {
   SystemValue kind = SystemValue::not_modelled;
   bool writable = false;
   std::string_view reference;
+  bool inert = false;  // writing it neither moves nor changes what is modelled
 };
 
 struct AlarmRow {
@@ -81,6 +86,7 @@ struct Control {
   std::span<const SystemVariableRow> system_variables;
   std::span<const AlarmRow> alarms;
   std::vector<VariableRange> variables;
+  std::vector<std::string> definition_files;  // programs that declare global data, by name; read before a run
   bool from_profile = false;  // a named machine: what it leaves unconfirmed is an error, not a warning
   // Why the control was taken for this one, when no machine was named: the line that decided, 0 for the default.
   std::uint32_t because_line = 0;

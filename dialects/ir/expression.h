@@ -43,6 +43,8 @@ enum class Operator : std::uint8_t {
   string_length,
   to_string,
   to_number,
+  is_number,
+  to_axis,  // AXNAME: the axis of a name
   to_upper,
   to_lower,
   // two operands (a, b)
@@ -69,8 +71,12 @@ enum class Operator : std::uint8_t {
   power,
   minimum,
   maximum,
+  find_text,
+  find_text_last,
+  find_any,  // INDEX, RINDEX: a character in a text; MINDEX: any of several; -1 for none
   // three operands (a, b, c)
   bound,
+  substring,  // SUBSTR(text, first, count); first from 0
   count_,
 };
 
@@ -99,6 +105,8 @@ struct Variable {
   SymbolId symbol = SymbolId::none;  // named
   ExpressionId index = ExpressionId::none;   // computed number (hash, r) or first array index (named, system)
   ExpressionId index2 = ExpressionId::none;  // second array index
+  ExpressionId index3 = ExpressionId::none;  // third
+  StringId name = StringId::none;            // system: as the control writes it, "$P_EP"
   text::Span span;
 };
 
@@ -110,9 +118,11 @@ struct Symbol {
   ValueType type = ValueType::real;
   std::uint16_t dimension1 = 0;  // 0: a scalar
   std::uint16_t dimension2 = 0;
+  std::uint16_t dimension3 = 0;
   std::uint16_t string_length = 0;  // STRING[n]
   bool is_parameter = false;
   bool by_reference = false;
+  bool is_global = false;  // data of the control that outlives the program (GUD), declared elsewhere or in this text
   ExpressionId initial = ExpressionId::none;  // DEF … = value, or the default of a parameter
   text::Span span;
 };

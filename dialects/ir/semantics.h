@@ -23,6 +23,9 @@ enum class Plane : std::uint8_t { xy, zx, yz };
 
 struct Semantics {
   bool has_vacant = true;  // #0 exists; without it unset variables read 0
+  // What only the control's memory or its surroundings hold (R parameters, global data, inputs) is not known until it
+  // is set, and neither is what is computed from it; otherwise it reads 0.
+  bool unset_is_unknown = false;
   NumberFormat number_format = NumberFormat::double_precision;
   ComparisonMode comparison = ComparisonMode::exact;
   double relative_tolerance = 0.0;

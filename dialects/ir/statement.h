@@ -49,7 +49,8 @@ enum class Address : std::uint8_t {
   polar_radius,  // AP=, RP=
   turns,         // TURN=
   chamfer,
-  rounding,  // CHF=/CHR=, RND=
+  rounding,    // CHF=/CHR=, RND=
+  named_axis,  // AX[…]=: the axis that Word::axis gives
   other,     // a named address that is kept as text: Word::name
   count_,
 };
@@ -62,6 +63,7 @@ struct Word {
   WordMode mode = WordMode::as_modal;
   ExpressionId value = ExpressionId::none;  // a number or a string expression (T="NAME")
   StringId name = StringId::none;           // Address::other: as written
+  ExpressionId axis = ExpressionId::none;   // Address::named_axis
   text::Span span;
 };
 

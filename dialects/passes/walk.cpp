@@ -14,6 +14,7 @@ std::vector<VariableUseAt> variables_of(const ir::Program& program, const ir::St
       [&](ir::VariableId target) {
         for_each_node(program, program.at(target).index, node);
         for_each_node(program, program.at(target).index2, node);
+        for_each_node(program, program.at(target).index3, node);
         uses.push_back({target, true});
       });
   return uses;

@@ -23,7 +23,10 @@ void for_each_root(AnyProgram& program, const ir::Statement& statement, OnExpres
     case program_end: {
       const ir::Block& b = program.blocks[statement.payload];
       for (std::uint32_t i = 0; i < b.code_count; ++i) root(program.codes[b.first_code + i].number);
-      for (std::uint32_t i = 0; i < b.word_count; ++i) root(program.words[b.first_word + i].value);
+      for (std::uint32_t i = 0; i < b.word_count; ++i) {
+        root(program.words[b.first_word + i].value);
+        root(program.words[b.first_word + i].axis);
+      }
       return;
     }
     case assign:
@@ -86,6 +89,7 @@ void for_each_node(const ir::Program& program, ir::ExpressionId id, Visit&& visi
     const ir::Variable v = program.at(e.variable);
     for_each_node(program, v.index, visit);
     for_each_node(program, v.index2, visit);
+    for_each_node(program, v.index3, visit);
   } else {
     for_each_node(program, e.a, visit);
     for_each_node(program, e.b, visit);

@@ -14,6 +14,7 @@ namespace {
 ir::Semantics semantics(bool lathe) {
   ir::Semantics s;
   s.has_vacant = false;
+  s.unset_is_unknown = true;
   s.number_format = ir::NumberFormat::double_precision;
   s.comparison = ir::ComparisonMode::relative;
   s.relative_tolerance = 1e-12;
@@ -54,6 +55,8 @@ ir::Control control(ir::MachineKind kind) {
   c.kind = kind;
   c.axes = kind == ir::MachineKind::lathe ? "XZ" : kind == ir::MachineKind::mill ? "XYZ" : "XYZC";
   c.semantics = semantics(lathe);
+  // PGA, user data: the definition files of Siemens, the machine tool builder, the user, and further ones.
+  c.definition_files = {"SGUD", "MGUD", "UGUD", "GUD4", "GUD5", "GUD6", "GUD7", "GUD8", "GUD9"};
   c.limits.block_length_bytes = 512;
   c.limits.digits = 0;  // none: constants are doubles
   c.limits.expression_nesting = 32;

@@ -70,6 +70,13 @@ constexpr auto kKeywords = std::to_array<Keyword>({
   function("TOUPPER", to_upper),
   function("TOLOWER", to_lower),
   function("ISVAR", is_variable),
+  function("ISNUMBER", is_number),
+  function("INDEX", find_text),
+  function("RINDEX", find_text_last),
+  function("MINDEX", find_any),
+  function("SUBSTR", substring),
+  function("AXNAME", to_axis),
+  function("AXSTRING", to_string),
   // constants
   {"TRUE", Role::constant},
   {"FALSE", Role::constant},

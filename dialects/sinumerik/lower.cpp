@@ -216,6 +216,7 @@ ir::SymbolId Lowering::symbol_used(std::string_view symbol_name) {
   if (found != symbols_.end()) return found->second;
   ir::Symbol symbol;
   symbol.name = id;
+  symbol.is_global = true;
   const ir::SymbolId added = program_.add(symbol);
   symbols_.emplace(id, added);
   return added;

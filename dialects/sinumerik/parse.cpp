@@ -238,8 +238,10 @@ bool Parser::signed_constant(ir::ExpressionId& value) {
   return true;
 }
 
-void Parser::word(ir::Address address, std::uint8_t extension, ir::StringId name, text::Span head) {
+void Parser::word(ir::Address address, std::uint8_t extension, ir::StringId name, text::Span head,
+                  ir::ExpressionId axis) {
   ir::Word w;
+  w.axis = axis;
   w.address = address;
   w.extension = extension;
   w.name = name;
@@ -305,6 +307,15 @@ void Parser::named_word(const Keyword& keyword) {
   word(keyword.address, 0, name, head);
 }
 
+// AX[A1]=…: the axis is computed.
+void Parser::named_axis_word(text::Span head) {
+  cursor_.advance();
+  ir::Variable index;
+  index_list(index, false);
+  if (index.index == ir::ExpressionId::none) return native("AX", false, head);
+  word(ir::Address::named_axis, 0, ir::StringId::none, to_here(head), index.index);
+}
+
 void Parser::g_code(text::Span head) {
   if (cursor_.is_symbol('[') || cursor_.is_symbol('=')) return native("G[]", false, head);
   if (cursor_.kind() != TokenKind::number) {
@@ -348,10 +359,8 @@ void Parser::numbered_m_function(double number, std::uint32_t extension, text::S
 
 void Parser::variable_statement() {
   const text::Span head = cursor_.span();
-  const std::string_view name = cursor_.text();
   const ir::VariableId target = variable();
   assignment(target, head);
-  if (name.front() == '$') lower_.keep_as_native(name, is_harmless_to_write(name), to_here(head));
 }
 
 void Parser::name_statement() {
@@ -359,8 +368,11 @@ void Parser::name_statement() {
   const std::string_view name = cursor_.text();
   const Keyword* keyword = find_keyword(name);
   const bool variable_here = lower_.is_declared(lower_.find_symbol(name));
-  if (keyword != nullptr && !(variable_here && keyword->role != Role::statement)) return statement_of(*keyword, head);
+  const bool axis_word = same_name(name, "AX") && !variable_here && cursor_.after().is_symbol('[');
+  if (keyword != nullptr && !axis_word && !(variable_here && keyword->role != Role::statement))
+    return statement_of(*keyword, head);
   const TokenCursor next = cursor_.after();
+  if (same_name(name, "AX") && next.is_symbol('[')) return named_axis_word(head);
   const bool assigned = next.is_symbol('=') || next.is_symbol('[');
   if (!variable_here && !assigned) {
     if (const GCode* code = find_named_code(name)) {

@@ -39,8 +39,10 @@ class Parser {
   void g_code(text::Span head);
   void m_function(std::uint32_t extension, text::Span head);
   void numbered_m_function(double number, std::uint32_t extension, text::Span span);
-  void word(ir::Address address, std::uint8_t extension, ir::StringId name, text::Span head);
+  void word(ir::Address address, std::uint8_t extension, ir::StringId name, text::Span head,
+            ir::ExpressionId axis = ir::ExpressionId::none);
   void named_word(const Keyword& keyword);
+  void named_axis_word(text::Span head);
   bool signed_constant(ir::ExpressionId& value);
   ir::ExpressionId word_value(ir::Word& word);
   ir::ExpressionId moded_value(ir::Word& word);
@@ -62,6 +64,7 @@ class Parser {
   ir::ExpressionId function_call(const Keyword& keyword, text::Span name);
   ir::ExpressionId foreign_call(text::Span name);
   ir::ExpressionId axis_name();
+  ir::ExpressionId system_index();
   ir::ExpressionId missing_operand();
   ir::Operator infix_here(std::uint8_t& rank) const;
   void warn_of_rank(ir::ExpressionId operand, bool in_parentheses, text::Span span);
@@ -69,7 +72,7 @@ class Parser {
   // variables: parse_variable.cpp
   ir::VariableId variable();
   ir::VariableId r_variable();
-  void index_list(ir::Variable& variable, bool axes_are_numbers);
+  void index_list(ir::Variable& variable, bool of_system);
   ir::ExpressionId constant(double value, text::Span span);
 
   // jumps and structures: parse_flow.cpp
@@ -95,7 +98,7 @@ class Parser {
   bool value_list(const ir::Variable& first, text::Span head);
   void repeated_value(const ir::Variable& first, text::Span head);
   bool element(const ir::Variable& first, std::uint32_t offset, ir::ExpressionId value, text::Span head);
-  void skip_value_attributes();
+  bool skip_value_attributes();
 
   // the rest: parse_statements.cpp
   void assignment(ir::VariableId target, text::Span head);

@@ -128,25 +128,29 @@ void Parser::dimensions(ir::Symbol& symbol) {
     const auto size = static_cast<std::uint16_t>(usable ? e.value : 1.0);
     if (count == 0) symbol.dimension1 = size;
     if (count == 1) symbol.dimension2 = size;
+    if (count == 2) symbol.dimension3 = size;
     ++count;
   } while (cursor_.take(','));
   expect(']');
 }
 
-// SYNR, PHU 5, LLI 0, APR 7: of global data, without meaning for a run.
-void Parser::skip_value_attributes() {
+// SYNR, PHU 5, LLI 0, APR 7: of global data, without meaning for a run; but NCK or CHAN make it global.
+bool Parser::skip_value_attributes() {
+  bool global = false;
   while (cursor_.kind() == TokenKind::name) {
     const Keyword* keyword = find_keyword(cursor_.text());
-    if (keyword == nullptr || keyword->role != Role::attribute) return;
+    if (keyword == nullptr || keyword->role != Role::attribute) return global;
+    global = global || keyword->name == "NCK" || keyword->name == "CHAN";
     cursor_.advance();
     ir::ExpressionId value = ir::ExpressionId::none;
     (void)signed_constant(value);
   }
+  return global;
 }
 
 // DEF REAL A, B=2, C[3]=SET(1,2,3)
 void Parser::definition(text::Span head) {
-  skip_value_attributes();
+  const bool global = skip_value_attributes();
   const Keyword* keyword = cursor_.kind() == TokenKind::name ? find_keyword(cursor_.text()) : nullptr;
   if (keyword == nullptr || keyword->role != Role::type)
     return give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is no type of a variable"});
@@ -157,14 +161,15 @@ void Parser::definition(text::Span head) {
     dimensions(length);
     string_length = length.dimension1;
   }
-  skip_value_attributes();
+  (void)skip_value_attributes();
   ir::Structure structure;
   structure.first_symbol = static_cast<std::uint32_t>(program_.symbols.size());
   std::vector<std::pair<ir::Variable, TokenCursor>> lists;  // of arrays, read when all names are there
   do {
     ir::Symbol symbol;
     if (!defined_name(keyword->type, string_length, symbol)) break;
-    skip_value_attributes();
+    symbol.is_global = global;
+    (void)skip_value_attributes();
     const ir::SymbolId id = lower_.declare(symbol);
     if (!cursor_.take('=')) continue;
     if (cursor_.is_name("SET") || cursor_.is_name("REP") || (cursor_.is_symbol('(') && symbol.dimension1 > 0)) {
@@ -228,7 +233,8 @@ void Parser::repeated_value(const ir::Variable& first, text::Span head) {
   ++brackets_;
   const ir::ExpressionId value = binary(kWeakestRank);
   const ir::Symbol& symbol = program_.at(first.symbol);
-  std::uint32_t count = std::max<std::uint32_t>(symbol.dimension1, 1) * std::max<std::uint32_t>(symbol.dimension2, 1);
+  std::uint32_t count = std::max<std::uint32_t>(symbol.dimension1, 1) *
+                        std::max<std::uint32_t>(symbol.dimension2, 1) * std::max<std::uint32_t>(symbol.dimension3, 1);
   if (cursor_.take(',')) {
     const ir::Expression& e = program_.at(binary(kWeakestRank));
     if (e.op == ir::Operator::constant && e.value >= 0.0 && e.value <= 4e9) count = static_cast<std::uint32_t>(e.value);
@@ -251,19 +257,28 @@ bool Parser::element(const ir::Variable& first, std::uint32_t offset, ir::Expres
   };
   std::uint32_t row = 0;
   std::uint32_t column = 0;
-  if (first.bank == ir::Bank::system || !constant_index(first.index, row) || !constant_index(first.index2, column)) {
+  std::uint32_t layer = 0;
+  if (first.bank == ir::Bank::system || !constant_index(first.index, row) || !constant_index(first.index2, column) ||
+      !constant_index(first.index3, layer)) {
     lower_.keep_as_native("SET", false, head);
     return false;
   }
-  const std::uint32_t columns = first.bank == ir::Bank::named ? program_.at(first.symbol).dimension2 : 0U;
+  const bool named = first.bank == ir::Bank::named;
+  const std::uint32_t columns = named ? program_.at(first.symbol).dimension2 : 0U;
+  const std::uint32_t layers = named ? program_.at(first.symbol).dimension3 : 0U;
   ir::Variable target = first;
-  const std::uint32_t flat = (columns > 0 ? row * columns + column : row) + offset;
+  std::uint32_t flat = row;
+  if (columns > 0) flat = flat * columns + column;
+  if (layers > 0) flat = flat * layers + layer;
+  flat += offset;
   if (first.bank == ir::Bank::r) {
     target.number = flat;
     target.index = ir::ExpressionId::none;
   } else {
+    if (layers > 0) target.index3 = constant(flat % layers, first.span);
+    if (layers > 0) flat /= layers;
+    if (columns > 0) target.index2 = constant(flat % columns, first.span);
     target.index = constant(columns > 0 ? flat / columns : flat, first.span);
-    target.index2 = columns > 0 ? constant(flat % columns, first.span) : ir::ExpressionId::none;
   }
   lower_.add_assign(program_.add(target), value, head);
   return true;

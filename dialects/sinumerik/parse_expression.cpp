@@ -14,6 +14,8 @@ using ir::Operator;
 using ir::TokenKind;
 using text::DiagnosticId;
 
+constexpr double kLongestString = 200.0;
+
 bool is_comparison(Operator op) { return op >= Operator::equal && op <= Operator::greater_equal; }
 bool is_logic(Operator op) {
   return op == Operator::logic_and || op == Operator::logic_or || op == Operator::logic_xor ||
@@ -321,6 +323,11 @@ ir::ExpressionId Parser::function_call(const Keyword& keyword, text::Span name) 
   --brackets_;
   expect(')');
   e.span = to_here(name);
+  // SUBSTR(text, first): to the end.
+  if (keyword.op == Operator::substring && given == 2) {
+    operands[2] = constant(kLongestString, e.span);
+    given = 3;
+  }
   if (given != wanted) {
     report(DiagnosticId::wrong_argument_count, e.span,
            {std::string(keyword.name), std::to_string(wanted), std::to_string(given)});

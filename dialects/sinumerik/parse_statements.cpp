@@ -84,7 +84,10 @@ void Parser::assignment(ir::VariableId target, text::Span head) {
   if (list) return native("SET", false, head);
   const ir::ExpressionId value = expression();
   if (foreign_chain_) return lower_.keep_as_native(variable_span.in(cursor_.whole()), false, to_here(head));
-  if (written.bank != ir::Bank::system) lower_.add_assign(target, value, to_here(head));
+  // $$ stands for a value of the main run: only synchronized actions write it.
+  const bool main_run = variable_span.in(cursor_.whole()).starts_with("$$");
+  if (main_run) return lower_.keep_as_native(variable_span.in(cursor_.whole()), false, to_here(head));
+  lower_.add_assign(target, value, to_here(head));
 }
 
 void Parser::missing_target() {

@@ -7,8 +7,8 @@ namespace {
 
 // Functions that give a value and have no counterpart in ir.
 constexpr std::string_view kForeign[] = {
-    "INDEX",      "RINDEX",    "MINDEX",    "SUBSTR",   "ISNUMBER",   "SPRINT",     "AXNAME",    "AX",
-    "AXTOSPI",    "SPI",       "AXSTRING",  "CTRANS",   "CROT",       "CSCALE",     "CMIRROR",   "CFINE",
+    "SPRINT",     "AX",
+    "AXTOSPI",    "SPI",       "CTRANS",   "CROT",       "CSCALE",     "CMIRROR",   "CFINE",
     "CROTS",      "CRPL",      "INVFRAME",  "ADDFRAME", "CALCDAT",    "CALCPOSI",   "GETT",      "ISAXIS",
     "ISFILE",     "INTERSEC",  "CTAB",      "CTABINV",  "CTABTSV",    "CTABTEV",    "CTABSSV",   "CTABSEV",
     "CTABEXISTS", "CTABTSP",   "CTABTEP",   "CTABID",   "GETACTTD",   "GETDNO",     "GETSELT",   "GETEXET",

@@ -238,6 +238,7 @@ class Printer {
     if (s.dimension1 > 0) {
       out += "[" + std::to_string(s.dimension1);
       if (s.dimension2 > 0) out += "," + std::to_string(s.dimension2);
+      if (s.dimension3 > 0) out += "," + std::to_string(s.dimension3);
       out += "]";
     }
     if (s.initial != ir::ExpressionId::none) {

@@ -16,11 +16,13 @@ using ir::Address;
 constexpr int kPlainDecimals = 6;
 constexpr int kComputedDecimals = 4;
 
-bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
+bool is_axis(Address a) {
+  return a <= Address::c || (a >= Address::u && a <= Address::z) || a == Address::named_axis;
+}
 // Values with a decimal point always: positions and what belongs to them.
 bool has_point(Address a) {
   return is_axis(a) || (a >= Address::i && a <= Address::k) || a == Address::arc_radius || a == Address::chamfer ||
-         a == Address::rounding;
+         a == Address::rounding || a == Address::named_axis;
 }
 
 std::string_view name_of(Address a) {
@@ -33,6 +35,7 @@ std::string_view name_of(Address a) {
     case Address::turns: return "TURN";
     case Address::chamfer: return "CHF";
     case Address::rounding: return "RND";
+    case Address::named_axis:
     case Address::other:
     case Address::count_:
     case Address::a:
@@ -127,6 +130,10 @@ std::string BlockPrinter::word(const ir::Word& w) const {
   if (letter) {
     head = std::string(1, static_cast<char>('A' + static_cast<int>(w.address)));
     if (w.extension != 0) head += std::to_string(w.extension);
+  } else if (w.address == Address::named_axis) {
+    head = "AX[";
+    expressions_.append(head, w.axis);
+    head += ']';
   } else if (w.name != ir::StringId::none) {
     head = program_.strings.at(w.name);
   } else {

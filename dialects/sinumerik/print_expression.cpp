@@ -132,9 +132,10 @@ void ExpressionPrinter::append_index(std::string& out, const ir::Variable& v) co
   } else {
     append(out, v.index);
   }
-  if (v.index2 != ir::ExpressionId::none) {
+  for (const ir::ExpressionId further : {v.index2, v.index3}) {
+    if (further == ir::ExpressionId::none) continue;
     out += ',';
-    append(out, v.index2);
+    append(out, further);
   }
   out += ']';
 }

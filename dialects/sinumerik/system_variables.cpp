@@ -23,14 +23,14 @@ constexpr auto kVariables = std::to_array<ir::SystemVariableRow>({
   {"$P_F", 0, 0, feed, false, "LIS1, last programmed path feed"},
   {"$P_S", 0, 0, spindle_speed, false, "LIS1, last programmed spindle speed"},
   {"$P_TOOLNO", 0, 0, tool_number, false, "LIS1, active tool number"},
-  {"$P_TOOLP", 0, 0, not_modelled, false, "LIS1, last programmed tool"},
-  {"$P_TOOL", 0, 0, not_modelled, false, "LIS1, active cutting edge"},
+  {"$P_TOOLP", 0, 0, selected_tool, false, "LIS1, last programmed tool"},
+  {"$P_TOOL", 0, 0, tool_edge, false, "LIS1, active cutting edge"},
   {"$P_TOOLR", 0, 0, not_modelled, false, "LIS1, active tool radius"},
   {"$P_TOOLL", 0, 0, not_modelled, false, "LIS1, active tool length"},
   {"$P_GG", 0, 0, not_modelled, false, "LIS1, index of the active code of a group"},
   {"$P_EXTGG", 0, 0, not_modelled, false, "LIS1, the same in ISO mode"},
-  {"$P_SDIR", 0, 0, not_modelled, false, "LIS1, last programmed spindle direction"},
-  {"$P_MSNUM", 0, 0, not_modelled, false, "LIS1, master spindle"},
+  {"$P_SDIR", 0, 0, spindle_direction, false, "LIS1, last programmed spindle direction"},
+  {"$P_MSNUM", 1, 1, constant, false, "LIS1, master spindle"},
   {"$P_EPM", 0, 0, not_modelled, false, "LIS1, programmed end position in machine coordinates"},
   {"$P_UIFR", 0, 0, not_modelled, true, "LIS1, settable frames"},
   {"$P_IFRAME", 0, 0, not_modelled, true, "LIS1, active settable frame"},
@@ -43,9 +43,9 @@ constexpr auto kVariables = std::to_array<ir::SystemVariableRow>({
   {"$P_STACK", 0, 0, not_modelled, false, "LIS1, program level"},
   {"$P_PROGPATH", 0, 0, not_modelled, false, "LIS1, program path"},
   {"$P_SUBPAR", 0, 0, not_modelled, false, "LIS1, whether a parameter was passed"},
-  {"$P_AXN1", 0, 0, not_modelled, false, "LIS1, first geometry axis"},
-  {"$P_AXN2", 0, 0, not_modelled, false, "LIS1, second geometry axis"},
-  {"$P_AXN3", 0, 0, not_modelled, false, "LIS1, third geometry axis"},
+  {"$P_AXN1", 0, 0, constant, false, "LIS1, first geometry axis"},
+  {"$P_AXN2", 1, 1, constant, false, "LIS1, second geometry axis"},
+  {"$P_AXN3", 2, 2, constant, false, "LIS1, third geometry axis"},
   {"$P_SIM", 0, 0, not_modelled, false, "LIS1, simulation runs"},
   {"$P_ISTEST", 0, 0, not_modelled, false, "LIS1, program test"},
   {"$P_DRYRUN", 0, 0, not_modelled, false, "LIS1, dry run feed"},
@@ -100,6 +100,7 @@ constexpr std::string_view kHarmless[] = {
 std::span<const ir::SystemVariableRow> system_variables() {
   static const std::vector<ir::SystemVariableRow> rows = [] {
     std::vector<ir::SystemVariableRow> all(kVariables.begin(), kVariables.end());
+    for (ir::SystemVariableRow& row : all) row.inert = is_harmless_to_write(row.name);
     for (const PlainNames& list : plain_names()) {
       if (list.role != Role::foreign) continue;
       for (const std::string_view name : list.names) all.push_back({name, 0, 0, not_modelled, false, "PGA, functions"});

@@ -16,6 +16,7 @@ class Unread {
   void run() {
     for (const ir::Statement& s : check_.program.statements) {
       if (s.kind == StatementKind::native) native(s);
+      if (s.kind == StatementKind::assign) write(check_.program.assigns[s.payload].target, s.span);
       if (s.kind == StatementKind::block) block(check_.block_of(s));
     }
   }
@@ -32,6 +33,15 @@ class Unread {
     if (!check_.program.natives[s.payload].effects_known && name.find(' ') == std::string_view::npos &&
         name != "UNREADABLE")
       say(name, s.span);
+  }
+
+  // What a system variable does when it is written is the control's; outputs, timers and counters do nothing here.
+  void write(ir::VariableId target, text::Span span) {
+    if (target == ir::VariableId::none) return;
+    const ir::Variable& v = check_.program.at(target);
+    if (v.bank != ir::Bank::system || v.name == ir::StringId::none) return;
+    const bool inert = v.number != 0 && check_.control.system_variables[v.number].inert;
+    if (!inert) say(check_.program.strings.at(v.name), span);
   }
 
   void block(const ir::Block& block) {

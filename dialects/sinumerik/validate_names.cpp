@@ -94,18 +94,50 @@ class Names {
     }
   }
 
-  // A name that is nowhere defined may be global user data, which the machine's own definition files hold. Where the
-  // program uses arrays of that kind it is taken for one, and the fault is a warning; alone it is most likely a slip.
+  // A name that is nowhere defined may be global user data, which the machine's own definition files hold, or in a
+  // subprogram the caller's. Where the program has arrays of that kind, more than one such name, or calls others, it is
+  // taken for one, and the fault is a warning; alone, or beside a defined name of nearly the same spelling, it is most
+  // likely a slip.
   void unknown_names() const {
-    bool global_data = false;
-    for (std::size_t i = 0; i < program_.symbols.size(); ++i)
-      global_data = global_data || (!is_declared(program_.symbols[i]) && uses_[i].indexed);
+    std::uint32_t unknown = 0;
+    bool global_data = is_subprogram(program_);
+    for (std::size_t i = 0; i < program_.symbols.size(); ++i) {
+      if (is_declared(program_.symbols[i]) || uses_[i].first.empty()) continue;
+      ++unknown;
+      global_data = global_data || uses_[i].indexed;
+    }
+    global_data = global_data || unknown > 1 ||
+                  std::ranges::any_of(program_.statements, [](const ir::Statement& s) {
+                    return s.kind == StatementKind::call || s.kind == StatementKind::declaration;
+                  });
     for (std::size_t i = 0; i < program_.symbols.size(); ++i) {
       const ir::Symbol& symbol = program_.symbols[i];
       if (is_declared(symbol) || uses_[i].first.empty()) continue;
       text::Diagnostic& d = check_.report(DiagnosticId::unknown_name, uses_[i].first, {name(symbol)});
-      if (global_data) d.severity = text::Severity::warning;
+      const ir::Symbol* meant = nearly_the_same(symbol);
+      if (meant != nullptr) d.notes.push_back({meant->span, "this one has nearly the same name"});
+      if (global_data && meant == nullptr) d.severity = text::Severity::warning;
     }
+  }
+
+  // A defined name that differs by one letter, or by two that changed places; names that are told apart by a digit
+  // (X1, X2) are meant to differ.
+  [[nodiscard]] const ir::Symbol* nearly_the_same(const ir::Symbol& unknown) const {
+    const std::string wrong = name(unknown);
+    for (const ir::Symbol& symbol : program_.symbols)
+      if (is_declared(symbol) && is_slip(wrong, name(symbol))) return &symbol;
+    return nullptr;
+  }
+
+  static bool is_slip(std::string_view a, std::string_view b) {
+    constexpr std::size_t kShortest = 5;
+    if (std::min(a.size(), b.size()) < kShortest) return false;
+    while (!a.empty() && !b.empty() && a.front() == b.front()) a.remove_prefix(1), b.remove_prefix(1);
+    while (!a.empty() && !b.empty() && a.back() == b.back()) a.remove_suffix(1), b.remove_suffix(1);
+    const auto letters = [](std::string_view text) { return std::ranges::all_of(text, is_letter); };
+    if (!letters(a) || !letters(b)) return false;
+    if (a.size() == 2 && b.size() == 2) return a[0] == b[1] && a[1] == b[0];
+    return a.size() <= 1 && b.size() <= 1;
   }
 
   void unused() const {

@@ -65,12 +65,13 @@ void check_r_set(const Check& check) {
 
 void check_system_writes(const Check& check) {
   for (const ir::Statement& s : check.program.statements) {
-    if (s.kind != StatementKind::native) continue;
-    const std::string_view name = check.native_name(s);
-    if (!name.starts_with('$')) continue;
-    const std::uint32_t row = find_system_variable(name);
-    if (row != 0 && !check.control.system_variables[row].writable)
-      check.report(DiagnosticId::variable_write_protected, s.span, {std::string(name)});
+    if (s.kind != StatementKind::assign) continue;
+    const ir::VariableId target = check.program.assigns[s.payload].target;
+    if (target == ir::VariableId::none || check.program.at(target).bank != ir::Bank::system) continue;
+    const ir::Variable& v = check.program.at(target);
+    if (v.number != 0 && !check.control.system_variables[v.number].writable)
+      check.report(DiagnosticId::variable_write_protected, s.span,
+                   {std::string(check.control.system_variables[v.number].name)});
   }
 }
 

@@ -166,7 +166,8 @@ void take_run(const interpreter::RunResult& run, CheckReport& report) {
   for (const interpreter::NotInterpreted& one : run.not_interpreted) {
     if (one.effects_known) continue;
     report.checks.has_unknown_effects = true;
-    report.checks.not_checked.add(fmt::format("{}: not interpreted", one.name), one.first_line);
+    report.checks.not_checked.add(fmt::format("{}: {}", one.name, one.is_input ? "input not known" : "not interpreted"),
+                                  one.first_line);
   }
   report.blocks = run.blocks;
   report.ran = run.ended == interpreter::Ended::end;

@@ -33,7 +33,7 @@ std::optional<interpreter::InitialValue> read_line(std::string_view line) {
     initial.bank = name.front() == '#' ? ir::Bank::hash : ir::Bank::r;
     initial.number = static_cast<std::uint32_t>(*number);
   } else {
-    initial.bank = ir::Bank::named;
+    initial.bank = name.front() == '$' ? ir::Bank::system : ir::Bank::named;
     initial.name = name;
   }
   return initial;
