@@ -33,6 +33,8 @@ struct Dialect {
   // Makes a program of `from` legal for `to`, a control of this dialect.
   ir::RaiseResult (*raise)(const ir::Program& program, const ir::Control& from, const ir::Control& to);
   ir::PrintResult (*print)(const ir::Program& program, const ir::Control& control);
+  // Text of a program that the control brings along (a standard cycle), empty without one; nullptr: it has none.
+  std::string_view (*standard_program)(std::string_view name) = nullptr;
 };
 
 std::span<const Dialect> dialects();

@@ -27,6 +27,8 @@ class ProgramLibrary : public interpreter::ProgramFinder {
 
   // nullptr when there is no such program. Valid as long as the library.
   const ir::Program* find(std::string_view name) override;
+  // nullptr when it cannot be read without an error.
+  std::unique_ptr<ir::Program> read_text(std::string_view text) override;
   // What reading the programs gave, by name, in the order they were asked for.
   struct Loaded {
     std::string name;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "dialects/interpreter/move.h"
+#include "dialects/interpreter/polar.h"
 
 namespace dripfeed::interpreter {
 
@@ -29,6 +30,7 @@ struct Effects {
   bool surface_code = false;  // this block switches the surface speed
   bool announces = false;     // something that events tell of may have changed
   std::int8_t stop = -1;      // 0 program, 1 optional
+  Function move_once = Function::none;  // instead of the modal motion
   Flow flow = Flow::next;
 };
 
@@ -111,6 +113,12 @@ constexpr CodeRow kCodeRows[] = {
     {Function::local_shift, one_shot},
     {Function::local_shift_add, one_shot},
     {Function::set_coordinates, one_shot},
+    {Function::rotate, one_shot},
+    {Function::scale, one_shot},
+    {Function::mirror, one_shot},
+    {Function::pole_from_last, one_shot},
+    {Function::pole_from_zero, one_shot},
+    {Function::pole_from_pole, one_shot},
     {Function::reference_return, one_shot},
     {Function::comp_off, [](CodeContext& c) { comp(c, ir::CompSide::off); }},
     {Function::comp_left, [](CodeContext& c) { comp(c, ir::CompSide::left); }},
@@ -139,11 +147,13 @@ constexpr auto kCodeRules = [] {
   return rules;
 }();
 
-constexpr bool is_motion(Function function) { return function >= Function::rapid && function <= Function::thread; }
+constexpr bool is_motion(Function function) { return function >= Function::rapid && function <= Function::tap_retract; }
 
 void apply_codes(const PlainBlock& block, const BlockRules& rules, ModalState& state, Effects& effects) {
   for (const PlainCode& code : block.codes) {
-    if (is_motion(code.function)) {
+    if (is_motion(code.function) && code.group == ModalGroup::non_modal) {
+      effects.move_once = code.function;  // G63
+    } else if (is_motion(code.function)) {
       state.modes.motion = code.function;
       state.modes.motion_given = state.modes.motion_modelled = true;
     } else if (const auto rule = kCodeRules[static_cast<std::size_t>(code.function)]; rule != nullptr) {
@@ -244,6 +254,10 @@ void act_once(const PlainBlock& block, const BlockRules& rules, const Effects& e
     dwell(block, rules, state, out);
   } else if (effects.one_shot == Function::local_shift || effects.one_shot == Function::local_shift_add) {
     shift_locally(block, rules, effects.argument == 1, effects.one_shot == Function::local_shift_add, state);
+  } else if (effects.one_shot >= Function::rotate && effects.one_shot <= Function::mirror) {
+    change_frame(block, rules, effects.one_shot, effects.argument == 1, state);
+  } else if (effects.one_shot >= Function::pole_from_last && effects.one_shot <= Function::pole_from_pole) {
+    set_pole(block, rules, effects.one_shot, state);
   } else if (effects.one_shot == Function::set_coordinates) {
     set_coordinates(block, rules, state);
   } else if (effects.one_shot == Function::reference_return) {
@@ -256,8 +270,9 @@ void act_once(const PlainBlock& block, const BlockRules& rules, const Effects& e
 // Moves when there is something to move by: axis words, or the centre of an arc alone, which is a full circle.
 bool has_move(const PlainBlock& block, const BlockRules& rules, const ModalState& state) {
   constexpr std::uint64_t kArcWords = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k);
-  if (((block.present | block.unknown) & rules.axis_addresses) != 0) return true;
+  if (((block.present | block.unknown) & rules.axis_addresses) != 0 || has_polar_words(block)) return true;
   const bool arc = state.modes.motion == Function::arc_cw || state.modes.motion == Function::arc_ccw;
+  if (block.has(Address::modal_rounding) && !arc) return false;
   return arc && state.modes.motion_modelled && ((block.present | block.unknown) & kArcWords) != 0;
 }
 
@@ -326,12 +341,14 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
     set_tool(block, rules, state, effects);
   if ((block.present & kSpindleWords) != 0 && !times) set_speed(block, state, effects);
   if (((block.present | block.unknown) & kFeedWord) != 0 && !times) set_feed(block, state);
+  if (block.has(Address::modal_rounding))
+    state.modal_rounding_mm = rules.length_mm(block, Address::modal_rounding, state.modes.inch);
   if (effects.announces) announce(state, out);
 
   if (effects.one_shot != Function::none)
     act_once(block, rules, effects, state, out, result);
   else if (has_move(block, rules, state))
-    move(block, rules, {effects.machine_coordinates, effects.exact_stop}, state, out, result);
+    move(block, rules, {effects.machine_coordinates, effects.exact_stop, effects.move_once}, state, out, result);
   if (result.fault != text::DiagnosticId::count_) return result;
 
   finish(effects, state, out);

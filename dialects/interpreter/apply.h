@@ -22,7 +22,11 @@ inline constexpr std::uint32_t kNoteMotionWithoutCode = 2;        // moved as th
 inline constexpr std::uint32_t kNoteMoveNotModelled = 4;          // axis words under a cycle or curve: no move came out
 inline constexpr std::uint32_t kNoteReferenceUnknown = 8;         // to a reference point whose place is not known
 inline constexpr std::uint32_t kNoteIncrementalFromUnknown = 16;  // where the move ends is not known
-inline constexpr std::uint32_t kNoteArcNotComputed = 32;          // it begins or ends where nobody knows
+inline constexpr std::uint32_t kNoteArcNotComputed = 1U << 16;  // it begins or ends where nobody knows
+inline constexpr std::uint32_t kNoteArcInFrame = 1U << 17;      // the frame makes something else of it
+inline constexpr std::uint32_t kNoteCornerNotComputed = 1U << 18;
+inline constexpr std::uint32_t kNoteMeasuring = 1U << 19;  // where the move ends, a probe decides
+inline constexpr std::uint32_t kNoteSpline = 1U << 20;     // straight to the end point
 
 struct BlockResult {
   Flow flow = Flow::next;

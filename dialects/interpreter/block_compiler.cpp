@@ -13,16 +13,7 @@ using ir::Function;
 constexpr std::uint64_t kAxisLetters64 = bit_of(Address::x) | bit_of(Address::y) | bit_of(Address::z) |
                                          bit_of(Address::a) | bit_of(Address::b) | bit_of(Address::c) |
                                          bit_of(Address::u) | bit_of(Address::v) | bit_of(Address::w);
-constexpr std::uint64_t kGeometryNotModelled = bit_of(Address::polar_angle) | bit_of(Address::polar_radius) |
-                                               bit_of(Address::chamfer) | bit_of(Address::rounding) |
-                                               bit_of(Address::other);
-
-struct AddressName {
-  Address address;
-  std::string_view name;
-};
-constexpr AddressName kNames[] = {
-    {Address::polar_angle, "AP"}, {Address::polar_radius, "RP"}, {Address::chamfer, "CHF"}, {Address::rounding, "RND"}};
+constexpr std::uint64_t kGeometryNotModelled = bit_of(Address::other);
 
 // Codes whose axis words are no positions to move to, and that say themselves when they are not interpreted.
 bool takes_axis_words(const ir::Code& code) {
@@ -135,8 +126,6 @@ bool BlockCompiler::is_interpreted(const ir::Word& word) const {
 
 std::string BlockCompiler::name_of(const ir::Word& word) const {
   if (word.address == Address::other) return std::string(builder_.source().strings.at(word.name));
-  for (const AddressName& row : kNames)
-    if (row.address == word.address) return std::string(row.name);
   std::string name(1, static_cast<char>('A' + static_cast<int>(word.address)));
   if (word.extension != 0) name += std::to_string(word.extension);
   return name;

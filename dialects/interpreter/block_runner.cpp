@@ -25,11 +25,15 @@ struct NoteRow {
   Report report;
 };
 // Notes that are counted like a code that is not interpreted.
-const std::array<NoteRow, 4>& counted_notes() {
-  static const std::array<NoteRow, 4> rows = {{
+const std::array<NoteRow, 8>& counted_notes() {
+  static const std::array<NoteRow, 8> rows = {{
       {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
       {kNoteReferenceUnknown, {"the way to the reference point", ir::Function::reference_return}},
       {kNoteArcNotComputed, {"arcs from or to a place that is not known"}},
+      {kNoteArcInFrame, {"arcs that a frame tilts or stretches"}},
+      {kNoteCornerNotComputed, {"a chamfer or rounding that does not fit its corner"}},
+      {kNoteMeasuring, {"MEAS: where the probe touches"}},
+      {kNoteSpline, {"the curve of a spline"}},
       {kNoteIncrementalFromUnknown, {"increments from a position that is not known", ir::Function::incremental}},
   }};
   return rows;
@@ -199,7 +203,7 @@ void BlockRunner::take_notes(const Instruction& i, std::uint32_t notes) {
   }
   if ((notes & kNoteNoFeed) != 0 && !said_no_feed_) {
     said_no_feed_ = true;
-    report_.say(i, DiagnosticId::no_feed);
+    report_.keep_no_feed(i);
   }
 }
 

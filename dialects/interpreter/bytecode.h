@@ -101,7 +101,10 @@ enum class Opcode : std::uint8_t {
   branch_false,  // to b unless a holds; extra 1: also when it is not known whether it does
   jump_number,   // to the block whose number is a; extra: JumpSearch; c: 1 when a missing target is passed over
   jump_text,     // to the label in string a; as above
-  apply,         // block template a
+  repeat_section,  // back to a, number b times; section c
+  section_end,     // of section c: to a when it is being repeated
+  execute_text,    // string a as a block
+  apply,           // block template a
   call,          // call site a
   skip_given,    // to b when parameter a was given
   back,          // of a subprogram
@@ -111,7 +114,7 @@ enum class Opcode : std::uint8_t {
   message,  // string a, or none: clear
   alarm,    // number a (or none), string b (or none)
   fail,     // failure a: an alarm that was seen while compiling
-  report,   // report a: something that is not interpreted
+  report,   // report a: something that is not interpreted; b 1: axes may be anywhere after it
   // For an observer
   tell,          // register a has a new value; b: name
   tell_number,   // variable number a of bank extra is now b
@@ -185,6 +188,7 @@ struct CallSite {
   ir::CallKind kind = ir::CallKind::subprogram;
   std::string name;
   Operand number = Operand::none;  // computed; the name is then "O" and four digits
+  Operand text = Operand::none;    // the name is a text that is computed
   std::uint32_t first_argument = 0;
   std::uint32_t argument_count = 0;
   CompiledProgram* target = nullptr;  // once it was looked up
@@ -248,6 +252,8 @@ struct CompiledProgram {
   std::vector<Failure> failures;
   std::vector<Report> reports;
 
+  bool keeps_place = false;  // what it does is done by the block that calls it
+  bool is_text = false;      // runs in the frame of the program that has it executed
   bool has_procedure = false;
   bool saves_modal = false;
   std::vector<Parameter> parameters;

@@ -30,6 +30,7 @@ void CallCompiler::compile(const ir::Call& call, text::Span span) {
 
   CallSite site{.kind = call.kind, .name = std::string(program.strings.at(call.name))};
   if (call.number != ir::ExpressionId::none) site.number = expressions_.compile_number(call.number).operand;
+  if (call.computed != ir::ExpressionId::none) site.text = expressions_.compile_string(call.computed).operand;
   site.first_argument = static_cast<std::uint32_t>(out.arguments.size());
   site.argument_count = static_cast<std::uint32_t>(arguments.size());
   out.arguments.insert(out.arguments.end(), arguments.begin(), arguments.end());

@@ -1,6 +1,8 @@
 // A call opens the new registers while the caller's are still in force, passes the arguments across, and then switches.
 #include "dialects/interpreter/call_stack.h"
 
+#include <algorithm>
+
 #include "dialects/interpreter/axis_names.h"
 #include "dialects/interpreter/unknown.h"
 
@@ -21,10 +23,36 @@ void CallStack::enter(Frame& frame) {
   program_ = frame.program;
   storage_.enter(*program_, frame.bases);
   report_.enter(*program_);
-  out_.place.program = program_->index;
+  if (!program_->keeps_place) out_.place.program = program_->index;
+}
+
+bool CallStack::is_unknown_call(const Instruction& i) const {
+  const CallSite& site = program_->calls[i.a];
+  return site.text != Operand::none && is_unknown(storage_.text(raw_of(site.text)));
+}
+
+bool CallStack::enter_text(const Instruction& i, CompiledProgram& text, std::uint32_t next) {
+  if (frames_.size() > context_.limits.call_depth) return report_.fail_limit(i, "call depth");
+  frames_.back().next = next;
+  frames_.back().line = out_.place.line;
+  Frame frame;
+  frame.program = &text;
+  frame.bases = frames_.back().bases;
+  storage_.make_room(text, frame.bases);
+  frames_.push_back(frame);
+  enter(frames_.back());
+  return true;
 }
 
 CompiledProgram* CallStack::find_program(const Instruction& i, CallSite& site) {
+  if (site.text != Operand::none) {
+    std::string name(ir::program_name_of_path(storage_.text(raw_of(site.text))));
+    std::ranges::transform(name, name.begin(),
+                           [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+    CompiledProgram* target = programs_.find(name);
+    if (target == nullptr) report_.fail(i, DiagnosticId::call_target_missing, {name});
+    return target;
+  }
   if (site.number == Operand::none) {
     if (site.target == nullptr) site.target = programs_.find(site.name);
     if (site.target == nullptr) report_.fail(i, DiagnosticId::call_target_missing, {site.name});

@@ -23,6 +23,11 @@ class CallStack {
   [[nodiscard]] bool in_main() const { return frames_.size() == 1; }
   // Enters the program of call site i.a; `next` is where the caller goes on. False when the run has ended.
   bool call(const Instruction& i, std::uint32_t next);
+  // Whether the name of the program that call site i.a calls is not known.
+  [[nodiscard]] bool is_unknown_call(const Instruction& i) const;
+  // Enters a text that is executed as a block, in the frame of the running program.
+  bool enter_text(const Instruction& i, CompiledProgram& text, std::uint32_t next);
+  [[nodiscard]] std::size_t depth() const { return frames_.size(); }
   // Leaves a called program; gives where the caller goes on.
   std::uint32_t go_back();
   [[nodiscard]] bool was_given(std::uint32_t parameter) const {

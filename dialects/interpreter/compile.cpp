@@ -63,6 +63,7 @@ std::unique_ptr<CompiledProgram> compile(const ir::Program& program, std::uint32
   auto out = std::make_unique<CompiledProgram>();
   out->source = &program;
   out->index = index;
+  out->keeps_place = program.is_standard;
   const bool fits = lay_out_symbols(program, context.limits, context.shared, *out);
   CodeBuilder builder(*out, context);
   if (!fits) {
@@ -70,6 +71,37 @@ std::unique_ptr<CompiledProgram> compile(const ir::Program& program, std::uint32
     return out;
   }
   lay_out_parameters(program, *out);
+  StatementCompiler(builder).compile();
+  return out;
+}
+
+std::unique_ptr<CompiledProgram> compile_text(ir::Program& program, const CompiledProgram& host,
+                                              const CompileContext& context) {
+  auto out = std::make_unique<CompiledProgram>();
+  out->source = &program;
+  out->index = host.index;
+  out->keeps_place = out->is_text = true;
+  out->arrays = host.arrays;
+  for (std::uint32_t i = 0; i < program.symbols.size(); ++i) {
+    ir::Symbol& symbol = program.symbols[i];
+    const std::string_view name = program.strings.at(symbol.name);
+    SymbolSlot slot{.slot = context.shared.id_of(name)};
+    const auto& declared = host.source->symbols;
+    for (std::uint32_t k = 0; k < declared.size(); ++k) {
+      if (declared[k].is_global || host.source->strings.at(declared[k].name) != name) continue;
+      const ir::StringId own_name = symbol.name;
+      symbol = declared[k];
+      symbol.name = own_name;
+      slot = host.symbols[k];
+      if (slot.array != SymbolSlot{}.array) out->arrays[slot.array].symbol = static_cast<ir::SymbolId>(i);
+      break;
+    }
+    out->symbols.push_back(slot);
+  }
+  // Its temporaries lie behind everything that the host uses.
+  out->declared_slots = out->frame_slots = host.frame_slots;
+  out->declared_strings = out->string_slots = host.string_slots;
+  CodeBuilder builder(*out, context);
   StatementCompiler(builder).compile();
   return out;
 }

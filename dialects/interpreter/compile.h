@@ -11,5 +11,9 @@ namespace dripfeed::interpreter {
 // `index` is the program's number in RunNames::programs.
 std::unique_ptr<CompiledProgram> compile(const ir::Program& program, std::uint32_t index,
                                          const CompileContext& context);
+// A text that runs inside of `host`: names that the host has declared are the host's own. The program's symbols of such
+// names become those of the host.
+std::unique_ptr<CompiledProgram> compile_text(ir::Program& program, const CompiledProgram& host,
+                                              const CompileContext& context);
 
 }  // namespace dripfeed::interpreter

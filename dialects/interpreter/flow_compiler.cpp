@@ -158,7 +158,9 @@ void FlowCompiler::compile_jump(std::uint32_t index) {
     const Value condition = expressions_.compile_number(jump.condition);
     test = builder_.emit(Opcode::branch_false, span, raw_of(condition.operand));
   }
-  if (jump.computed != ir::ExpressionId::none) {
+  if (jump.restart) {
+    jump_to(Opcode::jump_back, span, 0, Edge::begin);
+  } else if (jump.computed != ir::ExpressionId::none) {
     const Value target = expressions_.compile(jump.computed);
     builder_.emit(target.is_string() ? Opcode::jump_text : Opcode::jump_number, span, raw_of(target.operand), 0,
                   jump.tolerant ? 1 : 0, static_cast<std::uint8_t>(jump.search));
@@ -166,6 +168,18 @@ void FlowCompiler::compile_jump(std::uint32_t index) {
     jumps_.push_back({builder_.emit(Opcode::jump, span), &jump});
   }
   if (test != ir::kNoIndex) builder_.at(test).b = builder_.here();
+}
+
+void FlowCompiler::compile_section_begin(std::uint32_t first, Operand times, std::uint32_t section, text::Span span) {
+  jump_to(Opcode::repeat_section, span, first, Edge::begin);
+  Instruction& made = builder_.at(builder_.here() - 1);
+  made.b = raw_of(times);
+  made.c = section;
+}
+
+void FlowCompiler::compile_section_end(std::uint32_t repeat, std::uint32_t section) {
+  jump_to(Opcode::section_end, statement(repeat).span, repeat, Edge::begin);
+  builder_.at(builder_.here() - 1).c = section;
 }
 
 void FlowCompiler::compile_return_jump(const ir::Jump& jump, text::Span span) {

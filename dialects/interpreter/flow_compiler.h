@@ -22,6 +22,9 @@ class FlowCompiler {
   bool compile(std::uint32_t statement);
   // A jump in a place of its own (M99 P100 jumps in the caller).
   void compile_return_jump(const ir::Jump& jump, text::Span span);
+  // REPEAT: back to the first statement of the section; and the end of one, where it goes on at its REPEAT.
+  void compile_section_begin(std::uint32_t first, Operand times, std::uint32_t section, text::Span span);
+  void compile_section_end(std::uint32_t repeat, std::uint32_t section);
   // Sets all targets; `code` has every statement. Fills the program's labels.
   void settle(const std::vector<StatementCode>& code);
 

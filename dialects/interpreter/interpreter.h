@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,6 +27,8 @@ class ProgramFinder {
   virtual ~ProgramFinder() = default;
   // nullptr: there is none. What it returns must live until the run has ended.
   virtual const ir::Program* find(std::string_view name) = 0;
+  // A text that a program wants executed (EXECSTRING), read in its own language; nullptr when nobody can.
+  virtual std::unique_ptr<ir::Program> read_text(std::string_view) { return nullptr; }
 };
 // A finder that finds nothing.
 ProgramFinder& no_programs();

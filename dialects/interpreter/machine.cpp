@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "dialects/interpreter/compile.h"
 #include "dialects/interpreter/jump_target.h"
 #include "dialects/interpreter/unknown.h"
 #include "dialects/interpreter/variable_listing.h"
@@ -61,6 +62,7 @@ RunResult Machine::finish(const CompiledProgram& main) {
   if (options_.observer != nullptr && executed_ > 0) tell_block();
   out_.flush();
   if (control_.semantics.unset_is_unknown) name_unset_inputs(main);
+  if (!takes_feed_from_caller(main)) report_.say_no_feed();
   RunResult& result = report_.result();
   result.blocks = executed_;
   result.motions = out_.count();
@@ -69,6 +71,15 @@ RunResult Machine::finish(const CompiledProgram& main) {
   result.strings = names_.strings;
   result.programs = names_.programs;
   return std::move(result);
+}
+
+// Nothing in a subprogram ends a run; a text that was run while it was read has ended by its end or not at all.
+bool Machine::takes_feed_from_caller(const CompiledProgram& main) const {
+  if (!control_.semantics.unset_is_unknown) return false;
+  if (main.source == nullptr) return report_.result().ended == Ended::text_end;
+  return std::ranges::none_of(main.source->statements, [](const ir::Statement& statement) {
+    return statement.kind == ir::StatementKind::program_end;
+  });
 }
 
 // Definition files declare the names that programs find in the control.
@@ -86,16 +97,12 @@ void Machine::set_inputs(const CompiledProgram& main) {
       storage_.frame_at(parameter.slot) =
           parameter.by_reference ? Storage::refer_shared(shared_.nameless()) : kVacant;
   }
-  bool returns = main.has_procedure;
-  for (const ir::Statement& statement : main.source->statements) {
-    if (statement.kind == ir::StatementKind::program_end) break;
-    returns = returns || statement.kind == ir::StatementKind::subprogram_return;
-  }
-  state_.feed_unknown = returns;
+  state_.feed_unknown = main.has_procedure;
 }
 
 // What the main program reads and nobody has set by the end.
 void Machine::name_unset_inputs(const CompiledProgram& main) {
+  if (main.source == nullptr) return;
   const ir::Program& source = *main.source;
   for (const ir::Variable& variable : source.variables) {
     if (variable.bank != ir::Bank::r || variable.index != ir::ExpressionId::none) continue;
@@ -229,6 +236,9 @@ void Machine::execute(std::uint32_t next) {
       case Opcode::string_fit:
       case Opcode::jump_number:
       case Opcode::jump_text:
+      case Opcode::repeat_section:
+      case Opcode::section_end:
+      case Opcode::execute_text:
       case Opcode::call:
       case Opcode::skip_given:
       case Opcode::back:
@@ -265,10 +275,12 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
   if (i.op == Opcode::store_system) return access_.store_system(i);
   if (i.op == Opcode::jump_number || i.op == Opcode::jump_text) return jump(i, next);
   if (i.op == Opcode::call) return call(i, next);
+  if (i.op == Opcode::repeat_section) return repeat_section(i, next);
+  if (i.op == Opcode::execute_text) return execute_text(i, next);
   if (i.op == Opcode::back) return go_back(i, next);
   if (i.op == Opcode::back_to) return go_back_to(i, next);
   if (i.op == Opcode::program_end) return end_program(i, next);
-  if (i.op == Opcode::text_end) return end_text(i);
+  if (i.op == Opcode::text_end) return end_text(i, next);
   if (i.op == Opcode::message) return message(i);
   if (i.op == Opcode::alarm) return user_alarm(i);
   if (i.op == Opcode::fail) return report_.fail(i, program.failures[i.a].id, program.failures[i.a].arguments);
@@ -287,8 +299,12 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
     reg(i.a) = storage_.refer(space_of(static_cast<Operand>(i.b)), index_of(static_cast<Operand>(i.b)));
   else if (i.op == Opcode::skip_given)
     next = stack_.was_given(i.a) ? i.b : next;
-  else if (i.op == Opcode::report)
+  else if (i.op == Opcode::section_end)
+    end_section(i, next);
+  else if (i.op == Opcode::report) {
     report_.count(program.reports[i.a]);
+    if (i.b == 1) state_.unknown = kAllAxes;
+  }
   else
     tell_rare(i);
   return true;
@@ -329,7 +345,7 @@ bool Machine::convert(const Instruction& i) {
 void Machine::begin_block(const Instruction& i) {
   if (options_.observer != nullptr && executed_ > 0) [[unlikely]]
     tell_block();
-  out_.place.line = i.a;
+  if (!stack_.program().keeps_place) out_.place.line = i.a;
   out_.place.ordinal = executed_++;
   begun_ = out_.place;
   const Work& work = stack_.program().works[i.b];
@@ -377,7 +393,59 @@ bool Machine::jump(const Instruction& i, std::uint32_t& next) {
   return true;
 }
 
+// The first time it goes back as often as it says; each time that it is reached again counts.
+bool Machine::repeat_section(const Instruction& i, std::uint32_t& next) {
+  while (!sections_.empty() && sections_.back().depth > stack_.depth()) sections_.pop_back();
+  const bool again = !sections_.empty() && sections_.back().depth == stack_.depth() && sections_.back().id == i.c;
+  if (!again) {
+    const double times = storage_.reg(i.b);
+    if (is_vacant(times)) report_.count({.name = "a number of repetitions that is not known"});
+    sections_.push_back({stack_.depth(), i.c, is_vacant(times) ? 1.0 : arithmetic_.round(times) });
+  } else {
+    sections_.back().left -= 1.0;
+  }
+  if (sections_.back().left < 1.0) {
+    sections_.pop_back();
+    return true;
+  }
+  if (++passes_ > options_.limits.loop_passes) return report_.fail_limit(i, "loop passes");
+  next = i.a;
+  return true;
+}
+
+void Machine::end_section(const Instruction& i, std::uint32_t& next) {
+  while (!sections_.empty() && sections_.back().depth > stack_.depth()) sections_.pop_back();
+  if (!sections_.empty() && sections_.back().depth == stack_.depth() && sections_.back().id == i.c) next = i.a;
+}
+
+// Texts are read and compiled once for each program that has them.
+bool Machine::execute_text(const Instruction& i, std::uint32_t& next) {
+  const std::string text = storage_.text(i.a);
+  const auto give_up = [&](std::string name) {
+    report_.count({.name = std::move(name)});
+    state_.unknown = kAllAxes;
+    return true;
+  };
+  if (is_unknown(text)) return give_up("EXECSTRING of a text that is not known");
+  CompiledProgram& host = stack_.program();
+  Text& known = texts_[{&host, text}];
+  if (known.source == nullptr) {
+    known.source = finder_.read_text(text);
+    if (known.source == nullptr) return give_up("EXECSTRING");
+    known.code = compile_text(*known.source, host, context_);
+  }
+  if (++passes_ > options_.limits.loop_passes) return report_.fail_limit(i, "loop passes");
+  if (!stack_.enter_text(i, *known.code, next)) return false;
+  next = 0;
+  return true;
+}
+
 bool Machine::call(const Instruction& i, std::uint32_t& next) {
+  if (stack_.is_unknown_call(i)) {
+    report_.count({.name = "a call of a program that is not known"});
+    state_.unknown = kAllAxes;
+    return true;
+  }
   if (++passes_ > options_.limits.loop_passes) return report_.fail_limit(i, "loop passes");
   if (!stack_.call(i, next)) return false;
   next = 0;
@@ -419,7 +487,11 @@ bool Machine::end_program(const Instruction&, std::uint32_t& next) {
   return report_.end(Ended::end);
 }
 
-bool Machine::end_text(const Instruction& i) {
+bool Machine::end_text(const Instruction& i, std::uint32_t& next) {
+  if (stack_.program().is_text) {
+    next = stack_.go_back();
+    return true;
+  }
   report_.say(i, DiagnosticId::missing_program_end);
   return report_.end(Ended::text_end);
 }

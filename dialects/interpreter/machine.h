@@ -2,6 +2,8 @@
 // carried out by parts of their own.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -44,14 +46,18 @@ class Machine {
   bool go_back(const Instruction& i, std::uint32_t& next);
   bool go_back_to(const Instruction& i, std::uint32_t& next);
   bool end_program(const Instruction& i, std::uint32_t& next);
-  bool end_text(const Instruction& i);
+  bool end_text(const Instruction& i, std::uint32_t& next);
 
   bool message(const Instruction& i);
   bool user_alarm(const Instruction& i);
+  bool repeat_section(const Instruction& i, std::uint32_t& next);
+  void end_section(const Instruction& i, std::uint32_t& next);
+  bool execute_text(const Instruction& i, std::uint32_t& next);
   // A condition on a value that is not known; true when it is taken as fulfilled.
   bool decide_unknown(const Instruction& i);
   void define_shared_data();
   void set_inputs(const CompiledProgram& main);
+  [[nodiscard]] bool takes_feed_from_caller(const CompiledProgram& main) const;
   void name_unset_inputs(const CompiledProgram& main);
   void tell(std::string_view name, double value);
   void tell_rare(const Instruction& i);
@@ -82,6 +88,17 @@ class Machine {
   std::uint64_t passes_ = 0;
   std::vector<VariableChange> changes_;  // of the running block
   std::unordered_map<const Instruction*, std::uint32_t> undecided_;  // how often a condition was not known
+  struct OpenSection {
+    std::size_t depth = 0;  // of calls
+    std::uint32_t id = 0;
+    double left = 0.0;
+  };
+  std::vector<OpenSection> sections_;  // that are being repeated
+  struct Text {
+    std::unique_ptr<ir::Program> source;
+    std::unique_ptr<CompiledProgram> code;
+  };
+  std::map<std::pair<const CompiledProgram*, std::string>, Text> texts_;  // that were executed as blocks
 };
 
 }  // namespace dripfeed::interpreter

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "dialects/interpreter/frame.h"
 #include "dialects/interpreter/plain_block.h"
 #include "dialects/ir/function.h"
 #include "dialects/ir/motion.h"
@@ -34,6 +35,8 @@ struct Modes {
   bool surface_speed = false;  // G96
   std::int32_t work_offset = kOffsetUnknown;
   AxisValues shift{};  // local: G52, TRANS
+  Matrix matrix = kIdentity;  // ROT, SCALE, MIRROR
+  bool has_matrix = false;    // it is not the identity
 };
 
 struct Tool {
@@ -60,6 +63,20 @@ struct Announced {
   ir::CoolantState coolant = ir::CoolantState::off;
 };
 
+// What polar words go by: all of programmed coordinates, radius values.
+struct Polar {
+  Vector pole{};
+  double angle_deg = 0.0;
+  double radius_mm = 0.0;
+};
+
+// A chamfer or rounding that waits for the move behind the corner.
+struct PendingCorner {
+  std::uint8_t kind = 0;  // CornerKind
+  double size_mm = 0.0;
+  std::size_t motion = 0;  // place in the buffer of the move before the corner
+};
+
 struct ModalState {
   Modes modes;
   AxisValues position{};             // in the active work offset
@@ -72,6 +89,11 @@ struct ModalState {
   double spindle_limit_rpm = 0.0;
   ir::SpindleState spindle = ir::SpindleState::stopped;
   ir::CoolantState coolant = ir::CoolantState::off;
+  Polar polar;
+  Vector tangent{};              // direction at the end of the last move of a contour, radius values
+  bool tangent_known = false;
+  double modal_rounding_mm = 0.0;  // RNDM
+  PendingCorner corner;
   Tool selected;  // T, before M6
   Tool tool;
   Announced announced;

@@ -17,6 +17,7 @@ std::uint32_t capped(std::uint64_t count) {
 MotionBuffer::MotionBuffer(ir::MotionSink& sink) : sink_(sink), motions_(ir::kMotionBatch) {}
 
 ir::Motion& MotionBuffer::add(ir::MotionKind kind) {
+  if (used_ == motions_.size() && held_) motions_.resize(2 * motions_.size());
   if (used_ == motions_.size()) flush();
   ir::Motion& motion = motions_[used_++];
   motion = ir::Motion{};
@@ -30,7 +31,8 @@ ir::Motion& MotionBuffer::add(ir::MotionKind kind) {
 
 void MotionBuffer::flush() {
   if (used_ == 0) return;
-  sink_.consume({motions_.data(), used_});
+  for (std::size_t first = 0; first < used_; first += ir::kMotionBatch)
+    sink_.consume({motions_.data() + first, std::min(ir::kMotionBatch, used_ - first)});
   flushed_ += used_;
   used_ = 0;
 }

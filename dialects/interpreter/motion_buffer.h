@@ -24,6 +24,10 @@ class MotionBuffer {
 
   // The next motion, blank but for place and work. Valid until the next call.
   ir::Motion& add(ir::MotionKind kind);
+  // Keeps everything until it is let go: a move that is in the buffer may still be changed by the one that follows.
+  void hold(bool on) { held_ = on; }
+  [[nodiscard]] std::size_t used() const { return used_; }
+  [[nodiscard]] ir::Motion& at(std::size_t index) { return motions_[index]; }
   // Hands over what is there.
   void flush();
   [[nodiscard]] std::uint64_t count() const { return flushed_ + used_; }
@@ -35,6 +39,7 @@ class MotionBuffer {
   ir::MotionSink& sink_;
   std::vector<ir::Motion> motions_;
   std::size_t used_ = 0;
+  bool held_ = false;
   std::uint64_t flushed_ = 0;
 };
 

@@ -9,6 +9,7 @@ namespace dripfeed::interpreter {
 struct MoveOptions {
   bool machine_coordinates = false;  // G53
   bool exact_stop = false;           // G09
+  ir::Function motion = ir::Function::none;  // of this block alone (G63)
 };
 
 // Carries out the block's axis words (and I J K of an arc) by the active motion code.
@@ -19,6 +20,9 @@ void return_to_reference(const PlainBlock& block, const BlockRules& rules, Modal
                          BlockResult& result);
 // G52, TRANS. `whole`: axes that are not named lose their shift. `add`: ATRANS.
 void shift_locally(const PlainBlock& block, const BlockRules& rules, bool whole, bool add, ModalState& state);
+// ROT, SCALE, MIRROR. `replace`: in the place of the whole programmable frame; otherwise on top of it.
+void change_frame(const PlainBlock& block, const BlockRules& rules, ir::Function function, bool replace,
+                  ModalState& state);
 // G92: the current position gets the named values.
 void set_coordinates(const PlainBlock& block, const BlockRules& rules, ModalState& state);
 

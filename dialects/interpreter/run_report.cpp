@@ -43,6 +43,20 @@ void RunReport::say(const Instruction& at, DiagnosticId id, std::vector<std::str
   add(at, id, std::move(arguments));
 }
 
+void RunReport::keep_no_feed(const Instruction& at) {
+  add(at, DiagnosticId::no_feed, {});
+  no_feed_ = std::move(result_.diagnostics.back());
+  result_.diagnostics.pop_back();
+  no_feed_place_ = result_.diagnostics.size();
+}
+
+void RunReport::say_no_feed() {
+  if (!no_feed_.has_value()) return;
+  const auto place = result_.diagnostics.begin() + static_cast<std::ptrdiff_t>(no_feed_place_);
+  result_.diagnostics.insert(place, *std::move(no_feed_));
+  no_feed_.reset();
+}
+
 void RunReport::count(const Report& report) {
   const auto [entry, added] = counted_.try_emplace(report.name, result_.not_interpreted.size());
   if (added)

@@ -2,6 +2,7 @@
 // interpreted. Every part of the machine speaks through it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -29,12 +30,16 @@ class RunReport {
   bool end(Ended ended);
   // A diagnostic that does not end the run.
   void say(const Instruction& at, text::DiagnosticId id, std::vector<std::string> arguments = {});
+  // A cut without a feed: said at the end of the run, unless the program turns out to be a subprogram by then.
+  void keep_no_feed(const Instruction& at);
+  void say_no_feed();
   void count(const Report& report);
   void note_computed(const std::string& name, ir::Function function);
   // Motion::text of that text; kNoText when there are too many.
   std::uint32_t text_index(const std::string& written);
 
   [[nodiscard]] RunResult& result() { return result_; }
+  [[nodiscard]] const RunResult& result() const { return result_; }
 
  private:
   void add(const Instruction& at, text::DiagnosticId id, std::vector<std::string> arguments);
@@ -45,6 +50,8 @@ class RunReport {
   const MotionBuffer& out_;
   const CompiledProgram* program_ = nullptr;
   RunResult result_;
+  std::optional<RunDiagnostic> no_feed_;
+  std::size_t no_feed_place_ = 0;  // among the diagnostics
   std::unordered_map<std::string, std::size_t> counted_;
   std::unordered_map<std::string, std::uint32_t> texts_;
 };

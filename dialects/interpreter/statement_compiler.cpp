@@ -18,6 +18,8 @@ constexpr StatementCompiler::Row StatementCompiler::kRows[] = {
     {StatementKind::message, &StatementCompiler::compile_message},
     {StatementKind::alarm, &StatementCompiler::compile_alarm},
     {StatementKind::native, &StatementCompiler::compile_native},
+    {StatementKind::repeat_section, &StatementCompiler::compile_repeat},
+    {StatementKind::execute_text, &StatementCompiler::compile_text},
     {StatementKind::declaration, &StatementCompiler::compile_nothing},
 };
 
@@ -32,11 +34,14 @@ void StatementCompiler::compile() {
   builder_.out().works.push_back({.blocks = 1});  // a block without anything to compute
   const auto count = static_cast<std::uint32_t>(builder_.source().statements.size());
   builder_.reserve();
+  find_sections();
   std::vector<StatementCode> code;
   code.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t begin = builder_.here();
     compile_statement(i);
+    for (const Section& section : sections_)
+      if (section.last == i) flow_.compile_section_end(section.repeat, section.id);
     code.push_back({begin, builder_.here()});
   }
   end_block();
@@ -81,6 +86,79 @@ void StatementCompiler::end_block() {
   }
   builder_.work = {};
   block_instruction_ = ir::kNoIndex;
+}
+
+// The parts of the program that REPEAT runs again. A label is looked for above first, then below.
+void StatementCompiler::find_sections() {
+  const ir::Program& program = builder_.source();
+  for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
+    const ir::Statement& statement = program.statements[i];
+    if (statement.kind != StatementKind::repeat_section) continue;
+    const ir::Repeat& repeat = program.repeats[statement.payload];
+    Section section{.repeat = i, .id = static_cast<std::uint32_t>(sections_.size())};
+    section.first = find_label(i, repeat.first, repeat.first_number);
+    if (repeat.one_block)
+      section.last = section.first == ir::kNoIndex ? ir::kNoIndex : last_of_block(section.first);
+    else if (repeat.last != ir::StringId::none || repeat.last_number != ir::kNoIndex)
+      section.last = find_label(i, repeat.last, repeat.last_number);
+    else if (section.first != ir::kNoIndex)
+      section.last = find_end_label(section.first, i);
+    section.is_open = repeat.last == ir::StringId::none && repeat.last_number == ir::kNoIndex && !repeat.one_block;
+    if (section.last != ir::kNoIndex) section.last = last_of_block(section.last);
+    sections_.push_back(section);
+  }
+}
+
+std::uint32_t StatementCompiler::find_label(std::uint32_t from, ir::StringId name, std::uint32_t number) const {
+  std::uint32_t below = ir::kNoIndex;
+  std::uint32_t above = ir::kNoIndex;
+  for (const ir::Label& label : builder_.source().labels) {
+    if (name != ir::StringId::none ? label.name != name : label.name != ir::StringId::none || label.number != number)
+      continue;
+    if (label.statement <= from) above = label.statement;
+    else if (below == ir::kNoIndex) below = label.statement;
+  }
+  return above != ir::kNoIndex ? above : below;
+}
+
+// ENDLABEL: behind the first label, and above the REPEAT when that stands below the label.
+std::uint32_t StatementCompiler::find_end_label(std::uint32_t first, std::uint32_t repeat) const {
+  const ir::StringId name = builder_.source().strings.find("ENDLABEL");
+  if (name == ir::StringId::none) return ir::kNoIndex;
+  for (const ir::Label& label : builder_.source().labels)
+    if (label.name == name && label.statement > first && (first > repeat || label.statement < repeat))
+      return label.statement;
+  return ir::kNoIndex;
+}
+
+std::uint32_t StatementCompiler::last_of_block(std::uint32_t first) const {
+  std::uint32_t last = first;
+  while (last + 1 < builder_.source().statements.size() && !begins_block(last + 1)) ++last;
+  return last;
+}
+
+void StatementCompiler::compile_repeat(const ir::Statement& statement) {
+  const auto index = static_cast<std::uint32_t>(&statement - builder_.source().statements.data());
+  const auto section = std::ranges::find(sections_, index, &Section::repeat);
+  const ir::Repeat& repeat = builder_.source().repeats[statement.payload];
+  const bool has_end = section->is_open || section->last != ir::kNoIndex;
+  if (section->first == ir::kNoIndex || !has_end) {
+    const bool first = section->first == ir::kNoIndex;
+    const ir::StringId name = first ? repeat.first : repeat.last;
+    builder_.emit_failure(statement.span, text::DiagnosticId::jump_target_missing,
+                          {name != ir::StringId::none
+                               ? std::string(builder_.source().strings.at(name))
+                               : "N" + std::to_string(first ? repeat.first_number : repeat.last_number)});
+    return;
+  }
+  const Operand times = repeat.times == ir::ExpressionId::none ? builder_.constant(1.0)
+                                                               : expressions_.compile_number(repeat.times).operand;
+  flow_.compile_section_begin(section->first, times, section->id, statement.span);
+}
+
+void StatementCompiler::compile_text(const ir::Statement& statement) {
+  const ir::Message& message = builder_.source().messages[statement.payload];
+  builder_.emit(Opcode::execute_text, statement.span, raw_of(expressions_.compile_string(message.text).operand));
 }
 
 void StatementCompiler::compile_nothing(const ir::Statement&) {}
@@ -158,7 +236,7 @@ void StatementCompiler::compile_native(const ir::Statement& statement) {
   const ir::Native& native = builder_.source().natives[statement.payload];
   const std::string_view name = builder_.source().strings.at(native.name);
   builder_.emit(Opcode::report, statement.span,
-                builder_.add_report(name, ir::Function::not_modelled, native.effects_known));
+                builder_.add_report(name, ir::Function::not_modelled, native.effects_known), native.moves ? 1 : 0);
 }
 
 }  // namespace dripfeed::interpreter

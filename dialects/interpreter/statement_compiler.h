@@ -35,8 +35,22 @@ class StatementCompiler {
   void compile_message(const ir::Statement& statement);
   void compile_alarm(const ir::Statement& statement);
   void compile_native(const ir::Statement& statement);
+  void compile_repeat(const ir::Statement& statement);
+  void compile_text(const ir::Statement& statement);
   void compile_nothing(const ir::Statement& statement);
 
+  // Statements of a part that is repeated, and where its REPEAT stands.
+  struct Section {
+    std::uint32_t repeat = 0;
+    std::uint32_t id = 0;
+    std::uint32_t first = ir::kNoIndex;
+    std::uint32_t last = ir::kNoIndex;  // none: to the REPEAT itself
+    bool is_open = false;               // no last label is named
+  };
+  void find_sections();
+  [[nodiscard]] std::uint32_t find_label(std::uint32_t from, ir::StringId name, std::uint32_t number) const;
+  [[nodiscard]] std::uint32_t find_end_label(std::uint32_t first, std::uint32_t repeat) const;
+  [[nodiscard]] std::uint32_t last_of_block(std::uint32_t first) const;
   [[nodiscard]] bool begins_block(std::uint32_t index) const;
   void begin_block(const ir::Statement& statement);
   // Puts down the work of the block that was compiled.
@@ -48,6 +62,7 @@ class StatementCompiler {
   FlowCompiler flow_;
   CallCompiler calls_;
   std::uint32_t block_instruction_ = ir::kNoIndex;
+  std::vector<Section> sections_;
 };
 
 }  // namespace dripfeed::interpreter

@@ -9,12 +9,17 @@ Storage::Storage(const VariableMap& variables, SharedData& shared, double unset)
     : shared_(shared), globals_(variables.global_count(), unset), local_count_(variables.local_count()), unset_(unset) {}
 
 void Storage::open_frame(const CompiledProgram& program, const Bases& bases) {
+  make_room(program, bases);
+  std::fill_n(frames_.begin() + bases.frame, program.declared_slots, 0.0);
+  for (std::uint32_t i = 0; i < program.declared_strings; ++i) strings_[bases.string + i].clear();
+  if (program_ != nullptr) enter(*program_, current_);
+}
+
+void Storage::make_room(const CompiledProgram& program, const Bases& bases) {
   const std::size_t frame_end = std::size_t{bases.frame} + program.frame_slots;
   const std::size_t string_end = std::size_t{bases.string} + program.string_slots;
   if (frames_.size() < frame_end) frames_.resize(frame_end);
   if (strings_.size() < string_end) strings_.resize(string_end);
-  std::fill_n(frames_.begin() + bases.frame, program.declared_slots, 0.0);
-  for (std::uint32_t i = 0; i < program.declared_strings; ++i) strings_[bases.string + i].clear();
   if (program_ != nullptr) enter(*program_, current_);
 }
 

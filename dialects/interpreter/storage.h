@@ -28,6 +28,8 @@ class Storage {
   // Makes room for the program's frame at `bases` and clears its declared names; the registers that `reg` gives are not
   // changed by it.
   void open_frame(const CompiledProgram& program, const Bases& bases);
+  // Makes room without clearing anything.
+  void make_room(const CompiledProgram& program, const Bases& bases);
   // A fresh local set at the base.
   void open_locals(const Bases& bases);
   // Makes these the registers that `reg` gives. The program's constants must live as long.

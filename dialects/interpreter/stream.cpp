@@ -27,8 +27,10 @@ RunResult Machine::run(PlainStream& stream) {
   const bool goes_on = run_plain_blocks(stream, plain);
   const PlainStream::Rest rest = goes_on ? stream.rest() : PlainStream::Rest{};
   if (rest.program != nullptr) {
+    define_shared_data();
     CompiledProgram& main = programs_.add(*rest.program, rest.program->name);
     stack_.start(main);
+    if (control_.semantics.unset_is_unknown && executed_ == 0) set_inputs(main);
     set_initial_values(main);
     execute(instruction_at(main, rest.offset));
     return finish(main);

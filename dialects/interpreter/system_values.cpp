@@ -1,6 +1,7 @@
 // Answers by kind of value.
 #include "dialects/interpreter/system_values.h"
 
+#include "dialects/interpreter/polar.h"
 #include "dialects/interpreter/trace.h"
 #include "dialects/interpreter/variable_map.h"
 
@@ -37,12 +38,42 @@ Function function_of(ir::ModalGroup group, const Modes& modes) {
   return group == ir::ModalGroup::work_offset ? Function::work_offset : Function::none;
 }
 
+// Place of the active code in a G group of SINUMERIK, counted as its list of G functions does (PG, "G functions").
+std::optional<double> index_in_group(std::uint32_t group, const Modes& modes) {
+  constexpr std::uint32_t kMotion = 1;
+  constexpr std::uint32_t kPlane = 6;
+  constexpr std::uint32_t kComp = 7;
+  constexpr std::uint32_t kOffset = 8;
+  constexpr std::uint32_t kUnit = 13;
+  constexpr std::uint32_t kDistance = 14;
+  constexpr std::uint32_t kFeed = 15;
+  constexpr std::uint32_t kDiameter = 29;
+  if (group == kMotion && modes.motion_given && modes.motion <= Function::arc_ccw)
+    return 1.0 + static_cast<double>(modes.motion) - static_cast<double>(Function::rapid);
+  if (group == kPlane) return 1.0 + static_cast<double>(modes.plane);
+  if (group == kComp) return 1.0 + static_cast<double>(modes.comp);
+  if (group == kOffset && modes.work_offset >= 0) return 1.0 + static_cast<double>(modes.work_offset);
+  if (group == kUnit) return modes.inch ? (modes.inch_feed ? 3.0 : 1.0) : (modes.inch_feed ? 2.0 : 4.0);
+  if (group == kDistance) return modes.absolute ? 1.0 : 2.0;
+  if (group == kFeed) {
+    if (modes.surface_speed) return 4.0;
+    return modes.feed_mode == ir::FeedMode::inverse_time ? 1.0 : modes.feed_mode == ir::FeedMode::per_min ? 2.0 : 3.0;
+  }
+  if (group == kDiameter) return 1.0 + static_cast<double>(modes.diameter);
+  return std::nullopt;
+}
+
 // Of the block before, in the unit and the coordinates of the program.
 std::optional<double> end_position(const ir::Control& control, std::size_t place, const ModalState& state) {
   if (place >= ir::kAxisCount || (state.unknown >> place & 1U) != 0) return std::nullopt;
   double value = state.position[place] - state.modes.shift[place] - state.coordinate_shift[place];
+  const BlockRules rules(control);
+  if (state.modes.has_matrix && place < 3) {
+    if ((state.unknown & 7U) != 0) return std::nullopt;
+    value = programmed_position(rules, state)[place] * (place == 0 && rules.x_is_diameter ? 2.0 : 1.0);
+  }
   const auto kind = static_cast<ir::Axis>(place);
-  if (kind == ir::Axis::x) value /= BlockRules(control).x_factor(state.modes, false);
+  if (kind == ir::Axis::x) value /= rules.x_factor(state.modes, false);
   const bool rotary = kind == ir::Axis::a || kind == ir::Axis::b || kind == ir::Axis::c;
   return state.modes.inch && !rotary ? value / 25.4 : value;
 }
@@ -68,10 +99,10 @@ std::optional<double> answer_system(const ir::Control& control, const ir::System
       if (indices[0] > 1) return std::nullopt;
       return state.spindle == ir::SpindleState::clockwise ? 3.0 : state.spindle == ir::SpindleState::stopped ? 5.0 : 4.0;
     case ir::SystemValue::constant: return static_cast<double>(row.first);
+    case ir::SystemValue::active_code: return index_in_group(indices[0], state.modes);
     case ir::SystemValue::not_modelled:
     case ir::SystemValue::machine_position:
     case ir::SystemValue::work_offset_value:
-    case ir::SystemValue::active_code:
     case ir::SystemValue::clock_ms: break;
   }
   return std::nullopt;

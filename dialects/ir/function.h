@@ -15,6 +15,11 @@ enum class Function : std::uint8_t {
   arc_cw,
   arc_ccw,
   thread,
+  arc_via,      // CIP
+  arc_tangent,  // CT
+  spline,       // ASPLINE, BSPLINE, CSPLINE: straight to the end point, the curve is the control's
+  tap,
+  tap_retract,  // G331, G332
   dwell,
   exact_stop_once,
   exact_stop_mode,
@@ -27,6 +32,9 @@ enum class Function : std::uint8_t {
   unit_mm,  // argument: 0 lengths and feeds, 1 lengths only (G70, G71 of SINUMERIK)
   absolute,
   incremental,
+  pole_from_last,
+  pole_from_zero,
+  pole_from_pole,  // G110, G111, G112
   feed_per_min,
   feed_per_rev,
   feed_inverse_time,
@@ -38,6 +46,9 @@ enum class Function : std::uint8_t {
   machine_coordinates,  // G53, SUPA: this block only
   local_shift,          // G52, TRANS; argument 1: axes that are not named lose their shift (TRANS)
   local_shift_add,      // ATRANS
+  rotate,
+  scale,
+  mirror,  // ROT, SCALE, MIRROR: argument 1 replaces what is in effect, 0 adds to it
   set_coordinates,      // G92; G50 of G-code system A
   reference_return,     // G28, G74; argument: reference point 1, 2 …
   // tool

@@ -138,6 +138,23 @@ ExpressionId Program::add_variable(const Variable& variable) {
   return add(e);
 }
 
+std::string_view program_name_of_path(std::string_view path) {
+  if (const std::size_t slash = path.find_last_of("/\\:"); slash != std::string_view::npos) path.remove_prefix(slash + 1);
+  const auto starts = [](std::string_view text, std::string_view head) {
+    if (text.size() < head.size()) return false;
+    for (std::size_t i = 0; i < head.size(); ++i) {
+      const char c = text[i] >= 'a' && text[i] <= 'z' ? static_cast<char>(text[i] - 'a' + 'A') : text[i];
+      if (c != head[i]) return false;
+    }
+    return true;
+  };
+  if (starts(path, "_N_")) path.remove_prefix(3);
+  constexpr std::size_t kEnding = 4;
+  for (const std::string_view ending : {"_SPF", "_MPF", ".SPF", ".MPF"})
+    if (path.size() > kEnding && starts(path.substr(path.size() - kEnding), ending)) path.remove_suffix(kEnding);
+  return path;
+}
+
 int operand_count(Operator op) {
   if (op <= Operator::string) return 0;
   if (op <= Operator::to_lower) return 1;

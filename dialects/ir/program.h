@@ -32,6 +32,7 @@ class StringTable {
 };
 
 struct Program {
+  bool is_standard = false;  // a cycle that the control brings along: what it does is done by the block that calls it
   std::string name;     // "O0002", "TURNING_CYCLE", file name without folder; empty when unknown
   text::Source source;  // empty for a program that was built, not read
   std::vector<Token> tokens;
@@ -47,6 +48,7 @@ struct Program {
   std::vector<Argument> arguments;
   std::vector<Message> messages;
   std::vector<Native> natives;
+  std::vector<Repeat> repeats;
   std::vector<Expression> expressions;
   std::vector<Variable> variables;
   std::vector<Symbol> symbols;
@@ -74,6 +76,10 @@ struct Program {
   ExpressionId add_operator(Operator op, ExpressionId a, ExpressionId b = ExpressionId::none, text::Span span = {});
   ExpressionId add_variable(const Variable& variable);
 };
+
+// The name of a program by a path as SINUMERIK writes it: "/_N_WKS_DIR/_N_X_WPD/_N_GROOVE_SPF" is GROOVE, as are
+// "A:/parts/GROOVE.SPF" and "GROOVE".
+std::string_view program_name_of_path(std::string_view path);
 
 // How many operands an operator takes (0 for leaves).
 int operand_count(Operator op);

@@ -48,10 +48,17 @@ enum class Address : std::uint8_t {
   polar_angle,
   polar_radius,  // AP=, RP=
   turns,         // TURN=
-  chamfer,
-  rounding,    // CHF=/CHR=, RND=
+  chamfer,         // CHR=: along both sides of the corner
+  chamfer_length,  // CHF=: of the edge that it makes
+  rounding,        // RND=
   named_axis,  // AX[…]=: the axis that Word::axis gives
-  other,     // a named address that is kept as text: Word::name
+  via_i,
+  via_j,
+  via_k,           // I1=, J1=, K1=: the point in between of an arc
+  modal_rounding,  // RNDM=
+  frame_angle,     // RPL=
+  measuring,       // MEAS=: a probe may end the move
+  other,           // a named address that is kept as text: Word::name
   count_,
 };
 
@@ -104,6 +111,8 @@ enum class StatementKind : std::uint8_t {
   message,            // MSG(…), (MSG …)                       -> messages
   alarm,              // #3000 = n(…), SETAL                   -> messages
   native,             // kept as text, effects declared or unknown -> natives
+  repeat_section,     // REPEAT label …: the part is run again  -> repeats
+  execute_text,       // EXECSTRING: a text as a block          -> messages
 };
 
 struct Statement {
@@ -136,6 +145,7 @@ struct Jump {
   ExpressionId condition = ExpressionId::none;  // none: always
   JumpSearch search = JumpSearch::both;
   bool tolerant = false;                       // GOTOC: a missing label goes on with the next block
+  bool restart = false;                        // GOTOS: to the start of the program
   StringId label = StringId::none;             // a name
   std::uint32_t number = kNoIndex;             // a block number (N10), when `label` is none
   ExpressionId computed = ExpressionId::none;  // GOTO#1, when neither
@@ -165,6 +175,7 @@ struct Call {
   CallKind kind = CallKind::subprogram;
   StringId name = StringId::none;             // as called: "O9010", "TURNING_CYCLE", "L100"
   ExpressionId number = ExpressionId::none;   // P of M98/G65 when it is computed
+  ExpressionId computed = ExpressionId::none;  // the name when it is a text that is computed
   ExpressionId repeats = ExpressionId::none;  // none: once
   std::uint32_t first_argument = 0;
   std::uint32_t argument_count = 0;
@@ -179,6 +190,18 @@ struct Message {
 struct Native {
   StringId name = StringId::none;
   bool effects_known = false;  // declared to neither move nor change state
+  bool moves = false;          // axes may be anywhere after it
+};
+
+// A part of the program that is run again: from the first label to where this stands, to the block of the last label
+// or of the next ENDLABEL, or the first label's block alone.
+struct Repeat {
+  StringId first = StringId::none;
+  std::uint32_t first_number = kNoIndex;  // N10, when `first` is none
+  StringId last = StringId::none;
+  std::uint32_t last_number = kNoIndex;
+  bool one_block = false;                   // REPEATB
+  ExpressionId times = ExpressionId::none;  // none: once
 };
 
 struct Label {

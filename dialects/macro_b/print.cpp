@@ -126,6 +126,8 @@ void ProgramPrinter::statement(std::uint32_t index) {
     case StatementKind::message: text = message(program_.messages[s.payload]); break;
     case StatementKind::alarm: text = alarm(program_.messages[s.payload], kAlarmVariable); break;
     case StatementKind::native: text = native(s); break;
+    case StatementKind::repeat_section:
+    case StatementKind::execute_text:
     case StatementKind::empty:
     case StatementKind::if_end:
     case StatementKind::else_begin:

@@ -52,6 +52,8 @@ class StatementRaiser {
       case StatementKind::alarm: return alarm(s);
       case StatementKind::message: return message(s);
       case StatementKind::native: return native(s);
+      case StatementKind::repeat_section: return blocks_.cannot(s, "a section that is repeated");
+      case StatementKind::execute_text: return blocks_.cannot(s, "a text that is executed as a block");
       case StatementKind::procedure:
         if (program_.structures[s.payload].symbol_count != 0) blocks_.cannot(s, "a program with parameters");
         return;

@@ -65,6 +65,7 @@ void for_each_root(AnyProgram& program, const ir::Statement& statement, OnExpres
     case call: {
       auto& c = program.calls[statement.payload];
       root(c.number);
+      root(c.computed);
       root(c.repeats);
       for (std::uint32_t i = 0; i < c.argument_count; ++i) root(program.arguments[c.first_argument + i].value);
       return;
@@ -76,6 +77,8 @@ void for_each_root(AnyProgram& program, const ir::Statement& statement, OnExpres
       return;
     case empty:
     case declaration:
+    case execute_text: root(program.messages[statement.payload].text); return;
+    case repeat_section: root(program.repeats[statement.payload].times); return;
     case native: return;
   }
 }

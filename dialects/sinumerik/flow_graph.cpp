@@ -15,6 +15,7 @@ using ir::StatementKind;
 
 std::uint32_t target_of(const ir::Program& program, std::uint32_t jump_statement) {
   const ir::Jump& jump = program.jumps[program.statements[jump_statement].payload];
+  if (jump.restart) return 0;
   if (jump.computed != ir::ExpressionId::none) return ir::kNoIndex;
   const auto matches = [&jump](const ir::Label& label) {
     return jump.label != ir::StringId::none ? label.name == jump.label
@@ -35,7 +36,7 @@ std::uint32_t target_of(const ir::Program& program, std::uint32_t jump_statement
 }
 
 bool jumps_anywhere(std::string_view native) {
-  constexpr std::string_view kNames[] = {"REPEAT", "REPEATB", "CALL", "GOTOS", "EXECSTRING", "SETINT", "SYNTAX ERROR"};
+  constexpr std::string_view kNames[] = {"CALL", "SETINT", "SYNTAX ERROR"};
   return std::ranges::find(kNames, native) != std::end(kNames);
 }
 
@@ -44,6 +45,7 @@ FlowGraph::FlowGraph(const ir::Program& program) : program_(program) {}
 std::vector<std::uint32_t> FlowGraph::entries() const {
   std::vector<std::uint32_t> found = {0};
   const bool open = std::ranges::any_of(program_.statements, [this](const ir::Statement& s) {
+    if (s.kind == StatementKind::repeat_section || s.kind == StatementKind::execute_text) return true;
     if (s.kind == StatementKind::native) return jumps_anywhere(program_.strings.at(program_.natives[s.payload].name));
     return s.kind == StatementKind::go_to && program_.jumps[s.payload].computed != ir::ExpressionId::none;
   });
@@ -111,7 +113,9 @@ const std::vector<std::uint32_t>& FlowGraph::after(std::uint32_t i) {
     case StatementKind::procedure:
     case StatementKind::declaration:
     case StatementKind::message:
-    case StatementKind::alarm: after_.push_back(i + 1); break;
+    case StatementKind::alarm:
+    case StatementKind::repeat_section:
+    case StatementKind::execute_text: after_.push_back(i + 1); break;
   }
   return after_;
 }

@@ -39,18 +39,24 @@ enum class Verb : std::uint8_t {
   loop,
   end_loop,
   repeat,
+  repeat_block,
   until,
   case_word,
   go_to,
   go_to_forward,
   go_to_backward,
   go_to_tolerant,
+  go_to_start,
   define,
   procedure,
   declare,
   message,
   alarm,
   call,
+  call_path,      // PCALL
+  call_external,  // EXTCALL
+  execute,        // EXECSTRING
+  macro,          // DEFINE … AS
   return_word,
 };
 

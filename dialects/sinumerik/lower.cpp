@@ -183,13 +183,19 @@ void Lowering::add_message(StatementKind kind, const ir::Message& message, text:
   push(kind, program_.messages, message, span);
 }
 
+void Lowering::add_repeat(const ir::Repeat& repeat, text::Span span) {
+  if (native_) return;
+  flush_block();
+  push(StatementKind::repeat_section, program_.repeats, repeat, span);
+}
+
 void Lowering::add_plain(StatementKind kind, text::Span span) {
   if (native_) return;
   flush_block();
   push(kind, ir::kNoIndex, span);
 }
 
-void Lowering::keep_as_native(std::string_view native_name, bool effects_known, text::Span span) {
+void Lowering::keep_as_native(std::string_view native_name, bool effects_known, text::Span span, bool moves) {
   if (native_) return;
   program_.codes.resize(first_code_);
   program_.words.resize(first_word_);
@@ -197,7 +203,7 @@ void Lowering::keep_as_native(std::string_view native_name, bool effects_known, 
   const auto dropped = std::remove_if(statements.begin() + first_statement_, statements.end(),
                                       [](const ir::Statement& s) { return !is_control_flow(s.kind); });
   statements.erase(dropped, statements.end());
-  push(StatementKind::native, program_.natives, ir::Native{name(native_name), effects_known}, span);
+  push(StatementKind::native, program_.natives, ir::Native{name(native_name), effects_known, moves}, span);
   native_ = true;
 }
 

@@ -37,9 +37,11 @@ class Lowering {
   void add_structure(ir::StatementKind kind, const ir::Structure& structure, text::Span span);
   void add_call(const ir::Call& call, text::Span span);
   void add_message(ir::StatementKind kind, const ir::Message& message, text::Span span);
+  void add_repeat(const ir::Repeat& repeat, text::Span span);
   void add_plain(ir::StatementKind kind, text::Span span);  // declaration, subprogram_return
   // What was recognised of the line so far, structures and jumps excepted, becomes one Native; so does what follows.
-  void keep_as_native(std::string_view name, bool effects_known, text::Span span);
+  // `moves`: axes may be anywhere after it.
+  void keep_as_native(std::string_view name, bool effects_known, text::Span span, bool moves = false);
   [[nodiscard]] bool is_native() const { return native_; }
 
   // Names, upper case whatever their case in the text.

@@ -1,5 +1,5 @@
 // G functions and commands that have a name instead of a number. Dynamics, approach and corner behaviour have no effect
-// on the moves that are modelled; orientation, transformations and splines have, and say so as not_modelled. The
+// on the moves that are modelled; orientation and transformations have, and say so as not_modelled. The
 // references are to the list of G functions in the Programming Manual Fundamentals (PG) and to the commands in Job
 // Planning (PGA).
 #include <array>
@@ -16,11 +16,11 @@ using enum WordUse;
 
 // clang-format off
 constexpr auto kNamed = std::to_array<GCode>({
-  {{"CIP", -1, not_modelled, 0, Group::motion, "PG, G group 1"}, 1, usual},
-  {{"CT", -1, not_modelled, 0, Group::motion, "PG, G group 1"}, 1, usual},
-  {{"ASPLINE", -1, not_modelled, 0, Group::motion, "PG, G group 1"}, 1, usual},
-  {{"BSPLINE", -1, not_modelled, 0, Group::motion, "PG, G group 1"}, 1, usual},
-  {{"CSPLINE", -1, not_modelled, 0, Group::motion, "PG, G group 1"}, 1, usual},
+  {{"CIP", -1, arc_via, 0, Group::motion, "PG, G group 1"}, 1, usual},
+  {{"CT", -1, arc_tangent, 0, Group::motion, "PG, G group 1"}, 1, usual},
+  {{"ASPLINE", -1, spline, 0, Group::motion, "PG, G group 1"}, 1, usual},
+  {{"BSPLINE", -1, spline, 0, Group::motion, "PG, G group 1"}, 1, usual},
+  {{"CSPLINE", -1, spline, 0, Group::motion, "PG, G group 1"}, 1, usual},
   {{"POLY", -1, not_modelled, 0, Group::motion, "PG, G group 1"}, 1, usual},
   {{"INVCW", -1, not_modelled, 0, Group::motion, "PG, G group 1"}, 1, usual},
   {{"INVCCW", -1, not_modelled, 0, Group::motion, "PG, G group 1"}, 1, usual},
@@ -34,12 +34,12 @@ constexpr auto kNamed = std::to_array<GCode>({
   {{"REPOSHA", -1, not_modelled, 0, Group::non_modal, "PG, G group 2"}, 2, own},
   {{"TRANS", -1, local_shift, 1, Group::frame, "PG, G group 3"}, 3, usual},
   {{"ATRANS", -1, local_shift_add, 0, Group::frame, "PG, G group 3"}, 3, usual},
-  {{"ROT", -1, not_modelled, 0, Group::frame, "PG, G group 3"}, 3, own},
-  {{"SCALE", -1, not_modelled, 0, Group::frame, "PG, G group 3"}, 3, own},
-  {{"MIRROR", -1, not_modelled, 0, Group::frame, "PG, G group 3"}, 3, own},
-  {{"AROT", -1, not_modelled, 0, Group::frame, "PG, G group 3"}, 3, own},
-  {{"ASCALE", -1, not_modelled, 0, Group::frame, "PG, G group 3"}, 3, own},
-  {{"AMIRROR", -1, not_modelled, 0, Group::frame, "PG, G group 3"}, 3, own},
+  {{"ROT", -1, rotate, 1, Group::frame, "PG, G group 3"}, 3, usual},
+  {{"SCALE", -1, scale, 1, Group::frame, "PG, G group 3"}, 3, usual},
+  {{"MIRROR", -1, mirror, 1, Group::frame, "PG, G group 3"}, 3, usual},
+  {{"AROT", -1, rotate, 0, Group::frame, "PG, G group 3"}, 3, usual},
+  {{"ASCALE", -1, scale, 0, Group::frame, "PG, G group 3"}, 3, usual},
+  {{"AMIRROR", -1, mirror, 0, Group::frame, "PG, G group 3"}, 3, usual},
   {{"ROTS", -1, not_modelled, 0, Group::frame, "PG, G group 3"}, 3, own},
   {{"AROTS", -1, not_modelled, 0, Group::frame, "PG, G group 3"}, 3, own},
   {{"CROTS", -1, not_modelled, 0, Group::frame, "PG, G group 3"}, 3, own},

@@ -148,6 +148,7 @@ bool Parser::label_here() {
 }
 
 void Parser::statement() {
+  if (expand_macro()) return;
   switch (cursor_.kind()) {
     case TokenKind::address:
       if (cursor_.span().size() > 1) {
@@ -205,6 +206,10 @@ void Parser::extended_address() {
   cursor_.advance();
   const bool indexed = (letter == 'S' || letter == 'T' || letter == 'H' || letter == 'D') && extension <= 255;
   if (letter == 'M') return m_function(extension, head);
+  // I1= J1= K1=: the point in between of CIP
+  if (extension == 1 && letter >= 'I' && letter <= 'K')
+    return word(static_cast<ir::Address>(static_cast<int>(ir::Address::via_i) + (letter - 'I')), 0,
+                ir::StringId::none, head);
   if (!indexed) return word(ir::Address::other, 0, lower_.name(name), head);
   word(letter_address(letter), static_cast<std::uint8_t>(extension), ir::StringId::none, head);
 }
@@ -295,7 +300,8 @@ void Parser::named_word(const Keyword& keyword) {
   cursor_.advance();
   if (keyword.name == "PO") return native("PO", false, head);
   ir::StringId name = program_.strings.add(keyword.name);
-  if (keyword.address != ir::Address::other && keyword.address != ir::Address::chamfer) name = ir::StringId::none;
+  if (keyword.address != ir::Address::other) name = ir::StringId::none;
+  if (keyword.name == "MEAW") name = program_.strings.add(keyword.name);
   if (cursor_.is_symbol('[')) {
     ir::Variable index;  // POS[X]: the index is a part of the name
     index_list(index, false);
@@ -327,7 +333,11 @@ void Parser::g_code(text::Span head) {
   const GCode* code = find_g_code(n);
   if (code == nullptr) {
     report(DiagnosticId::unknown_code, span, {std::string(span.in(cursor_.whole()))});
-    return lower_.keep_as_native("unknown code", false, span);
+    // Three digits may be a macro of the machine (DEFINE G301 AS … in its definition files).
+    const bool may_be_macro = !faulty_ && !control_.from_profile && n >= 100;
+    if (may_be_macro) diagnostics_.back().severity = text::Severity::warning;
+    return lower_.keep_as_native(may_be_macro ? UpperName(span.in(cursor_.whole())).view() : "unknown code", false, span,
+                                 may_be_macro);
   }
   if (code->row.name == "G291") return native(code->row.name, false, span);
   lower_.add_code(*code, span);

@@ -83,7 +83,8 @@ class Parser {
   void for_statement(text::Span head);
   void case_statement(text::Span head);
   bool case_branch(ir::ExpressionId selector, text::Span head);
-  void repeat_statement(text::Span head);
+  void repeat_statement(text::Span head, bool one_block);
+  bool section_label(ir::StringId& label, std::uint32_t& number);
   void opener(ir::StatementKind kind, text::Span head, bool with_condition);
   ir::ExpressionId condition(text::Span head);
   static std::optional<Verb> go_to_verb(std::string_view name);
@@ -105,6 +106,12 @@ class Parser {
   void statement_of(const Keyword& keyword, text::Span head);
   void call_by_name(ir::StringId name, text::Span head);
   void call_statement(text::Span head);
+  void path_call(text::Span head);
+  void external_call(text::Span head);
+  void computed_call(ir::ExpressionId name, text::Span head);
+  void execute_statement(text::Span head);
+  void macro_definition(text::Span head);
+  bool expand_macro();
   void numbered_call(text::Span head);
   void arguments(ir::Call& call);
   void message(text::Span head);
@@ -146,6 +153,12 @@ class Parser {
   text::Span repeats_span_;
   bool has_call_ = false;
   bool has_invalid_ = false;  // anywhere in the text
+  struct Macro {
+    std::string name;  // upper case
+    ir::TokenRange body;
+  };
+  std::vector<Macro> macros_;  // DEFINE … AS
+  bool in_macro_ = false;
 };
 
 }  // namespace dripfeed::sinumerik

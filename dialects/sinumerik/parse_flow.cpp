@@ -16,7 +16,7 @@ using text::DiagnosticId;
 
 std::optional<Verb> Parser::go_to_verb(std::string_view name) {
   const Keyword* keyword = find_keyword(name);
-  if (keyword == nullptr || keyword->verb < Verb::go_to || keyword->verb > Verb::go_to_tolerant) return std::nullopt;
+  if (keyword == nullptr || keyword->verb < Verb::go_to || keyword->verb > Verb::go_to_start) return std::nullopt;
   return keyword->verb;
 }
 
@@ -31,13 +31,15 @@ void Parser::flow(Verb verb, text::Span head) {
     case Verb::end_for: return opener(StatementKind::for_end, head, false);
     case Verb::loop: return opener(StatementKind::loop_begin, head, false);
     case Verb::end_loop: return opener(StatementKind::loop_end, head, false);
-    case Verb::repeat: return repeat_statement(head);
+    case Verb::repeat: return repeat_statement(head, false);
+    case Verb::repeat_block: return repeat_statement(head, true);
     case Verb::until: return opener(StatementKind::repeat_end, head, true);
     case Verb::case_word: return case_statement(head);
     case Verb::go_to:
     case Verb::go_to_forward:
     case Verb::go_to_backward:
-    case Verb::go_to_tolerant: return jump(verb, ir::ExpressionId::none, head);
+    case Verb::go_to_tolerant:
+    case Verb::go_to_start: return jump(verb, ir::ExpressionId::none, head);
     case Verb::none:
     case Verb::define:
     case Verb::procedure:
@@ -45,6 +47,10 @@ void Parser::flow(Verb verb, text::Span head) {
     case Verb::message:
     case Verb::alarm:
     case Verb::call:
+    case Verb::call_path:
+    case Verb::call_external:
+    case Verb::execute:
+    case Verb::macro:
     case Verb::return_word: return;
   }
 }
@@ -91,7 +97,8 @@ void Parser::jump(Verb verb, ir::ExpressionId condition, text::Span head) {
                 : verb == Verb::go_to_backward ? ir::JumpSearch::backward
                                                : ir::JumpSearch::both;
   jump.tolerant = verb == Verb::go_to_tolerant;
-  if (jump_target(jump)) lower_.add_jump(jump, to_here(head));
+  jump.restart = verb == Verb::go_to_start;
+  if (jump.restart || jump_target(jump)) lower_.add_jump(jump, to_here(head));
 }
 
 // LABEL, N100, :100, or a string that is one of these.
@@ -116,7 +123,8 @@ bool Parser::jump_target(ir::Jump& jump) {
     cursor_.advance();
     return true;
   }
-  if (cursor_.kind() != TokenKind::name && cursor_.kind() != TokenKind::string) {
+  if (cursor_.kind() != TokenKind::name && cursor_.kind() != TokenKind::string &&
+      cursor_.kind() != TokenKind::variable && !cursor_.is_symbol('(')) {
     give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is no jump target"});
     return false;
   }
@@ -144,10 +152,44 @@ void Parser::for_statement(text::Span head) {
   if (!cursor_.at_block_end()) give_up(DiagnosticId::statement_not_alone, head, {"FOR"});
 }
 
-// REPEAT alone opens a loop; REPEAT label repeats a section and is kept as written.
-void Parser::repeat_statement(text::Span head) {
-  if (!cursor_.at_block_end()) return native("REPEAT", false, head);
-  lower_.add_structure(StatementKind::repeat_begin, {}, head);
+// REPEAT alone opens a loop. REPEAT A, REPEAT A B, REPEATB A run a part of the program again, P=n times.
+void Parser::repeat_statement(text::Span head, bool one_block) {
+  if (cursor_.at_block_end() && !one_block) return lower_.add_structure(StatementKind::repeat_begin, {}, head);
+  ir::Repeat repeat;
+  repeat.one_block = one_block;
+  if (!section_label(repeat.first, repeat.first_number))
+    return give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is no label"});
+  if (!one_block) (void)section_label(repeat.last, repeat.last_number);
+  if (cursor_.kind() == TokenKind::address && to_upper(cursor_.first()) == 'P' && cursor_.span().size() == 1) {
+    const text::Span p = cursor_.span();
+    cursor_.advance();
+    operator_ = p;
+    if (cursor_.take('=')) {
+      repeat.times = expression();
+    } else if (!signed_constant(repeat.times)) {
+      return give_up(DiagnosticId::address_without_value, p, {"P"});
+    }
+  }
+  lower_.add_repeat(repeat, to_here(head));
+  if (!cursor_.at_block_end()) give_up(DiagnosticId::statement_not_alone, head, {one_block ? "REPEATB" : "REPEAT"});
+}
+
+// A label, or a block number.
+bool Parser::section_label(ir::StringId& label, std::uint32_t& number) {
+  if (cursor_.kind() == TokenKind::name) {
+    label = lower_.name(cursor_.text());
+    cursor_.advance();
+    return true;
+  }
+  const bool block_number = cursor_.kind() == TokenKind::address && to_upper(cursor_.first()) == 'N' &&
+                            cursor_.span().size() == 1 && cursor_.after().kind() == TokenKind::number;
+  if (!block_number) return false;
+  cursor_.advance();
+  const auto value = text::parse_integer(cursor_.text());
+  if (!value || *value < 0 || *value > 999'999'999) return false;
+  number = static_cast<std::uint32_t>(*value);
+  cursor_.advance();
+  return true;
 }
 
 // CASE(selector) OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C

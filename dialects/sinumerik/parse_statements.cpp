@@ -2,6 +2,8 @@
 // transformations. Those lose no verdict silently: a Native names itself, and only a few are known to do nothing.
 #include <algorithm>
 
+#include "dialects/sinumerik/name_index.h"
+
 #include "dialects/sinumerik/parse.h"
 
 namespace dripfeed::sinumerik {
@@ -11,6 +13,16 @@ namespace {
 using ir::StatementKind;
 using ir::TokenKind;
 using text::DiagnosticId;
+
+// Statements that are kept as written and after which axes may be anywhere: cycles, approach and return moves, texts.
+bool may_move(std::string_view name) {
+  constexpr std::string_view kNames[] = {"G5", "G7", "G74", "G75", "G147", "G148", "G247", "G248", "G347", "G348",
+                                         "REPOSL", "REPOSQ", "REPOSH", "REPOSA", "REPOSQA", "REPOSHA", "ISOCALL",
+                                         "MCALL", "CALL", "EXECTAB", "RET", "LONGHOLE", "POLFA", "G291", "G58", "G59",
+                                         "ROTS", "AROTS", "CROTS", "TRANSMIT", "TRACYL", "TRAANG", "TRAORI"};
+  return name.starts_with("CYCLE") || name.starts_with("POCKET") || name.starts_with("SLOT") ||
+         name.starts_with("HOLES") || std::ranges::find(kNames, name) != std::end(kNames);
+}
 
 }  // namespace
 
@@ -38,6 +50,10 @@ void Parser::statement_of(const Keyword& keyword, text::Span head) {
     case Verb::message: return message(head);
     case Verb::alarm: return alarm(head);
     case Verb::call: return call_statement(head);
+    case Verb::call_path: return path_call(head);
+    case Verb::call_external: return external_call(head);
+    case Verb::execute: return execute_statement(head);
+    case Verb::macro: return macro_definition(head);
     case Verb::return_word: return return_statement(head);
     case Verb::none:
     case Verb::if_word:
@@ -50,19 +66,21 @@ void Parser::statement_of(const Keyword& keyword, text::Span head) {
     case Verb::loop:
     case Verb::end_loop:
     case Verb::repeat:
+    case Verb::repeat_block:
     case Verb::until:
     case Verb::case_word:
     case Verb::go_to:
     case Verb::go_to_forward:
     case Verb::go_to_backward:
-    case Verb::go_to_tolerant: return flow(keyword.verb, head);
+    case Verb::go_to_tolerant:
+    case Verb::go_to_start: return flow(keyword.verb, head);
   }
 }
 
 // The rest of the block belongs to what stands at its head and is not read.
 void Parser::native(std::string_view name, bool effects_known, text::Span head) {
   skip_block();
-  lower_.keep_as_native(name, effects_known, to_here(head));
+  lower_.keep_as_native(name, effects_known, to_here(head), may_move(name));
 }
 
 // `head` is the variable's first token; the cursor stands after the variable.
@@ -128,20 +146,98 @@ void Parser::arguments(ir::Call& call) {
   program_.arguments.insert(program_.arguments.end(), given.begin(), given.end());
 }
 
-// CALL "NAME"; with a string variable, a path or a section it is kept as written.
+// CALL "NAME" or a text that is computed; a section (CALL BLOCK A TO B) is kept as written.
 void Parser::call_statement(text::Span head) {
-  const TokenCursor next = cursor_.after();
-  if (cursor_.kind() != TokenKind::string || !next.at_block_end()) return native("CALL", false, head);
-  std::string_view name = cursor_.text().substr(1);
-  if (!name.empty() && name.back() == '"') name.remove_suffix(1);
-  if (name.find('/') != std::string_view::npos) return native("CALL", false, head);
-  if (name.size() > 3 && same_name(name.substr(0, 3), "_N_")) name.remove_prefix(3);
-  const std::string_view ending = name.size() > 4 ? name.substr(name.size() - 4) : std::string_view();
-  if (same_name(ending, "_SPF") || same_name(ending, "_MPF") || same_name(ending, ".SPF") || same_name(ending, ".MPF"))
-    name.remove_suffix(4);
-  const ir::StringId id = lower_.name(name);
+  if (cursor_.is_name("BLOCK")) return native("CALL", false, head);
+  operator_ = head;
+  computed_call(expression(), head);
+  if (!cursor_.at_block_end() && cursor_.is_name("BLOCK")) native("CALL", false, head);
+}
+
+// A name that is written is known now, without its path and ending.
+void Parser::computed_call(ir::ExpressionId name, text::Span head) {
+  const ir::Expression& e = program_.at(name);
+  if (e.op == ir::Operator::string) {
+    const std::string written(ir::program_name_of_path(program_.strings.at(e.string)));
+    return call_by_name(lower_.name(written), head);
+  }
+  ir::Call call;
+  call.computed = name;
+  call.repeats = repeats_;
+  has_call_ = true;
+  lower_.add_call(call, to_here(head));
+}
+
+// PCALL /_N_WKS_DIR/_N_SHAFT_WPD/_N_GROOVE_SPF(1,2): the path ends where the arguments begin.
+void Parser::path_call(text::Span head) {
+  const text::Span start = cursor_.span();
+  text::Span path = {start.begin, start.begin};
+  while (!cursor_.at_block_end() && !cursor_.is_symbol('(')) {
+    path.end = cursor_.span().end;
+    cursor_.advance();
+  }
+  if (path.empty()) return give_up(DiagnosticId::syntax_error, head, {"PCALL has no path"});
+  const std::string name(ir::program_name_of_path(path.in(cursor_.whole())));
+  call_by_name(lower_.name(name), head);
+}
+
+// EXTCALL("path/name"): a program of another device.
+void Parser::external_call(text::Span head) {
+  operator_ = head;
+  if (cursor_.kind() == TokenKind::string) return computed_call(expression(), head);
+  if (!cursor_.is_symbol('(')) return give_up(DiagnosticId::missing_bracket, head, {"("});
+  computed_call(parenthesized(), head);
+}
+
+// EXECSTRING(text)
+void Parser::execute_statement(text::Span head) {
+  operator_ = head;
+  ir::Message message;
+  message.text = parenthesized();
+  lower_.add_message(StatementKind::execute_text, message, to_here(head));
+}
+
+// DEFINE NAME AS …: the rest of the block stands for the name from here on.
+void Parser::macro_definition(text::Span head) {
+  text::Span name = cursor_.span();
   cursor_.advance();
-  call_by_name(id, head);
+  // G306 is an address and a number to the lexer.
+  while (!cursor_.at_block_end() && !cursor_.is_name("AS")) {
+    name.end = cursor_.span().end;
+    cursor_.advance();
+  }
+  if (!cursor_.take_name("AS")) return give_up(DiagnosticId::syntax_error, head, {"DEFINE has no AS"});
+  const std::uint32_t first = cursor_.index();
+  skip_block();
+  macros_.push_back({std::string(UpperName(name.in(cursor_.whole())).view()), {first, cursor_.index()}});
+  lower_.keep_as_native("DEFINE", true, to_here(head));
+}
+
+// Reads the body of a macro in the place of its name. A macro inside of another is an error of the control (12250) and
+// is not expanded.
+bool Parser::expand_macro() {
+  if (macros_.empty() || in_macro_) return false;
+  text::Span name = cursor_.span();
+  TokenCursor after = cursor_.after();
+  const bool joined = cursor_.kind() == TokenKind::address && after.kind() == TokenKind::number &&
+                      after.span().begin == name.end;
+  if (joined) {
+    name.end = after.span().end;
+    after.advance();
+  }
+  const UpperName written(name.in(cursor_.whole()));
+  const auto macro = std::ranges::find(macros_, written.view(), &Macro::name);
+  if (macro == macros_.end()) return false;
+  in_macro_ = true;
+  cursor_.go_to(macro->body.first);
+  while (cursor_.index() < macro->body.last && !cursor_.at_block_end()) {
+    const std::uint32_t before = cursor_.index();
+    statement();
+    if (cursor_.index() == before) stray_symbol();
+  }
+  in_macro_ = false;
+  cursor_.go_to(after.index());
+  return true;
 }
 
 // L100 and L0100 are two programs: the digits are the name.

@@ -144,6 +144,8 @@ class Printer {
       case StatementKind::program_end: return program_end(s, out);
       case StatementKind::message: return message("MSG", program_.messages[s.payload], out);
       case StatementKind::alarm: return message("SETAL", program_.messages[s.payload], out);
+      case StatementKind::repeat_section:
+      case StatementKind::execute_text:
       case StatementKind::native:
         // A fault behind IF or WHILE is a second statement of its line, which is printed already.
         if (s.tokens.first < s.tokens.last) out += written_line(i);
@@ -201,10 +203,18 @@ class Printer {
   }
 
   void jump(const ir::Jump& j, std::string& out) const {
+    if (j.restart && j.condition == ir::ExpressionId::none) {
+      out += "GOTOS";
+      return;
+    }
     if (j.condition != ir::ExpressionId::none) {
       out += "IF ";
       value(out, j.condition);
       out += ' ';
+    }
+    if (j.restart) {
+      out += "GOTOS";
+      return;
     }
     out += j.tolerant                             ? "GOTOC "
            : j.search == ir::JumpSearch::forward  ? "GOTOF "
@@ -275,6 +285,11 @@ class Printer {
   }
 
   void call(const ir::Call& c, std::string& out) const {
+    if (c.computed != ir::ExpressionId::none) {
+      out += "CALL(";
+      value(out, c.computed);
+      out += ')';
+    }
     out += program_.strings.at(c.name);
     if (c.argument_count > 0) {
       out += '(';

@@ -22,6 +22,7 @@ bool is_axis(Address a) {
 // Values with a decimal point always: positions and what belongs to them.
 bool has_point(Address a) {
   return is_axis(a) || (a >= Address::i && a <= Address::k) || a == Address::arc_radius || a == Address::chamfer ||
+         a == Address::chamfer_length || (a >= Address::via_i && a <= Address::modal_rounding) ||
          a == Address::rounding || a == Address::named_axis;
 }
 
@@ -33,7 +34,14 @@ std::string_view name_of(Address a) {
     case Address::polar_angle: return "AP";
     case Address::polar_radius: return "RP";
     case Address::turns: return "TURN";
-    case Address::chamfer: return "CHF";
+    case Address::chamfer: return "CHR";
+    case Address::chamfer_length: return "CHF";
+    case Address::via_i: return "I1";
+    case Address::via_j: return "J1";
+    case Address::via_k: return "K1";
+    case Address::modal_rounding: return "RNDM";
+    case Address::frame_angle: return "RPL";
+    case Address::measuring: return "MEAS";
     case Address::rounding: return "RND";
     case Address::named_axis:
     case Address::other:

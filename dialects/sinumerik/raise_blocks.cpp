@@ -237,7 +237,6 @@ class BlockRaiser {
     if (w.address == Address::s && has(Function::set_coordinates)) w.address = Address::spindle_limit;
     // A thread's lead is K along Z and I along X here, F elsewhere.
     if (w.address == Address::f && thread_is_modal_) w.address = find(Address::z) != nullptr ? Address::k : Address::i;
-    if (w.address == Address::chamfer) w.name = program_.strings.add("CHR");
     if (w.address == Address::r && from.arc_radius_is_r) {
       if (!arc_is_modal_) return raising_.cannot("the word R", w.span);
       w.address = Address::arc_radius;

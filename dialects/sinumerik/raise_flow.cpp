@@ -77,6 +77,8 @@ void raise_flow(const Raising& raising) {
     if (s.kind == StatementKind::call) raise_call(raising, s);
     if (s.kind == StatementKind::alarm) raise_alarm(raising, s);
     if (s.kind == StatementKind::subprogram_return) raise_return(raising, i);
+    if (s.kind == StatementKind::repeat_section || s.kind == StatementKind::execute_text)
+      raising.cannot("this block", s.span);
     if (s.kind == StatementKind::native) {
       const ir::Native& native = program.natives[s.payload];
       const std::string name(program.strings.at(native.name));

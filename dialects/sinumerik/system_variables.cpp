@@ -27,7 +27,7 @@ constexpr auto kVariables = std::to_array<ir::SystemVariableRow>({
   {"$P_TOOL", 0, 0, tool_edge, false, "LIS1, active cutting edge"},
   {"$P_TOOLR", 0, 0, not_modelled, false, "LIS1, active tool radius"},
   {"$P_TOOLL", 0, 0, not_modelled, false, "LIS1, active tool length"},
-  {"$P_GG", 0, 0, not_modelled, false, "LIS1, index of the active code of a group"},
+  {"$P_GG", 0, 0, active_code, false, "LIS1, index of the active code of a group"},
   {"$P_EXTGG", 0, 0, not_modelled, false, "LIS1, the same in ISO mode"},
   {"$P_SDIR", 0, 0, spindle_direction, false, "LIS1, last programmed spindle direction"},
   {"$P_MSNUM", 1, 1, constant, false, "LIS1, master spindle"},

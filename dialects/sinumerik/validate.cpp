@@ -20,13 +20,11 @@ void Check::report_if_machine(text::DiagnosticId id, text::Span span, std::vecto
 }
 
 bool is_subprogram(const ir::Program& program) {
-  bool returns = false;
   for (const ir::Statement& s : program.statements) {
     if (s.kind == ir::StatementKind::procedure) return true;
     if (s.kind == ir::StatementKind::program_end) return false;
-    returns = returns || s.kind == ir::StatementKind::subprogram_return;
   }
-  return returns;
+  return true;
 }
 
 std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Control& control, ir::Delivery delivery) {

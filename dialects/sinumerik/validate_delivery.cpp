@@ -35,7 +35,9 @@ std::string_view loop_word(StatementKind kind) {
     case StatementKind::program_end:
     case StatementKind::message:
     case StatementKind::alarm:
-    case StatementKind::native: return {};
+    case StatementKind::native:
+    case StatementKind::execute_text: return {};
+    case StatementKind::repeat_section: return "REPEAT";
   }
   return {};
 }

@@ -149,7 +149,9 @@ class Names {
       if (symbol.is_parameter && !use.read && !use.set)
         check_.report(DiagnosticId::parameter_never_used, symbol.span, {name(symbol)});
       // EXECSTRING sets variables by texts that are made while running.
-      if (natives_.contains("EXECSTRING")) continue;
+      if (std::ranges::any_of(program_.statements,
+                              [](const ir::Statement& s) { return s.kind == StatementKind::execute_text; }))
+        continue;
       // Arrays are often filled by the operator or by cycles; a scalar that nobody sets is a slip.
       if (!symbol.is_parameter && use.read && !use.set && symbol.initial == ir::ExpressionId::none &&
           symbol.dimension1 == 0)

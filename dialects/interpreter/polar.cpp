@@ -1,0 +1,92 @@
+// PG, "Path commands, travel commands with polar coordinates": AP is counted from the first axis of the plane, RP from
+// the pole; both are modal. Without a pole it is the zero point of the workpiece.
+#include "dialects/interpreter/polar.h"
+
+#include "dialects/interpreter/arithmetic.h"
+
+namespace dripfeed::interpreter {
+
+namespace {
+
+using ir::Address;
+
+constexpr std::array kLetters = {Address::x, Address::y, Address::z};
+constexpr std::uint64_t kPolarWords = bit_of(Address::polar_angle) | bit_of(Address::polar_radius);
+
+double radius_value(const BlockRules& rules, std::size_t axis, double kept) {
+  return axis == 0 && rules.x_is_diameter ? kept / 2.0 : kept;
+}
+
+// AP and RP of the block become the modal ones.
+void take_words(const PlainBlock& block, const BlockRules& rules, ModalState& state) {
+  if (block.has(Address::polar_angle)) {
+    const double angle = block.at(Address::polar_angle);
+    const bool adds = (block.incremental & bit_of(Address::polar_angle)) != 0;
+    state.polar.angle_deg = adds ? state.polar.angle_deg + angle : angle;
+  }
+  if (block.has(Address::polar_radius)) {
+    const double radius = rules.length_mm(block, Address::polar_radius, state.modes.inch);
+    const bool adds = (block.incremental & bit_of(Address::polar_radius)) != 0;
+    state.polar.radius_mm = adds ? state.polar.radius_mm + radius : radius;
+  }
+}
+
+}  // namespace
+
+bool has_polar_words(const PlainBlock& block) { return ((block.present | block.unknown) & kPolarWords) != 0; }
+
+Vector programmed_position(const BlockRules& rules, const ModalState& state) {
+  Vector at{};
+  for (std::size_t axis = 0; axis < at.size(); ++axis)
+    at[axis] = radius_value(rules, axis,
+                            state.position[axis] - state.modes.shift[axis] - state.coordinate_shift[axis]);
+  return state.modes.has_matrix ? multiply(inverse_of(state.modes.matrix), at) : at;
+}
+
+PlainBlock with_coordinates(const PlainBlock& block, const BlockRules& rules, ModalState& state) {
+  PlainBlock made = block;
+  const PlaneAxes axes = axes_of(state.modes.plane);
+  take_words(block, rules, state);
+  const bool unknown = (block.unknown & kPolarWords) != 0;
+  const Vector& pole = state.polar.pole;
+  const std::array<double, 2> at = {
+      pole[axes.p] + state.polar.radius_mm * cosine_deg(state.polar.angle_deg),
+      pole[axes.q] + state.polar.radius_mm * sine_deg(state.polar.angle_deg)};
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const std::size_t axis = i == 0 ? axes.p : axes.q;
+    const Address letter = kLetters[axis];
+    if (unknown) {
+      made.unknown |= bit_of(letter);
+      continue;
+    }
+    double value = axis == 0 && rules.x_is_diameter ? at[i] * 2.0 : at[i];
+    if (axis == 0) value /= rules.x_factor(state.modes, false);
+    made.set(letter, state.modes.inch ? value / 25.4 : value);
+    made.absolute |= bit_of(letter);
+    made.incremental &= ~bit_of(letter);
+    made.in_increments &= ~bit_of(letter);
+  }
+  return made;
+}
+
+void set_pole(const PlainBlock& block, const BlockRules& rules, ir::Function function, ModalState& state) {
+  const Vector base = function == ir::Function::pole_from_last   ? programmed_position(rules, state)
+                      : function == ir::Function::pole_from_pole ? state.polar.pole
+                                                                 : Vector{};
+  const PlaneAxes axes = axes_of(state.modes.plane);
+  Vector pole = base;
+  if (has_polar_words(block)) {
+    take_words(block, rules, state);
+    pole[axes.p] += state.polar.radius_mm * cosine_deg(state.polar.angle_deg);
+    pole[axes.q] += state.polar.radius_mm * sine_deg(state.polar.angle_deg);
+  }
+  for (const std::size_t axis : {axes.p, axes.q}) {
+    if (!block.has(kLetters[axis])) continue;
+    double value = rules.length_mm(block, kLetters[axis], state.modes.inch);
+    if (axis == 0) value = radius_value(rules, 0, value * rules.x_factor(state.modes, false));
+    pole[axis] = base[axis] + value;
+  }
+  state.polar.pole = pole;
+}
+
+}  // namespace dripfeed::interpreter

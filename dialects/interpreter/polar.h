@@ -1,0 +1,20 @@
+// Polar positions: a pole, an angle and a radius in the plane instead of two coordinates.
+#pragma once
+
+#include "dialects/interpreter/block_rules.h"
+#include "dialects/interpreter/modal_state.h"
+#include "dialects/interpreter/plain_block.h"
+#include "dialects/ir/function.h"
+
+namespace dripfeed::interpreter {
+
+// Whether the block names an angle or a radius.
+bool has_polar_words(const PlainBlock& block);
+// The same block with the plane's two coordinates in place of AP and RP. Angle and radius stay for the blocks to come.
+PlainBlock with_coordinates(const PlainBlock& block, const BlockRules& rules, ModalState& state);
+// G110, G111, G112: the pole, from the last position, the zero point or the last pole.
+void set_pole(const PlainBlock& block, const BlockRules& rules, ir::Function function, ModalState& state);
+// Where the state stands in programmed coordinates of X Y Z: radius values, mm.
+Vector programmed_position(const BlockRules& rules, const ModalState& state);
+
+}  // namespace dripfeed::interpreter
