@@ -17,7 +17,8 @@ constexpr std::array kDialects = {
     Dialect{"fanuc", "Fanuc Custom Macro B", fanuc::control, fanuc::infer_control, fanuc::read, fanuc::plain_scanner,
             fanuc::validate, fanuc::raise, fanuc::print},
     Dialect{"sinumerik-840d", "SINUMERIK 840D sl", sinumerik_control, sinumerik::infer_control, sinumerik::read,
-            sinumerik::plain_scanner, sinumerik::validate, sinumerik::raise, sinumerik::print, sinumerik::standard_cycle},
+            sinumerik::plain_scanner, sinumerik::validate, sinumerik::raise, sinumerik::print,
+            sinumerik::standard_cycle},
 };
 
 // What a line holds that only one dialect has. `at_start` counts blanks and a block number before it as nothing.

@@ -27,9 +27,9 @@ struct Effects {
   bool tool_change = false;
   bool coolant_off = false;
   bool spindle_stop = false;
-  bool surface_code = false;  // this block switches the surface speed
-  bool announces = false;     // something that events tell of may have changed
-  std::int8_t stop = -1;      // 0 program, 1 optional
+  bool surface_code = false;            // this block switches the surface speed
+  bool announces = false;               // something that events tell of may have changed
+  std::int8_t stop = -1;                // 0 program, 1 optional
   Function move_once = Function::none;  // instead of the modal motion
   Flow flow = Flow::next;
 };

@@ -72,11 +72,11 @@ enum class Opcode : std::uint8_t {
   store_system,   // row a, number or index b = c
   // Data of the control by name; extra: how many indices stand in registers in a row; detail: 0, or one more than the
   // row of the system table.
-  load_shared,        // a = name b [c …]
-  store_shared,       // name a [b …] = c
-  load_shared_text,   // … as a text
+  load_shared,       // a = name b [c …]
+  store_shared,      // name a [b …] = c
+  load_shared_text,  // … as a text
   store_shared_text,
-  refer_shared,       // a = a reference to name b [c …]
+  refer_shared,  // a = a reference to name b [c …]
   // Strings: string registers, but for results that are numbers.
   string_copy,         // a = b
   string_join,         // a = b << c
@@ -87,28 +87,28 @@ enum class Opcode : std::uint8_t {
   string_length,       // number a
   string_upper,
   string_lower,
-  string_find,  // number a = place of c in b; extra: ir::Operator
-  string_part,  // a = of text b from number c, number c + 1 characters
-  axis_name,    // text a = name of axis b
+  string_find,   // number a = place of c in b; extra: ir::Operator
+  string_part,   // a = of text b from number c, number c + 1 characters
+  axis_name,     // text a = name of axis b
   string_equal,  // number a = (b == c)
   string_load_element,
   string_store_element,
   string_fit,  // a = b when it has at most c characters, otherwise an alarm
   // Flow
-  block,         // a block begins: line a, work b
-  jump,          // to a
-  jump_back,     // to a, counts as a pass
-  branch_false,  // to b unless a holds; extra 1: also when it is not known whether it does
-  jump_number,   // to the block whose number is a; extra: JumpSearch; c: 1 when a missing target is passed over
-  jump_text,     // to the label in string a; as above
+  block,           // a block begins: line a, work b
+  jump,            // to a
+  jump_back,       // to a, counts as a pass
+  branch_false,    // to b unless a holds; extra 1: also when it is not known whether it does
+  jump_number,     // to the block whose number is a; extra: JumpSearch; c: 1 when a missing target is passed over
+  jump_text,       // to the label in string a; as above
   repeat_section,  // back to a, number b times; section c
   section_end,     // of section c: to a when it is being repeated
   execute_text,    // string a as a block
   apply,           // block template a
-  call,          // call site a
-  skip_given,    // to b when parameter a was given
-  back,          // of a subprogram
-  back_to,       // … to the block with number a in the caller
+  call,            // call site a
+  skip_given,      // to b when parameter a was given
+  back,            // of a subprogram
+  back_to,         // … to the block with number a in the caller
   program_end,
   text_end,
   message,  // string a, or none: clear

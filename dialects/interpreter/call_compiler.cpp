@@ -90,8 +90,7 @@ CallArgument CallCompiler::compile_argument(const ir::Argument& argument, bool k
     value.operand = to;
   }
   result.value = value.operand;
-  if (argument.letter == 0 && e.op == Operator::variable)
-{
+  if (argument.letter == 0 && e.op == Operator::variable) {
     const ir::Variable& variable = builder_.source().at(e.variable);
     result.reference = expressions_.variables().refer(variable);
     if (!value.is_string() && expressions_.variables().is_shared(variable))

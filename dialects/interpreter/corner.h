@@ -1,4 +1,5 @@
-// Chamfers and roundings between two moves of a plane: what is cut off the first and the second, and what comes between.
+// Chamfers and roundings between two moves of a plane: what is cut off the first and the second, and what comes
+// between.
 #pragma once
 
 #include <optional>
@@ -27,8 +28,8 @@ struct Corner {
   Turn turn = Turn::clockwise;
 };
 
-// `first.end` is `second.start`. Nothing when the pieces go on without a corner, are too short for it, or one of them is
-// an arc and a chamfer is wanted.
+// `first.end` is `second.start`. Nothing when the pieces go on without a corner, are too short for it, or one of them
+// is an arc and a chamfer is wanted.
 std::optional<Corner> corner_between(const PathPiece& first, const PathPiece& second, CornerKind kind, double size_mm);
 
 }  // namespace dripfeed::interpreter

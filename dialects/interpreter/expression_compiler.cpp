@@ -301,11 +301,16 @@ Value ExpressionCompiler::compile_string_comparison(const ir::Expression& e, con
 Value ExpressionCompiler::compile_is_variable(const ir::Expression& e) {
   const ir::Program& program = builder_.source();
   const ir::Expression* operand = builder_.find(e.a);
+  if (operand != nullptr && operand->op != Operator::string && builder_.context().control.semantics.unset_is_unknown) {
+    compile_string(e.a);  // for what it reads; which names there are is known for written names only
+    return {builder_.constant(kVacant), ValueType::boolean, std::nullopt};
+  }
   if (operand == nullptr || operand->op != Operator::string)
     return failure(e.span, DiagnosticId::not_interpreted, {"ISVAR of a computed name"});
   std::string name(program.strings.at(operand->string));
   name.resize(std::min(name.size(), name.find('[')));
-  std::ranges::transform(name, name.begin(), [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  std::ranges::transform(name, name.begin(),
+                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
   SharedData& shared = builder_.context().shared;
   for (const ir::Symbol& symbol : program.symbols)
     if (program.strings.at(symbol.name) == name && !symbol.is_global) return constant(1.0, ValueType::boolean);

@@ -61,9 +61,7 @@ Matrix rotation_of(const Vector& angles_deg) {
 
 Matrix rotation_in(ir::Plane plane, double angle_deg) { return turn_about(axes_of(plane).normal, angle_deg); }
 
-Matrix diagonal_of(const Vector& factors) {
-  return {factors[0], 0.0, 0.0, 0.0, factors[1], 0.0, 0.0, 0.0, factors[2]};
-}
+Matrix diagonal_of(const Vector& factors) { return {factors[0], 0.0, 0.0, 0.0, factors[1], 0.0, 0.0, 0.0, factors[2]}; }
 
 PlaneImage image_of(const Matrix& m, PlaneAxes axes) {
   const double pp = at(m, axes.p, axes.p);

@@ -34,8 +34,7 @@ Machine::Machine(const ir::Control& control, ProgramFinder& finder, ir::MotionSi
       variables_(control),
       context_{control, rules_, arithmetic_, variables_, options.limits, names_, shared_, options.observer != nullptr},
       programs_(context_, finder),
-      storage_(variables_, shared_,
-               control.semantics.has_vacant || control.semantics.unset_is_unknown ? kVacant : 0.0),
+      storage_(variables_, shared_, control.semantics.has_vacant || control.semantics.unset_is_unknown ? kVacant : 0.0),
       state_(initial_state(control)),
       out_(sink),
       report_(control, options.limits, names_, out_),
@@ -77,6 +76,8 @@ RunResult Machine::finish(const CompiledProgram& main) {
 bool Machine::takes_feed_from_caller(const CompiledProgram& main) const {
   if (!control_.semantics.unset_is_unknown) return false;
   if (main.source == nullptr) return report_.result().ended == Ended::text_end;
+  const std::string& name = main.source->source.name();
+  if (name.ends_with(".SPF") || name.ends_with(".spf")) return true;
   return std::ranges::none_of(main.source->statements, [](const ir::Statement& statement) {
     return statement.kind == ir::StatementKind::program_end;
   });
@@ -94,8 +95,7 @@ void Machine::set_inputs(const CompiledProgram& main) {
     if (parameter.type == ir::ValueType::string)
       storage_.string_at(parameter.slot) = kUnknownText;
     else
-      storage_.frame_at(parameter.slot) =
-          parameter.by_reference ? Storage::refer_shared(shared_.nameless()) : kVacant;
+      storage_.frame_at(parameter.slot) = parameter.by_reference ? Storage::refer_shared(shared_.nameless()) : kVacant;
   }
   state_.feed_unknown = main.has_procedure;
 }
@@ -191,8 +191,13 @@ void Machine::execute(std::uint32_t next) {
         next = i.a;
         if (++passes_ > options_.limits.loop_passes) [[unlikely]]
           goes_on = report_.fail_limit(i, "loop passes");
+        else if (last_jump_ == &i && decisions_ == 0) [[unlikely]]
+          goes_on = end_endless(i);
+        last_jump_ = &i;
+        decisions_ = 0;
         break;
       case Opcode::branch_false:
+        ++decisions_;
         if (!is_true(reg(i.a)) && !(is_vacant(reg(i.a)) && decide_unknown(i))) next = i.b;
         break;
       case Opcode::apply: {
@@ -280,7 +285,11 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
   if (i.op == Opcode::back) return go_back(i, next);
   if (i.op == Opcode::back_to) return go_back_to(i, next);
   if (i.op == Opcode::program_end) return end_program(i, next);
-  if (i.op == Opcode::text_end) return end_text(i, next);
+  if (i.op == Opcode::text_end && program.is_text) {
+    next = stack_.go_back();
+    return true;
+  }
+  if (i.op == Opcode::text_end) return end_text(i);
   if (i.op == Opcode::message) return message(i);
   if (i.op == Opcode::alarm) return user_alarm(i);
   if (i.op == Opcode::fail) return report_.fail(i, program.failures[i.a].id, program.failures[i.a].arguments);
@@ -304,8 +313,7 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
   else if (i.op == Opcode::report) {
     report_.count(program.reports[i.a]);
     if (i.b == 1) state_.unknown = kAllAxes;
-  }
-  else
+  } else
     tell_rare(i);
   return true;
 }
@@ -367,12 +375,14 @@ bool Machine::decide_unknown(const Instruction& i) {
   if (!control_.semantics.unset_is_unknown) return false;
   constexpr std::uint32_t kPatience = 100;
   report_.count({.name = "a condition on a value that is not known"});
+  report_.take_uncertain_way();
   if (i.extra == 1) return true;
   const std::uint32_t times = ++undecided_[&i];
   return times >= kPatience && times % 2 == 0;
 }
 
 bool Machine::jump(const Instruction& i, std::uint32_t& next) {
+  ++decisions_;
   const auto search = static_cast<ir::JumpSearch>(i.extra);
   const bool by_text = i.op == Opcode::jump_text;
   const double value = by_text ? 0.0 : storage_.reg(i.a);
@@ -400,7 +410,7 @@ bool Machine::repeat_section(const Instruction& i, std::uint32_t& next) {
   if (!again) {
     const double times = storage_.reg(i.b);
     if (is_vacant(times)) report_.count({.name = "a number of repetitions that is not known"});
-    sections_.push_back({stack_.depth(), i.c, is_vacant(times) ? 1.0 : arithmetic_.round(times) });
+    sections_.push_back({stack_.depth(), i.c, is_vacant(times) ? 1.0 : arithmetic_.round(times)});
   } else {
     sections_.back().left -= 1.0;
   }
@@ -438,6 +448,12 @@ bool Machine::execute_text(const Instruction& i, std::uint32_t& next) {
   if (!stack_.enter_text(i, *known.code, next)) return false;
   next = 0;
   return true;
+}
+
+// The same jump back twice, and nothing decided between: the program goes on so for ever.
+bool Machine::end_endless(const Instruction& i) {
+  report_.say(i, DiagnosticId::endless_loop);
+  return report_.end(Ended::limit);
 }
 
 bool Machine::call(const Instruction& i, std::uint32_t& next) {
@@ -487,11 +503,7 @@ bool Machine::end_program(const Instruction&, std::uint32_t& next) {
   return report_.end(Ended::end);
 }
 
-bool Machine::end_text(const Instruction& i, std::uint32_t& next) {
-  if (stack_.program().is_text) {
-    next = stack_.go_back();
-    return true;
-  }
+bool Machine::end_text(const Instruction& i) {
   report_.say(i, DiagnosticId::missing_program_end);
   return report_.end(Ended::text_end);
 }

@@ -46,10 +46,11 @@ class Machine {
   bool go_back(const Instruction& i, std::uint32_t& next);
   bool go_back_to(const Instruction& i, std::uint32_t& next);
   bool end_program(const Instruction& i, std::uint32_t& next);
-  bool end_text(const Instruction& i, std::uint32_t& next);
+  bool end_text(const Instruction& i);
 
   bool message(const Instruction& i);
   bool user_alarm(const Instruction& i);
+  bool end_endless(const Instruction& i);
   bool repeat_section(const Instruction& i, std::uint32_t& next);
   void end_section(const Instruction& i, std::uint32_t& next);
   bool execute_text(const Instruction& i, std::uint32_t& next);
@@ -86,7 +87,9 @@ class Machine {
   std::uint64_t executed_ = 0;
   ir::Place begun_;  // of the running block; a call and a return change out_.place within it
   std::uint64_t passes_ = 0;
-  std::vector<VariableChange> changes_;  // of the running block
+  const Instruction* last_jump_ = nullptr;                           // back, without a condition of its own
+  std::uint64_t decisions_ = 0;                                      // since then
+  std::vector<VariableChange> changes_;                              // of the running block
   std::unordered_map<const Instruction*, std::uint32_t> undecided_;  // how often a condition was not known
   struct OpenSection {
     std::size_t depth = 0;  // of calls

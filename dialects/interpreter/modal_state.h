@@ -34,7 +34,7 @@ struct Modes {
   bool exact_stop = false;
   bool surface_speed = false;  // G96
   std::int32_t work_offset = kOffsetUnknown;
-  AxisValues shift{};  // local: G52, TRANS
+  AxisValues shift{};         // local: G52, TRANS
   Matrix matrix = kIdentity;  // ROT, SCALE, MIRROR
   bool has_matrix = false;    // it is not the identity
 };
@@ -90,7 +90,7 @@ struct ModalState {
   ir::SpindleState spindle = ir::SpindleState::stopped;
   ir::CoolantState coolant = ir::CoolantState::off;
   Polar polar;
-  Vector tangent{};              // direction at the end of the last move of a contour, radius values
+  Vector tangent{};  // direction at the end of the last move of a contour, radius values
   bool tangent_known = false;
   double modal_rounding_mm = 0.0;  // RNDM
   PendingCorner corner;

@@ -75,21 +75,21 @@ Target find_target_in_frame(const PlainBlock& block, const BlockRules& rules, co
   };
   std::uint32_t unknown = mixed(back, state.unknown & 7U);
   bool turned = false;
-  for_each_axis_word(block, rules, state.modes, !state.modes.absolute,
-                     [&](std::size_t axis, double value, bool incremental) {
-                       const auto bit = static_cast<std::uint16_t>(1U << axis);
-                       if (axis < 3) {
-                         const double radius = axis == 0 && rules.x_is_diameter ? value / 2.0 : value;
-                         programmed[axis] = incremental ? programmed[axis] + radius : radius;
-                         if (!incremental) unknown &= ~std::uint32_t{bit};
-                         turned = true;
-                         return;
-                       }
-                       target.commanded |= bit;
-                       if (incremental) target.incremental |= bit;
-                       target.end[axis] = incremental ? state.position[axis] + value
-                                                      : value + state.modes.shift[axis] + state.coordinate_shift[axis];
-                     });
+  for_each_axis_word(
+      block, rules, state.modes, !state.modes.absolute, [&](std::size_t axis, double value, bool incremental) {
+        const auto bit = static_cast<std::uint16_t>(1U << axis);
+        if (axis < 3) {
+          const double radius = axis == 0 && rules.x_is_diameter ? value / 2.0 : value;
+          programmed[axis] = incremental ? programmed[axis] + radius : radius;
+          if (!incremental) unknown &= ~std::uint32_t{bit};
+          turned = true;
+          return;
+        }
+        target.commanded |= bit;
+        if (incremental) target.incremental |= bit;
+        target.end[axis] =
+            incremental ? state.position[axis] + value : value + state.modes.shift[axis] + state.coordinate_shift[axis];
+      });
   for (std::uint64_t rest = block.unknown & rules.axis_addresses; rest != 0; rest &= rest - 1)
     unknown |= 1U << index_of(rules.axis_words[static_cast<std::size_t>(std::countr_zero(rest))].axis);
   if (!turned && (unknown & 7U) == 0) return target;
@@ -120,6 +120,7 @@ class Mover {
     emit(kind, target, feed);
     if (kind != MotionKind::linear) {
       state_.tangent_known = false;
+      if (has_corner_word()) result_.notes |= kNoteCornerNotComputed;
       return drop_corner();
     }
     for (std::size_t axis = 0; axis < 3; ++axis) state_.tangent[axis] = radius_of(axis, target.end[axis] - start[axis]);
@@ -131,8 +132,9 @@ class Mover {
   void arc_via(Target target) {
     const PlaneAxes axes = axes_of(state_.modes.plane);
     constexpr std::array kVia = {Address::via_i, Address::via_j, Address::via_k};
-    const bool known = !starts_unknown(axes) && target.unknown == 0 &&
-                       (block_.unknown & (bit_of(Address::via_i) | bit_of(Address::via_j) | bit_of(Address::via_k))) == 0;
+    const bool known =
+        !starts_unknown(axes) && target.unknown == 0 &&
+        (block_.unknown & (bit_of(Address::via_i) | bit_of(Address::via_j) | bit_of(Address::via_k))) == 0;
     if (!known) return lose(target);
     if (state_.modes.has_matrix) return lose(target, kNoteArcInFrame);
     AxisValues via = state_.position;
@@ -142,8 +144,8 @@ class Mover {
       const bool adds = !absolute && (!state_.modes.absolute || (block_.incremental & bit_of(kVia[axis])) != 0);
       double value = rules_.length_mm(block_, kVia[axis], state_.modes.inch);
       if (axis == 0) value *= rules_.x_factor(state_.modes, adds);
-      via[axis] = adds ? state_.position[axis] + value
-                       : value + state_.modes.shift[axis] + state_.coordinate_shift[axis];
+      via[axis] =
+          adds ? state_.position[axis] + value : value + state_.modes.shift[axis] + state_.coordinate_shift[axis];
     }
     const bool tilted = std::abs(via[axes.normal] - state_.position[axes.normal]) > 1e-9 ||
                         std::abs(target.end[axes.normal] - state_.position[axes.normal]) > 1e-9;
@@ -197,10 +199,11 @@ class Mover {
  private:
   // Whether a word that the arc is made of has a value that is not known.
   [[nodiscard]] bool has_unknown_parts(const Target& target) const {
-    constexpr std::uint64_t kParts = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k) |
-                                     bit_of(Address::r) | bit_of(Address::arc_radius) |
-                                     bit_of(Address::opening_angle) | bit_of(Address::turns);
-    return target.unknown != 0 || (block_.unknown & kParts) != 0;
+    constexpr std::uint64_t kParts = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k) | bit_of(Address::r) |
+                                     bit_of(Address::arc_radius) | bit_of(Address::opening_angle) |
+                                     bit_of(Address::turns);
+    const PlaneAxes axes = axes_of(state_.modes.plane);
+    return ((target.unknown >> axes.p | target.unknown >> axes.q) & 1U) != 0 || (block_.unknown & kParts) != 0;
   }
   [[nodiscard]] bool starts_unknown(PlaneAxes axes) const {
     return ((state_.unknown >> axes.p | state_.unknown >> axes.q) & 1U) != 0;
@@ -249,9 +252,13 @@ class Mover {
     if (state_.corner.kind != 0) insert_corner();
     const auto [kind, size] = wanted_corner();
     state_.corner = {};
-    if (kind != CornerKind::none)
-      state_.corner = {static_cast<std::uint8_t>(kind), size, out_.used() - 1};
+    if (kind != CornerKind::none) state_.corner = {static_cast<std::uint8_t>(kind), size, out_.used() - 1};
     out_.hold(kind != CornerKind::none);
+  }
+
+  [[nodiscard]] bool has_corner_word() const {
+    return (block_.present &
+            (bit_of(Address::chamfer) | bit_of(Address::chamfer_length) | bit_of(Address::rounding))) != 0;
   }
 
   [[nodiscard]] std::pair<CornerKind, double> wanted_corner() const {
@@ -283,9 +290,9 @@ class Mover {
     }
     put_point(out_.at(state_.corner.motion).end, axes, corner->from);
     ir::Motion& between = out_.at(out_.used() - 1);
-    between.kind = !corner->is_arc                               ? MotionKind::linear
+    between.kind = !corner->is_arc                          ? MotionKind::linear
                    : corner->turn == Turn::counterclockwise ? MotionKind::arc_ccw
-                                                                : MotionKind::arc_cw;
+                                                            : MotionKind::arc_cw;
     put_point(between.start, axes, corner->from);
     put_point(between.end, axes, corner->to);
     between.center = {};
@@ -491,7 +498,8 @@ void move_by(Mover& mover, Function motion, const Target& target, BlockResult& r
 
 void move(const PlainBlock& block, const BlockRules& rules, const MoveOptions& options, ModalState& state,
           MotionBuffer& out, BlockResult& result) {
-  if (has_polar_words(block)) return move(with_coordinates_only(block, rules, state), rules, options, state, out, result);
+  if (has_polar_words(block))
+    return move(with_coordinates_only(block, rules, state), rules, options, state, out, result);
   const bool in_frame = state.modes.has_matrix && !options.machine_coordinates;
   const Target target = in_frame ? find_target_in_frame(block, rules, state)
                                  : find_target(block, rules, state, options.machine_coordinates);
@@ -526,7 +534,8 @@ void return_to_reference(const PlainBlock& block, const BlockRules& rules, Modal
 }
 
 void forget_positions(const PlainBlock& block, const BlockRules& rules, ModalState& state) {
-  for (std::uint64_t rest = (block.present | block.numbered | block.unknown) & rules.axis_addresses; rest != 0; rest &= rest - 1)
+  for (std::uint64_t rest = (block.present | block.numbered | block.unknown) & rules.axis_addresses; rest != 0;
+       rest &= rest - 1)
     state.unknown |= static_cast<std::uint16_t>(
         1U << index_of(rules.axis_words[static_cast<std::size_t>(std::countr_zero(rest))].axis));
 }

@@ -7,8 +7,8 @@
 namespace dripfeed::interpreter {
 
 struct MoveOptions {
-  bool machine_coordinates = false;  // G53
-  bool exact_stop = false;           // G09
+  bool machine_coordinates = false;          // G53
+  bool exact_stop = false;                   // G09
   ir::Function motion = ir::Function::none;  // of this block alone (G63)
 };
 

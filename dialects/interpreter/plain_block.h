@@ -33,7 +33,9 @@ struct PlainBlock {
   std::span<const PlainCode> codes;
   std::uint32_t tool_name = kNoText;  // T="NAME": index of a text of the run
 
-  void clear() { present = in_increments = absolute = incremental = numbered = unknown = 0, codes = {}, tool_name = kNoText; }
+  void clear() {
+    present = in_increments = absolute = incremental = numbered = unknown = 0, codes = {}, tool_name = kNoText;
+  }
   [[nodiscard]] bool has(ir::Address address) const { return (present & bit_of(address)) != 0; }
   [[nodiscard]] double at(ir::Address address) const { return values[index_of(address)]; }
   void set(ir::Address address, double value) {

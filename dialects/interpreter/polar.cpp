@@ -38,8 +38,7 @@ bool has_polar_words(const PlainBlock& block) { return ((block.present | block.u
 Vector programmed_position(const BlockRules& rules, const ModalState& state) {
   Vector at{};
   for (std::size_t axis = 0; axis < at.size(); ++axis)
-    at[axis] = radius_value(rules, axis,
-                            state.position[axis] - state.modes.shift[axis] - state.coordinate_shift[axis]);
+    at[axis] = radius_value(rules, axis, state.position[axis] - state.modes.shift[axis] - state.coordinate_shift[axis]);
   return state.modes.has_matrix ? multiply(inverse_of(state.modes.matrix), at) : at;
 }
 
@@ -49,9 +48,8 @@ PlainBlock with_coordinates(const PlainBlock& block, const BlockRules& rules, Mo
   take_words(block, rules, state);
   const bool unknown = (block.unknown & kPolarWords) != 0;
   const Vector& pole = state.polar.pole;
-  const std::array<double, 2> at = {
-      pole[axes.p] + state.polar.radius_mm * cosine_deg(state.polar.angle_deg),
-      pole[axes.q] + state.polar.radius_mm * sine_deg(state.polar.angle_deg)};
+  const std::array<double, 2> at = {pole[axes.p] + state.polar.radius_mm * cosine_deg(state.polar.angle_deg),
+                                    pole[axes.q] + state.polar.radius_mm * sine_deg(state.polar.angle_deg)};
   for (std::size_t i = 0; i < at.size(); ++i) {
     const std::size_t axis = i == 0 ? axes.p : axes.q;
     const Address letter = kLetters[axis];

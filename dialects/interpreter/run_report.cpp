@@ -11,8 +11,13 @@ using text::DiagnosticId;
 
 void RunReport::add(const Instruction& at, DiagnosticId id, std::vector<std::string> arguments) {
   const auto index = static_cast<std::size_t>(&at - program_->code.data());
-  result_.diagnostics.push_back(
-      {program_->index, out_.place.line, ir::diagnose(control_, id, program_->spans[index], std::move(arguments))});
+  text::Diagnostic made = ir::diagnose(control_, id, program_->spans[index], std::move(arguments));
+  const bool certain = !uncertain_ || id == DiagnosticId::call_target_missing;
+  if (!certain && made.severity == text::Severity::error) {
+    made.severity = text::Severity::warning;
+    made.notes.push_back({made.span, "behind a condition on a value that is not known"});
+  }
+  result_.diagnostics.push_back({program_->index, out_.place.line, std::move(made)});
 }
 
 bool RunReport::fail(const Instruction& at, DiagnosticId id, std::vector<std::string> arguments) {
@@ -61,8 +66,7 @@ void RunReport::count(const Report& report) {
   const auto [entry, added] = counted_.try_emplace(report.name, result_.not_interpreted.size());
   if (added)
     result_.not_interpreted.push_back(
-        {report.name, program_->index, out_.place.line, 0, report.function, report.effects_known,
-         report.is_input});
+        {report.name, program_->index, out_.place.line, 0, report.function, report.effects_known, report.is_input});
   ++result_.not_interpreted[entry->second].count;
 }
 
@@ -73,8 +77,12 @@ void RunReport::note_computed(const std::string& name, ir::Function function) {
 }
 
 std::uint32_t RunReport::text_index(const std::string& written) {
-  std::string text = written;
-  std::ranges::replace(text, kUnknownMark, '?');
+  if (is_unknown(written)) {
+    std::string shown = written;
+    std::ranges::replace(shown, kUnknownMark, '?');
+    return text_index(shown);
+  }
+  const std::string& text = written;
   const auto next = static_cast<std::uint32_t>(names_.strings.size());
   if (const auto found = texts_.find(text); found != texts_.end()) return found->second;
   if (next >= limits_.strings) return kNoText;

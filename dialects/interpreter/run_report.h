@@ -33,6 +33,8 @@ class RunReport {
   // A cut without a feed: said at the end of the run, unless the program turns out to be a subprogram by then.
   void keep_no_feed(const Instruction& at);
   void say_no_feed();
+  // From here on the program goes a way that a value decides which is not known: its alarms are possible, not certain.
+  void take_uncertain_way() { uncertain_ = true; }
   void count(const Report& report);
   void note_computed(const std::string& name, ir::Function function);
   // Motion::text of that text; kNoText when there are too many.
@@ -52,6 +54,7 @@ class RunReport {
   RunResult result_;
   std::optional<RunDiagnostic> no_feed_;
   std::size_t no_feed_place_ = 0;  // among the diagnostics
+  bool uncertain_ = false;
   std::unordered_map<std::string, std::size_t> counted_;
   std::unordered_map<std::string, std::uint32_t> texts_;
 };

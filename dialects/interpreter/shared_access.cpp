@@ -69,8 +69,7 @@ bool SharedAccess::load(const Instruction& i) {
       to = *known;
       return true;
     }
-  say_input(state == IndexState::known ? shared_.name_of_element(i.b, indices, i.extra)
-                                       : shared_.name_of(i.b) + "[?]");
+  say_input(state == IndexState::known ? shared_.name_of_element(i.b, indices, i.extra) : shared_.name_of(i.b) + "[?]");
   to = kVacant;
   return true;
 }
@@ -134,8 +133,7 @@ bool SharedAccess::refer(const Instruction& i) {
   Indices indices{};
   const IndexState state = find_indices(i, i.b, i.c, indices);
   if (state == IndexState::failed) return false;
-  const std::uint32_t place =
-      state == IndexState::known ? shared_.place_of(i.b, indices) : shared_.nameless();
+  const std::uint32_t place = state == IndexState::known ? shared_.place_of(i.b, indices) : shared_.nameless();
   storage_.reg(i.a) = Storage::refer_shared(place);
   return true;
 }

@@ -1,5 +1,5 @@
-// Instructions on data of the control: global user data and named system variables, as numbers and as texts. What is not
-// known is an input of the run: the report names it, and it stays not known.
+// Instructions on data of the control: global user data and named system variables, as numbers and as texts. What is
+// not known is an input of the run: the report names it, and it stays not known.
 #pragma once
 
 #include <optional>

@@ -39,10 +39,10 @@ void SharedData::define(const ir::Program& program) {
     const ir::Structure& list = program.structures[statement.payload];
     for (std::uint32_t i = 0; i < list.symbol_count; ++i) {
       const ir::Symbol& symbol = program.symbols[list.first_symbol + i];
-      definitions_.try_emplace(id_of(program.strings.at(symbol.name)),
-                               SharedDefinition{.type = symbol.type,
-                                                .dimensions = {symbol.dimension1, symbol.dimension2,
-                                                               symbol.dimension3}});
+      definitions_.try_emplace(
+          id_of(program.strings.at(symbol.name)),
+          SharedDefinition{.type = symbol.type,
+                           .dimensions = {symbol.dimension1, symbol.dimension2, symbol.dimension3}});
     }
   }
 }

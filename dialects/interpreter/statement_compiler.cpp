@@ -115,8 +115,10 @@ std::uint32_t StatementCompiler::find_label(std::uint32_t from, ir::StringId nam
   for (const ir::Label& label : builder_.source().labels) {
     if (name != ir::StringId::none ? label.name != name : label.name != ir::StringId::none || label.number != number)
       continue;
-    if (label.statement <= from) above = label.statement;
-    else if (below == ir::kNoIndex) below = label.statement;
+    if (label.statement <= from)
+      above = label.statement;
+    else if (below == ir::kNoIndex)
+      below = label.statement;
   }
   return above != ir::kNoIndex ? above : below;
 }
@@ -145,10 +147,10 @@ void StatementCompiler::compile_repeat(const ir::Statement& statement) {
   if (section->first == ir::kNoIndex || !has_end) {
     const bool first = section->first == ir::kNoIndex;
     const ir::StringId name = first ? repeat.first : repeat.last;
-    builder_.emit_failure(statement.span, text::DiagnosticId::jump_target_missing,
-                          {name != ir::StringId::none
-                               ? std::string(builder_.source().strings.at(name))
-                               : "N" + std::to_string(first ? repeat.first_number : repeat.last_number)});
+    builder_.emit_failure(
+        statement.span, text::DiagnosticId::jump_target_missing,
+        {name != ir::StringId::none ? std::string(builder_.source().strings.at(name))
+                                    : "N" + std::to_string(first ? repeat.first_number : repeat.last_number)});
     return;
   }
   const Operand times = repeat.times == ir::ExpressionId::none ? builder_.constant(1.0)

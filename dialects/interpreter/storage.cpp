@@ -6,7 +6,10 @@
 namespace dripfeed::interpreter {
 
 Storage::Storage(const VariableMap& variables, SharedData& shared, double unset)
-    : shared_(shared), globals_(variables.global_count(), unset), local_count_(variables.local_count()), unset_(unset) {}
+    : shared_(shared),
+      globals_(variables.global_count(), unset),
+      local_count_(variables.local_count()),
+      unset_(unset) {}
 
 void Storage::open_frame(const CompiledProgram& program, const Bases& bases) {
   make_room(program, bases);

@@ -53,7 +53,7 @@ std::optional<double> index_in_group(std::uint32_t group, const Modes& modes) {
   if (group == kPlane) return 1.0 + static_cast<double>(modes.plane);
   if (group == kComp) return 1.0 + static_cast<double>(modes.comp);
   if (group == kOffset && modes.work_offset >= 0) return 1.0 + static_cast<double>(modes.work_offset);
-  if (group == kUnit) return modes.inch ? (modes.inch_feed ? 3.0 : 1.0) : (modes.inch_feed ? 2.0 : 4.0);
+  if (group == kUnit && modes.inch) return modes.inch_feed ? 3.0 : 1.0;  // G71 and G710 cannot be told apart
   if (group == kDistance) return modes.absolute ? 1.0 : 2.0;
   if (group == kFeed) {
     if (modes.surface_speed) return 4.0;
@@ -97,7 +97,9 @@ std::optional<double> answer_system(const ir::Control& control, const ir::System
     case ir::SystemValue::tool_edge: return static_cast<double>(state.tool.offset);
     case ir::SystemValue::spindle_direction:
       if (indices[0] > 1) return std::nullopt;
-      return state.spindle == ir::SpindleState::clockwise ? 3.0 : state.spindle == ir::SpindleState::stopped ? 5.0 : 4.0;
+      return state.spindle == ir::SpindleState::clockwise ? 3.0
+             : state.spindle == ir::SpindleState::stopped ? 5.0
+                                                          : 4.0;
     case ir::SystemValue::constant: return static_cast<double>(row.first);
     case ir::SystemValue::active_code: return index_in_group(indices[0], state.modes);
     case ir::SystemValue::not_modelled:

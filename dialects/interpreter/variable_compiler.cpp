@@ -129,14 +129,16 @@ Value VariableCompiler::load_shared_text(const ir::Variable& variable) {
 
 void VariableCompiler::store_shared(const ir::Variable& target, const Value& value, text::Span span) {
   const ValueType type = shared_type(target);
-  const bool declared = target.bank == Bank::named && builder_.context().shared.definition_of(shared_id(target)) != nullptr;
+  const bool declared =
+      target.bank == Bank::named && builder_.context().shared.definition_of(shared_id(target)) != nullptr;
   if (declared && value.is_string() != (type == ValueType::string) && type != ValueType::axis) {
     failure(span, DiagnosticId::wrong_type,
-            {name_of(builder_.source(), builder_.context().control, target), type == ValueType::string ? "STRING" : "REAL",
-             value.is_string() ? "STRING" : "REAL"});
+            {name_of(builder_.source(), builder_.context().control, target),
+             type == ValueType::string ? "STRING" : "REAL", value.is_string() ? "STRING" : "REAL"});
     return;
   }
-  if (value.is_string() && type != ValueType::axis) return emit_shared(Opcode::store_shared_text, target, value.operand, span);
+  if (value.is_string() && type != ValueType::axis)
+    return emit_shared(Opcode::store_shared_text, target, value.operand, span);
   emit_shared(Opcode::store_shared, target, convert(type, value, Operand::none, span).operand, span);
 }
 

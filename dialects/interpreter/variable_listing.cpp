@@ -41,9 +41,9 @@ std::vector<VariableValue> list_variables(const VariableMap& variables, const Co
   for (std::size_t s = 0; s < main.symbols.size(); ++s) {
     const ir::Symbol& symbol = main.source->symbols[s];
     const std::string_view name = main.source->strings.at(symbol.name);
-    const std::uint32_t count =
-        std::max<std::uint32_t>(symbol.dimension1, 1) * std::max<std::uint32_t>(symbol.dimension2, 1) *
-        std::max<std::uint32_t>(symbol.dimension3, 1);
+    const std::uint32_t count = std::max<std::uint32_t>(symbol.dimension1, 1) *
+                                std::max<std::uint32_t>(symbol.dimension2, 1) *
+                                std::max<std::uint32_t>(symbol.dimension3, 1);
     if (symbol.is_global) continue;
     for (std::uint32_t n = 0; n < count; ++n) {
       const std::uint32_t slot = main.symbols[s].slot + n;

@@ -87,7 +87,7 @@ struct Control {
   std::span<const AlarmRow> alarms;
   std::vector<VariableRange> variables;
   std::vector<std::string> definition_files;  // programs that declare global data, by name; read before a run
-  bool from_profile = false;  // a named machine: what it leaves unconfirmed is an error, not a warning
+  bool from_profile = false;                  // a named machine: what it leaves unconfirmed is an error, not a warning
   // Why the control was taken for this one, when no machine was named: the line that decided, 0 for the default.
   std::uint32_t because_line = 0;
 };

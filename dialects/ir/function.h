@@ -48,9 +48,9 @@ enum class Function : std::uint8_t {
   local_shift_add,      // ATRANS
   rotate,
   scale,
-  mirror,  // ROT, SCALE, MIRROR: argument 1 replaces what is in effect, 0 adds to it
-  set_coordinates,      // G92; G50 of G-code system A
-  reference_return,     // G28, G74; argument: reference point 1, 2 …
+  mirror,            // ROT, SCALE, MIRROR: argument 1 replaces what is in effect, 0 adds to it
+  set_coordinates,   // G92; G50 of G-code system A
+  reference_return,  // G28, G74; argument: reference point 1, 2 …
   // tool
   comp_off,
   comp_left,

@@ -139,7 +139,8 @@ ExpressionId Program::add_variable(const Variable& variable) {
 }
 
 std::string_view program_name_of_path(std::string_view path) {
-  if (const std::size_t slash = path.find_last_of("/\\:"); slash != std::string_view::npos) path.remove_prefix(slash + 1);
+  if (const std::size_t slash = path.find_last_of("/\\:"); slash != std::string_view::npos)
+    path.remove_prefix(slash + 1);
   const auto starts = [](std::string_view text, std::string_view head) {
     if (text.size() < head.size()) return false;
     for (std::size_t i = 0; i < head.size(); ++i) {

@@ -33,8 +33,8 @@ class StringTable {
 
 struct Program {
   bool is_standard = false;  // a cycle that the control brings along: what it does is done by the block that calls it
-  std::string name;     // "O0002", "TURNING_CYCLE", file name without folder; empty when unknown
-  text::Source source;  // empty for a program that was built, not read
+  std::string name;          // "O0002", "TURNING_CYCLE", file name without folder; empty when unknown
+  text::Source source;       // empty for a program that was built, not read
   std::vector<Token> tokens;
   std::vector<Statement> statements;
 

@@ -46,12 +46,12 @@ enum class Address : std::uint8_t {
   opening_angle,  // AR=
   spindle_limit,  // LIMS=
   polar_angle,
-  polar_radius,  // AP=, RP=
-  turns,         // TURN=
+  polar_radius,    // AP=, RP=
+  turns,           // TURN=
   chamfer,         // CHR=: along both sides of the corner
   chamfer_length,  // CHF=: of the edge that it makes
   rounding,        // RND=
-  named_axis,  // AX[…]=: the axis that Word::axis gives
+  named_axis,      // AX[…]=: the axis that Word::axis gives
   via_i,
   via_j,
   via_k,           // I1=, J1=, K1=: the point in between of an arc
@@ -173,10 +173,10 @@ struct Argument {
 
 struct Call {
   CallKind kind = CallKind::subprogram;
-  StringId name = StringId::none;             // as called: "O9010", "TURNING_CYCLE", "L100"
-  ExpressionId number = ExpressionId::none;   // P of M98/G65 when it is computed
+  StringId name = StringId::none;              // as called: "O9010", "TURNING_CYCLE", "L100"
+  ExpressionId number = ExpressionId::none;    // P of M98/G65 when it is computed
   ExpressionId computed = ExpressionId::none;  // the name when it is a text that is computed
-  ExpressionId repeats = ExpressionId::none;  // none: once
+  ExpressionId repeats = ExpressionId::none;   // none: once
   std::uint32_t first_argument = 0;
   std::uint32_t argument_count = 0;
 };

@@ -82,6 +82,7 @@ class StatementRaiser {
     const ir::Jump& jump = program_.jumps[s.payload];
     const bool unbound = jump.label != ir::StringId::none;
     if (unbound && jump.tolerant) return;  // no such label: the program goes on
+    if (jump.restart) return blocks_.cannot(s, "a jump to the start of the program");
     if (jump.computed != ExpressionId::none && !same_dialect_) return blocks_.cannot(s, "a calculated jump");
     out_.keep();
   }
@@ -98,6 +99,7 @@ class StatementRaiser {
     const auto arguments = program_.arguments_of(call);
     const bool by_position = std::ranges::any_of(arguments, [](const ir::Argument& a) { return a.letter == 0; });
     if (by_position) return blocks_.cannot(s, "a call with arguments by position");
+    if (call.computed != ExpressionId::none) return blocks_.cannot(s, "a call of a program whose name is computed");
     // Numbered subprograms of other controls keep their number: L100 is O0100.
     const std::string name(program_.strings.at(call.name));
     if (!same_dialect_ && name.size() > 1 && name.front() == 'L' &&
@@ -170,8 +172,14 @@ void check_system_variables(const ir::Program& program, const ir::Control& to,
   for (const ir::Statement& statement : program.statements) {
     for (const passes::VariableUseAt& use : passes::variables_of(program, statement)) {
       const ir::Variable& v = program.at(use.variable);
-      if (v.bank != ir::Bank::system) continue;
+      const bool global = v.bank == ir::Bank::named && v.symbol != ir::SymbolId::none && program.at(v.symbol).is_global;
+      if (v.bank != ir::Bank::system && !global) continue;
       const std::string written(v.span.in(program.source.text()));
+      if (global) {
+        diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, v.span,
+                                                    {"the global data " + written, to.title}));
+        continue;
+      }
       diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, v.span,
                                                   {"the system variable " + written, to.title}));
     }

@@ -121,13 +121,20 @@ class Lexer {
     const bool letter = class_at(at_) == ByteClass::letter;
     if (letter && !is_name_character(byte_at(at_ + 1))) {
       push(to_upper(text_[at_]) == 'R' ? TokenKind::variable : TokenKind::address, 1);
-    } else if (letter && digit_at(at_ + 1)) {
+    } else if (letter && digit_at(at_ + 1) && !is_name_with_underscore()) {
       address_with_digits();
     } else {
       std::size_t i = at_ + 1;
       while (i < text_.size() && is_name_character(text_[i])) ++i;
       push(TokenKind::name, i - at_);
     }
+  }
+
+  // G1_FAST: by the manual names begin with two letters, but no word goes on with an underscore.
+  [[nodiscard]] bool is_name_with_underscore() const {
+    std::size_t i = at_ + 1;
+    while (digit_at(i)) ++i;
+    return byte_at(i) == '_';
   }
 
   // X10 is an address and a number, R10 a variable, X1=5 an address with an extension, $AA_IW[X1] an axis name.

@@ -138,7 +138,25 @@ void Parser::block_head() {
   }
 }
 
+// L1, a letter and a number in one: by the manual a label begins with two letters, but programs have such ones.
+text::Span Parser::short_label() const {
+  if (cursor_.kind() != TokenKind::address || cursor_.span().size() != 1 || to_upper(cursor_.first()) == 'N') return {};
+  const TokenCursor digits = cursor_.after();
+  const bool joined = digits.kind() == TokenKind::number && digits.span().begin == cursor_.span().end &&
+                      std::ranges::all_of(digits.text(), is_digit);
+  return joined ? text::Span{cursor_.span().begin, digits.span().end} : text::Span{};
+}
+
 bool Parser::label_here() {
+  if (const text::Span name = short_label(); !name.empty()) {
+    TokenCursor colon = cursor_.after();
+    colon.advance();
+    if (!colon.is_symbol(':')) return false;
+    lower_.add_label(name.in(cursor_.whole()), name);
+    colon.advance();
+    cursor_.go_to(colon.index());
+    return true;
+  }
   if (cursor_.kind() != TokenKind::name || !cursor_.after().is_symbol(':')) return false;
   if (go_to_verb(cursor_.text())) return false;  // GOTO :100
   lower_.add_label(cursor_.text(), cursor_.span());
@@ -208,8 +226,8 @@ void Parser::extended_address() {
   if (letter == 'M') return m_function(extension, head);
   // I1= J1= K1=: the point in between of CIP
   if (extension == 1 && letter >= 'I' && letter <= 'K')
-    return word(static_cast<ir::Address>(static_cast<int>(ir::Address::via_i) + (letter - 'I')), 0,
-                ir::StringId::none, head);
+    return word(static_cast<ir::Address>(static_cast<int>(ir::Address::via_i) + (letter - 'I')), 0, ir::StringId::none,
+                head);
   if (!indexed) return word(ir::Address::other, 0, lower_.name(name), head);
   word(letter_address(letter), static_cast<std::uint8_t>(extension), ir::StringId::none, head);
 }
@@ -336,8 +354,8 @@ void Parser::g_code(text::Span head) {
     // Three digits may be a macro of the machine (DEFINE G301 AS … in its definition files).
     const bool may_be_macro = !faulty_ && !control_.from_profile && n >= 100;
     if (may_be_macro) diagnostics_.back().severity = text::Severity::warning;
-    return lower_.keep_as_native(may_be_macro ? UpperName(span.in(cursor_.whole())).view() : "unknown code", false, span,
-                                 may_be_macro);
+    return lower_.keep_as_native(may_be_macro ? UpperName(span.in(cursor_.whole())).view() : "unknown code", false,
+                                 span, may_be_macro);
   }
   if (code->row.name == "G291") return native(code->row.name, false, span);
   lower_.add_code(*code, span);

@@ -30,6 +30,7 @@ class Parser {
   void line();
   void block_head();
   bool label_here();
+  [[nodiscard]] text::Span short_label() const;
   void statement();
   void address_word();
   void extended_address();

@@ -233,8 +233,8 @@ void Parser::repeated_value(const ir::Variable& first, text::Span head) {
   ++brackets_;
   const ir::ExpressionId value = binary(kWeakestRank);
   const ir::Symbol& symbol = program_.at(first.symbol);
-  std::uint32_t count = std::max<std::uint32_t>(symbol.dimension1, 1) *
-                        std::max<std::uint32_t>(symbol.dimension2, 1) * std::max<std::uint32_t>(symbol.dimension3, 1);
+  std::uint32_t count = std::max<std::uint32_t>(symbol.dimension1, 1) * std::max<std::uint32_t>(symbol.dimension2, 1) *
+                        std::max<std::uint32_t>(symbol.dimension3, 1);
   if (cursor_.take(',')) {
     const ir::Expression& e = program_.at(binary(kWeakestRank));
     if (e.op == ir::Operator::constant && e.value >= 0.0 && e.value <= 4e9) count = static_cast<std::uint32_t>(e.value);

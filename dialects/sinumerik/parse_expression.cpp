@@ -1,6 +1,7 @@
 // Values. Operators are read by their rank, strongest first, equal ranks from left to right; a comparison is the
 // weakest of all, weaker than AND and OR, and where it meets one of them without parentheses there is a warning.
 #include <algorithm>
+#include <numbers>
 
 #include "dialects/sinumerik/parse.h"
 #include "dialects/sinumerik/system_variables.h"
@@ -156,6 +157,11 @@ ir::ExpressionId Parser::primary() {
     case TokenKind::string: return string_literal();
     case TokenKind::name: return name_value();
     case TokenKind::variable: {
+      if (same_name(cursor_.text(), "$PI")) {
+        const text::Span span = cursor_.span();
+        cursor_.advance();
+        return program_.add_constant(std::numbers::pi, span, true);
+      }
       const ir::VariableId id = variable();
       ir::Expression e;
       e.op = Operator::variable;

@@ -117,6 +117,12 @@ bool Parser::jump_target(ir::Jump& jump) {
     cursor_.advance();
     return true;
   }
+  if (const text::Span name = short_label(); !name.empty()) {
+    jump.label = lower_.name(name.in(cursor_.whole()));
+    cursor_.advance();
+    cursor_.advance();
+    return true;
+  }
   const bool known_variable = lower_.is_declared(lower_.find_symbol(cursor_.text()));
   if (cursor_.kind() == TokenKind::name && !known_variable && !cursor_.after().is_symbol("<<")) {
     jump.label = lower_.name(cursor_.text());

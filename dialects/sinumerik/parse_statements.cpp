@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "dialects/sinumerik/name_index.h"
-
 #include "dialects/sinumerik/parse.h"
 
 namespace dripfeed::sinumerik {
@@ -16,10 +15,11 @@ using text::DiagnosticId;
 
 // Statements that are kept as written and after which axes may be anywhere: cycles, approach and return moves, texts.
 bool may_move(std::string_view name) {
-  constexpr std::string_view kNames[] = {"G5", "G7", "G74", "G75", "G147", "G148", "G247", "G248", "G347", "G348",
-                                         "REPOSL", "REPOSQ", "REPOSH", "REPOSA", "REPOSQA", "REPOSHA", "ISOCALL",
-                                         "MCALL", "CALL", "EXECTAB", "RET", "LONGHOLE", "POLFA", "G291", "G58", "G59",
-                                         "ROTS", "AROTS", "CROTS", "TRANSMIT", "TRACYL", "TRAANG", "TRAORI"};
+  constexpr std::string_view kNames[] = {"G5",       "G7",       "G74",     "G75",    "G147",   "G148",    "G247",
+                                         "G248",     "G347",     "G348",    "REPOSL", "REPOSQ", "REPOSH",  "REPOSA",
+                                         "REPOSQA",  "REPOSHA",  "ISOCALL", "MCALL",  "CALL",   "EXECTAB", "RET",
+                                         "LONGHOLE", "POLFA",    "G291",    "G58",    "G59",    "ROTS",    "AROTS",
+                                         "CROTS",    "TRANSMIT", "TRACYL",  "TRAANG", "TRAORI"};
   return name.starts_with("CYCLE") || name.starts_with("POCKET") || name.starts_with("SLOT") ||
          name.starts_with("HOLES") || std::ranges::find(kNames, name) != std::end(kNames);
 }
@@ -209,18 +209,23 @@ void Parser::macro_definition(text::Span head) {
   if (!cursor_.take_name("AS")) return give_up(DiagnosticId::syntax_error, head, {"DEFINE has no AS"});
   const std::uint32_t first = cursor_.index();
   skip_block();
-  macros_.push_back({std::string(UpperName(name.in(cursor_.whole())).view()), {first, cursor_.index()}});
+  std::string written(UpperName(name.in(cursor_.whole())).view());
+  if (std::ranges::find(macros_, written, &Macro::name) != macros_.end()) {
+    report(DiagnosticId::name_defined_twice, name, {written});
+    if (!faulty_) diagnostics_.back().alarm = "12270";
+  }
+  macros_.push_back({std::move(written), {first, cursor_.index()}});
   lower_.keep_as_native("DEFINE", true, to_here(head));
 }
 
 // Reads the body of a macro in the place of its name. A macro inside of another is an error of the control (12250) and
 // is not expanded.
 bool Parser::expand_macro() {
-  if (macros_.empty() || in_macro_) return false;
+  if (macros_.empty()) return false;
   text::Span name = cursor_.span();
   TokenCursor after = cursor_.after();
-  const bool joined = cursor_.kind() == TokenKind::address && after.kind() == TokenKind::number &&
-                      after.span().begin == name.end;
+  const bool joined =
+      cursor_.kind() == TokenKind::address && after.kind() == TokenKind::number && after.span().begin == name.end;
   if (joined) {
     name.end = after.span().end;
     after.advance();
@@ -228,6 +233,11 @@ bool Parser::expand_macro() {
   const UpperName written(name.in(cursor_.whole()));
   const auto macro = std::ranges::find(macros_, written.view(), &Macro::name);
   if (macro == macros_.end()) return false;
+  if (in_macro_) {
+    report(DiagnosticId::syntax_error, name, {"a macro inside of a macro"});
+    if (!faulty_) diagnostics_.back().alarm = "12250";
+    return false;
+  }
   in_macro_ = true;
   cursor_.go_to(macro->body.first);
   while (cursor_.index() < macro->body.last && !cursor_.at_block_end()) {

@@ -85,7 +85,8 @@ ir::ExpressionId Parser::system_index() {
     cursor_.advance();
     return constant(static_cast<double>(i), span);
   }
-  const bool free_name = find_keyword(cursor_.text()) == nullptr && !lower_.is_declared(lower_.find_symbol(cursor_.text()));
+  const bool free_name =
+      find_keyword(cursor_.text()) == nullptr && !lower_.is_declared(lower_.find_symbol(cursor_.text()));
   return free_name && is_machine_axis(cursor_.text()) ? axis_name() : ir::ExpressionId::none;
 }
 

@@ -16,9 +16,7 @@ using ir::Address;
 constexpr int kPlainDecimals = 6;
 constexpr int kComputedDecimals = 4;
 
-bool is_axis(Address a) {
-  return a <= Address::c || (a >= Address::u && a <= Address::z) || a == Address::named_axis;
-}
+bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z) || a == Address::named_axis; }
 // Values with a decimal point always: positions and what belongs to them.
 bool has_point(Address a) {
   return is_axis(a) || (a >= Address::i && a <= Address::k) || a == Address::arc_radius || a == Address::chamfer ||

@@ -34,8 +34,8 @@ std::unique_ptr<ir::PlainScanner> plain_scanner(const ir::Control& control);
 // reading are not repeated.
 std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Control& control, ir::Delivery delivery);
 
-// Text of a standard cycle that the control brings along: CYCLE81 to CYCLE89, CYCLE97, HOLES1, HOLES2; empty for others.
-// A program of that name that the caller has goes before it.
+// Text of a standard cycle that the control brings along: CYCLE81 to CYCLE89, CYCLE97, HOLES1, HOLES2; empty for
+// others. A program of that name that the caller has goes before it.
 std::string_view standard_cycle(std::string_view name);
 
 // Makes a program of the control `from`, or a built one, legal for the SINUMERIK control `to`: variables become R

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "dialects/sinumerik/name_index.h"
 #include "dialects/sinumerik/sinumerik.h"
 
 namespace dripfeed::sinumerik {
@@ -19,10 +20,20 @@ void Check::report_if_machine(text::DiagnosticId id, text::Span span, std::vecto
       control.from_profile ? text::Severity::error : text::Severity::warning;
 }
 
+namespace {
+
+// SPF is the ending of subprograms, whatever code ends them.
+bool is_subprogram_file(std::string_view name) {
+  constexpr std::string_view kEnding = ".SPF";
+  return name.size() > kEnding.size() && same_name(name.substr(name.size() - kEnding.size()), kEnding);
+}
+
+}  // namespace
+
 bool is_subprogram(const ir::Program& program) {
   for (const ir::Statement& s : program.statements) {
     if (s.kind == ir::StatementKind::procedure) return true;
-    if (s.kind == ir::StatementKind::program_end) return false;
+    if (s.kind == ir::StatementKind::program_end) return is_subprogram_file(program.source.name());
   }
   return true;
 }
@@ -38,6 +49,7 @@ std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Con
   check_values(check);
   check_blocks(check);
   check_modal_state(check);
+  check_limits(check);
   check_interpreted(check);
   std::ranges::sort(found, {}, [](const text::Diagnostic& d) { return std::tuple(d.span.begin, d.id, d.span.end); });
   return found;

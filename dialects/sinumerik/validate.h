@@ -30,8 +30,8 @@ struct Check {
   }
 };
 
-// A subprogram takes its modal state and its R parameters from who calls it: it has a PROC head, or nothing in it ends a
-// program.
+// A subprogram takes its modal state and its R parameters from who calls it: it has a PROC head, or nothing in it ends
+// a program.
 bool is_subprogram(const ir::Program& program);
 
 void check_structures(const Check& check);  // validate_structures.cpp
@@ -42,6 +42,7 @@ void check_names(const Check& check);        // validate_names.cpp
 void check_values(const Check& check);       // validate_values.cpp
 void check_blocks(const Check& check);       // validate_blocks.cpp
 void check_modal_state(const Check& check);  // validate_state.cpp
+void check_limits(const Check& check);       // validate_limits.cpp
 void check_interpreted(const Check& check);  // validate_interpreted.cpp
 
 }  // namespace dripfeed::sinumerik

@@ -46,8 +46,10 @@ void check_groups(const Check& check, const ir::Block& block) {
   }
 }
 
-bool same_address(const ir::Word& a, const ir::Word& b) {
+bool same_address(const Check& check, const ir::Word& a, const ir::Word& b) {
   if (a.address != b.address || a.extension != b.extension) return false;
+  if (a.address == ir::Address::named_axis)
+    return check.text_of(check.program.at(a.axis).span) == check.text_of(check.program.at(b.axis).span);
   // Other addresses are told apart by their names: X1 and X2, POS[U] and POS[V].
   return a.address != ir::Address::other || a.name == b.name;
 }
@@ -56,7 +58,7 @@ void check_words(const Check& check, const ir::Block& block) {
   const auto words = check.program.words_of(block);
   for (std::size_t i = 1; i < words.size(); ++i) {
     const auto before = words.first(i);
-    if (std::ranges::none_of(before, [&](const ir::Word& w) { return same_address(w, words[i]); })) continue;
+    if (std::ranges::none_of(before, [&](const ir::Word& w) { return same_address(check, w, words[i]); })) continue;
     if (words[i].address == ir::Address::h || words[i].address == ir::Address::s) continue;  // counted below
     const std::string_view written = check.text_of(words[i].span);
     const std::string address(written.substr(0, written.find_first_of("= -+.0123456789", 1)));

@@ -106,8 +106,7 @@ class Names {
       ++unknown;
       global_data = global_data || uses_[i].indexed;
     }
-    global_data = global_data || unknown > 1 ||
-                  std::ranges::any_of(program_.statements, [](const ir::Statement& s) {
+    global_data = global_data || unknown > 1 || std::ranges::any_of(program_.statements, [](const ir::Statement& s) {
                     return s.kind == StatementKind::call || s.kind == StatementKind::declaration;
                   });
     for (std::size_t i = 0; i < program_.symbols.size(); ++i) {
@@ -120,8 +119,8 @@ class Names {
     }
   }
 
-  // A defined name that differs by one letter, or by two that changed places; names that are told apart by a digit
-  // (X1, X2) are meant to differ.
+  // A defined name that lacks one letter or has one too many, or where two changed places. Names that are told apart by
+  // one letter or a digit (POS_L and POS_R, X1 and X2) are meant to differ.
   [[nodiscard]] const ir::Symbol* nearly_the_same(const ir::Symbol& unknown) const {
     const std::string wrong = name(unknown);
     for (const ir::Symbol& symbol : program_.symbols)
@@ -129,15 +128,26 @@ class Names {
     return nullptr;
   }
 
+  // Length of the part between underscores that the place lies in.
+  static std::size_t part_at(std::string_view name, std::size_t place) {
+    const std::size_t before = place == 0 ? std::string_view::npos : name.rfind('_', place - 1);
+    const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
+    return std::min(name.find('_', place), name.size()) - begin;
+  }
+
   static bool is_slip(std::string_view a, std::string_view b) {
     constexpr std::size_t kShortest = 5;
+    constexpr std::size_t kShortestPart = 4;
     if (std::min(a.size(), b.size()) < kShortest) return false;
+    // Parts between underscores are told apart by less (RND_R, RND_TR).
+    const auto differ = static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin());
+    if (part_at(a, differ) < kShortestPart || part_at(b, differ) < kShortestPart) return false;
     while (!a.empty() && !b.empty() && a.front() == b.front()) a.remove_prefix(1), b.remove_prefix(1);
     while (!a.empty() && !b.empty() && a.back() == b.back()) a.remove_suffix(1), b.remove_suffix(1);
     const auto letters = [](std::string_view text) { return std::ranges::all_of(text, is_letter); };
     if (!letters(a) || !letters(b)) return false;
     if (a.size() == 2 && b.size() == 2) return a[0] == b[1] && a[1] == b[0];
-    return a.size() <= 1 && b.size() <= 1;
+    return a.size() + b.size() == 1;
   }
 
   void unused() const {

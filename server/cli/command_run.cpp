@@ -70,8 +70,8 @@ int report_run(const interpreter::RunResult& result, std::string_view name, Prin
   }
   for (const interpreter::NotInterpreted& one : result.not_interpreted)
     if (!one.effects_known)
-      fmt::print(stderr, "{}:{}: {}: {}\n", name, one.first_line,
-                 one.is_input ? "input not known" : "not interpreted", one.name);
+      fmt::print(stderr, "{}:{}: {}: {}\n", name, one.first_line, one.is_input ? "input not known" : "not interpreted",
+                 one.name);
   return result.ended == interpreter::Ended::end ? kDone : kFailed;
 }
 
@@ -225,7 +225,8 @@ void add_run(CLI::App& app, int& exit_code) {
   command->add_option("--trace", options->trace, "what to print")
       ->check(CLI::IsMember({"motions", "blocks", "none"}))
       ->capture_default_str();
-  command->add_option("--state", options->state, "values before the start, a line each: #500=12.5, R5=1, INI[53]=2, $A_IN[1]=1");
+  command->add_option("--state", options->state,
+                      "values before the start, a line each: #500=12.5, R5=1, INI[53]=2, $A_IN[1]=1");
   command->add_option("--limit", options->limits, "blocks=N, loops=N or calls=N (may be repeated)");
   command->callback([options, &exit_code] { exit_code = run_command(*options); });
 }

@@ -26,9 +26,11 @@ std::string run_document(const interpreter::RunResult& result) {
   }
   Document skipped = Document::array();
   for (const interpreter::NotInterpreted& one : result.not_interpreted) {
-    skipped.push_back(
-        {{"name", one.name}, {"line", one.first_line}, {"count", one.count}, {"effects_known", one.effects_known},
-         {"input", one.is_input}});
+    skipped.push_back({{"name", one.name},
+                       {"line", one.first_line},
+                       {"count", one.count},
+                       {"effects_known", one.effects_known},
+                       {"input", one.is_input}});
   }
   Document alarm = nullptr;
   if (result.ended != interpreter::Ended::end && !result.diagnostics.empty()) {

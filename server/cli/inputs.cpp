@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 11> kEndings = {"",     ".nc",  ".NC",  ".spf", ".SPF", ".mpf",
-                                                      ".MPF", ".cnc", ".txt", ".def", ".DEF"};
+                                                       ".MPF", ".cnc", ".txt", ".def", ".DEF"};
 
 app::Result<std::string> read_file(const std::string& path) {
   if (path == "-") return std::string(std::istreambuf_iterator<char>(std::cin), {});

@@ -179,7 +179,7 @@ TEST(Flow, MissingTargetIsAnAlarmUnlessTheJumpIsTolerant) {
 TEST(Flow, LimitsEndTheRun) {
   Builder b;
   b.label(1U);
-  b.go_to(1U);
+  b.go_to(1U, b.apply(Operator::equal, b.read(Builder::hash(100)), b.read(Builder::hash(100))));
   b.end();
   interpreter::RunOptions options;
   options.limits.blocks = 1000;
@@ -193,6 +193,19 @@ TEST(Flow, LimitsEndTheRun) {
   const Ran passes = run_program(b.build(), mill_control(), options);
   EXPECT_EQ(passes.result.ended, Ended::limit);
   EXPECT_EQ(passes.result.blocks, 11U);
+}
+
+// The same jump back, and nothing that could have gone another way: twice is enough to know it.
+TEST(Flow, AJumpBackWithoutAConditionIsEndless) {
+  Builder b;
+  b.label(1U);
+  b.block({{ir::Function::rapid}}, {{ir::Address::x, 1.0}});
+  b.go_to(1U);
+  b.end();
+  const Ran ran = run_program(b.build(), mill_control());
+  EXPECT_EQ(ran.result.ended, Ended::limit);
+  EXPECT_EQ(ran.result.blocks, 4U);
+  EXPECT_EQ(ran.last_diagnostic()->diagnostic.id, DiagnosticId::endless_loop);
 }
 
 TEST(Flow, TextWithoutAnEnd) {

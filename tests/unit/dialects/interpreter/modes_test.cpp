@@ -314,7 +314,8 @@ TEST(Modes, WordsThatAreNotInterpretedAreNamed) {
   const Ran ran = run_program(b.build(), mill_control());
   std::vector<std::string> names;
   for (const auto& item : ran.result.not_interpreted) names.push_back(item.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"A", "FB", "RND", "S2", "STOPRE"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"A", "FB", "S2", "a chamfer or rounding that does not fit its corner",
+                                             "STOPRE"}));
   EXPECT_TRUE(ran.result.not_interpreted.back().effects_known);
   EXPECT_FALSE(ran.result.not_interpreted.front().effects_known);
 }
