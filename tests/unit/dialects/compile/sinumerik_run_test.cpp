@@ -363,21 +363,22 @@ TEST(SinumerikGeometry, ChamfersByLegAndByEdge) {
   EXPECT_TRUE(leg.trace.contains("2 linear X7.0000 Y0.0000")) << leg.trace;
   EXPECT_TRUE(leg.trace.contains("3 linear X10.0000 Y3.0000")) << leg.trace;
   // The edge of a chamfer in a right angle is the leg times the root of 2.
-  const Result edge =
-      run("G17 G90 G0 X0 Y0 Z0\nG1 X10 CHF=" + std::to_string(3.0 * std::sqrt(2.0)) + " F100\nG1 Y10\nM30\n");
+  const Result edge = run("G17 G90 G0 X0 Y0 Z0\nG1 X10 CHF=4.242640687119285 F100\nG1 Y10\nM30\n");
   EXPECT_TRUE(edge.trace.contains("2 linear X7.0000 Y0.0000")) << edge.trace;
 }
 
 TEST(SinumerikGeometry, RoundingBetweenLineAndArc) {
-  // The line y = 0 and the circle about (10, 10) with radius 10, left by the line at (10, 0) straight up inside: the
-  // rounding's centre has distance 1 from both.
-  const Result ran = run("G17 G90 G0 X0 Y0 Z0\nG1 X4 RND=1 F100\nG3 X4 Y12 I0 J6\nM30\n");
-  for (const ir::Motion& m : ran.motions) {
-    if (m.kind != ir::MotionKind::arc_ccw && m.kind != ir::MotionKind::arc_cw) continue;
-    const double start = std::hypot(m.center[0], m.center[1]);
-    const double end = std::hypot(m.start[0] + m.center[0] - m.end[0], m.start[1] + m.center[1] - m.end[1]);
-    EXPECT_NEAR(start, end, 1e-9);
-  }
+  // The line y = 0 meets the circle about (1, 4) with radius 5 at (4, 0). The centre of a rounding of radius 1 inside
+  // is 1 above the line and 4 from the circle's centre: (1 + sqrt 7, 1); it touches the circle at (1, 4) + 5 / 4 of the
+  // way.
+  const Result ran = run("G17 G90 G0 X0 Y0 Z0\nG1 X4 RND=1 F100\nG3 X1 Y9 I-3 J4\nM30\n");
+  ASSERT_EQ(ran.motions.size(), 5U) << ran.trace;
+  const double x = 1.0 + std::sqrt(7.0);
+  EXPECT_NEAR(ran.motions[1].end[0], x, 1e-9);
+  EXPECT_NEAR(ran.motions[2].end[0], 1.0 + 1.25 * (x - 1.0), 1e-9);
+  EXPECT_NEAR(ran.motions[2].end[1], 4.0 - 1.25 * 3.0, 1e-9);
+  EXPECT_NEAR(ran.motions[3].start[0] + ran.motions[3].center[0], 1.0, 1e-9);
+  EXPECT_NEAR(ran.motions[3].start[1] + ran.motions[3].center[1], 4.0, 1e-9);
 }
 
 TEST(SinumerikGeometry, ModalRounding) {
