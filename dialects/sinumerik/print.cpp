@@ -1,5 +1,6 @@
 // Canonical text: one statement a line; assignments of one source line stay on one line while it is short.
 #include <algorithm>
+#include <array>
 #include <set>
 #include <utility>
 
@@ -137,7 +138,12 @@ class Printer {
       case StatementKind::loop_begin: out += "LOOP"; return;
       case StatementKind::loop_end: out += "ENDLOOP"; return;
       case StatementKind::define: return definition(program_.structures[s.payload], out);
-      case StatementKind::call: return call(program_.calls[s.payload], out);
+      case StatementKind::call:
+        if (is_written_call(s)) {
+          out += written(s.span);
+          return;
+        }
+        return call(program_.calls[s.payload], out);
       case StatementKind::procedure: return procedure(program_.structures[s.payload], out);
       case StatementKind::declaration: out += written_line(i); return;
       case StatementKind::subprogram_return: out += same_name(written(s.span), "RET") ? "RET" : "M17"; return;
@@ -151,6 +157,15 @@ class Printer {
         if (s.tokens.first < s.tokens.last) out += written_line(i);
         return;
     }
+  }
+
+  // CALL, PCALL and EXTCALL look for their program in ways of their own: they stay as they are written.
+  [[nodiscard]] bool is_written_call(const ir::Statement& s) const {
+    const std::string_view text = written(s.span);
+    return std::ranges::any_of(std::array{"CALL", "PCALL", "EXTCALL"}, [text](std::string_view word) {
+      return text.size() > word.size() && same_name(text.substr(0, word.size()), word) &&
+             !is_name_character(text[word.size()]);
+    });
   }
 
   [[nodiscard]] std::string_view written(text::Span span) const {

@@ -69,5 +69,18 @@ TEST(Print, OriginsAndVariables) {
   EXPECT_EQ(result.variables, 2U);
 }
 
+// Each looks for its program in a way of its own (PGA, "CALL", "EXTCALL"): none may become another.
+TEST(Print, CallsByTextStayAsTheyAreWritten) {
+  const std::string text =
+      "EXTCALL(\"A:/parts/GROOVE.SPF\")\nCALL NAME\nPCALL /_N_SPF_DIR/_N_GROOVE_SPF(1,2)\nGROOVE(1)\nM30\n";
+  EXPECT_EQ(printed(good(text)), text);
+}
+
+TEST(Print, AxesFramesAndArcsByName) {
+  const std::string text =
+      "DEF AXIS A1\nROT RPL=45\nG0 AX[A1]=5.\nCIP X10. Y0. I1=5. J1=5.\nG1 X1. RND=2.\nG0 AP=30 RP=5\nM30\n";
+  EXPECT_EQ(printed(good(printed(good(text)))), printed(good(text)));
+}
+
 }  // namespace
 }  // namespace dripfeed::sinumerik
