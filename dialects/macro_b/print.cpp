@@ -66,7 +66,9 @@ std::string comment_text(std::string_view text) {
 std::string program_head(std::string_view name) {
   const bool is_number = name.size() > 1 && name.size() <= 9 && name.front() == 'O' &&
                          name.find_first_not_of("0123456789", 1) == std::string_view::npos;
-  if (is_number) return std::string(name);
+  // No control stores a program under the number 0.
+  const bool is_zero = is_number && name.find_first_not_of('0', 1) == std::string_view::npos;
+  if (is_number && !is_zero) return std::string(name);
   return name.empty() ? "O0001" : fmt::format("O0001({})", comment_text(name));
 }
 

@@ -88,7 +88,7 @@ std::optional<Time_ns> SimulatedControl::deadline() const {
   const auto consider = [&](Time_ns at) { earliest = earliest ? std::min(*earliest, at) : at; };
   if (!pending_.empty()) consider(pending_.front().at);
   if (!out_.empty()) consider(out_.front().at);
-  if (running_) consider(run_until_);
+  if (running_ && report_.state != ControlState::alarm) consider(run_until_);  // an alarm ends the running, too
   return earliest;
 }
 

@@ -34,14 +34,16 @@ class Pieces final : public ProgramText {
   std::size_t at_ = 0;
 };
 
-inline std::string describe(const interpreter::RunResult& r, std::string_view trace) {
+// Inputs that are named behind the end of the program were never met: `read_whole` leaves them in.
+inline std::string describe(const interpreter::RunResult& r, std::string_view trace, bool read_whole) {
   std::string out = fmt::format("{} blocks, {} motions, {}, last {}:{}\n", r.blocks, r.motions, name_of(r.ended),
                                 r.last.line, r.last.ordinal);
   for (const interpreter::RunDiagnostic& d : r.diagnostics)
     out += fmt::format("{}:{} [{},{}) {}\n", d.program, d.line, d.diagnostic.span.begin, d.diagnostic.span.end,
                        text::message_of(d.diagnostic));
   for (const interpreter::NotInterpreted& n : r.not_interpreted)
-    out += fmt::format("{} x{} at {} {}\n", n.name, n.count, n.first_line, n.effects_known);
+    if (read_whole || n.first_line <= r.last.line)
+      out += fmt::format("{} x{} at {} {}\n", n.name, n.count, n.first_line, n.effects_known);
   return out.append(trace);
 }
 
@@ -63,6 +65,7 @@ inline interpreter::RunOptions options_with(interpreter::RunNames& names, std::u
 
 struct Whole {
   std::string said;
+  std::string said_as_read;  // as if nothing behind the end had been read
   std::string variables;
   std::uint32_t faulty_line = 0;  // the first that the reader has an error for; it is then not run
 };
@@ -71,12 +74,12 @@ inline Whole run_whole(const std::string& text, const Dialect& dialect, const ir
   const text::Source source("t", text);
   const ir::ReadResult read = dialect.read(source, control);
   for (const text::Diagnostic& d : read.diagnostics)
-    if (d.severity == text::Severity::error) return {"", "", source.position(d.span.begin).line};
+    if (d.severity == text::Severity::error) return {"", "", "", source.position(d.span.begin).line};
   interpreter::RunNames names;
   interpreter::TraceWriter trace(control, names);
   const interpreter::RunResult result =
       execute(read.program, control, nullptr, trace, options_with(names, most_blocks));
-  return {describe(result, trace.text()), describe_variables(result), 0};
+  return {describe(result, trace.text(), true), describe(result, trace.text(), false), describe_variables(result), 0};
 }
 
 struct Streamed {
@@ -91,7 +94,8 @@ inline Streamed run_stream(const std::string& text, std::size_t piece, const Dia
   interpreter::RunNames names;
   interpreter::TraceWriter trace(control, names);
   StreamRun run = execute_stream(bytes, "t", dialect, control, nullptr, trace, options_with(names, most_blocks));
-  return {describe(run.result, trace.text()), bytes.was_whole, text::has_error(run.diagnostics), std::move(run.result)};
+  return {describe(run.result, trace.text(), true), bytes.was_whole, text::has_error(run.diagnostics),
+          std::move(run.result)};
 }
 
 // "" when the stream gives what the whole text gives. A text that the reader has errors for is not run whole; then the
@@ -106,7 +110,8 @@ inline std::string difference_of_stream(const std::string& text, std::size_t pie
         streamed.result.ended != interpreter::Ended::text_end && streamed.result.last.line < whole.faulty_line;
     return before ? "" : fmt::format("ran past the fault of line {}:\n{}", whole.faulty_line, streamed.said);
   }
-  if (streamed.said != whole.said) return fmt::format("whole:\n{}stream:\n{}", whole.said, streamed.said);
+  const std::string& said = streamed.was_whole ? whole.said : whole.said_as_read;
+  if (streamed.said != said) return fmt::format("whole:\n{}stream:\n{}", said, streamed.said);
   const std::string variables = describe_variables(streamed.result);
   const std::string& expected = streamed.was_whole ? whole.variables : "";
   return variables == expected ? "" : fmt::format("variables of whole:\n{}of stream:\n{}", expected, variables);

@@ -191,8 +191,8 @@ TEST(ProfileDocument, ATextThatIsNoDocumentSaysWhere) {
   const Row rows[] = {
       {"", 1, 1, ""},
       {"{", 1, 2, ""},
-      {"{\n  \"name\": NaN}", 2, 12, "/name"},
-      {"{\n\"a\": {\"b\": [1, 2, Infinity]}}", 2, 20, "/a/b/1"},
+      {"{\n  \"name\": NaN}", 2, 11, "/name"},
+      {"{\n\"a\": {\"b\": [1, 2, Infinity]}}", 2, 19, "/a/b/1"},
       {"{\"a\": 1e999}", 1, 11, "/a"},
       {"{\"a\": -1e400}", 1, 12, "/a"},
       {"{\"a\": 01}", 1, 8, "/a"},

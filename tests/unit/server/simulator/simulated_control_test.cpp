@@ -220,7 +220,7 @@ TEST_F(SimulatedControlTest, RunningDryIsAStallWithItsTime) {
 
 TEST_F(SimulatedControlTest, LineUseLeavesHoldsOut) {
   make(settings());
-  feed("%\nG4P5000\n" + std::string(65, '(') + ")....\n");
+  feed("%\nG4P5000\n(" + std::string(68, 'A') + ")\n");
   ASSERT_EQ(control_->state(), ControlState::held);
   pass(20 * kSecond);
   ASSERT_EQ(control_->state(), ControlState::reading);
