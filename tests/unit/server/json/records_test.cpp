@@ -171,7 +171,10 @@ TEST(Records, ListsAndOpenApi) {
   EXPECT_THAT(text, HasSubstr(R"("openapi":"3.1.0")"));
   EXPECT_THAT(text, HasSubstr(R"({"name":"id","in":"path","required":true)"));
   EXPECT_THAT(text, HasSubstr(R"("post":{"operationId":"post_a_id_b_name","summary":"t")"));
-  EXPECT_THAT(text, HasSubstr(R"("/open":{"get":{"operationId":"get_open","summary":"u","parameters":[],"x-role":"anybody","security":[])"));
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          R"("/open":{"get":{"operationId":"get_open","summary":"u","parameters":[],"x-role":"anybody","security":[])"));
 }
 
 }  // namespace
