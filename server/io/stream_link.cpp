@@ -38,6 +38,7 @@ class Core : public std::enable_shared_from_this<Core<Stream>> {
 
   // From here on bytes flow.
   void begin() {
+    up_ = true;
     listener_->on_up();
     if (listener_ != nullptr) read_next();
   }
@@ -48,8 +49,10 @@ class Core : public std::enable_shared_from_this<Core<Stream>> {
     stream_.close(ignored);
   }
 
-  // Through Asio and not ::write: a socket whose peer is gone must give an error, no SIGPIPE.
+  // Through Asio and not ::write: a socket whose peer is gone must give an error, no SIGPIPE. Before on_up() nothing is
+  // taken, and nothing is lost by it.
   std::size_t write(std::span<const std::byte> bytes) {
+    if (!up_) return 0;
     boost::system::error_code error;
     const std::size_t taken = stream_.write_some(asio::buffer(bytes.data(), bytes.size()), error);
     if (taken == bytes.size()) return taken;
@@ -97,6 +100,7 @@ class Core : public std::enable_shared_from_this<Core<Stream>> {
   Stream stream_;
   app::LinkListener* listener_;
   std::array<std::byte, kReadBytes> buffer_{};
+  bool up_ = false;
   bool waiting_ = false;
 };
 
