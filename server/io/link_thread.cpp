@@ -11,8 +11,6 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <pthread.h>
-#include <sched.h>
 
 #include "server/io/steady_clock.h"
 #include "server/io/stream_link.h"
@@ -22,14 +20,6 @@ namespace dripfeed::io {
 namespace {
 
 namespace asio = boost::asio;
-
-// A DC3 that is seen late overruns a control, so this thread goes before all that compute. A system that does not allow
-// it (no CAP_SYS_NICE, no RTPRIO limit) leaves it where it is: it then keeps its budget as long as a core is free.
-void go_before_others() {
-  constexpr int kPriority = 10;  // below the kernel's own threads
-  const sched_param wanted{.sched_priority = kPriority};
-  static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_RR, &wanted));
-}
 
 class AsioLinkThread final : public app::LinkThread {
  public:
@@ -62,7 +52,6 @@ class AsioLinkThread final : public app::LinkThread {
 
  private:
   void loop() {
-    go_before_others();
     while (!stopping_ && context_.run_one() > 0) {
       run_due();
       set_timer();
