@@ -2,10 +2,11 @@
 // coolant, compensation), then the one motion, dwell or shift, then what ends (coolant, spindle, stop).
 #include "dialects/interpreter/apply.h"
 
-#include <array>
 #include <cmath>
 
+#include "dialects/interpreter/code_effects.h"
 #include "dialects/interpreter/drilling.h"
+#include "dialects/interpreter/frame_change.h"
 #include "dialects/interpreter/move.h"
 #include "dialects/interpreter/polar.h"
 #include "dialects/interpreter/repetitive.h"
@@ -17,195 +18,9 @@ namespace {
 
 using ir::Address;
 using ir::Function;
-using ir::ModalGroup;
 using ir::MotionKind;
 
-// What the codes of this block ask for beyond the modes.
-struct Effects {
-  Function one_shot = Function::none;  // takes the block's axis words: dwell, local_shift(_add), set_coordinates,
-                                       // reference_return, not_modelled
-  std::int16_t argument = 0;           // of the one shot
-  bool machine_coordinates = false;
-  bool exact_stop = false;
-  bool tool_change = false;
-  bool coolant_off = false;
-  bool spindle_stop = false;
-  bool surface_code = false;            // this block switches the surface speed
-  bool announces = false;               // something that events tell of may have changed
-  std::int8_t stop = -1;                // 0 program, 1 optional
-  Function move_once = Function::none;  // instead of the modal motion
-  Flow flow = Flow::next;
-};
-
-struct CodeContext {
-  const BlockRules& rules;
-  const PlainBlock& block;
-  ModalState& state;
-  Effects& effects;
-  PlainCode code;
-};
-
-void surface_speed(CodeContext& c, bool on) {
-  c.state.modes.surface_speed = on;
-  c.effects.surface_code = c.effects.announces = true;
-}
-void feed(CodeContext& c, ir::FeedMode mode) {
-  c.state.modes.feed_mode = mode;
-  // … but the feed code that a reader puts beside G96 belongs to it.
-  if (c.rules.semantics.feed_code_ends_surface_speed && c.state.modes.surface_speed && !c.effects.surface_code) {
-    c.state.modes.surface_speed = false;
-    c.effects.announces = true;
-  }
-}
-void unit(CodeContext& c, bool inch) {
-  c.state.modes.inch = inch;
-  if (c.code.argument == 0) c.state.modes.inch_feed = inch;
-}
-void comp(CodeContext& c, ir::CompSide side) {
-  c.state.modes.comp = side;
-  c.effects.announces = true;
-}
-void spindle(CodeContext& c, ir::SpindleState state) {
-  c.state.spindle = state;
-  c.effects.announces = true;
-}
-void coolant(CodeContext& c, ir::CoolantState state) {
-  c.state.coolant = state;
-  c.effects.announces = true;
-}
-void one_shot(CodeContext& c) {
-  c.effects.one_shot = c.code.function;
-  c.effects.argument = c.code.argument;
-}
-void not_modelled(CodeContext& c) {
-  if (c.code.group == ModalGroup::motion || c.code.group == ModalGroup::cycle) {
-    c.state.modes.motion_modelled = false;
-    c.state.drilling = {};
-    c.state.turning = {};
-  }
-  if (c.code.group == ModalGroup::non_modal || c.code.group == ModalGroup::frame) one_shot(c);
-}
-void drill(CodeContext& c) {
-  c.state.modes.motion_modelled = true;
-  c.state.turning = {};
-  begin_drilling(c.code.argument, c.state);
-}
-void turn(CodeContext& c) {
-  c.state.modes.motion_modelled = true;
-  c.state.drilling = {};
-  c.state.turning = {.active = true, .cycle = static_cast<TurningCycle>(c.code.argument)};
-}
-void work_offset(CodeContext& c) {
-  if (c.state.modes.work_offset == c.code.argument) return;
-  c.state.drilling.initial_known = false;
-  c.state.modes.work_offset = c.code.argument;
-  c.state.unknown = kAllAxes;  // offsets lie in the control: how far they are apart is not known
-  c.effects.announces = true;
-}
-
-// G54.1 with a P that was computed; its number is told as those of constant ones are.
-void extended_offset(CodeContext& c) {
-  const double p = c.block.has(Address::p) ? c.block.at(Address::p) : 1.0;
-  if (!(p >= 1.0 && p <= 300.0)) return;
-  c.code.argument = static_cast<std::int16_t>(kExtendedOffset + static_cast<int>(p));
-  work_offset(c);
-}
-
-struct CodeRow {
-  Function function;
-  void (*apply)(CodeContext&);
-};
-// Functions without a row change nothing here: tool lengths are the control's.
-constexpr CodeRow kCodeRows[] = {
-    {Function::dwell, one_shot},
-    {Function::exact_stop_once, [](CodeContext& c) { c.effects.exact_stop = true; }},
-    {Function::exact_stop_mode, [](CodeContext& c) { c.state.modes.exact_stop = true; }},
-    {Function::continuous_path, [](CodeContext& c) { c.state.modes.exact_stop = false; }},
-    {Function::plane_xy, [](CodeContext& c) { c.state.modes.plane = ir::Plane::xy; }},
-    {Function::plane_zx, [](CodeContext& c) { c.state.modes.plane = ir::Plane::zx; }},
-    {Function::plane_yz, [](CodeContext& c) { c.state.modes.plane = ir::Plane::yz; }},
-    {Function::unit_inch, [](CodeContext& c) { unit(c, true); }},
-    {Function::unit_mm, [](CodeContext& c) { unit(c, false); }},
-    {Function::absolute, [](CodeContext& c) { c.state.modes.absolute = true; }},
-    {Function::incremental, [](CodeContext& c) { c.state.modes.absolute = false; }},
-    {Function::feed_per_min, [](CodeContext& c) { feed(c, ir::FeedMode::per_min); }},
-    {Function::feed_per_rev, [](CodeContext& c) { feed(c, ir::FeedMode::per_rev); }},
-    {Function::feed_inverse_time, [](CodeContext& c) { feed(c, ir::FeedMode::inverse_time); }},
-    {Function::diameter_on, [](CodeContext& c) { c.state.modes.diameter = ir::DiameterMode::diameter; }},
-    {Function::diameter_off, [](CodeContext& c) { c.state.modes.diameter = ir::DiameterMode::radius; }},
-    {Function::diameter_absolute_only,
-     [](CodeContext& c) { c.state.modes.diameter = ir::DiameterMode::diameter_absolute_only; }},
-    {Function::work_offset, work_offset},
-    {Function::machine_coordinates, [](CodeContext& c) { c.effects.machine_coordinates = true; }},
-    {Function::local_shift, one_shot},
-    {Function::local_shift_add, one_shot},
-    {Function::set_coordinates, one_shot},
-    {Function::rotate, one_shot},
-    {Function::scale, one_shot},
-    {Function::mirror, one_shot},
-    {Function::pole_from_last, one_shot},
-    {Function::pole_from_zero, one_shot},
-    {Function::pole_from_pole, one_shot},
-    {Function::reference_return, one_shot},
-    {Function::extended_offset, extended_offset},
-    {Function::data_input, one_shot},
-    {Function::skip_move, one_shot},
-    {Function::repetitive_cycle, one_shot},
-    {Function::comp_off, [](CodeContext& c) { comp(c, ir::CompSide::off); }},
-    {Function::comp_left, [](CodeContext& c) { comp(c, ir::CompSide::left); }},
-    {Function::comp_right, [](CodeContext& c) { comp(c, ir::CompSide::right); }},
-    {Function::tool_change, [](CodeContext& c) { c.effects.tool_change = true; }},
-    {Function::surface_speed_on, [](CodeContext& c) { surface_speed(c, true); }},
-    {Function::surface_speed_off, [](CodeContext& c) { surface_speed(c, false); }},
-    {Function::spindle_cw, [](CodeContext& c) { spindle(c, ir::SpindleState::clockwise); }},
-    {Function::spindle_ccw, [](CodeContext& c) { spindle(c, ir::SpindleState::counterclockwise); }},
-    {Function::spindle_stop, [](CodeContext& c) { c.effects.spindle_stop = true; }},
-    {Function::spindle_orient, [](CodeContext& c) { c.effects.spindle_stop = true; }},
-    {Function::coolant_mist, [](CodeContext& c) { coolant(c, ir::CoolantState::mist); }},
-    {Function::coolant_flood, [](CodeContext& c) { coolant(c, ir::CoolantState::flood); }},
-    {Function::coolant_off, [](CodeContext& c) { c.effects.coolant_off = true; }},
-    {Function::program_stop, [](CodeContext& c) { c.effects.stop = 0; }},
-    {Function::optional_stop, [](CodeContext& c) { c.effects.stop = 1; }},
-    {Function::program_end, [](CodeContext& c) { c.effects.flow = Flow::program_end; }},
-    {Function::program_end_rewind, [](CodeContext& c) { c.effects.flow = Flow::program_end; }},
-    {Function::subprogram_end, [](CodeContext& c) { c.effects.flow = Flow::subprogram_end; }},
-    {Function::drill, drill},
-    {Function::turning_cycle, turn},
-    {Function::cycle_off,
-     [](CodeContext& c) {
-       c.state.modes.motion_modelled = true;
-       c.state.drilling = {};
-     }},
-    {Function::return_to_initial, [](CodeContext& c) { c.state.modes.return_to_r = false; }},
-    {Function::return_to_r, [](CodeContext& c) { c.state.modes.return_to_r = true; }},
-    {Function::not_modelled, not_modelled},
-};
-constexpr auto kCodeRules = [] {
-  std::array<void (*)(CodeContext&), static_cast<std::size_t>(Function::count_)> rules{};
-  for (const CodeRow& row : kCodeRows) rules[static_cast<std::size_t>(row.function)] = row.apply;
-  return rules;
-}();
-
-constexpr bool is_motion(Function function) { return function >= Function::rapid && function <= Function::tap_retract; }
-
-void apply_codes(const PlainBlock& block, const BlockRules& rules, ModalState& state, Effects& effects) {
-  for (const PlainCode& code : block.codes) {
-    if (is_motion(code.function) && code.group == ModalGroup::non_modal) {
-      effects.move_once = code.function;  // G63
-    } else if (is_motion(code.function)) {
-      state.modes.motion = code.function;
-      state.modes.motion_given = state.modes.motion_modelled = true;
-      if (state.drilling.active) state.drilling = {};
-      if (state.turning.active) state.turning = {};
-    } else if (const auto rule = kCodeRules[static_cast<std::size_t>(code.function)]; rule != nullptr) {
-      CodeContext context{rules, block, state, effects, code};
-      rule(context);
-    }
-  }
-}
-
 // --- words that set a state
-// -------------------------------------------------------------------------------------------
 
 constexpr std::uint64_t kFeedWord = bit_of(Address::f);
 constexpr std::uint64_t kToolWords = bit_of(Address::t) | bit_of(Address::d);
@@ -289,7 +104,6 @@ void set_numbers(const PlainBlock& block, ModalState& state) {
 }
 
 // --- the block's one action
-// -------------------------------------------------------------------------------------------
 
 void dwell(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out) {
   const double seconds = dwell_s(block, rules, state);

@@ -237,7 +237,7 @@ class ShapeCutter {
     if (x != state_.position[kX]) target.commanded |= 1U << kX;
     if (z != state_.position[kZ]) target.commanded |= 1U << kZ;
     if (target.commanded == 0) return;
-    move_straight(kind, target, kind == MotionKind::rapid ? 0.0 : state_.feed, {}, state_, out_, result_);
+    emit_move(kind, target, kind == MotionKind::rapid ? 0.0 : state_.feed, {}, state_, out_, result_);
   }
 
   const std::vector<ir::Motion>& shape_;

@@ -262,7 +262,7 @@ class Driller {
   void go(MotionKind kind, const Target& target) {
     if (target.commanded == 0 || result_.fault != text::DiagnosticId::count_) return;
     if (target.end == state_.position && (state_.unknown & target.commanded & ~target.incremental) == 0) return;
-    move_straight(kind, target, kind == MotionKind::rapid ? 0.0 : state_.feed, {}, state_, out_, result_);
+    emit_move(kind, target, kind == MotionKind::rapid ? 0.0 : state_.feed, {}, state_, out_, result_);
   }
   void dwell() { emit_event(MotionKind::dwell, state_, out_).feed = d_.dwell_s; }
   void turn(SpindleState to) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "dialects/interpreter/output_field.h"
 #include "dialects/interpreter/unknown.h"
 #include "dialects/interpreter/variable_listing.h"
 #include "dialects/text/number.h"
@@ -21,7 +20,6 @@ constexpr std::uint64_t kMotionsOfABlock = 16;
 
 constexpr double truth(bool value) { return value ? 1.0 : 0.0; }
 
-constexpr double kLastAlarm = 99999999.0;
 // What may not stand in the shape of a cycle.
 constexpr bool leaves_shape(Opcode op) {
   return op == Opcode::call || op == Opcode::back || op == Opcode::back_to || op == Opcode::program_end ||
@@ -75,70 +73,6 @@ RunResult Machine::finish(const CompiledProgram& main) {
   result.strings = names_.strings;
   result.programs = names_.programs;
   return std::move(result);
-}
-
-// Nothing in a subprogram ends a run; a text that was run while it was read has ended by its end or not at all.
-bool Machine::takes_feed_from_caller(const CompiledProgram& main) const {
-  if (!control_.semantics.unset_is_unknown) return false;
-  if (main.source == nullptr) return report_.result().ended == Ended::text_end;
-  const std::string& name = main.source->source.name();
-  if (name.ends_with(".SPF") || name.ends_with(".spf")) return true;
-  return std::ranges::none_of(main.source->statements, [](const ir::Statement& statement) {
-    return statement.kind == ir::StatementKind::program_end;
-  });
-}
-
-// Definition files declare the names that programs find in the control.
-void Machine::define_shared_data() {
-  for (const std::string& name : control_.definition_files)
-    if (const ir::Program* definitions = finder_.find(name)) shared_.define(*definitions);
-}
-
-// A subprogram that is run by itself takes its parameters and its feed from a caller that is not there.
-void Machine::set_inputs(const CompiledProgram& main) {
-  for (const Parameter& parameter : main.parameters) {
-    if (parameter.type == ir::ValueType::string)
-      storage_.string_at(parameter.slot) = kUnknownText;
-    else
-      storage_.frame_at(parameter.slot) = parameter.by_reference ? Storage::refer_shared(shared_.nameless()) : kVacant;
-  }
-  state_.feed_unknown = main.has_procedure;
-}
-
-// What the main program reads and nobody has set by the end.
-void Machine::name_unset_inputs(const CompiledProgram& main) {
-  if (main.source == nullptr) return;
-  const ir::Program& source = *main.source;
-  for (const ir::Variable& variable : source.variables) {
-    if (variable.bank != ir::Bank::r || variable.index != ir::ExpressionId::none) continue;
-    const Slot slot = variables_.find(variable.bank, variable.number);
-    if (slot.kind != SlotKind::global || !is_vacant(storage_.global_at(slot.index))) continue;
-    out_.place.program = 0;
-    out_.place.line = source.source.position(variable.span.begin).line;
-    report_.count({.name = variable_name(variable.bank, variable.number), .is_input = true});
-  }
-}
-
-void Machine::set_initial_values(const CompiledProgram& main) {
-  for (const InitialValue& value : options_.initial_values) {
-    if (value.name.empty()) {
-      access_.set_initial(value);
-      continue;
-    }
-    if (main.source == nullptr) continue;  // a stream declares no names
-    const ir::Program& source = *main.source;
-    bool declared = false;
-    for (std::size_t s = 0; s < source.symbols.size(); ++s) {
-      const ir::Symbol& symbol = source.symbols[s];
-      if (symbol.is_global || symbol.type == ir::ValueType::string || symbol.dimension1 > 0 ||
-          source.strings.at(symbol.name) != value.name)
-        continue;
-      declared = true;
-      double& to = storage_.frame_at(main.symbols[s].slot);
-      (symbol.by_reference ? storage_.at_reference(to) : to) = arithmetic_.convert(symbol.type, value.value).value;
-    }
-    if (!declared) shared_.set(value.name, value.value);
-  }
 }
 
 void Machine::execute(std::uint32_t next) {
@@ -344,7 +278,6 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
 }
 
 // --- arithmetic
-// -------------------------------------------------------------------------------------------------------
 
 bool Machine::unary(const Instruction& i, Operator op) {
   const double a = storage_.reg(i.b);
@@ -373,7 +306,6 @@ bool Machine::convert(const Instruction& i) {
 }
 
 // --- flow
-// -------------------------------------------------------------------------------------------------------------
 
 void Machine::begin_block(const Instruction& i) {
   if (options_.observer != nullptr && executed_ > 0) [[unlikely]]
@@ -389,70 +321,6 @@ void Machine::begin_block(const Instruction& i) {
   out_.work.named_reads += work.named_reads;
   out_.work.operators += work.operators;
   out_.work.functions += work.functions;
-}
-
-// --- messages and observers
-// -------------------------------------------------------------------------------------------
-
-bool Machine::message(const Instruction& i) {
-  static const std::string kNothing;
-  const bool clears = static_cast<Operand>(i.a) == Operand::none;
-  const std::uint32_t text = report_.text_index(clears ? kNothing : storage_.text(i.a));
-  if (text == kNoText) return report_.fail_limit(i, "strings");
-  emit_event(ir::MotionKind::message, state_, out_).text = text;
-  return true;
-}
-
-// What goes to a device is told as a message.
-bool Machine::output(const Instruction& i) {
-  const ir::Program& program = *stack_.program().source;
-  const ir::Output& output = program.outputs[i.a];
-  std::string line;
-  std::uint32_t value = i.b;
-  for (std::uint32_t n = 0; n < output.part_count; ++n, value = next_register(value)) {
-    const ir::OutputPart& part = program.output_parts[output.first_part + n];
-    line += program.strings.at(part.text);
-    if (part.value != ir::ExpressionId::none)
-      append_field(line, value_or_zero(storage_.reg(value)), part.whole_digits, part.decimals);
-  }
-  if (output.kind != ir::OutputKind::line) return true;
-  const std::uint32_t text = report_.text_index(line);
-  if (text == kNoText) return report_.fail_limit(i, "strings");
-  emit_event(ir::MotionKind::message, state_, out_).text = text;
-  return true;
-}
-
-bool Machine::user_alarm(const Instruction& i) {
-  const bool numbered = static_cast<Operand>(i.a) != Operand::none;
-  const auto number = numbered ? access_.whole_number(value_or_zero(storage_.reg(i.a)), kLastAlarm) : std::nullopt;
-  const ir::Semantics& s = control_.semantics;
-  const bool above = s.highest_user_alarm != 0 && number.has_value() && *number > s.highest_user_alarm;
-  const std::uint32_t shown = !number.has_value() ? 0 : above ? s.user_alarm_base : *number + s.user_alarm_base;
-  const bool has_text = static_cast<Operand>(i.b) != Operand::none;
-  return report_.fail_user(i, shown, has_text ? std::string_view(storage_.text(i.b)) : std::string_view());
-}
-
-void Machine::tell(std::string_view name, double value) {
-  const auto found = std::ranges::find(names_.variables, name);
-  const auto index = static_cast<std::uint32_t>(found - names_.variables.begin());
-  if (found == names_.variables.end()) names_.variables.emplace_back(name);
-  changes_.push_back({.variable = index, .value = value});
-}
-
-void Machine::tell_rare(const Instruction& i) {
-  if (i.op == Opcode::tell) {
-    changes_.push_back({i.b, storage_.reg(i.a)});
-  } else if (i.op == Opcode::tell_number) {
-    const auto number = access_.whole_number(storage_.reg(i.a), 4294967294.0);
-    if (number.has_value()) tell(variable_name(static_cast<ir::Bank>(i.extra), *number), storage_.reg(i.b));
-  } else if (i.op == Opcode::tell_element) {
-    tell(access_.name_of_element(stack_.program(), i.a, i.b), storage_.reg(i.c));
-  }
-}
-
-void Machine::tell_block() {
-  options_.observer->block(begun_, changes_);
-  changes_.clear();
 }
 
 }  // namespace dripfeed::interpreter

@@ -1,9 +1,9 @@
-// Moves of a block: where its axis words lead under the modal state, and straight moves, arcs and threads to there.
+// Moves of a block: straight moves, arcs and threads to where its axis words lead.
 // Codes have taken effect before; nothing here changes a mode.
 #pragma once
 
 #include "dialects/interpreter/apply.h"
-#include "dialects/interpreter/frame.h"
+#include "dialects/interpreter/target.h"
 
 namespace dripfeed::interpreter {
 
@@ -13,18 +13,9 @@ struct MoveOptions {
   ir::Function motion = ir::Function::none;  // of this block alone (G63)
 };
 
-// Where the axis words of a block lead: as Motion::end, bits per axis.
-struct Target {
-  AxisValues end{};
-  std::uint16_t commanded = 0;
-  std::uint16_t incremental = 0;  // … by an increment
-  std::uint16_t unknown = 0;      // named with a value that is not known
-};
-
-Target find_target(const PlainBlock& block, const BlockRules& rules, const ModalState& state, bool machine);
-// A straight move to the target; the state is there afterwards.
-void move_straight(ir::MotionKind kind, const Target& target, double feed, const MoveOptions& options,
-                   ModalState& state, MotionBuffer& out, BlockResult& result);
+// One motion to the target; the state is there afterwards.
+ir::Motion& emit_move(ir::MotionKind kind, const Target& target, double feed, const MoveOptions& options,
+                      ModalState& state, MotionBuffer& out, BlockResult& result);
 
 // Carries out the block's axis words (and I J K of an arc) by the active motion code.
 void move(const PlainBlock& block, const BlockRules& rules, const MoveOptions& options, ModalState& state,
@@ -35,14 +26,6 @@ void move_until_touch(const PlainBlock& block, const BlockRules& rules, ModalSta
 // G28: a rapid to the intermediate point that the words name; the reference point itself is not known.
 void return_to_reference(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out,
                          BlockResult& result);
-// G52, TRANS. `whole`: axes that are not named lose their shift. `add`: ATRANS.
-void shift_locally(const PlainBlock& block, const BlockRules& rules, bool whole, bool add, ModalState& state);
-// ROT, SCALE, MIRROR. `replace`: in the place of the whole programmable frame; otherwise on top of it.
-void change_frame(const PlainBlock& block, const BlockRules& rules, ir::Function function, bool replace,
-                  ModalState& state);
-// G92: the current position gets the named values.
-void set_coordinates(const PlainBlock& block, const BlockRules& rules, ModalState& state);
-
 // The axes that the block names may be anywhere after it.
 void forget_positions(const PlainBlock& block, const BlockRules& rules, ModalState& state);
 

@@ -65,7 +65,7 @@ class Pen {
     if (target.end[kX] != state_.position[kX]) target.commanded |= 1U << kX;
     if (z_to != state_.position[kZ]) target.commanded |= 1U << kZ;
     if (target.commanded == 0) return;
-    move_straight(kind, target, kind == MotionKind::rapid ? 0.0 : state_.feed, {}, state_, out_, result_);
+    emit_move(kind, target, kind == MotionKind::rapid ? 0.0 : state_.feed, {}, state_, out_, result_);
   }
 
  private:

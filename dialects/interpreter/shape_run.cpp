@@ -24,7 +24,7 @@ void ShapeRun::finish(ModalState& state, MotionBuffer& out) const {
   const ir::Place place = out.place;
   out.place.line = place_.line;
   BlockResult result;
-  if (target.commanded != 0) move_straight(ir::MotionKind::rapid, target, 0.0, {}, state, out, result);
+  if (target.commanded != 0) emit_move(ir::MotionKind::rapid, target, 0.0, {}, state, out, result);
   out.place = place;
   state.feed = before_.feed;
   state.modes.motion = before_.modes.motion;

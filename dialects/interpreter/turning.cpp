@@ -75,7 +75,7 @@ class Turner {
     if (target.commanded == 0) return;
     target.end[kX] = x;
     target.end[kZ] = z;
-    move_straight(kind, target, kind == MotionKind::rapid ? 0.0 : state_.feed, {}, state_, out_, result_);
+    emit_move(kind, target, kind == MotionKind::rapid ? 0.0 : state_.feed, {}, state_, out_, result_);
   }
 
   const PlainBlock& block_;

@@ -1,4 +1,4 @@
-// parse: tokens to statements, block by block. parse.cpp reads lines and words, parse_expression.cpp and
+// parse: tokens to statements, block by block. parse.cpp reads lines, parse_words.cpp words, parse_expression.cpp and
 // parse_variable.cpp values, parse_flow.cpp jumps and structures, parse_declarations.cpp PROC, DEF and EXTERN,
 // parse_statements.cpp calls, messages and what is kept as written. Names are resolved and statements ordered by
 // Lowering; rules that need the whole program are validate's.
@@ -26,17 +26,23 @@ class Parser {
   void run();
 
  private:
-  // lines and words: parse.cpp
+  // lines: parse.cpp
   void line();
   void block_head();
   bool label_here();
   [[nodiscard]] text::Span short_label() const;
   void statement();
-  void address_word();
-  void extended_address();
   void variable_statement();
   void name_statement();
   void stray_symbol();
+  void tape_head();
+  void finish_line(text::Span start);
+  void unreadable_tokens();
+  [[nodiscard]] text::Span to_here(text::Span from) const { return {from.begin, cursor_.previous_end()}; }
+
+  // words: parse_words.cpp
+  void address_word();
+  void extended_address();
   void g_code(text::Span head);
   void m_function(std::uint32_t extension, text::Span head);
   void numbered_m_function(double number, std::uint32_t extension, text::Span span);
@@ -47,11 +53,7 @@ class Parser {
   bool signed_constant(ir::ExpressionId& value);
   ir::ExpressionId word_value(ir::Word& word);
   ir::ExpressionId moded_value(ir::Word& word);
-  void tape_head();
   void repeats_word(text::Span head);
-  void finish_line(text::Span start);
-  void unreadable_tokens();
-  [[nodiscard]] text::Span to_here(text::Span from) const { return {from.begin, cursor_.previous_end()}; }
 
   // values: parse_expression.cpp
   ir::ExpressionId expression();

@@ -1,290 +1,29 @@
 // Drilling, hole patterns and thread cycles that the control brings along, as programs of its own language: what they
-// do is then the interpreter's. Parameters and sequence: Programming Manual Cycles (PGZ), "Drilling cycles and drilling
-// patterns", "Turning cycles". Other standard cycles are kept as they are written.
+// do is then the interpreter's. Parameters and sequence: Programming Manual Cycles (PGZ). Other standard cycles are
+// kept as they are written.
 //
-// One text a cycle. A depth DP that is not given is RFP less DPR on the side of the hole: 1EX30 stands for "not given".
-// Alarms are those of the cycles: 61001 no lead, 61101 reference plane not between retraction plane and depth, 61102 no
-// direction of the spindle, 61107 no number of cuts. The drilling axis is the one that stands on the plane. GMODE and
-// what follows are modes of the operator's screen.
+// A depth DP that is not given is RFP less DPR on the side of the hole: 1EX30 stands for "not given". Alarms are those
+// of the cycles. The drilling axis is the one that stands on the plane. GM, DM and AM are modes of the operator's
+// screen.
 #include <algorithm>
 #include <array>
+#include <map>
+#include <string>
 
+#include "dialects/sinumerik/cycle_texts.h"
 #include "dialects/sinumerik/sinumerik.h"
 
 namespace dripfeed::sinumerik {
 
 namespace {
 
-struct Cycle {
-  std::string_view name;
-  std::string_view text;
-};
-
-constexpr auto kCycles = std::to_array<Cycle>({
-    {"CYCLE81",
-     R"(PROC CYCLE81(REAL RTP, REAL RFP, REAL SDIS, REAL DP=1EX30, REAL DPR, REAL DTB, INT GM, INT DM, INT AM) SAVE DISPLOF
-CYCLE82(RTP,RFP,SDIS,DP,DPR,DTB,GM,DM,AM)
-M17
-)"},
-    {"CYCLE82",
-     R"(PROC CYCLE82(REAL RTP, REAL RFP, REAL SDIS, REAL DP=1EX30, REAL DPR, REAL DTB, INT GM, INT DM, INT AM) SAVE DISPLOF
-DEF AXIS TOOLAX
-DEF REAL SIDE=1
-TOOLAX=AXNAME("Z")
-IF $P_GG[6]==2 
-TOOLAX=AXNAME("Y")
-ENDIF
-IF $P_GG[6]==3
-TOOLAX=AXNAME("X")
-ENDIF
-IF RTP<RFP
-SIDE=-1
-ENDIF
-IF DP>1EX29
-DP=RFP-SIDE*ABS(DPR)
-ENDIF
-IF (RTP-RFP)*(RFP-DP)<0
-SETAL(61101)
-ENDIF
-G90 G0 AX[TOOLAX]=RFP+SIDE*SDIS
-G1 AX[TOOLAX]=DP
-IF DTB>0
-G4 F=DTB
-ENDIF
-IF DTB<0
-G4 S=-DTB
-ENDIF
-G0 AX[TOOLAX]=RTP
-M17
-)"},
-    {"CYCLE83",
-     R"(PROC CYCLE83(REAL RTP, REAL RFP, REAL SDIS, REAL DP=1EX30, REAL DPR, REAL FDEP=1EX30, REAL FDPR, REAL DAM, REAL DTB, REAL DTS, REAL FRF=1, INT VARI, INT AXN, REAL MDEP, REAL VRT, REAL DTD, REAL DIS1, INT GM, INT DM, INT AM) SAVE DISPLOF
-DEF AXIS TOOLAX
-DEF REAL SIDE=1, STROKE, AT, NEXT, LEFT, LEAD, FEED, LEAST
-TOOLAX=AXNAME("Z")
-IF $P_GG[6]==2
-TOOLAX=AXNAME("Y")
-ENDIF
-IF $P_GG[6]==3
-TOOLAX=AXNAME("X")
-ENDIF
-IF RTP<RFP
-SIDE=-1
-ENDIF
-IF DP>1EX29
-DP=RFP-SIDE*ABS(DPR)
-ENDIF
-IF (RTP-RFP)*(RFP-DP)<0
-SETAL(61101)
-ENDIF
-IF FDEP>1EX29
-FDEP=RFP-SIDE*ABS(FDPR)
-ENDIF
-IF FRF==0
-FRF=1
-ENDIF
-IF VRT==0
-VRT=1
-ENDIF
-FEED=$P_F
-STROKE=ABS(RFP-FDEP)
-LEAST=MDEP
-IF (LEAST==0) AND (DAM>0)
-LEAST=DAM
-ENDIF
-IF STROKE==0
-STROKE=ABS(RFP-DP)
-ENDIF
-G90 G0 AX[TOOLAX]=RFP+SIDE*SDIS
-AT=RFP
-NEXT=RFP-SIDE*STROKE
-F=FEED*FRF
-LOOP
-IF SIDE*(NEXT-DP)<0
-NEXT=DP
-ENDIF
-G1 AX[TOOLAX]=NEXT
-F=FEED
-AT=NEXT
-IF AT==DP GOTOF BOTTOM
-IF DTB>0
-G4 F=DTB
-ENDIF
-IF DTB<0
-G4 S=-DTB
-ENDIF
-IF VARI==0
-G1 AX[TOOLAX]=AT+SIDE*VRT
-ELSE
-G0 AX[TOOLAX]=RFP+SIDE*SDIS
-IF DTS>0
-G4 F=DTS
-ENDIF
-IF DTS<0
-G4 S=-DTS
-ENDIF
-LEAD=DIS1
-IF LEAD==0
-LEAD=0.6
-IF ABS(RFP-AT)>30
-LEAD=BOUND(0.6,7,ABS(RFP-AT)/50)
-ENDIF
-ENDIF
-G0 AX[TOOLAX]=AT+SIDE*LEAD
-ENDIF
-IF DAM>0
-STROKE=MAXVAL(STROKE-DAM,LEAST)
-ENDIF
-IF DAM<0
-STROKE=MAXVAL(STROKE*ABS(DAM),LEAST)
-ENDIF
-LEFT=ABS(AT-DP)
-IF (DAM<>0) AND (LEFT>STROKE) AND (LEFT<2*STROKE)
-STROKE=LEFT/2
-ENDIF
-NEXT=AT-SIDE*STROKE
-ENDLOOP
-BOTTOM:
-IF DTD>0
-G4 F=DTD
-ELSE
-IF DTB>0
-G4 F=DTB
-ENDIF
-IF DTB<0
-G4 S=-DTB
-ENDIF
-ENDIF
-G0 AX[TOOLAX]=RTP
-M17
-)"},
-    {"CYCLE84",
-     R"(PROC CYCLE84(REAL RTP, REAL RFP, REAL SDIS, REAL DP=1EX30, REAL DPR, REAL DTB, INT SDAC, REAL MPIT, REAL PIT, REAL POSS, REAL SST, REAL SST1, INT AXN, INT PITA, INT TECHNO, INT VARI, REAL DAM, REAL VRT, STRING[15] PITM, STRING[20] PTAB, STRING[20] PTABA, INT GM, INT DM, INT AM) SAVE DISPLOF
-DEF REAL SIDE=1, LEAD
-DEF INT SIZE
-LEAD=PIT
-IF LEAD==0
-SIZE=ABS(MPIT)
-CASE (SIZE) OF 3 GOTOF M_3 4 GOTOF M_4 5 GOTOF M_5 6 GOTOF M_6 8 GOTOF M_8 10 GOTOF M_10 12 GOTOF M_12 DEFAULT GOTOF M_MORE
-M_MORE:
-CASE (SIZE) OF 14 GOTOF M_14 16 GOTOF M_14 18 GOTOF M_18 20 GOTOF M_18 22 GOTOF M_18 24 GOTOF M_24 27 GOTOF M_24 DEFAULT GOTOF M_LARGE
-M_LARGE:
-CASE (SIZE) OF 30 GOTOF M_30 33 GOTOF M_30 36 GOTOF M_36 39 GOTOF M_36 42 GOTOF M_42 45 GOTOF M_42 48 GOTOF M_48 DEFAULT GOTOF NO_SIZE
-NO_SIZE:
-SETAL(61001)
-M_3: LEAD=0.5 GOTOF HAS_LEAD
-M_4: LEAD=0.7 GOTOF HAS_LEAD
-M_5: LEAD=0.8 GOTOF HAS_LEAD
-M_6: LEAD=1 GOTOF HAS_LEAD
-M_8: LEAD=1.25 GOTOF HAS_LEAD
-M_10: LEAD=1.5 GOTOF HAS_LEAD
-M_12: LEAD=1.75 GOTOF HAS_LEAD
-M_14: LEAD=2 GOTOF HAS_LEAD
-M_18: LEAD=2.5 GOTOF HAS_LEAD
-M_24: LEAD=3 GOTOF HAS_LEAD
-M_30: LEAD=3.5 GOTOF HAS_LEAD
-M_36: LEAD=4 GOTOF HAS_LEAD
-M_42: LEAD=4.5 GOTOF HAS_LEAD
-M_48: LEAD=5
-HAS_LEAD:
-IF MPIT<0
-LEAD=-LEAD
-ENDIF
-ENDIF
-IF RTP<RFP
-SIDE=-1
-ENDIF
-IF DP>1EX29
-DP=RFP-SIDE*ABS(DPR)
-ENDIF
-IF (RTP-RFP)*(RFP-DP)<0
-SETAL(61101)
-ENDIF
-IF SST1==0
-SST1=SST
-ENDIF
-G90
-IF $P_GG[6]==1
-G0 Z=RFP+SIDE*SDIS
-G331 Z=DP K=LEAD S=SST
-IF DTB>0
-G4 F=DTB
-ENDIF
-G332 Z=RFP+SIDE*SDIS K=LEAD S=SST1
-G0 Z=RTP
-ENDIF
-IF $P_GG[6]==2
-G0 Y=RFP+SIDE*SDIS
-G331 Y=DP J=LEAD S=SST
-IF DTB>0
-G4 F=DTB
-ENDIF
-G332 Y=RFP+SIDE*SDIS J=LEAD S=SST1
-G0 Y=RTP
-ENDIF
-IF $P_GG[6]==3
-G0 X=RFP+SIDE*SDIS
-G331 X=DP I=LEAD S=SST
-IF DTB>0
-G4 F=DTB
-ENDIF
-G332 X=RFP+SIDE*SDIS I=LEAD S=SST1
-G0 X=RTP
-ENDIF
-IF SDAC==3
-M3
-ENDIF
-IF SDAC==4
-M4
-ENDIF
-IF SDAC==5
-M5
-ENDIF
-M17
-)"},
-    {"CYCLE85",
-     R"(PROC CYCLE85(REAL RTP, REAL RFP, REAL SDIS, REAL DP=1EX30, REAL DPR, REAL DTB, REAL FFR, REAL RFF, INT GM, INT DM, INT AM) SAVE DISPLOF
-DEF AXIS TOOLAX
-DEF REAL SIDE=1
-TOOLAX=AXNAME("Z")
-IF $P_GG[6]==2
-TOOLAX=AXNAME("Y")
-ENDIF
-IF $P_GG[6]==3
-TOOLAX=AXNAME("X")
-ENDIF
-IF RTP<RFP
-SIDE=-1
-ENDIF
-IF DP>1EX29
-DP=RFP-SIDE*ABS(DPR)
-ENDIF
-IF (RTP-RFP)*(RFP-DP)<0
-SETAL(61101)
-ENDIF
-G90 G0 AX[TOOLAX]=RFP+SIDE*SDIS
-IF FFR>0
-F=FFR
-ENDIF
-G1 AX[TOOLAX]=DP
-IF DTB>0
-G4 F=DTB
-ENDIF
-IF DTB<0
-G4 S=-DTB
-ENDIF
-IF RFF>0
-F=RFF
-ENDIF
-G1 AX[TOOLAX]=RFP+SIDE*SDIS
-G0 AX[TOOLAX]=RTP
-M17
-)"},
-    {"CYCLE86",
-     R"(PROC CYCLE86(REAL RTP, REAL RFP, REAL SDIS, REAL DP=1EX30, REAL DPR, REAL DTB, INT SDIR, REAL RPA, REAL RPO, REAL RPAP, REAL POSS, INT GM, INT DM, INT AM) SAVE DISPLOF
-DEF AXIS TOOLAX, FIRST, SECOND
-DEF REAL SIDE=1
-TOOLAX=AXNAME("Z")
+constexpr auto kFragments = std::to_array<CycleText>({
+    {"hole", "REAL RTP, REAL RFP, REAL SDIS, REAL DP=1EX30, REAL DPR"},
+    {"screen", "INT GM, INT DM, INT AM"},
+    // The axes of the plane and the one that stands on it.
+    {"axes", R"(DEF AXIS TOOLAX, FIRST, SECOND
+DEF REAL SIDE=1)"},
+    {"plane", R"(TOOLAX=AXNAME("Z")
 FIRST=AXNAME("X")
 SECOND=AXNAME("Y")
 IF $P_GG[6]==2
@@ -296,8 +35,9 @@ IF $P_GG[6]==3
 TOOLAX=AXNAME("X")
 FIRST=AXNAME("Y")
 SECOND=AXNAME("Z")
-ENDIF
-IF RTP<RFP
+ENDIF)"},
+    // 61101: the reference plane does not lie between retraction plane and depth.
+    {"depth", R"(IF RTP<RFP
 SIDE=-1
 ENDIF
 IF DP>1EX29
@@ -305,8 +45,15 @@ DP=RFP-SIDE*ABS(DPR)
 ENDIF
 IF (RTP-RFP)*(RFP-DP)<0
 SETAL(61101)
+ENDIF)"},
+    {"dwell", R"(IF DTB>0
+G4 F=DTB
 ENDIF
-IF (SDIR<>3) AND (SDIR<>4)
+IF DTB<0
+G4 S=-DTB
+ENDIF)"},
+    // 61102: no direction of the spindle.
+    {"spindle", R"(IF (SDIR<>3) AND (SDIR<>4)
 SETAL(61102)
 ENDIF
 IF SDIR==3
@@ -314,164 +61,36 @@ M3
 ENDIF
 IF SDIR==4
 M4
-ENDIF
-G90 G0 AX[TOOLAX]=RFP+SIDE*SDIS
-G1 AX[TOOLAX]=DP
-IF DTB>0
-G4 F=DTB
-ENDIF
-IF DTB<0
-G4 S=-DTB
-ENDIF
-M19
-G0 AX[FIRST]=IC(RPA) AX[SECOND]=IC(RPO) AX[TOOLAX]=IC(RPAP)
-G0 AX[TOOLAX]=RTP
-G0 AX[FIRST]=IC(-RPA) AX[SECOND]=IC(-RPO)
-M17
-)"},
-    {"CYCLE87", R"(PROC CYCLE87(REAL RTP, REAL RFP, REAL SDIS, REAL DP=1EX30, REAL DPR, INT SDIR) SAVE DISPLOF
-CYCLE88(RTP,RFP,SDIS,DP,DPR,0,SDIR)
-M17
-)"},
-    {"CYCLE88", R"(PROC CYCLE88(REAL RTP, REAL RFP, REAL SDIS, REAL DP=1EX30, REAL DPR, REAL DTB, INT SDIR) SAVE DISPLOF
-DEF AXIS TOOLAX
-DEF REAL SIDE=1
-TOOLAX=AXNAME("Z")
-IF $P_GG[6]==2
-TOOLAX=AXNAME("Y")
-ENDIF
-IF $P_GG[6]==3
-TOOLAX=AXNAME("X")
-ENDIF
-IF RTP<RFP
-SIDE=-1
-ENDIF
-IF DP>1EX29
-DP=RFP-SIDE*ABS(DPR)
-ENDIF
-IF (RTP-RFP)*(RFP-DP)<0
-SETAL(61101)
-ENDIF
-IF (SDIR<>3) AND (SDIR<>4)
-SETAL(61102)
-ENDIF
-IF SDIR==3
-M3
-ENDIF
-IF SDIR==4
-M4
-ENDIF
-G90 G0 AX[TOOLAX]=RFP+SIDE*SDIS
-G1 AX[TOOLAX]=DP
-IF DTB>0
-G4 F=DTB
-ENDIF
-IF DTB<0
-G4 S=-DTB
-ENDIF
-M5
-M0
-G0 AX[TOOLAX]=RTP
-M17
-)"},
-    {"CYCLE89",
-     R"(PROC CYCLE89(REAL RTP, REAL RFP, REAL SDIS, REAL DP=1EX30, REAL DPR, REAL DTB, INT GM, INT DM, INT AM) SAVE DISPLOF
-CYCLE85(RTP,RFP,SDIS,DP,DPR,DTB,0,0)
-M17
-)"},
-    {"HOLES1",
-     R"(PROC HOLES1(REAL SPCA, REAL SPCO, REAL STA1, REAL FDIS, REAL DBH, INT NUM, INT VARI, INT DM, STRING[200] HIDE, INT NSP, INT AM) DISPLOF
-DEF INT I
-FOR I=0 TO NUM-1
-IF $P_GG[6]==1
-G90 G0 X=SPCA+(FDIS+I*DBH)*COS(STA1) Y=SPCO+(FDIS+I*DBH)*SIN(STA1)
-ENDIF
-IF $P_GG[6]==2
-G90 G0 Z=SPCA+(FDIS+I*DBH)*COS(STA1) X=SPCO+(FDIS+I*DBH)*SIN(STA1)
-ENDIF
-IF $P_GG[6]==3
-G90 G0 Y=SPCA+(FDIS+I*DBH)*COS(STA1) Z=SPCO+(FDIS+I*DBH)*SIN(STA1)
-ENDIF
-ENDFOR
-M17
-)"},
-    {"HOLES2",
-     R"(PROC HOLES2(REAL CPA, REAL CPO, REAL RAD, REAL STA1, REAL INDA, INT NUM, INT VARI, INT DM, STRING[200] HIDE, INT NSP, INT AM) DISPLOF
-DEF INT I
-DEF REAL STEP
-STEP=INDA
-IF STEP==0
-STEP=360/NUM
-ENDIF
-FOR I=0 TO NUM-1
-IF $P_GG[6]==1
-G90 G0 X=CPA+RAD*COS(STA1+I*STEP) Y=CPO+RAD*SIN(STA1+I*STEP)
-ENDIF
-IF $P_GG[6]==2
-G90 G0 Z=CPA+RAD*COS(STA1+I*STEP) X=CPO+RAD*SIN(STA1+I*STEP)
-ENDIF
-IF $P_GG[6]==3
-G90 G0 Y=CPA+RAD*COS(STA1+I*STEP) Z=CPO+RAD*SIN(STA1+I*STEP)
-ENDIF
-ENDFOR
-M17
-)"},
-    {"CYCLE97",
-     R"(PROC CYCLE97(REAL PIT, REAL MPIT, REAL SPL, REAL FPL, REAL DM1, REAL DM2, REAL APP, REAL ROP, REAL TDEP, REAL FAL, REAL IANG, REAL NSP, INT NRC, INT NID, INT VARI, INT NUMT, REAL VRT) SAVE DISPLOF
-DEF REAL SIDE=1, CLEAR, DEPTH, LEAD, SLOPE, DIR=1, SHIFT
-DEF INT CUT, START
-LEAD=PIT
-IF LEAD==0
-SETAL(61001)
-ENDIF
-IF NRC<1
-SETAL(61107)
-ENDIF
-IF NUMT<1
-NUMT=1
-ENDIF
-IF (VARI==2) OR (VARI==4)
-SIDE=-1
-ENDIF
-IF VRT==0
-VRT=1
-ENDIF
-IF FPL>SPL
-DIR=-1
-ENDIF
-SLOPE=(DM2-DM1)/(FPL-SPL)
-CLEAR=2*SIDE*VRT
-G90 DIAMON
-G0 X=DM1+CLEAR+SLOPE*APP*DIR Z=SPL+APP*DIR
-FOR START=1 TO NUMT
-FOR CUT=1 TO NRC+NID+1
-DEPTH=TDEP
-IF CUT<=NRC
-IF VARI<=2
-DEPTH=(TDEP-FAL)*CUT/NRC
-ELSE
-DEPTH=(TDEP-FAL)*SQRT(CUT/NRC)
-ENDIF
-ENDIF
-IF (CUT==NRC+1) AND (FAL==0) AND (NID==0) GOTOF DONE
-SHIFT=DIR*DEPTH*TAN(IANG)+DIR*(START-1)*LEAD/NUMT
-G0 Z=SPL+APP*DIR-SHIFT
-G0 X=DM1-2*SIDE*DEPTH+SLOPE*APP*DIR
-G33 Z=FPL-ROP*DIR X=DM2-2*SIDE*DEPTH-SLOPE*ROP*DIR K=LEAD
-G0 X=DM2+CLEAR
-G0 Z=SPL+APP*DIR
-DONE:
-ENDFOR
-ENDFOR
-M17
-)"},
+ENDIF)"},
 });
+
+std::string with_fragments(std::string_view text) {
+  std::string out;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t mark = std::min(text.find('@', at), text.size());
+    out += text.substr(at, mark - at);
+    if (mark == text.size()) break;
+    const std::size_t end = std::min(text.find_first_of(",)\n ", mark), text.size());
+    const auto fragment = std::ranges::find(kFragments, text.substr(mark + 1, end - mark - 1), &CycleText::name);
+    if (fragment != kFragments.end()) out += fragment->text;
+    at = end;
+  }
+  return out;
+}
+
+std::map<std::string_view, std::string> make_cycles() {
+  std::map<std::string_view, std::string> cycles;
+  for (const auto texts : {drilling_cycles(), turning_cycles()})
+    for (const CycleText& cycle : texts) cycles.emplace(cycle.name, with_fragments(cycle.text));
+  return cycles;
+}
 
 }  // namespace
 
 std::string_view standard_cycle(std::string_view name) {
-  const auto cycle = std::ranges::find(kCycles, name, &Cycle::name);
-  return cycle == kCycles.end() ? std::string_view() : cycle->text;
+  static const std::map<std::string_view, std::string> kCycles = make_cycles();
+  const auto cycle = kCycles.find(name);
+  return cycle == kCycles.end() ? std::string_view() : std::string_view(cycle->second);
 }
 
 }  // namespace dripfeed::sinumerik

@@ -1,0 +1,18 @@
+// What changes the programmable frame and the coordinates: shifts, rotations, scales, mirrors and set positions.
+#pragma once
+
+#include "dialects/interpreter/block_rules.h"
+#include "dialects/interpreter/modal_state.h"
+#include "dialects/ir/function.h"
+
+namespace dripfeed::interpreter {
+
+// G52, TRANS. `whole`: axes that are not named lose their shift. `add`: ATRANS.
+void shift_locally(const PlainBlock& block, const BlockRules& rules, bool whole, bool add, ModalState& state);
+// ROT, SCALE, MIRROR. `replace`: in the place of the whole programmable frame; otherwise on top of it.
+void change_frame(const PlainBlock& block, const BlockRules& rules, ir::Function function, bool replace,
+                  ModalState& state);
+// G92: the current position gets the named values.
+void set_coordinates(const PlainBlock& block, const BlockRules& rules, ModalState& state);
+
+}  // namespace dripfeed::interpreter

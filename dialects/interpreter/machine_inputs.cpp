@@ -1,0 +1,74 @@
+// What a run takes from outside its program: definition files, a state, parameters and feed of a caller that is not
+// there; and which inputs it lacked.
+#include <algorithm>
+
+#include "dialects/interpreter/machine.h"
+#include "dialects/interpreter/unknown.h"
+
+namespace dripfeed::interpreter {
+
+// Nothing in a subprogram ends a run; a text that was run while it was read has ended by its end or not at all.
+bool Machine::takes_feed_from_caller(const CompiledProgram& main) const {
+  if (!control_.semantics.unset_is_unknown) return false;
+  if (main.source == nullptr) return report_.result().ended == Ended::text_end;
+  const std::string& name = main.source->source.name();
+  if (name.ends_with(".SPF") || name.ends_with(".spf")) return true;
+  return std::ranges::none_of(main.source->statements, [](const ir::Statement& statement) {
+    return statement.kind == ir::StatementKind::program_end;
+  });
+}
+
+// Definition files declare the names that programs find in the control.
+void Machine::define_shared_data() {
+  for (const std::string& name : control_.definition_files)
+    if (const ir::Program* definitions = finder_.find(name)) shared_.define(*definitions);
+}
+
+// A subprogram that is run by itself takes its parameters and its feed from a caller that is not there.
+void Machine::set_inputs(const CompiledProgram& main) {
+  for (const Parameter& parameter : main.parameters) {
+    if (parameter.type == ir::ValueType::string)
+      storage_.string_at(parameter.slot) = kUnknownText;
+    else
+      storage_.frame_at(parameter.slot) = parameter.by_reference ? Storage::refer_shared(shared_.nameless()) : kVacant;
+  }
+  state_.feed_unknown = main.has_procedure;
+}
+
+// What the main program reads and nobody has set by the end.
+void Machine::name_unset_inputs(const CompiledProgram& main) {
+  if (main.source == nullptr) return;
+  const ir::Program& source = *main.source;
+  for (const ir::Variable& variable : source.variables) {
+    if (variable.bank != ir::Bank::r || variable.index != ir::ExpressionId::none) continue;
+    const Slot slot = variables_.find(variable.bank, variable.number);
+    if (slot.kind != SlotKind::global || !is_vacant(storage_.global_at(slot.index))) continue;
+    out_.place.program = 0;
+    out_.place.line = source.source.position(variable.span.begin).line;
+    report_.count({.name = variable_name(variable.bank, variable.number), .is_input = true});
+  }
+}
+
+void Machine::set_initial_values(const CompiledProgram& main) {
+  for (const InitialValue& value : options_.initial_values) {
+    if (value.name.empty()) {
+      access_.set_initial(value);
+      continue;
+    }
+    if (main.source == nullptr) continue;  // a stream declares no names
+    const ir::Program& source = *main.source;
+    bool declared = false;
+    for (std::size_t s = 0; s < source.symbols.size(); ++s) {
+      const ir::Symbol& symbol = source.symbols[s];
+      if (symbol.is_global || symbol.type == ir::ValueType::string || symbol.dimension1 > 0 ||
+          source.strings.at(symbol.name) != value.name)
+        continue;
+      declared = true;
+      double& to = storage_.frame_at(main.symbols[s].slot);
+      (symbol.by_reference ? storage_.at_reference(to) : to) = arithmetic_.convert(symbol.type, value.value).value;
+    }
+    if (!declared) shared_.set(value.name, value.value);
+  }
+}
+
+}  // namespace dripfeed::interpreter

@@ -1,0 +1,113 @@
+// Straight moves and threads, and what every move does to the state.
+#include "dialects/interpreter/mover.h"
+
+namespace dripfeed::interpreter {
+
+using ir::Address;
+using ir::MotionKind;
+
+namespace {
+
+// After a move in machine coordinates the place in the work offset is not known; an increment from an unknown place
+// ends at one.
+void settle(const Target& target, const MoveOptions& options, ModalState& state, BlockResult& result) {
+  if (options.machine_coordinates) {
+    state.unknown |= target.commanded;
+    return;
+  }
+  if ((state.unknown & target.incremental) != 0) result.notes |= kNoteIncrementalFromUnknown;
+  state.unknown &= static_cast<std::uint16_t>(~(target.commanded & ~target.incremental));
+  state.unknown |= target.unknown;
+  state.position = target.end;
+}
+
+}  // namespace
+
+void fill_common(ir::Motion& motion, const ModalState& state) {
+  motion.plane = state.modes.plane;
+  motion.feed_mode = state.modes.feed_mode;
+  motion.start = state.position;
+  motion.end = state.position;
+  motion.spindle = state.spindle;
+  motion.spindle_rpm = state.modes.surface_speed ? state.spindle_limit_rpm : state.rpm;
+  motion.surface_speed_m_min = state.modes.surface_speed ? state.surface_speed_m_min : 0.0;
+  motion.comp = state.modes.comp;
+  motion.coolant = state.coolant;
+}
+
+ir::Motion& emit_move(MotionKind kind, const Target& target, double feed, const MoveOptions& options, ModalState& state,
+                      MotionBuffer& out, BlockResult& result) {
+  ir::Motion& motion = out.add(kind);
+  fill_common(motion, state);
+  motion.end = target.end;
+  motion.feed = feed;
+  if (kind == MotionKind::thread) motion.feed_mode = ir::FeedMode::per_rev;
+  motion.axes_commanded = target.commanded;
+  motion.axes_unknown = state.unknown | target.unknown;
+  motion.machine_coordinates = options.machine_coordinates;
+  motion.exact_stop = options.exact_stop || state.modes.exact_stop;
+  if (kind != MotionKind::rapid && feed == 0.0 && !state.feed_unknown) result.notes |= kNoteNoFeed;
+  settle(target, options, state, result);
+  return motion;
+}
+
+void Mover::straight(MotionKind kind, const Target& target) {
+  const double feed = kind == MotionKind::rapid ? 0.0 : kind == MotionKind::thread ? lead() : state_.feed;
+  const AxisValues start = state_.position;
+  emit(kind, target, feed);
+  if (kind != MotionKind::linear) {
+    state_.tangent_known = false;
+    if (has_corner_word()) result_.notes |= kNoteCornerNotComputed;
+    return drop_corner();
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) state_.tangent[axis] = radius_of(axis, target.end[axis] - start[axis]);
+  state_.tangent_known = (state_.unknown & 7U) == 0;
+  finish_corner();
+}
+
+bool Mover::starts_unknown(PlaneAxes axes) const {
+  return ((state_.unknown >> axes.p | state_.unknown >> axes.q) & 1U) != 0;
+}
+
+// No arc can be said, but where it ends may be known.
+void Mover::lose(const Target& target, std::uint32_t note) {
+  result_ = {};
+  result_.notes |= note;
+  state_.tangent_known = false;
+  drop_corner();
+  settle(target, options_, state_, result_);
+}
+
+PlanePoint Mover::point_of(const AxisValues& at, PlaneAxes axes) const {
+  return {radius_of(axes.p, at[axes.p]), radius_of(axes.q, at[axes.q])};
+}
+
+// End minus start in the plane, radius values.
+PlanePoint Mover::chord(PlaneAxes axes, const Target& target) const {
+  return {radius_of(axes.p, target.end[axes.p] - state_.position[axes.p]),
+          radius_of(axes.q, target.end[axes.q] - state_.position[axes.q])};
+}
+
+// Of a thread: K, I or J where one is given, otherwise F.
+double Mover::lead() const {
+  for (const Address address : {Address::k, Address::i, Address::j})
+    if (block_.has(address)) return rules_.length_mm(block_, address, state_.modes.inch);
+  return state_.feed;
+}
+
+ir::Motion& Mover::emit(MotionKind kind, const Target& target, double feed) {
+  return emit_move(kind, target, feed, options_, state_, out_, result_);
+}
+
+void Mover::fail(text::DiagnosticId id, double first, double second) {
+  result_.fault = id;
+  result_.first = first;
+  result_.second = second;
+}
+
+std::optional<PlanePoint> Mover::fail_center(text::DiagnosticId id, double first, double second) {
+  fail(id, first, second);
+  return std::nullopt;
+}
+
+}  // namespace dripfeed::interpreter

@@ -1,0 +1,177 @@
+// Arcs of a block: by centre, radius, opening angle, a point in between, or tangential.
+#include <algorithm>
+
+#include "dialects/interpreter/mover.h"
+#include "dialects/interpreter/polar.h"
+
+namespace dripfeed::interpreter {
+
+using ir::Address;
+using ir::MotionKind;
+
+namespace {
+
+constexpr std::array kCenterAddresses = {Address::i, Address::j, Address::k};
+
+}  // namespace
+
+// CIP: through the point that I1 J1 K1 name.
+void Mover::arc_via(Target target) {
+  const PlaneAxes axes = axes_of(state_.modes.plane);
+  constexpr std::array kVia = {Address::via_i, Address::via_j, Address::via_k};
+  const bool known = !starts_unknown(axes) && target.unknown == 0 &&
+                     (block_.unknown & (bit_of(Address::via_i) | bit_of(Address::via_j) | bit_of(Address::via_k))) == 0;
+  if (!known) return lose(target);
+  if (state_.modes.has_matrix) return lose(target, kNoteArcInFrame);
+  AxisValues via = state_.position;
+  for (std::size_t axis = 0; axis < kVia.size(); ++axis) {
+    if (!block_.has(kVia[axis])) continue;
+    const bool absolute = (block_.absolute & bit_of(kVia[axis])) != 0;
+    const bool adds = !absolute && (!state_.modes.absolute || (block_.incremental & bit_of(kVia[axis])) != 0);
+    double value = rules_.length_mm(block_, kVia[axis], state_.modes.inch);
+    if (axis == 0) value *= rules_.x_factor(state_.modes, adds);
+    via[axis] = adds ? state_.position[axis] + value : value + state_.modes.shift[axis] + state_.coordinate_shift[axis];
+  }
+  const bool tilted = std::abs(via[axes.normal] - state_.position[axes.normal]) > 1e-9 ||
+                      std::abs(target.end[axes.normal] - state_.position[axes.normal]) > 1e-9;
+  if (tilted) return lose(target, kNoteArcInFrame);
+  const PlanePoint a = {radius_of(axes.p, via[axes.p] - state_.position[axes.p]),
+                        radius_of(axes.q, via[axes.q] - state_.position[axes.q])};
+  const PlanePoint b = chord(axes, target);
+  const double area = 2.0 * (a.p * b.q - a.q * b.p);
+  if (std::abs(area) < 1e-9) return straight(MotionKind::linear, target);  // three points of a line
+  const double aa = a.p * a.p + a.q * a.q;
+  const double bb = b.p * b.p + b.q * b.q;
+  const PlanePoint center = {(b.q * aa - a.q * bb) / area, (a.p * bb - b.p * aa) / area};
+  emit_arc(area > 0.0 ? MotionKind::arc_ccw : MotionKind::arc_cw, axes, center, target);
+}
+
+// CT: leaves the move before it without a corner.
+void Mover::arc_tangent(const Target& target) {
+  const PlaneAxes axes = axes_of(state_.modes.plane);
+  if (starts_unknown(axes) || target.unknown != 0 || !state_.tangent_known) return lose(target);
+  const PlanePoint way = {state_.tangent[axes.p], state_.tangent[axes.q]};
+  const PlanePoint to_end = chord(axes, target);
+  const PlanePoint left = {-way.q, way.p};
+  const double aside = left.p * to_end.p + left.q * to_end.q;
+  if (length_of(way) < 1e-9 || std::abs(aside) < 1e-9 * length_of(way)) return straight(MotionKind::linear, target);
+  const double factor = (to_end.p * to_end.p + to_end.q * to_end.q) / (2.0 * aside);
+  emit_arc(aside > 0.0 ? MotionKind::arc_ccw : MotionKind::arc_cw, axes, {factor * left.p, factor * left.q}, target);
+}
+
+void Mover::arc(MotionKind kind, Target target) {
+  const PlaneAxes axes = axes_of(state_.modes.plane);
+  if (has_unknown_parts(target)) return lose(target);
+  if (state_.modes.has_matrix) {
+    image_ = image_of(state_.modes.matrix, axes);
+    if (!image_.stays) return lose(target, kNoteArcInFrame);
+    if (image_.mirrored) kind = kind == MotionKind::arc_ccw ? MotionKind::arc_cw : MotionKind::arc_ccw;
+  }
+  const Turn turn = kind == MotionKind::arc_ccw ? Turn::counterclockwise : Turn::clockwise;
+  const std::optional<PlanePoint> center = find_center(axes, turn, target);
+  if (!center.has_value()) return starts_unknown(axes) ? lose(target) : void();
+  const PlanePoint to_end = chord(axes, target);
+  const double start_radius = length_of(*center);
+  const double end_radius = length_of({to_end.p - center->p, to_end.q - center->q});
+  const bool fits = std::abs(start_radius - end_radius) <= rules_.semantics.arc_tolerance_mm;
+  if (!fits && starts_unknown(axes)) return lose(target);
+  if (!fits) return fail(text::DiagnosticId::arc_radius_mismatch, start_radius, end_radius);
+  if (block_.has(Address::turns) && block_.at(Address::turns) >= 1.0)
+    emit_turns(kind, axes, *center, opening_of(*center, to_end, turn), target);
+  emit_arc(kind, axes, *center, target);
+}
+
+// Whether a word that the arc is made of has a value that is not known.
+bool Mover::has_unknown_parts(const Target& target) const {
+  constexpr std::uint64_t kParts = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k) | bit_of(Address::r) |
+                                   bit_of(Address::arc_radius) | bit_of(Address::opening_angle) |
+                                   bit_of(Address::turns);
+  const PlaneAxes axes = axes_of(state_.modes.plane);
+  return ((target.unknown >> axes.p | target.unknown >> axes.q) & 1U) != 0 || (block_.unknown & kParts) != 0;
+}
+
+// By radius, by opening angle, or by I J K; sets the fault and gives nothing when there is none.
+std::optional<PlanePoint> Mover::find_center(PlaneAxes axes, Turn turn, Target& target) {
+  const Address radius_address = rules_.semantics.arc_radius_is_r ? Address::r : Address::arc_radius;
+  const double tolerance = rules_.semantics.arc_tolerance_mm;
+  const PlanePoint to_end = chord(axes, target);
+  std::optional<double> radius;
+  if (block_.has(radius_address)) {
+    radius = rules_.length_mm(block_, radius_address, state_.modes.inch) * image_.scale;
+  } else if (!has_center()) {
+    if (block_.has(Address::opening_angle))
+      radius = radius_by_opening(length_of(to_end), block_.at(Address::opening_angle));
+    if (!radius.has_value()) return fail_center(text::DiagnosticId::arc_without_center, 0.0, 0.0);
+  }
+  if (radius.has_value()) {
+    const auto center = center_by_radius(to_end, *radius, turn, tolerance);
+    return center.has_value() ? center
+                              : fail_center(text::DiagnosticId::arc_radius_mismatch, std::abs(*radius),
+                                            length_of(to_end) - std::abs(*radius));
+  }
+  const PlanePoint center = center_of_words(axes);
+  if (block_.has(Address::opening_angle)) end_by_angle(axes, center, turn, target);
+  return center;
+}
+
+bool Mover::has_center() const {
+  return (block_.present & (bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k))) != 0;
+}
+
+// Centre minus start in the active work offset.
+PlanePoint Mover::center_of_words(PlaneAxes axes) const {
+  const PlanePoint center{center_word(axes.p), center_word(axes.q)};
+  if (!state_.modes.has_matrix) return center;
+  const Matrix& m = state_.modes.matrix;
+  return {m[axes.p * 3 + axes.p] * center.p + m[axes.p * 3 + axes.q] * center.q,
+          m[axes.q * 3 + axes.p] * center.p + m[axes.q * 3 + axes.q] * center.q};
+}
+
+// I, J or K as centre minus start; a position (I=AC) is a coordinate of its axis, so a diameter on such an axis.
+double Mover::center_word(std::size_t axis) const {
+  const Address address = kCenterAddresses[axis];
+  if (!block_.has(address)) return 0.0;
+  const double value = rules_.length_mm(block_, address, state_.modes.inch);
+  if ((block_.absolute & bit_of(address)) == 0) return value;
+  const double kept = axis == 0 ? value * rules_.x_factor(state_.modes, false) : value;
+  if (state_.modes.has_matrix) return radius_of(axis, kept) - programmed_position(rules_, state_)[axis];
+  return radius_of(axis, kept + state_.modes.shift[axis] + state_.coordinate_shift[axis] - state_.position[axis]);
+}
+
+void Mover::end_by_angle(PlaneAxes axes, PlanePoint center, Turn turn, Target& target) {
+  const PlanePoint end = end_by_opening(center, block_.at(Address::opening_angle), turn);
+  target.end[axes.p] = state_.position[axes.p] + kept_of(axes.p, end.p);
+  target.end[axes.q] = state_.position[axes.q] + kept_of(axes.q, end.q);
+  target.commanded |= static_cast<std::uint16_t>((1U << axes.p) | (1U << axes.q));
+}
+
+// TURN=n: n full circles before the arc; every axis outside the plane advances in proportion to the angle.
+void Mover::emit_turns(MotionKind kind, PlaneAxes axes, PlanePoint center, double opening_deg, const Target& target) {
+  const auto turns = static_cast<std::uint32_t>(std::min(block_.at(Address::turns), 999.0));
+  const double total_deg = opening_deg + 360.0 * turns;
+  const AxisValues start = state_.position;
+  for (std::uint32_t i = 1; i <= turns; ++i) {
+    Target part = target;
+    for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
+      const bool in_plane = axis == axes.p || axis == axes.q;
+      part.end[axis] = in_plane ? start[axis] : start[axis] + (target.end[axis] - start[axis]) * 360.0 * i / total_deg;
+    }
+    emit_arc(kind, axes, center, part);
+  }
+}
+
+void Mover::emit_arc(MotionKind kind, PlaneAxes axes, PlanePoint center, const Target& target) {
+  const PlanePoint to_end = chord(axes, target);
+  ir::Motion& motion = emit(kind, target, state_.feed);
+  motion.center[axes.p] = center.p;
+  motion.center[axes.q] = center.q;
+  const PlanePoint outward = {to_end.p - center.p, to_end.q - center.q};
+  const double sign = kind == MotionKind::arc_ccw ? 1.0 : -1.0;
+  state_.tangent = {};
+  state_.tangent[axes.p] = -sign * outward.q;
+  state_.tangent[axes.q] = sign * outward.p;
+  state_.tangent_known = (state_.unknown & 7U) == 0;
+  finish_corner();
+}
+
+}  // namespace dripfeed::interpreter

@@ -1,0 +1,98 @@
+// Chamfers and roundings: a move that ends in one waits until the next is known.
+#include "dialects/interpreter/mover.h"
+
+namespace dripfeed::interpreter {
+
+using ir::Address;
+using ir::MotionKind;
+
+PathPiece Mover::piece_of(const ir::Motion& motion, PlaneAxes axes) const {
+  PathPiece piece{.start = point_of(motion.start, axes), .end = point_of(motion.end, axes), .center = {}};
+  piece.is_arc = motion.kind == MotionKind::arc_cw || motion.kind == MotionKind::arc_ccw;
+  piece.turn = motion.kind == MotionKind::arc_ccw ? Turn::counterclockwise : Turn::clockwise;
+  piece.center = {piece.start.p + motion.center[axes.p], piece.start.q + motion.center[axes.q]};
+  return piece;
+}
+
+void Mover::put_point(AxisValues& at, PlaneAxes axes, PlanePoint point) const {
+  at[axes.p] = kept_of(axes.p, point.p);
+  at[axes.q] = kept_of(axes.q, point.q);
+}
+
+// Moves that lie in the plane alone and whose places are known.
+bool Mover::is_flat(const ir::Motion& motion, PlaneAxes axes) {
+  if (motion.axes_unknown != 0 && (motion.axes_unknown & 7U) != 0) return false;
+  for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis)
+    if (axis != axes.p && axis != axes.q && motion.start[axis] != motion.end[axis]) return false;
+  return !motion.machine_coordinates;
+}
+
+void Mover::drop_corner() {
+  if (state_.corner.kind != 0) result_.notes |= kNoteCornerNotComputed;
+  state_.corner = {};
+  out_.hold(false);
+}
+
+// The last motion of the buffer is the move behind the corner that waits, and may have a corner at its own end.
+void Mover::finish_corner() {
+  if (state_.corner.kind != 0) insert_corner();
+  const auto [kind, size] = wanted_corner();
+  state_.corner = {};
+  if (kind != CornerKind::none) state_.corner = {static_cast<std::uint8_t>(kind), size, out_.used() - 1};
+  out_.hold(kind != CornerKind::none);
+}
+
+bool Mover::has_corner_word() const {
+  return (block_.present & (bit_of(Address::chamfer) | bit_of(Address::chamfer_length) | bit_of(Address::rounding))) !=
+         0;
+}
+
+std::pair<CornerKind, double> Mover::wanted_corner() const {
+  struct Row {
+    Address address;
+    CornerKind kind;
+  };
+  constexpr Row kRows[] = {{Address::chamfer, CornerKind::chamfer_leg},
+                           {Address::chamfer_length, CornerKind::chamfer_edge},
+                           {Address::rounding, CornerKind::rounding}};
+  for (const Row& row : kRows)
+    if (block_.has(row.address)) return {row.kind, rules_.length_mm(block_, row.address, state_.modes.inch)};
+  if (state_.modal_rounding_mm > 0.0) return {CornerKind::rounding, state_.modal_rounding_mm};
+  return {CornerKind::none, 0.0};
+}
+
+void Mover::insert_corner() {
+  const PlaneAxes axes = axes_of(state_.modes.plane);
+  const ir::Motion before = out_.at(state_.corner.motion);
+  ir::Motion after = out_.at(out_.used() - 1);
+  const auto kind = static_cast<CornerKind>(state_.corner.kind);
+  std::optional<Corner> corner;
+  if (before.plane == after.plane && is_flat(before, axes) && is_flat(after, axes))
+    corner = corner_between(piece_of(before, axes), piece_of(after, axes), kind, state_.corner.size_mm);
+  if (!corner.has_value()) {
+    // A modal rounding has nothing to do where the way goes on without a corner.
+    if (state_.modal_rounding_mm == 0.0) result_.notes |= kNoteCornerNotComputed;
+    return;
+  }
+  put_point(out_.at(state_.corner.motion).end, axes, corner->from);
+  ir::Motion& between = out_.at(out_.used() - 1);
+  between.kind = !corner->is_arc                          ? MotionKind::linear
+                 : corner->turn == Turn::counterclockwise ? MotionKind::arc_ccw
+                                                          : MotionKind::arc_cw;
+  put_point(between.start, axes, corner->from);
+  put_point(between.end, axes, corner->to);
+  between.center = {};
+  if (corner->is_arc) {
+    between.center[axes.p] = corner->center.p - corner->from.p;
+    between.center[axes.q] = corner->center.q - corner->from.q;
+  }
+  between.compute = {};
+  const PlanePoint was = point_of(after.start, axes);
+  put_point(after.start, axes, corner->to);
+  after.center[axes.p] += was.p - corner->to.p;
+  after.center[axes.q] += was.q - corner->to.q;
+  if (after.kind == MotionKind::linear) after.center = {};
+  out_.add(after.kind) = after;
+}
+
+}  // namespace dripfeed::interpreter

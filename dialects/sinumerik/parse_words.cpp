@@ -1,0 +1,204 @@
+// Addresses with their values: words, G codes, M functions, how often a call runs.
+#include <utility>
+
+#include "dialects/sinumerik/codes.h"
+#include "dialects/sinumerik/parse.h"
+#include "dialects/sinumerik/whole_number.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using ir::TokenKind;
+using text::DiagnosticId;
+
+ir::Address letter_address(char c) { return static_cast<ir::Address>(to_upper(c) - 'A'); }
+static_assert(static_cast<int>(ir::Address::z) - static_cast<int>(ir::Address::a) == 25);
+
+}  // namespace
+
+void Parser::address_word() {
+  const text::Span head = cursor_.span();
+  const char letter = to_upper(cursor_.first());
+  cursor_.advance();
+  switch (letter) {
+    case 'G': g_code(head); return;
+    case 'M': m_function(0, head); return;
+    case 'L': numbered_call(head); return;
+    case 'P': repeats_word(head); return;
+    case 'N': give_up(DiagnosticId::syntax_error, head, {"a block number stands first in its block"}); return;
+    default: word(letter_address(letter), 0, ir::StringId::none, head); return;
+  }
+}
+
+// S2=, M2=, T1= belong to a spindle; X1=, I1=, A2= are names of their own.
+void Parser::extended_address() {
+  const text::Span head = cursor_.span();
+  const std::string_view name = cursor_.text();
+  const std::uint32_t extension = whole_number(name.substr(1));
+  const char letter = to_upper(name.front());
+  cursor_.advance();
+  const bool indexed = (letter == 'S' || letter == 'T' || letter == 'H' || letter == 'D') && extension <= 255;
+  if (letter == 'M') return m_function(extension, head);
+  // I1= J1= K1=: the point in between of CIP
+  if (extension == 1 && letter >= 'I' && letter <= 'K')
+    return word(static_cast<ir::Address>(static_cast<int>(ir::Address::via_i) + (letter - 'I')), 0, ir::StringId::none,
+                head);
+  if (!indexed) return word(ir::Address::other, 0, lower_.name(name), head);
+  word(letter_address(letter), static_cast<std::uint8_t>(extension), ir::StringId::none, head);
+}
+
+// P5 or P=R1: how often the subprogram of the block runs.
+void Parser::repeats_word(text::Span head) {
+  ir::ExpressionId value = ir::ExpressionId::none;
+  if (cursor_.take('=')) {
+    value = expression();
+  } else if (!signed_constant(value)) {
+    return give_up(DiagnosticId::address_without_value, head, {"P"});
+  }
+  repeats_span_ = to_here(head);
+  if (has_call_ && !program_.calls.empty()) {
+    program_.calls.back().repeats = value;
+  } else {
+    repeats_ = value;
+  }
+}
+
+bool Parser::signed_constant(ir::ExpressionId& value) {
+  const bool sign = cursor_.is_symbol('-') || cursor_.is_symbol('+');
+  if (cursor_.kind() != TokenKind::number && !(sign && cursor_.after().kind() == TokenKind::number)) return false;
+  const text::Span head = cursor_.span();
+  const bool negative = cursor_.is_symbol('-');
+  if (sign) cursor_.advance();
+  value = number();
+  ir::Expression& constant = program_.expressions[static_cast<std::uint32_t>(value)];
+  if (negative) constant.value = -constant.value;
+  constant.span = join(head, constant.span);
+  return true;
+}
+
+void Parser::word(ir::Address address, std::uint8_t extension, ir::StringId name, text::Span head,
+                  ir::ExpressionId axis) {
+  ir::Word w;
+  w.axis = axis;
+  w.address = address;
+  w.extension = extension;
+  w.name = name;
+  const std::string_view written = head.in(cursor_.whole());
+  if (cursor_.take('=')) {
+    operator_ = {head.begin, cursor_.previous_end()};
+    w.value = word_value(w);
+  } else if (head.size() == 1 && signed_constant(w.value)) {
+    // the usual word
+  } else if (cursor_.at_block_end() || cursor_.kind() == TokenKind::address || cursor_.kind() == TokenKind::name) {
+    report(DiagnosticId::address_without_value, head, {std::string(written)});
+    return lower_.keep_as_native("address without value", false, head);
+  } else {
+    report(DiagnosticId::missing_equals, head, {std::string(written)});
+    w.value = expression();
+  }
+  w.span = to_here(head);
+  lower_.add_word(w);
+}
+
+ir::ExpressionId Parser::word_value(ir::Word& w) {
+  if (cursor_.kind() == TokenKind::name && cursor_.after().is_symbol('(')) {
+    const Keyword* keyword = find_keyword(cursor_.text());
+    if (keyword != nullptr && keyword->role == Role::word_mode) return moded_value(w);
+    if (cursor_.is_name("QU")) {
+      cursor_.advance();
+      return parenthesized();
+    }
+  }
+  return expression();
+}
+
+// AC(…), IC(…) and the rotary forms, which end at the same point as AC; coded positions and DAC … RIC are kept by name.
+ir::ExpressionId Parser::moded_value(ir::Word& w) {
+  const std::string mode(UpperName(cursor_.text()).view());
+  cursor_.advance();
+  if (mode == "IC") {
+    w.mode = ir::WordMode::incremental;
+  } else if (mode == "AC" || mode == "DC" || mode == "ACP" || mode == "ACN") {
+    w.mode = ir::WordMode::absolute;
+    if (mode != "AC" && w.address != ir::Address::other) w.name = program_.strings.add(mode);
+  } else {
+    w.name = program_.strings.add(mode);
+    w.address = ir::Address::other;
+  }
+  return parenthesized();
+}
+
+void Parser::named_word(const Keyword& keyword) {
+  const text::Span head = cursor_.span();
+  cursor_.advance();
+  if (keyword.name == "PO") return native("PO", false, head);
+  ir::StringId name = program_.strings.add(keyword.name);
+  if (keyword.address != ir::Address::other) name = ir::StringId::none;
+  if (keyword.name == "MEAW") name = program_.strings.add(keyword.name);
+  if (cursor_.is_symbol('[')) {
+    ir::Variable index;  // POS[X]: the index is a part of the name
+    index_list(index, false);
+    const std::string_view written = to_here(head).in(cursor_.whole());
+    name = lower_.name(written);
+    const bool usual = keyword.address == ir::Address::spindle_limit && same_name(written, "LIMS[1]");
+    return word(usual ? keyword.address : ir::Address::other, 0, name, head);
+  }
+  word(keyword.address, 0, name, head);
+}
+
+// AX[A1]=…: the axis is computed.
+void Parser::named_axis_word(text::Span head) {
+  cursor_.advance();
+  ir::Variable index;
+  index_list(index, false);
+  if (index.index == ir::ExpressionId::none) return native("AX", false, head);
+  word(ir::Address::named_axis, 0, ir::StringId::none, to_here(head), index.index);
+}
+
+void Parser::g_code(text::Span head) {
+  if (cursor_.is_symbol('[') || cursor_.is_symbol('=')) return native("G[]", false, head);
+  if (cursor_.kind() != TokenKind::number) {
+    return give_up(DiagnosticId::address_without_value, head, {"G"});
+  }
+  const std::uint32_t n = whole_number(cursor_.text());
+  cursor_.advance();
+  const text::Span span = to_here(head);
+  const GCode* code = find_g_code(n);
+  if (code == nullptr) {
+    report(DiagnosticId::unknown_code, span, {std::string(span.in(cursor_.whole()))});
+    // Three digits may be a macro of the machine (DEFINE G301 AS … in its definition files).
+    const bool may_be_macro = !faulty_ && !control_.from_profile && n >= 100;
+    if (may_be_macro) diagnostics_.back().severity = text::Severity::warning;
+    return lower_.keep_as_native(may_be_macro ? UpperName(span.in(cursor_.whole())).view() : "unknown code", false,
+                                 span, may_be_macro);
+  }
+  if (code->row.name == "G291") return native(code->row.name, false, span);
+  lower_.add_code(*code, span);
+}
+
+void Parser::m_function(std::uint32_t extension, text::Span head) {
+  ir::ExpressionId value = ir::ExpressionId::none;
+  if (cursor_.take('=')) {
+    operator_ = head;
+    ir::Word w;
+    w.address = ir::Address::m;
+    value = word_value(w);
+    const ir::Expression& e = program_.at(value);
+    if (e.op != ir::Operator::constant) return lower_.add_computed_m_code(value, to_here(head));
+    return numbered_m_function(e.value, extension, to_here(head));
+  }
+  if (cursor_.is_symbol('[')) return native("M[]", false, head);
+  if (!signed_constant(value)) return give_up(DiagnosticId::address_without_value, head, {"M"});
+  numbered_m_function(program_.at(value).value, extension, to_here(head));
+}
+
+void Parser::numbered_m_function(double number, std::uint32_t extension, text::Span span) {
+  if (number < 0 || number > 999'999'999 || number != static_cast<double>(static_cast<std::uint32_t>(number))) {
+    report(DiagnosticId::unknown_code, span, {std::string(span.in(cursor_.whole()))});
+    return lower_.keep_as_native("M", false, span);
+  }
+  lower_.add_m_code(static_cast<std::uint32_t>(number), extension, span);
+}
+
+}  // namespace dripfeed::sinumerik

@@ -1,0 +1,92 @@
+// Standard cycles of SINUMERIK, from the call to motions. The oracle of each is the sequence that the Programming
+// Manual Cycles (PGZ) states.
+#include <cmath>
+
+#include "tests/unit/dialects/compile/sinumerik_run.h"
+
+namespace dripfeed::compile::test {
+namespace {
+
+// --- standard cycles
+
+TEST(SinumerikCycles, Drilling) {
+  // PGZ, CYCLE81: to RFP + SDIS by rapid, to the depth by feed, to RTP by rapid; DPR counts from RFP.
+  const Result ran = run("G17 G90 G0 X1 Y2 Z50\nF100\nCYCLE81(20,0,2,-12)\nCYCLE82(20,5,2,,10,0.5)\nG0 X0\nM30\n");
+  EXPECT_EQ(moves(ran),
+            "1 rapid X1.0000 Y2.0000 Z50.0000\n3 rapid X1.0000 Y2.0000 Z2.0000\n"
+            "3 linear X1.0000 Y2.0000 Z-12.0000 F100.0000/min\n3 rapid X1.0000 Y2.0000 Z20.0000\n"
+            "4 rapid X1.0000 Y2.0000 Z7.0000\n4 linear X1.0000 Y2.0000 Z-5.0000 F100.0000/min\n4 dwell P0.5000\n"
+            "4 rapid X1.0000 Y2.0000 Z20.0000\n5 rapid X0.0000 Y2.0000 Z20.0000\n");
+}
+
+TEST(SinumerikCycles, DeepHoles) {
+  // Chip breaking without degression: strokes of 5 mm, back by 1 mm after each.
+  const Result ran = run("G17 G90 G0 X0 Y0 Z50\nF100\nCYCLE83(20,0,2,-15,,,5,0,0,0,1,0)\nM30\n");
+  std::string depths;
+  for (const ir::Motion& m : ran.motions)
+    if (m.kind == ir::MotionKind::linear) depths += std::to_string(static_cast<int>(m.end[2])) + " ";
+  EXPECT_EQ(depths, "-5 -4 -10 -9 -15 ");
+}
+
+TEST(SinumerikCycles, TappingByLeadAndBySize) {
+  const Result ran = run("G17 G90 G0 X0 Y0 Z50\nCYCLE84(20,0,3,-12,,0,3,,1.5,0,400,400)\nM30\n");
+  EXPECT_TRUE(ran.trace.contains("thread X0.0000 Y0.0000 Z-12.0000 F1.5000/rev")) << ran.trace;
+  const Result size = run("G17 G90 G0 X0 Y0 Z50\nCYCLE84(20,0,3,-12,,0,3,8,,0,400,400)\nM30\n");
+  EXPECT_TRUE(size.trace.contains("thread X0.0000 Y0.0000 Z-12.0000 F1.2500/rev")) << size.trace;
+}
+
+TEST(SinumerikCycles, BoringCycles) {
+  // CYCLE85: in by FFR, out by RFF; CYCLE86: lifted off by RPA, RPO, RPAP before it goes out, and back beside the hole.
+  const Result ream = run("G17 G90 G94 G0 X0 Y0 Z50\nF100\nCYCLE85(20,0,2,-10,,0,60,120)\nG0 X1\nM30\n");
+  EXPECT_TRUE(
+      ream.trace.contains("3 linear X0.0000 Y0.0000 Z-10.0000 F60.0000/min\n"
+                          "3 linear X0.0000 Y0.0000 Z2.0000 F120.0000/min\n"))
+      << ream.trace;
+  const Result bore = run("G17 G90 G94 G0 X0 Y0 Z50\nF100 S500\nCYCLE86(20,0,2,-10,,0,3,-1,-1,0.5,45)\nM30\n");
+  EXPECT_TRUE(
+      bore.trace.contains("3 rapid X-1.0000 Y-1.0000 Z-9.5000\n3 rapid X-1.0000 Y-1.0000 Z20.0000\n"
+                          "3 rapid X0.0000 Y0.0000 Z20.0000\n"))
+      << bore.trace;
+  EXPECT_EQ(alarm_of(run("G17 G90 G0 X0 Y0 Z50\nF100\nCYCLE86(20,0,2,-10)\nM30\n")), "61102");
+  EXPECT_EQ(alarm_of(run("G17 G90 G0 X0 Y0 Z50\nF100\nCYCLE81(-5,0,2,-10)\nM30\n")), "61101");
+}
+
+TEST(SinumerikCycles, RowsAndCirclesOfHoles) {
+  const Result row = run("G17 G90 G0 X0 Y0 Z0\nHOLES1(10,20,90,5,10,3)\nM30\n");
+  EXPECT_EQ(moves(row),
+            "1 rapid X0.0000 Y0.0000 Z0.0000\n2 rapid X10.0000 Y25.0000 Z0.0000\n2 rapid X10.0000 Y35.0000 Z0.0000\n"
+            "2 rapid X10.0000 Y45.0000 Z0.0000\n");
+  const Result circle = run("G17 G90 G0 X0 Y0 Z0\nHOLES2(10,20,5,0,0,4)\nM30\n");
+  EXPECT_EQ(moves(circle),
+            "1 rapid X0.0000 Y0.0000 Z0.0000\n2 rapid X15.0000 Y20.0000 Z0.0000\n2 rapid X10.0000 Y25.0000 Z0.0000\n"
+            "2 rapid X5.0000 Y20.0000 Z0.0000\n2 rapid X10.0000 Y15.0000 Z0.0000\n");
+}
+
+TEST(SinumerikCycles, ThreadsAreCutToTheirDepth) {
+  // Four cuts of equal area: depths 0.9 · sqrt(k / 4); the finishing cut takes the allowance of 0.1.
+  const Result ran = run("G18 G90 G95 G0 X60 Z10 S500 M3\nCYCLE97(2,,0,-30,40,40,4,2,1,0.1,0,0,4,0,3,1)\nM30\n", {},
+                         ir::MachineKind::lathe);
+  std::vector<double> diameters;
+  for (const ir::Motion& m : ran.motions)
+    if (m.kind == ir::MotionKind::thread) diameters.push_back(m.end[0]);
+  ASSERT_EQ(diameters.size(), 5U) << ran.trace;
+  for (std::size_t k = 0; k < 4; ++k)
+    EXPECT_NEAR(diameters[k], 40.0 - 2.0 * 0.9 * std::sqrt(static_cast<double>(k + 1) / 4.0), 1e-9);
+  EXPECT_NEAR(diameters[4], 38.0, 1e-9);
+  EXPECT_TRUE(ran.trace.contains("thread X38.0000 Z-32.0000 F2.0000/rev")) << ran.trace;
+}
+
+TEST(SinumerikCycles, AProgramOfTheUserGoesBefore) {
+  const Texts called = {{"CYCLE81", "PROC CYCLE81(REAL A)\nR1=A\nRET\n"}};
+  EXPECT_EQ(run("CYCLE81(7)\nM30\n", called).value("R1"), 7.0);
+}
+
+TEST(SinumerikCycles, OthersAreNamed) {
+  const Result ran =
+      run("G17 G90 G0 X0 Y0 Z0\nPOCKET3(10,0,1,-5,40,30,8,0,0,0,2,0,0,100,100,0,11,5)\nG91 G0 X1\nM30\n");
+  EXPECT_TRUE(ran.names("POCKET3"));
+  EXPECT_TRUE(ran.names("increments from a position that is not known"));
+}
+
+}  // namespace
+}  // namespace dripfeed::compile::test

@@ -1,0 +1,133 @@
+// Frames, polar positions, arcs and corners of SINUMERIK programs, from text to motions. The oracle of each is the
+// closed form in the test, or the rule of the Programming Manuals Fundamentals (PG) and Job Planning (PGA) that it
+// names.
+#include <cmath>
+
+#include "tests/unit/dialects/compile/sinumerik_run.h"
+
+namespace dripfeed::compile::test {
+namespace {
+
+// --- frames
+
+TEST(SinumerikFrames, RotationInThePlane) {
+  // x' = 10 + cos 90 · x - sin 90 · y, y' = 20 + sin 90 · x + cos 90 · y
+  const Result ran =
+      run("G17 G90 G0 X0 Y0 Z0\nTRANS X10 Y20\nAROT RPL=90\nG0 X5 Y1\nG91 X1\nG90 TRANS\nG0 X0 Y0\nM30\n");
+  EXPECT_EQ(moves(ran),
+            "1 rapid X0.0000 Y0.0000 Z0.0000\n4 rapid X9.0000 Y25.0000 Z0.0000\n5 rapid X9.0000 Y26.0000 Z0.0000\n"
+            "7 rapid X0.0000 Y0.0000 Z0.0000\n");
+}
+
+TEST(SinumerikFrames, ASubstitutingFrameReplacesAll) {
+  // PG, "Frame instructions": ROT alone deletes the shift before it; TRANS deletes the rotation.
+  const Result ran = run("G17 G90 G0 X0 Y0\nTRANS X10\nROT Z=90\nG0 X5\nTRANS Y1\nG0 X2 Y2\nM30\n");
+  EXPECT_TRUE(ran.trace.contains("4 rapid X0.0000 Y5.0000"));
+  EXPECT_TRUE(ran.trace.contains("6 rapid X2.0000 Y3.0000"));
+}
+
+TEST(SinumerikFrames, MirrorTurnsArcsRound) {
+  const Result ran = run("G17 G90 G0 X0 Y0\nMIRROR X0\nG1 X10 F100\nG2 X20 Y-10 I0 J-10\nM30\n");
+  EXPECT_TRUE(ran.trace.contains("3 linear X-10.0000"));
+  EXPECT_TRUE(ran.trace.contains("4 arc-ccw X-20.0000 Y-10.0000 Z0.0000 G17 I0.0000 J-10.0000")) << ran.trace;
+}
+
+TEST(SinumerikFrames, ScaleAndRadius) {
+  const Result ran = run("G17 G90 G0 X0 Y0\nSCALE X2 Y2\nG1 X5 F100\nG3 X10 Y5 CR=5\nM30\n");
+  EXPECT_TRUE(ran.trace.contains("4 arc-ccw X20.0000 Y10.0000 Z0.0000 G17 I0.0000 J10.0000")) << ran.trace;
+  const Result oval = run("G17 G90 G0 X0 Y0\nSCALE X2\nG1 X5 F100\nG3 X10 Y5 CR=5\nM30\n");
+  EXPECT_TRUE(oval.names("arcs that a frame tilts or stretches"));
+}
+
+TEST(SinumerikFrames, SaveGivesThemBack) {
+  const Texts called = {{"SUB", "PROC SUB SAVE\nROT Z90\nG0 X1\nRET\n"}};
+  const Result ran = run("G17 G90 G0 X0 Y0\nSUB\nG0 X3 Y0\nM30\n", called);
+  EXPECT_TRUE(ran.trace.contains("3 rapid X3.0000 Y0.0000")) << ran.trace;
+}
+
+// --- positions and arcs
+
+TEST(SinumerikGeometry, PolarPositions) {
+  const Result ran =
+      run("G17 G90 G0 X0 Y0 Z0\nG111 X10 Y10\nG0 RP=10 AP=0\nG1 AP=90 F100\nG110 X5\nG1 RP=2 AP=180\nM30\n");
+  EXPECT_EQ(moves(ran),
+            "1 rapid X0.0000 Y0.0000 Z0.0000\n3 rapid X20.0000 Y10.0000 Z0.0000\n"
+            "4 linear X10.0000 Y20.0000 Z0.0000 F100.0000/min\n6 linear X13.0000 Y20.0000 Z0.0000 F100.0000/min\n");
+}
+
+TEST(SinumerikGeometry, ArcThroughAPoint) {
+  // Three points of the circle about (0, 0) with radius 10; the point in between says which way round.
+  const Result ran = run("G17 G90 G0 X10 Y0 Z0\nCIP X-10 Y0 I1=0 J1=10 F100\nCIP X10 Y0 I1=0 J1=10\nM30\n");
+  EXPECT_TRUE(ran.trace.contains("2 arc-ccw X-10.0000 Y0.0000 Z0.0000 G17 I-10.0000 J0.0000")) << ran.trace;
+  EXPECT_TRUE(ran.trace.contains("3 arc-cw X10.0000 Y0.0000 Z0.0000 G17 I10.0000 J0.0000")) << ran.trace;
+}
+
+TEST(SinumerikGeometry, TangentialArc) {
+  // From (10, 0) along X to (20, 10): the centre lies on x = 10 at equal distance from both ends: (10, 10).
+  const Result ran = run("G17 G90 G0 X0 Y0 Z0\nG1 X10 F100\nCT X20 Y10\nG1 Y20\nM30\n");
+  EXPECT_TRUE(ran.trace.contains("3 arc-ccw X20.0000 Y10.0000 Z0.0000 G17 I0.0000 J10.0000")) << ran.trace;
+}
+
+TEST(SinumerikGeometry, ArcsFromAnUnknownPlaceAreNoAlarm) {
+  const Result ran = run("G17 G90 G1 F100\nG2 X10 Y0 I3 J0\nG2 X10 Y20 CR=10\nG2 X10 Y0 CR=3\nM30\n");
+  EXPECT_TRUE(ran.names("arcs from or to a place that is not known"));
+  EXPECT_EQ(alarm_of(ran), "14040");  // the last one: both ends are known, and it does not fit
+  EXPECT_EQ(ran.result.diagnostics.back().line, 4U);
+}
+
+TEST(SinumerikGeometry, RoundingBetweenLines) {
+  // A right angle: the rounding of radius 2 takes 2 off each side.
+  const Result ran = run("G17 G90 G0 X0 Y0 Z0\nG1 X10 RND=2 F100\nG1 Y10\nM30\n");
+  EXPECT_EQ(moves(ran),
+            "1 rapid X0.0000 Y0.0000 Z0.0000\n2 linear X8.0000 Y0.0000 Z0.0000 F100.0000/min\n"
+            "3 arc-ccw X10.0000 Y2.0000 Z0.0000 G17 I0.0000 J2.0000 K0.0000 F100.0000/min\n"
+            "3 linear X10.0000 Y10.0000 Z0.0000 F100.0000/min\n");
+}
+
+TEST(SinumerikGeometry, ChamfersByLegAndByEdge) {
+  const Result leg = run("G17 G90 G0 X0 Y0 Z0\nG1 X10 CHR=3 F100\nG1 Y10\nM30\n");
+  EXPECT_TRUE(leg.trace.contains("2 linear X7.0000 Y0.0000")) << leg.trace;
+  EXPECT_TRUE(leg.trace.contains("3 linear X10.0000 Y3.0000")) << leg.trace;
+  // The edge of a chamfer in a right angle is the leg times the root of 2.
+  const Result edge = run("G17 G90 G0 X0 Y0 Z0\nG1 X10 CHF=4.242640687119285 F100\nG1 Y10\nM30\n");
+  EXPECT_TRUE(edge.trace.contains("2 linear X7.0000 Y0.0000")) << edge.trace;
+}
+
+TEST(SinumerikGeometry, RoundingBetweenLineAndArc) {
+  // The line y = 0 meets the circle about (1, 4) with radius 5 at (4, 0). The centre of a rounding of radius 1 inside
+  // is 1 above the line and 4 from the circle's centre: (1 + sqrt 7, 1); it touches the circle at (1, 4) + 5 / 4 of the
+  // way.
+  const Result ran = run("G17 G90 G0 X0 Y0 Z0\nG1 X4 RND=1 F100\nG3 X1 Y9 I-3 J4\nM30\n");
+  ASSERT_EQ(ran.motions.size(), 5U) << ran.trace;
+  const double x = 1.0 + std::sqrt(7.0);
+  EXPECT_NEAR(ran.motions[1].end[0], x, 1e-9);
+  EXPECT_NEAR(ran.motions[2].end[0], 1.0 + 1.25 * (x - 1.0), 1e-9);
+  EXPECT_NEAR(ran.motions[2].end[1], 4.0 - 1.25 * 3.0, 1e-9);
+  EXPECT_NEAR(ran.motions[3].start[0] + ran.motions[3].center[0], 1.0, 1e-9);
+  EXPECT_NEAR(ran.motions[3].start[1] + ran.motions[3].center[1], 4.0, 1e-9);
+}
+
+TEST(SinumerikGeometry, ModalRounding) {
+  const Result ran = run("G17 G90 G0 X0 Y0 Z0\nRNDM=1\nG1 X10 F100\nG1 Y10\nG1 X0\nM30\n");
+  EXPECT_EQ(std::ranges::count(ran.motions, ir::MotionKind::arc_ccw, &ir::Motion::kind), 2);
+}
+
+TEST(SinumerikGeometry, MeasuringEndsWhereTheProbeTouches) {
+  const Result ran = run("G17 G90 G0 X0 Y0 Z0\nMEAS=1 G1 X10 F100\nR1=$AA_IW[X]\nM30\n");
+  EXPECT_TRUE(ran.names("MEAS: where the probe touches"));
+  EXPECT_TRUE(ran.names("$AA_IW[0]"));
+}
+
+TEST(SinumerikGeometry, Splines) {
+  const Result ran = run("G17 G90 G0 X0 Y0 Z0\nBSPLINE X10 Y5 F100\nX20 Y0\nG1 X30\nM30\n");
+  EXPECT_TRUE(ran.trace.contains("3 spline X20.0000 Y0.0000")) << ran.trace;
+  EXPECT_TRUE(ran.names("the curve of a spline"));
+}
+
+TEST(SinumerikGeometry, TappingHasALead) {
+  const Result ran = run("G17 G90 G0 X0 Y0 Z2\nG331 Z-20 K1.5 S500\nG332 Z2 K1.5\nG1 F100 G63 Z-5\nM30\n");
+  EXPECT_TRUE(ran.trace.contains("2 thread X0.0000 Y0.0000 Z-20.0000 F1.5000/rev")) << ran.trace;
+}
+
+}  // namespace
+}  // namespace dripfeed::compile::test
