@@ -39,7 +39,7 @@ ir::Control control(ir::MachineKind kind, ir::GSystem system) {
               .name_length = 31,
               .linear_decimals = 3};
   c.cost = kCost;
-  c.g_codes = mill ? mill_g_codes() : lathe_g_codes(system);
+  c.g_codes = g_codes(kind, system);
   c.m_codes = m_codes();
   c.system_variables = system_variables();
   c.alarms = alarms();

@@ -10,8 +10,7 @@
 
 namespace dripfeed::fanuc {
 
-std::span<const ir::CodeRow> mill_g_codes();
-std::span<const ir::CodeRow> lathe_g_codes(ir::GSystem system);
+std::span<const ir::CodeRow> g_codes(ir::MachineKind kind, ir::GSystem system);
 std::span<const ir::CodeRow> m_codes();
 std::span<const ir::SystemVariableRow> system_variables();
 std::vector<ir::VariableRange> variable_ranges();

@@ -1,4 +1,4 @@
-// Codes that mills and lathes have alike, the M codes that the controls know themselves, and the joining of tables.
+// Codes that mills and lathes have alike, and the M codes that the controls know themselves.
 #include <algorithm>
 #include <array>
 
@@ -14,6 +14,7 @@ using ir::ModalGroup;
 
 constexpr std::string_view kList = "0i-F B-64604EN, G code list; Mazak and Mitsubishi alike";
 constexpr std::string_view kMiscellaneous = "0i-F B-64604EN, auxiliary function (M function)";
+constexpr std::string_view kInterrupt = "0i-F B-64604EN, interruption type custom macro";
 
 // clang-format off
 constexpr auto kShared = std::to_array<CodeRow>({
@@ -103,6 +104,8 @@ constexpr auto kM = std::to_array<CodeRow>({
     {"M09", 90, Function::coolant_off, 0, ModalGroup::coolant, kMiscellaneous},
     {"M19", 190, Function::spindle_orient, 0, ModalGroup::spindle, kMiscellaneous},
     {"M30", 300, Function::program_end_rewind, 0, ModalGroup::flow, kMiscellaneous},
+    {"M96", 960, Function::not_modelled, 0, ModalGroup::other, kInterrupt},
+    {"M97", 970, Function::no_effect, 0, ModalGroup::other, kInterrupt},
     {"M99", 990, Function::subprogram_end, 0, ModalGroup::flow, kMiscellaneous},
 });
 // clang-format on
@@ -112,18 +115,5 @@ static_assert(std::ranges::is_sorted(kM, {}, &CodeRow::number10));
 
 std::span<const CodeRow> shared_g_codes() { return kShared; }
 std::span<const CodeRow> m_codes() { return kM; }
-
-std::vector<CodeRow> join_codes(std::initializer_list<std::span<const CodeRow>> tables) {
-  std::vector<CodeRow> all;
-  for (const std::span<const CodeRow> table : tables) all.insert(all.end(), table.begin(), table.end());
-  std::ranges::stable_sort(all, {}, &CodeRow::number10);
-  std::vector<CodeRow> joined;
-  for (const CodeRow& row : all) {
-    if (!joined.empty() && joined.back().number10 == row.number10) joined.pop_back();
-    joined.push_back(row);
-  }
-  std::erase_if(joined, [](const CodeRow& row) { return row.function == Function::none; });
-  return joined;
-}
 
 }  // namespace dripfeed::macro_b

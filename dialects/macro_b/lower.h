@@ -10,6 +10,7 @@
 
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
+#include "dialects/macro_b/call_words.h"
 #include "dialects/macro_b/cursor.h"
 #include "dialects/macro_b/grammar.h"
 
@@ -53,21 +54,7 @@ class BlockLowering {
   void emit_assign(const ir::Variable& target, ir::ExpressionId value, const BlockPlace& place);
 
  private:
-  enum class CallWord : std::uint8_t {
-    none,
-    subprogram,
-    external,
-    macro,
-    modal,
-    modal_each_block,
-    modal_end,
-    data_input,
-    data_end,
-    by_code  // a code that the machine makes a call of
-  };
-
   [[nodiscard]] const ir::CodeRow* row_of(char letter, std::int32_t number10) const;
-  [[nodiscard]] CallWord call_word(char letter, std::int32_t number10) const;
   void add_code(const RawWord& word, std::int32_t number10);
   void add_word(const RawWord& word);
   void lower_call_block(CallWord kind, std::size_t at, std::span<const RawWord> words, const BlockPlace& place);
@@ -76,7 +63,6 @@ class BlockLowering {
   void emit_call(CallWord kind, const RawWord& code, std::span<const RawWord> words, const BlockPlace& place);
   void emit_code_call(const RawWord& code, std::span<const RawWord> words, const BlockPlace& place);
   void emit_return_jump(ir::ExpressionId target, const BlockPlace& place);
-  [[nodiscard]] const ir::CodeCall* code_call(char letter, std::int32_t number10) const;
   void set_called_program(ir::Call& call, const RawWord& word);
   void emit_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place);
   void emit_ending_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place);

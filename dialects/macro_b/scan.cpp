@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <utility>
-#include <vector>
 
 #include "dialects/ir/block_scanner.h"
+#include "dialects/macro_b/call_words.h"
 #include "dialects/macro_b/lower.h"
 #include "dialects/text/scan_decimal.h"
 
@@ -34,18 +34,11 @@ constexpr std::array<Class, 256> make_classes() {
 constexpr std::array<Class, 256> kClasses = make_classes();
 Class class_of(char c) { return kClasses[static_cast<unsigned char>(c)]; }
 
-// Codes that make their block a call or data: its words are not moves.
-constexpr std::array kCallsAndData10 = {650, 660, 661, 670, 100, 110};  // G65, G66, G66.1, G67, G10, G11
-constexpr std::array kCalls10 = {960, 970, 980, 1980};                  // M96, M97, M98, M198
-bool takes_block(char letter, std::int32_t number10) {
-  return letter == 'G' ? std::ranges::find(kCallsAndData10, number10) != kCallsAndData10.end()
-                       : std::ranges::find(kCalls10, number10) != kCalls10.end();
-}
-
-ir::PlainCodeIndex index_codes(std::span<const ir::CodeRow> table, char letter) {
+// Without the codes that make their block a call or data.
+ir::PlainCodeIndex index_codes(const ir::Control& control, std::span<const ir::CodeRow> table, char letter) {
   ir::PlainCodeIndex index;
   for (const ir::CodeRow& row : table)
-    if (ir::is_plain(row.function) && !takes_block(letter, row.number10)) index.add(row);
+    if (ir::is_plain(row.function) && call_word(control, letter, row.number10) == CallWord::none) index.add(row);
   return index;
 }
 
@@ -54,10 +47,9 @@ class Words {
   Words(const ir::Control& control, const Grammar& grammar)
       : most_digits_(control.limits.digits == 0 ? text::kScannedDigits : control.limits.digits),
         highest_block_number_(grammar.highest_block_number),
-        g_codes_(index_codes(control.g_codes, 'G')),
-        m_codes_(index_codes(control.m_codes, 'M')),
-        m_rows_(control.m_codes),
-        calls_(control.code_calls) {}
+        g_codes_(index_codes(control, control.g_codes, 'G')),
+        m_codes_(index_codes(control, control.m_codes, 'M')),
+        control_(&control) {}
 
   [[nodiscard]] std::string_view name() const { return name_; }
   static bool ends_line(char eob) { return eob != ';'; }
@@ -126,7 +118,6 @@ class Words {
   const char* code(char letter, const text::ScannedDecimal& number, ScannedBlock& block) {
     if (number.fraction > 1) return nullptr;
     const std::uint64_t number10 = number.fraction == 0 ? number.mantissa * 10 : number.mantissa;
-    if (is_call(letter, number10)) return nullptr;
     const ir::CodeRow* row = (letter == 'G' ? g_codes_ : m_codes_).find(number10);
     if (row == nullptr) return letter == 'M' ? builder_code(number, block) : nullptr;
     if (ir::ends_program(row->function)) return std::exchange(block.ends_program, true) ? nullptr : number.end;
@@ -135,19 +126,13 @@ class Words {
     return number.end;
   }
 
-  // Codes that the machine makes calls of.
-  [[nodiscard]] bool is_call(char letter, std::uint64_t number10) const {
-    return std::ranges::any_of(calls_, [&](const ir::CodeCall& c) {
-      return c.letter == letter && static_cast<std::uint64_t>(c.number10) == number10;
-    });
-  }
-
   // An M code without a row is the machine tool builder's.
   const char* builder_code(const text::ScannedDecimal& number, ScannedBlock& block) const {
     constexpr std::uint64_t kHighest = 9999;
     if (number.fraction != 0 || number.mantissa > kHighest) return nullptr;
     const auto number10 = static_cast<std::int32_t>(number.mantissa * 10);
-    if (ir::find_code(m_rows_, number10) != nullptr || takes_block('M', number10)) return nullptr;
+    if (ir::find_code(control_->m_codes, number10) != nullptr) return nullptr;
+    if (call_word(*control_, 'M', number10) != CallWord::none) return nullptr;
     block.report(ir::name_of(Function::machine_function), Function::machine_function);
     block.add_code(Function::machine_function, static_cast<std::int16_t>(number.mantissa), ir::ModalGroup::none);
     return number.end;
@@ -157,8 +142,7 @@ class Words {
   std::uint32_t highest_block_number_;
   ir::PlainCodeIndex g_codes_;
   ir::PlainCodeIndex m_codes_;
-  std::span<const ir::CodeRow> m_rows_;
-  std::vector<ir::CodeCall> calls_;
+  const ir::Control* control_;
   bool at_start_ = true;  // nothing but blank lines so far
   std::string name_;
 };

@@ -21,21 +21,12 @@ constexpr std::string_view kList = "Mazak EIA/ISO programming manual, G code lis
 
 // clang-format off
 constexpr auto kOwn = std::to_array<CodeRow>({
-    {"G02.1", 21, Function::not_modelled, 0, ModalGroup::motion, kList},
-    {"G03.1", 31, Function::not_modelled, 0, ModalGroup::motion, kList},
-    {"G05", 50, Function::no_effect, 0, ModalGroup::non_modal, kList},
     {"G06.1", 61, Function::not_modelled, 0, ModalGroup::motion, kList},
-    {"G09", 90, Function::exact_stop_once, 0, ModalGroup::non_modal, kList},
-    {"G10.9", 109, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G45.1", 451, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G50.2", 502, Function::no_effect, 0, ModalGroup::other, kList},
     {"G51.2", 512, Function::not_modelled, 0, ModalGroup::other, kList},
     {"G52.5", 525, Function::no_effect, 0, ModalGroup::work_offset, kList},
     {"G53.5", 535, Function::not_modelled, 0, ModalGroup::work_offset, kList},
-    {"G54.2", 542, Function::not_modelled, 0, ModalGroup::frame, kList},
-    {"G54.4", 544, Function::not_modelled, 0, ModalGroup::frame, kList},
-    {"G61.1", 611, Function::continuous_path, 0, ModalGroup::exact_stop, kList},
-    {"G61.2", 612, Function::continuous_path, 0, ModalGroup::exact_stop, kList},
     {"G61.4", 614, Function::continuous_path, 0, ModalGroup::exact_stop, kList},
     {"G68.5", 685, Function::not_modelled, 0, ModalGroup::frame, kList},
     {"G69.5", 695, Function::no_effect, 0, ModalGroup::frame, kList},
@@ -43,7 +34,6 @@ constexpr auto kOwn = std::to_array<CodeRow>({
     {"G110", 1100, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G111", 1110, Function::no_effect, 0, ModalGroup::non_modal, kList},
     {"G112", 1120, Function::no_effect, 0, ModalGroup::non_modal, kList},
-    {"G113", 1130, Function::no_effect, 0, ModalGroup::other, kList},
     {"G124", 1240, Function::not_modelled, 0, ModalGroup::other, kList},
     {"G125", 1250, Function::no_effect, 0, ModalGroup::other, kList},
     {"G148", 1480, Function::not_modelled, 0, ModalGroup::other, kList},
@@ -59,12 +49,7 @@ constexpr auto kMill = std::to_array<CodeRow>({
     {"G17.7", 177, Function::not_modelled, 0, ModalGroup::other, kList},
     {"G17.8", 178, Function::not_modelled, 0, ModalGroup::other, kList},
     {"G17.9", 179, Function::not_modelled, 0, ModalGroup::other, kList},
-    {"G34", 340, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G34.1", 341, Function::not_modelled, 0, ModalGroup::non_modal, kList},
-    {"G35", 350, Function::not_modelled, 0, ModalGroup::non_modal, kList},
-    {"G36", 360, Function::not_modelled, 0, ModalGroup::non_modal, kList},
-    {"G37", 370, Function::not_modelled, 0, ModalGroup::non_modal, kList},
-    {"G37.1", 371, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G71.1", 711, Function::not_modelled, 0, ModalGroup::cycle, kList},
     {"G72.1", 721, Function::not_modelled, 0, ModalGroup::cycle, kList},
     {"G75", 750, Function::not_modelled, 0, ModalGroup::cycle, kList},
@@ -97,18 +82,10 @@ constexpr auto kMillTurn = std::to_array<CodeRow>({
 }  // namespace
 
 std::span<const CodeRow> g_codes(ir::MachineKind kind, ir::GSystem system) {
-  using macro_b::join_codes;
-  static const std::vector<CodeRow> kOfMills =
-      join_codes({macro_b::shared_g_codes(), macro_b::mill_g_codes(), kOwn, kMill});
-  static const std::vector<CodeRow> kOfMillTurns =
-      join_codes({macro_b::shared_g_codes(), macro_b::mill_g_codes(), kOwn, kMillTurn});
-  static const auto lathe = [](ir::GSystem of) {
-    return join_codes({macro_b::shared_g_codes(), macro_b::lathe_g_codes(of), kOwn, kLathe});
-  };
-  static const std::array<std::vector<CodeRow>, 3> kOfLathes = {lathe(ir::GSystem::a), lathe(ir::GSystem::b),
-                                                                lathe(ir::GSystem::c)};
-  if (kind == ir::MachineKind::mill) return kOfMills;
-  return kind == ir::MachineKind::lathe ? kOfLathes[static_cast<std::size_t>(system)] : kOfMillTurns;
+  static const std::vector<CodeRow> kAll = macro_b::join_codes({macro_b::eia_g_codes(), kOwn});
+  static const std::vector<CodeRow> kOfMills = macro_b::join_codes({macro_b::eia_mill_g_codes(), kMill});
+  static const macro_b::CodeLists kLists({.all = kAll, .mill = kOfMills, .lathe = kLathe, .mill_turn = kMillTurn});
+  return kLists.of(kind, system);
 }
 
 std::span<const CodeRow> m_codes() { return macro_b::m_codes(); }
