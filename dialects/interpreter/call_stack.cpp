@@ -125,12 +125,14 @@ std::optional<std::uint32_t> CallStack::call(const Instruction& i, std::uint32_t
       return std::nullopt;
     }
   }
-  Frame& frame = push(*target, next, macro);
   if (macro) {
-    pass_locals(site, frame.bases);
-  } else if (!pass_parameters(i, site, frame)) {
-    return std::nullopt;
+    pass_locals(site, push(*target, next, true).bases);
+  } else {
+    if (!has_parameters(i, site, *target)) return std::nullopt;
+    read_values(site, passing_);
+    if (!pass_parameters(i, passing_, push(*target, next, false))) return std::nullopt;
   }
+  Frame& frame = frames_.back();
   enter(frame);
   return begin;
 }
@@ -138,12 +140,18 @@ std::optional<std::uint32_t> CallStack::call(const Instruction& i, std::uint32_t
 bool CallStack::begin_modal(const Instruction& i, double times) {
   CallSite& site = program_->calls[i.a];
   ModalCall modal;
+  modal.kind = site.kind;
   modal.target = find_program(i, site);
   if (modal.target == nullptr) return false;
-  for (std::uint32_t n = site.first_argument; n < site.first_argument + site.argument_count; ++n) {
-    const CallArgument& argument = program_->arguments[n];
-    if (argument.value != Operand::none)
-      modal.locals.emplace_back(argument.local, storage_.reg(raw_of(argument.value)));
+  if (site.kind == ir::CallKind::macro) {
+    for (std::uint32_t n = site.first_argument; n < site.first_argument + site.argument_count; ++n) {
+      const CallArgument& argument = program_->arguments[n];
+      if (argument.value != Operand::none)
+        modal.locals.emplace_back(argument.local, storage_.reg(raw_of(argument.value)));
+    }
+  } else {
+    read_values(site, modal.arguments);
+    if (!has_parameters(i, site, *modal.target)) return false;
   }
   modal.times = static_cast<std::uint32_t>(std::fmax(0.0, std::fmin(times, 99999999.0)));
   modal_ = std::move(modal);
@@ -152,12 +160,16 @@ bool CallStack::begin_modal(const Instruction& i, double times) {
 
 std::optional<std::uint32_t> CallStack::call_modal(const Instruction& i, std::uint32_t next) {
   if (modal_->times == 0) return next;
-  if (!has_room(i, true)) return std::nullopt;
-  Frame& frame = push(*modal_->target, next, true);
+  const bool macro = modal_->kind == ir::CallKind::macro;
+  if (!has_room(i, macro)) return std::nullopt;
+  Frame& frame = push(*modal_->target, next, macro);
   frame.is_modal = true;
   frame.times_left = modal_->times - 1;
   ++modal_frames_;
-  set_locals(frame.bases);
+  if (macro)
+    set_locals(frame.bases);
+  else if (!pass_parameters(i, modal_->arguments, frame))
+    return std::nullopt;
   enter(frame);
   return 0;
 }
@@ -178,51 +190,75 @@ void CallStack::pass_locals(const CallSite& site, const Bases& bases) {
   }
 }
 
-bool CallStack::pass_parameters(const Instruction& i, const CallSite& site, Frame& frame) {
-  const std::vector<Parameter>& parameters = frame.program->parameters;
-  if (site.argument_count > parameters.size() || site.argument_count > kParametersAtMost)
+void CallStack::read_values(const CallSite& site, std::vector<PassedValue>& values) const {
+  values.assign(site.argument_count, {});
+  for (std::uint32_t n = 0; n < site.argument_count; ++n) {
+    const CallArgument& argument = program_->arguments[site.first_argument + n];
+    if (argument.value == Operand::none) continue;
+    PassedValue& value = values[n];
+    value.given = true;
+    value.is_string = argument.is_string;
+    if (argument.is_string)
+      value.text = storage_.text(raw_of(argument.value));
+    else
+      value.number = storage_.reg(raw_of(argument.value));
+    if (!argument.is_string && argument.text != Operand::none) value.shared_text = storage_.text(raw_of(argument.text));
+    if (argument.reference != Operand::none) value.reference = storage_.reg(raw_of(argument.reference));
+  }
+}
+
+bool CallStack::has_parameters(const Instruction& i, const CallSite& site, const CompiledProgram& target) {
+  const std::vector<Parameter>& parameters = target.parameters;
+  const auto fail = [&](std::uint32_t given) {
     return report_.fail(i, DiagnosticId::wrong_argument_count,
-                        {site.name, std::to_string(parameters.size()), std::to_string(site.argument_count)});
+                        {site.name, std::to_string(parameters.size()), std::to_string(given)});
+  };
+  if (site.argument_count > parameters.size() || site.argument_count > kParametersAtMost)
+    return fail(site.argument_count);
   for (std::uint32_t n = 0; n < parameters.size(); ++n) {
     const bool given = n < site.argument_count && program_->arguments[site.first_argument + n].value != Operand::none;
-    if (given) {
-      if (!pass_parameter(i, program_->arguments[site.first_argument + n], parameters[n], frame.bases)) return false;
-      frame.given.set(n);
-    } else if (parameters[n].by_reference) {
-      return report_.fail(i, DiagnosticId::wrong_argument_count,
-                          {site.name, std::to_string(parameters.size()), std::to_string(n)});
-    }
+    if (!given && parameters[n].by_reference) return fail(n);
   }
   return true;
 }
 
-bool CallStack::pass_parameter(const Instruction& i, const CallArgument& argument, const Parameter& parameter,
+bool CallStack::pass_parameters(const Instruction& i, std::span<const PassedValue> values, Frame& frame) {
+  const std::vector<Parameter>& parameters = frame.program->parameters;
+  for (std::size_t n = 0; n < values.size() && n < parameters.size(); ++n) {
+    if (!values[n].given) continue;
+    if (!pass_parameter(i, values[n], parameters[n], frame.bases)) return false;
+    frame.given.set(n);
+  }
+  return true;
+}
+
+bool CallStack::pass_parameter(const Instruction& i, const PassedValue& value, const Parameter& parameter,
                                const Bases& bases) {
   const bool wants_string = parameter.type == ir::ValueType::string;
-  if (wants_string && !argument.is_string && argument.text != Operand::none) {
-    storage_.string_at(bases.string + parameter.slot) = storage_.text(raw_of(argument.text));
+  if (wants_string && value.shared_text.has_value()) {
+    storage_.string_at(bases.string + parameter.slot) = *value.shared_text;
     return true;
   }
-  if (parameter.type == ir::ValueType::axis && argument.is_string && !parameter.by_reference) {
-    const std::string& name = storage_.text(raw_of(argument.value));
-    storage_.frame_at(bases.frame + parameter.slot) = is_unknown(name) ? kVacant : axis_number(context_.shared, name);
+  if (parameter.type == ir::ValueType::axis && value.is_string && !parameter.by_reference) {
+    storage_.frame_at(bases.frame + parameter.slot) =
+        is_unknown(value.text) ? kVacant : axis_number(context_.shared, value.text);
     return true;
   }
-  if (argument.is_string != wants_string)
+  if (value.is_string != wants_string)
     return report_.fail(i, DiagnosticId::wrong_type,
-                        {"an argument", argument.is_string ? "STRING" : "REAL", wants_string ? "STRING" : "REAL"});
+                        {"an argument", value.is_string ? "STRING" : "REAL", wants_string ? "STRING" : "REAL"});
   if (wants_string) {
-    storage_.string_at(bases.string + parameter.slot) = storage_.text(raw_of(argument.value));
+    storage_.string_at(bases.string + parameter.slot) = value.text;
     return true;
   }
   double& to = storage_.frame_at(bases.frame + parameter.slot);
   if (parameter.by_reference) {
-    if (argument.reference == Operand::none)
+    if (!value.reference.has_value())
       return report_.fail(i, DiagnosticId::wrong_type, {"an argument", "a value", "a variable (VAR)"});
-    to = storage_.reg(raw_of(argument.reference));
+    to = *value.reference;
     return true;
   }
-  const Outcome converted = context_.arithmetic.convert(parameter.type, storage_.reg(raw_of(argument.value)));
+  const Outcome converted = context_.arithmetic.convert(parameter.type, value.number);
   if (converted.fault != Fault::none) return report_.fail(i, DiagnosticId::result_overflow);
   to = converted.value;
   return true;
@@ -232,8 +268,12 @@ std::uint32_t CallStack::go_back() {
   if (Frame& top = frames_.back(); top.is_modal && top.times_left > 0 && modal_.has_value()) {
     --top.times_left;
     storage_.open_frame(*top.program, top.bases);
-    storage_.open_locals(top.bases);
-    set_locals(top.bases);
+    if (top.is_macro) {
+      storage_.open_locals(top.bases);
+      set_locals(top.bases);
+    } else {
+      (void)pass_parameters({}, modal_->arguments, top);  // they fitted the first time
+    }
     enter(top);
     return 0;
   }

@@ -3,6 +3,8 @@
 
 #include <bitset>
 #include <optional>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -31,7 +33,7 @@ class CallStack {
   // Enters a text that is executed as a block, in the frame of the running program.
   bool enter_text(const Instruction& i, CompiledProgram& text, std::uint32_t next);
   [[nodiscard]] std::size_t depth() const { return frames_.size(); }
-  // G66 and its end: from now on the site's program is called, `times` at a time, behind blocks that move.
+  // G66, MCALL and their end: from now on the site's program is called, `times` at a time, behind blocks that move.
   bool begin_modal(const Instruction& i, double times);
   void end_modal() { modal_.reset(); }
   // True where a block that moved is to be followed by the modal call: not in the programs that it has called.
@@ -57,9 +59,21 @@ class CallStack {
     Modes modes;  // of the caller, when the program gives them back
   };
 
+  // An argument as it is when the call is made, or was when the modal call began.
+  struct PassedValue {
+    bool given = false;
+    bool is_string = false;
+    double number = 0.0;
+    std::string text;
+    std::optional<std::string> shared_text;  // of data of the control, whose type nobody knows
+    std::optional<double> reference;
+  };
+
   struct ModalCall {
+    ir::CallKind kind = ir::CallKind::macro;
     CompiledProgram* target = nullptr;
-    std::vector<std::pair<std::uint32_t, double>> locals;  // number of the variable, value
+    std::vector<std::pair<std::uint32_t, double>> locals;  // of a macro: number of the variable, value
+    std::vector<PassedValue> arguments;                    // of a subprogram
     std::uint32_t times = 1;
   };
 
@@ -69,9 +83,10 @@ class CallStack {
   CompiledProgram* find_program(const Instruction& i, CallSite& site);
   bool has_room(const Instruction& i, bool macro);
   void pass_locals(const CallSite& site, const Bases& bases);
-  bool pass_parameters(const Instruction& i, const CallSite& site, Frame& frame);
-  bool pass_parameter(const Instruction& i, const CallArgument& argument, const Parameter& parameter,
-                      const Bases& bases);
+  void read_values(const CallSite& site, std::vector<PassedValue>& values) const;
+  bool has_parameters(const Instruction& i, const CallSite& site, const CompiledProgram& target);
+  bool pass_parameters(const Instruction& i, std::span<const PassedValue> values, Frame& frame);
+  bool pass_parameter(const Instruction& i, const PassedValue& value, const Parameter& parameter, const Bases& bases);
 
   const CompileContext& context_;
   ProgramTable& programs_;
@@ -84,6 +99,7 @@ class CallStack {
   std::uint32_t macros_ = 0;  // macro calls among the frames
   std::uint32_t modal_frames_ = 0;
   std::optional<ModalCall> modal_;
+  std::vector<PassedValue> passing_;  // of the call that is being made
 };
 
 }  // namespace dripfeed::interpreter

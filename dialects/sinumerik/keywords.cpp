@@ -119,6 +119,7 @@ constexpr auto kKeywords = std::to_array<Keyword>({
   statement("MSG", Verb::message),
   statement("SETAL", Verb::alarm),
   statement("CALL", Verb::call),
+  statement("MCALL", Verb::call_modal),
   statement("PCALL", Verb::call_path),
   statement("EXTCALL", Verb::call_external),
   statement("EXECSTRING", Verb::execute),

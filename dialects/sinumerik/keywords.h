@@ -57,6 +57,7 @@ enum class Verb : std::uint8_t {
   call_external,  // EXTCALL
   execute,        // EXECSTRING
   macro,          // DEFINE … AS
+  call_modal,
   return_word,
 };
 

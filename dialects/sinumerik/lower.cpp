@@ -13,7 +13,10 @@ namespace {
 
 using ir::StatementKind;
 
-bool is_control_flow(StatementKind kind) { return kind >= StatementKind::go_to && kind <= StatementKind::define; }
+// What a line does before its words that are kept as written.
+bool is_control_flow(StatementKind kind) {
+  return (kind >= StatementKind::go_to && kind <= StatementKind::define) || kind == StatementKind::modal_call_end;
+}
 
 }  // namespace
 
@@ -171,10 +174,10 @@ void Lowering::add_structure(StatementKind kind, const ir::Structure& structure,
   push(kind, program_.structures, structure, span);
 }
 
-void Lowering::add_call(const ir::Call& call, text::Span span) {
+void Lowering::add_call(StatementKind kind, const ir::Call& call, text::Span span) {
   if (native_) return;
   flush_block();
-  push(StatementKind::call, program_.calls, call, span);
+  push(kind, program_.calls, call, span);
 }
 
 void Lowering::add_message(StatementKind kind, const ir::Message& message, text::Span span) {

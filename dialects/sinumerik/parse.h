@@ -107,15 +107,16 @@ class Parser {
   // the rest: parse_statements.cpp
   void assignment(ir::VariableId target, text::Span head);
   void statement_of(const Keyword& keyword, text::Span head);
-  void call_by_name(ir::StringId name, text::Span head);
+  void call_by_name(ir::StringId name, text::Span head, ir::StatementKind kind = ir::StatementKind::call);
   void call_statement(text::Span head);
+  void modal_call(text::Span head);
   void path_call(text::Span head);
   void external_call(text::Span head);
   void computed_call(ir::ExpressionId name, text::Span head);
   void execute_statement(text::Span head);
   void macro_definition(text::Span head);
   bool expand_macro();
-  void numbered_call(text::Span head);
+  void numbered_call(text::Span head, ir::StatementKind kind = ir::StatementKind::call);
   void arguments(ir::Call& call);
   void message(text::Span head);
   void alarm(text::Span head);

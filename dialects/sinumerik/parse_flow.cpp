@@ -51,6 +51,7 @@ void Parser::flow(Verb verb, text::Span head) {
     case Verb::call_external:
     case Verb::execute:
     case Verb::macro:
+    case Verb::call_modal:
     case Verb::return_word: return;
   }
 }

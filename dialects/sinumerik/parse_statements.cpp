@@ -15,11 +15,11 @@ using text::DiagnosticId;
 
 // Statements that are kept as written and after which axes may be anywhere: cycles, approach and return moves, texts.
 bool may_move(std::string_view name) {
-  constexpr std::string_view kNames[] = {"G5",       "G7",       "G74",     "G75",    "G147",   "G148",    "G247",
-                                         "G248",     "G347",     "G348",    "REPOSL", "REPOSQ", "REPOSH",  "REPOSA",
-                                         "REPOSQA",  "REPOSHA",  "ISOCALL", "MCALL",  "CALL",   "EXECTAB", "RET",
-                                         "LONGHOLE", "POLFA",    "G291",    "G58",    "G59",    "ROTS",    "AROTS",
-                                         "CROTS",    "TRANSMIT", "TRACYL",  "TRAANG", "TRAORI"};
+  constexpr std::string_view kNames[] = {"G5",       "G7",      "G74",     "G75",    "G147",    "G148",   "G247",
+                                         "G248",     "G347",    "G348",    "REPOSL", "REPOSQ",  "REPOSH", "REPOSA",
+                                         "REPOSQA",  "REPOSHA", "ISOCALL", "CALL",   "EXECTAB", "RET",    "LONGHOLE",
+                                         "POLFA",    "G291",    "G58",     "G59",    "ROTS",    "AROTS",  "CROTS",
+                                         "TRANSMIT", "TRACYL",  "TRAANG",  "TRAORI"};
   return name.starts_with("CYCLE") || name.starts_with("POCKET") || name.starts_with("SLOT") ||
          name.starts_with("HOLES") || std::ranges::find(kNames, name) != std::end(kNames);
 }
@@ -50,6 +50,7 @@ void Parser::statement_of(const Keyword& keyword, text::Span head) {
     case Verb::message: return message(head);
     case Verb::alarm: return alarm(head);
     case Verb::call: return call_statement(head);
+    case Verb::call_modal: return modal_call(head);
     case Verb::call_path: return path_call(head);
     case Verb::call_external: return external_call(head);
     case Verb::execute: return execute_statement(head);
@@ -117,13 +118,13 @@ void Parser::missing_target() {
   (void)expression();
 }
 
-void Parser::call_by_name(ir::StringId name, text::Span head) {
+void Parser::call_by_name(ir::StringId name, text::Span head, StatementKind kind) {
   ir::Call call;
   call.name = name;
   call.repeats = repeats_;
   if (cursor_.is_symbol('(')) arguments(call);
   has_call_ = true;
-  lower_.add_call(call, to_here(head));
+  lower_.add_call(kind, call, to_here(head));
 }
 
 // (a, b,, d): an argument that is left out is none.
@@ -165,7 +166,26 @@ void Parser::computed_call(ir::ExpressionId name, text::Span head) {
   call.computed = name;
   call.repeats = repeats_;
   has_call_ = true;
-  lower_.add_call(call, to_here(head));
+  lower_.add_call(StatementKind::call, call, to_here(head));
+}
+
+// MCALL NAME(…): the call is made behind every block that moves; MCALL alone ends that. A cycle that is not read ends
+// the one before it as well.
+void Parser::modal_call(text::Span head) {
+  if (cursor_.at_block_end()) return lower_.add_plain(StatementKind::modal_call_end, head);
+  if (cursor_.kind() == TokenKind::address && cursor_.span().size() == 1 && to_upper(cursor_.first()) == 'L') {
+    cursor_.advance();
+    return numbered_call(head, StatementKind::modal_call);
+  }
+  if (cursor_.kind() != TokenKind::name)
+    return give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is no program to be called"});
+  const std::string_view name = cursor_.text();
+  cursor_.advance();
+  if (find_keyword(name) != nullptr) {
+    lower_.add_plain(StatementKind::modal_call_end, head);
+    return native(UpperName(name).view(), false, head);
+  }
+  call_by_name(lower_.name(name), head, StatementKind::modal_call);
 }
 
 // PCALL /_N_WKS_DIR/_N_SHAFT_WPD/_N_GROOVE_SPF(1,2): the path ends where the arguments begin.
@@ -251,13 +271,13 @@ bool Parser::expand_macro() {
 }
 
 // L100 and L0100 are two programs: the digits are the name.
-void Parser::numbered_call(text::Span head) {
+void Parser::numbered_call(text::Span head, StatementKind kind) {
   const std::string_view digits = cursor_.kind() == TokenKind::number ? cursor_.text() : std::string_view();
   if (digits.empty() || !std::ranges::all_of(digits, is_digit))
     return give_up(DiagnosticId::address_without_value, head, {"L"});
   const ir::StringId id = lower_.name("L" + std::string(digits));
   cursor_.advance();
-  call_by_name(id, head);
+  call_by_name(id, head, kind);
 }
 
 // MSG("text" << value), MSG() clears.

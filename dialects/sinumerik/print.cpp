@@ -124,8 +124,6 @@ class Printer {
     switch (s.kind) {
       case StatementKind::empty:
       case StatementKind::return_to:
-      case StatementKind::modal_call:
-      case StatementKind::modal_call_end:
       case StatementKind::output: return;  // of other controls: raising refuses them
       case StatementKind::block: return blocks_.append(out, program_.blocks[s.payload]);
       case StatementKind::assign: return assign(program_.assigns[s.payload], out);
@@ -148,6 +146,11 @@ class Printer {
           return;
         }
         return call(program_.calls[s.payload], out);
+      case StatementKind::modal_call: out += "MCALL "; return call(program_.calls[s.payload], out);
+      case StatementKind::modal_call_end:
+        // A cycle that is not read stands on the same line.
+        if (same_name(written(s.span), "MCALL")) out += "MCALL";
+        return;
       case StatementKind::procedure: return procedure(program_.structures[s.payload], out);
       case StatementKind::declaration: out += written_line(i); return;
       case StatementKind::subprogram_return: out += same_name(written(s.span), "RET") ? "RET" : "M17"; return;

@@ -114,7 +114,8 @@ bool is_structure(StatementKind kind) { return kind >= StatementKind::if_begin &
 void check_limits(const Check& check) {
   for (const ir::Statement& s : check.program.statements) {
     if (s.kind == StatementKind::repeat_section) check_section(check, s);
-    if (s.kind == StatementKind::call) check_passes(check, check.program.calls[s.payload].repeats, 1.0);
+    if (s.kind == StatementKind::call || s.kind == StatementKind::modal_call)
+      check_passes(check, check.program.calls[s.payload].repeats, 1.0);
     if (is_structure(s.kind) && s.skip_level > 0)
       check.report(DiagnosticId::syntax_error, s.span, {"a control structure cannot be skipped"}).alarm = "12630";
     if (s.kind != StatementKind::block) continue;

@@ -107,7 +107,8 @@ class Names {
       global_data = global_data || uses_[i].indexed;
     }
     global_data = global_data || unknown > 1 || std::ranges::any_of(program_.statements, [](const ir::Statement& s) {
-                    return s.kind == StatementKind::call || s.kind == StatementKind::declaration;
+                    return s.kind == StatementKind::call || s.kind == StatementKind::modal_call ||
+                           s.kind == StatementKind::declaration;
                   });
     for (std::size_t i = 0; i < program_.symbols.size(); ++i) {
       const ir::Symbol& symbol = program_.symbols[i];
@@ -182,7 +183,8 @@ class Names {
     for (const ir::Label& label : program_.labels)
       if (label.name != ir::StringId::none) too_long(program_.strings.at(label.name), label.span);
     for (const ir::Statement& s : program_.statements)
-      if (s.kind == StatementKind::call) too_long(program_.strings.at(program_.calls[s.payload].name), s.span);
+      if (s.kind == StatementKind::call || s.kind == StatementKind::modal_call)
+        too_long(program_.strings.at(program_.calls[s.payload].name), s.span);
   }
 
   // PROC first, then DEF and EXTERN, then the program.

@@ -25,7 +25,7 @@ class ModalState {
 
   void run() {
     for (const ir::Statement& s : check_.program.statements) {
-      if (s.kind == StatementKind::call) inherits_ = true;
+      if (s.kind == StatementKind::call || s.kind == StatementKind::modal_call) inherits_ = true;
       if (s.kind == StatementKind::native && !check_.program.natives[s.payload].effects_known) inherits_ = true;
       if (s.kind == StatementKind::block) block(check_.block_of(s), s);
     }

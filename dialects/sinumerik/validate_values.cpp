@@ -40,7 +40,7 @@ void check_r_set(const Check& check) {
   const ir::Program& program = check.program;
   if (is_subprogram(program)) return;
   const bool others = std::ranges::any_of(program.statements, [&](const ir::Statement& s) {
-    return s.kind == StatementKind::call ||
+    return s.kind == StatementKind::call || s.kind == StatementKind::modal_call ||
            (s.kind == StatementKind::native && !program.natives[s.payload].effects_known);
   });
   if (others) return;

@@ -88,5 +88,39 @@ TEST(SinumerikCycles, OthersAreNamed) {
   EXPECT_TRUE(ran.names("increments from a position that is not known"));
 }
 
+// --- modal calls (PGA, "Modal subprogram call (MCALL)")
+
+TEST(SinumerikModalCalls, ACycleIsCalledBehindEachBlockThatMoves) {
+  const Result one = run("G0 X0 Y0 Z10\nMCALL CYCLE81(10,0,2,-5)\nX10 Y10 F100\nM8\nX20\nMCALL\nX30\nM30\n");
+  const Result other = run("G0 X0 Y0 Z10\n\nX10 Y10 F100\nCYCLE81(10,0,2,-5)\nM8\nX20\nCYCLE81(10,0,2,-5)\nX30\nM30\n");
+  ASSERT_EQ(one.motions.size(), other.motions.size()) << one.trace;
+  for (std::size_t i = 0; i < one.motions.size(); ++i) EXPECT_EQ(one.motions[i].end, other.motions[i].end) << i;
+}
+
+TEST(SinumerikModalCalls, PatternsAreDrilled) {
+  const Result result = run("G0 X0 Y0 Z10 F100\nMCALL CYCLE81(10,0,2,-5)\nHOLES1(0,0,0,10,10,3)\nMCALL\nX0\nM30\n");
+  std::string holes;
+  for (const ir::Motion& motion : result.motions)
+    if (motion.kind == ir::MotionKind::linear) holes += std::to_string(static_cast<int>(motion.end[0])) + " ";
+  EXPECT_EQ(holes, "10 20 30 ");
+}
+
+TEST(SinumerikModalCalls, ArgumentsAreThoseOfTheModalCall) {
+  const Texts called = {{"UP", "PROC UP(REAL A, STRING[9] B)\nR5=R5+A\nMSG(B)\nG0 Z=A\nRET\n"}};
+  const Result result = run("R1=3 R5=0\nMCALL UP(R1,\"first\")\nR1=100\nG0 X1\nX2\nMCALL\nX3\nM30\n", called);
+  EXPECT_EQ(result.value("R5"), 6.0);
+}
+
+TEST(SinumerikModalCalls, ASecondOneTakesThePlaceOfTheFirst) {
+  const Texts called = {{"ONE", "R5=R5+1\nRET\n"}, {"TWO", "R5=R5+10\nRET\n"}};
+  EXPECT_EQ(run("R5=0\nMCALL ONE\nG0 X1\nMCALL TWO\nX2\nX3\nMCALL\nX4\nM30\n", called).value("R5"), 21.0);
+  EXPECT_EQ(run("R5=0\nMCALL ONE\nG0 X1\nMCALL POCKET4(1,2)\nX2\nMCALL\nM30\n", called).value("R5"), 1.0);
+}
+
+TEST(SinumerikModalCalls, ACallThatLacksItsProgramIsAnAlarm) {
+  EXPECT_EQ(alarm_of(run("MCALL NOT_THERE(1)\nG0 X1\nM30\n")), "14011");
+  EXPECT_TRUE(run("MCALL POCKET3(1,2)\nG0 X1\nMCALL\nM30\n").names("POCKET3"));
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test
