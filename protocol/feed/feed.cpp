@@ -158,7 +158,7 @@ void Feed::step_to(Time now) {
     if (stall_ != Stall::none && is_on_the_line(state_)) counters_.stalled_for += passed;
     now_ = now;
   }
-  if (has_job(state_)) counters_.clocked = clock_.clocked(now_);
+  if (has_job(state_)) counters_.clocked = clocked_now();
   settle_progress();
 }
 
@@ -200,9 +200,9 @@ bool Feed::holds(Condition condition) const {
     case Condition::expired: return now_ >= expires_at_;
     case Condition::program_handed: return counters_.handed >= program_end_wire_;
     case Condition::all_handed: return counters_.handed >= wire_bytes_;
-    case Condition::block_clocked: return at_block_end_ && clock_.settled(now_);
-    case Condition::line_drained: return clock_.settled(now_);
-    case Condition::quiet: return settings_.end.quiet && clock_.settled(now_) && now_ >= quiet_at();
+    case Condition::block_clocked: return at_block_end_ && line_settled();
+    case Condition::line_drained: return line_settled();
+    case Condition::quiet: return settings_.end.quiet && line_settled() && now_ >= quiet_at();
   }
   return false;
 }
@@ -222,9 +222,24 @@ bool Feed::holds(Guard guard) const {
 // brought all of it, or none of it is more than leader, or all that is still under way is trailer.
 bool Feed::in_block() const {
   const std::uint64_t handed = counters_.handed;
-  if (handed >= program_end_wire_) return counters_.clocked < program_end_wire_;
+  if (handed >= program_end_wire_) return certain() < program_end_wire_;
   if (handed <= settings_.wire.leader_nuls) return false;
-  return !(at_block_end_ && clock_.settled(now_));
+  return !(at_block_end_ && line_settled() && certain() == handed);
+}
+
+bool Feed::line_settled() const {
+  return clock_.settled(now_) && network_has_.value_or(counters_.handed) >= counters_.handed;
+}
+
+std::uint64_t Feed::clocked_now() {
+  const std::uint64_t by_time = clock_.clocked(now_);
+  return std::min(by_time, network_has_.value_or(by_time));
+}
+
+// What reached the control even if the link below was just lost with all that it held.
+std::uint64_t Feed::certain() const {
+  if (!settings_.blind) return counters_.clocked;
+  return std::min(counters_.clocked, clock_.clocked_before(now_ - char_time_ * std::int64_t{kBlindHold}));
 }
 
 std::expected<void, Refusal> Feed::react(Input input, Trigger trigger) {
@@ -285,13 +300,15 @@ void Feed::take_job() {
   at_block_end_ = true;
   clock_.restart();
   counters_ = Counters{.estimated = settings_.blind};
+  network_has_.reset();
   end_interval_ = {};
   end_cause_ = Cause::none;
 }
 
-// Freezes what is known. The source is not touched any more, so it may go.
+// Freezes what is known, less what a lost link took with it. The source is not touched any more, so it may go.
 void Feed::end_job(Cause cause) {
-  counters_.clocked = clock_.clocked(now_);
+  counters_.clocked = clocked_now();
+  if (cause == Cause::link_lost) counters_.clocked = certain();
   counters_.ended_at = now_;
   end_interval_ = interval();
   end_cause_ = cause;

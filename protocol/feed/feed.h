@@ -77,6 +77,9 @@ class Feed {
   void line(LineChange change, Time now);
   // Optional: characters still unsent below (TIOCOUTQ, RFC 2217). Only ever slows.
   void report_queue(std::uint64_t unsent, Time now);
+  // Optional: bytes that the network has not confirmed yet (a socket's SIOCOUTQ). They do not count as clocked,
+  // whatever their line time says.
+  void report_unconfirmed(std::uint64_t bytes, Time now);
   void tick(Time now);
 
   // What may be written now, at most kMaxUnsent bytes. Valid until the next call of a non-const member.
@@ -131,11 +134,15 @@ class Feed {
   void advance();
   void take_job();
   void end_job(Cause cause);
+  Time settles_at() const;
   Time quiet_at() const;
   Stall present_stall() const;
   void emit(Event event);
   void note_input(Trigger trigger);
   bool in_block() const;
+  bool line_settled() const;
+  std::uint64_t clocked_now();
+  std::uint64_t certain() const;
   std::size_t allowed() const;
 
   Settings settings_;
@@ -160,6 +167,7 @@ class Feed {
   std::uint32_t credit_ = 0;
   tape_code::FillStatus source_ = tape_code::FillStatus::end;
   bool at_block_end_ = true;
+  std::optional<std::uint64_t> network_has_;  // wire bytes that the network confirmed, where it tells
 
   std::uint64_t wire_bytes_ = 0;
   std::uint64_t program_end_wire_ = 0;

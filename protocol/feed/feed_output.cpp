@@ -73,6 +73,21 @@ void Feed::report_queue(std::uint64_t unsent, Time now) {
   advance();
 }
 
+void Feed::report_unconfirmed(std::uint64_t bytes, Time now) {
+  if (has_job(state_)) {
+    const std::uint64_t confirmed = counters_.handed - std::min(bytes, counters_.handed);
+    network_has_ = std::max(network_has_.value_or(0), confirmed);
+  }
+  step_to(now);
+  advance();
+}
+
+// A network that has not confirmed by the end of the line time is asked again.
+Time Feed::settles_at() const {
+  const bool network_is_late = clock_.settled(now_) && !line_settled();
+  return network_is_late ? now_ + kNetworkRetry : clock_.settled_at();
+}
+
 Time Feed::quiet_at() const {
   return std::max(clock_.settled_at(), last_input_) + settings_.end.quiet.value_or(Time::zero());
 }
@@ -88,9 +103,11 @@ std::optional<Time> Feed::deadline() const {
   if (wants_more && has_more && credit_ == 0) at(clock_.refill_at());
   const bool waits_for_block =
       ends_with_block(state_) || state_ == State::stopping_held || state_ == State::cancelling_held;
-  if (waits_for_block && at_block_end_) at(clock_.settled_at());
-  if (state_ == State::draining || state_ == State::ending) at(clock_.settled_at());
-  if (settings_.end.quiet && (state_ == State::wait_end || state_ == State::trailer_held)) at(quiet_at());
+  if (waits_for_block && at_block_end_) at(settles_at());
+  if (state_ == State::draining || state_ == State::ending) at(settles_at());
+  if (settings_.end.quiet && (state_ == State::wait_end || state_ == State::trailer_held)) {
+    at(std::max(quiet_at(), settles_at()));
+  }
   return first;
 }
 

@@ -59,11 +59,12 @@ std::uint32_t LineClock::credit(Time now) {
 }
 
 std::uint64_t LineClock::clocked(Time now) {
-  if (!paused_) {
-    const std::uint64_t queue = std::min(queued(now - latency_), handed_);
-    clocked_ = std::max(clocked_, handed_ - queue);
-  }
+  if (!paused_) clocked_ = std::max(clocked_, clocked_before(now));
   return clocked_;
+}
+
+std::uint64_t LineClock::clocked_before(Time instant) const {
+  return paused_ ? 0 : handed_ - std::min(queued(instant - latency_), handed_);
 }
 
 }  // namespace dripfeed::feed

@@ -35,6 +35,9 @@ class LineClock {
   std::uint64_t handed() const { return handed_; }
   // Characters whose line time and latency passed; never runs backwards.
   std::uint64_t clocked(Time now);
+  // Characters that had left for certain at an earlier instant, as if all since were sent without a pause: no more than
+  // clocked() said then.
+  std::uint64_t clocked_before(Time instant) const;
 
  private:
   std::uint64_t queued(Time until) const;

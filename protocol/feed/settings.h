@@ -49,6 +49,9 @@ struct Settings {
 
 // A clock may be off by 2 %, so a link that never tells how much is unsent is paced this much slower.
 inline constexpr double kBlindRate = 0.98;
+// What a blind link (a device server and the network before it) may hold of what was clocked, and loses when it is
+// lost: a buffer of 1 KB is usual. As characters at the paced rate.
+inline constexpr std::uint32_t kBlindHold = 1024;
 // Limit of Settings::unsent: the size of the feed's only byte buffer.
 inline constexpr std::uint32_t kMaxUnsent = 256;
 // Limit of Settings::latency_chars and overrun_budget.
@@ -57,6 +60,8 @@ inline constexpr std::uint32_t kMaxBudget = 1U << 20;
 inline constexpr std::uint32_t kMaxFillers = 100'000;
 // How often a source that was not ready is asked again.
 inline constexpr Time kSourceRetry = std::chrono::milliseconds(5);
+// How often a network that has not confirmed everything is asked again.
+inline constexpr Time kNetworkRetry = std::chrono::milliseconds(5);
 
 enum class SettingsFault : std::uint8_t { baud, framing, unsent, budget, fillers, no_end_sign, eot_code };
 

@@ -14,7 +14,7 @@ using A = Action;
 using C = Condition;
 
 // clang-format off
-constexpr std::array<Reaction, 316> kReactions{{
+constexpr std::array<Reaction, 318> kReactions{{
     // At rest nothing is sent, whatever comes.
     {S::idle, I::dc1, G::always, A::unarmed, S::idle},
     {S::idle, I::dc3, G::always, A::remember, S::idle},
@@ -250,20 +250,23 @@ constexpr std::array<Reaction, 316> kReactions{{
     {S::draining, I::resume_as_dc1, G::always, A::refuse, S::draining},
     {S::draining, I::confirm_reset, G::always, A::refuse, S::draining},
 
-    // A person may end the waiting for an end sign that does not come.
+    // A person may end the waiting for an end sign that does not come. Only a blind link can still be inside a block here:
+    // what it holds may be lost with it.
     {S::wait_end, I::dc1, G::always, A::none, S::wait_end},
     {S::wait_end, I::dc3, G::dc3_ends, A::end, S::done},
     {S::wait_end, I::dc3, G::dc3_holds, A::none, S::wait_end},
     {S::wait_end, I::punch_code, G::always, A::note, S::wait_end},
     {S::wait_end, I::eot, G::always, A::end, S::done},
-    {S::wait_end, I::broken, G::always, A::fail, S::failed},
+    {S::wait_end, I::broken, G::in_block, A::fail, S::torn},
+    {S::wait_end, I::broken, G::between_blocks, A::fail, S::failed},
     {S::wait_end, I::cts_off, G::always, A::none, S::wait_end},
     {S::wait_end, I::arm, G::always, A::refuse, S::wait_end},
     {S::wait_end, I::disarm, G::always, A::refuse, S::wait_end},
     {S::wait_end, I::stop, G::always, A::refuse, S::wait_end},
     {S::wait_end, I::resume, G::always, A::refuse, S::wait_end},
     {S::wait_end, I::cancel, G::always, A::end, S::cancelled},
-    {S::wait_end, I::abort, G::always, A::fail, S::failed},
+    {S::wait_end, I::abort, G::in_block, A::fail, S::torn},
+    {S::wait_end, I::abort, G::between_blocks, A::fail, S::failed},
     {S::wait_end, I::resume_as_dc1, G::always, A::refuse, S::wait_end},
     {S::wait_end, I::confirm_reset, G::always, A::refuse, S::wait_end},
 

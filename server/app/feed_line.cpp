@@ -13,6 +13,7 @@ namespace dripfeed::app {
 
 namespace {
 
+constexpr std::size_t kInputBytes = 256;
 constexpr feed::Time kTick = std::chrono::milliseconds(1);
 constexpr feed::Time kReopenFirst = std::chrono::milliseconds(500);
 constexpr feed::Time kReopenLongest = std::chrono::seconds(5);
@@ -185,6 +186,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     if (!link_ && time >= reopen_at_) open();
     if (link_) {
       if (const auto unsent = link_->unsent()) feed_.report_queue(*unsent, time);
+      if (const auto unconfirmed = link_->unconfirmed()) feed_.report_unconfirmed(*unconfirmed, time);
     }
     feed_.tick(time);
     settle();
@@ -217,8 +219,16 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     publish();
   }
 
+  void take_input() {
+    std::array<std::byte, kInputBytes> buffer;
+    while (const std::size_t count = link_->read(buffer)) feed_.receive(std::span(buffer).first(count), now());
+  }
+
+  // Reads before it writes: a DC3 that is here already must stop what would go out now.
   void pump() {
     while (link_) {
+      if (feed_.pending_out().empty()) return;
+      take_input();
       const std::span<const std::byte> out = feed_.pending_out();
       if (out.empty()) return;
       const std::size_t taken = link_->write(out);

@@ -10,8 +10,10 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <fmt/format.h>
+#include <linux/sockios.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 
 #include "server/io/serial_port.h"
@@ -67,6 +69,13 @@ class Core : public std::enable_shared_from_this<Core<Stream>> {
     return taken;
   }
 
+  // What fails here fails again in the read that waits, which tells of it.
+  std::size_t read(std::span<std::byte> into) {
+    if (!up_) return 0;
+    boost::system::error_code ignored;
+    return stream_.read_some(asio::buffer(into.data(), into.size()), ignored);
+  }
+
   void lose(const std::string& reason) {
     if (listener_ == nullptr) return;
     app::LinkListener* listener = std::exchange(listener_, nullptr);
@@ -75,6 +84,7 @@ class Core : public std::enable_shared_from_this<Core<Stream>> {
     listener->on_lost(reason);
   }
 
+  bool up() const { return up_; }
   Stream& stream() { return stream_; }
   app::LinkListener* listener() { return listener_; }
 
@@ -126,7 +136,9 @@ class SerialLink final : public app::Link {
   }
 
   std::size_t write(std::span<const std::byte> bytes) override { return core_->write(bytes); }
+  std::size_t read(std::span<std::byte> into) override { return core_->read(into); }
   std::optional<std::uint64_t> unsent() override { return read_unsent(core_->stream().native_handle()); }
+  std::optional<std::uint64_t> unconfirmed() override { return std::nullopt; }
 
  private:
   static void poll_lines(const std::shared_ptr<SerialCore>& core, const std::shared_ptr<asio::steady_timer>& timer,
@@ -152,6 +164,13 @@ using TcpCore = Core<tcp::socket>;
 
 void set_option(int descriptor, int level, int name, int value) {
   ::setsockopt(descriptor, level, name, &value, sizeof(value));  // a hint: the link works without it
+}
+
+// What was written and not acknowledged by the peer's TCP.
+std::optional<std::uint64_t> read_unconfirmed(int descriptor) {
+  int count = 0;
+  if (::ioctl(descriptor, SIOCOUTQ, &count) != 0 || count < 0) return std::nullopt;
+  return static_cast<std::uint64_t>(count);
 }
 
 void tune(tcp::socket& socket) {
@@ -183,8 +202,12 @@ class TcpLink : public app::Link {
   }
 
   std::size_t write(std::span<const std::byte> bytes) override { return core_->write(bytes); }
+  std::size_t read(std::span<std::byte> into) override { return core_->read(into); }
   // What TCP holds says nothing of the line behind the device server.
   std::optional<std::uint64_t> unsent() override { return std::nullopt; }
+  std::optional<std::uint64_t> unconfirmed() override {
+    return core_->up() ? read_unconfirmed(core_->stream().native_handle()) : std::nullopt;
+  }
 
  protected:
   std::shared_ptr<TcpCore>& core() { return core_; }

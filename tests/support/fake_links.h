@@ -46,6 +46,8 @@ struct Cable {
   std::string written;                        // every byte that left, over all links
   std::optional<std::size_t> accept_at_most;  // of each write
   std::optional<std::uint64_t> unsent;
+  std::optional<std::uint64_t> unconfirmed;
+  std::string unread;                                   // came in, and the system has not told of it
   std::function<void(std::size_t total)> before_write;  // with the bytes that will have been written
   Peer* peer = nullptr;
 };
@@ -65,7 +67,14 @@ class FakeLink final : public app::Link {
     if (cable_.peer != nullptr && count > 0) cable_.peer->receive(bytes.first(count), clock_.now());
     return count;
   }
+  std::size_t read(std::span<std::byte> into) override {
+    const std::size_t count = std::min(into.size(), cable_.unread.size());
+    std::copy_n(bytes_of(cable_.unread).begin(), count, into.begin());
+    cable_.unread.erase(0, count);
+    return count;
+  }
   std::optional<std::uint64_t> unsent() override { return cable_.unsent; }
+  std::optional<std::uint64_t> unconfirmed() override { return cable_.unconfirmed; }
 
  private:
   Cable& cable_;

@@ -167,6 +167,8 @@ std::string FeedPlayer::set(const std::string& rest) {
       settings_.end = {.dc3 = value.find("dc3") != std::string::npos};
       if (value.find("eot") != std::string::npos) settings_.end.eot = 0x04;
       if (value.find("quiet") != std::string::npos) settings_.end.quiet = std::chrono::seconds(2);
+    } else if (key == "link") {
+      settings_.blind = value == "blind";
     } else if (key == "watch") {
       settings_.watch_cts = value.find("cts") != std::string::npos;
       settings_.watch_dsr = value.find("dsr") != std::string::npos;
@@ -286,6 +288,8 @@ std::string FeedPlayer::one_command(const std::string& name, const std::string& 
     feed().extend_reserve(number(argument), now_);
   } else if (name == "queue") {
     feed().report_queue(number(argument), now_);
+  } else if (name == "unconfirmed") {
+    feed().report_unconfirmed(number(argument), now_);
   } else if (name == "ready") {
     ready_ = number(argument);
     if (source_) source_->ready = ready_;

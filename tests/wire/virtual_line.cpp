@@ -141,8 +141,8 @@ void VirtualLine::wake_at_deadline() {
   add(*wake_, Kind::host_wakes);
 }
 
-std::size_t VirtualLine::arrived_count() const {
-  return static_cast<std::size_t>(std::ranges::upper_bound(arrivals_, now_) - arrivals_.begin());
+std::size_t VirtualLine::arrived_count(Time by) const {
+  return static_cast<std::size_t>(std::ranges::upper_bound(arrivals_, by) - arrivals_.begin());
 }
 
 std::string VirtualLine::arrived() const { return handed_.substr(0, arrived_count()); }

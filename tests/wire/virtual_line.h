@@ -45,7 +45,8 @@ class VirtualLine {
   void drive();
   // Characters that have reached the control by now.
   std::string arrived() const;
-  std::size_t arrived_count() const;
+  std::size_t arrived_count() const { return arrived_count(now_); }
+  std::size_t arrived_count(Time by) const;
   std::size_t handed_count() const { return arrivals_.size(); }
   // Every wire byte ever handed, and the instant of the last one.
   const std::string& handed_bytes() const { return handed_; }

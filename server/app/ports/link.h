@@ -35,8 +35,13 @@ class Link {
   virtual ~Link() = default;
   // Gives bytes to the driver without blocking; how many it took. 0 when none, then on_writable() follows.
   virtual std::size_t write(std::span<const std::byte> bytes) = 0;
+  // What came in and was not given to on_receive() yet, without blocking; 0 when nothing. For a look before a write: a
+  // stop sign that has come must be seen before more goes out, and the system's own notice of it may be late.
+  virtual std::size_t read(std::span<std::byte> into) = 0;
   // Bytes that the driver holds unsent, where it tells.
   [[nodiscard]] virtual std::optional<std::uint64_t> unsent() = 0;
+  // Bytes that the network behind the driver has not confirmed, where there is one.
+  [[nodiscard]] virtual std::optional<std::uint64_t> unconfirmed() = 0;
 };
 
 }  // namespace dripfeed::app

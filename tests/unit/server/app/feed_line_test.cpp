@@ -84,6 +84,35 @@ TEST_F(FeedLineTest, Dc1WithNothingArmedSendsNothingAndIsCounted) {
   EXPECT_EQ(written(), "") << "a DC1 from before the arming starts nothing";
 }
 
+TEST_F(FeedLineTest, ADc3ThatTheSystemHasNotToldOfStopsTheNextWrite) {
+  feed_into_a_block();
+  links_.cable(kUrl).unread = kDc3;
+  const std::string before = written();
+  links_.advance(1s);
+  EXPECT_EQ(written(), before);
+  EXPECT_EQ(report().state, LineState::held);
+  links_.cable(kUrl).unread = kDc1;
+  links_.advance(1s);
+  EXPECT_EQ(written(), before) << "nothing is to be written, so nobody looks; the system tells of it in its time";
+  links_.receive(kUrl, kDc1);
+  links_.advance(1s);
+  EXPECT_GT(written().size(), before.size());
+}
+
+TEST_F(FeedLineTest, WhatTheNetworkHasNotConfirmedIsNotClocked) {
+  open();
+  arm(1, text_);
+  links_.receive(kUrl, kDc1);
+  links_.cable(kUrl).unconfirmed = 10'000;
+  links_.advance(1500us * text_.size());
+  EXPECT_EQ(written(), text_);
+  EXPECT_EQ(report().clocked, 0U);
+  EXPECT_EQ(report().state, LineState::draining);
+  links_.cable(kUrl).unconfirmed = 0;
+  links_.advance(10ms);
+  EXPECT_EQ(report().clocked, text_.size());
+}
+
 TEST_F(FeedLineTest, ADownLinkIsNotArmed) {
   links_.cable(kUrl).comes_up = false;
   open();
