@@ -30,6 +30,12 @@ def free_port():
         return probe.getsockname()[1]
 
 
+def listens(port):
+    """Whether a program of this machine listens there (asking by a connection would be taken for the peer)."""
+    rows = [line.split() for line in pathlib.Path("/proc/net/tcp").read_text().splitlines()[1:]]
+    return any(row[3] == "0A" and int(row[1].split(":")[1], 16) == port for row in rows)
+
+
 def wait_for(what, condition, seconds=20.0, step=0.02):
     """The first true value of condition(); fails with `what` when it never comes."""
     until = time.monotonic() + seconds
@@ -161,6 +167,9 @@ class Control:
         if self.link.startswith("pty:"):
             path = self.link.split("?")[0][4:]
             wait_for(f"the simulated control at {path}", lambda: os.path.exists(path) or self._over())
+        elif self.link.startswith("tcp-listen:"):
+            port = int(self.link.split("?")[0].rsplit(":", 1)[1])
+            wait_for(f"the simulated control at port {port}", lambda: listens(port) or self._over())
         return self
 
     def _over(self):

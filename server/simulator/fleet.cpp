@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <mutex>
 #include <utility>
 
@@ -18,6 +19,7 @@ constexpr Time_ns kMillisecond = 1'000'000;
 constexpr Time_ns kLongestWait = 20 * kMillisecond;  // an operator and a stop request are looked at this often
 constexpr Time_ns kStayAfterEnd = 1000 * kMillisecond;
 constexpr Time_ns kUnconnectedWait = 5 * kMillisecond;
+constexpr Time_ns kNever = std::numeric_limits<Time_ns>::max();
 
 Time_ns now_ns() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
 
@@ -33,16 +35,22 @@ class Fleet::Station {
   // -1: nothing to wait for. A pty without a host is always "hung up", so it is left out for a moment instead of spun
   // on.
   [[nodiscard]] int descriptor() const { return cut_ || now_ns() < rest_until_ ? -1 : wire_->descriptor(); }
-  [[nodiscard]] std::optional<Time_ns> deadline() const { return cut_ ? std::nullopt : control_.deadline(); }
+  [[nodiscard]] Time_ns deadline() const {
+    if (cut_) return kNever;
+    const auto every = control_.look_every();
+    const Time_ns look = every ? std::max(looked_at_ + *every, rest_until_) : kNever;
+    return std::min(control_.deadline().value_or(kNever), look);
+  }
   [[nodiscard]] std::string address() const { return wire_->address(); }
 
-  void read() {
+  void read(bool hung_up) {
     std::array<std::byte, 4096> buffer;
+    const Time_ns before = std::exchange(looked_at_, now_ns());
     const std::size_t count = wire_->read(buffer);
     const std::lock_guard lock(mutex_);
     if (wire_->take_connected() && taken_ == 0) control_.start(now_ns());
     if (count == 0) {
-      rest_until_ = now_ns() + kUnconnectedWait;
+      if (hung_up) rest_until_ = now_ns() + kUnconnectedWait;
       return;
     }
     std::span<const std::byte> bytes = std::span(buffer).first(count);
@@ -51,7 +59,7 @@ class Fleet::Station {
       bytes = bytes.first(count - static_cast<std::size_t>(taken_ - *settings_.cut_after));
       cut_ = true;
     }
-    control_.receive(bytes, now_ns());
+    control_.receive(bytes, before, now_ns());
     if (cut_) wire_->cut();
   }
 
@@ -90,6 +98,7 @@ class Fleet::Station {
   SimulatedControl control_;
   std::uint64_t taken_ = 0;
   Time_ns rest_until_ = 0;
+  Time_ns looked_at_ = now_ns();
   bool cut_ = false;
 };
 
@@ -109,13 +118,13 @@ void Fleet::run(const std::stop_token& stop) {
     Time_ns until = now_ns() + kLongestWait;
     for (std::size_t i = 0; i < stations_.size(); ++i) {
       files[i] = {.fd = stations_[i]->descriptor(), .events = POLLIN, .revents = 0};
-      if (const auto deadline = stations_[i]->deadline()) until = std::min(until, *deadline);
+      until = std::min(until, stations_[i]->deadline());
     }
     const Time_ns wait = std::max<Time_ns>(0, until - now_ns());
     const timespec timeout{.tv_sec = wait / 1'000'000'000, .tv_nsec = wait % 1'000'000'000};
     ::ppoll(files.data(), files.size(), &timeout, nullptr);
     for (std::size_t i = 0; i < stations_.size(); ++i) {
-      if (files[i].revents != 0) stations_[i]->read();
+      if (files[i].fd >= 0) stations_[i]->read((files[i].revents & (POLLHUP | POLLERR)) != 0);
       stations_[i]->tick();
     }
   }

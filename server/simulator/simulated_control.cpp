@@ -15,6 +15,8 @@ constexpr std::uint8_t kDc1 = 0x11;
 constexpr std::uint8_t kDc3 = 0x13;
 constexpr std::uint8_t kDc3WithParity = 0x93;
 
+bool is_dc3(std::byte byte) { return byte == std::byte{kDc3} || byte == std::byte{kDc3WithParity}; }
+
 // Parity over all eight bits of a received byte, as the framing and the code ask for it.
 bool parity_is_right(std::uint8_t byte, const tape_code::Framing& framing, tape_code::Code code) {
   const bool odd_ones = (std::popcount(byte) & 1) != 0;
@@ -57,6 +59,7 @@ void SimulatedControl::reset() {
   block_.clear();
   buffered_ = 0;
   running_ = false;
+  before_dc3_left_.clear();
 }
 
 std::optional<Time_ns> SimulatedControl::quiet_since() const {
@@ -65,9 +68,14 @@ std::optional<Time_ns> SimulatedControl::quiet_since() const {
   return std::max({started_at_, last_arrival_, run_until_});
 }
 
-void SimulatedControl::receive(std::span<const std::byte> bytes, Time_ns now) {
+std::optional<Time_ns> SimulatedControl::look_every() const {
+  const bool listens = report_.state == ControlState::reading || report_.state == ControlState::held;
+  return listens ? std::optional(char_ns_) : std::nullopt;
+}
+
+void SimulatedControl::receive(std::span<const std::byte> bytes, Time_ns looked_before, Time_ns now) {
   for (const std::byte byte : bytes) {
-    last_arrival_ = std::max(now, last_arrival_ + char_ns_);
+    last_arrival_ = std::max(looked_before, last_arrival_ + char_ns_);
     pending_.push_back({static_cast<std::uint8_t>(byte), last_arrival_});
   }
   tick(now);
@@ -95,8 +103,10 @@ std::optional<Time_ns> SimulatedControl::deadline() const {
 std::vector<std::byte> SimulatedControl::take_out(Time_ns now) {
   std::vector<std::byte> bytes;
   while (!out_.empty() && out_.front().at <= now) {
-    bytes.push_back(out_.front().byte);
+    const Due due = out_.front();
     out_.pop_front();
+    bytes.push_back(due.byte);
+    if (is_dc3(due.byte)) dc3_left(now - due.at);
   }
   return bytes;
 }
@@ -198,7 +208,14 @@ void SimulatedControl::check_flow(Time_ns at) {
   }
 }
 
+void SimulatedControl::dc3_left(Time_ns late) {
+  dc3_at_ += late;
+  for (const Time_ns at : std::exchange(before_dc3_left_, {})) count_after_dc3(at);
+}
+
 void SimulatedControl::count_after_dc3(Time_ns at) {
+  const bool still_here = std::ranges::any_of(out_, [](const Due& due) { return is_dc3(due.byte); });
+  if (still_here) return before_dc3_left_.push_back(at);
   if (at <= dc3_at_) return;
   ++after_dc3_;
   report_.after_dc3_max = std::max(report_.after_dc3_max, after_dc3_);
@@ -206,6 +223,7 @@ void SimulatedControl::count_after_dc3(Time_ns at) {
 }
 
 void SimulatedControl::close_hold(Time_ns at) {
+  after_dc3_ += std::exchange(before_dc3_left_, {}).size();  // a hold that ended before its DC3 left
   ++report_.after_dc3[std::min<std::uint64_t>(after_dc3_, kAfterDc3Bins - 1)];
   // Characters that came after the DC3 were line time in use; the rest of the hold was not.
   held_ns_ += std::max<Time_ns>(0, at - dc3_at_ - static_cast<Time_ns>(after_dc3_) * char_ns_);

@@ -63,16 +63,21 @@ class SimulatedControl {
   void start(Time_ns now);
   // The operator presses RESET: whatever was read and not run is dropped, an alarm is cleared.
   void reset();
-  void receive(std::span<const std::byte> bytes, Time_ns now);
+  // `looked_before`: when the driver last looked and found nothing; the bytes came since, and are taken to have come
+  // then. A driver that overslept must not make the host's line look slower than it is.
+  void receive(std::span<const std::byte> bytes, Time_ns looked_before, Time_ns now);
+  // The time between two looks at the line while it is read.
+  [[nodiscard]] std::optional<Time_ns> look_every() const;
   void tick(Time_ns now);
-  // Bytes that are due to reach the host now; cleared by the call.
+  // Bytes that are due to reach the host now; cleared by the call. A driver that comes late has let its own DC3 leave
+  // late: what arrived in between came before it and does not count against the host.
   std::vector<std::byte> take_out(Time_ns now);
   [[nodiscard]] std::optional<Time_ns> deadline() const;
   [[nodiscard]] ControlReport report() const;
   [[nodiscard]] ControlState state() const { return report_.state; }
-  // The program ended and everything was run.
   // Nothing came, nothing runs and nothing is held since this instant (waiting for the host); nothing while busy.
   [[nodiscard]] std::optional<Time_ns> quiet_since() const;
+  // The program ended and everything was run.
   [[nodiscard]] bool finished() const {
     return report_.state == ControlState::ended && pending_.empty() && blocks_.empty() && !running_;
   }
@@ -97,6 +102,7 @@ class SimulatedControl {
   void run_blocks(Time_ns now);
   void check_flow(Time_ns at);
   void count_after_dc3(Time_ns at);
+  void dc3_left(Time_ns late);
   void close_hold(Time_ns at);
   void send(std::uint8_t byte, Time_ns at);
   void raise(std::string_view alarm);
@@ -116,6 +122,7 @@ class SimulatedControl {
   Time_ns held_ns_ = 0;
   Time_ns dc3_at_ = -1;
   std::uint64_t after_dc3_ = 0;
+  std::vector<Time_ns> before_dc3_left_;  // arrivals since the decision for a DC3 that take_out() has not given yet
   bool label_skip_ = true;
   bool seen_percent_ = false;
   bool running_ = false;

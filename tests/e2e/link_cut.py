@@ -51,6 +51,6 @@ def tcp_is_reset(folder):
 
 
 if __name__ == "__main__":
-    in_folder(pty_is_closed, tries=3)
-    in_folder(tcp_is_reset, tries=3)
+    in_folder(pty_is_closed)
+    in_folder(tcp_is_reset)
     sys.exit(0)

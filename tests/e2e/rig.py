@@ -63,15 +63,7 @@ class Rig:
         return job
 
 
-def in_folder(test, tries=1):
-    """More than one try is for tests whose simulated control overruns when the machine stands still for some milliseconds."""
-    for left in reversed(range(tries)):
-        try:
-            with tempfile.TemporaryDirectory(prefix="dripfeed-e2e-", ignore_cleanup_errors=True) as folder:
-                test(pathlib.Path(folder))
-            break
-        except (AssertionError, ValueError, TimeoutError) as fault:
-            if left == 0:
-                raise
-            print(f"{test.__name__} failed, {left} tries left: {fault}", flush=True)
+def in_folder(test):
+    with tempfile.TemporaryDirectory(prefix="dripfeed-e2e-", ignore_cleanup_errors=True) as folder:
+        test(pathlib.Path(folder))
     print(f"ok {test.__name__}")

@@ -41,7 +41,7 @@ class SimulatedControlTest : public ::testing::Test {
     control_->start(now_);
   }
   // One write of the host.
-  void give(std::string_view text) { control_->receive(even(text), now_); }
+  void give(std::string_view text) { control_->receive(even(text), now_, now_); }
   void pass(Time_ns span) {
     const Time_ns until = now_ + span;
     for (;;) {
@@ -124,6 +124,7 @@ TEST_F(SimulatedControlTest, CountsWhatComesAfterItsOwnDc3AndAlarmsBeyondTen) {
     feed(std::string(71, 'X'));
     ASSERT_EQ(control_->state(), ControlState::held);
     feed(std::string(static_cast<std::size_t>(late), 'Y'));
+    pass(late > 10 ? 0 : 20 * kChar);  // the DC3 has left by now
     EXPECT_EQ(report().after_dc3_max, static_cast<std::uint64_t>(late));
     EXPECT_EQ(control_->state(), late > 10 ? ControlState::alarm : ControlState::held);
     EXPECT_EQ(report().alarm, late > 10 ? "087 BUFFER OVERFLOW" : "");
@@ -131,6 +132,28 @@ TEST_F(SimulatedControlTest, CountsWhatComesAfterItsOwnDc3AndAlarmsBeyondTen) {
 }
 
 // A host that writes a burst is judged as its UART would be: one character after the other.
+TEST_F(SimulatedControlTest, WhatArrivesBeforeALateDc3LeavesDoesNotCount) {
+  make(settings());
+  pass(kSecond);
+  feed("%\n" + std::string(71, 'X'));  // 29 of 100 free: DC3, due to leave five characters later
+  const std::size_t before = out_.size();
+  for (int i = 0; i < 14; ++i) {  // the driver sleeps over its DC3
+    now_ += kChar;
+    give("Y");
+  }
+  EXPECT_EQ(out_.size(), before);
+  for (const std::byte byte : control_->take_out(now_)) out_.push_back(byte);  // nine characters late
+  ASSERT_EQ(out_.back(), kDc3);
+  EXPECT_EQ(report().after_dc3_max, 5U);
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_EQ(report().alarm, "");
+    now_ += kChar;
+    give("Y");
+  }
+  EXPECT_EQ(report().after_dc3_max, 11U);
+  EXPECT_EQ(report().alarm, "087 BUFFER OVERFLOW");
+}
+
 TEST_F(SimulatedControlTest, ABurstArrivesAtLineSpeed) {
   make(settings());
   give("%\n(345678)\n");
@@ -162,7 +185,7 @@ TEST_F(SimulatedControlTest, WrongParityIsAnAlarm) {
   feed("%\nG0");
   const std::byte wrong{static_cast<std::uint8_t>('X') ^
                         (std::popcount(static_cast<unsigned>('X')) % 2 == 0 ? 0x80U : 0U)};
-  control_->receive(std::span(&wrong, 1), now_);
+  control_->receive(std::span(&wrong, 1), now_, now_);
   pass(kChar);
   EXPECT_EQ(report().parity_errors, 1U);
   EXPECT_EQ(report().alarm, "001 TH PARITY");
