@@ -183,9 +183,12 @@ void FlowCompiler::compile_section_end(std::uint32_t repeat, std::uint32_t secti
 }
 
 void FlowCompiler::compile_return_jump(const ir::Jump& jump, text::Span span) {
-  const Operand number = jump.computed != ir::ExpressionId::none ? expressions_.compile_number(jump.computed).operand
-                                                                 : builder_.constant(jump.number);
-  builder_.emit(Opcode::back_to, span, raw_of(number));
+  if (jump.computed == ir::ExpressionId::none) {
+    builder_.emit(Opcode::back_to, span, raw_of(builder_.constant(jump.number)));
+    return;
+  }
+  const Value to = expressions_.compile(jump.computed);
+  builder_.emit(Opcode::back_to, span, raw_of(to.operand), 0, 0, to.is_string() ? std::uint8_t{1} : std::uint8_t{0});
 }
 
 void FlowCompiler::settle(const std::vector<StatementCode>& code, std::uint32_t first, std::uint32_t last) {

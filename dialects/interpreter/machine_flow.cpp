@@ -197,13 +197,22 @@ bool Machine::go_back(const Instruction& i, std::uint32_t& next) {
 }
 
 bool Machine::go_back_to(const Instruction& i, std::uint32_t& next) {
-  const double value = storage_.reg(i.a);
+  const bool by_text = i.extra == 1;
+  if (by_text && stack_.in_main()) return go_back(i, next);
+  const double value = by_text ? 0.0 : storage_.reg(i.a);
+  const std::string text = by_text ? storage_.text(i.a) : std::string();
   if (!stack_.in_main()) next = stack_.go_back();
+  if (by_text && is_unknown(text)) {
+    report_.count({.name = "a return to a label that is not known"});
+    return true;
+  }
   // From here on the instruction is one of the caller: the call, or the return itself in the main program.
   const Instruction& from = stack_.program().code[next - 1];
-  const std::uint32_t to =
-      find_number(stack_.program(), access_.whole_number(value, kLastBlockNumber), next - 1, ir::JumpSearch::both);
-  if (to == kNoTarget) return report_.fail(from, DiagnosticId::jump_target_missing, {block_number_name(value)});
+  const std::uint32_t to = by_text ? find_text(stack_.program(), text, next - 1, ir::JumpSearch::both)
+                                   : find_number(stack_.program(), access_.whole_number(value, kLastBlockNumber),
+                                                 next - 1, ir::JumpSearch::both);
+  if (to == kNoTarget)
+    return report_.fail(from, DiagnosticId::jump_target_missing, {by_text ? text : block_number_name(value)});
   if (++passes_ > options_.limits.loop_passes) return report_.fail_limit(from, "loop passes");
   next = to;
   return true;

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "dialects/interpreter/expression_compiler.h"
+#include "dialects/interpreter/unknown.h"
 
 namespace dripfeed::interpreter {
 
@@ -211,6 +212,10 @@ void VariableCompiler::assign(const ir::Variable& target, ir::ExpressionId value
     failure(span, DiagnosticId::unknown_name, {"here"});
     return;
   }
+  const bool takes_text =
+      target.bank == Bank::named && !is_shared(target) && builder_.source().at(target.symbol).type == ValueType::string;
+  if (takes_text)
+    if (const auto text = text_of_unknown_type(value)) return store_string(target, *text, span);
   // A plain register takes the result directly, unless the type converts.
   const bool converts = target.bank == Bank::named && builder_.source().at(target.symbol).type != ValueType::real;
   const bool writable =
@@ -218,6 +223,17 @@ void VariableCompiler::assign(const ir::Variable& target, ir::ExpressionId value
       (target.bank != Bank::system && builder_.context().variables.find(target.bank, target.number).writable);
   const Operand at = converts || !writable ? Operand::none : direct(target);
   store(target, expressions_.compile(value, at), span);
+}
+
+// Data of the control without a definition, and functions that are not interpreted, may give a text: nobody knows.
+std::optional<Value> VariableCompiler::text_of_unknown_type(ir::ExpressionId value) {
+  const ir::Expression* e = builder_.find(value);
+  if (e == nullptr || e->op != ir::Operator::variable) return std::nullopt;
+  const ir::Variable& variable = builder_.source().at(e->variable);
+  if (is_shared(variable)) return load_shared_text(variable);
+  if (variable.bank != Bank::system) return std::nullopt;
+  load(variable, Operand::none);
+  return Value{builder_.text_constant(kUnknownText), ValueType::string, std::nullopt};
 }
 
 void VariableCompiler::store(const ir::Variable& target, const Value& value, text::Span span) {
@@ -251,7 +267,7 @@ void VariableCompiler::store_symbol(const ir::Variable& target, const Value& val
   const std::string_view name = builder_.source().strings.at(symbol.name);
   if (symbol.type == ValueType::string) return store_string(target, value, span);
   if (value.is_string() && symbol.type != ValueType::axis) {
-    failure(span, DiagnosticId::wrong_type, {std::string(name), "a number", "STRING"});
+    failure(span, DiagnosticId::wrong_type, {"the value for " + std::string(name), "STRING", "a number"});
     return;
   }
   const SymbolSlot& slot = slot_of(target.symbol);
@@ -277,7 +293,7 @@ void VariableCompiler::store_string(const ir::Variable& target, const Value& val
   const SymbolSlot& slot = slot_of(target.symbol);
   if (!value.is_string()) {
     failure(span, DiagnosticId::wrong_type,
-            {std::string(builder_.source().strings.at(symbol.name)), "STRING", "STRING on the right"});
+            {"the value for " + std::string(builder_.source().strings.at(symbol.name)), "REAL", "STRING"});
     return;
   }
   Operand from = value.operand;

@@ -42,6 +42,7 @@ class VariableCompiler {
   Value load_numbered(const ir::Variable& variable, Operand target);
   void store_symbol(const ir::Variable& target, const Value& value, text::Span span);
   void store_string(const ir::Variable& target, const Value& value, text::Span span);
+  std::optional<Value> text_of_unknown_type(ir::ExpressionId value);
   void store_numbered(const ir::Variable& target, const Value& value, text::Span span);
   Value convert(ir::ValueType type, const Value& value, Operand target, text::Span span);
   // The register that the variable is, when it is one.

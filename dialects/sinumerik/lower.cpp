@@ -169,6 +169,12 @@ void Lowering::add_jump(const ir::Jump& jump, text::Span span) {
   push(StatementKind::go_to, program_.jumps, jump, span);
 }
 
+void Lowering::add_return(const ir::Jump& jump, text::Span span) {
+  if (native_) return;
+  flush_block();
+  push(StatementKind::return_to, program_.jumps, jump, span);
+}
+
 void Lowering::add_structure(StatementKind kind, const ir::Structure& structure, text::Span span) {
   if (!native_) flush_block();
   push(kind, program_.structures, structure, span);

@@ -34,6 +34,7 @@ class Lowering {
   // Statements. The span is the statement's own.
   void add_assign(ir::VariableId target, ir::ExpressionId value, text::Span span);
   void add_jump(const ir::Jump& jump, text::Span span);
+  void add_return(const ir::Jump& jump, text::Span span);
   void add_structure(ir::StatementKind kind, const ir::Structure& structure, text::Span span);
   void add_call(ir::StatementKind kind, const ir::Call& call, text::Span span);
   void add_message(ir::StatementKind kind, const ir::Message& message, text::Span span);

@@ -309,9 +309,19 @@ void Parser::alarm(text::Span head) {
   lower_.add_message(StatementKind::alarm, alarm, to_here(head));
 }
 
-// RET alone; RET(…) goes elsewhere in the caller and is kept as written.
+// RET alone, or RET("LABEL") to a block of the caller (PGA, "Parameterizable subprogram return"); with more arguments
+// it is kept as written.
 void Parser::return_statement(text::Span head) {
-  if (cursor_.is_symbol('(')) return native("RET", false, head);
+  if (cursor_.is_symbol('(')) {
+    TokenCursor probe = cursor_.after();
+    const bool has_target = !probe.is_symbol(',') && !probe.is_symbol(')');
+    while (!probe.at_block_end() && !probe.is_symbol(',') && !probe.is_symbol(')')) probe.advance();
+    if (!has_target || !probe.is_symbol(')')) return native("RET", false, head);
+    operator_ = head;
+    ir::Jump jump;
+    jump.computed = parenthesized();
+    return lower_.add_return(jump, to_here(head));
+  }
   lower_.add_plain(StatementKind::subprogram_return, head);
 }
 

@@ -123,7 +123,6 @@ class Printer {
   void words_of(std::uint32_t i, const ir::Statement& s, std::string& out) {
     switch (s.kind) {
       case StatementKind::empty:
-      case StatementKind::return_to:
       case StatementKind::output: return;  // of other controls: raising refuses them
       case StatementKind::block: return blocks_.append(out, program_.blocks[s.payload]);
       case StatementKind::assign: return assign(program_.assigns[s.payload], out);
@@ -146,6 +145,11 @@ class Printer {
           return;
         }
         return call(program_.calls[s.payload], out);
+      case StatementKind::return_to:
+        out += "RET(";
+        value(out, program_.jumps[s.payload].computed);
+        out += ')';
+        return;
       case StatementKind::modal_call: out += "MCALL "; return call(program_.calls[s.payload], out);
       case StatementKind::modal_call_end:
         // A cycle that is not read stands on the same line.

@@ -157,6 +157,21 @@ TEST(SinumerikValues, ArraysHaveThreeDimensions) {
   EXPECT_EQ(run("DEF INT A[2,3,4]\nR1=4\nA[0,0,R1]=1\nM30\n").result.ended, interpreter::Ended::alarm);
 }
 
+TEST(SinumerikFlow, ReturnsGoToABlockOfTheCaller) {
+  const Texts called = {{"UP", "PROC UP(STRING[9] A)\nRET(A)\n"}, {"DOWN", "RET(\"N20\")\n"}};
+  EXPECT_EQ(run("R1=0\nUP(\"THERE\")\nR1=R1+1\nTHERE: R1=R1+10\nM30\n", called).value("R1"), 10.0);
+  EXPECT_EQ(run("R1=0\nDOWN\nR1=R1+1\nN20 R1=R1+10\nM30\n", called).value("R1"), 10.0);
+  EXPECT_EQ(alarm_of(run("UP(\"NOWHERE\")\nM30\n", called)), "14080");
+}
+
+TEST(SinumerikValues, TextsOfUnknownTypeAreTaken) {
+  // Nobody knows whether the name, defined in the control, is a text; and SPRINT gives one.
+  const Result result = run("DEF STRING[9] A\nA=NAME_IN_THE_CONTROL\nA=SPRINT(\"%5.2f\",R1)\nR5=1\nM30\n");
+  EXPECT_TRUE(result.result.diagnostics.empty());
+  EXPECT_EQ(result.value("R5"), 1.0);
+  EXPECT_TRUE(result.names("SPRINT"));
+}
+
 // --- flow
 
 TEST(SinumerikFlow, SectionsAreRepeated) {
