@@ -72,7 +72,8 @@ struct Event {
 };
 
 // Wire bytes of the job, leader included. handed (the driver took it) >= clocked (its line time and the link's latency
-// passed) >= confirmed (acknowledged by the peer; a plain serial line never does).
+// passed; on a blind link as long ago that no loss can take it back) >= confirmed (acknowledged by the peer; a plain
+// serial line never does).
 struct Counters {
   std::uint64_t handed = 0;
   std::uint64_t clocked = 0;

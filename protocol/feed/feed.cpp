@@ -158,7 +158,7 @@ void Feed::step_to(Time now) {
     if (stall_ != Stall::none && is_on_the_line(state_)) counters_.stalled_for += passed;
     now_ = now;
   }
-  if (has_job(state_)) counters_.clocked = clocked_now();
+  if (has_job(state_)) counters_.clocked = certain_by_now();
   settle_progress();
 }
 
@@ -222,24 +222,28 @@ bool Feed::holds(Guard guard) const {
 // brought all of it, or none of it is more than leader, or all that is still under way is trailer.
 bool Feed::in_block() const {
   const std::uint64_t handed = counters_.handed;
-  if (handed >= program_end_wire_) return certain() < program_end_wire_;
+  if (handed >= program_end_wire_) return counters_.clocked < program_end_wire_;
   if (handed <= settings_.wire.leader_nuls) return false;
-  return !(at_block_end_ && line_settled() && certain() == handed);
+  return !(at_block_end_ && line_settled() && counters_.clocked == handed);
 }
 
 bool Feed::line_settled() const {
   return clock_.settled(now_) && network_has_.value_or(counters_.handed) >= counters_.handed;
 }
 
-std::uint64_t Feed::clocked_now() {
+// What left by the line's time, as far as the network has it.
+std::uint64_t Feed::left_by_now() {
   const std::uint64_t by_time = clock_.clocked(now_);
   return std::min(by_time, network_has_.value_or(by_time));
 }
 
-// What reached the control even if the link below was just lost with all that it held.
-std::uint64_t Feed::certain() const {
-  if (!settings_.blind) return counters_.clocked;
-  return std::min(counters_.clocked, clock_.clocked_before(now_ - char_time_ * std::int64_t{kBlindHold}));
+// What is certain even if the link below is lost at this moment with all that it holds. Never falls.
+std::uint64_t Feed::certain_by_now() {
+  std::uint64_t certain = left_by_now();
+  if (settings_.blind) {
+    certain = std::min(certain, clock_.clocked_before(now_ - char_time_ * std::int64_t{kBlindHold}));
+  }
+  return std::max(counters_.clocked, certain);
 }
 
 std::expected<void, Refusal> Feed::react(Input input, Trigger trigger) {
@@ -276,7 +280,7 @@ void Feed::perform(Action action, Trigger trigger, State to) {
     case Action::release: break;
     case Action::stand_in: emit({.kind = EventKind::resumed_by_person}); break;
     case Action::end:
-    case Action::fail: end_job(trigger.cause); break;
+    case Action::fail: end_job(action, trigger.cause); break;
     case Action::clear:
       job_.reset();
       control_holds_ = false;
@@ -305,10 +309,10 @@ void Feed::take_job() {
   end_cause_ = Cause::none;
 }
 
-// Freezes what is known, less what a lost link took with it. The source is not touched any more, so it may go.
-void Feed::end_job(Cause cause) {
-  counters_.clocked = clocked_now();
-  if (cause == Cause::link_lost) counters_.clocked = certain();
+// Freezes what is known. A clean end leaves the link as it is: what left arrives. The source is not touched any more,
+// so it may go.
+void Feed::end_job(Action action, Cause cause) {
+  counters_.clocked = action == Action::end ? left_by_now() : certain_by_now();
   counters_.ended_at = now_;
   end_interval_ = interval();
   end_cause_ = cause;

@@ -133,7 +133,7 @@ class Feed {
   void fill();
   void advance();
   void take_job();
-  void end_job(Cause cause);
+  void end_job(Action action, Cause cause);
   Time settles_at() const;
   Time quiet_at() const;
   Stall present_stall() const;
@@ -141,8 +141,8 @@ class Feed {
   void note_input(Trigger trigger);
   bool in_block() const;
   bool line_settled() const;
-  std::uint64_t clocked_now();
-  std::uint64_t certain() const;
+  std::uint64_t left_by_now();
+  std::uint64_t certain_by_now();
   std::size_t allowed() const;
 
   Settings settings_;
