@@ -48,6 +48,9 @@ constexpr std::array<StateRow, feed::kStates> kStateRows = {{
     {feed::State::disarmed, LineState::idle, JobEnd::disarmed},
 }};
 
+constexpr std::array kStopStates = {feed::State::stopping, feed::State::stopping_held, feed::State::stopped,
+                                    feed::State::stopped_held};
+
 constexpr bool rows_in_order() {
   for (std::size_t i = 0; i < kStateRows.size(); ++i) {
     if (static_cast<std::size_t>(kStateRows[i].feed) != i) return false;
@@ -251,6 +254,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     report_.state = state;
     report_.end = row.end;
     report_.stall = stall_name;
+    report_.stop_wanted = std::ranges::find(kStopStates, feed_.state()) != kStopStates.end();
     report_.cause = feed_.end_cause() == feed::Cause::none ? std::string_view() : feed::name(feed_.end_cause());
     if (report_.link_error != link_error_) report_.link_error = link_error_;
     report_.total = feed_.wire_bytes();

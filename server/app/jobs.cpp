@@ -130,9 +130,7 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
     return std::unexpected(same.error());
 
   const double minutes = given.value_or(profile->line.arming_minutes);
-  // A block transfer begins at once, so its arming does not expire.
-  const bool waits = profile->line.link.kind != machine::LinkKind::modbus_tcp;
-  const std::int64_t expires_at_ms = waits ? clock_.wall_ms() + static_cast<std::int64_t>(minutes * 60e3) : 0;
+  const std::int64_t expires_at_ms = clock_.wall_ms() + static_cast<std::int64_t>(minutes * 60e3);
   auto armed = store_.jobs().move(
       id, {.to = store::JobState::armed, .reason = "armed", .torn = false, .expires_at_ms = expires_at_ms},
       stamp(actor));
@@ -174,12 +172,21 @@ Result<store::Job> Jobs::command(store::Id id, feed::Command command, std::strin
   if (!job) return std::unexpected(from_store(job.error()));
   const auto line = line_with(*job);
   if (!line) return std::unexpected(line.error());
-  // The audit comes first: a command that took effect is never without its row.
-  const auto noted =
-      store_.audit().append({std::string(action), fmt::format("job/{}", id), std::string(reason)}, stamp(actor));
-  if (!noted) return std::unexpected(from_store(noted.error()));
-  const auto done = (*line)->command(command);
-  if (!done) return fail(ErrorCode::refused, done.error());
+  const auto audit = [&] {
+    return store_.audit().append({std::string(action), fmt::format("job/{}", id), std::string(reason)}, stamp(actor));
+  };
+  // The audit comes first: what lets bytes go out is never without its row. What ends them takes effect even when no
+  // row can be written.
+  const bool restrains = command != feed::Command::resume && command != feed::Command::resume_as_if_dc1;
+  if (!restrains) {
+    if (const auto noted = audit(); !noted) return std::unexpected(from_store(noted.error()));
+  }
+  if (const auto done = (*line)->command(command); !done) return fail(ErrorCode::refused, done.error());
+  if (restrains) {
+    if (const auto noted = audit(); !noted) {
+      spdlog::error("audit: {} of job {} by {}: {}", action, id, actor, store::message_of(noted.error()));
+    }
+  }
   if (!note.empty()) keeper_.note(id, note);
   keeper_.round();
   auto now = store_.jobs().get(id);
@@ -213,7 +220,7 @@ Result<store::Job> Jobs::resume(store::Id id, std::string_view reason, std::stri
   if (!job) return std::unexpected(from_store(job.error()));
   const auto line = line_with(*job);
   if (!line) return std::unexpected(line.error());
-  if ((*line)->report().stall == name_of(feed::Stall::stopped_by_person)) {
+  if ((*line)->report().stop_wanted) {
     return command(id, feed::Command::resume, "job.resume", reason, actor);
   }
   if (reason.empty())

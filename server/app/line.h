@@ -44,10 +44,11 @@ struct LineReport {
   std::uint64_t session = 0;  // of its order: tells one arming of a job from the next
   LineState state = LineState::disconnected;
   JobEnd end = JobEnd::none;
-  std::string_view stall;   // "" or a name: "waiting for DC1", "held by DC3", "CTS off", "peer gone", …
-  std::string_view cause;   // why the job ended, "" while it runs
-  std::string link_error;   // why the link is down
-  std::uint64_t total = 0;  // wire bytes of the job
+  std::string_view stall;    // "" or a name: "waiting for DC1", "held by DC3", "CTS off", "peer gone", …
+  bool stop_wanted = false;  // a person's stop is in force, reached or on its way to the block end
+  std::string_view cause;    // why the job ended, "" while it runs
+  std::string link_error;    // why the link is down
+  std::uint64_t total = 0;   // wire bytes of the job
   std::uint64_t handed = 0;
   std::uint64_t clocked = 0;
   std::uint64_t confirmed = 0;

@@ -102,6 +102,8 @@ class MailboxLine final : public Line {
     session_ = order.session;
     total_ = job.text_bytes;
     reserve_ = order.reserve;
+    expires_at_ = clock_.now() + order.expires_after;
+    expired_ = false;
     publish();
     wake();
     return {};
@@ -144,6 +146,7 @@ class MailboxLine final : public Line {
     std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
       sender_.tick(clock_.now());
+      expire();
       const auto request = sender_.next_request(clock_.now());
       while (sender_.next_event()) {
       }  // the report says all that the events changed
@@ -154,6 +157,17 @@ class MailboxLine final : public Line {
         sleep(stop, lock);
       }
     }
+  }
+
+  // The receiver has not taken the session: nothing of the job went out.
+  [[nodiscard]] bool is_armed() const {
+    return sender_.state() == modbus::SenderState::looking || sender_.state() == modbus::SenderState::opening;
+  }
+
+  void expire() {
+    if (expired_ || !is_armed() || clock_.now() < expires_at_) return;
+    expired_ = true;
+    static_cast<void>(sender_.command(modbus::SenderCommand::abort, clock_.now()));  // an armed one takes it always
   }
 
   // The bus works without the lock. A command given meanwhile composes another message in the sender's registers, so
@@ -183,7 +197,9 @@ class MailboxLine final : public Line {
   void sleep(const std::stop_token& stop, std::unique_lock<std::mutex>& lock) {
     const std::uint64_t before = wakes_;
     const auto woken = [&] { return wakes_ != before; };
-    if (const auto deadline = sender_.deadline()) {
+    auto deadline = sender_.deadline();
+    if (is_armed() && !expired_) deadline = std::min(deadline.value_or(expires_at_), expires_at_);
+    if (deadline) {
       wake_.wait_for(lock, stop, std::max(*deadline - clock_.now(), modbus::Time(0)), woken);
     } else {
       wake_.wait(lock, stop, woken);
@@ -192,19 +208,23 @@ class MailboxLine final : public Line {
 
   void publish() {
     const StateRow& row = kStateRows[static_cast<std::size_t>(sender_.state())];
+    // Whether the receiver heard the abort or not: no block of an expired job was handed.
+    const JobEnd end = row.end != JobEnd::none && expired_ ? JobEnd::disarmed : row.end;
     const modbus::SenderCounters counters = sender_.counters();
     const LineState state = line_state(row, counters.handed);
     const modbus::SenderStall stall = sender_.stall();
     const std::string_view stall_name = kStallNames[static_cast<std::size_t>(stall)];
-    const bool changed = state != report_.state || row.end != report_.end || stall_name != report_.stall ||
+    const bool changed = state != report_.state || end != report_.end || stall_name != report_.stall ||
                          order_job_ != report_.job || session_ != report_.session;
     report_.job = order_job_;
     report_.session = session_;
     report_.state = state;
-    report_.end = row.end;
+    report_.end = end;
     report_.stall = stall_name;
     report_.cause =
         sender_.stop_reason() == modbus::StopReason::none ? std::string_view() : modbus::name(sender_.stop_reason());
+    if (expired_) report_.cause = feed::name(feed::Cause::expired);
+    report_.stop_wanted = state == LineState::held;
     report_.link_error = link_error_;
     report_.total = total_;
     report_.handed = counters.handed;
@@ -229,6 +249,8 @@ class MailboxLine final : public Line {
   std::uint64_t total_ = 0;
   std::uint64_t reserve_ = 0;
   std::uint64_t wakes_ = 0;
+  modbus::Time expires_at_{};
+  bool expired_ = false;
   std::string link_error_;
   mutable std::mutex mutex_;
   std::condition_variable_any wake_;

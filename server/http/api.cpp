@@ -39,11 +39,15 @@ struct TitleRow {
   std::string_view title;
 };
 constexpr std::array kTitles = {
-    TitleRow{401, "not signed in"},      TitleRow{403, "not allowed"},    TitleRow{404, "not found"},
-    TitleRow{405, "method not allowed"}, TitleRow{409, "refused"},        TitleRow{412, "stale revision"},
-    TitleRow{413, "too large"},          TitleRow{415, "no JSON"},        TitleRow{422, "invalid"},
-    TitleRow{428, "revision missing"},   TitleRow{500, "internal error"},
+    TitleRow{400, "malformed"},      TitleRow{401, "not signed in"},      TitleRow{403, "not allowed"},
+    TitleRow{404, "not found"},      TitleRow{405, "method not allowed"}, TitleRow{409, "refused"},
+    TitleRow{412, "stale revision"}, TitleRow{413, "too large"},          TitleRow{415, "no JSON"},
+    TitleRow{422, "invalid"},        TitleRow{428, "revision missing"},   TitleRow{500, "internal error"},
 };
+
+// A client that repeats a request does so within minutes.
+constexpr std::int64_t kReplyKept_ms = 24LL * 3600 * 1000;
+constexpr std::int64_t kForgetEvery_ms = 3600LL * 1000;
 
 template <class Number>
 bool read_number(std::string_view text, Number& into) {
@@ -200,6 +204,10 @@ Response Api::answer_route(const Request& request, const Match& match) {
   if (route.right == Right::anybody) return route.handler(call);
   const auto caller = admit(request, route);
   if (!caller) return caller.error();
+  if (const std::string_view name = unknown_query(route, request); !name.empty()) {
+    return problem_response(
+        400, fmt::format("no query parameter \"{}\" here; this path takes: {}", name, query_names(route)));
+  }
   call.user = caller->name;
   call.right = caller->right;
   if (request.method == Method::get || request.idempotency_key.empty()) return route.handler(call);
@@ -258,6 +266,14 @@ Response Api::answer_once(const Request& request, const Route& route, const Call
   return answer_first(request, route, call);
 }
 
+// Once an hour, with the first answer that is kept.
+void Api::forget_old_replies(std::int64_t now_ms) {
+  std::int64_t last_ms = forgot_at_ms_;
+  if (now_ms - last_ms < kForgetEvery_ms || !forgot_at_ms_.compare_exchange_strong(last_ms, now_ms)) return;
+  const auto forgotten = application_.store().replies().forget_before(now_ms - kReplyKept_ms);
+  if (!forgotten) spdlog::warn("old answers under idempotency keys: {}", store::message_of(forgotten.error()));
+}
+
 // Under a key the effect happens once. A light route's effect and its kept answer are one transaction; for the others a
 // crash between the two lets a repetition try again, and the state of things (a job that is armed already) refuses it.
 Response Api::answer_first(const Request& request, const Route& route, const Call& call) {
@@ -282,6 +298,7 @@ Response Api::answer_first(const Request& request, const Route& route, const Cal
                              .headers = write_headers(response),
                              .body = response.body,
                              .at_ms = application_.clock().wall_ms()};
+    forget_old_replies(reply.at_ms);
     return store.replies().keep(key, reply);
   };
   const auto done = route.weight == Weight::light ? store.atomically(work) : work();

@@ -2,6 +2,7 @@
 // requests; handlers live in handlers_*.cpp, one file a kind of thing, and are listed in routes.cpp.
 #pragma once
 
+#include <atomic>
 #include <expected>
 #include <filesystem>
 #include <mutex>
@@ -38,6 +39,7 @@ class Api {
   Response answer_route(const Request& request, const Match& match);
   Response answer_once(const Request& request, const Route& route, const Call& call);
   Response answer_first(const Request& request, const Route& route, const Call& call);
+  void forget_old_replies(std::int64_t now_ms);
 
   app::Application& application_;
   std::filesystem::path web_root_;
@@ -45,6 +47,7 @@ class Api {
   Sessions sessions_;
   std::mutex keys_mutex_;
   std::set<std::string> keys_in_use_;
+  std::atomic<std::int64_t> forgot_at_ms_ = 0;
 };
 
 // All routes, in the order of openapi.json.

@@ -76,7 +76,8 @@ Response get_openapi(const Call& call) {
                          .right = name_of(route.right),
                          .open = route.right == Right::anybody,
                          .paged = route.takes == Takes::page,
-                         .if_match = route.takes == Takes::if_match});
+                         .if_match = route.takes == Takes::if_match,
+                         .query = route.query});
   }
   return json_response(200, json::openapi(described, call.api.version()));
 }

@@ -114,6 +114,45 @@ bool read_target(std::string_view target, Request& request) {
   return question == std::string_view::npos || read_query(target.substr(question + 1), request);
 }
 
+namespace {
+
+constexpr std::string_view kPageQuery = "limit after";
+
+// The names of a list with blanks between.
+std::vector<std::string_view> words(std::string_view list) {
+  std::vector<std::string_view> all;
+  while (!list.empty()) {
+    all.push_back(list.substr(0, list.find(' ')));
+    list.remove_prefix(std::min(list.size(), all.back().size() + 1));
+  }
+  return all;
+}
+
+std::vector<std::string_view> taken_query(const Route& route) {
+  std::vector<std::string_view> names = words(route.takes == Takes::page ? kPageQuery : std::string_view());
+  for (const std::string_view name : words(route.query)) names.push_back(name);
+  return names;
+}
+
+}  // namespace
+
+std::string_view unknown_query(const Route& route, const Request& request) {
+  const std::vector<std::string_view> taken = taken_query(route);
+  for (const auto& [name, value] : request.query) {
+    if (std::ranges::find(taken, name) == taken.end()) return name;
+  }
+  return {};
+}
+
+std::string query_names(const Route& route) {
+  std::string names;
+  for (const std::string_view name : taken_query(route)) {
+    names += names.empty() ? "" : ", ";
+    names += name;
+  }
+  return names.empty() ? "none" : names;
+}
+
 Match find_route(std::span<const Route> routes, const Request& request) {
   Match match;
   for (const Route& route : routes) {

@@ -46,6 +46,7 @@ struct Route {
   Handler handler;
   std::string_view summary;  // one line for openapi.json
   Takes takes = Takes::no_more;
+  std::string_view query = {};  // names of its query parameters, with blanks between; a page's own are not among them
 };
 
 struct Match {
@@ -57,6 +58,11 @@ struct Match {
 
 // A name as one segment of a path, for Location.
 std::string escape_segment(std::string_view name);
+
+// The first query parameter of the request that the route does not take; "" when there is none.
+std::string_view unknown_query(const Route& route, const Request& request);
+// What it takes, for people: "limit, after, machine" or "none".
+std::string query_names(const Route& route);
 
 Match find_route(std::span<const Route> routes, const Request& request);
 

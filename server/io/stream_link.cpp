@@ -29,6 +29,7 @@ constexpr std::size_t kReadBytes = 4096;
 constexpr std::chrono::milliseconds kModemPoll{100};
 // A small send buffer bounds what the network holds of a program; keepalive finds a half-open peer in about 20 s.
 constexpr int kSocketSendBytes = 4096;
+constexpr std::chrono::seconds kConnectTimeout{10};
 constexpr int kKeepIdle_s = 10;
 constexpr int kKeepInterval_s = 3;
 constexpr int kKeepCount = 3;
@@ -191,6 +192,7 @@ class TcpLink : public app::Link {
 
   // A name is looked up on a thread of Asio's own: a slow name server must not hold up the lines that run.
   void connect(asio::io_context& context, const std::string& host, std::uint16_t port) {
+    give_up_later(context, host);
     const auto resolver = std::make_shared<tcp::resolver>(context);
     resolver->async_resolve(
         host, std::to_string(port),
@@ -213,6 +215,14 @@ class TcpLink : public app::Link {
   std::shared_ptr<TcpCore>& core() { return core_; }
 
  private:
+  // A peer that does not answer at all would keep the system trying for minutes.
+  void give_up_later(asio::io_context& context, const std::string& host) {
+    const auto timer = std::make_shared<asio::steady_timer>(context, kConnectTimeout);
+    timer->async_wait([core = std::weak_ptr(core_), timer, host](boost::system::error_code) {
+      const auto still = core.lock();
+      if (still && !still->up()) still->lose(fmt::format("{} does not answer", host));
+    });
+  }
   static void connect_to(const std::shared_ptr<TcpCore>& core, const tcp::endpoint& peer) {
     boost::system::error_code failed;
     core->stream().open(peer.protocol(), failed);

@@ -68,7 +68,7 @@ PROFILES = [  # one member of the profile, its wrong value, the place
     ("link.framing", "9E9", "/link/framing"), ("link.unsent", 40, "/link"), ("link.bawd", 1, "/link/bawd"), ("link.start", "now", "/link/start"),
 ]
 QUERIES = [  # wrong questions
-    ("/machines?limit=0", 422), ("/parts?limit=201", 422), ("/programs?limit=-1", 422), ("/checks?limit=many", 422), ("/releases?limit=", 422), ("/jobs?limit=1e2", 422), ("/jobs?state=asleep", 422),
+    ("/machines?limit=0", 422), ("/parts?limit=201", 422), ("/programs?limit=-1", 422), ("/checks?limit=many", 422), ("/releases?limit=", 422), ("/jobs?limit=1e2", 422), ("/jobs?state=asleep", 422), ("/jobs?machin=lathe", 400), ("/programs/1?revision=1", 400),
     ("/programs?after=x", 422), ("/checks?after=-1", 422), ("/releases?after=1.5", 422), ("/jobs?after=99999999999999999999", 422), ("/programs/1/revisions?after=x", 422),
     ("/programs?name=%zz", 400), ("/machines/%", 400), ("/machines/%00", 400), ("/../etc/passwd", 400), ("/machines/%2e%2e/x", 400),
 ]

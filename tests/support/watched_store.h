@@ -1,5 +1,5 @@
 // A store with somebody who looks at each commit of the ledger before it is made: he may let it through, hold it up or
-// fail it. All else goes to the store behind it.
+// fail it; and an audit that may be closed. All else goes to the store behind it.
 #pragma once
 
 #include <functional>
@@ -46,9 +46,29 @@ class WatchedLedger final : public store::Ledger {
   Look look_;
 };
 
+class ClosableAudit final : public store::Audit {
+ public:
+  explicit ClosableAudit(store::Audit& audit) : audit_(audit) {}
+  void close(bool closed) { closed_ = closed; }
+
+  store::Result<store::AuditRow> append(const store::AuditEntry& entry, const store::Stamp& by) override {
+    if (closed_) return std::unexpected(store::Error{store::ErrorCode::disk_full, "no room"});
+    return audit_.append(entry, by);
+  }
+  store::Result<store::Page<store::AuditRow>> list(const store::PageRequest& page, std::string_view subject) override {
+    return audit_.list(page, subject);
+  }
+  store::Result<store::AuditCheck> verify() override { return audit_.verify(); }
+
+ private:
+  store::Audit& audit_;
+  bool closed_ = false;
+};
+
 class WatchedStore final : public store::Store {
  public:
-  explicit WatchedStore(store::Store& store) : store_(store), ledger_(store.ledger()) {}
+  explicit WatchedStore(store::Store& store) : store_(store), ledger_(store.ledger()), audit_(store.audit()) {}
+  ClosableAudit& closable_audit() { return audit_; }
   WatchedLedger& watched_ledger() { return ledger_; }
 
   store::Machines& machines() override { return store_.machines(); }
@@ -60,7 +80,7 @@ class WatchedStore final : public store::Store {
   store::Releases& releases() override { return store_.releases(); }
   store::Jobs& jobs() override { return store_.jobs(); }
   store::Ledger& ledger() override { return ledger_; }
-  store::Audit& audit() override { return store_.audit(); }
+  store::Audit& audit() override { return audit_; }
   store::Tokens& tokens() override { return store_.tokens(); }
   store::Replies& replies() override { return store_.replies(); }
   store::Result<void> atomically(const std::function<store::Result<void>()>& work) override {
@@ -72,6 +92,7 @@ class WatchedStore final : public store::Store {
  private:
   store::Store& store_;
   WatchedLedger ledger_;
+  ClosableAudit audit_;
 };
 
 }  // namespace dripfeed::test

@@ -233,6 +233,35 @@ TEST_F(JobsTest, StopAndResumeAtABlockEnd) {
   EXPECT_TRUE(std::ranges::count(audited, "job.resume: ") == 1);
 }
 
+TEST_F(JobsTest, WhatEndsSendingTakesEffectWithoutItsAuditAndWhatStartsItDoesNot) {
+  const store::Job job = feed_into_a_block();
+  shop_.store.closable_audit().close(true);
+  must(shop_.jobs.stop(job.id, "olga"));
+  shop_.run(10s);
+  const std::string stopped = shop_.written(kLathe);
+  EXPECT_LT(stopped.size(), text_.size());
+  EXPECT_FALSE(shop_.jobs.resume(job.id, "", "olga"));
+  shop_.run(10s);
+  EXPECT_EQ(shop_.written(kLathe), stopped);
+  must(shop_.jobs.cancel(job.id, "olga"));
+  EXPECT_EQ(shop_.state(job.id), JobState::cancelled);
+}
+
+TEST_F(JobsTest, AStopIsTakenBackWhileTheControlHolds) {
+  const store::Job job = feed_into_a_block();
+  must(shop_.jobs.stop(job.id, "olga"));
+  shop_.links.receive(url_of(kLathe), kDc3);
+  shop_.round();
+  ASSERT_EQ(shop_.report(kLathe).stall, "held by DC3");
+  must(shop_.jobs.resume(job.id, "", "olga"));
+  const std::string held = shop_.written(kLathe);
+  shop_.run(1s);
+  EXPECT_EQ(shop_.written(kLathe), held) << "the control holds still";
+  shop_.links.receive(url_of(kLathe), kDc1);
+  shop_.run(2s);
+  EXPECT_EQ(shop_.written(kLathe), text_);
+}
+
 TEST_F(JobsTest, GoingOnAsIfDc1HadComeNeedsAReasonThatStandsInTheLedger) {
   const store::Job job = feed_into_a_block();
   EXPECT_FALSE(shop_.jobs.resume(job.id, "it runs", "olga")) << "nothing is held";

@@ -117,6 +117,20 @@ TEST_F(MailboxLineTest, APlcThatIsGoneEndsTheJobAndNotTheLine) {
   EXPECT_TRUE(plc_.text().empty() || plc_.text() == text);
 }
 
+TEST_F(MailboxLineTest, AnArmingThatFindsNoPlcExpires) {
+  plc_.go_away(true);
+  const store::Job queued = shop_.add_job("press", program(20));
+  const store::Job armed = must(shop_.jobs.arm(queued.id, 0.05, "olga"));
+  EXPECT_EQ(armed.expires_at_ms, armed.armed_at_ms + 3'000);
+  ASSERT_TRUE(comes_to(queued.id, JobState::queued));
+  EXPECT_EQ(shop_.job(queued.id).reason, "disarmed, nothing was sent: expired");
+  plc_.go_away(false);
+  until([] { return false; }, 1s);
+  EXPECT_EQ(plc_.text(), "") << "nothing is armed any more";
+  must(shop_.jobs.arm(queued.id, std::nullopt, "olga"));
+  ASSERT_TRUE(comes_to(queued.id, JobState::done));
+}
+
 TEST_F(MailboxLineTest, StopHoldsAtABlockEndAndResumeGoesOn) {
   const std::string text = program(2000);
   plc_.give_credit(false);
