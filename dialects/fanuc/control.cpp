@@ -45,6 +45,7 @@ ir::Control control(ir::MachineKind kind, ir::GSystem system) {
   c.alarms = alarms();
   c.variables = variable_ranges();
   c.semantics.user_alarm_base = 3000;
+  c.semantics.arc_without_center_is_line = true;
   c.semantics.pecks_need_depth = mill;  // a lathe's G83 without Q drills in one
   return c;
 }

@@ -8,9 +8,11 @@
 #include "dialects/interpreter/drilling.h"
 #include "dialects/interpreter/frame_change.h"
 #include "dialects/interpreter/move.h"
+#include "dialects/interpreter/point_frame.h"
 #include "dialects/interpreter/polar.h"
 #include "dialects/interpreter/repetitive.h"
 #include "dialects/interpreter/turning.h"
+#include "dialects/ir/frame_use.h"
 
 namespace dripfeed::interpreter {
 
@@ -111,6 +113,16 @@ void dwell(const PlainBlock& block, const BlockRules& rules, ModalState& state, 
   state.clock_ms += seconds * 1000.0;
 }
 
+void frame(const PlainBlock& block, const BlockRules& rules, const Effects& effects, ModalState& state,
+           BlockResult& result) {
+  if (effects.argument == ir::kFrameEnds) return end_point_frame(block, rules, effects.one_shot, state);
+  if (effects.argument != ir::kFrameAboutPoint)
+    return change_frame(block, rules, effects.one_shot, effects.argument == ir::kFrameReplaces, state);
+  const PointFrameGap gap = set_point_frame(block, rules, effects.one_shot, state);
+  if (gap == PointFrameGap::factor_unit) result.notes |= kNoteScaleUnit;
+  if (gap == PointFrameGap::factor || gap == PointFrameGap::angle) result.notes |= kNoteFrameValue;
+}
+
 void act_once(const PlainBlock& block, const BlockRules& rules, const Effects& effects, ModalState& state,
               MotionBuffer& out, BlockResult& result) {
   if (effects.one_shot == Function::dwell) {
@@ -118,13 +130,17 @@ void act_once(const PlainBlock& block, const BlockRules& rules, const Effects& e
   } else if (effects.one_shot == Function::local_shift || effects.one_shot == Function::local_shift_add) {
     shift_locally(block, rules, effects.argument == 1, effects.one_shot == Function::local_shift_add, state);
   } else if (effects.one_shot >= Function::rotate && effects.one_shot <= Function::mirror) {
-    change_frame(block, rules, effects.one_shot, effects.argument == 1, state);
+    frame(block, rules, effects, state, result);
   } else if (effects.one_shot >= Function::pole_from_last && effects.one_shot <= Function::pole_from_pole) {
     set_pole(block, rules, effects.one_shot, state);
   } else if (effects.one_shot == Function::set_coordinates) {
-    set_coordinates(block, rules, state);
+    set_coordinates(block, rules, effects.argument == 1, state);
   } else if (effects.one_shot == Function::reference_return) {
     return_to_reference(block, rules, state, out, result);
+  } else if (effects.one_shot == Function::leave_reference) {
+    leave_reference(block, rules, state, out, result);
+  } else if (effects.one_shot == Function::stroke_check) {
+    return;  // its words are limits
   } else if (effects.one_shot == Function::skip_move) {
     result.moved = true;
     move_until_touch(block, rules, state, out, result);
@@ -201,6 +217,32 @@ void announce(ModalState& state, MotionBuffer& out) {
   }
 }
 
+namespace {
+
+void act(const PlainBlock& block, const BlockRules& rules, const Effects& effects, ModalState& state, MotionBuffer& out,
+         BlockResult& result) {
+  if (state.drilling.active) {
+    drill_holes(block, rules, state, out, result);
+  } else if (state.turning.active) {
+    turn_once(block, rules, state, out, result);
+  } else if (has_move(block, rules, state)) {
+    move(block, rules, {effects.machine_coordinates, effects.exact_stop, effects.move_once}, state, out, result);
+  } else {
+    return;
+  }
+  result.moved = true;
+}
+
+// Whether the plane's letters of this block are a radius and an angle.
+bool names_polar(const PlainBlock& block, const Effects& effects, const ModalState& state) {
+  if (!state.modes.polar_words || effects.machine_coordinates) return false;
+  constexpr std::array kLetters = {Address::x, Address::y, Address::z};
+  const PlaneAxes axes = axes_of(state.modes.plane);
+  return ((block.present | block.unknown) & (bit_of(kLetters[axes.p]) | bit_of(kLetters[axes.q]))) != 0;
+}
+
+}  // namespace
+
 BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out) {
   BlockResult result;
   Effects effects;
@@ -218,15 +260,10 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
 
   if (effects.one_shot != Function::none) {
     act_once(block, rules, effects, state, out, result);
-  } else if (state.drilling.active) {
-    drill_holes(block, rules, state, out, result);
-    result.moved = true;
-  } else if (state.turning.active) {
-    turn_once(block, rules, state, out, result);
-    result.moved = true;
-  } else if (has_move(block, rules, state)) {
-    move(block, rules, {effects.machine_coordinates, effects.exact_stop, effects.move_once}, state, out, result);
-    result.moved = true;
+  } else if (names_polar(block, effects, state)) {
+    act(with_coordinates_of_letters(block, rules, state), rules, effects, state, out, result);
+  } else {
+    act(block, rules, effects, state, out, result);
   }
   if (result.fault != text::DiagnosticId::count_) return result;
 

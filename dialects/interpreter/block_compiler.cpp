@@ -61,7 +61,8 @@ void BlockCompiler::compile_codes(const ir::Block& block) {
       continue;
     }
     out.codes.push_back({code.function, code.argument, code.group});
-    const bool idle = code.function == Function::no_effect;
+    const bool idle = code.function == Function::no_effect || code.function == Function::approach ||
+                      code.function == Function::stroke_check;
     if (idle || code.function == Function::not_modelled || code.function == Function::machine_function)
       report(name_of_code(builder_.source(), code), code.function, idle);
   }

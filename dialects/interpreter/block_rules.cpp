@@ -64,7 +64,8 @@ BlockRules::BlockRules(const ir::Control& control)
     if (control.axes.contains(kBaseLetters[i]) && !control.axes.contains(kIncrementalRows[i].letter))
       add(kIncrementalRows[i], true);
   foreign_axes = letters & ~axis_addresses;
-  if (semantics.decimal_mode == ir::DecimalMode::least_increment) counting = letters | axis_addresses | kLengths;
+  counting = bit_of(Address::p);  // a scaling factor counts the control's unit, whatever lengths do
+  if (semantics.decimal_mode == ir::DecimalMode::least_increment) counting |= letters | axis_addresses | kLengths;
 }
 
 ModalState initial_state(const ir::Control& control) {

@@ -26,8 +26,8 @@ struct NoteRow {
   Report report;
 };
 // Notes that are counted like a code that is not interpreted.
-const std::array<NoteRow, 11>& counted_notes() {
-  static const std::array<NoteRow, 11> rows = {{
+const std::array<NoteRow, 15>& counted_notes() {
+  static const std::array<NoteRow, 15> rows = {{
       {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
       {kNoteReferenceUnknown, {"the way to the reference point", ir::Function::reference_return}},
       {kNoteArcNotComputed, {"arcs from or to a place that is not known"}},
@@ -38,6 +38,11 @@ const std::array<NoteRow, 11>& counted_notes() {
       {kNoteIncrementalFromUnknown, {"increments from a position that is not known", ir::Function::incremental}},
       {kNoteLevelUnknown, {"the way back to an initial level that is not known", ir::Function::drill}},
       {kNoteSkip, {"the end of a skip move (G31), which a signal decides", ir::Function::skip_move}},
+      {kNoteArcIsLine, {"arcs without centre and radius, taken as straight as by parameter", ir::Function::linear}},
+      {kNoteCycleInFrame, {"a drilling cycle along an axis that a frame turns or stretches", ir::Function::drill}},
+      {kNoteScaleUnit,
+       {"what a scaling factor without a point counts, which a parameter decides", ir::Function::scale}},
+      {kNoteFrameValue, {"a scaling factor or angle that is left to a parameter", ir::Function::scale}},
       {kNoteHoleWithoutDepth, {"a drilling cycle without a depth", ir::Function::drill}},
   }};
   return rows;

@@ -60,7 +60,8 @@ void not_modelled(CodeContext& c) {
     c.state.drilling = {};
     c.state.turning = {};
   }
-  if (c.code.group == ModalGroup::non_modal || c.code.group == ModalGroup::frame) one_shot(c);
+  const ModalGroup group = c.code.group;
+  if (group == ModalGroup::non_modal || group == ModalGroup::frame || group == ModalGroup::other) one_shot(c);
 }
 void drill(CodeContext& c) {
   c.state.modes.motion_modelled = true;
@@ -123,7 +124,16 @@ constexpr CodeRow kCodeRows[] = {
     {Function::pole_from_last, one_shot},
     {Function::pole_from_zero, one_shot},
     {Function::pole_from_pole, one_shot},
+    {Function::polar_words_on,
+     [](CodeContext& c) {
+       c.state.modes.polar_words = true;
+       c.state.polar = {};
+     }},
+    {Function::polar_words_off, [](CodeContext& c) { c.state.modes.polar_words = false; }},
     {Function::reference_return, one_shot},
+    {Function::leave_reference, one_shot},
+    {Function::approach, [](CodeContext& c) { c.effects.move_once = Function::rapid; }},
+    {Function::stroke_check, one_shot},
     {Function::extended_offset, extended_offset},
     {Function::data_input, one_shot},
     {Function::skip_move, one_shot},

@@ -73,6 +73,11 @@ class Driller {
     if (!d_.entered || d_.axis != axis_) enter();
     take_words();
     if ((block_.present & (rules_.axis_addresses | bit_of(Address::r))) == 0) return;
+    if (is_axis_changed()) {
+      result_.notes |= kNoteCycleInFrame;
+      state_.unknown |= 7U;
+      return;
+    }
     const double holes = repeats();
     if (pecks() && d_.peck_mm <= 0.0 && rules_.semantics.pecks_need_depth)
       return fail(text::DiagnosticId::peck_without_depth);
@@ -90,6 +95,17 @@ class Driller {
           .along = d_.along,
           .initial = state_.position[axis_],
           .initial_known = (state_.unknown >> axis_ & 1U) == 0};
+  }
+
+  // Whether a frame turns, mirrors or stretches the drilling axis.
+  [[nodiscard]] bool is_axis_changed() const {
+    if (!state_.modes.has_matrix) return false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double wanted = i == axis_ ? 1.0 : 0.0;
+      if (std::abs(state_.modes.matrix[axis_ * 3 + i] - wanted) > 1e-12) return true;
+      if (std::abs(state_.modes.matrix[i * 3 + axis_] - wanted) > 1e-12) return true;
+    }
+    return false;
   }
 
   // --- words
@@ -179,17 +195,12 @@ class Driller {
 
   // The axes beside the drilling axis, all at once.
   void position() {
-    Target target{.end = state_.position};
-    for_each_axis_word(
-        block_, rules_, state_.modes, !state_.modes.absolute, [&](std::size_t axis, double value, bool incremental) {
-          if (axis == axis_) return;
-          const auto bit = static_cast<std::uint16_t>(1U << axis);
-          target.commanded |= bit;
-          if (incremental) target.incremental |= bit;
-          const double from =
-              incremental ? state_.position[axis] : state_.modes.shift[axis] + state_.coordinate_shift[axis];
-          target.end[axis] = from + value;
-        });
+    const auto own = static_cast<std::uint16_t>(1U << axis_);
+    Target target = find_any_target(block_, rules_, state_, false);
+    target.end[axis_] = state_.position[axis_];
+    target.commanded &= static_cast<std::uint16_t>(~own);
+    target.incremental &= static_cast<std::uint16_t>(~own);
+    target.unknown &= static_cast<std::uint16_t>(~own);
     go(MotionKind::rapid, target);
   }
 

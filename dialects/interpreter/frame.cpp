@@ -61,6 +61,20 @@ Matrix rotation_of(const Vector& angles_deg) {
 
 Matrix rotation_in(ir::Plane plane, double angle_deg) { return turn_about(axes_of(plane).normal, angle_deg); }
 
+// Rodrigues: cos · 1 + sin · [u]x + (1 - cos) · u uT.
+Matrix rotation_about(const Vector& axis, double angle_deg) {
+  const double length = std::hypot(axis[0], axis[1], axis[2]);
+  const Vector u = {axis[0] / length, axis[1] / length, axis[2] / length};
+  const double c = cosine_deg(angle_deg);
+  const double s = sine_deg(angle_deg);
+  const Matrix cross = {0.0, -u[2], u[1], u[2], 0.0, -u[0], -u[1], u[0], 0.0};
+  Matrix m{};
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 3; ++column)
+      m[row * 3 + column] = (row == column ? c : 0.0) + s * at(cross, row, column) + (1.0 - c) * u[row] * u[column];
+  return m;
+}
+
 Matrix diagonal_of(const Vector& factors) { return {factors[0], 0.0, 0.0, 0.0, factors[1], 0.0, 0.0, 0.0, factors[2]}; }
 
 PlaneImage image_of(const Matrix& m, PlaneAxes axes) {

@@ -22,6 +22,8 @@ Matrix inverse_of(const Matrix& m);
 // Turns by these angles in degrees about X, Y and Z: first Z, then the new Y, then the new X (ROT, "RPY angles").
 Matrix rotation_of(const Vector& angles_deg);
 Matrix rotation_in(ir::Plane plane, double angle_deg);
+// About an axis through the origin, which is not of length 0, by the right hand.
+Matrix rotation_about(const Vector& axis, double angle_deg);
 Matrix diagonal_of(const Vector& factors);
 
 // The axes of a plane as indices: p, q and the one that stands on it.

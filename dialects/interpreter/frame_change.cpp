@@ -1,8 +1,11 @@
 // Frames are a shift and a matrix in Modes; the matrix works in radius values of X Y Z.
 #include "dialects/interpreter/frame_change.h"
 
+#include <algorithm>
+
 #include "dialects/interpreter/axis_words.h"
 #include "dialects/interpreter/frame.h"
+#include "dialects/interpreter/point_frame.h"
 
 namespace dripfeed::interpreter {
 
@@ -23,6 +26,14 @@ void shift_in_frame(const PlainBlock& block, const BlockRules& rules, ModalState
   const Vector turned = multiply(state.modes.matrix, by);
   for (std::size_t axis = 0; axis < turned.size(); ++axis)
     state.modes.shift[axis] += axis == 0 && rules.x_is_diameter ? 2.0 * turned[axis] : turned[axis];
+}
+
+// G92.1: neither G52 nor G92 shifts the named axes any more.
+void take_back_shifts(const PlainBlock& block, const BlockRules& rules, ModalState& state) {
+  for_each_axis_word(block, rules, state.modes, false, [&](std::size_t axis, double, bool) {
+    state.coordinate_shift[axis] = state.modes.local_shift[axis] = 0.0;
+  });
+  compose_frames(rules, state.modes);
 }
 
 }  // namespace
@@ -54,6 +65,11 @@ void change_frame(const PlainBlock& block, const BlockRules& rules, Function fun
 }
 
 void shift_locally(const PlainBlock& block, const BlockRules& rules, bool whole, bool add, ModalState& state) {
+  if (std::ranges::any_of(state.modes.point_frames, &PointFrame::active)) {
+    for_each_axis_word(block, rules, state.modes, false,
+                       [&](std::size_t axis, double value, bool) { state.modes.local_shift[axis] = value; });
+    return compose_frames(rules, state.modes);
+  }
   if (!add && (whole || (block.present & rules.axis_addresses) == 0)) {
     state.modes.shift = {};
     state.modes.matrix = kIdentity;
@@ -63,9 +79,11 @@ void shift_locally(const PlainBlock& block, const BlockRules& rules, bool whole,
   for_each_axis_word(block, rules, state.modes, false, [&](std::size_t axis, double value, bool incremental) {
     state.modes.shift[axis] = add || incremental ? state.modes.shift[axis] + value : value;
   });
+  state.modes.local_shift = state.modes.shift;
 }
 
-void set_coordinates(const PlainBlock& block, const BlockRules& rules, ModalState& state) {
+void set_coordinates(const PlainBlock& block, const BlockRules& rules, bool takes_back, ModalState& state) {
+  if (takes_back) return take_back_shifts(block, rules, state);
   for_each_axis_word(block, rules, state.modes, false, [&](std::size_t axis, double value, bool incremental) {
     const auto bit = static_cast<std::uint16_t>(1U << axis);
     if (incremental) {

@@ -12,7 +12,7 @@ void shift_locally(const PlainBlock& block, const BlockRules& rules, bool whole,
 // ROT, SCALE, MIRROR. `replace`: in the place of the whole programmable frame; otherwise on top of it.
 void change_frame(const PlainBlock& block, const BlockRules& rules, ir::Function function, bool replace,
                   ModalState& state);
-// G92: the current position gets the named values.
-void set_coordinates(const PlainBlock& block, const BlockRules& rules, ModalState& state);
+// G92: the current position gets the named values. `takes_back`: G92.1, the named axes lose such shifts and G52's.
+void set_coordinates(const PlainBlock& block, const BlockRules& rules, bool takes_back, ModalState& state);
 
 }  // namespace dripfeed::interpreter

@@ -21,6 +21,13 @@ inline constexpr std::uint16_t kAllAxes = (1U << ir::kAxisCount) - 1U;
 inline constexpr std::int32_t kOffsetUnknown = -1;
 inline constexpr std::int32_t kExtendedOffset = 100;  // G54.1 P1 is work offset 101
 
+// A mirror, scale or rotation about a point of its own; radius values in the coordinates that it is named in.
+struct PointFrame {
+  Matrix matrix = kIdentity;
+  Vector center{};
+  bool active = false;
+};
+
 // The modal codes and the programmable shift: what a subprogram with SAVE gives back when it returns.
 struct Modes {
   ir::Function motion = ir::Function::rapid;  // rapid, linear, arc_cw, arc_ccw, thread
@@ -37,9 +44,12 @@ struct Modes {
   bool surface_speed = false;  // G96
   bool return_to_r = false;    // G99: drilling ends at the R level
   std::int32_t work_offset = kOffsetUnknown;
-  AxisValues shift{};         // local: G52, TRANS
-  Matrix matrix = kIdentity;  // ROT, SCALE, MIRROR
-  bool has_matrix = false;    // it is not the identity
+  AxisValues shift{};                        // local: G52, TRANS
+  Matrix matrix = kIdentity;                 // ROT, SCALE, MIRROR
+  bool has_matrix = false;                   // it is not the identity
+  AxisValues local_shift{};                  // of `shift`: what G52 says; the rest comes from frames about points
+  std::array<PointFrame, 3> point_frames{};  // G51.1, G51, G68: the outer one first
+  bool polar_words = false;                  // G16: the plane's two letters are a radius and an angle
 };
 
 struct Tool {
@@ -158,7 +168,9 @@ struct ModalState {
   ir::SpindleState spindle = ir::SpindleState::stopped;
   ir::CoolantState coolant = ir::CoolantState::off;
   Polar polar;
-  Vector tangent{};  // direction at the end of the last move of a contour, radius values
+  AxisValues intermediate{};             // of the last G28, as `position`
+  std::uint16_t intermediate_known = 0;  // bit per axis
+  Vector tangent{};                      // direction at the end of the last move of a contour, radius values
   bool tangent_known = false;
   double modal_rounding_mm = 0.0;  // RNDM
   PendingCorner corner;

@@ -43,9 +43,7 @@ void move(const PlainBlock& block, const BlockRules& rules, const MoveOptions& o
           MotionBuffer& out, BlockResult& result) {
   if (has_polar_words(block))
     return move(with_coordinates_only(block, rules, state), rules, options, state, out, result);
-  const bool in_frame = state.modes.has_matrix && !options.machine_coordinates;
-  const Target target = in_frame ? find_target_in_frame(block, rules, state)
-                                 : find_target(block, rules, state, options.machine_coordinates);
+  const Target target = find_any_target(block, rules, state, options.machine_coordinates);
   if (!state.modes.motion_modelled) {
     result.notes |= kNoteMoveNotModelled;
     state.unknown |= target.commanded;
@@ -67,7 +65,7 @@ void move(const PlainBlock& block, const BlockRules& rules, const MoveOptions& o
 // The touch of any commanded axis ends the way of all.
 void move_until_touch(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out,
                       BlockResult& result) {
-  Target target = find_target(block, rules, state, false);
+  Target target = find_any_target(block, rules, state, false);
   double part = 1.0;
   for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
     const auto bit = static_cast<std::uint16_t>(1U << axis);
@@ -87,14 +85,35 @@ void move_until_touch(const PlainBlock& block, const BlockRules& rules, ModalSta
 
 void return_to_reference(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out,
                          BlockResult& result) {
-  const Target target = find_target(block, rules, state, false);
+  const Target target = find_any_target(block, rules, state, false);
   const auto absolute = static_cast<std::uint16_t>(target.commanded & ~target.incremental);
   // An increment of nothing (G91 G28 Z0) names the axis only: there is no move to the intermediate point.
   if (target.end != state.position || (state.unknown & absolute) != 0)
     Mover(block, rules, {}, state, out, result).straight(MotionKind::rapid, target);
   result.notes &= ~kNoteIncrementalFromUnknown;
   result.notes |= kNoteReferenceUnknown;
+  for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis)
+    if ((target.commanded >> axis & 1U) != 0) state.intermediate[axis] = target.end[axis];
+  state.intermediate_known |= target.commanded;
+  state.intermediate_known &= static_cast<std::uint16_t>(~(state.unknown & target.commanded));
   forget_positions(block, rules, state);
+}
+
+// Through the point where the last G28 went through.
+void leave_reference(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out,
+                     BlockResult& result) {
+  Target through{.end = state.position};
+  for (std::uint64_t rest = block.present & rules.axis_addresses; rest != 0; rest &= rest - 1) {
+    const std::size_t axis = index_of(rules.axis_words[static_cast<std::size_t>(std::countr_zero(rest))].axis);
+    through.commanded |= static_cast<std::uint16_t>(1U << axis);
+    through.end[axis] = state.intermediate[axis];
+  }
+  through.unknown = static_cast<std::uint16_t>(through.commanded & ~state.intermediate_known);
+  const MoveOptions options;
+  Mover mover(block, rules, options, state, out, result);
+  if (through.commanded != 0) mover.straight(MotionKind::rapid, through);
+  const Target target = find_any_target(block, rules, state, false);
+  if (target.commanded != 0) mover.straight(MotionKind::rapid, target);
 }
 
 void forget_positions(const PlainBlock& block, const BlockRules& rules, ModalState& state) {

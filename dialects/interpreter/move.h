@@ -26,6 +26,9 @@ void move_until_touch(const PlainBlock& block, const BlockRules& rules, ModalSta
 // G28: a rapid to the intermediate point that the words name; the reference point itself is not known.
 void return_to_reference(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out,
                          BlockResult& result);
+// G29: by rapid through the intermediate point of the last G28 or G30, then to the end point.
+void leave_reference(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out,
+                     BlockResult& result);
 // The axes that the block names may be anywhere after it.
 void forget_positions(const PlainBlock& block, const BlockRules& rules, ModalState& state);
 

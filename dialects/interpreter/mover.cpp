@@ -21,6 +21,13 @@ void settle(const Target& target, const MoveOptions& options, ModalState& state,
   state.position = target.end;
 }
 
+// Left of the programmed path is right of its mirror image.
+ir::CompSide comp_of(const Modes& modes) {
+  if (!modes.has_matrix || modes.comp == ir::CompSide::off) return modes.comp;
+  if (!image_of(modes.matrix, axes_of(modes.plane)).mirrored) return modes.comp;
+  return modes.comp == ir::CompSide::left ? ir::CompSide::right : ir::CompSide::left;
+}
+
 }  // namespace
 
 void fill_common(ir::Motion& motion, const ModalState& state) {
@@ -31,7 +38,7 @@ void fill_common(ir::Motion& motion, const ModalState& state) {
   motion.spindle = state.spindle;
   motion.spindle_rpm = state.modes.surface_speed ? state.spindle_limit_rpm : state.rpm;
   motion.surface_speed_m_min = state.modes.surface_speed ? state.surface_speed_m_min : 0.0;
-  motion.comp = state.modes.comp;
+  motion.comp = comp_of(state.modes);
   motion.coolant = state.coolant;
 }
 

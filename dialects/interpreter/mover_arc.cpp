@@ -67,6 +67,10 @@ void Mover::arc(MotionKind kind, Target target) {
     if (!image_.stays) return lose(target, kNoteArcInFrame);
     if (image_.mirrored) kind = kind == MotionKind::arc_ccw ? MotionKind::arc_cw : MotionKind::arc_ccw;
   }
+  if (rules_.semantics.arc_without_center_is_line && !has_center() && !block_.has(Address::r)) {
+    result_.notes |= kNoteArcIsLine;
+    return straight(MotionKind::linear, target);
+  }
   const Turn turn = kind == MotionKind::arc_ccw ? Turn::counterclockwise : Turn::clockwise;
   const std::optional<PlanePoint> center = find_center(axes, turn, target);
   if (!center.has_value()) return starts_unknown(axes) ? lose(target) : void();

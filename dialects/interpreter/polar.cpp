@@ -31,6 +31,29 @@ void take_words(const PlainBlock& block, const BlockRules& rules, ModalState& st
   }
 }
 
+// The plane's two coordinates of radius and angle, or none where these are not known.
+void put_coordinates(PlainBlock& made, const BlockRules& rules, const ModalState& state, bool unknown) {
+  const PlaneAxes axes = axes_of(state.modes.plane);
+  const Vector& pole = state.polar.pole;
+  const std::array<double, 2> at = {pole[axes.p] + state.polar.radius_mm * cosine_deg(state.polar.angle_deg),
+                                    pole[axes.q] + state.polar.radius_mm * sine_deg(state.polar.angle_deg)};
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const std::size_t axis = i == 0 ? axes.p : axes.q;
+    const Address letter = kLetters[axis];
+    if (unknown) {
+      made.present &= ~bit_of(letter);
+      made.unknown |= bit_of(letter);
+      continue;
+    }
+    double value = axis == 0 && rules.x_is_diameter ? at[i] * 2.0 : at[i];
+    if (axis == 0) value /= rules.x_factor(state.modes, false);
+    made.set(letter, state.modes.inch ? value / 25.4 : value);
+    made.absolute |= bit_of(letter);
+    made.incremental &= ~bit_of(letter);
+    made.in_increments &= ~bit_of(letter);
+  }
+}
+
 }  // namespace
 
 bool has_polar_words(const PlainBlock& block) { return ((block.present | block.unknown) & kPolarWords) != 0; }
@@ -44,26 +67,27 @@ Vector programmed_position(const BlockRules& rules, const ModalState& state) {
 
 PlainBlock with_coordinates(const PlainBlock& block, const BlockRules& rules, ModalState& state) {
   PlainBlock made = block;
-  const PlaneAxes axes = axes_of(state.modes.plane);
   take_words(block, rules, state);
-  const bool unknown = (block.unknown & kPolarWords) != 0;
-  const Vector& pole = state.polar.pole;
-  const std::array<double, 2> at = {pole[axes.p] + state.polar.radius_mm * cosine_deg(state.polar.angle_deg),
-                                    pole[axes.q] + state.polar.radius_mm * sine_deg(state.polar.angle_deg)};
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    const std::size_t axis = i == 0 ? axes.p : axes.q;
-    const Address letter = kLetters[axis];
-    if (unknown) {
-      made.unknown |= bit_of(letter);
-      continue;
-    }
-    double value = axis == 0 && rules.x_is_diameter ? at[i] * 2.0 : at[i];
-    if (axis == 0) value /= rules.x_factor(state.modes, false);
-    made.set(letter, state.modes.inch ? value / 25.4 : value);
-    made.absolute |= bit_of(letter);
-    made.incremental &= ~bit_of(letter);
-    made.in_increments &= ~bit_of(letter);
+  put_coordinates(made, rules, state, (block.unknown & kPolarWords) != 0);
+  return made;
+}
+
+// Fanuc 0i-F B-64604EN-2, "Polar coordinate command".
+PlainBlock with_coordinates_of_letters(const PlainBlock& block, const BlockRules& rules, ModalState& state) {
+  const PlaneAxes axes = axes_of(state.modes.plane);
+  const Address radius = kLetters[axes.p];
+  const Address angle = kLetters[axes.q];
+  const auto adds = [&](Address letter) { return !state.modes.absolute || (block.incremental & bit_of(letter)) != 0; };
+  if (block.has(radius)) {
+    state.polar.pole = adds(radius) ? programmed_position(rules, state) : Vector{};
+    state.polar.radius_mm = rules.length_mm(block, radius, state.modes.inch);
   }
+  if (block.has(angle)) {
+    const double value = rules.angle_deg(block, angle);
+    state.polar.angle_deg = adds(angle) ? state.polar.angle_deg + value : value;
+  }
+  PlainBlock made = block;
+  put_coordinates(made, rules, state, (block.unknown & (bit_of(radius) | bit_of(angle))) != 0);
   return made;
 }
 

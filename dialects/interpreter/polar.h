@@ -12,6 +12,9 @@ namespace dripfeed::interpreter {
 bool has_polar_words(const PlainBlock& block);
 // The same block with the plane's two coordinates in place of AP and RP. Angle and radius stay for the blocks to come.
 PlainBlock with_coordinates(const PlainBlock& block, const BlockRules& rules, ModalState& state);
+// Under G16: the same block with coordinates in place of a radius and an angle in the plane's two letters. A radius by
+// an increment counts from where the tool stands, an angle by an increment from the last one.
+PlainBlock with_coordinates_of_letters(const PlainBlock& block, const BlockRules& rules, ModalState& state);
 // G110, G111, G112: the pole, from the last position, the zero point or the last pole.
 void set_pole(const PlainBlock& block, const BlockRules& rules, ir::Function function, ModalState& state);
 // Where the state stands in programmed coordinates of X Y Z: radius values, mm.

@@ -69,11 +69,16 @@ Target find_target_in_frame(const PlainBlock& block, const BlockRules& rules, co
     const double kept = (axis == 0 && rules.x_is_diameter ? 2.0 : 1.0) * at[axis] + state.modes.shift[axis] +
                         state.coordinate_shift[axis];
     const auto bit = static_cast<std::uint16_t>(1U << axis);
-    if ((target.unknown & bit) != 0 || kept == target.end[axis]) continue;
+    if ((target.unknown & bit) != 0 || (kept == target.end[axis] && (state.unknown & bit) == 0)) continue;
     target.end[axis] = kept;
     target.commanded |= bit;
   }
   return target;
+}
+
+Target find_any_target(const PlainBlock& block, const BlockRules& rules, const ModalState& state, bool machine) {
+  const bool in_frame = state.modes.has_matrix && !machine;
+  return in_frame ? find_target_in_frame(block, rules, state) : find_target(block, rules, state, machine);
 }
 
 }  // namespace dripfeed::interpreter

@@ -18,5 +18,7 @@ struct Target {
 Target find_target(const PlainBlock& block, const BlockRules& rules, const ModalState& state, bool machine);
 // Under a frame that turns, scales or mirrors.
 Target find_target_in_frame(const PlainBlock& block, const BlockRules& rules, const ModalState& state);
+// The one or the other, as the state has it.
+Target find_any_target(const PlainBlock& block, const BlockRules& rules, const ModalState& state, bool machine);
 
 }  // namespace dripfeed::interpreter

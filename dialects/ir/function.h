@@ -35,6 +35,8 @@ enum class Function : std::uint8_t {
   pole_from_last,
   pole_from_zero,
   pole_from_pole,  // G110, G111, G112
+  polar_words_on,
+  polar_words_off,  // G16, G15: the plane's two letters are a radius and an angle
   feed_per_min,
   feed_per_rev,
   feed_inverse_time,
@@ -48,9 +50,12 @@ enum class Function : std::uint8_t {
   local_shift_add,      // ATRANS
   rotate,
   scale,
-  mirror,            // ROT, SCALE, MIRROR: argument 1 replaces what is in effect, 0 adds to it
-  set_coordinates,   // G92; G50 of G-code system A
+  mirror,            // ROT, SCALE, MIRROR, G68, G51, G51.1: argument as ir/frame_use.h
+  set_coordinates,   // G92; G50 of G-code system A; argument 1: takes such shifts back (G92.1)
   reference_return,  // G28, G74; argument: reference point 1, 2 …
+  leave_reference,   // G29: through the point where G28 went through
+  approach,          // a rapid move whose further meaning is not interpreted: G27, G60
+  stroke_check,      // G22: its axis words are limits
   extended_offset,   // G54.1: P is its number
   data_input,        // G10: L says what is set
   skip_move,         // G31: a straight move that a signal may end

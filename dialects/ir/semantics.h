@@ -40,11 +40,14 @@ struct Semantics {
   double least_increment_mm = 0.001;
   double least_increment_deg = 0.001;
 
-  bool incremental_letters_uvw = false;   // U V W H as incremental X Y Z C (lathe, G-code system A)
-  ToolWord tool_word = ToolWord::number;  // T0606 on Fanuc lathes
-  bool arc_radius_is_r = true;            // R; otherwise CR=
-  bool dwell_p_is_ms = true;              // G04 P in ms, X/U in s; otherwise G4 F in s
-  double arc_tolerance_mm = 0.02;         // start and end radius may differ by this (3410; MD21000)
+  bool incremental_letters_uvw = false;     // U V W H as incremental X Y Z C (lathe, G-code system A)
+  ToolWord tool_word = ToolWord::number;    // T0606 on Fanuc lathes
+  bool arc_radius_is_r = true;              // R; otherwise CR=
+  bool dwell_p_is_ms = true;                // G04 P in ms, X/U in s; otherwise G4 F in s
+  bool arc_without_center_is_line = false;  // G02 without I J K R goes straight (Fanuc 3403#5 = 0); otherwise an alarm
+  double scale_unit = 0.001;                // what a factor of G51 without a point counts (5400#7)
+  bool scale_unit_known = false;            // … on every such control, or looked at
+  double arc_tolerance_mm = 0.02;           // start and end radius may differ by this (3410; MD21000)
 
   // Cycles: what parameters decide. Neither changes the hole, only the way to it.
   double chip_break_retract_mm = 1.0;  // machine: G73 goes back by this between pecks (5114)

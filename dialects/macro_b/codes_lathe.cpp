@@ -3,6 +3,7 @@
 #include <array>
 
 #include "dialects/ir/cycle.h"
+#include "dialects/ir/frame_use.h"
 #include "dialects/macro_b/codes.h"
 
 namespace dripfeed::macro_b {
@@ -27,8 +28,8 @@ constexpr auto kLathe = std::to_array<CodeRow>({
     {"G50.2", 502, Function::no_effect, 0, ModalGroup::other, kList},
     {"G50.3", 503, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G51.2", 512, Function::not_modelled, 0, ModalGroup::other, kList},
-    {"G68.1", 681, Function::not_modelled, 0, ModalGroup::frame, kList},
-    {"G69.1", 691, Function::no_effect, 0, ModalGroup::frame, kList},
+    {"G68.1", 681, Function::rotate, ir::kFrameAboutPoint, ModalGroup::frame, kList},
+    {"G69.1", 691, Function::rotate, ir::kFrameEnds, ModalGroup::frame, kList},
     {"G83", 830, Function::drill, drill_argument(DrillCycle::deep_hole, ir::kDrillAlongZ), ModalGroup::cycle, kList},
     {"G84", 840, Function::drill, drill_argument(DrillCycle::tap_right, ir::kDrillAlongZ), ModalGroup::cycle, kList},
     {"G84.2", 842, Function::drill, drill_argument(DrillCycle::tap_right, ir::kDrillAlongZ), ModalGroup::cycle, kList},
@@ -69,8 +70,8 @@ constexpr auto kSystemB = std::to_array<CodeRow>({
 });
 constexpr auto kSystemsBC = std::to_array<CodeRow>({
     {"G33", 330, Function::thread, 0, ModalGroup::motion, kList},
-    {"G50", 500, Function::no_effect, 0, ModalGroup::frame, kList},
-    {"G51", 510, Function::not_modelled, 0, ModalGroup::frame, kList},
+    {"G50", 500, Function::scale, ir::kFrameEnds, ModalGroup::frame, kList},
+    {"G51", 510, Function::scale, ir::kFrameAboutPoint, ModalGroup::frame, kList},
     {"G90", 900, Function::absolute, 0, ModalGroup::distance, kList},
     {"G91", 910, Function::incremental, 0, ModalGroup::distance, kList},
     {"G92", 920, Function::set_coordinates, 0, ModalGroup::non_modal, kList},

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "dialects/ir/cycle.h"
+#include "dialects/ir/frame_use.h"
 #include "dialects/macro_b/codes.h"
 
 namespace dripfeed::macro_b {
@@ -26,8 +27,8 @@ constexpr auto kMill = std::to_array<CodeRow>({
     {"G03.4", 34, Function::not_modelled, 0, ModalGroup::motion, kList},
     {"G06.2", 62, Function::not_modelled, 0, ModalGroup::motion, kList},
     {"G07", 70, Function::not_modelled, 0, ModalGroup::non_modal, kList},
-    {"G15", 150, Function::no_effect, 0, ModalGroup::other, kList},
-    {"G16", 160, Function::not_modelled, 0, ModalGroup::other, kList},
+    {"G15", 150, Function::polar_words_off, 0, ModalGroup::other, kList},
+    {"G16", 160, Function::polar_words_on, 0, ModalGroup::other, kList},
     {"G20", 200, Function::unit_inch, 0, ModalGroup::unit, kList},
     {"G21", 210, Function::unit_mm, 0, ModalGroup::unit, kList},
     {"G33", 330, Function::thread, 0, ModalGroup::motion, kList},
@@ -42,10 +43,12 @@ constexpr auto kMill = std::to_array<CodeRow>({
     {"G47", 470, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G48", 480, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G49.1", 491, Function::length_offset_off, 0, ModalGroup::length_offset, kList},
-    {"G50", 500, Function::no_effect, 0, ModalGroup::frame, kList},
-    {"G51", 510, Function::not_modelled, 0, ModalGroup::frame, kList},
-    {"G60", 600, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    {"G50", 500, Function::scale, ir::kFrameEnds, ModalGroup::frame, kList},
+    {"G51", 510, Function::scale, ir::kFrameAboutPoint, ModalGroup::frame, kList},
+    {"G60", 600, Function::approach, 0, ModalGroup::non_modal, kList},
     {"G62", 620, Function::no_effect, 0, ModalGroup::exact_stop, kList},
+    {"G68", 680, Function::rotate, ir::kFrameAboutPoint, ModalGroup::frame, kList},
+    {"G69", 690, Function::rotate, ir::kFrameEnds, ModalGroup::frame, kList},
     {"G73", 730, Function::drill, drill_argument(DrillCycle::chip_break), ModalGroup::cycle, kList},
     {"G74", 740, Function::drill, drill_argument(DrillCycle::tap_left), ModalGroup::cycle, kList},
     {"G76", 760, Function::drill, drill_argument(DrillCycle::fine_bore), ModalGroup::cycle, kList},

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "dialects/ir/frame_use.h"
 #include "dialects/macro_b/codes.h"
 
 namespace dripfeed::macro_b {
@@ -39,13 +40,13 @@ constexpr auto kShared = std::to_array<CodeRow>({
     {"G17", 170, Function::plane_xy, 0, ModalGroup::plane, kList},
     {"G18", 180, Function::plane_zx, 0, ModalGroup::plane, kList},
     {"G19", 190, Function::plane_yz, 0, ModalGroup::plane, kList},
-    {"G22", 220, Function::no_effect, 0, ModalGroup::other, kList},
+    {"G22", 220, Function::stroke_check, 0, ModalGroup::other, kList},
     {"G23", 230, Function::no_effect, 0, ModalGroup::other, kList},
     {"G25", 250, Function::no_effect, 0, ModalGroup::other, kList},
     {"G26", 260, Function::no_effect, 0, ModalGroup::other, kList},
-    {"G27", 270, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    {"G27", 270, Function::approach, 0, ModalGroup::non_modal, kList},
     {"G28", 280, Function::reference_return, 1, ModalGroup::non_modal, kList},
-    {"G29", 290, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    {"G29", 290, Function::leave_reference, 0, ModalGroup::non_modal, kList},
     {"G30", 300, Function::reference_return, 2, ModalGroup::non_modal, kList},
     {"G30.1", 301, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G31", 310, Function::skip_move, 0, ModalGroup::non_modal, kList},
@@ -59,8 +60,8 @@ constexpr auto kShared = std::to_array<CodeRow>({
     {"G43.5", 435, Function::not_modelled, 0, ModalGroup::length_offset, kList},
     {"G44", 440, Function::length_offset_minus, 0, ModalGroup::length_offset, kList},
     {"G49", 490, Function::length_offset_off, 0, ModalGroup::length_offset, kList},
-    {"G50.1", 501, Function::no_effect, 0, ModalGroup::frame, kList},
-    {"G51.1", 511, Function::not_modelled, 0, ModalGroup::frame, kList},
+    {"G50.1", 501, Function::mirror, ir::kFrameEnds, ModalGroup::frame, kList},
+    {"G51.1", 511, Function::mirror, ir::kFrameAboutPoint, ModalGroup::frame, kList},
     {"G52", 520, Function::local_shift, 0, ModalGroup::non_modal, kList},
     {"G53", 530, Function::machine_coordinates, 0, ModalGroup::non_modal, kList},
     {"G53.1", 531, Function::not_modelled, 0, ModalGroup::non_modal, kList},
@@ -84,7 +85,7 @@ constexpr auto kShared = std::to_array<CodeRow>({
     {"G68.2", 682, Function::not_modelled, 0, ModalGroup::frame, kList},
     {"G69", 690, Function::no_effect, 0, ModalGroup::frame, kList},
     {"G80", 800, Function::cycle_off, 0, ModalGroup::cycle, kList},
-    {"G92.1", 921, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    {"G92.1", 921, Function::set_coordinates, 1, ModalGroup::non_modal, kList},
     {"G96", 960, Function::surface_speed_on, 0, ModalGroup::surface_speed, kList},
     {"G97", 970, Function::surface_speed_off, 0, ModalGroup::surface_speed, kList},
     {"G107", 1070, Function::not_modelled, 0, ModalGroup::other, kList},

@@ -101,7 +101,8 @@ void BlockLowering::add_code(const RawWord& word, std::int32_t number10) {
     code.function = row->function;
     code.argument = row->argument;
     code.group = row->group;
-    if (row->function == Function::not_modelled || row->function == Function::no_effect) {
+    if (row->function == Function::not_modelled || row->function == Function::no_effect ||
+        row->function == Function::approach || row->function == Function::stroke_check) {
       code.name = program_.strings.add(row->name);
     }
   } else if (number10 == -1) {

@@ -189,7 +189,8 @@ std::string ProgramPrinter::block(const ir::Block& block) const {
 std::string ProgramPrinter::code(const ir::Code& code) const {
   if (code.number != ExpressionId::none) return fmt::format("{}{}", code.letter, expressions_.word_value(code.number));
   if (code.function == Function::machine_function) return fmt::format("M{:02}", code.argument);
-  if (code.function == Function::not_modelled || code.function == Function::no_effect) {
+  if (code.function == Function::not_modelled || code.function == Function::no_effect ||
+      code.function == Function::approach) {
     return std::string(program_.strings.at(code.name));
   }
   if (code.function == Function::work_offset && code.argument > kLastPlainOffset) {

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/ir/frame_use.h"
 #include "dialects/macro_b/findings.h"
 #include "dialects/macro_b/lower.h"
 #include "dialects/macro_b/print.h"
@@ -41,6 +42,11 @@ bool goes_without_saying(Function function) {
   return function == Function::absolute || function == Function::incremental || function == Function::no_effect ||
          function == Function::return_to_initial || function == Function::return_to_r ||
          function == Function::cycle_off || function == Function::none;
+}
+
+// Functions that are more than their name in a table: others stand for several codes.
+bool is_said_by_table(Function function) {
+  return function != Function::no_effect && function != Function::not_modelled && function != Function::approach;
 }
 
 }  // namespace
@@ -144,6 +150,9 @@ void BlockRaiser::code(const ir::Code& code) {
   if (f == Function::tool_change && to_.semantics.tool_word == ir::ToolWord::number_and_offset) return;
   if (code.number != ExpressionId::none) return cannot(*statement_, "a code with a calculated number");
   if (f == Function::machine_function) return draft_.codes.push_back(code);
+  const bool factors = f == Function::scale && code.argument == ir::kFrameAboutPoint;
+  if (factors && from_.semantics.scale_unit != to_.semantics.scale_unit)
+    return cannot(*statement_, "scaling, whose factors count otherwise here");
   if (f == Function::work_offset && code.argument > kLastPlainOffset) {
     ir::Code extended = code_of(Function::work_offset, 1);
     extended.argument = code.argument > kExtendedOffset
@@ -151,12 +160,12 @@ void BlockRaiser::code(const ir::Code& code) {
                             : static_cast<std::int16_t>(kExtendedOffset + code.argument - kLastPlainOffset);
     return draft_.codes.push_back(extended);
   }
-  if (f != Function::no_effect && f != Function::not_modelled && find_function(to_, f, code.argument) != nullptr) {
+  if (is_said_by_table(f) && find_function(to_, f, code.argument) != nullptr) {
     ir::Code raised = code_of(f, code.argument);
     raised.span = code.span;
     return draft_.codes.push_back(raised);
   }
-  if (goes_without_saying(f)) return;
+  if (goes_without_saying(f) || ir::ends_frame(f, code.argument)) return;
   const std::string_view name = program_.strings.at(code.name);
   cannot(*statement_, name.empty() ? std::string(ir::name_of(f)) : std::string(name));
 }

@@ -63,6 +63,9 @@ constexpr auto kLathe = std::to_array<CodeRow>({
     {"G123.1", 1231, Function::diameter_on, 0, ModalGroup::diameter, kList},
 });
 constexpr auto kMillTurn = std::to_array<CodeRow>({
+    // Rotation on some, mirroring of a second turret or conversion in space on others.
+    {"G68", 680, Function::not_modelled, 0, ModalGroup::frame, kList},
+    {"G69", 690, Function::no_effect, 0, ModalGroup::frame, kList},
     {"G50", 500, Function::set_coordinates, 0, ModalGroup::non_modal, kList},
     {"G122.1", 1221, Function::diameter_off, 0, ModalGroup::diameter, kList},
     {"G123.1", 1231, Function::diameter_on, 0, ModalGroup::diameter, kList},

@@ -54,6 +54,8 @@ ir::Control control(ir::MachineKind kind, ir::GSystem system) {
   c.system_variables = system_variables();
   c.alarms = alarms();
   c.variables = variable_ranges();
+  c.semantics.scale_unit = 1e-6;
+  c.semantics.scale_unit_known = true;
   // #3000 = n: alarms 980 to 999 for n up to 20, 979 for all above.
   c.semantics.user_alarm_base = 979;
   c.semantics.highest_user_alarm = 20;

@@ -52,6 +52,8 @@ ir::Control control(ir::MachineKind kind, ir::GSystem system) {
   c.system_variables = system_variables();
   c.alarms = alarms();
   c.variables = variable_ranges();
+  c.semantics.scale_unit = 1e-6;
+  c.semantics.scale_unit_known = true;
   return c;
 }
 

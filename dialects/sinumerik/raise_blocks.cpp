@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "dialects/ir/frame_use.h"
 #include "dialects/sinumerik/codes.h"
 #include "dialects/sinumerik/name_index.h"
 #include "dialects/sinumerik/raise.h"
@@ -189,6 +190,7 @@ class BlockRaiser {
     }
     if (raising_.is_own()) return own_code(c);
     if (std::ranges::find(kNeedless, c.function) != std::end(kNeedless)) return;
+    if (ir::ends_frame(c.function, c.argument)) return;
     if (c.function == Function::length_offset_plus) return length_offset(c);
     if (c.function == Function::length_offset_off) return add_word(Address::d, constant(0.0), c.span);
     if (c.function == Function::set_coordinates && speed_limit()) return;
