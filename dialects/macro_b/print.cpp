@@ -40,7 +40,8 @@ const ir::CodeRow* find_function(const ir::Control& control, Function function, 
   // Other arguments are shades of meaning that the tables do not tell apart.
   const bool numbered = function == Function::work_offset || function == Function::reference_return ||
                         function == Function::drill || function == Function::turning_cycle ||
-                        function == Function::repetitive_cycle;
+                        function == Function::repetitive_cycle || function == Function::rotate ||
+                        function == Function::scale || function == Function::mirror;
   for (const auto table : {control.g_codes, control.m_codes}) {
     const auto row = std::ranges::find_if(
         table, [&](const ir::CodeRow& r) { return r.function == function && (!numbered || r.argument == argument); });

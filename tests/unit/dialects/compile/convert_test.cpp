@@ -279,6 +279,23 @@ TEST(Library, AsksOnceAndRemembersWhatIsMissing) {
   EXPECT_EQ(cycle.library.loaded()[0]->name, "TURNING_CYCLE");
 }
 
+// G68 is about a point and beside the shift; ROT replaces and AROT adds to it: one is never printed for the other.
+TEST(Convert, AFrameIsNotPrintedAsAnotherKindOfFrame) {
+  for (const std::string& to : dialect_names()) {
+    if (to == "sinumerik-840d") continue;
+    for (const std::string code : {"AROT Z30", "ROT Z30", "ROT", "MIRROR X0", "AMIRROR X0", "SCALE X2 Y2 Z2"}) {
+      ConvertRequest request;
+      request.source = text::Source("frames", "G710 G17 G90 G94 G40\n" + code + "\nG0 X10 Y5 Z5\nM30\n");
+      request.from = control("sinumerik-840d", ir::MachineKind::mill);
+      request.to = control(to, ir::MachineKind::mill);
+      request.mode = ConvertMode::macro;
+      const ConvertResult result = convert(request);
+      EXPECT_TRUE(text::has_error(result.diagnostics)) << code << "\n" << result.text;
+      EXPECT_EQ(result.text, "") << code;
+    }
+  }
+}
+
 // No control has words for half a structure: it is refused in both modes, and the whole one is not.
 TEST(Convert, RefusesHalfAStructure) {
   const ir::Control from = control("sinumerik-840d", ir::MachineKind::mill);
