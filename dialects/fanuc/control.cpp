@@ -27,23 +27,16 @@ const macro_b::Grammar& grammar() {
 
 ir::Control control(ir::MachineKind kind, ir::GSystem system) {
   const bool mill = kind == ir::MachineKind::mill;
-  ir::Control c = macro_b::usual_control(kind, system);
-  c.dialect = "fanuc";
-  c.title = mill ? "Fanuc 0i-MF" : "Fanuc 0i-TF";
-  c.limits = {.block_length_bytes = 0,
-              .digits = 8,
-              .expression_nesting = 5,
-              .loop_nesting = 3,
-              .call_nesting = 10,
-              .macro_nesting = 5,
-              .name_length = 31,
-              .linear_decimals = 3};
-  c.cost = kCost;
-  c.g_codes = g_codes(kind, system);
-  c.m_codes = m_codes();
-  c.system_variables = system_variables();
-  c.alarms = alarms();
-  c.variables = variable_ranges();
+  ir::Control c = macro_b::usual_control(kind, system,
+                                         {.dialect = "fanuc",
+                                          .title = mill ? "Fanuc 0i-MF" : "Fanuc 0i-TF",
+                                          .limits = {.call_nesting = 10, .macro_nesting = 5},
+                                          .cost = kCost,
+                                          .g_codes = g_codes(kind, system),
+                                          .m_codes = m_codes(),
+                                          .system_variables = system_variables(),
+                                          .alarms = alarms(),
+                                          .variables = variable_ranges()});
   c.semantics.user_alarm_base = 3000;
   c.semantics.arc_without_center_is_line = true;
   c.semantics.pecks_need_depth = mill;  // a lathe's G83 without Q drills in one

@@ -75,6 +75,8 @@ enum class AlarmDetail : std::uint8_t {
   macro_call,          // nesting of macros, not of subprograms
   macro_program,       // a macro call without its program
   if_nesting,
+  inverse_time,  // no feed in a block of G93
+  second_call,   // M98 twice in a block
 };
 struct AlarmRow {
   text::DiagnosticId id;
@@ -92,7 +94,8 @@ struct ControlLimits {
   std::uint32_t call_nesting = 4;
   std::uint32_t macro_nesting = 4;
   std::uint32_t name_length = 31;
-  int linear_decimals = 3;  // digits after the point that an axis word resolves
+  std::uint32_t shape_blocks = 0;  // of a turning cycle
+  int linear_decimals = 3;         // digits after the point that an axis word resolves
 };
 
 // A code that the machine's parameters turn into a call of a program.

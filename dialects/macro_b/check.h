@@ -27,6 +27,8 @@ void check_frame(const ir::Program& program, const ir::Control& control, const s
                  Findings& findings);
 // What a control does not take while it is fed.
 void check_drip(const ir::Program& program, const Grammar& grammar, Findings& findings);
+// Drilling and turning cycles: pecks, taps, and the shapes that they name.
+void check_cycles(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings);
 // What depends on the blocks before: compensation, drilling cycles and modal calls that are in effect.
 void check_order(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings);
 // Codes and blocks that are not interpreted here, each name once.

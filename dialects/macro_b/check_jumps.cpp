@@ -19,7 +19,11 @@ using enum text::DiagnosticId;
 class JumpCheck {
  public:
   JumpCheck(const ir::Program& program, const Section& section, Findings& findings)
-      : program_(program), section_(section), findings_(findings), labels_(program, section) {}
+      : program_(program),
+        section_(section),
+        findings_(findings),
+        labels_(program, section),
+        ways_in_(program, section) {}
 
   void run() {
     find_loops();
@@ -61,11 +65,7 @@ class JumpCheck {
   void check_jump(std::uint32_t i) {
     const ir::Statement& statement = program_.statements[i];
     const ir::Jump& jump = program_.jumps[statement.payload];
-    if (jump.number == ir::kNoIndex) {
-      computed_ = true;
-      return;
-    }
-    targets_.insert(jump.number);
+    if (jump.number == ir::kNoIndex) return;
     const std::string name = fmt::format("N{}", jump.number);
     const ir::Label* label = labels_.find(jump.number, i);
     if (label == nullptr) {
@@ -85,26 +85,7 @@ class JumpCheck {
     }
   }
 
-  // A label is a way in when a jump goes to it; after a computed jump, or when other blocks name block numbers (G71 P
-  // Q), every label is.
-  [[nodiscard]] bool is_way_in(std::uint32_t i) const {
-    const ir::Statement& s = program_.statements[i];
-    if (!s.is_label) return false;
-    if (computed_ || names_blocks_) return true;
-    const auto label = std::ranges::lower_bound(program_.labels, i, {}, &ir::Label::statement);
-    return label != program_.labels.end() && label->statement == i && targets_.contains(label->number);
-  }
-
   void check_reached() {
-    for (std::uint32_t i = section_.first; i < section_.last && !names_blocks_; ++i) {
-      const ir::Statement& s = program_.statements[i];
-      if (s.kind == StatementKind::return_to) names_blocks_ = true;  // M99 P of a main program
-      if (s.kind == StatementKind::call) names_blocks_ = true;       // M99 P of the called program
-      if (s.kind != StatementKind::block) continue;
-      for (const ir::Word& word : program_.words_of(program_.blocks[s.payload])) {
-        names_blocks_ |= word.address == ir::Address::p || word.address == ir::Address::q;
-      }
-    }
     bool reached = true;
     std::uint32_t conditional_line = 0;
     for (std::uint32_t i = section_.first; i < section_.last; ++i) {
@@ -112,7 +93,7 @@ class JumpCheck {
       if (s.kind == StatementKind::if_begin) conditional_line = s.line;
       const bool closes = s.kind == StatementKind::if_end || s.kind == StatementKind::while_end ||
                           s.kind == StatementKind::loop_end || s.kind == StatementKind::else_begin;
-      reached = reached || closes || is_way_in(i);
+      reached = reached || closes || ways_in_.at(i);
       if (!reached && s.kind != StatementKind::empty && !is_folder_line(program_, s)) {
         findings_.add(unreachable, s.span);
         reached = true;
@@ -128,12 +109,10 @@ class JumpCheck {
   const Section& section_;
   Findings& findings_;
   LabelIndex labels_;
+  WaysIn ways_in_;
   std::vector<Loop> loops_;
   std::vector<std::uint32_t> inside_;  // by statement of the section: index of its innermost loop
-  std::unordered_set<std::uint32_t> targets_;
   std::unordered_set<std::uint32_t> told_;
-  bool computed_ = false;
-  bool names_blocks_ = false;
 };
 
 }  // namespace

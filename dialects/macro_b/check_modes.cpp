@@ -39,7 +39,13 @@ class ModeCheck {
   }
 
  private:
-  void assume_all() { unit_ = distance_ = plane_ = feed_mode_ = motion_ = feed_ = true; }
+  [[nodiscard]] bool has_word(const ir::Block& block, Address address) const {
+    return std::ranges::find(program_.words_of(block), address, &ir::Word::address) != program_.words_of(block).end();
+  }
+  void assume_all() {
+    inverse_time_ = false;
+    unit_ = distance_ = plane_ = feed_mode_ = motion_ = feed_ = true;
+  }
 
   void block(const ir::Block& block, text::Span span) {
     bool own_words = false;  // dwell, shifts, data: the axis words are no move
@@ -66,6 +72,8 @@ class ModeCheck {
     if (has_distance_codes_) open(distance_, distance_mode_not_stated, span, {});
     if (by_reference) return;
     open(motion_, motion_without_code, span, {axes});
+    if (cutting_ && inverse_time_ && !has_word(block, Address::f))
+      findings_.add(no_feed, span, {}, ir::AlarmDetail::inverse_time);
     if (cutting_ && !feed_ && !jumped_) {
       findings_.add(no_feed, span);
       feed_ = true;
@@ -80,6 +88,7 @@ class ModeCheck {
     unit_ |= code.group == ModalGroup::unit;
     distance_ |= code.group == ModalGroup::distance;
     feed_mode_ |= code.group == ModalGroup::feed;
+    if (code.group == ModalGroup::feed) inverse_time_ = code.function == Function::feed_inverse_time;
     plane_ |= code.group == ModalGroup::plane;
   }
 
@@ -120,7 +129,8 @@ class ModeCheck {
   bool motion_ = false;
   bool feed_ = false;
   bool cutting_ = false;
-  bool jumped_ = false;  // what stands further up may not have been run
+  bool inverse_time_ = false;  // F counts in its own block only
+  bool jumped_ = false;        // what stands further up may not have been run
 };
 
 }  // namespace

@@ -2,8 +2,11 @@
 // label or a call nothing is taken for certain.
 #include <algorithm>
 #include <string>
+#include <utility>
 
+#include "dialects/ir/frame_use.h"
 #include "dialects/macro_b/check.h"
+#include "dialects/macro_b/lower.h"
 
 namespace dripfeed::macro_b {
 
@@ -18,11 +21,13 @@ enum class State : std::uint8_t { off, on, uncertain };
 
 class OrderCheck {
  public:
-  OrderCheck(const ir::Program& program, const ir::Control& control, Findings& findings)
-      : program_(program), control_(control), findings_(findings) {}
+  OrderCheck(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings)
+      : program_(program), control_(control), findings_(findings), ways_in_(program, section) {}
 
-  void statement(const ir::Statement& s) {
-    if (s.is_label) forget();
+  void statement(std::uint32_t at) {
+    const ir::Statement& s = program_.statements[at];
+    if (ways_in_.at(at)) forget();
+    if (!corner_span_.empty() && s.kind != StatementKind::empty && s.kind != StatementKind::assign) corner(s);
     if (s.kind == StatementKind::block) {
       block(program_.blocks[s.payload]);
     } else if (s.kind == StatementKind::modal_call) {
@@ -38,8 +43,12 @@ class OrderCheck {
 
  private:
   void forget() {
-    modal_ = comp_ = cycle_ = State::uncertain;
-    arc_ = starting_ = false;
+    modal_ = comp_ = cycle_ = rotation_ = State::uncertain;
+    arc_ = starting_ = cuts_ = false;
+    moves_known_ = false;
+    extended_ = false;
+    number_known_ = true;
+    corner_span_ = {};
   }
 
   // An error where the control has an alarm for it.
@@ -53,42 +62,132 @@ class OrderCheck {
   void block(const ir::Block& block) {
     const ir::Code* comp = nullptr;
     bool own_words = false;
+    number_known_ |= has_word(block, ir::Address::d);
     for (const ir::Code& code : program_.codes_of(block)) {
-      const Function f = code.function;
       if (code.number != ir::ExpressionId::none) return forget();
-      if (code.group == ir::ModalGroup::motion) arc_ = f == Function::arc_cw || f == Function::arc_ccw;
-      if (code.group == ir::ModalGroup::motion || f == Function::cycle_off) cycle_ = State::off;
-      if (f == Function::drill) cycle_ = State::on;
+      motion(code);
+      plane(code);
       own_words |= code.group == ir::ModalGroup::non_modal;
+      const Function f = code.function;
       if (f == Function::reference_return && cycle_ == State::on) add(reference_in_cycle, code.span, written(code));
-      const bool plane = code.group == ir::ModalGroup::plane;
-      if (plane && comp_ == State::on && plane_ != f && plane_ != Function::none)
-        add(plane_changed_in_comp, code.span, written(code));
-      if (plane) plane_ = f;
+      if (f == Function::skip_move && comp_ == State::on) add(skip_in_comp, code.span, written(code));
+      if (f == Function::drill && comp_ == State::on && cycle_ != State::on)
+        add(cycle_in_comp, code.span, written(code));
+      if (f == Function::drill) cycle_ = State::on;
+      if (code.group == ir::ModalGroup::work_offset)
+        extended_ = f == Function::extended_offset || (f == Function::work_offset && code.argument > kExtendedOffset);
+      shift(code, block);
       if (f == Function::comp_left || f == Function::comp_right || f == Function::comp_off) comp = &code;
     }
-    const bool moves = !own_words && std::ranges::any_of(program_.words_of(block), [&](const ir::Word& w) {
-      return is_axis(control_, w.address);
-    });
-    if (comp != nullptr) {
-      const State wanted = comp->function == Function::comp_off ? State::off : State::on;
-      // Changing sides is no start.
-      starting_ = comp_ != State::uncertain && comp_ != wanted;
-      comp_ = wanted;
-      comp_span_ = comp->span;
-    }
+    const bool moves = !own_words && moves_axes(block);
+    if (comp != nullptr) take_comp(*comp);
+    begin_corner(block, moves);
     if (!moves || !starting_) return;
     if (arc_) add(comp_started_by_arc, comp_span_, comp_ == State::on ? "starts" : "ends");
     starting_ = false;
   }
 
+  void motion(const ir::Code& code) {
+    const Function f = code.function;
+    if (code.group == ir::ModalGroup::motion) {
+      arc_ = f == Function::arc_cw || f == Function::arc_ccw;
+      cuts_ = arc_ || f == Function::linear;
+      moves_known_ = true;
+    }
+    if (code.group == ir::ModalGroup::motion || f == Function::cycle_off) cycle_ = State::off;
+    if (f == Function::rotate) rotation_ = code.argument == ir::kFrameAboutPoint ? State::on : State::off;
+  }
+
+  void plane(const ir::Code& code) {
+    if (code.group != ir::ModalGroup::plane) return;
+    const bool changes = plane_ != code.function && plane_ != Function::none;
+    if (changes && comp_ == State::on) add(plane_changed_in_comp, code.span, written(code));
+    if (changes && rotation_ == State::on) add(plane_changed_in_rotation, code.span, written(code));
+    plane_ = code.function;
+  }
+
+  // Where the control has an alarm for it: others take G52 beside G54.1.
+  void shift(const ir::Code& code, const ir::Block& block) {
+    if (code.function != Function::local_shift || !extended_ || !moves_axes(block)) return;
+    if (!ir::alarm_of(control_, shift_in_extended_offset).empty())
+      add(shift_in_extended_offset, code.span, written(code));
+  }
+
+  void take_comp(const ir::Code& code) {
+    const State wanted = code.function == Function::comp_off ? State::off : State::on;
+    // On lathes the tool's own offset says it.
+    if (wanted == State::on && !number_known_ && control_.kind == ir::MachineKind::mill) {
+      findings_.add(comp_without_number, code.span, {std::string(written(code))});
+      number_known_ = true;
+    }
+    // Changing sides is no start.
+    starting_ = comp_ != State::uncertain && comp_ != wanted;
+    comp_ = wanted;
+    comp_span_ = code.span;
+  }
+
+  // ,C and ,R of a block that moves. In a tap the word says that it is a synchronous one.
+  void begin_corner(const ir::Block& block, bool moves) {
+    for (const ir::Word& word : program_.words_of(block)) {
+      const bool corner = word.address == ir::Address::chamfer || word.address == ir::Address::rounding;
+      if (!corner || cycle_ != State::off || !moves_known_) continue;
+      const std::string name(text_of(program_, word.span));
+      if (!moves || !cuts_)
+        add_corner(word.span, "before it");
+      else
+        corner_span_ = word.span;
+    }
+  }
+  // The statement behind one.
+  void corner(const ir::Statement& s) {
+    const text::Span span = std::exchange(corner_span_, {});
+    const bool is_end = s.kind == StatementKind::program_end || s.kind == StatementKind::subprogram_return;
+    if (s.kind != StatementKind::block && !is_end) return;
+    bool stays = true;
+    if (s.kind == StatementKind::block) {
+      const ir::Block& block = program_.blocks[s.payload];
+      for (const ir::Code& code : program_.codes_of(block)) {
+        if (code.number != ir::ExpressionId::none) return;
+        const Function f = code.function;
+        const bool cut = f == Function::linear || f == Function::arc_cw || f == Function::arc_ccw;
+        if (code.group == ir::ModalGroup::motion) stays &= cut;
+        stays &= code.group != ir::ModalGroup::non_modal || f == Function::exact_stop_once;
+      }
+      stays &= moves_axes(block) || has_word(block, ir::Address::i) || has_word(block, ir::Address::j) ||
+               has_word(block, ir::Address::k);
+      // An angle may stand for a coordinate.
+      stays |= has_word(block, ir::Address::other) || has_word(block, ir::Address::a);
+    }
+    if (is_end || !stays) add_corner(span, "behind it");
+  }
+  void add_corner(text::Span span, std::string_view where) {
+    text::Diagnostic* finding =
+        findings_.add(corner_without_move, span, {std::string(text_of(program_, span)), std::string(where)});
+    if (finding != nullptr && finding->alarm.empty()) finding->severity = text::Severity::warning;
+  }
+
+  [[nodiscard]] bool moves_axes(const ir::Block& block) const {
+    return std::ranges::any_of(program_.words_of(block),
+                               [&](const ir::Word& w) { return is_axis(control_, w.address); });
+  }
+  [[nodiscard]] bool has_word(const ir::Block& block, ir::Address address) const {
+    return std::ranges::find(program_.words_of(block), address, &ir::Word::address) != program_.words_of(block).end();
+  }
+
   const ir::Program& program_;
   const ir::Control& control_;
   Findings& findings_;
+  WaysIn ways_in_;
   // At the start nothing is in effect.
   State modal_ = State::off;
   State comp_ = State::off;
   State cycle_ = State::off;
+  State rotation_ = State::off;
+  bool cuts_ = false;          // the motion code is G01, G02 or G03
+  bool moves_known_ = false;   // one was read
+  bool extended_ = false;      // G54.1 is in effect
+  bool number_known_ = false;  // D was given
+  text::Span corner_span_;     // a corner that waits for the move behind it
   Function plane_ = Function::none;
   bool arc_ = false;
   bool starting_ = false;  // compensation changes with the next move
@@ -99,8 +198,8 @@ class OrderCheck {
 
 void check_order(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings) {
   if (section.is_subprogram) return;  // what is in effect is its caller's
-  OrderCheck check(program, control, findings);
-  for (std::uint32_t i = section.first; i < section.last; ++i) check.statement(program.statements[i]);
+  OrderCheck check(program, control, section, findings);
+  for (std::uint32_t i = section.first; i < section.last; ++i) check.statement(i);
 }
 
 }  // namespace dripfeed::macro_b

@@ -1,6 +1,7 @@
 // Words and variables of blocks, one block at a time: nothing here depends on what was active before.
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -28,16 +29,27 @@ std::string address_name(const ir::Program& program, const ir::Word& word) {
 // What the codes of a block make of its words.
 struct BlockUse {
   bool arc = false;          // I J K R are lengths
+  bool hole = false;         // R is a level
   bool other_words = false;  // a code that is not modelled gives the words a meaning of its own
 };
 BlockUse use_of(const ir::Program& program, const ir::Block& block) {
   BlockUse use;
   for (const ir::Code& code : program.codes_of(block)) {
     use.arc |= code.function == Function::arc_cw || code.function == Function::arc_ccw;
+    use.hole |= code.function == Function::drill;
     use.other_words |= code.function == Function::not_modelled;
   }
   return use;
 }
+
+// Which offsets G10 sets, by L and the range of P.
+struct DataRow {
+  double first_l;
+  double last_l;
+  double first_p;
+  double last_p;
+};
+constexpr DataRow kDataRows[] = {{2.0, 2.0, 0.0, 6.0}, {20.0, 20.0, 1.0, 300.0}, {10.0, 13.0, 1.0, 999.0}};
 
 class WordCheck {
  public:
@@ -47,6 +59,8 @@ class WordCheck {
   void block(const ir::Block& block) {
     const BlockUse use = use_of(program_, block);
     groups(block);
+    data_setting(block);
+    beside_function(block);
     std::array<bool, static_cast<std::size_t>(Address::count_)> seen{};
     for (const ir::Word& word : program_.words_of(block)) {
       bool& before = seen[static_cast<std::size_t>(word.address)];
@@ -56,8 +70,7 @@ class WordCheck {
       before = true;
       unknown(word, use);
       point_not_allowed(word, use);
-      const bool length = is_axis(control_, word.address) || (use.arc && holds("IJKR", word.address));
-      if (length) point_missing(word.address, word.value, word.span);
+      if (is_length(word.address, use)) point_missing(word.address, word.value, word.span);
     }
   }
 
@@ -89,6 +102,48 @@ class WordCheck {
         break;
       }
     }
+  }
+
+  // G10 L2, L20 and L10 to L13 with the number of an offset that there is not.
+  void data_setting(const ir::Block& block) {
+    const auto codes = program_.codes_of(block);
+    const auto g10 = std::ranges::find(codes, Function::data_input, &ir::Code::function);
+    if (g10 == codes.end()) return;
+    const auto number = [&](Address address) -> std::optional<double> {
+      for (const ir::Word& word : program_.words_of(block))
+        if (word.address == address && word.value != ir::ExpressionId::none &&
+            program_.at(word.value).op == ir::Operator::constant)
+          return program_.at(word.value).value;
+      return std::nullopt;
+    };
+    const auto kind = number(Address::l);
+    const auto place = number(Address::p);
+    if (!kind || !place) return;
+    for (const DataRow& row : kDataRows) {
+      if (*kind < row.first_l || *kind > row.last_l) continue;
+      if (*place >= row.first_p && *place <= row.last_p) return;
+      findings_.add(
+          data_setting_invalid, g10->span,
+          {text::format_shortest(*kind), text::format_shortest(row.first_p), text::format_shortest(row.last_p)});
+      return;
+    }
+  }
+
+  // G29 with an M function, where the control has an alarm for it.
+  void beside_function(const ir::Block& block) {
+    const auto codes = program_.codes_of(block);
+    const auto reference = std::ranges::find(codes, Function::leave_reference, &ir::Code::function);
+    const auto m = std::ranges::find(codes, 'M', &ir::Code::letter);
+    if (reference == codes.end() || m == codes.end() || ir::alarm_of(control_, code_beside_function).empty()) return;
+    findings_.add(code_beside_function, m->span,
+                  {std::string(text_of(program_, reference->span)), std::string(text_of(program_, m->span))});
+  }
+
+  // In a hole's block ,R1 says that a tap is a synchronous one.
+  [[nodiscard]] bool is_length(Address address, const BlockUse& use) const {
+    const bool corner = address == Address::chamfer || address == Address::rounding;
+    return is_axis(control_, address) || (use.arc && holds("IJKR", address)) || (use.hole && address == Address::r) ||
+           (corner && !use.hole);
   }
 
   // Without a named machine its axes are not known, and C is a chamfer on old lathes.
@@ -141,6 +196,11 @@ void check_variables(const ir::Program& program, const ir::Control& control, Fin
     if (ir::find_variable(control, ir::Bank::hash, variable.number) == nullptr) {
       findings.add(variable_out_of_range, variable.span, {fmt::format("#{}", variable.number)});
     }
+  }
+  for (const ir::Expression& e : program.expressions) {
+    if (e.op != ir::Operator::divide || e.b == ir::ExpressionId::none) continue;
+    const ir::Expression& divisor = program.at(e.b);
+    if (divisor.op == ir::Operator::constant && divisor.value == 0.0) findings.add(division_by_zero, e.span);
   }
   for (const ir::Statement& statement : program.statements) {
     if (statement.kind != ir::StatementKind::assign) continue;

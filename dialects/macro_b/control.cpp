@@ -1,6 +1,8 @@
 // What the parameters are at most machines. A machine's profile overrides single fields.
 #include "dialects/macro_b/control.h"
 
+#include <utility>
+
 namespace dripfeed::macro_b {
 
 namespace {
@@ -27,13 +29,22 @@ ir::Semantics lathe_semantics(ir::GSystem system) {
 
 }  // namespace
 
-ir::Control usual_control(ir::MachineKind kind, ir::GSystem system) {
+ir::Control usual_control(ir::MachineKind kind, ir::GSystem system, ControlTables tables) {
   const bool mill = kind == ir::MachineKind::mill;
   ir::Control c;
   c.kind = kind;
   c.g_system = mill ? ir::GSystem::a : system;
   c.axes = mill ? "XYZ" : kind == ir::MachineKind::lathe ? "XZ" : "XYZC";
   c.semantics = mill ? usual_semantics() : lathe_semantics(system);
+  c.dialect = tables.dialect;
+  c.title = tables.title;
+  c.limits = tables.limits;
+  c.cost = tables.cost;
+  c.g_codes = tables.g_codes;
+  c.m_codes = tables.m_codes;
+  c.system_variables = tables.system_variables;
+  c.alarms = tables.alarms;
+  c.variables = std::move(tables.variables);
   return c;
 }
 

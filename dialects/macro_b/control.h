@@ -1,11 +1,28 @@
 // What the '#'-variable controls have in common beside tables: the usual semantics by kind of machine.
 #pragma once
 
+#include <span>
+#include <string_view>
+#include <vector>
+
 #include "dialects/ir/control.h"
 
 namespace dripfeed::macro_b {
 
-// Kind, G-code system, axes and semantics; tables, limits and names are the dialect's to add.
-ir::Control usual_control(ir::MachineKind kind, ir::GSystem system);
+// What is each dialect's own.
+struct ControlTables {
+  std::string_view dialect;
+  std::string_view title;
+  ir::ControlLimits limits;
+  ir::CostModel cost;
+  std::span<const ir::CodeRow> g_codes;
+  std::span<const ir::CodeRow> m_codes;
+  std::span<const ir::SystemVariableRow> system_variables;
+  std::span<const ir::AlarmRow> alarms;
+  std::vector<ir::VariableRange> variables;
+};
+
+// With the usual axes and semantics of such a machine.
+ir::Control usual_control(ir::MachineKind kind, ir::GSystem system, ControlTables tables);
 
 }  // namespace dripfeed::macro_b

@@ -127,6 +127,33 @@ char letter_of(ir::Address address) {
 
 std::string_view text_of(const ir::Program& program, text::Span span) { return span.in(program.source.text()); }
 
+WaysIn::WaysIn(const ir::Program& program, const Section& section) : program_(program) {
+  for (std::uint32_t i = section.first; i < section.last; ++i) {
+    const ir::Statement& s = program.statements[i];
+    if (s.kind == ir::StatementKind::go_to) {
+      const ir::Jump& jump = program.jumps[s.payload];
+      computed_ |= jump.number == ir::kNoIndex;
+      targets_.insert(jump.number);
+    }
+    names_blocks_ |= s.kind == ir::StatementKind::return_to || s.kind == ir::StatementKind::call;
+    if (s.kind != ir::StatementKind::block || names_blocks_) continue;
+    const ir::Block& block = program.blocks[s.payload];
+    const bool names = std::ranges::any_of(program.codes_of(block), [](const ir::Code& c) {
+      return c.function == ir::Function::repetitive_cycle || c.function == ir::Function::not_modelled ||
+             c.number != ir::ExpressionId::none;
+    });
+    for (const ir::Word& word : program.words_of(block))
+      names_blocks_ |= names && (word.address == ir::Address::p || word.address == ir::Address::q);
+  }
+}
+
+bool WaysIn::at(std::uint32_t statement) const {
+  if (!program_.statements[statement].is_label) return false;
+  if (computed_ || names_blocks_) return true;
+  const auto label = std::ranges::lower_bound(program_.labels, statement, {}, &ir::Label::statement);
+  return label != program_.labels.end() && label->statement == statement && targets_.contains(label->number);
+}
+
 LabelIndex::LabelIndex(const ir::Program& program, const Section& section) {
   // Reading adds labels in the order of the text.
   const auto first = std::ranges::lower_bound(program.labels, section.first, {}, &ir::Label::statement);

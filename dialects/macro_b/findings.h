@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "dialects/ir/control.h"
@@ -55,6 +56,22 @@ bool is_axis(const ir::Control& control, ir::Address address);
 // 'X' for Address::x; '?' for those that are no letter.
 char letter_of(ir::Address address);
 std::string_view text_of(const ir::Program& program, text::Span span);
+
+// Which labels of a section are ways in: those that a jump goes to. After a computed jump, or where other blocks name
+// block numbers (G71 P Q, M99 P of a called program), every label is.
+class WaysIn {
+ public:
+  WaysIn(const ir::Program& program, const Section& section);
+  [[nodiscard]] bool at(std::uint32_t statement) const;
+  // Whether blocks beside jumps name block numbers.
+  [[nodiscard]] bool blocks_are_named() const { return names_blocks_; }
+
+ private:
+  const ir::Program& program_;
+  std::unordered_set<std::uint32_t> targets_;
+  bool computed_ = false;
+  bool names_blocks_ = false;
+};
 
 // Labels of a section by number; the first of a number is the one that is found from the top.
 class LabelIndex {

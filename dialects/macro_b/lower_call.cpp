@@ -26,6 +26,12 @@ std::string program_name(double number) { return fmt::format("O{:04}", std::llro
 void BlockLowering::lower_call_block(CallWord kind, std::size_t at, std::span<const RawWord> words,
                                      const BlockPlace& place) {
   if (kind == CallWord::by_code) return emit_code_call(words[at], words, place);
+  if (kind == CallWord::modal_end) {
+    emit(StatementKind::modal_call_end, ir::kNoIndex, place);
+    std::vector<RawWord> others(words.begin(), words.end());
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(at));
+    return lower(others, place);
+  }
   const bool by_letter = kind == CallWord::subprogram || kind == CallWord::external;
   const std::string of_subprogram = std::string("PL<") + grammar_.start_letter;
   const auto first_code = static_cast<std::uint32_t>(program_.codes.size());
@@ -38,6 +44,11 @@ void BlockLowering::lower_call_block(CallWord kind, std::size_t at, std::span<co
     if (by_letter ? of_subprogram.contains(word.letter) && !word.comma : i > at) {
       of_call.push_back(word);
     } else if (code) {
+      if (call_word(control_, word.letter, number10_of(word.value)) != CallWord::none) {
+        faults_.report(statement_not_alone, word.span, {std::string(word.span.in(program_.source.text()))},
+                       ir::AlarmDetail::second_call);
+        continue;
+      }
       add_code(word, number10_of(word.value));
     } else {
       add_word(word);
@@ -50,7 +61,7 @@ void BlockLowering::lower_call_block(CallWord kind, std::size_t at, std::span<co
     case CallWord::macro:
     case CallWord::modal: return emit_call(kind, words[at], of_call, place);
     case CallWord::modal_each_block: return emit_native(words[at].span.in(program_.source.text()), false, place);
-    case CallWord::modal_end: emit(StatementKind::modal_call_end, ir::kNoIndex, place); return;
+    case CallWord::modal_end:
     case CallWord::by_code:
     case CallWord::data_input:
     case CallWord::data_end:

@@ -32,7 +32,14 @@ void BlockLowering::emit_ending_block(std::uint32_t first_code, std::uint32_t fi
   const bool returns_to_block = is_return && target != program_.words.end();
   const ExpressionId block = returns_to_block ? target->value : ExpressionId::none;
   if (returns_to_block) program_.words.erase(target);
+  // M99 L: how often the subprogram is still to be run, on Mazak.
+  const auto from = program_.words.begin() + static_cast<std::ptrdiff_t>(first_word);
+  const auto count =
+      std::find_if(from, program_.words.end(), [](const ir::Word& w) { return w.address == ir::Address::l; });
+  const bool counts = is_return && count != program_.words.end();
+  if (counts) program_.words.erase(count);
   emit_block(first_code, first_word, place);
+  if (counts) emit_native("L of M99", false, place);
   if (returns_to_block) return emit_return_jump(block, place);
   if (is_return) {
     emit(StatementKind::subprogram_return, ir::kNoIndex, place);

@@ -67,6 +67,11 @@ void Parser::output_statement(const Keyword& keyword) {
   if (output.kind == ir::OutputKind::line) {
     if (cursor_.kind() != TokenKind::string || !output_parts(cursor_.text(), cursor_.span().begin)) {
       program_.output_parts.resize(output.first_part);
+      const std::string_view text = cursor_.text();
+      const bool opened = cursor_.kind() == TokenKind::string;
+      if (opened && std::ranges::count(text, '[') > std::ranges::count(text, ']'))
+        return void(faults_.fail(missing_bracket, cursor_.span(), {fmt::format("] of {}", word)},
+                                 ir::AlarmDetail::closing_bracket));
       return text_statement(keyword);
     }
     cursor_.advance();
@@ -105,7 +110,7 @@ bool Parser::output_parts(std::string_view text, std::uint32_t begin) {
     i = end + 4;
   }
   if (!words.empty()) program_.output_parts.push_back({.text = program_.strings.add(words)});
-  return true;
+  return i + 1 == text.size();  // otherwise the last field took the bracket that closes all
 }
 
 // SETVN 101[NAME1,NAME2]: from here on [#NAME1] is #101.

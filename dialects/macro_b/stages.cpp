@@ -33,6 +33,7 @@ std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Con
     check_jumps(program, section, findings);
     check_modes(program, control, section, findings);
     check_order(program, control, section, findings);
+    check_cycles(program, control, section, findings);
   }
   if (delivery == ir::Delivery::drip) check_drip(program, grammar, findings);
   check_not_interpreted(program, control, findings);

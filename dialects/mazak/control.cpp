@@ -37,23 +37,18 @@ const macro_b::Grammar& grammar() {
 }
 
 ir::Control control(ir::MachineKind kind, ir::GSystem system) {
-  ir::Control c = macro_b::usual_control(kind, system);
-  c.dialect = "mazak";
-  c.title = title_of(kind);
-  c.limits = {.block_length_bytes = 248,
-              .digits = 8,
-              .expression_nesting = 5,
-              .loop_nesting = 27,
-              .call_nesting = 8,
-              .macro_nesting = 4,
-              .name_length = 32,
-              .linear_decimals = 3};
-  c.cost = kCost;
-  c.g_codes = g_codes(kind, system);
-  c.m_codes = m_codes();
-  c.system_variables = system_variables();
-  c.alarms = alarms();
-  c.variables = variable_ranges();
+  ir::Control c = macro_b::usual_control(
+      kind, system,
+      {.dialect = "mazak",
+       .title = title_of(kind),
+       .limits =
+           {.block_length_bytes = 248, .loop_nesting = 27, .call_nesting = 8, .name_length = 32, .shape_blocks = 100},
+       .cost = kCost,
+       .g_codes = g_codes(kind, system),
+       .m_codes = m_codes(),
+       .system_variables = system_variables(),
+       .alarms = alarms(),
+       .variables = variable_ranges()});
   c.semantics.scale_unit = 1e-6;
   c.semantics.scale_unit_known = true;
   // #3000 = n: alarms 980 to 999 for n up to 20, 979 for all above.

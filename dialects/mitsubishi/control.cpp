@@ -34,24 +34,21 @@ const macro_b::Grammar& grammar() {
 }
 
 ir::Control control(ir::MachineKind kind, ir::GSystem system) {
-  ir::Control c = macro_b::usual_control(kind, system);
-  c.dialect = "mitsubishi-m80";
-  c.title = kind == ir::MachineKind::mill ? "Mitsubishi M80 (machining center)" : "Mitsubishi M80 (lathe)";
-  c.limits = {.block_length_bytes = 256,
-              .digits = 8,
-              .expression_nesting = 5,
-              .loop_nesting = 27,
-              .condition_nesting = 10,
-              .call_nesting = 10,
-              .macro_nesting = 4,
-              .name_length = 32,
-              .linear_decimals = 3};
-  c.cost = kCost;
-  c.g_codes = g_codes(kind, system);
-  c.m_codes = m_codes();
-  c.system_variables = system_variables();
-  c.alarms = alarms();
-  c.variables = variable_ranges();
+  ir::Control c = macro_b::usual_control(
+      kind, system,
+      {.dialect = "mitsubishi-m80",
+       .title = kind == ir::MachineKind::mill ? "Mitsubishi M80 (machining center)" : "Mitsubishi M80 (lathe)",
+       .limits = {.block_length_bytes = 256,
+                  .loop_nesting = 27,
+                  .condition_nesting = 10,
+                  .call_nesting = 10,
+                  .name_length = 32},
+       .cost = kCost,
+       .g_codes = g_codes(kind, system),
+       .m_codes = m_codes(),
+       .system_variables = system_variables(),
+       .alarms = alarms(),
+       .variables = variable_ranges()});
   c.semantics.scale_unit = 1e-6;
   c.semantics.scale_unit_known = true;
   return c;

@@ -34,7 +34,10 @@ TEST(Parse, MakesStatementsOfBlocks) {
   EXPECT_THAT(kinds("WHILE[#1LT2]DO1\nEND1\n"), ElementsAre(while_begin, while_end));
   EXPECT_THAT(kinds("DO2\nEND2\n"), ElementsAre(loop_begin, loop_end));
   EXPECT_THAT(kinds("G00 X1. M98 P100\n"), ElementsAre(block, call));
+  EXPECT_THAT(kinds("G67 G00 X1.\n"), ElementsAre(modal_call_end, block));
+  EXPECT_THAT(kinds("G00 X1. G67 M98 P100\n"), ElementsAre(modal_call_end, block, call));
   EXPECT_THAT(kinds("M03 M30\n"), ElementsAre(block, program_end));
+  EXPECT_THAT(kinds("M99 P10 L2\n"), ElementsAre(native, return_to));
   EXPECT_THAT(kinds("M99\n"), ElementsAre(subprogram_return));
   EXPECT_THAT(kinds("#3000=1(STOP)\n"), ElementsAre(alarm));
   EXPECT_THAT(kinds("#3006=1(LOOK)\n"), ElementsAre(message, block));

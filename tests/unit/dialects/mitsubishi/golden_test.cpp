@@ -10,8 +10,10 @@ namespace dripfeed::mitsubishi {
 namespace {
 
 // Rules that differ: loops to 27 deep by numbers to 127, IF blocks, and what else has a program of its own.
-const std::vector<std::string> kOtherwise = {"loop-number-invalid", "nesting-too-deep", "missing-end", "unknown-code",
-                                             "expression-without-brackets"};
+// … and G83 without Q drills in one.
+const std::vector<std::string> kOtherwise = {"peck-without-depth", "loop-number-invalid",
+                                             "nesting-too-deep",   "missing-end",
+                                             "unknown-code",       "expression-without-brackets"};
 
 test::GoldenDialect dialect() { return {".expected.mitsubishi", control, infer_control, read, validate}; }
 

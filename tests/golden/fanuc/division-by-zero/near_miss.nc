@@ -1,0 +1,6 @@
+%
+O0001(ORACLE: NOUGHT IS DIVIDED)
+#1=0/5
+#2=5/#1
+M30
+%
