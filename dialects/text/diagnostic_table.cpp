@@ -188,7 +188,7 @@ constexpr auto kRows = std::to_array<DiagnosticRow>({
    "A chamfer or rounding lies between two moves by G01, G02 or G03, in blocks that follow each other."},
   {tap_without_speed, "tap-without-speed", error, "the tap {} begins and no spindle speed was given",
    "The feed of a tap belongs to the speed of the spindle. Write an S word before it."},
-  {data_setting_invalid, "data-setting-invalid", error, "G10 L{} takes P from {} to {}",
+  {data_setting_invalid, "data-setting-invalid", error, "the data of G10 L{} have numbers (P) from {} to {}",
    "P names the offset that is set. Check its number."},
   {code_beside_function, "code-beside-function", error, "{} and {} stand in one block",
    "Put the M function into a block of its own."},

@@ -234,5 +234,18 @@ TEST(Print, IsIdempotentAndTellsOrigins) {
   EXPECT_EQ(print(second.program, c).text, printed.text);
 }
 
+// Codes of one function that differ by its argument keep their numbers on a control that has them too.
+TEST(Raise, KeepsFramesAndSetCoordinatesApart) {
+  const ir::Control mill = control(MachineKind::mill, ir::GSystem::a);
+  ir::Control other = mill;
+  other.dialect = "other";
+  const text::Source source("a.nc", "G21 G17 G90\nG68 X0. Y0. R30.\nG69\nG51.1 X1.\nG50.1\nG92 X0.\nG92.1 X0.\nM30\n");
+  const ir::RaiseResult raised = raise(read(source, other).program, other, mill);
+  EXPECT_TRUE(raised.diagnostics.empty());
+  const std::string text = print(raised.program, mill).text;
+  for (const char* code : {"G68 ", "G69", "G51.1 ", "G50.1", "G92 ", "G92.1 "})
+    EXPECT_NE(text.find(code), std::string::npos) << code << " in\n" << text;
+}
+
 }  // namespace
 }  // namespace dripfeed::fanuc
