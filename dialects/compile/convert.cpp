@@ -88,6 +88,7 @@ class Converter {
     } else {
       explicit_blocks(read.program);
     }
+    refuse_long_blocks();
     return std::move(result_);
   }
 
@@ -99,6 +100,23 @@ class Converter {
     ir::PrintResult printed = to_.print(raised.program, request_.to);
     result_.text = std::move(printed.text);
     result_.origin_lines = std::move(printed.origin_lines);
+  }
+
+  // What the other control would not read is no translation: its length is told at the line that it came from.
+  void refuse_long_blocks() {
+    const std::uint32_t most = request_.to.limits.block_length_bytes;
+    const text::Source made("", result_.text);
+    for (std::uint32_t line = 1; most != 0 && line <= made.line_count(); ++line) {
+      if (made.line(line).size() <= most) continue;
+      const std::uint32_t origin = line <= result_.origin_lines.size() ? result_.origin_lines[line - 1] : 0;
+      const std::string_view written = request_.source.line(origin);
+      const auto begin =
+          static_cast<std::uint32_t>(written.empty() ? 0 : written.data() - request_.source.text().data());
+      result_.diagnostics.push_back(ir::diagnose(request_.to, text::DiagnosticId::block_too_long,
+                                                 {begin, begin + static_cast<std::uint32_t>(written.size())},
+                                                 {std::to_string(made.line(line).size()), std::to_string(most)}));
+    }
+    if (text::has_error(result_.diagnostics)) result_.text.clear();
   }
 
   void explicit_blocks(const ir::Program& program) {

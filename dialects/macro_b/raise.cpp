@@ -8,10 +8,12 @@
 
 #include "dialects/macro_b/complete.h"
 #include "dialects/macro_b/flatten.h"
+#include "dialects/macro_b/print.h"
 #include "dialects/macro_b/raise_block.h"
 #include "dialects/passes/allocation.h"
 #include "dialects/passes/labels.h"
 #include "dialects/passes/rewrite.h"
+#include "dialects/passes/safe_start.h"
 #include "dialects/passes/structures.h"
 #include "dialects/passes/walk.h"
 
@@ -192,12 +194,32 @@ void check_system_variables(const ir::Program& program, const ir::Control& to,
   }
 }
 
+// What the program leaves to its control's power-on state is said in front of it. Diameters are no mode here, and
+// lathes whose letters say absolute or incremental have no code for it.
+void say_unsaid(ir::Program& program, const ir::Control& from, const ir::Control& to,
+                std::vector<text::Diagnostic>& diagnostics) {
+  passes::UnsaidModes unsaid = passes::unsaid_modes(program, from, false);
+  std::vector<ir::Code> codes;
+  for (const passes::UnsaidMode& mode : unsaid.modes) {
+    const ir::CodeRow* row = find_function(to, mode.function, 0);
+    if (row == nullptr) continue;
+    ir::Code code;
+    code.function = mode.function;
+    code.group = mode.group;
+    code.letter = row->name.front();
+    codes.push_back(code);
+  }
+  passes::insert_first(program, codes);
+  append(diagnostics, std::move(unsaid.diagnostics));
+}
+
 }  // namespace
 
 ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const ir::Control& to,
                       const Grammar& grammar) {
   ir::RaiseResult result{program, {}};
   ir::Program& p = result.program;
+  if (from.dialect != to.dialect) say_unsaid(p, from, to, result.diagnostics);
   append(result.diagnostics, complete_statements(p, to.title));
   passes::FreeNumbers numbers(p, grammar.highest_block_number);
   append(result.diagnostics, passes::number_labels(p, numbers));

@@ -6,4 +6,5 @@
 #include "dialects/passes/allocation.h"
 #include "dialects/passes/labels.h"
 #include "dialects/passes/rewrite.h"
+#include "dialects/passes/safe_start.h"
 #include "dialects/passes/structures.h"

@@ -2,7 +2,10 @@
 // Both are followed through the text, and each block says the one code that means the pair. At the head of a main
 // program stands what it relies on without saying it, because no two controls start in the same state.
 #include <algorithm>
+#include <array>
+#include <iterator>
 
+#include "dialects/passes/safe_start.h"
 #include "dialects/sinumerik/codes.h"
 #include "dialects/sinumerik/raise.h"
 
@@ -98,89 +101,44 @@ class FeedAndSpeed {
   bool branches_ = false;
 };
 
-bool moves(const ir::Program& program, const ir::Block& block) {
-  return std::ranges::any_of(program.words_of(block), [](const ir::Word& w) {
-    return w.address <= Address::c || (w.address >= Address::u && w.address <= Address::z);
-  });
-}
-
-// What the program says before it moves for the first time, in the order of the text.
-class SafeStart {
- public:
-  explicit SafeStart(const Raising& raising) : raising_(raising), program_(raising.program) {}
-
-  void run() {
-    bool any_move = false;
-    for (const ir::Statement& s : program_.statements) {
-      if (s.kind == StatementKind::procedure || s.kind == StatementKind::subprogram_return) return;
-      if (s.kind == StatementKind::call) break;  // the called program may say it
-      if (s.kind != StatementKind::block || any_move) continue;
-      const ir::Block& block = program_.blocks[s.payload];
-      for (const ir::Code& c : program_.codes_of(block)) groups_.push_back(c.group);
-      any_move = moves(program_, block);
-    }
-    if (any_move) insert();
-  }
-
- private:
-  [[nodiscard]] bool says(ir::ModalGroup group) const { return std::ranges::find(groups_, group) != groups_.end(); }
-
-  void add(ir::ModalGroup group, Function function, std::string_view name) {
-    if (says(group)) return;
-    ir::Code code;
-    code.function = function;
-    code.group = group;
-    code.name = program_.strings.add(name);
-    program_.codes.push_back(code);
-  }
-
-  void insert() {
-    const ir::Semantics& s = raising_.from.semantics;
-    ir::Block block;
-    block.first_code = static_cast<std::uint32_t>(program_.codes.size());
-    block.first_word = static_cast<std::uint32_t>(program_.words.size());
-    add(ir::ModalGroup::motion, s.power_on_motion, s.power_on_motion == Function::linear ? "G1" : "G0");
-    add(ir::ModalGroup::plane, s.power_on_plane,
-        s.power_on_plane == Function::plane_zx   ? "G18"
-        : s.power_on_plane == Function::plane_yz ? "G19"
-                                                 : "G17");
-    add(ir::ModalGroup::unit, s.power_on_unit, s.power_on_unit == Function::unit_inch ? "G700" : "G710");
-    add(ir::ModalGroup::distance, s.power_on_distance, s.power_on_distance == Function::incremental ? "G91" : "G90");
-    if (!says(ir::ModalGroup::surface_speed))
-      add(ir::ModalGroup::feed, s.power_on_feed, s.power_on_feed == Function::feed_per_rev ? "G95" : "G94");
-    if (raising_.to.kind != ir::MachineKind::mill) {
-      const bool radius = s.power_on_diameter == ir::DiameterMode::radius;
-      const bool always = s.power_on_diameter == ir::DiameterMode::diameter;
-      add(ir::ModalGroup::diameter,
-          radius   ? Function::diameter_off
-          : always ? Function::diameter_on
-                   : Function::diameter_absolute_only,
-          radius   ? "DIAMOF"
-          : always ? "DIAMON"
-                   : "DIAM90");
-    }
-    block.code_count = static_cast<std::uint32_t>(program_.codes.size()) - block.first_code;
-    if (block.code_count == 0) return;
-    program_.blocks.push_back(block);
-    ir::Statement statement;
-    statement.kind = StatementKind::block;
-    statement.payload = static_cast<std::uint32_t>(program_.blocks.size() - 1);
-    program_.statements.insert(program_.statements.begin(), statement);
-    for (ir::Label& label : program_.labels) ++label.statement;
-    for (ir::Structure& structure : program_.structures)
-      if (structure.partner != ir::kNoIndex) ++structure.partner;
-  }
-
-  const Raising& raising_;
-  ir::Program& program_;
-  std::vector<ir::ModalGroup> groups_;
+struct ModeName {
+  Function function;
+  std::string_view name;
 };
+// Length units are those of feeds, too, on the controls that this is translated from.
+constexpr std::array kModeNames = {
+    ModeName{Function::rapid, "G0"},           ModeName{Function::linear, "G1"},
+    ModeName{Function::plane_xy, "G17"},       ModeName{Function::plane_zx, "G18"},
+    ModeName{Function::plane_yz, "G19"},       ModeName{Function::unit_inch, "G700"},
+    ModeName{Function::unit_mm, "G710"},       ModeName{Function::absolute, "G90"},
+    ModeName{Function::incremental, "G91"},    ModeName{Function::feed_per_min, "G94"},
+    ModeName{Function::feed_per_rev, "G95"},   ModeName{Function::diameter_off, "DIAMOF"},
+    ModeName{Function::diameter_on, "DIAMON"}, ModeName{Function::diameter_absolute_only, "DIAM90"},
+};
+
+// What the program leaves to its control's power-on state is said in front of it.
+void say_unsaid(const Raising& raising) {
+  passes::UnsaidModes unsaid =
+      passes::unsaid_modes(raising.program, raising.from, raising.to.kind != ir::MachineKind::mill);
+  std::vector<ir::Code> codes;
+  for (const passes::UnsaidMode& mode : unsaid.modes) {
+    const auto* const row = std::ranges::find(kModeNames, mode.function, &ModeName::function);
+    if (row == kModeNames.end()) continue;  // a mode that needs no word here
+    ir::Code code;
+    code.function = mode.function;
+    code.group = mode.group;
+    code.name = raising.program.strings.add(row->name);
+    codes.push_back(code);
+  }
+  passes::insert_first(raising.program, codes);
+  std::ranges::move(unsaid.diagnostics, std::back_inserter(raising.diagnostics));
+}
 
 }  // namespace
 
 void raise_modes(const Raising& raising) {
   FeedAndSpeed(raising).run();
-  SafeStart(raising).run();
+  say_unsaid(raising);
 }
 
 }  // namespace dripfeed::sinumerik

@@ -1,0 +1,98 @@
+// The text's order is taken for the order in which it runs: what is said behind a jump was said as well.
+#include "dialects/passes/safe_start.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace dripfeed::passes {
+
+namespace {
+
+using ir::Function;
+using ir::ModalGroup;
+using ir::StatementKind;
+
+bool moves(const ir::Program& program, const ir::Block& block) {
+  return std::ranges::any_of(program.words_of(block), [](const ir::Word& w) {
+    return w.address <= ir::Address::c || (w.address >= ir::Address::u && w.address <= ir::Address::z);
+  });
+}
+
+struct Start {
+  std::vector<ModalGroup> said;
+  text::Span first_move;
+};
+
+// What is said up to the first block that moves; nothing when none does or another program may say it.
+std::optional<Start> start_of(const ir::Program& program) {
+  Start start;
+  for (const ir::Statement& s : program.statements) {
+    if (s.kind == StatementKind::procedure || s.kind == StatementKind::subprogram_return) return std::nullopt;
+    if (s.kind == StatementKind::call) return std::nullopt;
+    if (s.kind != StatementKind::block) continue;
+    const ir::Block& block = program.blocks[s.payload];
+    for (const ir::Code& c : program.codes_of(block)) start.said.push_back(c.group);
+    start.first_move = s.span;
+    if (moves(program, block)) return start;
+  }
+  return std::nullopt;
+}
+
+Function diameter_function(ir::DiameterMode mode) {
+  if (mode == ir::DiameterMode::radius) return Function::diameter_off;
+  return mode == ir::DiameterMode::diameter ? Function::diameter_on : Function::diameter_absolute_only;
+}
+
+struct WarningRow {
+  ModalGroup group;
+  text::DiagnosticId id;
+};
+constexpr WarningRow kWarnings[] = {
+    {ModalGroup::unit, text::DiagnosticId::unit_not_stated},
+    {ModalGroup::distance, text::DiagnosticId::distance_mode_not_stated},
+};
+
+}  // namespace
+
+UnsaidModes unsaid_modes(const ir::Program& program, const ir::Control& from, bool diameter) {
+  UnsaidModes out;
+  const std::optional<Start> start = start_of(program);
+  if (!start) return out;
+  const ir::Semantics& s = from.semantics;
+  const auto says = [&](ModalGroup group) { return std::ranges::find(start->said, group) != start->said.end(); };
+  const auto add = [&](ModalGroup group, Function function) {
+    if (!says(group)) out.modes.push_back({group, function});
+  };
+  add(ModalGroup::motion, s.power_on_motion);
+  add(ModalGroup::plane, s.power_on_plane);
+  add(ModalGroup::unit, s.power_on_unit);
+  add(ModalGroup::distance, s.power_on_distance);
+  if (!says(ModalGroup::surface_speed)) add(ModalGroup::feed, s.power_on_feed);
+  if (diameter) add(ModalGroup::diameter, diameter_function(s.power_on_diameter));
+  if (s.power_on_known) return out;
+  for (const WarningRow& row : kWarnings) {
+    const bool by_letter = row.group == ModalGroup::distance && s.incremental_letters_uvw;
+    if (!says(row.group) && !by_letter) out.diagnostics.push_back(text::make_diagnostic(row.id, start->first_move));
+  }
+  return out;
+}
+
+void insert_first(ir::Program& program, std::span<const ir::Code> codes) {
+  if (codes.empty()) return;
+  ir::Block block;
+  block.first_code = static_cast<std::uint32_t>(program.codes.size());
+  block.code_count = static_cast<std::uint32_t>(codes.size());
+  block.first_word = static_cast<std::uint32_t>(program.words.size());
+  program.codes.insert(program.codes.end(), codes.begin(), codes.end());
+  program.blocks.push_back(block);
+  ir::Statement statement;
+  statement.kind = StatementKind::block;
+  statement.payload = static_cast<std::uint32_t>(program.blocks.size() - 1);
+  program.statements.insert(program.statements.begin(), statement);
+  for (ir::Label& label : program.labels) ++label.statement;
+  for (ir::Structure& structure : program.structures) {
+    if (structure.partner != ir::kNoIndex) ++structure.partner;
+  }
+}
+
+}  // namespace dripfeed::passes
