@@ -90,13 +90,18 @@ class Builder {
 std::string raised(const Builder& b, const ir::Control& from) {
   const ir::Control to = control(from.kind);
   const ir::RaiseResult result = raise(b.program, from, to);
-  for (const text::Diagnostic& d : result.diagnostics) ADD_FAILURE() << text::message_of(d);
+  for (const text::Diagnostic& d : result.diagnostics) {
+    if (d.severity == text::Severity::error) ADD_FAILURE() << text::message_of(d);
+  }
   return print(result.program, to).text;
 }
 
 std::string refusal(const Builder& b, const ir::Control& from) {
   const ir::RaiseResult result = raise(b.program, from, control(from.kind));
-  return result.diagnostics.empty() ? std::string("nothing was refused") : text::message_of(result.diagnostics.front());
+  for (const text::Diagnostic& d : result.diagnostics) {
+    if (d.severity == text::Severity::error) return text::message_of(d);
+  }
+  return "nothing was refused";
 }
 
 // The value that `value` becomes, with #101 in R101.
