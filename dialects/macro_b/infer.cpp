@@ -49,6 +49,7 @@ class BlockScan {
     Block block;
     block.line = line_;
     char letter = 0;
+    bool comma = false;        // stands before this token
     bool folder_line = false;  // &F=/USER/ of a memory dump: the letters are no addresses
     while (at_ < tokens_.size()) {
       const ir::Token& token = tokens_[at_++];
@@ -59,7 +60,10 @@ class BlockScan {
       }
       folder_line |= written == "&";
       if (folder_line) continue;
-      if (token.kind == ir::TokenKind::address) {
+      const bool behind_comma = std::exchange(comma, written == "," || (comma && token.kind == ir::TokenKind::white));
+      if (token.kind == ir::TokenKind::address && behind_comma) {
+        letter = 0;  // ,C ,R ,A: a corner or an angle
+      } else if (token.kind == ir::TokenKind::address) {
         letter = written.front();
         block.letters.set(static_cast<std::size_t>(letter - 'A'));
       } else if (token.kind == ir::TokenKind::number) {

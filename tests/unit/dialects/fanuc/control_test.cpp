@@ -104,6 +104,12 @@ TEST(Validate, LooksAtEachProgramOfATextByItself) {
   EXPECT_EQ(source.position(found.front().span.begin).line, 6U);
 }
 
+TEST(Control, CornersAndAnglesAreNoAxes) {
+  const auto axes = [](std::string text) { return infer_control(text::Source("x.nc", std::move(text))).axes; };
+  EXPECT_EQ(axes("%\nO1\nG01 X1. ,C1. F5.\nY2. , A45.\nM30\n%\n"), "XYZ");
+  EXPECT_EQ(axes("%\nO1\nG01 X1. C1. F5.\nM30\n%\n"), "XYZC");
+}
+
 TEST(Validate, MeasuresBlocksWhereTheMachineHasALimit) {
   const text::Source source("long.nc", "%\nO1\nG21 G17 G90 G00 X1. Y1.\nM30\n%\n");
   ir::Control c = infer_control(source);
