@@ -21,6 +21,7 @@ ir::Control neutral(MachineKind kind) {
   c.kind = kind;
   c.axes = kind == MachineKind::mill ? "XYZ" : "XZ";
   c.semantics.has_vacant = false;
+  c.semantics.power_on_known = true;
   c.semantics.d_selects_edge = true;
   c.semantics.dwell_p_is_ms = false;
   c.semantics.atan_full_circle = false;
@@ -83,6 +84,10 @@ class Built {
   }
 };
 
+// What a program that says no mode at all is given in front; all of those here are such.
+constexpr std::string_view kSafeStart = "G00 G17 G21 G90 G94\n";
+constexpr std::string_view kSafeStartOnLathes = "G00 G17 G21 G98\n";
+
 std::string printed(Built& built, MachineKind kind, ir::GSystem system = ir::GSystem::a) {
   ir::match_structures(built.program);
   const ir::Control to = control(kind, system);
@@ -91,11 +96,22 @@ std::string printed(Built& built, MachineKind kind, ir::GSystem system = ir::GSy
   const std::string text = print(raised.program, to).text;
   const std::string head = "%\nO0001\n";
   EXPECT_TRUE(text.starts_with(head) && text.ends_with("%\n")) << text;
-  const std::string body = text.substr(head.size(), text.size() - head.size() - 2);
+  std::string body = text.substr(head.size(), text.size() - head.size() - 2);
   // What is printed is understood without a fault.
   const text::Source source("x.nc", text);
   EXPECT_TRUE(fanuc::read(source, to).diagnostics.empty()) << text;
+  const std::string_view safe = kind == MachineKind::mill ? kSafeStart : kSafeStartOnLathes;
+  if (body.starts_with(safe)) body.erase(0, safe.size());
   return body;
+}
+
+TEST(Raise, SaysWhatTheProgramLeftToItsControl) {
+  Built mill;
+  mill.block({{Function::linear, 0}}, {{Address::x, 1}});
+  const ir::RaiseResult raised =
+      raise(mill.program, neutral(MachineKind::mill), control(MachineKind::mill, ir::GSystem::a));
+  EXPECT_EQ(print(raised.program, control(MachineKind::mill, ir::GSystem::a)).text,
+            "%\nO0001\n" + std::string(kSafeStart) + "G01 X1.\n%\n");
 }
 
 TEST(Raise, SaysToolsAsTheControlDoes) {
