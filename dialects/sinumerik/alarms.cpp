@@ -25,6 +25,8 @@ constexpr ir::AlarmRow kAlarms[] = {
   {codes_of_one_group, "12060"},
   {missing_equals, "12080"},
   {no_feed, "10860"},
+  {surface_speed_missing, "10900"},
+  {comp_without_tool, "10750"},
   {syntax_error, "12080"},
   {missing_operand, "12080"},
   {missing_target, "12080"},

@@ -50,6 +50,8 @@ std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Con
   check_blocks(check);
   check_modal_state(check);
   check_limits(check);
+  check_calls(check);
+  check_tools(check);
   check_interpreted(check);
   std::ranges::sort(found, {}, [](const text::Diagnostic& d) { return std::tuple(d.span.begin, d.id, d.span.end); });
   return found;

@@ -43,6 +43,8 @@ void check_values(const Check& check);       // validate_values.cpp
 void check_blocks(const Check& check);       // validate_blocks.cpp
 void check_modal_state(const Check& check);  // validate_state.cpp
 void check_limits(const Check& check);       // validate_limits.cpp
+void check_calls(const Check& check);        // validate_calls.cpp
+void check_tools(const Check& check);        // validate_tools.cpp
 void check_interpreted(const Check& check);  // validate_interpreted.cpp
 
 }  // namespace dripfeed::sinumerik

@@ -35,6 +35,8 @@ enum class DiagnosticId : std::uint16_t {
   distance_mode_not_stated,
   plane_not_stated,
   no_feed,
+  surface_speed_missing,
+  comp_without_tool,
   not_interpreted,
   // expressions and variables
   syntax_error,

@@ -69,6 +69,10 @@ constexpr auto kRows = std::to_array<DiagnosticRow>({
    "Write G17, G18 or G19 at the start of the program; otherwise the machine's last setting decides."},
   {no_feed, "no-feed", error, "the block cuts and no feed was given",
    "Write an F word in this block or before it."},
+  {surface_speed_missing, "surface-speed-missing", error, "constant surface speed is on and has no speed",
+   "Write the surface speed with S in the block that switches it on."},
+  {comp_without_tool, "comp-without-tool", error, "{} asks for compensation while {} is in effect",
+   "The radius is that of a tool edge: select a tool and an edge before the compensation."},
   {not_interpreted, "not-interpreted", warning, "{} is known to the control but not interpreted here",
    "What the code does is not checked. Every verdict on this program says so."},
   // expressions and variables

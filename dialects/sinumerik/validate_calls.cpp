@@ -1,0 +1,107 @@
+// Calls against what EXTERN declares of the called program: how many arguments, which of them by reference, texts and
+// numbers. Of other programs nothing is known here; a run that finds them says the rest.
+#include <algorithm>
+#include <optional>
+
+#include "dialects/sinumerik/name_index.h"
+#include "dialects/sinumerik/validate.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using ir::StatementKind;
+using ir::TokenKind;
+using text::DiagnosticId;
+
+struct Declared {
+  bool by_reference = false;
+  bool is_string = false;
+};
+struct Procedure {
+  std::string name;  // upper case
+  std::vector<Declared> parameters;
+};
+
+// EXTERN NAME(REAL, VAR INT, STRING[20]): the declaration is kept as its tokens.
+std::optional<Procedure> read_declaration(const Check& check, const ir::Statement& s) {
+  Procedure procedure;
+  bool open = false;
+  Declared parameter;
+  bool any = false;
+  for (std::uint32_t t = s.tokens.first; t < s.tokens.last; ++t) {
+    const ir::Token& token = check.program.tokens[t];
+    const std::string_view text = check.text_of(token.span);
+    if (token.kind == TokenKind::comment || token.kind == TokenKind::eob) break;
+    if (token.kind == TokenKind::symbol && text == "(") open = true;
+    if (token.kind == TokenKind::symbol && open && (text == "," || text == ")")) {
+      if (any) procedure.parameters.push_back(parameter);
+      parameter = {};
+      any = false;
+      if (text == ")") return procedure;
+    }
+    if (token.kind != TokenKind::name) continue;
+    if (!open && !same_name(text, "EXTERN")) procedure.name = UpperName(text).view();
+    if (!open) continue;
+    any = true;
+    parameter.by_reference = parameter.by_reference || same_name(text, "VAR");
+    parameter.is_string = parameter.is_string || same_name(text, "STRING");
+  }
+  return std::nullopt;  // without a list nothing is declared
+}
+
+class Calls {
+ public:
+  explicit Calls(const Check& check) : check_(check) {}
+
+  void run() {
+    for (const ir::Statement& s : check_.program.statements)
+      if (s.kind == StatementKind::declaration)
+        if (auto procedure = read_declaration(check_, s)) procedures_.push_back(std::move(*procedure));
+    if (procedures_.empty()) return;
+    for (const ir::Statement& s : check_.program.statements)
+      if (s.kind == StatementKind::call || s.kind == StatementKind::modal_call)
+        call(check_.program.calls[s.payload], s.span);
+  }
+
+ private:
+  void call(const ir::Call& call, text::Span span) {
+    if (call.name == ir::StringId::none) return;
+    const std::string name(check_.program.strings.at(call.name));
+    const auto found = std::ranges::find(procedures_, name, &Procedure::name);
+    if (found == procedures_.end()) return;
+    const std::vector<Declared>& wanted = found->parameters;
+    const auto given = check_.program.arguments_of(call);
+    if (given.size() > wanted.size()) return count(name, wanted.size(), given.size(), span, "12340");
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      const bool left_out = i >= given.size() || given[i].value == ir::ExpressionId::none;
+      if (left_out && wanted[i].by_reference) return count(name, wanted.size(), i, span, "12300");
+      if (!left_out) argument(wanted[i], given[i].value);
+    }
+  }
+
+  void count(const std::string& name, std::size_t wanted, std::size_t given, text::Span span, std::string_view alarm) {
+    check_.report(DiagnosticId::wrong_argument_count, span, {name, std::to_string(wanted), std::to_string(given)})
+        .alarm = alarm;
+  }
+
+  void argument(const Declared& wanted, ir::ExpressionId value) {
+    const ir::Expression& e = check_.program.at(value);
+    const std::string written(check_.text_of(e.span));
+    if (wanted.by_reference && e.op != ir::Operator::variable)
+      check_.report(DiagnosticId::wrong_type, e.span, {written, "a value", "a variable (VAR)"}).alarm = "12320";
+    else if (!wanted.is_string && e.op == ir::Operator::string && written.starts_with('"'))
+      check_.report(DiagnosticId::wrong_type, e.span, {written, "STRING", "a number"}).alarm = "12330";
+    else if (wanted.is_string && e.op == ir::Operator::constant)
+      check_.report(DiagnosticId::wrong_type, e.span, {written, "REAL", "STRING"}).alarm = "12330";
+  }
+
+  const Check& check_;
+  std::vector<Procedure> procedures_;
+};
+
+}  // namespace
+
+void check_calls(const Check& check) { Calls(check).run(); }
+
+}  // namespace dripfeed::sinumerik
