@@ -129,6 +129,8 @@ void act_once(const PlainBlock& block, const BlockRules& rules, const Effects& e
     dwell(block, rules, state, out);
   } else if (effects.one_shot == Function::local_shift || effects.one_shot == Function::local_shift_add) {
     shift_locally(block, rules, effects.argument == 1, effects.one_shot == Function::local_shift_add, state);
+  } else if (effects.one_shot == Function::axial_shift) {
+    shift_axes(block, rules, effects.argument == 1, state);
   } else if (effects.one_shot >= Function::rotate && effects.one_shot <= Function::mirror) {
     frame(block, rules, effects, state, result);
   } else if (effects.one_shot >= Function::pole_from_last && effects.one_shot <= Function::pole_from_pole) {

@@ -92,6 +92,9 @@ void BlockRunner::drop_foreign_axes(std::span<const ir::PlainWord> words) {
 
 std::optional<Flow> BlockRunner::apply_block(const Instruction& i) {
   const std::uint64_t before = out_.count();
+  if (frames_.knows_settable()) [[unlikely]]
+    for (const PlainCode& code : block_.codes)
+      if (code.function == ir::Function::work_offset) frames_.select(code.argument);
   const BlockResult result = apply(block_, rules_, state_, out_);
   made_ = out_.count() - before;
   moved_ = (block_.present & rules_.axis_addresses) != 0 && made_ > 0 && result.moved;

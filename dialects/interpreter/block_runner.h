@@ -7,6 +7,7 @@
 
 #include "dialects/interpreter/apply.h"
 #include "dialects/interpreter/arithmetic.h"
+#include "dialects/interpreter/frame_access.h"
 #include "dialects/interpreter/run_report.h"
 #include "dialects/interpreter/storage.h"
 #include "dialects/interpreter/variable_access.h"
@@ -16,13 +17,15 @@ namespace dripfeed::interpreter {
 class BlockRunner {
  public:
   BlockRunner(const ir::Control& control, const BlockRules& rules, const Arithmetic& arithmetic, Storage& storage,
-              VariableAccess& access, SharedData& shared, ModalState& state, MotionBuffer& out, RunReport& report)
+              VariableAccess& access, SharedData& shared, FrameAccess& frames, ModalState& state, MotionBuffer& out,
+              RunReport& report)
       : control_(control),
         rules_(rules),
         arithmetic_(arithmetic),
         storage_(storage),
         access_(access),
         shared_(shared),
+        frames_(frames),
         state_(state),
         out_(out),
         report_(report) {}
@@ -57,6 +60,7 @@ class BlockRunner {
   Storage& storage_;
   VariableAccess& access_;
   SharedData& shared_;
+  FrameAccess& frames_;
   ModalState& state_;
   MotionBuffer& out_;
   RunReport& report_;

@@ -94,6 +94,13 @@ enum class Opcode : std::uint8_t {
   string_load_element,
   string_store_element,
   string_fit,  // a = b when it has at most c characters, otherwise an alarm
+  // Frames: registers that hold the number of one
+  frame_make,      // a = the frame of axis b and value c; extra: ir::Operator
+  frame_chain,     // a = b : c
+  frame_part,      // a = part of frame b; axis and part in registers c, c + 1
+  frame_set_part,  // frame a with part c, of axis and part in registers b, b + 1
+  load_frame,      // a = frame b of the control; extra: ir::SystemValue
+  store_frame,     // frame b of the control = a
   // Flow
   block,           // a block begins: line a, work b
   jump,            // to a

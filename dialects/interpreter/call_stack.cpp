@@ -286,7 +286,10 @@ std::uint32_t CallStack::go_back() {
   out_.place.line = caller.line;
   if (left.program->saves_modal) {
     // Another offset again: how far the two are apart is not known.
-    if (state_.modes.work_offset != left.modes.work_offset) state_.unknown = kAllAxes;
+    const bool same_offset = state_.modes.work_offset == left.modes.work_offset &&
+                             state_.modes.settable_known == left.modes.settable_known &&
+                             state_.modes.settable == left.modes.settable;
+    if (!same_offset) state_.unknown = kAllAxes;
     state_.modes = left.modes;
     announce(state_, out_);
   }

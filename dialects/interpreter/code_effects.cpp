@@ -74,11 +74,11 @@ void turn(CodeContext& c) {
   c.state.turning = {.active = true, .cycle = static_cast<TurningCycle>(c.code.argument)};
 }
 void work_offset(CodeContext& c) {
+  c.effects.announces = true;
   if (c.state.modes.work_offset == c.code.argument) return;
   c.state.drilling.initial_known = false;
   c.state.modes.work_offset = c.code.argument;
   c.state.unknown = kAllAxes;  // offsets lie in the control: how far they are apart is not known
-  c.effects.announces = true;
 }
 
 // G54.1 with a P that was computed; its number is told as those of constant ones are.
@@ -118,6 +118,7 @@ constexpr CodeRow kCodeRows[] = {
     {Function::local_shift, one_shot},
     {Function::local_shift_add, one_shot},
     {Function::set_coordinates, one_shot},
+    {Function::axial_shift, one_shot},
     {Function::rotate, one_shot},
     {Function::scale, one_shot},
     {Function::mirror, one_shot},

@@ -51,6 +51,9 @@ constexpr bool is_string_operator(Operator op) {
 constexpr bool is_search(Operator op) {
   return op == Operator::find_text || op == Operator::find_text_last || op == Operator::find_any;
 }
+constexpr bool is_frame(Operator op) {
+  return op == Operator::frame_mirror || (op >= Operator::frame_shift && op <= Operator::frame_chain);
+}
 constexpr bool is_logic(Operator op) {
   return op == Operator::logic_not || (op >= Operator::logic_and && op <= Operator::logic_xor);
 }
@@ -118,6 +121,7 @@ Value ExpressionCompiler::compile_node(const ir::Expression& e, Operand target) 
   if (is_string_operator(e.op)) return compile_string_operator(e, target);
   if (is_search(e.op)) return compile_search(e, target);
   if (e.op == Operator::substring) return compile_substring(e);
+  if (is_frame(e.op)) return compile_frame(e, target);
   return ir::operand_count(e.op) == 1 ? compile_unary(e, target) : compile_binary(e, target);
 }
 
@@ -178,6 +182,25 @@ Value ExpressionCompiler::compile_unary(const ir::Expression& e, Operand target)
   return {to, type, std::nullopt};
 }
 
+// A value that is not known when compiling (global data) may be a frame.
+Value ExpressionCompiler::compile_frame(const ir::Expression& e, Operand target) {
+  const auto is_none = [](const Value& value) { return value.is_string() || value.constant.has_value(); };
+  Value a = e.op == Operator::frame_chain ? compile(e.a) : compile_index(e.a);
+  const Value b = e.op == Operator::frame_mirror  ? constant(1.0)
+                  : e.op == Operator::frame_chain ? compile(e.b)
+                                                  : compile_number(e.b);
+  const Operand to = result(target);
+  if (e.op != Operator::frame_chain) {
+    builder_.emit(Opcode::frame_make, e.span, raw_of(to), raw_of(a.operand), raw_of(b.operand),
+                  static_cast<std::uint8_t>(e.op));
+  } else if (is_none(a) || is_none(b)) {
+    return failure(e.span, DiagnosticId::wrong_type, {"the operand", "REAL", "FRAME"});
+  } else {
+    builder_.emit(Opcode::frame_chain, e.span, raw_of(to), raw_of(a.operand), raw_of(b.operand));
+  }
+  return {to, ValueType::frame, std::nullopt};
+}
+
 Value ExpressionCompiler::compile_binary(const ir::Expression& e, Operand target) {
   Value a = compile(e.a);
   Value b = compile(e.b);
@@ -188,6 +211,8 @@ Value ExpressionCompiler::compile_binary(const ir::Expression& e, Operand target
     if (!a.is_string() && is_shared_variable(e.a)) a = compile_string(e.a);
     if (!b.is_string() && is_shared_variable(e.b)) b = compile_string(e.b);
   }
+  if (a.type == ValueType::frame || b.type == ValueType::frame)
+    return failure(e.span, DiagnosticId::wrong_type, {"the operand", "FRAME", "REAL"});
   if (is_comparison(e.op) && (a.is_string() || b.is_string())) return compile_string_comparison(e, a, b, target);
   return combine(e.op, as_number(a, span_of(e.a)), as_number(b, span_of(e.b)), e.span, target);
 }

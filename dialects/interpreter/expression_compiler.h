@@ -30,6 +30,7 @@ class ExpressionCompiler {
   Value compile_node(const ir::Expression& e, Operand target);
   Value compile_unary(const ir::Expression& e, Operand target);
   Value compile_binary(const ir::Expression& e, Operand target);
+  Value compile_frame(const ir::Expression& e, Operand target);
   Value compile_bound(const ir::Expression& e, Operand target);
   Value compile_string_operator(const ir::Expression& e, Operand target);
   Value compile_string_comparison(const ir::Expression& e, const Value& a, const Value& b, Operand target);

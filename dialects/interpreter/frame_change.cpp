@@ -57,7 +57,7 @@ void change_frame(const PlainBlock& block, const BlockRules& rules, Function fun
       if (named[axis]) factors[axis] = function == Function::mirror ? -1.0 : values[axis];
     change = diagonal_of(factors);
   }
-  if (replace) state.modes.shift = {};
+  if (replace) state.modes.shift = state.modes.fine_shift = {};
   state.modes.matrix = replace ? change : multiply(state.modes.matrix, change);
   state.modes.has_matrix = state.modes.matrix != kIdentity;
   const std::uint64_t used = rules.axis_addresses | bit_of(Address::frame_angle);
@@ -71,15 +71,30 @@ void shift_locally(const PlainBlock& block, const BlockRules& rules, bool whole,
     return compose_frames(rules, state.modes);
   }
   if (!add && (whole || (block.present & rules.axis_addresses) == 0)) {
-    state.modes.shift = {};
+    state.modes.shift = state.modes.fine_shift = {};
     state.modes.matrix = kIdentity;
     state.modes.has_matrix = false;
   }
   if (add && state.modes.has_matrix) return shift_in_frame(block, rules, state);
   for_each_axis_word(block, rules, state.modes, false, [&](std::size_t axis, double value, bool incremental) {
     state.modes.shift[axis] = add || incremental ? state.modes.shift[axis] + value : value;
+    if (add) state.modes.fine_shift[axis] += value;
   });
   state.modes.local_shift = state.modes.shift;
+}
+
+// PGA, "Axial zero offset (G58, G59)": G58 writes the coarse part, G59 the fine one that ATRANS adds to.
+void shift_axes(const PlainBlock& block, const BlockRules& rules, bool fine, ModalState& state) {
+  for_each_axis_word(block, rules, state.modes, false, [&](std::size_t axis, double value, bool) {
+    double& small = state.modes.fine_shift[axis];
+    if (fine) {
+      state.modes.shift[axis] += value - small;
+      small = value;
+    } else {
+      state.modes.shift[axis] = value + small;
+    }
+  });
+  if ((block.unknown & rules.axis_addresses) != 0) state.unknown |= kAllAxes;
 }
 
 void set_coordinates(const PlainBlock& block, const BlockRules& rules, bool takes_back, ModalState& state) {

@@ -9,6 +9,8 @@ namespace dripfeed::interpreter {
 
 // G52, TRANS. `whole`: axes that are not named lose their shift. `add`: ATRANS.
 void shift_locally(const PlainBlock& block, const BlockRules& rules, bool whole, bool add, ModalState& state);
+// G58 and, `fine`, G59.
+void shift_axes(const PlainBlock& block, const BlockRules& rules, bool fine, ModalState& state);
 // ROT, SCALE, MIRROR. `replace`: in the place of the whole programmable frame; otherwise on top of it.
 void change_frame(const PlainBlock& block, const BlockRules& rules, ir::Function function, bool replace,
                   ModalState& state);

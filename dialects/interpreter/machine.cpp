@@ -43,9 +43,10 @@ Machine::Machine(const ir::Control& control, ProgramFinder& finder, ir::MotionSi
       report_(control, options.limits, names_, out_),
       stack_(context_, programs_, storage_, state_, out_, report_),
       access_(control, arithmetic_, variables_, storage_, shared_, state_, report_),
-      blocks_(control, rules_, arithmetic_, storage_, access_, shared_, state_, out_, report_),
+      frames_(rules_, storage_, shared_, state_, report_),
+      blocks_(control, rules_, arithmetic_, storage_, access_, shared_, frames_, state_, out_, report_),
       strings_(control, storage_, access_, shared_, report_),
-      shared_access_(control, storage_, access_, shared_, state_, report_),
+      shared_access_(control, storage_, access_, shared_, frames_, state_, report_),
       finder_(finder) {
   names_ = {};
 }
@@ -186,6 +187,12 @@ void Machine::execute(std::uint32_t next) {
       case Opcode::string_load_element:
       case Opcode::string_store_element:
       case Opcode::string_fit:
+      case Opcode::frame_make:
+      case Opcode::frame_chain:
+      case Opcode::frame_part:
+      case Opcode::frame_set_part:
+      case Opcode::load_frame:
+      case Opcode::store_frame:
       case Opcode::jump_number:
       case Opcode::jump_text:
       case Opcode::repeat_section:
@@ -217,6 +224,7 @@ void Machine::execute(std::uint32_t next) {
 bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
   if (is_string_opcode(i.op)) return strings_.execute(i, stack_.program());
   if (is_shared_opcode(i.op)) return shared_access_.execute(i);
+  if (is_frame_opcode(i.op)) return frames_.execute(i);
   CompiledProgram& program = stack_.program();
   const auto reg = [this](std::uint32_t operand) -> double& { return storage_.reg(operand); };
   if (i.op == Opcode::integer_quotient)

@@ -10,6 +10,7 @@
 
 #include "dialects/interpreter/block_runner.h"
 #include "dialects/interpreter/call_stack.h"
+#include "dialects/interpreter/frame_access.h"
 #include "dialects/interpreter/shape_run.h"
 #include "dialects/interpreter/shared_access.h"
 #include "dialects/interpreter/string_operations.h"
@@ -88,6 +89,7 @@ class Machine {
   CallStack stack_;
   ShapeRun shape_;
   VariableAccess access_;
+  FrameAccess frames_;
   BlockRunner blocks_;
   StringOperations strings_;
   SharedAccess shared_access_;
@@ -99,6 +101,7 @@ class Machine {
   std::uint64_t decisions_ = 0;                                      // since then
   std::vector<VariableChange> changes_;                              // of the running block
   std::unordered_map<const Instruction*, std::uint32_t> undecided_;  // how often a condition was not known
+  std::uint32_t undecided_count_ = 0;                                // of all conditions
   struct OpenSection {
     std::size_t depth = 0;  // of calls
     std::uint32_t id = 0;

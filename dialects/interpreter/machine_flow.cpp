@@ -29,6 +29,9 @@ bool Machine::follow(Flow flow, const Instruction& i, std::uint32_t& next) {
 bool Machine::decide_unknown(const Instruction& i) {
   if (!control_.semantics.unset_is_unknown) return false;
   constexpr std::uint32_t kPatience = 100;
+  constexpr std::uint32_t kMostUndecided = 100'000;
+  // So long a way by guesses says nothing more: the next pass of a loop is the last.
+  if (++undecided_count_ == kMostUndecided) passes_ = options_.limits.loop_passes;
   report_.count({.name = "a condition on a value that is not known"});
   report_.take_uncertain_way();
   if (i.extra == 1) return true;

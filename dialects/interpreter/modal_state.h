@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "dialects/interpreter/frame.h"
+#include "dialects/interpreter/frame_value.h"
 #include "dialects/interpreter/plain_block.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/ir/function.h"
@@ -45,11 +45,14 @@ struct Modes {
   bool return_to_r = false;    // G99: drilling ends at the R level
   std::int32_t work_offset = kOffsetUnknown;
   AxisValues shift{};                        // local: G52, TRANS
+  AxisValues fine_shift{};                   // the part of it that ATRANS and G59 made
   Matrix matrix = kIdentity;                 // ROT, SCALE, MIRROR
   bool has_matrix = false;                   // it is not the identity
   AxisValues local_shift{};                  // of `shift`: what G52 says; the rest comes from frames about points
   std::array<PointFrame, 3> point_frames{};  // G51.1, G51, G68: the outer one first
   bool polar_words = false;                  // G16: the plane's two letters are a radius and an angle
+  FrameValue settable;                       // of the active work offset
+  bool settable_known = false;
 };
 
 struct Tool {

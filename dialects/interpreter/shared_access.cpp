@@ -51,7 +51,9 @@ void SharedAccess::say_input(std::string name) {
 
 std::optional<double> SharedAccess::answer(const Instruction& i, const Indices& indices) const {
   if (i.detail == 0) return std::nullopt;
-  return answer_system(control_, control_.system_variables[i.detail - 1U], indices, state_);
+  const ir::SystemVariableRow& row = control_.system_variables[i.detail - 1U];
+  if (row.kind == ir::SystemValue::settable_frame) return frames_.settable_part(indices);
+  return answer_system(control_, row, indices, state_);
 }
 
 bool SharedAccess::load(const Instruction& i) {
@@ -95,6 +97,8 @@ bool SharedAccess::store(const Instruction& i) {
   SharedValue& value = shared_.at(shared_.place_of(i.a, indices));
   value.number = storage_.reg(i.c);
   value.has_text = false;
+  const bool frame = i.detail != 0 && control_.system_variables[i.detail - 1U].kind == ir::SystemValue::settable_frame;
+  if (frame) frames_.set_settable_part(indices, value.number);
   return true;
 }
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "dialects/interpreter/frame_access.h"
 #include "dialects/interpreter/shared_data.h"
 #include "dialects/interpreter/variable_access.h"
 
@@ -12,8 +13,14 @@ namespace dripfeed::interpreter {
 class SharedAccess {
  public:
   SharedAccess(const ir::Control& control, Storage& storage, VariableAccess& access, SharedData& shared,
-               const ModalState& state, RunReport& report)
-      : control_(control), storage_(storage), access_(access), shared_(shared), state_(state), report_(report) {}
+               FrameAccess& frames, const ModalState& state, RunReport& report)
+      : control_(control),
+        storage_(storage),
+        access_(access),
+        shared_(shared),
+        frames_(frames),
+        state_(state),
+        report_(report) {}
 
   // Carries out the instruction; false when the run has ended.
   bool execute(const Instruction& i);
@@ -36,6 +43,7 @@ class SharedAccess {
   Storage& storage_;
   VariableAccess& access_;
   SharedData& shared_;
+  FrameAccess& frames_;
   const ModalState& state_;
   RunReport& report_;
 };

@@ -102,9 +102,9 @@ void SharedData::set(std::string_view written, double value) {
   at(place_of(id, indices)) = {.number = value, .text = {}, .has_text = false};
 }
 
-void SharedData::forget(std::uint32_t id) {
+void SharedData::forget(std::uint32_t id, std::optional<std::uint32_t> first) {
   for (const Entry& entry : entries_)
-    if (entry.id == id) values_[entry.place] = {};
+    if (entry.id == id && (!first.has_value() || entry.indices[0] == *first)) values_[entry.place] = {};
 }
 
 }  // namespace dripfeed::interpreter

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -57,8 +58,9 @@ class SharedData {
   [[nodiscard]] SharedValue& at(std::uint32_t place) { return values_[place]; }
   // Sets a value by its name as people write it: "INI[53]", "$P_UIFR[1,X,TR]", axes and frame parts by their names.
   void set(std::string_view written, double value);
-  // Nothing of the name is known any more: an element was written whose index is not known.
-  void forget(std::uint32_t id);
+  // Nothing of the name (and its first index) is known any more: an element was written whose index is not known, or
+  // all at once.
+  void forget(std::uint32_t id, std::optional<std::uint32_t> first = std::nullopt);
 
   struct Entry {
     std::uint32_t id = 0;

@@ -124,6 +124,10 @@ std::optional<double> answer_system(const ir::Control& control, const ir::System
     case ir::SystemValue::constant: return static_cast<double>(row.first);
     case ir::SystemValue::active_code: return index_in_group(indices[0], state.modes);
     case ir::SystemValue::not_modelled:
+    case ir::SystemValue::programmable_frame:
+    case ir::SystemValue::settable_frame:
+    case ir::SystemValue::active_frame:
+    case ir::SystemValue::total_frame:
     case ir::SystemValue::machine_position:
     case ir::SystemValue::work_offset_value:
     case ir::SystemValue::skip_position:
@@ -161,6 +165,10 @@ std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number
     case SystemValue::spindle_direction:
     case SystemValue::constant: return answer_system(control_, entry, {}, state);
     case SystemValue::not_modelled:
+    case SystemValue::programmable_frame:
+    case SystemValue::settable_frame:
+    case SystemValue::active_frame:
+    case SystemValue::total_frame:
     case SystemValue::work_offset_value:
     case SystemValue::block_number:
     case SystemValue::program_number: break;

@@ -155,7 +155,11 @@ Value VariableCompiler::load(const ir::Variable& variable, Operand target) {
   if (is_unknown(variable)) return failure(variable.span, DiagnosticId::unknown_name, {"here"});
   const bool numbered = variable.bank == Bank::hash || variable.bank == Bank::r;
   ++(numbered ? builder_.work.number_reads : builder_.work.named_reads);
+  if (const auto frame = frame_kind(variable)) return load_frame(variable, *frame, target);
   if (is_shared(variable)) return load_shared(variable, target);
+  if (is_part_of_frame(variable))
+    return load_part(make_operand(Space::frame, slot_of(variable.symbol).slot), variable.index, variable.index2,
+                     variable.span, target);
   if (variable.bank == Bank::named) return load_symbol(variable, target);
   if (numbered) return load_numbered(variable, target);
   const Operand index = system_index(variable);
@@ -217,7 +221,8 @@ void VariableCompiler::assign(const ir::Variable& target, ir::ExpressionId value
   if (takes_text)
     if (const auto text = text_of_unknown_type(value)) return store_string(target, *text, span);
   // A plain register takes the result directly, unless the type converts.
-  const bool converts = target.bank == Bank::named && builder_.source().at(target.symbol).type != ValueType::real;
+  const bool converts = target.bank == Bank::named && !is_part_of_frame(target) &&
+                        builder_.source().at(target.symbol).type != ValueType::real;
   const bool writable =
       target.bank == Bank::named ||
       (target.bank != Bank::system && builder_.context().variables.find(target.bank, target.number).writable);
@@ -237,7 +242,16 @@ std::optional<Value> VariableCompiler::text_of_unknown_type(ir::ExpressionId val
 }
 
 void VariableCompiler::store(const ir::Variable& target, const Value& value, text::Span span) {
+  if (const auto frame = frame_kind(target)) return store_frame(target, *frame, value, span);
+  if (value.type == ValueType::frame && !is_shared(target) &&
+      (target.bank != Bank::named || builder_.source().at(target.symbol).type != ValueType::frame)) {
+    failure(span, DiagnosticId::wrong_type, {"the value", "FRAME", "REAL"});
+    return;
+  }
   if (is_shared(target)) return store_shared(target, value, span);
+  if (is_part_of_frame(target))
+    return store_part(make_operand(Space::frame, slot_of(target.symbol).slot), target.index, target.index2, value,
+                      span);
   if (target.bank == Bank::named) return store_symbol(target, value, span);
   if (value.is_string()) {
     failure(span, DiagnosticId::wrong_type,
@@ -268,6 +282,10 @@ void VariableCompiler::store_symbol(const ir::Variable& target, const Value& val
   if (symbol.type == ValueType::string) return store_string(target, value, span);
   if (value.is_string() && symbol.type != ValueType::axis) {
     failure(span, DiagnosticId::wrong_type, {"the value for " + std::string(name), "STRING", "a number"});
+    return;
+  }
+  if (symbol.type == ValueType::frame && value.constant.has_value()) {
+    failure(span, DiagnosticId::wrong_type, {"the value for " + std::string(name), "REAL", "FRAME"});
     return;
   }
   const SymbolSlot& slot = slot_of(target.symbol);

@@ -43,6 +43,14 @@ class VariableCompiler {
   void store_symbol(const ir::Variable& target, const Value& value, text::Span span);
   void store_string(const ir::Variable& target, const Value& value, text::Span span);
   std::optional<Value> text_of_unknown_type(ir::ExpressionId value);
+  // The frames of the control and the parts of frames.
+  [[nodiscard]] std::optional<ir::SystemValue> frame_kind(const ir::Variable& variable) const;
+  [[nodiscard]] bool is_part_of_frame(const ir::Variable& variable) const;
+  Value load_frame(const ir::Variable& variable, ir::SystemValue kind, Operand target);
+  void store_frame(const ir::Variable& target, ir::SystemValue kind, const Value& value, text::Span span);
+  Operand part_registers(ir::ExpressionId axis, ir::ExpressionId part, text::Span span);
+  Value load_part(Operand frame, ir::ExpressionId axis, ir::ExpressionId part, text::Span span, Operand target);
+  void store_part(Operand frame, ir::ExpressionId axis, ir::ExpressionId part, const Value& value, text::Span span);
   void store_numbered(const ir::Variable& target, const Value& value, text::Span span);
   Value convert(ir::ValueType type, const Value& value, Operand target, text::Span span);
   // The register that the variable is, when it is one.

@@ -50,6 +50,10 @@ enum class SystemValue : std::uint8_t {
   tool_edge,
   spindle_direction,
   constant,  // SystemVariableRow::first
+  programmable_frame,
+  settable_frame,  // in memory, by number
+  active_frame,    // the settable one in effect
+  total_frame,     // the settable one and the programmable one in it
 };
 struct SystemVariableRow {
   std::string_view name;    // "$P_EP"; empty for numbered ones

@@ -40,6 +40,7 @@ enum class Operator : std::uint8_t {
   bcd,
   bin,
   is_variable,
+  frame_mirror,  // CMIRROR(axis)
   string_length,
   to_string,
   to_number,
@@ -73,7 +74,11 @@ enum class Operator : std::uint8_t {
   maximum,
   find_text,
   find_text_last,
-  find_any,  // INDEX, RINDEX: a character in a text; MINDEX: any of several; -1 for none
+  find_any,     // INDEX, RINDEX: a character in a text; MINDEX: any of several; -1 for none
+  frame_shift,  // CTRANS(axis, value)
+  frame_turn,   // CROT
+  frame_scale,  // CSCALE
+  frame_chain,  // A : B
   // three operands (a, b, c)
   bound,
   substring,  // SUBSTR(text, first, count); first from 0

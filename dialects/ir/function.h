@@ -48,6 +48,7 @@ enum class Function : std::uint8_t {
   machine_coordinates,  // G53, SUPA: this block only
   local_shift,          // G52, TRANS; argument 1: axes that are not named lose their shift (TRANS)
   local_shift_add,      // ATRANS
+  axial_shift,          // G58; argument 1: the fine part (G59)
   rotate,
   scale,
   mirror,            // ROT, SCALE, MIRROR, G68, G51, G51.1: argument as ir/frame_use.h

@@ -77,6 +77,10 @@ constexpr auto kKeywords = std::to_array<Keyword>({
   function("SUBSTR", substring),
   function("AXNAME", to_axis),
   function("AXSTRING", to_string),
+  function("CTRANS", frame_shift),
+  function("CROT", frame_turn),
+  function("CSCALE", frame_scale),
+  function("CMIRROR", frame_mirror),
   // constants
   {"TRUE", Role::constant},
   {"FALSE", Role::constant},

@@ -72,6 +72,11 @@ class Parser {
   ir::Operator infix_here(std::uint8_t& rank) const;
   void warn_of_rank(ir::ExpressionId operand, bool in_parentheses, text::Span span);
 
+  // frames: parse_frame.cpp
+  ir::ExpressionId frame_chain(ir::ExpressionId first);
+  ir::ExpressionId frame_of_axes(const Keyword& keyword, text::Span name);
+  static bool is_frame_of_axes(ir::Operator op);
+
   // variables: parse_variable.cpp
   ir::VariableId variable();
   ir::VariableId r_variable();
@@ -147,7 +152,7 @@ class Parser {
   // of the block
   bool faulty_ = false;         // a fault was reported: what follows from it is not
   bool in_condition_ = false;   // a name before '=' is a comparison gone wrong, not the next word
-  bool foreign_chain_ = false;  // ':' between frames was read: the value is not interpreted
+  bool foreign_chain_ = false;  // an array of more than three indices was read
   std::uint32_t brackets_ = 0;  // open around the value being read
   std::uint32_t nesting_ = 0;
   std::uint32_t operators_ = 0;

@@ -71,11 +71,7 @@ ir::ExpressionId Parser::constant(double value, text::Span span) { return progra
 ir::ExpressionId Parser::expression() {
   in_parentheses_ = false;
   const ir::ExpressionId value = binary(kWeakestRank);
-  if (!cursor_.is_symbol(':')) return value;
-  // ':' chains frames; what they give is not interpreted.
-  foreign_chain_ = true;
-  while (cursor_.take(':')) (void)binary(kWeakestRank);
-  return value;
+  return frame_chain(value);
 }
 
 // The operator at the cursor; constant when there is none.
@@ -280,7 +276,9 @@ ir::ExpressionId Parser::name_value() {
   if (keyword != nullptr) {
     switch (keyword->role) {
       case Role::constant: cursor_.advance(); return constant(same_name(name, "TRUE") ? 1.0 : 0.0, span);
-      case Role::function: cursor_.advance(); return function_call(*keyword, span);
+      case Role::function:
+        cursor_.advance();
+        return is_frame_of_axes(keyword->op) ? frame_of_axes(*keyword, span) : function_call(*keyword, span);
       case Role::foreign: cursor_.advance(); return foreign_call(span);
       case Role::infix:
       case Role::prefix:

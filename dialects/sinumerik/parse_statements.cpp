@@ -15,11 +15,10 @@ using text::DiagnosticId;
 
 // Statements that are kept as written and after which axes may be anywhere: cycles, approach and return moves, texts.
 bool may_move(std::string_view name) {
-  constexpr std::string_view kNames[] = {"G5",       "G7",      "G74",     "G75",    "G147",    "G148",   "G247",
-                                         "G248",     "G347",    "G348",    "REPOSL", "REPOSQ",  "REPOSH", "REPOSA",
-                                         "REPOSQA",  "REPOSHA", "ISOCALL", "CALL",   "EXECTAB", "RET",    "LONGHOLE",
-                                         "POLFA",    "G291",    "G58",     "G59",    "ROTS",    "AROTS",  "CROTS",
-                                         "TRANSMIT", "TRACYL",  "TRAANG",  "TRAORI"};
+  constexpr std::string_view kNames[] = {
+      "G5",       "G7",     "G74",    "G75",    "G147",    "G148",    "G247",     "G248",   "G347",    "G348",
+      "REPOSL",   "REPOSQ", "REPOSH", "REPOSA", "REPOSQA", "REPOSHA", "ISOCALL",  "CALL",   "EXECTAB", "RET",
+      "LONGHOLE", "POLFA",  "G291",   "ROTS",   "AROTS",   "CROTS",   "TRANSMIT", "TRACYL", "TRAANG",  "TRAORI"};
   return name.starts_with("CYCLE") || name.starts_with("POCKET") || name.starts_with("SLOT") ||
          name.starts_with("HOLES") || std::ranges::find(kNames, name) != std::end(kNames);
 }

@@ -34,8 +34,9 @@ ir::VariableId Parser::variable() {
   } else {
     v.bank = ir::Bank::named;
     v.symbol = lower_.symbol_used(cursor_.text());
+    const bool frame = lower_.is_declared(v.symbol) && program_.at(v.symbol).type == ir::ValueType::frame;
     cursor_.advance();
-    if (cursor_.is_symbol('[')) index_list(v, false);
+    if (cursor_.is_symbol('[')) index_list(v, frame);
   }
   v.span = to_here(head);
   return program_.add(v);

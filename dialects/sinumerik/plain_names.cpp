@@ -7,12 +7,12 @@ namespace {
 
 // Functions that give a value and have no counterpart in ir.
 constexpr std::string_view kForeign[] = {
-    "SPRINT",    "AX",         "AXTOSPI",   "SPI",       "CTRANS",   "CROT",       "CSCALE",     "CMIRROR",
-    "CFINE",     "CROTS",      "CRPL",      "INVFRAME",  "ADDFRAME", "CALCDAT",    "CALCPOSI",   "GETT",
-    "ISAXIS",    "ISFILE",     "INTERSEC",  "CTAB",      "CTABINV",  "CTABTSV",    "CTABTEV",    "CTABSSV",
-    "CTABSEV",   "CTABEXISTS", "CTABTSP",   "CTABTEP",   "CTABID",   "GETACTTD",   "GETDNO",     "GETSELT",
-    "GETEXET",   "CHKDM",      "CHKDNO",    "CORRTRAFO", "QU",       "AXCTSWEC",   "MODAXVAL",   "GETVARTYP",
-    "GETVARPHU", "GETVARAP",   "GETVARLIM", "GETVARDFT", "GETTCOR",  "GETFREELOC", "ISOPENTYPE", "DELOBJ"};
+    "SPRINT",   "AX",         "AXTOSPI",    "SPI",       "CFINE",     "CROTS",      "CRPL",      "INVFRAME",
+    "ADDFRAME", "CALCDAT",    "CALCPOSI",   "GETT",      "ISAXIS",    "ISFILE",     "INTERSEC",  "CTAB",
+    "CTABINV",  "CTABTSV",    "CTABTEV",    "CTABSSV",   "CTABSEV",   "CTABEXISTS", "CTABTSP",   "CTABTEP",
+    "CTABID",   "GETACTTD",   "GETDNO",     "GETSELT",   "GETEXET",   "CHKDM",      "CHKDNO",    "CORRTRAFO",
+    "QU",       "AXCTSWEC",   "MODAXVAL",   "GETVARTYP", "GETVARPHU", "GETVARAP",   "GETVARLIM", "GETVARDFT",
+    "GETTCOR",  "GETFREELOC", "ISOPENTYPE", "DELOBJ"};
 
 // Around the value of one word: X=AC(10).
 constexpr std::string_view kWordMode[] = {"AC",  "IC",   "DC",   "ACP", "ACN", "CAC", "CIC",

@@ -16,6 +16,7 @@ namespace {
 using ir::Operator;
 
 constexpr std::string_view kAxes = "XYZABCUVW";
+constexpr std::string_view kParts[] = {"TR", "FI", "RT", "SC", "MI"};
 constexpr double kLongestWhole = 1e9;
 constexpr int kMostDecimals = 9;
 
@@ -82,7 +83,34 @@ void ExpressionPrinter::append_ranked(std::string& out, ir::ExpressionId id, std
   }
 }
 
+// CTRANS(X,10), and chains of such.
+void ExpressionPrinter::append_frame(std::string& out, const ir::Expression& e) const {
+  if (e.op == Operator::frame_chain) {
+    append(out, e.a);
+    out += ':';
+    return append(out, e.b);
+  }
+  out += spelling_of(e.op);
+  out += '(';
+  append_axis(out, e.a);
+  if (e.b != ir::ExpressionId::none) {
+    out += ',';
+    append(out, e.b);
+  }
+  out += ')';
+}
+
+void ExpressionPrinter::append_axis(std::string& out, ir::ExpressionId axis) const {
+  const ir::Expression& e = program_.at(axis);
+  if (e.op == Operator::constant && e.value >= 0.0 && e.value < static_cast<double>(kAxes.size()))
+    out += kAxes[static_cast<std::size_t>(e.value)];
+  else
+    append(out, axis);
+}
+
 void ExpressionPrinter::append_call(std::string& out, const ir::Expression& e) const {
+  if (e.op == Operator::frame_mirror || (e.op >= Operator::frame_shift && e.op <= Operator::frame_chain))
+    return append_frame(out, e);
   out += spelling_of(e.op);
   out += '(';
   append(out, e.a);
@@ -124,13 +152,19 @@ void ExpressionPrinter::append_variable(std::string& out, const ir::Variable& v)
 void ExpressionPrinter::append_index(std::string& out, const ir::Variable& v) const {
   if (v.index == ir::ExpressionId::none) return;
   out += '[';
-  const ir::Expression& first = program_.at(v.index);
+  const bool frame = v.bank == ir::Bank::named && program_.at(v.symbol).type == ir::ValueType::frame &&
+                     v.index2 != ir::ExpressionId::none;
   const bool axial = v.bank == ir::Bank::system && is_axial(control_.system_variables[v.number].name);
-  if (axial && first.op == Operator::constant && first.value >= 0.0 &&
-      first.value < static_cast<double>(kAxes.size())) {
-    out += kAxes[static_cast<std::size_t>(first.value)];
-  } else {
+  if (axial || frame)
+    append_axis(out, v.index);
+  else
     append(out, v.index);
+  const ir::ExpressionId part = v.index2;
+  if (frame && program_.at(part).op == Operator::constant && program_.at(part).value < std::size(kParts)) {
+    out += ',';
+    out += kParts[static_cast<std::size_t>(program_.at(part).value)];
+    out += ']';
+    return;
   }
   for (const ir::ExpressionId further : {v.index2, v.index3}) {
     if (further == ir::ExpressionId::none) continue;

@@ -19,6 +19,8 @@ class ExpressionPrinter {
 
  private:
   void append_ranked(std::string& out, ir::ExpressionId id, std::uint8_t weakest) const;
+  void append_frame(std::string& out, const ir::Expression& e) const;
+  void append_axis(std::string& out, ir::ExpressionId axis) const;
   void append_call(std::string& out, const ir::Expression& e) const;
   void append_index(std::string& out, const ir::Variable& variable) const;
 

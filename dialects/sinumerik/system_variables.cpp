@@ -32,13 +32,13 @@ constexpr auto kVariables = std::to_array<ir::SystemVariableRow>({
   {"$P_SDIR", 0, 0, spindle_direction, false, "LIS1, last programmed spindle direction"},
   {"$P_MSNUM", 1, 1, constant, false, "LIS1, master spindle"},
   {"$P_EPM", 0, 0, not_modelled, false, "LIS1, programmed end position in machine coordinates"},
-  {"$P_UIFR", 0, 0, not_modelled, true, "LIS1, settable frames"},
-  {"$P_IFRAME", 0, 0, not_modelled, true, "LIS1, active settable frame"},
-  {"$P_PFRAME", 0, 0, not_modelled, true, "LIS1, programmable frame"},
+  {"$P_UIFR", 0, 0, settable_frame, true, "LIS1, settable frames"},
+  {"$P_IFRAME", 0, 0, active_frame, true, "LIS1, active settable frame"},
+  {"$P_PFRAME", 0, 0, programmable_frame, true, "LIS1, programmable frame"},
   {"$P_BFRAME", 0, 0, not_modelled, true, "LIS1, base frame"},
   {"$P_CHBFR", 0, 0, not_modelled, true, "LIS1, channel base frames"},
   {"$P_NCBFR", 0, 0, not_modelled, true, "LIS1, global base frames"},
-  {"$P_ACTFRAME", 0, 0, not_modelled, false, "LIS1, total frame"},
+  {"$P_ACTFRAME", 0, 0, total_frame, false, "LIS1, total frame"},
   {"$P_PROG", 0, 0, not_modelled, false, "LIS1, program names by level"},
   {"$P_STACK", 0, 0, not_modelled, false, "LIS1, program level"},
   {"$P_PROGPATH", 0, 0, not_modelled, false, "LIS1, program path"},
@@ -92,7 +92,7 @@ constexpr std::string_view kHarmless[] = {
     "$AC_TIMER",        "$AC_MARKER",        "$AC_PARAM",      "$AC_TOTAL_PARTS",  "$AC_REQUIRED_PARTS",
     "$AC_ACTUAL_PARTS", "$AC_SPECIAL_PARTS", "$AC_CYCLE_TIME", "$AC_CUTTING_TIME", "$AC_OPERATING_TIME",
     "$A_OUT",           "$A_OUTA",           "$A_DBB",         "$A_DBW",           "$A_DBD",
-    "$A_DBR",
+    "$A_DBR",           "$P_UIFR",           "$P_IFRAME",      "$P_PFRAME",
 };
 
 }  // namespace

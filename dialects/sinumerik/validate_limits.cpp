@@ -66,7 +66,8 @@ void check_feed(const Check& check, const ir::Block& block) {
 void check_frame(const Check& check, const ir::Block& block) {
   const auto codes = check.program.codes_of(block);
   const auto is_frame = [](const ir::Code& c) {
-    return c.function == ir::Function::local_shift || c.function == ir::Function::local_shift_add ||
+    return c.function == ir::Function::local_shift || c.function == ir::Function::axial_shift ||
+           c.function == ir::Function::local_shift_add ||
            (c.function >= ir::Function::rotate && c.function <= ir::Function::mirror) ||
            (c.function >= ir::Function::pole_from_last && c.function <= ir::Function::pole_from_pole);
   };

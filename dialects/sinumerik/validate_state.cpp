@@ -161,6 +161,7 @@ std::span<const ModalState::Row> ModalState::rows() {
       {Function::diameter_absolute_only, [](ModalState& m, const ir::Code&) { m.doubles_ = false; }},
       {Function::dwell, [](ModalState& m, const ir::Code&) { m.words_are_no_move_ = true; }},
       {Function::local_shift, [](ModalState& m, const ir::Code&) { m.words_are_no_move_ = true; }},
+      {Function::axial_shift, [](ModalState& m, const ir::Code&) { m.words_are_no_move_ = true; }},
       {Function::local_shift_add, [](ModalState& m, const ir::Code&) { m.words_are_no_move_ = true; }},
       {Function::rotate, [](ModalState& m, const ir::Code&) { m.words_are_no_move_ = true; }},
       {Function::scale, [](ModalState& m, const ir::Code&) { m.words_are_no_move_ = true; }},

@@ -129,5 +129,77 @@ TEST(SinumerikGeometry, TappingHasALead) {
   EXPECT_TRUE(ran.trace.contains("2 thread X0.0000 Y0.0000 Z-20.0000 F1.5000/rev")) << ran.trace;
 }
 
+// --- frames as values (PGA, "Coordinate transformations (frames)")
+
+TEST(SinumerikFrameValues, TheProgrammableFrameIsAChain) {
+  const std::string head = "G17 G90 G0 X0 Y0 Z0\n";
+  // 90 degrees take X to Y; the shift lies outside.
+  EXPECT_EQ(moves(run(head + "$P_PFRAME=CTRANS(X,5):CROT(Z,90)\nX10 Y0\nM30\n")),
+            "1 rapid X0.0000 Y0.0000 Z0.0000\n3 rapid X5.0000 Y10.0000 Z0.0000\n");
+  EXPECT_EQ(moves(run(head + "$P_PFRAME=CTRANS(X,1):CSCALE(X,2):CMIRROR(Y)\nX10 Y5\nM30\n")),
+            "1 rapid X0.0000 Y0.0000 Z0.0000\n3 rapid X21.0000 Y-5.0000 Z0.0000\n");
+  EXPECT_EQ(moves(run(head + "TRANS X7\n$P_PFRAME=$P_PFRAME:CTRANS(Y,2)\nX1 Y1\n$P_PFRAME=CTRANS()\nX1 Y1\nM30\n")),
+            "1 rapid X0.0000 Y0.0000 Z0.0000\n4 rapid X8.0000 Y3.0000 Z0.0000\n6 rapid X1.0000 Y1.0000 Z0.0000\n");
+}
+
+TEST(SinumerikFrameValues, PartsAreReadAndWritten) {
+  const Result result =
+      run("DEF FRAME FR, OTHER\nG17 G90 G0 X0 Y0 Z0\nFR=CTRANS(X,5,Y,6):CROT(Z,30):CSCALE(X,2)\nOTHER=FR\nFR[X,TR]=7\n"
+          "R1=FR[Y,TR] R2=FR[Z,RT] R3=FR[X,SC] R4=OTHER[X,TR] R5=FR[X,TR]\n"
+          "TRANS X3\nR6=$P_PFRAME[X,TR]\n$P_PFRAME[Y,TR]=4\nX1 Y1\nM30\n");
+  EXPECT_EQ(result.value("R1"), 6.0);
+  EXPECT_NEAR(result.value("R2"), 30.0, 1e-9);
+  EXPECT_NEAR(result.value("R3"), 2.0, 1e-12);
+  EXPECT_EQ(result.value("R4"), 5.0);
+  EXPECT_EQ(result.value("R5"), 7.0);
+  EXPECT_EQ(result.value("R6"), 3.0);
+  EXPECT_EQ(moves(result), "2 rapid X0.0000 Y0.0000 Z0.0000\n10 rapid X4.0000 Y5.0000 Z0.0000\n");
+}
+
+TEST(SinumerikFrameValues, SettableFramesMoveTheZeroPoint) {
+  const std::string text =
+      "G17 G90 G71 G94\n$P_UIFR[1]=CTRANS(X,10)\n$P_UIFR[2]=CTRANS(X,15,Y,3)\nG54\nG0 X20 Y0 Z0\n%sG55\nG91 X1\nM30\n";
+  const auto with = [&](const std::string& line) {
+    std::string made = text;
+    return moves(run(made.replace(made.find("%s"), 2, line)));
+  };
+  // The machine stands at X30 Y0: in the second offset at X15 Y-3.
+  EXPECT_EQ(with(""), "5 rapid X20.0000 Y0.0000 Z0.0000\n7 rapid X16.0000 Y-3.0000 Z0.0000\n");
+  EXPECT_EQ(with("$P_UIFR[2,X,TR]=20\n"), "5 rapid X20.0000 Y0.0000 Z0.0000\n8 rapid X11.0000 Y-3.0000 Z0.0000\n");
+  // The second turned by 90 degrees: what lies along X lies along -Y.
+  EXPECT_EQ(with("$P_UIFR[2]=CROT(Z,90)\n"), "5 rapid X20.0000 Y0.0000 Z0.0000\n8 rapid X1.0000 Y-30.0000 Z0.0000\n");
+  EXPECT_EQ(run("$P_UIFR[2]=CTRANS(X,15,Y,3)\nR1=$P_UIFR[2,Y,TR]\nM30\n").value("R1"), 3.0);
+}
+
+TEST(SinumerikFrameValues, AnOffsetThatOnlyTheControlKnowsStaysUnknown) {
+  const Result result = run("G17 G90 G71 G94\n$P_UIFR[1]=CTRANS(X,10)\nG54\nG0 X20 Y0 Z0\nG55\nG91 X1\nM30\n");
+  ASSERT_FALSE(result.motions.empty());
+  EXPECT_NE(result.motions.back().axes_unknown & 1U, 0U);
+}
+
+TEST(SinumerikFrameValues, AnOffsetWrittenInPartIsUnknownWhereItIsSelectedAgain) {
+  const std::string text = "G17 G90 G71 G94 G54\nG0 X20 Y0 Z0\n$P_UIFR[1,X,TR]=12.5\n%sG91 X1\nM30\n";
+  std::string again = text;
+  const Result selected = run(again.replace(again.find("%s"), 2, "G54\n"));
+  EXPECT_NE(selected.motions[selected.motions.size() - 2].axes_unknown & 1U, 0U) << selected.trace;
+  std::string once = text;
+  const Result kept = run(once.replace(once.find("%s"), 2, ""));
+  EXPECT_EQ(kept.motions[kept.motions.size() - 2].axes_unknown & 1U, 0U) << kept.trace;
+}
+
+TEST(SinumerikFrameValues, CoarseAndFineShifts) {
+  EXPECT_EQ(moves(run("G17 G90 G0 X0 Y0 Z0\nG58 X5\nG59 X2\nX1\nG58 X10\nX1\nG59 X0\nX1\nM30\n")),
+            "1 rapid X0.0000 Y0.0000 Z0.0000\n4 rapid X8.0000 Y0.0000 Z0.0000\n6 rapid X13.0000 Y0.0000 Z0.0000\n"
+            "8 rapid X11.0000 Y0.0000 Z0.0000\n");
+  EXPECT_EQ(moves(run("G17 G90 G0 X0 Y0 Z0\nTRANS X5\nATRANS X2\nG58 X10\nX1\nM30\n")),
+            "1 rapid X0.0000 Y0.0000 Z0.0000\n5 rapid X13.0000 Y0.0000 Z0.0000\n");
+}
+
+TEST(SinumerikFrameValues, FramesAreNoNumbers) {
+  EXPECT_EQ(alarm_of(run("DEF FRAME FR\nFR=5\nM30\n")), "12150");
+  EXPECT_EQ(alarm_of(run("R1=CTRANS(X,5)\nM30\n")), "12150");
+  EXPECT_EQ(alarm_of(run("DEF FRAME FR\nR1=FR+1\nM30\n")), "12150");
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test

@@ -39,7 +39,7 @@ struct Result {
 using Texts = std::map<std::string, std::string, std::less<>>;
 
 inline Result run(const std::string& text, const Texts& called = {}, ir::MachineKind kind = ir::MachineKind::mill,
-                  std::vector<interpreter::InitialValue> state = {}) {
+                  std::vector<interpreter::InitialValue> state = {}, std::uint64_t loop_passes = 100'000) {
   ir::Control control = test::control("sinumerik-840d", kind);
   control.semantics.power_on_known = true;
   const text::Source source("TEST.MPF", text);
@@ -55,7 +55,7 @@ inline Result run(const std::string& text, const Texts& called = {}, ir::Machine
   options.initial_values = std::move(state);
   options.want_variables = true;
   options.names = &names;
-  options.limits.loop_passes = 100'000;
+  options.limits.loop_passes = loop_passes;
   interpreter::TraceWriter writer(control, names);
   Motions motions;
   FanOut both({&writer, &motions});

@@ -43,6 +43,14 @@ TEST(SinumerikInputs, ALoopThatWaitsForOneEnds) {
   EXPECT_TRUE(ran.names("a condition on a value that is not known"));
 }
 
+TEST(SinumerikInputs, AWayByGuessesEndsInTime) {
+  // Without end whatever the inputs are: the conditions never let it out.
+  const Result result = run("MARK: R3=R0\nMORE: R3=R3-1\nIF R3>0 GOTOB MORE\nGOTOB MARK\nM30\n", {},
+                            ir::MachineKind::mill, {}, 10'000'000);
+  EXPECT_EQ(result.result.ended, interpreter::Ended::limit);
+  EXPECT_LT(result.result.blocks, 1'000'000U);
+}
+
 TEST(SinumerikInputs, LogicMayBeKnownAllTheSame) {
   const Result ran =
       run("R1=0 R2=1\nIF (R1==1) AND ($A_IN[1]==1)\nR3=1\nELSE\nR3=2\nENDIF\n"
@@ -94,7 +102,7 @@ TEST(SinumerikData, SystemVariablesKeepWhatWasWritten) {
   EXPECT_EQ(ran.value("R2"), 12.5);
   EXPECT_EQ(ran.value("R3"), 80.0);
   EXPECT_TRUE(ran.names("$AC_MARKER[4]"));
-  EXPECT_TRUE(ran.names("$P_UIFR"));      // what it moves is not carried out
+  EXPECT_FALSE(ran.names("$P_UIFR"));     // it takes effect when the offset is selected
   EXPECT_FALSE(ran.names("$AC_MARKER"));  // a marker moves nothing
 }
 

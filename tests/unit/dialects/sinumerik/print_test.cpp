@@ -45,6 +45,10 @@ TEST(Print, StatementsOfEveryKind) {
       "MSG()\n"
       "SETAL(65000,\"stop\")\n"
       "MCALL CYCLE81(20,0,5,,2)\n"
+      "MCALL\n"
+      "$P_PFRAME=CTRANS(X,10):CROT(Z,45)\n"
+      "$P_UIFR[1,X,TR]=5\n"
+      "RET(\"THERE\")\n"
       "G4 F2.5\n"
       "RET\n";
   EXPECT_EQ(printed(good(text)), text);

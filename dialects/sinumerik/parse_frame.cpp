@@ -1,0 +1,83 @@
+// Frames as values: CTRANS, CROT, CSCALE, CMIRROR with their axes, and chains of frames.
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include "dialects/sinumerik/parse.h"
+
+namespace dripfeed::sinumerik {
+
+using ir::Operator;
+using text::DiagnosticId;
+
+// ':' chains frames, from left to right.
+ir::ExpressionId Parser::frame_chain(ir::ExpressionId first) {
+  ir::ExpressionId value = first;
+  while (cursor_.is_symbol(':')) {
+    operator_ = cursor_.span();
+    if (++operators_ > kMostOperators) {
+      give_up(DiagnosticId::syntax_error, operator_, {"a chain of too many frames"});
+      return value;
+    }
+    cursor_.advance();
+    const ir::ExpressionId next = binary(kWeakestRank);
+    value = program_.add_operator(Operator::frame_chain, value, next,
+                                  join(program_.at(value).span, program_.at(next).span));
+  }
+  return value;
+}
+
+bool Parser::is_frame_of_axes(Operator op) {
+  return op == Operator::frame_mirror || (op >= Operator::frame_shift && op <= Operator::frame_scale);
+}
+
+// CTRANS(X,10,Y,20), CMIRROR(X): a chain of one frame for each axis. CROT turns about Z first, then Y, then X, in
+// whatever order they stand; the others may be exchanged. Without arguments: the frame that does nothing.
+ir::ExpressionId Parser::frame_of_axes(const Keyword& keyword, text::Span name) {
+  struct Part {
+    ir::ExpressionId axis = ir::ExpressionId::none;
+    ir::ExpressionId value = ir::ExpressionId::none;
+    double place = 0.0;
+  };
+  if (nesting_ >= kDeepestNesting) return missing_operand();
+  std::vector<Part> parts;
+  const bool has_values = keyword.op != Operator::frame_mirror;
+  const text::Span before = operator_;
+  operator_ = name;
+  expect('(');
+  ++brackets_;
+  ++nesting_;
+  while (!cursor_.is_symbol(')') && !cursor_.at_block_end()) {
+    Part part;
+    operator_ = name;
+    part.axis = system_index();
+    if (part.axis == ir::ExpressionId::none) part.axis = binary(kWeakestRank);
+    const ir::Expression& letter = program_.at(part.axis);
+    part.place = letter.op == Operator::constant ? letter.value : 0.0;
+    if (has_values && !cursor_.take(',')) {
+      report(DiagnosticId::missing_operand, name, {std::string(keyword.name)});
+      part.value = constant(0.0, name);
+    } else if (has_values) {
+      part.value = binary(kWeakestRank);
+    }
+    parts.push_back(part);
+    if (!cursor_.take(',')) break;
+  }
+  --nesting_;
+  --brackets_;
+  expect(')');
+  operator_ = before;
+  in_parentheses_ = false;
+  const text::Span span = to_here(name);
+  if (parts.empty())
+    return program_.add_operator(Operator::frame_shift, constant(0.0, span), constant(0.0, span), span);
+  if (keyword.op == Operator::frame_turn) std::ranges::stable_sort(parts, std::ranges::greater(), &Part::place);
+  ir::ExpressionId value = ir::ExpressionId::none;
+  for (const Part& part : parts) {
+    const ir::ExpressionId one = program_.add_operator(keyword.op, part.axis, part.value, span);
+    value = value == ir::ExpressionId::none ? one : program_.add_operator(Operator::frame_chain, value, one, span);
+  }
+  return value;
+}
+
+}  // namespace dripfeed::sinumerik
