@@ -14,6 +14,7 @@ constexpr ir::AlarmRow kAlarms[] = {
   {homoglyph, "12080"},
   {unterminated_string, "12080"},
   {block_too_long, "12540"},
+  {too_many_digits, "12160"},
   {malformed_number, "12080"},
   {skip_level_invalid, "14060"},
   {address_without_value, "12080"},

@@ -108,6 +108,21 @@ void check_based_numbers(const Check& check) {
   }
 }
 
+// A real has at most eight digits before its point (PG, "Values"); a whole number may be a bit pattern of ten.
+void check_digits(const Check& check) {
+  constexpr std::size_t kWholeDigits = 8;
+  for (const ir::Token& token : check.program.tokens) {
+    if (token.kind != ir::TokenKind::number) continue;
+    const std::string_view written = check.text_of(token.span);
+    const std::size_t point = written.find('.');
+    if (point == std::string_view::npos) continue;
+    const std::size_t first = std::min(written.find_first_not_of('0'), point);
+    if (point - first <= kWholeDigits) continue;
+    check.report(DiagnosticId::too_many_digits, token.span,
+                 {std::string(written), std::to_string(point - first), std::to_string(kWholeDigits)});
+  }
+}
+
 bool is_structure(StatementKind kind) { return kind >= StatementKind::if_begin && kind <= StatementKind::loop_end; }
 
 }  // namespace
@@ -125,6 +140,7 @@ void check_limits(const Check& check) {
   }
   check_indices(check);
   check_based_numbers(check);
+  check_digits(check);
 }
 
 }  // namespace dripfeed::sinumerik
