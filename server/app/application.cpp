@@ -58,7 +58,7 @@ Application::Application(const Environment& environment)
       lines_(environment.links, environment.make_bus, [this] { keeper_.wake(); }),
       keeper_(store_, lines_, events_, clock_, environment.ballast),
       catalog_(store_, lines_, events_, clock_, documents_),
-      programs_(store_, catalog_, clock_, documents_, environment.ballast),
+      programs_(store_, clock_, documents_, environment.ballast),
       checking_(store_, catalog_, events_, clock_, documents_),
       jobs_(store_, lines_, keeper_, events_, clock_, documents_) {}
 

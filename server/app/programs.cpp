@@ -7,6 +7,7 @@
 
 #include "dialects/compile/dialect.h"
 #include "dialects/text/number.h"
+#include "server/app/catalog.h"
 
 namespace dripfeed::app {
 
@@ -45,9 +46,8 @@ std::uint64_t count_blocks(std::string_view text) {
   return count;
 }
 
-Programs::Programs(store::Store& store, Catalog& catalog, const Clock& clock, const Documents& documents,
-                   const Ballast* ballast)
-    : store_(store), catalog_(catalog), clock_(clock), documents_(documents), ballast_(ballast) {}
+Programs::Programs(store::Store& store, const Clock& clock, const Documents& documents, const Ballast* ballast)
+    : store_(store), clock_(clock), documents_(documents), ballast_(ballast) {}
 
 store::Stamp Programs::stamp(std::string_view actor) const { return {std::string(actor), clock_.wall_ms()}; }
 

@@ -8,9 +8,9 @@
 
 #include "dialects/compile/render.h"
 #include "server/app/ballast.h"
-#include "server/app/catalog.h"
 #include "server/app/documents.h"
 #include "server/app/error.h"
+#include "server/app/ports/clock.h"
 #include "store/store.h"
 
 namespace dripfeed::app {
@@ -33,8 +33,7 @@ struct Rendered {
 
 class Programs {
  public:
-  Programs(store::Store& store, Catalog& catalog, const Clock& clock, const Documents& documents,
-           const Ballast* ballast = nullptr);
+  Programs(store::Store& store, const Clock& clock, const Documents& documents, const Ballast* ballast = nullptr);
 
   // Texts are large, so none is taken while the room for the ledger is given up: all have the error unavailable, too.
   // Errors: invalid (no such dialect, empty).
@@ -50,7 +49,6 @@ class Programs {
   [[nodiscard]] store::Stamp stamp(std::string_view actor) const;
 
   store::Store& store_;
-  Catalog& catalog_;
   const Clock& clock_;
   const Documents& documents_;
   const Ballast* ballast_;

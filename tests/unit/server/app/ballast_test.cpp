@@ -63,7 +63,7 @@ TEST_F(BallastTest, IsTakenBackOnlyWhereThereIsRoomBesideIt) {
 TEST_F(BallastTest, WhatRunsIsFinishedAndNothingNewBegins) {
   Ballast ballast(path(), kSmall);
   Shop shop(database(), nullptr, &ballast);
-  Programs programs(shop.store, shop.catalog, shop.links.clock(), shop.documents, &ballast);
+  Programs programs(shop.store, shop.links.clock(), shop.documents, &ballast);
   shop.add_machine(kLathe);
   shop.add_machine("mill");
   const std::string text = program(100);
