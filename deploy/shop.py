@@ -94,7 +94,9 @@ class Server:
 
     def stop(self):
         self.process.send_signal(signal.SIGTERM)
-        self.process.wait(20)
+        ended = self.process.wait(20)
+        if ended != 0:
+            raise RuntimeError(f"the server ended with {ended}: {(self.data / 'server.log').read_text()[-2000:]}")
 
     def kill(self):
         self.process.kill()
