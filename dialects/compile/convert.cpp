@@ -1,6 +1,7 @@
 // Three ways: the bytes themselves, raise and print, or run, raise and print.
 #include "dialects/compile/convert.h"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -104,19 +105,25 @@ class Converter {
 
   // What the other control would not read is no translation: its length is told at the line that it came from.
   void refuse_long_blocks() {
-    const std::uint32_t most = request_.to.limits.block_length_bytes;
-    const text::Source made("", result_.text);
-    for (std::uint32_t line = 1; most != 0 && line <= made.line_count(); ++line) {
-      if (made.line(line).size() <= most) continue;
-      const std::uint32_t origin = line <= result_.origin_lines.size() ? result_.origin_lines[line - 1] : 0;
-      const std::string_view written = request_.source.line(origin);
-      const auto begin =
-          static_cast<std::uint32_t>(written.empty() ? 0 : written.data() - request_.source.text().data());
-      result_.diagnostics.push_back(ir::diagnose(request_.to, text::DiagnosticId::block_too_long,
-                                                 {begin, begin + static_cast<std::uint32_t>(written.size())},
-                                                 {std::to_string(made.line(line).size()), std::to_string(most)}));
+    const std::size_t most = request_.to.limits.block_length_bytes;
+    if (most == 0) return;
+    std::size_t begin = 0;
+    for (std::size_t line = 0; begin < result_.text.size(); ++line) {
+      const std::size_t end = std::min(result_.text.find('\n', begin), result_.text.size());
+      if (end - begin > most) refuse_long_block(line, end - begin);
+      begin = end + 1;
     }
     if (text::has_error(result_.diagnostics)) result_.text.clear();
+  }
+
+  // `line`: of the translation, from 0.
+  void refuse_long_block(std::size_t line, std::size_t bytes) {
+    const std::uint32_t origin = line < result_.origin_lines.size() ? result_.origin_lines[line] : 0;
+    const std::string_view written = request_.source.line(origin);
+    const auto at = static_cast<std::uint32_t>(written.empty() ? 0 : written.data() - request_.source.text().data());
+    result_.diagnostics.push_back(ir::diagnose(
+        request_.to, text::DiagnosticId::block_too_long, {at, at + static_cast<std::uint32_t>(written.size())},
+        {std::to_string(bytes), std::to_string(request_.to.limits.block_length_bytes)}));
   }
 
   void explicit_blocks(const ir::Program& program) {

@@ -23,11 +23,18 @@ struct Start {
   text::Span first_move;
 };
 
+// A subprogram runs in its caller's modes.
+bool is_subprogram(const ir::Program& program) {
+  return std::ranges::any_of(program.statements, [](const ir::Statement& s) {
+    return s.kind == StatementKind::procedure || s.kind == StatementKind::subprogram_return;
+  });
+}
+
 // What is said up to the first block that moves; nothing when none does or another program may say it.
 std::optional<Start> start_of(const ir::Program& program) {
+  if (is_subprogram(program)) return std::nullopt;
   Start start;
   for (const ir::Statement& s : program.statements) {
-    if (s.kind == StatementKind::procedure || s.kind == StatementKind::subprogram_return) return std::nullopt;
     if (s.kind == StatementKind::call) return std::nullopt;
     if (s.kind != StatementKind::block) continue;
     const ir::Block& block = program.blocks[s.payload];

@@ -77,7 +77,7 @@ Response get_openapi(const Call& call) {
                          .open = route.right == Right::anybody,
                          .paged = route.takes == Takes::page,
                          .if_match = route.takes == Takes::if_match,
-                         .query = route.query});
+                         .query = own_query(route)});
   }
   return json_response(200, json::openapi(described, call.api.version()));
 }

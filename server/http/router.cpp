@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 
 namespace dripfeed::http {
@@ -130,11 +131,13 @@ std::vector<std::string_view> words(std::string_view list) {
 
 std::vector<std::string_view> taken_query(const Route& route) {
   std::vector<std::string_view> names = words(route.takes == Takes::page ? kPageQuery : std::string_view());
-  for (const std::string_view name : words(route.query)) names.push_back(name);
+  std::ranges::copy(own_query(route), std::back_inserter(names));
   return names;
 }
 
 }  // namespace
+
+std::vector<std::string_view> own_query(const Route& route) { return words(route.query); }
 
 std::string_view unknown_query(const Route& route, const Request& request) {
   const std::vector<std::string_view> taken = taken_query(route);

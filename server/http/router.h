@@ -59,6 +59,8 @@ struct Match {
 // A name as one segment of a path, for Location.
 std::string escape_segment(std::string_view name);
 
+// The names in Route::query.
+std::vector<std::string_view> own_query(const Route& route);
 // The first query parameter of the request that the route does not take; "" when there is none.
 std::string_view unknown_query(const Route& route, const Request& request);
 // What it takes, for people: "limit, after, machine" or "none".

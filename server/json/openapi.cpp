@@ -49,11 +49,7 @@ Document parameters_of(const OpenApiRoute& route) {
                           {"schema", {{"type", "integer"}, {"minimum", 1}, {"maximum", 200}}}});
     parameters.push_back(text_parameter("after", "query", false));
   }
-  for (std::string_view names = route.query; !names.empty();) {
-    const std::string_view name = names.substr(0, names.find(' '));
-    parameters.push_back(text_parameter(name, "query", false));
-    names.remove_prefix(std::min(names.size(), name.size() + 1));
-  }
+  for (const std::string_view name : route.query) parameters.push_back(text_parameter(name, "query", false));
   if (route.if_match) parameters.push_back(text_parameter("If-Match", "header", true));
   if (route.method != "GET" && !route.open) parameters.push_back(text_parameter("Idempotency-Key", "header", false));
   return parameters;

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace dripfeed::json {
 
@@ -12,10 +13,10 @@ struct OpenApiRoute {
   std::string_view path;
   std::string_view summary;
   std::string_view right;
-  bool open = false;            // needs no token
-  bool paged = false;           // takes ?limit= and &after=
-  bool if_match = false;        // takes the revision that is changed
-  std::string_view query = {};  // names of other query parameters, with blanks between
+  bool open = false;                         // needs no token
+  bool paged = false;                        // takes ?limit= and &after=
+  bool if_match = false;                     // takes the revision that is changed
+  std::vector<std::string_view> query = {};  // names of other query parameters
 };
 
 std::string openapi(std::span<const OpenApiRoute> routes, std::string_view version);

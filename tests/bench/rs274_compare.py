@@ -106,16 +106,14 @@ class Writer:
         self.peers.append(head + peer_extra)
         for _ in range(self.random.randint(0, 3)):
             self.both(self.go(**self.somewhere("XY")))
-        if self.random.random() < 0.5:
+        if self.random.random() < 0.5 and level == 98:
             self.set_absolute(False)
-            step = f"{word('X', 7 * self.scale)} {word('Y', 2 * self.scale)}"
             # In G91 Z and R count from other planes, so both are said anew.
-            again = f"{word('Z', depth - reference)} {word('R', reference - start)}" if level == 98 else None
-            if again:
-                self.ours.append(f"{step} {again} K3")
-                self.peers.append(f"{step} {again} L3")
-                for axis, by in (("X", 7), ("Y", 2)):
-                    self.at[axis] += 3 * round(by * self.scale, 4)
+            again = f"{word('X', 7 * self.scale)} {word('Y', 2 * self.scale)} {word('Z', depth - reference)} {word('R', reference - start)}"
+            self.ours.append(f"{again} K3")
+            self.peers.append(f"{again} L3")
+            for axis, by in (("X", 7), ("Y", 2)):
+                self.at[axis] += 3 * round(by * self.scale, 4)
             self.set_absolute(True)
         self.both("G80")
         self.both(f"G0 {self.go(Z=start)}")

@@ -189,6 +189,20 @@ TEST(Pitfalls, OfTranslation) {
   }
 }
 
+// 2: a subprogram runs in its caller's modes, so none is put in front of it.
+TEST(Pitfalls, ASubprogramIsGivenNoModes) {
+  ConvertRequest request;
+  request.source = text::Source("sub", "%\nO1000\nG01 X1. F100.\nY2.\nM99\n%\n");
+  request.from = control(std::string(kF), ir::MachineKind::mill);
+  for (const std::string_view to : {kS, kM}) {
+    request.to = control(std::string(to), ir::MachineKind::mill);
+    const ConvertResult result = convert(request);
+    ASSERT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, request.source);
+    EXPECT_EQ(result.text.find("G90"), std::string::npos) << result.text;
+    EXPECT_EQ(result.text.find("G17"), std::string::npos) << result.text;
+  }
+}
+
 // 4: a fourth level of loops where there are three.
 TEST(Pitfalls, LoopsAreUnnestedWhereTheyMayNotBeSoDeep) {
   std::string text(kMillF);
