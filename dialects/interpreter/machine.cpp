@@ -318,9 +318,7 @@ bool Machine::convert(const Instruction& i) {
 void Machine::begin_block(const Instruction& i) {
   if (options_.observer != nullptr && executed_ > 0) [[unlikely]]
     tell_block();
-  if (!stack_.program().keeps_place) out_.place.line = i.a;
-  out_.place.ordinal = executed_++;
-  begun_ = out_.place;
+  begin_place(stack_.program().keeps_place ? out_.place.line : i.a);
   const Work& work = stack_.program().works[i.b];
   ++out_.work.blocks;
   state_.clock_ms += control_.cost.block_ms;

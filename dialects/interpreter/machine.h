@@ -41,6 +41,12 @@ class Machine {
   bool settle(const Instruction& i, Outcome outcome, std::string_view function, double argument);
   bool convert(const Instruction& i);
 
+  // Field by field into both: a copy of the whole would wait for the fields that were just written.
+  void begin_place(std::uint32_t line) {
+    out_.place.line = begun_.line = line;
+    out_.place.ordinal = begun_.ordinal = executed_++;
+    begun_.program = out_.place.program;
+  }
   void begin_block(const Instruction& i);
   bool follow(Flow flow, const Instruction& i, std::uint32_t& next);
   bool jump(const Instruction& i, std::uint32_t& next);

@@ -55,9 +55,7 @@ bool Machine::run_plain_blocks(PlainStream& stream, CompiledProgram& plain) {
       const auto offset = static_cast<std::uint32_t>(row.offset);
       plain.spans.front() = {offset, offset + row.length};
       if (executed_ == options_.limits.blocks) return report_.fail_limit(here, "blocks");
-      out_.place.line = row.line;
-      out_.place.ordinal = executed_++;
-      begun_ = out_.place;
+      begin_place(row.line);
       ++out_.work.blocks;
       state_.clock_ms += control_.cost.block_ms;
       for (; report != batch->reports.end() && report->block == n; ++report)

@@ -8,11 +8,18 @@ namespace dripfeed::text {
 
 namespace {
 
+// The next byte of an EOB; the text's size when there is none. Not find_first_of: that is a call of memchr for each
+// byte.
+std::size_t find_eob(std::string_view text, std::size_t offset) {
+  const auto begin = text.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text.size()));
+  return static_cast<std::size_t>(std::find_if(begin, text.end(), [](char c) { return c == '\n' || c == '\r'; }) -
+                                  text.begin());
+}
+
 // Lengths of the EOBs in one scan. LF CR CR is looked for before LF, because its first byte is one.
 std::vector<std::uint32_t> find_line_starts(std::string_view text) {
   std::vector<std::uint32_t> starts = {0};
-  std::size_t offset = 0;
-  while ((offset = text.find_first_of("\r\n", offset)) != std::string_view::npos) {
+  for (std::size_t offset = find_eob(text, 0); offset < text.size(); offset = find_eob(text, offset)) {
     offset += eob_length(text, offset);
     starts.push_back(static_cast<std::uint32_t>(offset));
   }
@@ -49,7 +56,7 @@ std::string_view Source::line(std::uint32_t number) const {
   if (number == 0 || number > line_starts_.size()) return {};
   const std::uint32_t start = line_starts_[number - 1];
   const std::string_view rest = text().substr(start);
-  return rest.substr(0, rest.find_first_of("\r\n"));
+  return rest.substr(0, find_eob(rest, 0));
 }
 
 std::uint32_t Source::line_count() const {
