@@ -74,6 +74,8 @@ class Machine {
   void set_inputs(const CompiledProgram& main);
   [[nodiscard]] bool takes_feed_from_caller(const CompiledProgram& main) const;
   void name_unset_inputs(const CompiledProgram& main);
+  void name_missing_arguments();
+  void name_input(const ir::Program& source, const ir::Variable& variable);
   void tell(std::string_view name, double value);
   void tell_rare(const Instruction& i);
   void tell_block();

@@ -1,6 +1,7 @@
 // What a run takes from outside its program: definition files, a state, parameters and feed of a caller that is not
 // there; and which inputs it lacked.
 #include <algorithm>
+#include <bitset>
 
 #include "dialects/interpreter/machine.h"
 #include "dialects/interpreter/unknown.h"
@@ -35,18 +36,41 @@ void Machine::set_inputs(const CompiledProgram& main) {
   state_.feed_unknown = main.has_procedure;
 }
 
-// What the main program reads and nobody has set by the end.
+// Parameters that the main program names and nobody has set by the end.
 void Machine::name_unset_inputs(const CompiledProgram& main) {
   if (main.source == nullptr) return;
-  const ir::Program& source = *main.source;
-  for (const ir::Variable& variable : source.variables) {
+  for (const ir::Variable& variable : main.source->variables) {
     if (variable.bank != ir::Bank::r || variable.index != ir::ExpressionId::none) continue;
     const Slot slot = variables_.find(variable.bank, variable.number);
     if (slot.kind != SlotKind::global || !is_vacant(storage_.global_at(slot.index))) continue;
     out_.place.program = 0;
-    out_.place.line = source.source.position(variable.span.begin).line;
-    report_.count({.name = variable_name(variable.bank, variable.number), .is_input = true});
+    name_input(*main.source, variable);
   }
+}
+
+// Where a macro ended by an alarm: the local variables that it names, never sets and was not given. Run by itself it
+// has no caller to give them.
+void Machine::name_missing_arguments() {
+  const ir::Program* const source = stack_.program().source;
+  if (source == nullptr) return;
+  constexpr std::uint32_t kHighestArgument = 33;
+  std::bitset<kHighestArgument + 1> passed_over = 1;  // #0 is no argument
+  for (const ir::Assign& assign : source->assigns) {
+    const ir::Variable& target = source->variables[static_cast<std::uint32_t>(assign.target)];
+    if (target.index == ir::ExpressionId::none && target.number <= kHighestArgument) passed_over.set(target.number);
+  }
+  for (const ir::Variable& variable : source->variables) {
+    if (variable.bank != ir::Bank::hash || variable.index != ir::ExpressionId::none) continue;
+    if (variable.number > kHighestArgument || passed_over[variable.number]) continue;
+    const Slot slot = variables_.find(variable.bank, variable.number);
+    if (slot.kind != SlotKind::local || !is_vacant(storage_.local_at(storage_.bases().local + slot.index))) continue;
+    name_input(*source, variable);
+  }
+}
+
+void Machine::name_input(const ir::Program& source, const ir::Variable& variable) {
+  out_.place.line = source.source.position(variable.span.begin).line;
+  report_.count({.name = variable_name(variable.bank, variable.number), .is_input = true});
 }
 
 void Machine::set_initial_values(const CompiledProgram& main) {

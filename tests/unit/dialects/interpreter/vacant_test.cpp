@@ -43,6 +43,25 @@ TEST(Vacant, CopyStaysVacantAndArithmeticTakesZero) {
   EXPECT_EQ(result_with(true, root), 0.0);
 }
 
+// A macro that is run without its caller: what it was not given is named where it ends by an alarm, and only there.
+TEST(Vacant, MissingArgumentsAreNamedAtAnAlarm) {
+  const auto inputs_of = [](bool alarm) {
+    Builder b;
+    b.assign(Builder::hash(3), b.read(Builder::hash(1)));  // #3 stays vacant, but it is the macro's own
+    b.assign(Builder::hash(100),
+             b.apply(Operator::divide, b.number(1), alarm ? b.read(Builder::hash(7)) : b.number(1)));
+    b.end();
+    const Ran ran = run_program(b.build(), mill_control());
+    EXPECT_EQ(ran.result.ended, alarm ? interpreter::Ended::alarm : interpreter::Ended::end);
+    std::vector<std::string> names;
+    for (const auto& one : ran.result.not_interpreted)
+      if (one.is_input) names.push_back(one.name);
+    return names;
+  };
+  EXPECT_EQ(inputs_of(true), (std::vector<std::string>{"#1", "#7"}));
+  EXPECT_EQ(inputs_of(false), std::vector<std::string>{});
+}
+
 TEST(Vacant, Comparisons) {
   struct Row {
     Operator op;
