@@ -26,7 +26,13 @@ using ir::Operator;
 using ir::StatementKind;
 
 constexpr std::string_view kWholeAddresses = "DHLNOPT";  // take no decimal point
-constexpr std::int16_t kLastPlainOffset = 6;             // G59
+
+// Where increments have letters, H is that of C and no number of a length offset.
+bool is_increment_of_c(const ir::Control& control) {
+  return control.semantics.incremental_letters_uvw && control.axes.contains('C') && !control.axes.contains('H');
+}
+
+constexpr std::int16_t kLastPlainOffset = 6;  // G59
 constexpr int kComputedDecimals = 4;
 constexpr int kWrittenDecimals = 6;
 
@@ -212,7 +218,9 @@ std::string ProgramPrinter::word(const ir::Word& word) const {
   }
   const ir::Expression& value = program_.at(word.value);
   if (value.op != Operator::constant) return out + expressions_.word_value(word.value);
-  const bool whole = kWholeAddresses.contains(out.front()) || (out == "S" && value.value == std::floor(value.value));
+  const bool is_axis = word.address == Address::h && is_increment_of_c(control_);
+  const bool whole =
+      (kWholeAddresses.contains(out.front()) && !is_axis) || (out == "S" && value.value == std::floor(value.value));
   // T0606: two digits each for the tool and its offset.
   const bool pairs = out == "T" && control_.semantics.tool_word == ir::ToolWord::number_and_offset;
   if (whole) return out + fmt::format("{:0{}}", std::llround(value.value), pairs ? 4 : 0);

@@ -1,7 +1,7 @@
 // Real programs of other people against the readers and validators: for every file of DIR/<dialect>/ the tokens tile
-// the bytes, the same dialect converts to the same bytes, no truncation stops a reader, and the validator ends. Prints,
-// for each dialect, how many files have no error and how often each diagnostic came. What a diagnostic is worth is for
-// a person to judge, from the list:
+// the bytes, the same dialect converts to the same bytes, no truncation stops a reader, and the validator ends; what is
+// printed anew makes the same motions. Prints, for each dialect, how many files have no error and how often each
+// diagnostic came. What a diagnostic is worth is for a person to judge, from the list:
 //
 //   DRIPFEED_CORPUS=DIR ctest --test-dir build/dev -R real_programs -V
 //   build/dev/real_programs DIR [--list FILE] [--only PART] [--broken PART]...
@@ -30,6 +30,7 @@
 #include "dialects/compile/convert.h"
 #include "dialects/compile/dialect.h"
 #include "dialects/text/number.h"
+#include "tests/corpus/reprint.h"
 
 namespace {
 
@@ -129,6 +130,9 @@ class Corpus {
     std::vector<text::Diagnostic> found = std::move(read.diagnostics);
     std::ranges::move(dialect.validate(read.program, control, ir::Delivery::memory), std::back_inserter(found));
     const compile::ConvertRequest same{.source = source, .from = control, .to = control};
+    if (!text::has_error(found)) {
+      if (const auto fault = corpus::reprint_fault(source, read.program, dialect, control)) complain(name, *fault);
+    }
     if (compile::convert(same).text != source.text()) complain(name, "the same dialect converts to other bytes");
     cut(source, dialect, control);
     count(source, found, tally);
