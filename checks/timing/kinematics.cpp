@@ -105,6 +105,12 @@ double minutes_per_turn(const ir::Motion& motion, bool x_is_diameter, double spi
   return (inverse_speed_integral(to, floor, k) - inverse_speed_integral(from, floor, k)) / (to - from);
 }
 
+// A profile may say anything above zero: what is next to nothing would make times that are no numbers.
+double limit_of(double value) {
+  constexpr double kLeast = 1e-6;
+  return std::clamp(value, kLeast, kNoLimit);
+}
+
 }  // namespace
 
 AxisRates rates_of(const checks::Machine& machine) {
@@ -113,16 +119,18 @@ AxisRates rates_of(const checks::Machine& machine) {
   rates.rapid.fill(kNoLimit);
   rates.feed.fill(kNoLimit);
   rates.acceleration.fill(kNoLimit);
+  rates.jerk.fill(kNoLimit);
   rates.rapid_known = rates.acceleration_known = !machine.axes.empty();
   for (const checks::MachineAxis& axis : machine.axes) {
     const auto i = static_cast<std::size_t>(axis.axis);
-    if (axis.rapid_mm_min > 0.0) rates.rapid[i] = axis.rapid_mm_min * kPerSecond;
-    rates.feed[i] = axis.feed_limit_mm_min > 0.0 ? axis.feed_limit_mm_min * kPerSecond : rates.rapid[i];
-    if (axis.acceleration_mm_s2 > 0.0) rates.acceleration[i] = axis.acceleration_mm_s2;
+    if (axis.rapid_mm_min > 0.0) rates.rapid[i] = limit_of(axis.rapid_mm_min * kPerSecond);
+    rates.feed[i] = axis.feed_limit_mm_min > 0.0 ? limit_of(axis.feed_limit_mm_min * kPerSecond) : rates.rapid[i];
+    if (axis.acceleration_mm_s2 > 0.0) rates.acceleration[i] = limit_of(axis.acceleration_mm_s2);
+    if (axis.jerk_mm_s3 > 0.0) rates.jerk[i] = limit_of(axis.jerk_mm_s3);
     rates.rapid_known = rates.rapid_known && axis.rapid_mm_min > 0.0;
     rates.acceleration_known = rates.acceleration_known && axis.acceleration_mm_s2 > 0.0;
   }
-  if (machine.feed_limit_mm_min > 0.0) rates.feed_limit = machine.feed_limit_mm_min * kPerSecond;
+  if (machine.feed_limit_mm_min > 0.0) rates.feed_limit = limit_of(machine.feed_limit_mm_min * kPerSecond);
   rates.sample_s = machine.timing.sample_time_ms * 1e-3;
   return rates;
 }
@@ -155,6 +163,16 @@ double speed_limit(const PathShape& shape, const AxisRates& rates, bool is_rapid
 double path_acceleration(const PathShape& shape, const AxisRates& rates) {
   const double acceleration = along(shape, rates.acceleration);
   return shape.plane_share > 0.0 ? acceleration * std::numbers::sqrt2 / 2.0 : acceleration;
+}
+
+double path_jerk(const PathShape& shape, const AxisRates& rates) { return along(shape, rates.jerk); }
+
+double mean_acceleration(double acceleration, double jerk, double speed) {
+  if (!(jerk < kNoLimit) || !(acceleration < kNoLimit) || !(speed > 0.0)) return acceleration;
+  // Below a²/j the acceleration is not reached: two parts of the time sqrt(v/j) each.
+  const bool reaches = speed * jerk >= acceleration * acceleration;
+  const double ramp_s = reaches ? speed / acceleration + acceleration / jerk : 2.0 * std::sqrt(speed / jerk);
+  return speed / ramp_s;
 }
 
 double corner_speed2(const AxisVector& before, const AxisVector& after, const AxisRates& rates) {

@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "checks/machine.h"
-#include "checks/timing/planner.h"
+#include "checks/timing/piece_arrays.h"
 #include "dialects/ir/motion.h"
 
 namespace dripfeed::timing {
@@ -18,6 +18,7 @@ struct AxisRates {
   AxisVector rapid;
   AxisVector feed;
   AxisVector acceleration;
+  AxisVector jerk;               // per s³; kNoLimit: acceleration may jump
   double feed_limit = kNoLimit;  // mm/s, along the path
   double sample_s = 0.0;         // 0: not known
   bool rapid_known = false;      // of every axis
@@ -42,6 +43,13 @@ PathShape shape_of(const ir::Motion& motion, bool x_is_diameter);
 // acceleration allows, too, which gets half of the square of what the axes can do, the other half is for the path.
 double speed_limit(const PathShape& shape, const AxisRates& rates, bool is_rapid);
 double path_acceleration(const PathShape& shape, const AxisRates& rates);
+
+// The acceleration that takes as long, over as much path, as the ramp from rest to `speed` that is limited by
+// acceleration and jerk (acceleration rises and falls evenly): a long move has its exact time, shorter changes of speed
+// have it nearly. kNoLimit as jerk: the acceleration itself.
+double mean_acceleration(double acceleration, double jerk, double speed);
+// Of the axes' jerk along the path, as path_acceleration.
+double path_jerk(const PathShape& shape, const AxisRates& rates);
 
 // Square of the highest speed at a corner, mm²/s²: within one sample time each axis can change its speed by its
 // acceleration times that time (V1 of the look-ahead in A. Keinert, A. Verl). kNoLimit when a figure is missing.

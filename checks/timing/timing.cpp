@@ -1,5 +1,10 @@
-// From motions to the three times. Motions become pieces of the planner's path; what the plan gives back goes, in order
-// and with what is no move, through the feeder.
+// From motions to the three times. Motions become rows and pieces; a window of them is planned and run as far as its
+// plan is certain. A program that is kept whole is one window.
+//
+// The backward sweep needs the path's end, which a window does not have. So it is done twice: once as if the path ended
+// there at rest, once as if it went on without limit. The truth lies between. Going back, the two meet at the first
+// junction whose own limit is below both, and from there on they are equal bit for bit: certain. Where they never meet
+// (a path that needs more than the window to stop), more is kept.
 #include "checks/timing/timing.h"
 
 #include <algorithm>
@@ -7,223 +12,223 @@
 #include <string>
 #include <utility>
 
-#include "checks/timing/feeder.h"
-#include "checks/timing/kinematics.h"
-#include "checks/timing/planner.h"
-#include "checks/timing/ring.h"
+#include "checks/timing/advice.h"
+#include "checks/timing/execution.h"
+#include "checks/timing/intake.h"
+#include "checks/timing/look_ahead.h"
+#include "checks/timing/sweep.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::timing {
 
 namespace {
 
-constexpr double kStall_s = 1e-6;
+constexpr std::size_t kWindow = 16'384;
+
+SupplySettings supply_of(const Settings& settings) {
+  SupplySettings supply;
+  supply.buffer = settings.machine.buffer;
+  // In the memory nothing but the look-ahead limits how far computing runs ahead of motion.
+  if (!settings.line && supply.buffer.blocks == 0) supply.buffer.blocks = settings.machine.timing.look_ahead_blocks;
+  if (!settings.line) return supply;
+  const double char_s = settings.line->char_s();
+  if (char_s > 0.0 && std::isfinite(char_s)) supply.char_s = char_s;
+  if (settings.line->latency_s > 0.0 && std::isfinite(settings.line->latency_s))
+    supply.latency_s = settings.line->latency_s;
+  return supply;
+}
 
 }  // namespace
 
-class Timing::Work final : public PlanSink {
+class Timing::Work final : public RanSink {
  public:
   explicit Work(Settings settings)
       : settings_(std::move(settings)),
-        rates_(rates_of(settings_.machine)),
-        cost_(settings_.machine.timing.cost.value_or(settings_.cost)),
-        planner_(*this, settings_.machine.timing.look_ahead_blocks),
-        feeder_(buffer_of(settings_), char_s(settings_), settings_.line ? settings_.line->latency_s : 0.0) {
-    report_.cost_is_measured = cost_.measured;
-    bytes_through_.reserve(settings_.line_bytes.size() + 1);
-    bytes_through_.push_back(0);
-    for (const std::uint32_t bytes : settings_.line_bytes) bytes_through_.push_back(bytes_through_.back() + bytes);
-    say_what_is_missing();
+        intake_(settings_, report_),
+        supply_(supply_of(settings_)),
+        execution_(supply_),
+        keeps_whole_(settings_.keep_whole) {
+    report_.is_fed = supply_.char_s > 0.0;
+    rows_.reserve(kWindow);
   }
 
   void add(const ir::Motion& motion);
   Report finish();
 
  private:
-  // What waits for the plan: one entry a motion.
-  struct Item {
-    FedBlock block;
-    bool is_piece = false;  // the plan gives its time
-    bool is_rapid = false;
-  };
-
-  static checks::BufferSize buffer_of(const Settings& settings) {
-    checks::BufferSize buffer = settings.machine.buffer;
-    // In the memory nothing but the look-ahead limits how far computing runs ahead of motion.
-    if (!settings.line && buffer.blocks == 0) buffer.blocks = settings.machine.timing.look_ahead_blocks;
-    return buffer;
-  }
-  static double char_s(const Settings& settings) {
-    return settings.line && settings.line->baud > 0.0 ? settings.line->char_s() : 0.0;
-  }
-
-  void say_what_is_missing();
-  std::uint64_t bytes_of(const ir::Place& place);
-  void add_move(const ir::Motion& motion, Item& item);
-  double event_seconds(const ir::Motion& motion);
-  void planned(double duration_s, double start, double end) override;
-  void drain();
-  void feed(const Item& item);
+  bool ran(const Row& row, const Ran& how) override;
+  void count_stall(const Row& row, const Ran& how);
+  void run_window();
+  void count_motion(std::size_t rows);
+  void run_rest();
 
   Settings settings_;
-  AxisRates rates_;
-  ir::CostModel cost_;
-  Planner planner_;
-  Feeder feeder_;
   Report report_;
-  Ring<Item> items_;
-  std::vector<std::uint64_t> bytes_through_;  // of the lines 1 .. index
-  std::uint32_t line_sent_ = 0;
-  std::uint64_t last_ordinal_ = 0;
-  std::uint32_t last_program_ = 0;
-  bool first_ = true;
-  AxisVector direction_{};  // at the end of the last move
-  bool rests_ = true;       // the next move starts from rest
-  bool was_rapid_ = false;
-  std::int32_t tool_ = -1;
+  Intake intake_;
+  SupplySettings supply_;
+  Execution execution_;
+  bool keeps_whole_;
+  Rows rows_;
+  PieceArrays pieces_;
+  std::vector<double> feed_mm_s_;  // with keeps_whole_ alone
+  std::vector<double> limit_mm_s_;
+  std::size_t wanted_ = kWindow;
+  SpeedPlan plan_;
+  std::vector<double> high2_;
+  std::vector<double> sums_;
+  double speed2_ = 0.0;  // of the plan, at the first kept piece
+  double ran_s_ = 0.0;   // rows' durations as they ran
+  bool began_ = false;
+  StretchList stretches_;
 };
 
-void Timing::Work::say_what_is_missing() {
-  const auto say = [&](const char* sentence) { report_.not_checked.add(sentence); };
-  if (!rates_.rapid_known) say("the rapid speed of an axis is not known: its rapid moves take no time");
-  if (!rates_.acceleration_known) say("the acceleration of an axis is not known: it reaches every speed at once");
-  if (!(rates_.sample_s > 0.0)) say("the sample time is not known: corners take no time");
-  if (!(ir::compute_ms(cost_, {1, 1, 1, 1, 1}) > 0.0))
-    say("what a block costs the control is not known: computing takes no time");
-  const bool has_size = settings_.machine.buffer.bytes > 0 || settings_.machine.buffer.blocks > 0;
-  if (settings_.line && !has_size) say("the control's buffer is not known: it is taken as without limit");
-  if (settings_.line && settings_.line_bytes.empty())
-    say("the length of the lines is not known: the line takes no time");
-}
-
-// Bytes that went over the line for this block: its own line, and those before it that no motion came from.
-std::uint64_t Timing::Work::bytes_of(const ir::Place& place) {
-  if (!settings_.line || place.program != 0 || place.line <= line_sent_) return 0;
-  const auto last = std::min<std::size_t>(place.line, bytes_through_.size() - 1);
-  const std::size_t before = std::min<std::size_t>(line_sent_, last);
-  line_sent_ = place.line;
-  return bytes_through_[last] - bytes_through_[before];
-}
-
-double Timing::Work::event_seconds(const ir::Motion& motion) {
-  switch (motion.kind) {
-    case ir::MotionKind::dwell: rests_ = true; return std::max(0.0, motion.feed);
-    case ir::MotionKind::tool: {
-      rests_ = true;
-      const bool changes = motion.number != std::exchange(tool_, motion.number);
-      return changes ? settings_.machine.timing.tool_change_s : 0.0;
-    }
-    case ir::MotionKind::stop:
-      report_.not_checked.add("the program stops and waits for the operator: that time is not counted",
-                              motion.place.line);
-      rests_ = true;
-      return 0.0;
-    case ir::MotionKind::spindle:
-    case ir::MotionKind::coolant:
-    case ir::MotionKind::end: rests_ = true; return 0.0;
-    case ir::MotionKind::offset:
-    case ir::MotionKind::comp:
-    case ir::MotionKind::message:
-    case ir::MotionKind::rapid:
-    case ir::MotionKind::linear:
-    case ir::MotionKind::arc_cw:
-    case ir::MotionKind::arc_ccw:
-    case ir::MotionKind::spline:
-    case ir::MotionKind::thread: return 0.0;
-  }
-  return 0.0;
-}
-
-void Timing::Work::add_move(const ir::Motion& motion, Item& item) {
-  const std::uint32_t line = motion.place.line;
-  if (motion.axes_unknown != 0) {
-    report_.not_checked.add("a move starts at a place that is not known: its way is not counted", line);
-  }
-  const PathShape shape = shape_of(motion, settings_.x_is_diameter);
-  if (!(shape.length > 0.0)) {
-    rests_ = rests_ || motion.exact_stop;
-    return;
-  }
-  item.is_rapid = motion.kind == ir::MotionKind::rapid;
-  double speed = speed_limit(shape, rates_, item.is_rapid);
-  if (!item.is_rapid) {
-    const double feed = feed_speed(motion, shape, settings_.x_is_diameter, settings_.machine.spindle_max_rpm);
-    if (!(feed > 0.0)) {
-      report_.not_checked.add(
-          "a move has no feed, or a feed per revolution and no spindle speed: its time is not counted", line);
-      rests_ = true;
-      return;
-    }
-    speed = std::min(speed, feed);
-  }
-  // Rapids are ended before anything else begins, threads begin in step with the spindle.
-  const bool is_thread = motion.kind == ir::MotionKind::thread;
-  const bool from_rest = rests_ || item.is_rapid || was_rapid_ || is_thread;
-  const double corner2 = from_rest ? 0.0 : corner_speed2(direction_, shape.start_direction, rates_);
-  item.is_piece = true;
-  report_.path_mm += shape.length;
-  direction_ = shape.end_direction;
-  was_rapid_ = item.is_rapid;
-  rests_ = motion.exact_stop || is_thread;
-  planner_.append({shape.length, std::min(speed * speed, kNoLimit), corner2, path_acceleration(shape, rates_)});
-}
-
 void Timing::Work::add(const ir::Motion& motion) {
-  Item item;
-  item.block.line = motion.place.line;
-  item.block.is_new = first_ || motion.place.ordinal != last_ordinal_ || motion.place.program != last_program_;
-  item.block.bytes = bytes_of(motion.place);
-  item.block.compute_s = ir::compute_ms(cost_, motion.compute) * 1e-3;
-  first_ = false;
-  last_ordinal_ = motion.place.ordinal;
-  last_program_ = motion.place.program;
-  report_.blocks = std::max(report_.blocks, motion.place.ordinal + 1);
-  report_.compute_s += item.block.compute_s;
-  if (ir::is_move(motion.kind)) {
-    // The piece may give out those before it, never itself: so its item may come after.
-    add_move(motion, item);
+  const Intaken taken = intake_.take(motion);
+  if (taken.piece) {
+    pieces_.push_back(*taken.piece);
+    if (keeps_whole_) {
+      feed_mm_s_.push_back(taken.feed_mm_s);
+      limit_mm_s_.push_back(taken.limit_mm_s);
+    }
+  }
+  rows_.push_back(taken.row);
+  if (keeps_whole_ && rows_.size() > kMostKept) {
+    keeps_whole_ = false;
+    report_.not_checked.add("the program is too long to be kept whole: no curve, and no advice");
+    report_.curve = {};
+    feed_mm_s_ = {};
+    limit_mm_s_ = {};
+  }
+  if (!keeps_whole_ && rows_.size() >= wanted_) run_window();
+}
+
+void Timing::Work::run_window() {
+  const std::size_t count = pieces_.size();
+  const Range all{0, count};
+  plan_.speed2.resize(count + 1);
+  junction_limits(pieces_, all, plan_.speed2.data());
+  plan_.speed2[count] = 0.0;
+  change_sums(pieces_, sums_);
+  const std::size_t seen = settings_.machine.timing.look_ahead_blocks;
+  if (seen > 0) {
+    // What ends behind the window is not limited by it.
+    horizon_limits(sums_.data(), count, seen, {0, count > seen ? count - seen : 0}, plan_.speed2.data());
+  }
+  high2_ = plan_.speed2;
+  sweep_back(pieces_, all, 0.0, plan_.speed2.data());
+  sweep_back(pieces_, all, kNoLimit, high2_.data());
+  std::size_t certain = count;
+  while (certain > 0 && (certain == count || plan_.speed2[certain] != high2_[certain])) --certain;
+  if (count > 0) {
+    plan_.speed2[0] = speed2_;
+    sweep_ahead(pieces_, {0, certain + 1}, plan_.speed2.data());
+  }
+  const std::size_t ran = execution_.run({rows_, pieces_, plan_.speed2, sums_, certain, false}, *this);
+  const std::size_t pieces = execution_.pieces_run();
+  count_motion(ran);
+  speed2_ = count > 0 ? plan_.speed2[pieces] : 0.0;
+  rows_.erase(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(ran));
+  pieces_.erase_front(pieces);
+  execution_.drop_front(ran, pieces);
+  // Seldom less than half: otherwise the sweeps would be repeated over the same pieces too often.
+  wanted_ = std::max(kWindow, 2 * rows_.size());
+}
+
+// The plan's own times of the first rows, as if nothing had to be waited for.
+void Timing::Work::count_motion(std::size_t rows) {
+  std::size_t piece = 0;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const Row& row = rows_[i];
+    double duration_s = row.event_s;
+    if (row.is_piece) {
+      const Piece p{pieces_.length[piece], pieces_.speed2[piece], 0.0, pieces_.acceleration[piece]};
+      duration_s = trapezoid_of(p, plan_.speed2[piece], plan_.speed2[piece + 1]).duration_s;
+      ++piece;
+    }
+    if (row.is_rapid) report_.rapid_s += duration_s;
+    report_.motion_s += duration_s;
+  }
+}
+
+void Timing::Work::run_rest() {
+  change_sums(pieces_, sums_);
+  const LookAhead look_ahead{settings_.machine.timing.look_ahead_blocks, settings_.threads};
+  if (speed2_ > 0.0) {
+    // Begins in motion: the plan from rest would not do.
+    plan_.speed2.resize(pieces_.size() + 1);
+    const Range all{0, pieces_.size()};
+    junction_limits(pieces_, all, plan_.speed2.data());
+    if (look_ahead.blocks > 0)
+      horizon_limits(sums_.data(), pieces_.size(), look_ahead.blocks, all, plan_.speed2.data());
+    plan_.speed2.back() = 0.0;
+    sweep_back(pieces_, all, 0.0, plan_.speed2.data());
+    plan_.speed2[0] = speed2_;
+    sweep_ahead(pieces_, all, plan_.speed2.data());
   } else {
-    item.block.motion_s = event_seconds(motion);
-    if (rests_) planner_.finish();
+    plan_path(pieces_, look_ahead, plan_);
   }
-  items_.push_back(item);
-  drain();
+  execution_.run({rows_, pieces_, plan_.speed2, sums_, pieces_.size(), true}, *this);
+  count_motion(rows_.size());
 }
 
-void Timing::Work::planned(double duration_s, double /*start*/, double /*end*/) {
-  drain();
-  Item& item = items_.front();  // every piece given out has its item here, and drain() stopped at it
-  item.block.motion_s = duration_s;
-  if (item.is_rapid) report_.rapid_s += duration_s;
-  feed(item);
-  items_.pop_front();
-}
-
-// What waits for no plan, up to the first piece.
-void Timing::Work::drain() {
-  while (!items_.empty() && !items_.front().is_piece) {
-    feed(items_.front());
-    items_.pop_front();
+bool Timing::Work::ran(const Row& row, const Ran& how) {
+  ran_s_ += how.duration_s;
+  if (!began_ && how.duration_s > 0.0) {
+    began_ = true;
+    report_.first_move_s = how.start_s;
+    if (report_.is_fed) {
+      report_.lowest_buffer_bytes = how.buffered_bytes;
+      report_.lowest_buffer_blocks = how.buffered_blocks;
+    }
   }
+  if (how.limiter != Limiter::motion) count_stall(rows_[how.late_row], how);
+  if (report_.is_fed && began_ && !how.all_arrived) {
+    report_.lowest_buffer_bytes = std::min(report_.lowest_buffer_bytes, how.buffered_bytes);
+    report_.lowest_buffer_blocks = std::min(report_.lowest_buffer_blocks, how.buffered_blocks);
+  }
+  stretches_.add(how.limiter, row.line, how.start_s - how.waited_s, how.waited_s + how.duration_s);
+  if (settings_.wants_curve && keeps_whole_) {
+    const auto point = [&](double time_s, double speed_mm_s) {
+      report_.curve.push_back({time_s, speed_mm_s, how.buffered_bytes, how.buffered_blocks});
+    };
+    point(how.start_s, how.start_mm_s);
+    if (how.peak_mm_s > std::max(how.start_mm_s, how.end_mm_s))
+      point(how.start_s + 0.5 * how.duration_s, how.peak_mm_s);
+    if (!(how.end_mm_s > 0.0)) point(how.start_s + how.duration_s, 0.0);
+  }
+  return true;
 }
 
-void Timing::Work::feed(const Item& item) {
-  report_.motion_s += item.block.motion_s;
-  const double waited_s = feeder_.feed(item.block);
-  if (waited_s <= kStall_s) return;
-  if (report_.stalls++ == 0) report_.first_stall_line = item.block.line;
-  report_.stall_s += waited_s;
-  report_.findings.add(text::DiagnosticId::line_starves, {0, item.block.line, 0}, waited_s, 0.0,
-                       [&] { return std::vector<std::string>{text::format_fixed(waited_s, 3)}; });
+void Timing::Work::count_stall(const Row& row, const Ran& how) {
+  if (report_.stalls++ == 0) {
+    report_.first_stall_line = row.line;
+    report_.first_stall_at_s = how.start_s - how.waited_s;
+  }
+  report_.standstill_s += how.waited_s;
+  if (how.waited_s > report_.longest_stall_s) {
+    report_.longest_stall_s = how.waited_s;
+    report_.longest_stall_line = row.line;
+  }
+  const double lost_s = how.waited_s + how.lost_s;
+  report_.findings.add(text::DiagnosticId::line_starves, {0, row.line, 0}, lost_s, 0.0,
+                       [&] { return std::vector<std::string>{text::format_fixed(lost_s, 3)}; });
 }
 
 Report Timing::Work::finish() {
-  planner_.finish();
-  drain();
-  if (settings_.line && settings_.line->baud > 0.0) {
-    report_.line_s = settings_.line->latency_s + static_cast<double>(bytes_through_.back()) * settings_.line->char_s();
+  run_rest();
+  if (report_.is_fed) {
+    report_.line_s = supply_.latency_s + static_cast<double>(intake_.all_bytes()) * supply_.char_s;
   }
-  report_.cycle_s = feeder_.end_s();
+  stretches_.finish();
+  report_.stretches = stretches_.list();
+  report_.stretch_count = stretches_.count();
+  report_.limited_s = stretches_.sums_s();
+  report_.cycle_s = execution_.end_s();
+  report_.stall_s = std::max(0.0, report_.standstill_s + ran_s_ - report_.motion_s);
+  if (keeps_whole_ && report_.stalls > 0) {
+    report_.advice = advise({rows_, pieces_, feed_mm_s_, limit_mm_s_}, supply_, settings_.line,
+                            settings_.machine.timing.look_ahead_blocks, settings_.threads);
+  }
   return std::move(report_);
 }
 

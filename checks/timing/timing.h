@@ -4,6 +4,8 @@
 // and what the line does otherwise, is left to others.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -12,6 +14,7 @@
 
 #include "checks/finding.h"
 #include "checks/machine.h"
+#include "checks/timing/limiters.h"
 #include "dialects/ir/cost_model.h"
 #include "dialects/ir/motion.h"
 
@@ -33,6 +36,29 @@ struct Settings {
   std::optional<Line> line = {};  // nothing: the program lies in the control's memory
   // Bytes on the wire of each line of the main program, its EOB included, line 1 first. Needed with a line.
   std::vector<std::uint32_t> line_bytes = {};
+  bool limit_jerk = true;  // where the machine has one
+  // The whole program is kept (about 100 bytes a block) instead of a window of it: for `advice`, and for `curve`.
+  // Programs of more than kMostKept blocks are not, and say so.
+  bool keep_whole = false;
+  bool wants_curve = false;
+  unsigned threads = 1;  // for plans of whole programs
+};
+inline constexpr std::size_t kMostKept = 20'000'000;
+
+// What would keep the machine from waiting. Nothing where it does not wait, or where nothing within reach helps.
+struct Advice {
+  std::optional<double> feed_share = {};     // of the programmed feeds, all reduced alike
+  std::optional<double> feed_mm_min = {};    // the highest programmed feed, reduced so
+  std::optional<double> baud = {};           // lowest that does
+  std::optional<double> standard_baud = {};  // the next usual one
+};
+
+// A place of the run: speed and what lay in the control's buffer.
+struct CurvePoint {
+  double time_s = 0.0;
+  double speed_mm_s = 0.0;
+  std::uint64_t buffered_bytes = 0;
+  std::uint64_t buffered_blocks = 0;
 };
 
 struct Report {
@@ -40,10 +66,23 @@ struct Report {
   double cycle_s = 0.0;      // from start to the end of the last move, all waiting included
   double motion_s = 0.0;     // moves, dwells and tool changes alone
   double compute_s = 0.0;
-  double line_s = 0.0;       // of all bytes, without waiting for the control
-  std::uint64_t stalls = 0;  // moves that began late because the control had no block
-  double stall_s = 0.0;
+  double line_s = 0.0;        // of all bytes, without waiting for the control
+  std::uint64_t stalls = 0;   // blocks at which time was lost because the control did not have the next one in time
+  double stall_s = 0.0;       // the time lost; cycle_s = first_move_s + motion_s + stall_s
+  double standstill_s = 0.0;  // of it, without moving; the rest went into braking, creeping and starting again
   std::uint32_t first_stall_line = 0;  // 0: none
+  double first_stall_at_s = 0.0;
+  double longest_stall_s = 0.0;  // standing still
+  std::uint32_t longest_stall_line = 0;
+  double first_move_s = 0.0;              // until then the machine waits for its first block
+  bool is_fed = false;                    // over a line; otherwise no buffer was watched
+  std::uint64_t lowest_buffer_bytes = 0;  // whole blocks in the control, from the first move until all was sent
+  std::uint64_t lowest_buffer_blocks = 0;
+  std::array<double, kLimiters> limited_s{};  // by Limiter
+  std::vector<Stretch> stretches;
+  std::size_t stretch_count = 0;  // also those that the list has no room for
+  Advice advice;
+  std::vector<CurvePoint> curve;
   double path_mm = 0.0;
   double rapid_s = 0.0;           // of motion_s
   bool cost_is_measured = false;  // otherwise compute_s is an assumption

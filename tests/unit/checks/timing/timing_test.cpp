@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -55,6 +57,12 @@ class Program {
 };
 
 using enum ir::MotionKind;
+
+struct BufferCase {
+  double baud;
+  checks::BufferSize buffer;
+  std::uint32_t look_ahead;
+};
 
 TEST(Timing, OneMoveIsATrapezoid) {
   Program program;
@@ -171,12 +179,136 @@ TEST(Timing, TheLineStarvesShortMovesAndTheFirstIsNamed) {
   settings.machine.buffer = {0, 30};
   const Report report = program.run(settings);
   EXPECT_GT(report.stalls, 0U);
+  // 100 mm take 1.1 s from rest to rest: 40 blocks come meanwhile, and the buffer holds 30.
   EXPECT_GT(report.first_stall_line, 30U);
+  EXPECT_LT(report.first_stall_line, 61U);
   EXPECT_NEAR(report.line_s, 61 * 24 * 11.0 / 9600, 1e-9);
-  EXPECT_NEAR(report.cycle_s, report.motion_s + report.stall_s + 24 * 11.0 / 9600, 1e-9);
+  EXPECT_NEAR(report.first_move_s, 24 * 11.0 / 9600, 1e-12);
+  EXPECT_NEAR(report.cycle_s, report.motion_s + report.stall_s + report.first_move_s, 1e-9);
+  EXPECT_EQ(report.lowest_buffer_blocks, 0U);
+  EXPECT_GT(report.limited_s[static_cast<std::size_t>(Limiter::line)], 0.2);
   EXPECT_EQ(report.findings.count(text::DiagnosticId::line_starves), report.stalls);
   settings.line->baud = 115200;
   EXPECT_EQ(program.run(settings).stalls, 0U);
+}
+
+TEST(Timing, SaysWhatWouldNotStarve) {
+  Program program;
+  for (int i = 1; i <= 400; ++i) program.move(linear, i, 0, 0, 6000);
+  Settings settings{.machine = mill(), .keep_whole = true, .wants_curve = true};
+  settings.line = Line{9600, 11, 0};
+  settings.line_bytes.assign(400, 24);
+  settings.machine.buffer = {0, 100};
+  const Report starved = program.run(settings);
+  ASSERT_GT(starved.stalls, 0U);
+  ASSERT_TRUE(starved.advice.baud && starved.advice.feed_share && starved.advice.standard_baud);
+  // 1 mm needs 264 bits: 100 mm/s need 26,400 baud at least.
+  EXPECT_GT(*starved.advice.baud, 26'000);
+  EXPECT_EQ(*starved.advice.standard_baud, 38'400);
+  EXPECT_NEAR(*starved.advice.feed_mm_min, *starved.advice.feed_share * 6000, 1e-6);
+  EXPECT_LT(*starved.advice.feed_mm_min, 9600 / 264.0 * 60 * 1.3);
+  EXPECT_FALSE(starved.curve.empty());
+  settings.line->baud = *starved.advice.baud;
+  EXPECT_EQ(program.run(settings).standstill_s, 0.0);
+  EXPECT_LE(program.run(settings).stall_s, 0.001 * starved.motion_s);
+  Program slow;
+  for (int i = 1; i <= 400; ++i) slow.move(linear, i, 0, 0, *starved.advice.feed_mm_min);
+  settings.line->baud = 9600;
+  const Report cured = slow.run(settings);
+  EXPECT_LE(cured.stall_s, 0.001 * cured.motion_s);
+  EXPECT_FALSE(cured.advice.baud);
+}
+
+TEST(Timing, AWindowGivesWhatTheWholeProgramGives) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  Program program;
+  double x = 0, y = 0, angle = 0;
+  for (int i = 0; i < 60'000; ++i) {
+    angle += 0.3 * unit(random);
+    if (i % 7919 == 7918) {
+      program.event(dwell, 0.05);
+      continue;
+    }
+    x += 0.2 * std::cos(angle);
+    y += 0.2 * std::sin(angle);
+    program.move(i % 5000 == 0 ? rapid : linear, x, y, 0, 2400);
+  }
+  for (const BufferCase& one : {BufferCase{0, {}, 0}, {19200, {2048, 0}, 0}, {38400, {0, 30}, 20}, {4800, {}, 0}}) {
+    Settings settings{.machine = mill()};
+    settings.machine.buffer = one.buffer;
+    settings.machine.timing.look_ahead_blocks = one.look_ahead;
+    if (one.baud > 0) settings.line = Line{one.baud, 11, 0.01};
+    if (one.baud > 0) settings.line_bytes.assign(60'000, 22);
+    const Report window = program.run(settings);
+    settings.keep_whole = true;
+    settings.threads = 3;
+    const Report whole = program.run(settings);
+    EXPECT_NEAR(window.cycle_s, whole.cycle_s, 1e-9 * whole.cycle_s) << one.baud;
+    EXPECT_NEAR(window.motion_s, whole.motion_s, 1e-9 * whole.motion_s);
+    EXPECT_EQ(window.first_stall_line, whole.first_stall_line);
+    EXPECT_NEAR(static_cast<double>(window.stalls), static_cast<double>(whole.stalls), 2);
+    EXPECT_EQ(window.lowest_buffer_blocks, whole.lowest_buffer_blocks);
+    double sum = 0;
+    for (const double part : whole.limited_s) sum += part;
+    EXPECT_NEAR(sum + whole.first_move_s, whole.cycle_s, 1e-6);
+    settings.threads = 1;
+    EXPECT_EQ(program.run(settings).cycle_s, whole.cycle_s);
+  }
+}
+
+TEST(Timing, JerkMakesALongMoveExactlySoMuchLonger) {
+  Program program;
+  program.move(linear, 100, 0, 0, 6000);
+  Settings settings{.machine = mill()};
+  for (auto& axis : settings.machine.axes) axis.jerk_mm_s3 = 20'000;
+  EXPECT_NEAR(program.run(settings).cycle_s, 1.1 + 1000.0 / 20'000, 1e-12);
+  // Acceleration is not reached: two halves of sqrt(v/j) at each end.
+  for (auto& axis : settings.machine.axes) axis.jerk_mm_s3 = 2500;
+  EXPECT_NEAR(program.run(settings).cycle_s, 1.0 + 2 * std::sqrt(100.0 / 2500), 1e-12);
+  settings.limit_jerk = false;
+  EXPECT_NEAR(program.run(settings).cycle_s, 1.1, 1e-12);
+}
+
+TEST(Timing, AbsurdNumbersEndInSentencesAndFiniteTimes) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity();
+  const double figures[] = {nan, inf, -inf, 0.0, -1.0, 1e-320, 1e-30, 1e30, 1e308};
+  for (const double a : figures) {
+    for (const double b : figures) {
+      Program program;
+      program.move(linear, 10, 0, 0, 600);
+      program.move(linear, a, b, 0, 600);
+      program.move(linear, 10, 10, 0, b);
+      program.move(rapid, 20, 10, 0, a);
+      program.event(dwell, a);
+      ir::Motion& arc = program.move(arc_cw, 30, 10, 0, 600);
+      arc.center = {a, b, 0};
+      ir::Motion& turned = program.move(linear, 0, 0, 5, a);
+      turned.feed_mode = ir::FeedMode::per_rev;
+      turned.spindle_rpm = b;
+      turned.surface_speed_m_min = a;
+      program.move(linear, 0, 0, 7, b).feed_mode = ir::FeedMode::inverse_time;
+      Settings settings{.machine = mill(), .cost = {a, b, a, b, a, false, "a test"}, .keep_whole = true};
+      for (auto& axis : settings.machine.axes) {
+        axis.acceleration_mm_s2 = a;
+        axis.rapid_mm_min = b;
+        axis.jerk_mm_s3 = b;
+      }
+      settings.machine.timing.sample_time_ms = a;
+      settings.machine.timing.tool_change_s = b;
+      settings.machine.feed_limit_mm_min = b;
+      settings.line = Line{a, b, a};
+      settings.line_bytes.assign(8, 20);
+      for (const bool whole : {false, true}) {
+        settings.keep_whole = whole;
+        const Report report = program.run(settings);
+        EXPECT_TRUE(std::isfinite(report.cycle_s) && report.cycle_s >= 0) << a << ' ' << b;
+        EXPECT_TRUE(std::isfinite(report.motion_s) && std::isfinite(report.stall_s) && std::isfinite(report.line_s));
+        EXPECT_FALSE(report.not_checked.empty() && !(a > 0)) << a << ' ' << b;
+      }
+    }
+  }
 }
 
 TEST(Timing, LinesWithoutMotionTakeTheirTimeOnTheLine) {

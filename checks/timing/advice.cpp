@@ -1,0 +1,118 @@
+// Bisection: a faster line never makes a block come later, a slower feed never makes the machine want it earlier.
+#include "checks/timing/advice.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "checks/timing/execution.h"
+#include "checks/timing/look_ahead.h"
+
+namespace dripfeed::timing {
+
+namespace {
+
+constexpr std::array<double, 15> kBauds = {300,   600,   1200,   2400,   4800,   9600,   14400, 19200,
+                                           38400, 57600, 115200, 230400, 460800, 921600, 4e6};
+constexpr double kLeastShare = 1.0 / 64.0;
+constexpr int kSteps = 10;
+constexpr double kSlack = 1e-3;  // of the time: so much slower by short sight is not yet starving
+
+// Ends the run at the first stall, or when too much time was lost.
+class Watch final : public RanSink {
+ public:
+  explicit Watch(double most_s) : most_s_(most_s) {}
+  bool ran(const Row& /*row*/, const Ran& how) override {
+    spent_s_ += how.duration_s;
+    starves_ = how.waited_s > kStall_s || spent_s_ > most_s_;
+    return !starves_;
+  }
+  [[nodiscard]] bool starves() const { return starves_; }
+
+ private:
+  double most_s_;
+  double spent_s_ = 0.0;
+  bool starves_ = false;
+};
+
+class Advisor {
+ public:
+  Advisor(const WholeProgram& program, const SupplySettings& supply, std::size_t look_ahead, unsigned threads)
+      : program_(program), supply_(supply), look_ahead_{look_ahead, threads}, pieces_(program.pieces) {
+    for (const Row& row : program.rows) events_s_ += row.event_s;
+    change_sums(pieces_, sums_);
+    plan_path(pieces_, look_ahead_, plan_);
+  }
+
+  bool starves(double char_s) {
+    SupplySettings supply = supply_;
+    supply.char_s = char_s;
+    Watch watch((plan_.total_s + events_s_) * (1.0 + kSlack));
+    Execution(supply).run({program_.rows, pieces_, plan_.speed2, sums_, pieces_.size(), true}, watch);
+    return watch.starves();
+  }
+  bool starves_at(double share) {
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      const double feed = program_.feed_mm_s[i] < kNoLimit ? program_.feed_mm_s[i] * share : kNoLimit;
+      const double speed = std::min(program_.limit_mm_s[i], feed);
+      pieces_.speed2[i] = std::min(speed * speed, kNoLimit);
+    }
+    plan_path(pieces_, look_ahead_, plan_);
+    return starves(supply_.char_s);
+  }
+
+ private:
+  const WholeProgram& program_;
+  SupplySettings supply_;
+  LookAhead look_ahead_;
+  PieceArrays pieces_;
+  std::vector<double> sums_;
+  SpeedPlan plan_;
+  double events_s_ = 0.0;
+};
+
+std::optional<double> least_baud(Advisor& advisor, const Line& line) {
+  const auto starves = [&](double baud) { return advisor.starves(line.bits_per_char / baud); };
+  if (starves(kBauds.back())) return std::nullopt;
+  double low = line.baud;
+  double high = kBauds.back();
+  for (int step = 0; step < 2 * kSteps && high > low * 1.005; ++step) {
+    const double middle = std::sqrt(low * high);
+    (starves(middle) ? low : high) = middle;
+  }
+  return std::ceil(high);
+}
+
+std::optional<double> most_share(Advisor& advisor) {
+  if (advisor.starves_at(kLeastShare)) return std::nullopt;
+  double low = kLeastShare;
+  double high = 1.0;
+  for (int step = 0; step < kSteps; ++step) {
+    const double middle = 0.5 * (low + high);
+    (advisor.starves_at(middle) ? high : low) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+Advice advise(const WholeProgram& program, const SupplySettings& supply, const std::optional<Line>& line,
+              std::size_t look_ahead, unsigned threads) {
+  Advice advice;
+  Advisor advisor(program, supply, look_ahead, threads);
+  if (!advisor.starves(supply.char_s)) return advice;
+  if (line && supply.char_s > 0.0) {
+    advice.baud = least_baud(advisor, *line);
+    if (advice.baud) advice.standard_baud = *std::ranges::lower_bound(kBauds, *advice.baud);
+  }
+  advice.feed_share = most_share(advisor);
+  if (!advice.feed_share) return advice;
+  double most_feed = 0.0;
+  for (const double feed : program.feed_mm_s) {
+    if (feed < kNoLimit) most_feed = std::max(most_feed, feed);
+  }
+  advice.feed_mm_min = *advice.feed_share * most_feed * 60.0;
+  return advice;
+}
+
+}  // namespace dripfeed::timing
