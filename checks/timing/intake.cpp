@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace dripfeed::timing {
@@ -26,6 +27,7 @@ Intake::Intake(const Settings& settings, Report& report)
       rates_(rates_of(settings.machine)),
       cost_(settings.machine.timing.cost.value_or(settings.cost)) {
   report_.cost_is_measured = cost_.measured;
+  report_.cost_origin = std::string(cost_.origin);
   bytes_through_.reserve(settings.line_bytes.size() + 1);
   bytes_through_.push_back(0);
   for (const std::uint32_t bytes : settings.line_bytes) bytes_through_.push_back(bytes_through_.back() + bytes);

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "checks/finding.h"
@@ -86,6 +87,7 @@ struct Report {
   double path_mm = 0.0;
   double rapid_s = 0.0;           // of motion_s
   bool cost_is_measured = false;  // otherwise compute_s is an assumption
+  std::string cost_origin;        // where the cost model's figures are from
   checks::FindingList findings;
   checks::NotCheckedList not_checked;
 };

@@ -92,22 +92,10 @@ class Checks {
   }
 
   void make_timing() {
-    timing::Settings settings;
     if (e_.profile == nullptr) return skip("time: no machine is named");
-    settings.machine = e_.profile->machine;
-    settings.cost = e_.control.cost;
-    settings.x_is_diameter = x_is_diameter(e_.control, e_.profile);
-    if (e_.delivery == ir::Delivery::drip && e_.profile->line.link.kind != machine::LinkKind::modbus_tcp) {
-      const auto effective = machine::effective_line(e_.profile->line);  // the URL's options count
-      if (!effective) return skip(effective.error());
-      const machine::LineSettings& line = *effective;
-      const double bits = line.framing.bits_per_char();
-      settings.line = timing::Line{.baud = static_cast<double>(line.baud),
-                                   .bits_per_char = bits,
-                                   .latency_s = line.latency_chars * bits / line.baud};
-      settings.line_bytes = bytes_of_lines(e_.source.text(), tape_code::characters(line.eob).size());
-    }
-    timing_ = std::make_unique<timing::Timing>(std::move(settings));
+    auto settings = timing_settings(e_, e_.source.text());
+    if (!settings) return skip(settings.error());
+    timing_ = std::make_unique<timing::Timing>(std::move(*settings));
   }
 
   void make_gouge() {
@@ -198,6 +186,26 @@ void sort_and_join(std::vector<text::Diagnostic>& diagnostics) {
 }
 
 }  // namespace
+
+std::expected<timing::Settings, std::string> timing_settings(const Examination& e, std::string_view text) {
+  timing::Settings settings;
+  settings.machine = e.profile->machine;
+  settings.cost = e.control.cost;
+  settings.x_is_diameter = x_is_diameter(e.control, e.profile);
+  settings.keep_whole = e.timing.keep_whole;
+  settings.wants_curve = e.timing.wants_curve;
+  settings.threads = e.timing.threads;
+  if (e.delivery != ir::Delivery::drip || e.profile->line.link.kind == machine::LinkKind::modbus_tcp) return settings;
+  const auto effective = machine::effective_line(e.profile->line);  // the URL's options count
+  if (!effective) return std::unexpected(effective.error());
+  const machine::LineSettings& line = *effective;
+  const double bits = line.framing.bits_per_char();
+  settings.line = timing::Line{.baud = static_cast<double>(line.baud),
+                               .bits_per_char = bits,
+                               .latency_s = line.latency_chars * bits / line.baud};
+  settings.line_bytes = bytes_of_lines(text, tape_code::characters(line.eob).size());
+  return settings;
+}
 
 std::vector<std::uint32_t> bytes_of_lines(std::string_view text, std::size_t eob_bytes) {
   std::vector<std::uint32_t> bytes;

@@ -2,7 +2,10 @@
 // command, for the REST API and for releases.
 #pragma once
 
+#include <expected>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "dialects/compile/dialect.h"
@@ -12,6 +15,13 @@
 #include "server/machine/profile.h"
 
 namespace dripfeed::app {
+
+// The timing of a whole program, for advice and a curve: see timing::Settings.
+struct TimingWishes {
+  bool keep_whole = false;
+  bool wants_curve = false;
+  unsigned threads = 1;
+};
 
 struct Examination {
   text::Source source;
@@ -23,9 +33,13 @@ struct Examination {
   compile::FindText find_called;                 // may be empty
   std::optional<family::Geometry> geometry;      // stock and nominal, of a rendered program
   std::vector<family::LineRange> profile_lines;  // the moves that make the nominal; empty: every cut
+  TimingWishes timing = {};
 };
 
 CheckReport examine(const Examination& examination);
+
+// How `text` is timed on the machine of e.profile, which must be named. Errors: the link's URL.
+std::expected<timing::Settings, std::string> timing_settings(const Examination& e, std::string_view text);
 
 // Bytes on the wire of each line, its EOB as the machine has it; line 1 first.
 std::vector<std::uint32_t> bytes_of_lines(std::string_view text, std::size_t eob_bytes);

@@ -8,17 +8,13 @@
 #include "server/cli/cli.h"
 #include "server/cli/family_options.h"
 #include "server/cli/output.h"
+#include "server/cli/timing_run.h"
+#include "server/cli/timing_text.h"
 #include "server/json/reports.h"
 
 namespace dripfeed::cli {
 
 namespace {
-
-struct TimeOptions {
-  TextOptions text;
-  std::string file;
-  bool drip = false;
-};
 
 int fail_with(const app::Error& error) {
   print_error(error);
@@ -26,32 +22,17 @@ int fail_with(const app::Error& error) {
 }
 
 int time_program(const TimeOptions& options) {
-  auto source = read_source(options.file);
-  if (!source) return fail_with(source.error());
-  const auto chosen = choose_control(options.text, *source);
-  if (!chosen) return fail_with(chosen.error());
-  if (!chosen->profile)
-    return fail_with({app::ErrorCode::invalid, "time needs a machine: name one with --machine", {}});
-  const app::CheckReport report = app::examine({.source = std::move(*source),
-                                                .dialect = chosen->dialect,
-                                                .control = chosen->control,
-                                                .inferred = chosen->inferred,
-                                                .profile = &*chosen->profile,
-                                                .delivery = options.drip ? ir::Delivery::drip : ir::Delivery::memory,
-                                                .find_called = find_in(folders_for(options.text, options.file)),
-                                                .geometry = {},
-                                                .profile_lines = {}});
-  if (!report.checks.timing || !report.ran) {
-    print_diagnostics(report.checks.diagnostics, report.source, report.control_title);
+  const auto timed = run_timing(options);
+  if (!timed) return fail_with(timed.error());
+  if (!timed->report) {
+    print_diagnostics(timed->diagnostics, timed->source, timed->control_title);
     return kFailed;
   }
-  const timing::Report& t = *report.checks.timing;
-  if (options.text.json) return write_output(options.text.output, json::time_figures(t)) ? kDone : kWrongUse;
-  const auto s = [](double value) { return text::format_fixed(value, 3); };
-  const std::string text = fmt::format(
-      "blocks   {}\ncycle    {} s\nmotion   {} s\ncompute  {} s{}\nline     {} s\nstalls   {} ({} s{})\n", t.blocks,
-      s(t.cycle_s), s(t.motion_s), s(t.compute_s), t.cost_is_measured ? "" : " (assumed cost model)", s(t.line_s),
-      t.stalls, s(t.stall_s), t.first_stall_line == 0 ? "" : fmt::format(", first at line {}", t.first_stall_line));
+  for (const auto& [path, plot] :
+       {std::pair(options.plot_feed, &feed_plot), std::pair(options.plot_buffer, &buffer_plot)}) {
+    if (!path.empty() && !write_output(path, plot(*timed->report, options.file))) return kWrongUse;
+  }
+  const std::string text = options.text.json ? json::time_figures(*timed->report) : timing_text(*timed->report);
   return write_output(options.text.output, text) ? kDone : kWrongUse;
 }
 
@@ -124,6 +105,12 @@ void add_time(CLI::App& app, int& exit_code) {
   command->add_option("FILE", options->file, "program, - for standard input")->required();
   add_text_options(*command, options->text);
   command->add_flag("--drip", options->drip, "as fed over the machine's line");
+  command->add_option("--baud", options->baud, "another speed of the line, with --drip")
+      ->check(CLI::Range(50, 4'000'000));
+  command->add_option("--threads", options->threads, "threads of the look-ahead; the result is the same for any")
+      ->check(CLI::Range(1, 256));
+  command->add_option("--plot-feed", options->plot_feed, "writes the speed over the time as SVG");
+  command->add_option("--plot-buffer", options->plot_buffer, "writes what lies in the control's buffer as SVG");
   command->callback([options, &exit_code] { exit_code = time_program(*options); });
 }
 

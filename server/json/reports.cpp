@@ -76,16 +76,55 @@ Document accuracy_document(const accuracy::Report& report) {
   return document;
 }
 
+Document optional_document(const std::optional<double>& value) {
+  return value ? number_or_null(*value) : Document(nullptr);
+}
+
+Document stretches_document(const timing::Report& report) {
+  Document list = Document::array();
+  for (const timing::Stretch& one : report.stretches) {
+    list.push_back({{"limited_by", timing::name_of(one.limiter)},
+                    {"first_line", one.first_line},
+                    {"last_line", one.last_line},
+                    {"start_s", one.start_s},
+                    {"duration_s", one.duration_s}});
+  }
+  return list;
+}
+
 Document timing_document(const timing::Report& report) {
-  return {{"blocks", report.blocks},
-          {"cycle_s", report.cycle_s},
-          {"motion_s", report.motion_s},
-          {"compute_s", report.compute_s},
-          {"line_s", report.line_s},
-          {"stalls", report.stalls},
-          {"stall_s", report.stall_s},
-          {"first_stall_line", report.first_stall_line},
-          {"compute_is_measured", report.cost_is_measured}};
+  Document limited = Document::object();
+  for (std::size_t i = 0; i < timing::kLimiters; ++i)
+    limited[std::string(timing::name_of(static_cast<timing::Limiter>(i)))] = report.limited_s[i];
+  Document document = {
+      {"blocks", report.blocks},
+      {"cycle_s", report.cycle_s},
+      {"motion_s", report.motion_s},
+      {"compute_s", report.compute_s},
+      {"line_s", report.line_s},
+      {"stalls", report.stalls},
+      {"stall_s", report.stall_s},
+      {"first_stall_line", report.first_stall_line},
+      {"compute_is_measured", report.cost_is_measured},
+      {"compute_origin", report.cost_origin},
+      {"standstill_s", report.standstill_s},
+      {"first_stall_at_s", report.first_stall_at_s},
+      {"longest_standstill_s", report.longest_stall_s},
+      {"longest_standstill_line", report.longest_stall_line},
+      {"first_move_s", report.first_move_s},
+      {"rapid_s", report.rapid_s},
+      {"path_mm", report.path_mm},
+      {"blocks_per_s", report.cycle_s > 0.0 ? static_cast<double>(report.blocks) / report.cycle_s : 0.0},
+      {"limited_s", std::move(limited)},
+      {"stretches", stretches_document(report)},
+      {"stretch_count", report.stretch_count}};
+  document["lowest_buffer_bytes"] = report.is_fed ? Document(report.lowest_buffer_bytes) : Document(nullptr);
+  document["lowest_buffer_blocks"] = report.is_fed ? Document(report.lowest_buffer_blocks) : Document(nullptr);
+  document["without_stall"] = {{"feed_share", optional_document(report.advice.feed_share)},
+                               {"feed_mm_min", optional_document(report.advice.feed_mm_min)},
+                               {"baud", optional_document(report.advice.baud)},
+                               {"standard_baud", optional_document(report.advice.standard_baud)}};
+  return document;
 }
 
 std::string_view kind_name(ir::MachineKind kind) {

@@ -1,0 +1,99 @@
+// Of a large file only the lines' lengths are wanted beside the run; its text is held for that while it is fed.
+#include "server/cli/timing_run.h"
+
+#include <utility>
+
+#include "dialects/compile/stream.h"
+#include "server/app/examine.h"
+#include "server/cli/program_file.h"
+
+namespace dripfeed::cli {
+
+namespace {
+
+app::Examination examination_of(const TimeOptions& options, text::Source source, ChosenControl& chosen) {
+  if (options.baud > 0) {
+    chosen.profile->line.baud = static_cast<std::uint32_t>(options.baud);
+    chosen.profile->line.link.options.erase("baud");
+  }
+  app::Examination examination{.source = std::move(source),
+                               .dialect = chosen.dialect,
+                               .control = chosen.control,
+                               .inferred = chosen.inferred,
+                               .profile = &*chosen.profile,
+                               .delivery = options.drip ? ir::Delivery::drip : ir::Delivery::memory,
+                               .find_called = find_in(folders_for(options.text, options.file)),
+                               .geometry = {},
+                               .profile_lines = {}};
+  examination.timing.keep_whole = true;
+  examination.timing.wants_curve = !options.plot_feed.empty() || !options.plot_buffer.empty();
+  examination.timing.threads = options.threads;
+  return examination;
+}
+
+app::Result<ChosenControl> choose_machine(const TimeOptions& options, const text::Source& source) {
+  auto chosen = choose_control(options.text, source);
+  if (chosen && !chosen->profile)
+    return app::fail(app::ErrorCode::invalid, "time needs a machine: name one with --machine");
+  return chosen;
+}
+
+app::Result<TimedProgram> time_whole(const TimeOptions& options) {
+  auto source = read_source(options.file);
+  if (!source) return std::unexpected(source.error());
+  auto chosen = choose_machine(options, *source);
+  if (!chosen) return std::unexpected(chosen.error());
+  app::CheckReport report = app::examine(examination_of(options, std::move(*source), *chosen));
+  TimedProgram timed{.report = {},
+                     .diagnostics = std::move(report.checks.diagnostics),
+                     .source = std::move(report.source),
+                     .control_title = report.control_title};
+  if (report.ran) timed.report = std::move(report.checks.timing);
+  return timed;
+}
+
+app::Result<TimedProgram> time_stream(const TimeOptions& options, ProgramFile& file) {
+  auto head = file.head();
+  if (!head) return std::unexpected(head.error());
+  auto chosen = choose_machine(options, *head);
+  if (!chosen) return std::unexpected(chosen.error());
+  const app::Examination examination = examination_of(options, *head, *chosen);
+  std::string text;
+  if (options.drip) {
+    auto whole = file.whole();
+    if (!whole) return app::fail(app::ErrorCode::unavailable, whole.error());
+    text = std::move(*whole);
+  }
+  auto settings = app::timing_settings(examination, text);
+  if (!settings) return app::fail(app::ErrorCode::invalid, settings.error());
+  timing::Timing timing(std::move(*settings));
+  compile::ProgramLibrary library(chosen->control, examination.find_called);
+  compile::StreamRun ran =
+      compile::execute_stream(file, options.file, *chosen->dialect, chosen->control, &library, timing, {});
+  if (!ran.read_error.empty()) return app::fail(app::ErrorCode::unavailable, ran.read_error);
+  TimedProgram timed{.report = {},
+                     .diagnostics = std::move(ran.diagnostics),
+                     .source = ran.source ? std::move(*ran.source) : std::move(*head),
+                     .control_title = chosen->control.title};
+  if (ran.result.ended == interpreter::Ended::end) {
+    timed.report = timing.finish();
+    return timed;
+  }
+  for (const interpreter::RunDiagnostic& one : ran.result.diagnostics) {
+    timed.diagnostics.push_back(one.diagnostic);
+    if (!ran.source) timed.diagnostics.back().span = {};  // its place is not in what is kept
+  }
+  return timed;
+}
+
+}  // namespace
+
+app::Result<TimedProgram> run_timing(const TimeOptions& options) {
+  if (options.file == "-") return time_whole(options);
+  const auto file = ProgramFile::open(options.file);
+  if (!file) return std::unexpected(file.error());
+  if ((*file)->size_bytes().value_or(0) <= kWholeBytes) return time_whole(options);
+  return time_stream(options, **file);
+}
+
+}  // namespace dripfeed::cli

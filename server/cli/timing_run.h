@@ -1,0 +1,34 @@
+// Timing a program's file: small ones are read whole and validated as check does, large ones are run while they are
+// read.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "checks/timing/timing.h"
+#include "dialects/text/source.h"
+#include "server/cli/inputs.h"
+
+namespace dripfeed::cli {
+
+struct TimeOptions {
+  TextOptions text;
+  std::string file;
+  bool drip = false;
+  int baud = 0;  // 0: the machine's
+  unsigned threads = 1;
+  std::string plot_feed;
+  std::string plot_buffer;
+};
+
+struct TimedProgram {
+  std::optional<timing::Report> report;  // nothing: it did not run to its end, and the diagnostics say why
+  std::vector<text::Diagnostic> diagnostics;
+  text::Source source;
+  std::string control_title;
+};
+// Errors: what cannot be read, no machine named.
+app::Result<TimedProgram> run_timing(const TimeOptions& options);
+
+}  // namespace dripfeed::cli
