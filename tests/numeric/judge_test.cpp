@@ -1,7 +1,6 @@
 // Predictions against a machine that shares no code with them: it steps motion in 1 ms, and its accelerations and block
 // times are not those of the profile. Two programs calibrate, six others are predicted.
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -170,8 +169,9 @@ TEST(Judge, PredictionsAreWithin5PercentOnceCalibrated) {
     }
     const auto fit = timing::fit_machine(runs);
     ASSERT_TRUE(fit) << fit.error();
-    std::printf("true acceleration x%.2f, block time x%.2f; fitted x%.3f, x%.3f\n", acceleration, block,
-                fit->factors.acceleration, fit->factors.compute);
+    fmt::print("true acceleration x{}, block time x{}; fitted x{}, x{}\n", text::format_fixed(acceleration, 2),
+               text::format_fixed(block, 2), text::format_fixed(fit->factors.acceleration, 3),
+               text::format_fixed(fit->factors.compute, 3));
     int starved = 0;
     for (const Case& one : cases()) {
       const auto settings = truth(one.baud, acceleration, block);
@@ -183,13 +183,14 @@ TEST(Judge, PredictionsAreWithin5PercentOnceCalibrated) {
       const auto share = [&](double value, double of) { return 100 * (value - of) / judged.cycle_s; };
       worst_before = std::max(worst_before, std::fabs(before.cycle_s - judged.cycle_s) / judged.cycle_s);
       starved += judged_lost > 0.05 * judged.cycle_s ? 1 : 0;
-      std::printf(
-          "  %-18s cycle %7.2f s: before %+5.1f %%, after %+5.1f %%; lost %6.2f s: %+5.1f %%, %+5.1f %%; first late at "
-          "%6.2f s, "
-          "told %6.2f s\n",
-          one.name, judged.cycle_s, share(before.cycle_s, judged.cycle_s), share(after.cycle_s, judged.cycle_s),
-          judged_lost, share(before.stall_s, judged_lost), share(after.stall_s, judged_lost), judged.first_late_s,
-          after.first_stall_at_s);
+      fmt::print(
+          "  {:<18} cycle {:>7} s: before {:>5} %, after {:>5} %; lost {:>6} s: {:>5} %, {:>5} %; first late at {:>6} "
+          "s, told {:>6} s\n",
+          one.name, text::format_fixed(judged.cycle_s, 2), text::format_fixed(share(before.cycle_s, judged.cycle_s), 1),
+          text::format_fixed(share(after.cycle_s, judged.cycle_s), 1), text::format_fixed(judged_lost, 2),
+          text::format_fixed(share(before.stall_s, judged_lost), 1),
+          text::format_fixed(share(after.stall_s, judged_lost), 1), text::format_fixed(judged.first_late_s, 2),
+          text::format_fixed(after.first_stall_at_s, 2));
       EXPECT_NEAR(after.cycle_s, judged.cycle_s, 0.05 * judged.cycle_s) << one.name;
       EXPECT_NEAR(after.stall_s, judged_lost, 0.05 * judged.cycle_s) << one.name;
       if (judged_lost > 0.05 * judged.cycle_s) {
@@ -213,8 +214,8 @@ TEST(Judge, TheAdviceCuresAStarvedProgram) {
   double baud = 9600;
   while (shop.predict(text).stall_s > 0.001 * shop.predict(text).motion_s) shop.baud = baud *= 1.05;
   const auto cured = simulator::run_stepped(text, truth(baud, 1, 1));
-  std::printf("at 9600 baud %.2f s are lost; at %.0f baud %.2f s\n", lost, baud,
-              lost_s(text, truth(baud, 1, 1), cured));
+  fmt::print("at 9600 baud {} s are lost; at {} baud {} s\n", text::format_fixed(lost, 2), text::format_fixed(baud, 0),
+             text::format_fixed(lost_s(text, truth(baud, 1, 1), cured), 2));
   EXPECT_LT(lost_s(text, truth(baud, 1, 1), cured), 0.01 * cured.cycle_s);
 }
 

@@ -4,15 +4,16 @@
 // Ny² + A·Nz², w2 = 2·(Px·Nx + Py·Ny + A·Pz·Nz) + B·Nz, w3 = Px² + Py² + A·Pz² + B·Pz + C.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <numbers>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "dialects/compile/dialect.h"
 #include "dialects/compile/execute.h"
+#include "dialects/text/number.h"
 #include "tests/numeric/paper_times.h"
 
 namespace dripfeed {
@@ -77,7 +78,7 @@ TEST(SealRing, TheFirstThreeVariantsMakeTheSameMoves) {
     EXPECT_LE(off, is_end ? 1e-9 : 0.01) << i;
     worst = std::max(worst, off);
   }
-  std::printf("variant 4 is off by %.6f mm of radius at the most\n", worst);
+  fmt::print("variant 4 is off by {} mm of radius at the most\n", text::format_fixed(worst, 6));
   EXPECT_GT(worst, 1e-6);  // a section of a tilted cone is no straight line
 }
 
@@ -85,8 +86,8 @@ TEST(SealRing, PredictedTimesKeepThePapersOrder) {
   std::vector<timing::CostRow> rows;
   for (const auto& one : paper::kTables1To4) rows.push_back(one.row);
   const ir::CostModel model = timing::fit_cost(rows)->model;
-  std::printf("%-14s %10s %10s %6s   a point: blocks, R, LUD, operators, functions\n", "program", "measured",
-              "predicted", "ratio");
+  fmt::print("{:<14} {:>10} {:>10} {:>6}   a point: blocks, R, LUD, operators, functions\n", "program", "measured",
+             "predicted", "ratio");
   double before = 1e9;
   for (std::size_t k = 0; k < 4; ++k) {
     auto points = points_of(kPrograms[k]);
@@ -102,9 +103,11 @@ TEST(SealRing, PredictedTimesKeepThePapersOrder) {
     const auto count = static_cast<double>(points.size());
     const double predicted = ir::compute_ms(model, sum) / count;
     const double measured = paper::kSealRing_ms[k];
-    std::printf("%-14s %7.0f ms %7.1f ms %6.2f   %.1f %.1f %.1f %.1f %.1f\n", kPrograms[k], measured, predicted,
-                predicted / measured, sum.blocks / count, sum.number_reads / count, sum.named_reads / count,
-                sum.operators / count, sum.functions / count);
+    fmt::print("{:<14} {:>7} ms {:>7} ms {:>6}   {} {} {} {} {}\n", kPrograms[k], text::format_fixed(measured, 0),
+               text::format_fixed(predicted, 1), text::format_fixed(predicted / measured, 2),
+               text::format_fixed(sum.blocks / count, 1), text::format_fixed(sum.number_reads / count, 1),
+               text::format_fixed(sum.named_reads / count, 1), text::format_fixed(sum.operators / count, 1),
+               text::format_fixed(sum.functions / count, 1));
     EXPECT_LT(predicted, before);
     // The tables' model gives more than what was measured at the part, by a factor that the report shows: nothing is
     // tuned to it. It is the same order of magnitude.
