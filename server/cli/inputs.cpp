@@ -128,7 +128,7 @@ std::optional<std::string> find_shared(std::string_view relative) {
   return std::nullopt;
 }
 
-app::Result<machine::Profile> read_machine(const std::string& name_or_path) {
+app::Result<text::Source> read_machine_document(const std::string& name_or_path) {
   std::string path = name_or_path;
   if (!path.ends_with(".json") && path.find('/') == std::string::npos) {
     const auto preset = find_shared(fmt::format("machines/{}.json", path));
@@ -137,10 +137,16 @@ app::Result<machine::Profile> read_machine(const std::string& name_or_path) {
                        fmt::format("--machine \"{}\" is no preset, and no file (*.json)", path));
     path = *preset;
   }
-  const auto text = read_file(path);
+  auto text = read_file(path);
   if (!text) return std::unexpected(text.error());
-  auto profile = json::read_profile(*text);
-  if (!profile) profile.error().text = fmt::format("{}: {}", path, profile.error().text);
+  return text::Source(path, std::move(*text));
+}
+
+app::Result<machine::Profile> read_machine(const std::string& name_or_path) {
+  const auto document = read_machine_document(name_or_path);
+  if (!document) return std::unexpected(document.error());
+  auto profile = json::read_profile(document->text());
+  if (!profile) profile.error().text = fmt::format("{}: {}", document->name(), profile.error().text);
   return profile;
 }
 

@@ -30,6 +30,8 @@ void add_text_options(CLI::App& command, TextOptions& options);
 // "-" is standard input. Errors: unavailable, with what the system said.
 app::Result<text::Source> read_source(const std::string& path);
 
+// The document of a profile: of a file, or of the preset with that name.
+app::Result<text::Source> read_machine_document(const std::string& name_or_path);
 // The profile of a file, or of the preset with that name.
 app::Result<machine::Profile> read_machine(const std::string& name_or_path);
 

@@ -31,17 +31,34 @@ app::Examination examination_of(const TimeOptions& options, text::Source source,
   return examination;
 }
 
-app::Result<ChosenControl> choose_machine(const TimeOptions& options, const text::Source& source) {
-  auto chosen = choose_control(options.text, source);
-  if (chosen && !chosen->profile)
-    return app::fail(app::ErrorCode::invalid, "time needs a machine: name one with --machine");
+// What is timed, and how the machine differs from its profile.
+struct Order {
+  const TimeOptions& options;
+  timing::MachineFactors factors;
+  std::optional<ir::CostModel> cost;
+};
+
+app::Result<ChosenControl> choose_machine(const Order& order, const text::Source& source) {
+  auto chosen = choose_control(order.options.text, source);
+  if (!chosen) return chosen;
+  if (!chosen->profile) return app::fail(app::ErrorCode::invalid, "time needs a machine: name one with --machine");
+  checks::Machine& machine = chosen->profile->machine;
+  for (checks::MachineAxis& axis : machine.axes) axis.acceleration_mm_s2 *= order.factors.acceleration;
+  if (order.cost) machine.timing.cost = order.cost;
+  if (order.factors.compute == 1.0) return chosen;
+  ir::CostModel cost = machine.timing.cost.value_or(chosen->control.cost);
+  for (double* figure :
+       {&cost.block_ms, &cost.number_read_ms, &cost.named_read_ms, &cost.operator_ms, &cost.function_ms})
+    *figure *= order.factors.compute;
+  machine.timing.cost = cost;
   return chosen;
 }
 
-app::Result<TimedProgram> time_whole(const TimeOptions& options) {
+app::Result<TimedProgram> time_whole(const Order& order) {
+  const TimeOptions& options = order.options;
   auto source = read_source(options.file);
   if (!source) return std::unexpected(source.error());
-  auto chosen = choose_machine(options, *source);
+  auto chosen = choose_machine(order, *source);
   if (!chosen) return std::unexpected(chosen.error());
   app::CheckReport report = app::examine(examination_of(options, std::move(*source), *chosen));
   TimedProgram timed{.report = {},
@@ -52,10 +69,11 @@ app::Result<TimedProgram> time_whole(const TimeOptions& options) {
   return timed;
 }
 
-app::Result<TimedProgram> time_stream(const TimeOptions& options, ProgramFile& file) {
+app::Result<TimedProgram> time_stream(const Order& order, ProgramFile& file) {
+  const TimeOptions& options = order.options;
   auto head = file.head();
   if (!head) return std::unexpected(head.error());
-  auto chosen = choose_machine(options, *head);
+  auto chosen = choose_machine(order, *head);
   if (!chosen) return std::unexpected(chosen.error());
   const app::Examination examination = examination_of(options, *head, *chosen);
   std::string text;
@@ -88,12 +106,14 @@ app::Result<TimedProgram> time_stream(const TimeOptions& options, ProgramFile& f
 
 }  // namespace
 
-app::Result<TimedProgram> run_timing(const TimeOptions& options) {
-  if (options.file == "-") return time_whole(options);
+app::Result<TimedProgram> run_timing(const TimeOptions& options, const timing::MachineFactors& factors,
+                                     const std::optional<ir::CostModel>& cost) {
+  const Order order{options, factors, cost};
+  if (options.file == "-") return time_whole(order);
   const auto file = ProgramFile::open(options.file);
   if (!file) return std::unexpected(file.error());
-  if ((*file)->size_bytes().value_or(0) <= kWholeBytes) return time_whole(options);
-  return time_stream(options, **file);
+  if ((*file)->size_bytes().value_or(0) <= kWholeBytes) return time_whole(order);
+  return time_stream(order, **file);
 }
 
 }  // namespace dripfeed::cli

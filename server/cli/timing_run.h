@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "checks/timing/machine_fit.h"
 #include "checks/timing/timing.h"
 #include "dialects/text/source.h"
 #include "server/cli/inputs.h"
@@ -28,7 +29,9 @@ struct TimedProgram {
   text::Source source;
   std::string control_title;
 };
-// Errors: what cannot be read, no machine named.
-app::Result<TimedProgram> run_timing(const TimeOptions& options);
+// With the machine's accelerations and computing times by those factors, and another cost model than its own. Errors:
+// what cannot be read, no machine named.
+app::Result<TimedProgram> run_timing(const TimeOptions& options, const timing::MachineFactors& factors = {},
+                                     const std::optional<ir::CostModel>& cost = {});
 
 }  // namespace dripfeed::cli

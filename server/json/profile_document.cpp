@@ -272,4 +272,23 @@ app::Result<machine::Profile> read_profile(std::string_view document) {
   return profile;
 }
 
+app::Result<std::string> calibrated_profile(std::string_view document, const ir::CostModel& cost,
+                                            double acceleration_factor) {
+  auto parsed = parse(document);
+  if (!parsed) return std::unexpected(parsed.error());
+  if (!parsed->is_object()) return app::fail(app::ErrorCode::invalid, "a profile is a JSON object");
+  (*parsed)["timing"]["cost"] = {{"block_ms", cost.block_ms},
+                                 {"number_read_ms", cost.number_read_ms},
+                                 {"named_read_ms", cost.named_read_ms},
+                                 {"operator_ms", cost.operator_ms},
+                                 {"function_ms", cost.function_ms}};
+  if (acceleration_factor != 1.0 && parsed->contains("axes")) {
+    for (Document& axis : (*parsed)["axes"]) {
+      if (axis.contains("acceleration_mm_s2") && axis["acceleration_mm_s2"].is_number())
+        axis["acceleration_mm_s2"] = axis["acceleration_mm_s2"].get<double>() * acceleration_factor;
+    }
+  }
+  return parsed->dump(2) + "\n";
+}
+
 }  // namespace dripfeed::json

@@ -1,6 +1,7 @@
 // The machine profile as JSON (deploy/machines/*.json): reading with every fault named.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "server/app/error.h"
@@ -10,5 +11,10 @@ namespace dripfeed::json {
 
 // Errors: invalid, a place for each fault.
 app::Result<machine::Profile> read_profile(std::string_view document);
+
+// The same document with a measured cost model, and with every axis' acceleration times a factor; nothing else changes.
+// Errors: no JSON object.
+app::Result<std::string> calibrated_profile(std::string_view document, const ir::CostModel& cost,
+                                            double acceleration_factor);
 
 }  // namespace dripfeed::json
