@@ -148,6 +148,11 @@ void BlockWriter::write(const ir::Motion& motion, std::uint32_t line) {
   }
 }
 
+void BlockWriter::write_return(std::uint32_t line) {
+  emit_.set_line(line);
+  emit_.subprogram_return();
+}
+
 void BlockWriter::plane(const ir::Motion& motion) {
   if (motion.plane == plane_) return;
   plane_ = motion.plane;

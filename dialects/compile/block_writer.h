@@ -26,6 +26,8 @@ class BlockWriter {
   void safe_start(ir::Plane plane, ir::FeedMode feed_mode);
   // `line` is what Statement::line of its blocks becomes.
   void write(const ir::Motion& motion, std::uint32_t line);
+  // The end of a subprogram.
+  void write_return(std::uint32_t line);
   // `words` belong to the block that is written next.
   void carry(const CarriedWords& words);
   // A block of these words alone.

@@ -126,12 +126,22 @@ class Converter {
         {std::to_string(bytes), std::to_string(request_.to.limits.block_length_bytes)}));
   }
 
+  void say_skip_decided(const ir::Program& program) {
+    for (const ir::Statement& s : program.statements) {
+      const bool rest = s.kind == ir::StatementKind::block && program.blocks[s.payload].rest_level != 0;
+      if (s.skip_level == 0 && !rest) continue;
+      result_.diagnostics.push_back(ir::diagnose(request_.from, text::DiagnosticId::block_skip_decided, s.span, {}));
+      return;
+    }
+  }
+
   void explicit_blocks(const ir::Program& program) {
     interpreter::ProgramFinder& none = interpreter::no_programs();
     interpreter::ProgramFinder& finder = request_.library == nullptr ? none : *request_.library;
     const ExplicitProgram made =
         explicit_program(program, request_.from, finder, {.limits = request_.limits, .initial_values = {}});
     append(result_.diagnostics, run_faults(made));
+    say_skip_decided(program);
     if (text::has_error(result_.diagnostics)) return;
     print(made.program, made.control);
     for (std::uint32_t& line : result_.origin_lines) {

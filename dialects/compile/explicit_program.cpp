@@ -33,8 +33,10 @@ ir::Control explicit_control(const ir::Control& source) {
 
 class Recorder final : public ir::MotionSink, public interpreter::BlockObserver {
  public:
-  Recorder(ExplicitProgram& out, CarriedBlocks& carried, const interpreter::RunNames& names, bool want_changes)
-      : out_(out),
+  Recorder(const ir::Program& source, ExplicitProgram& out, CarriedBlocks& carried, const interpreter::RunNames& names,
+           bool want_changes)
+      : source_(source),
+        out_(out),
         carried_(carried),
         names_(names),
         writer_(out.program, out.control, names),
@@ -58,15 +60,22 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   void consume(std::span<const ir::Motion> motions) override {
     for (const ir::Motion& motion : motions) {
       carry_until(motion.place.ordinal);
-      if (!std::exchange(started_, true)) start(motion);
-      writer_.write(motion, origin({line_of(motion.place), motion.place.ordinal}));
+      if (!std::exchange(started_, true)) start(&motion);
+      const std::uint32_t line = origin({line_of(motion.place), motion.place.ordinal});
+      if (motion.kind == ir::MotionKind::end && returns_at(motion.place))
+        writer_.write_return(line);
+      else
+        writer_.write(motion, line);
+      ended_ = ended_ || motion.kind == ir::MotionKind::end;
     }
   }
 
-  void finish() {
-    if (!started_) start({});
+  void finish(const interpreter::RunResult& run) {
+    if (!started_) start(nullptr);
     carry_until(~std::uint64_t{0});
     writer_.flush(out_.origins.empty() ? 0 : static_cast<std::uint32_t>(out_.origins.size()));
+    if (run.ended == interpreter::Ended::end && !ended_ && returns_at(run.last))
+      writer_.write_return(origin({run.last.line, run.last.ordinal}));
   }
 
  private:
@@ -80,9 +89,23 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
     const CarriedBlock* carried;
   };
 
-  void start(const ir::Motion& first) {
+  // With the plane and feed of the first motion, where that is what the program begins with; otherwise with the
+  // machine's.
+  void start(const ir::Motion* first) {
     const bool mill = out_.control.kind == ir::MachineKind::mill;
-    writer_.safe_start(ir::is_move(first.kind) ? first.plane : mill ? ir::Plane::xy : ir::Plane::zx, first.feed_mode);
+    const bool moves = first != nullptr && ir::is_move(first->kind);
+    const ir::Plane plane = moves ? first->plane : mill ? ir::Plane::xy : ir::Plane::zx;
+    const ir::FeedMode feed_mode = first != nullptr ? first->feed_mode
+                                   : mill           ? ir::FeedMode::per_min
+                                                    : ir::FeedMode::per_rev;
+    writer_.safe_start(plane, feed_mode);
+  }
+
+  // A subprogram that is run by itself: what is written of it must go back to its caller, too.
+  [[nodiscard]] bool returns_at(const ir::Place& place) const {
+    return place.program == 0 && std::ranges::any_of(source_.statements, [&](const ir::Statement& s) {
+             return s.line == place.line && s.kind == ir::StatementKind::subprogram_return;
+           });
   }
 
   std::uint32_t origin(BlockOrigin origin) {
@@ -96,7 +119,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
     for (; next_pending_ < pending_.size() && pending_[next_pending_].ordinal <= ordinal; ++next_pending_) {
       const Pending& pending = pending_[next_pending_];
       const bool own = pending.ordinal == ordinal;
-      if (!std::exchange(started_, true)) start({});
+      if (!std::exchange(started_, true)) start(nullptr);
       if (!std::exchange(attached_, true)) writer_.carry(pending.carried->attached);
       if (own && !pending.carried->alone.empty()) return;
       if (!own) {
@@ -115,6 +138,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
     return after == calls_.begin() ? 0 : std::prev(after)->line;
   }
 
+  const ir::Program& source_;
   ExplicitProgram& out_;
   CarriedBlocks& carried_;
   const interpreter::RunNames& names_;
@@ -122,6 +146,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   bool want_changes_;
   std::set<std::string, std::less<>> lost_;
   bool started_ = false;
+  bool ended_ = false;
   bool in_call_ = false;
   std::uint32_t main_line_ = 0;
   std::vector<BlockOrigin> calls_;
@@ -158,14 +183,14 @@ ExplicitProgram explicit_program(const ir::Program& program, const ir::Control& 
   out.control = explicit_control(control);
   CarriedBlocks carried(program, control.semantics, finder);
   interpreter::RunNames names;
-  Recorder recorder(out, carried, names, options.want_changes);
+  Recorder recorder(program, out, carried, names, options.want_changes);
   interpreter::RunOptions run;
   run.limits = options.limits;
   run.initial_values = options.initial_values;
   run.observer = &recorder;
   run.names = &names;
   out.run = interpreter::run(program, control, finder, recorder, run);
-  recorder.finish();
+  recorder.finish(out.run);
   out.variable_names = std::move(names.variables);
   return out;
 }

@@ -139,6 +139,8 @@ void Emitter::program_end() {
   program_.statements.back().kind = ir::StatementKind::program_end;
 }
 
+void Emitter::subprogram_return() { statement(ir::StatementKind::subprogram_return, ir::kNoIndex); }
+
 ir::ExpressionId Emitter::variable(ir::SymbolId symbol) {
   ir::Variable out;
   out.bank = ir::Bank::named;

@@ -37,6 +37,7 @@ class Emitter {
   // An empty text clears the message.
   void message(std::string_view text);
   void program_end();
+  void subprogram_return();
 
   // Expressions of the program. Each call makes a new node: nodes are never shared between statements.
   ir::ExpressionId constant(double value) { return program_.add_constant(value); }

@@ -38,7 +38,9 @@ void BlockCompiler::compile(const ir::Block& block, text::Span span) {
                    .first_report = index_in(out.block_reports)};
   words_belong_to_code_ = std::ranges::any_of(builder_.source().codes_of(block), takes_axis_words);
   compile_codes(block);
-  for (const ir::Word& word : builder_.source().words_of(block)) compile_word(word);
+  const bool skips = builder_.context().skips(block.rest_level);
+  for (const ir::Word& word : builder_.source().words_of(block))
+    if (!skips || !in_rest(block, word.span)) compile_word(word);
 
   made.word_count = static_cast<std::uint16_t>(index_in(out.words) - made.first_word);
   made.code_count = static_cast<std::uint16_t>(index_in(out.codes) - made.first_code);
@@ -55,7 +57,9 @@ void BlockCompiler::compile(const ir::Block& block, text::Span span) {
 
 void BlockCompiler::compile_codes(const ir::Block& block) {
   CompiledProgram& out = builder_.out();
+  const bool skips = builder_.context().skips(block.rest_level);
   for (const ir::Code& code : builder_.source().codes_of(block)) {
+    if (skips && in_rest(block, code.span)) continue;
     if (code.number != ir::ExpressionId::none) {
       out.computed_codes.push_back({expressions_.compile_number(code.number).operand, code.letter});
       continue;

@@ -25,7 +25,9 @@ struct CompileContext {
   const Limits& limits;
   RunNames& names;
   SharedData& shared;
-  bool observed = false;  // write `tell` instructions
+  bool observed = false;            // write `tell` instructions
+  std::uint32_t skip_switches = 0;  // as RunOptions
+  [[nodiscard]] bool skips(std::uint8_t level) const { return level != 0 && (skip_switches >> level & 1U) != 0; }
 };
 
 class CodeBuilder {

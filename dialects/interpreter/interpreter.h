@@ -81,6 +81,7 @@ class BlockObserver {
 struct RunOptions {
   Limits limits;
   std::vector<InitialValue> initial_values;
+  std::uint32_t skip_switches = 0;    // block skip: bit n is on for "/n", bit 1 for "/"
   bool want_variables = false;        // fill RunResult::variables
   BlockObserver* observer = nullptr;  // costs time when set
   RunNames* names = nullptr;          // filled while running; nullptr: only RunResult has them

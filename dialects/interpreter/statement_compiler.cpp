@@ -66,9 +66,14 @@ bool StatementCompiler::begins_block(std::uint32_t index) const {
          program.statements[index - 1].line != statement.line;
 }
 
+// Structures have no skip: a control refuses it, and half of one would be another program.
+bool StatementCompiler::is_left_out(const ir::Statement& statement) const {
+  return builder_.context().skips(statement.skip_level) && !ir::is_structure(statement.kind);
+}
+
 void StatementCompiler::compile_statement(std::uint32_t index) {
   const ir::Statement& statement = builder_.source().statements[index];
-  if (statement.kind == StatementKind::empty) return;
+  if (statement.kind == StatementKind::empty || is_left_out(statement)) return;
   if (begins_block(index) || block_instruction_ == ir::kNoIndex) begin_block(statement);
   const CodeBuilder::Mark mark = builder_.mark();
   if (!flow_.compile(index)) {

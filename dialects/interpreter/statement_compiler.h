@@ -25,6 +25,7 @@ class StatementCompiler {
   static const Row kRows[];
 
   void compile_statement(std::uint32_t index);
+  [[nodiscard]] bool is_left_out(const ir::Statement& statement) const;
   void compile_block(const ir::Statement& statement);
   void compile_assign(const ir::Statement& statement);
   void compile_define(const ir::Statement& statement);

@@ -119,6 +119,11 @@ enum class StatementKind : std::uint8_t {
   execute_text,       // EXECSTRING: a text as a block          -> messages
 };
 
+// Begins, splits or ends a control structure.
+constexpr bool is_structure(StatementKind kind) {
+  return kind >= StatementKind::if_begin && kind <= StatementKind::loop_end;
+}
+
 struct Statement {
   StatementKind kind = StatementKind::empty;
   std::uint8_t skip_level = 0;  // 0: no block skip; 1 is '/'
@@ -135,7 +140,13 @@ struct Block {
   std::uint32_t code_count = 0;
   std::uint32_t first_word = 0;
   std::uint32_t word_count = 0;
+  // "/n" inside the block: codes and words from here on are left out while switch n is on. 0: there is none.
+  std::uint8_t rest_level = 0;
+  std::uint32_t rest_begin = 0;  // offset in the text
 };
+inline bool in_rest(const Block& block, text::Span span) {
+  return block.rest_level != 0 && span.begin >= block.rest_begin;
+}
 
 struct Assign {
   VariableId target = VariableId::none;

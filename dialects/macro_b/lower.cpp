@@ -161,7 +161,7 @@ void BlockLowering::emit_block(std::uint32_t first_code, std::uint32_t first_wor
   const auto code_count = static_cast<std::uint32_t>(program_.codes.size()) - first_code;
   const auto word_count = static_cast<std::uint32_t>(program_.words.size()) - first_word;
   if (code_count + word_count == 0) return;
-  program_.blocks.push_back({first_code, code_count, first_word, word_count});
+  program_.blocks.push_back({first_code, code_count, first_word, word_count, place.rest_level, place.rest_begin});
   emit(StatementKind::block, static_cast<std::uint32_t>(program_.blocks.size() - 1), place);
 }
 
@@ -199,6 +199,7 @@ void BlockLowering::lower(std::span<const RawWord> words, const BlockPlace& plac
       program_.codes.resize(first_code);
       program_.words.resize(first_word);
       if (data) return;
+      if (place.rest_level != 0) return emit_native(kRestNotModelled, false, place);
       return lower_call_block(kind, i, words, place);
     }
     add_code(word, number10);
@@ -212,6 +213,11 @@ void BlockLowering::lower(std::span<const RawWord> words, const BlockPlace& plac
     return emit_native("data of G10", true, place);
   }
   number_extended_offset(first_code, first_word);
+  if (ends && place.rest_level != 0) {
+    program_.codes.resize(first_code);
+    program_.words.resize(first_word);
+    return emit_native(kRestNotModelled, false, place);
+  }
   if (ends) return emit_ending_block(first_code, first_word, place);
   emit_block(first_code, first_word, place);
 }

@@ -18,6 +18,7 @@ namespace dripfeed::macro_b {
 
 // Names of Native statements that others ask for.
 inline constexpr std::string_view kNotUnderstood = "a block that was not understood";
+inline constexpr std::string_view kRestNotModelled = "block skip inside a block that calls or ends";
 inline constexpr std::string_view kFolderLine = "&";  // &F=/USER/ of a memory dump: where the next programs belong
 
 // Arguments of Function::work_offset above this are G54.1 P1, P2 ….
@@ -36,6 +37,8 @@ struct BlockPlace {
   std::uint32_t line = 0;
   std::uint8_t skip_level = 0;
   text::Span span;
+  std::uint8_t rest_level = 0;  // as in ir::Block
+  std::uint32_t rest_begin = 0;
 };
 
 class BlockLowering {

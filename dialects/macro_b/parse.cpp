@@ -57,7 +57,9 @@ void Parser::run() {
   ir::match_structures(program_);
 }
 
-BlockPlace Parser::place() const { return {line_, skip_level_, {begin_, std::max(begin_, cursor_.previous_end())}}; }
+BlockPlace Parser::place() const {
+  return {line_, skip_level_, {begin_, std::max(begin_, cursor_.previous_end())}, rest_level_, rest_begin_};
+}
 
 void Parser::block() {
   const auto first_statement = static_cast<std::uint32_t>(program_.statements.size());
@@ -67,6 +69,7 @@ void Parser::block() {
   label_ = ir::kNoIndex;
   section_name_.clear();
   skip_level_ = 0;
+  rest_level_ = 0;
   keeps_structure_ = false;
   begin_ = cursor_.span().begin;
   if (cursor_.kind() == TokenKind::tape_mark) {
@@ -287,8 +290,7 @@ void Parser::other_word() {
     faults_.make_native("G10");  // data in brackets, as memory dumps hold them
     while (!cursor_.at_end()) cursor_.advance();
   } else if (cursor_.is_symbol('/')) {
-    faults_.make_native("block skip inside a block");
-    while (!cursor_.at_end()) cursor_.advance();
+    rest_of_block();
   } else if (cursor_.kind() == TokenKind::number) {
     faults_.fail(value_without_address, cursor_.span(), {std::string(cursor_.text())});
   } else if (cursor_.kind() == TokenKind::variable && !raw_.empty()) {
@@ -298,6 +300,29 @@ void Parser::other_word() {
   } else {
     unexpected();
   }
+}
+
+// What stands behind "/" or "/n" inside a block is left out while that switch is on.
+void Parser::rest_of_block() {
+  cursor_.advance();
+  std::uint8_t level = 1;
+  if (!cursor_.at_end() && cursor_.kind() == TokenKind::number) {
+    const std::string_view digits = cursor_.text();
+    if (digits.size() != 1 || digits.front() < '1' || digits.front() > '9') {
+      faults_.fail(skip_level_invalid, cursor_.span(), {std::string(digits)});
+      return;
+    }
+    level = static_cast<std::uint8_t>(digits.front() - '0');
+    cursor_.advance();
+  }
+  // Of two, the second would need both switches to be known.
+  if (rest_level_ != 0) {
+    faults_.make_native("block skip twice inside a block");
+    while (!cursor_.at_end()) cursor_.advance();
+    return;
+  }
+  rest_level_ = level;
+  rest_begin_ = cursor_.previous_end();
 }
 
 // ,C ,R and ,A: chamfer, corner radius and angle of direct drawing input.

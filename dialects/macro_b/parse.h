@@ -54,6 +54,7 @@ class Parser {
   void words();
   void word();
   void other_word();
+  void rest_of_block();
   void comma_word();
   void word_without_value(text::Span address);
   void bare_expression(text::Span address, std::uint32_t value_index);
@@ -80,6 +81,8 @@ class Parser {
   std::uint32_t label_ = ir::kNoIndex;
   text::Span label_span_;
   std::uint8_t skip_level_ = 0;
+  std::uint8_t rest_level_ = 0;  // of "/" inside the block
+  std::uint32_t rest_begin_ = 0;
   std::string section_name_;       // of the program that the block begins
   bool bracketed_target_ = false;  // [#NAME] = …
   std::vector<OpenLoop> open_loops_;

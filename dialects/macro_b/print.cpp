@@ -36,6 +36,8 @@ constexpr std::int16_t kLastPlainOffset = 6;  // G59
 constexpr int kComputedDecimals = 4;
 constexpr int kWrittenDecimals = 6;
 
+std::string skip_sign(std::uint8_t level) { return level == 1 ? "/" : fmt::format("/{}", level); }
+
 std::string_view string_of(const ir::Program& program, ExpressionId id) {
   return id == ExpressionId::none ? std::string_view() : program.strings.at(program.at(id).string);
 }
@@ -168,8 +170,8 @@ void ProgramPrinter::statement(std::uint32_t index) {
     return;
   }
   std::string head;
-  if (s.skip_level == 1) head = "/";
-  if (s.skip_level > 1) head = fmt::format("/{} ", s.skip_level);
+  if (s.skip_level != 0) head = skip_sign(s.skip_level);
+  if (s.skip_level > 1) head += ' ';
   head += label;
   if (!label.empty() && !text.empty()) head += ' ';
   if (!text.empty() || !label.empty()) line(s, head + text);
@@ -183,13 +185,22 @@ std::string ProgramPrinter::block(const ir::Block& block) const {
     out += part;
   };
   const auto codes = program_.codes_of(block);
-  for (const ir::Code& c : codes) {
-    if (const std::string written = code(c); !written.starts_with('M')) add(written);
-  }
-  for (const ir::Word& w : program_.words_of(block)) add(word(w));
-  for (const ir::Code& c : codes) {
-    if (const std::string written = code(c); written.starts_with('M')) add(written);
-  }
+  const auto add_part = [&](bool rest) {
+    for (const ir::Code& c : codes) {
+      if (in_rest(block, c.span) != rest) continue;
+      if (const std::string written = code(c); !written.starts_with('M')) add(written);
+    }
+    for (const ir::Word& w : program_.words_of(block))
+      if (in_rest(block, w.span) == rest) add(word(w));
+    for (const ir::Code& c : codes) {
+      if (in_rest(block, c.span) != rest) continue;
+      if (const std::string written = code(c); written.starts_with('M')) add(written);
+    }
+  };
+  add_part(false);
+  if (block.rest_level == 0) return out;
+  add(skip_sign(block.rest_level));
+  add_part(true);
   return out;
 }
 
@@ -219,8 +230,8 @@ std::string ProgramPrinter::word(const ir::Word& word) const {
   const ir::Expression& value = program_.at(word.value);
   if (value.op != Operator::constant) return out + expressions_.word_value(word.value);
   const bool is_axis = word.address == Address::h && is_increment_of_c(control_);
-  const bool whole =
-      (kWholeAddresses.contains(out.front()) && !is_axis) || (out == "S" && value.value == std::floor(value.value));
+  const bool counts = (kWholeAddresses.contains(out.front()) && !is_axis) || out == "S";
+  const bool whole = counts && value.value == std::floor(value.value);
   // T0606: two digits each for the tool and its offset.
   const bool pairs = out == "T" && control_.semantics.tool_word == ir::ToolWord::number_and_offset;
   if (whole) return out + fmt::format("{:0{}}", std::llround(value.value), pairs ? 4 : 0);

@@ -90,6 +90,9 @@ void BlockRaiser::block(const ir::Statement& statement) {
   if (shifts_whole_ && !same_) whole_shift();
   distance_frame(traits);
   if (!same_) split_m_codes();
+  if (old.rest_level != 0 && !keeps_rest(old)) return cannot(statement, "block skip inside a block");
+  draft_.rest_level = old.rest_level;
+  draft_.rest_begin = old.rest_begin;
   emit_all();
 }
 
@@ -330,6 +333,15 @@ void BlockRaiser::split_m_codes() {
   after_.insert(after_.begin(), extra.begin(), extra.end());
 }
 
+// What the switch leaves out is still the same words of the same block.
+bool BlockRaiser::keeps_rest(const ir::Block& old) const {
+  const auto count = [&](const auto& list) {
+    return std::ranges::count_if(list, [&](const auto& one) { return in_rest(old, one.span); });
+  };
+  const auto before = count(program_.codes_of(old)) + count(program_.words_of(old));
+  return before_.empty() && after_.empty() && count(draft_.codes) + count(draft_.words) == before;
+}
+
 void BlockRaiser::emit_all() {
   for (const Draft& draft : before_) emit(draft);
   if (!draft_.empty()) emit(draft_);
@@ -344,6 +356,8 @@ void BlockRaiser::emit(const Draft& draft) {
   block.word_count = static_cast<std::uint32_t>(draft.words.size());
   program_.codes.insert(program_.codes.end(), draft.codes.begin(), draft.codes.end());
   program_.words.insert(program_.words.end(), draft.words.begin(), draft.words.end());
+  block.rest_level = draft.rest_level;
+  block.rest_begin = draft.rest_begin;
   program_.blocks.push_back(block);
   out_.emit(ir::StatementKind::block, static_cast<std::uint32_t>(program_.blocks.size() - 1));
 }

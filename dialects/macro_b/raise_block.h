@@ -28,6 +28,8 @@ class BlockRaiser {
   struct Draft {
     std::vector<ir::Code> codes;
     std::vector<ir::Word> words;
+    std::uint8_t rest_level = 0;  // as in ir::Block
+    std::uint32_t rest_begin = 0;
     [[nodiscard]] bool empty() const { return codes.empty() && words.empty(); }
   };
   // What the words of the block are about.
@@ -52,6 +54,7 @@ class BlockRaiser {
   void length_offset(const Traits& traits);
   void speed_limit(const ir::Word& word);
   void distance_frame(const Traits& traits);
+  [[nodiscard]] bool keeps_rest(const ir::Block& old) const;
   void emit_all();
   void emit(const Draft& draft);
   void split_m_codes();

@@ -89,13 +89,14 @@ class BlockRaiser {
     for (const ir::Statement& s : program_.statements) {
       const bool ends = s.kind == StatementKind::program_end;
       if (s.kind != StatementKind::block && !(ends && s.payload != ir::kNoIndex)) continue;
-      rewrite(program_.blocks[s.payload]);
+      rewrite(program_.blocks[s.payload], s.span);
     }
   }
 
  private:
-  void rewrite(ir::Block& block) {
+  void rewrite(ir::Block& block, text::Span span) {
     const ir::Block old = block;
+    if (old.rest_level != 0) raising_.cannot("block skip inside a block", span);
     codes_ = std::span(old_codes_).subspan(old.first_code, old.code_count);
     words_ = std::span(old_words_).subspan(old.first_word, old.word_count);
     block.first_code = static_cast<std::uint32_t>(program_.codes.size());

@@ -123,8 +123,6 @@ void check_digits(const Check& check) {
   }
 }
 
-bool is_structure(StatementKind kind) { return kind >= StatementKind::if_begin && kind <= StatementKind::loop_end; }
-
 }  // namespace
 
 void check_limits(const Check& check) {
@@ -132,7 +130,7 @@ void check_limits(const Check& check) {
     if (s.kind == StatementKind::repeat_section) check_section(check, s);
     if (s.kind == StatementKind::call || s.kind == StatementKind::modal_call)
       check_passes(check, check.program.calls[s.payload].repeats, 1.0);
-    if (is_structure(s.kind) && s.skip_level > 0)
+    if (ir::is_structure(s.kind) && s.skip_level > 0)
       check.report(DiagnosticId::syntax_error, s.span, {"a control structure cannot be skipped"}).alarm = "12630";
     if (s.kind != StatementKind::block) continue;
     check_feed(check, check.block_of(s));

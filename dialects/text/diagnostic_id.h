@@ -111,6 +111,7 @@ enum class DiagnosticId : std::uint16_t {
   // translation and rendering
   cannot_translate,
   unknown_modal_state,
+  block_skip_decided,
   not_enough_variables,
   // family language
   family_syntax,

@@ -26,6 +26,7 @@ struct Options {
   std::string trace = "motions";
   std::string state;
   std::vector<std::string> limits;
+  std::vector<std::uint32_t> skips;
 };
 
 // --limit blocks=n, loops=n, calls=n
@@ -203,6 +204,7 @@ int run_command(const Options& options) {
   }
   interpreter::RunOptions run;
   run.limits = *limits;
+  for (const std::uint32_t level : options.skips) run.skip_switches |= 1U << level;
   run.initial_values = *state;
   run.want_variables = options.text.json;
   if (options.file == "-" || options.trace == "blocks") return run_source(options, std::move(run));
@@ -227,6 +229,8 @@ void add_run(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--state", options->state,
                       "values before the start, a line each: #500=12.5, R5=1, INI[53]=2, $A_IN[1]=1");
+  command->add_option("--skip", options->skips, "block skip switch N is on, 1 for \"/\" (may be repeated)")
+      ->check(CLI::Range(1, 10));
   command->add_option("--limit", options->limits, "blocks=N, loops=N or calls=N (may be repeated)");
   command->callback([options, &exit_code] { exit_code = run_command(*options); });
 }
