@@ -15,7 +15,8 @@ namespace {
 constexpr std::array<double, 15> kBauds = {300,   600,   1200,   2400,   4800,   9600,   14400, 19200,
                                            38400, 57600, 115200, 230400, 460800, 921600, 4e6};
 constexpr double kLeastShare = 1.0 / 64.0;
-constexpr int kSteps = 10;
+constexpr int kSteps = 7;  // of the feed: within 3 %
+constexpr double kBaudStep = 1.02;
 constexpr double kSlack = 1e-3;  // of the time: so much slower by short sight is not yet starving
 
 // Ends the run at the first stall, or when too much time was lost.
@@ -76,7 +77,7 @@ std::optional<double> least_baud(Advisor& advisor, const Line& line) {
   if (starves(kBauds.back())) return std::nullopt;
   double low = line.baud;
   double high = kBauds.back();
-  for (int step = 0; step < 2 * kSteps && high > low * 1.005; ++step) {
+  while (high > low * kBaudStep) {
     const double middle = std::sqrt(low * high);
     (starves(middle) ? low : high) = middle;
   }
@@ -88,7 +89,7 @@ std::optional<double> most_share(Advisor& advisor) {
   double low = kLeastShare;
   double high = 1.0;
   for (int step = 0; step < kSteps; ++step) {
-    const double middle = 0.5 * (low + high);
+    const double middle = std::sqrt(low * high);
     (advisor.starves_at(middle) ? high : low) = middle;
   }
   return low;

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "checks/timing/limited_look_ahead.h"
 #include "checks/timing/sweep.h"
 
 namespace dripfeed::timing {
@@ -186,6 +187,36 @@ TEST(LookAhead, ALongerSightIsNeverSlower) {
     before = time;
   }
   EXPECT_LE(plan(pieces).total_s, before * (1 + 1e-12));
+}
+
+// The look-ahead profile of the whole path: the backward sweep alone.
+std::vector<double> swept_back(const PieceArrays& pieces) {
+  std::vector<double> speed2(pieces.size() + 1, 0.0);
+  junction_limits(pieces, {0, pieces.size()}, speed2.data());
+  sweep_back(pieces, {0, pieces.size()}, 0.0, speed2.data());
+  return speed2;
+}
+
+TEST(LimitedLookAhead, IsTheExactOneWhereTheOverlapSuffices) {
+  std::size_t short_ones = 0;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    auto path = random_path(seed, 1 + seed * 7 % 1500, 0.0);
+    for (Piece& piece : path) piece.length = 0.05 + 0.05 * piece.length;
+    const PieceArrays pieces = arrays_of(path);
+    const std::vector<double> exact = swept_back(pieces);
+    LimitedPlan wide, narrow, parallel;
+    plan_limited(pieces, {100, 5, 2000, 1}, wide);
+    EXPECT_EQ(wide.cut, 0U);
+    EXPECT_EQ(wide.limit2, exact) << seed;
+    plan_limited(pieces, {100, 1, 3, 1}, narrow);
+    plan_limited(pieces, {100, 1, 3, 3}, parallel);
+    ASSERT_EQ(parallel.limit2, narrow.limit2);
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+      ASSERT_LE(narrow.limit2[i], exact[i]) << seed;  // a drop, never more than the machine can
+      short_ones += narrow.limit2[i] < exact[i] ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(short_ones, 1000U);
 }
 
 LinePath random_lines(unsigned seed, std::size_t count) {
