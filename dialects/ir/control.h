@@ -79,8 +79,11 @@ enum class AlarmDetail : std::uint8_t {
   macro_call,          // nesting of macros, not of subprograms
   macro_program,       // a macro call without its program
   if_nesting,
-  inverse_time,  // no feed in a block of G93
-  second_call,   // M98 twice in a block
+  inverse_time,     // no feed in a block of G93
+  second_call,      // M98 twice in a block
+  reference_check,  // G27
+  axis_moves,       // between a rigid tap's M29 and its cycle
+  plane_changes,    // … or in it
 };
 struct AlarmRow {
   text::DiagnosticId id;

@@ -58,6 +58,7 @@ enum class Address : std::uint8_t {
   modal_rounding,  // RNDM=
   frame_angle,     // RPL=
   measuring,       // MEAS=: a probe may end the move
+  direct_angle,    // ,A: of the line that the block cuts, from the plane's first axis
   other,           // a named address that is kept as text: Word::name
   count_,
 };

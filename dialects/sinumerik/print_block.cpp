@@ -40,6 +40,7 @@ std::string_view name_of(Address a) {
     case Address::modal_rounding: return "RNDM";
     case Address::frame_angle: return "RPL";
     case Address::measuring: return "MEAS";
+    case Address::direct_angle: return "ANG";
     case Address::rounding: return "RND";
     case Address::named_axis:
     case Address::other:
