@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "dialects/compile/carry_comments.h"
 #include "dialects/compile/dialect.h"
 #include "dialects/compile/explicit_program.h"
 
@@ -86,6 +87,7 @@ class Converter {
     if (text::has_error(result_.diagnostics)) return std::move(result_);
     if (request_.mode == ConvertMode::macro) {
       print(read.program, request_.from);
+      if (!text::has_error(result_.diagnostics)) comments(read.program);
     } else {
       explicit_blocks(read.program);
     }
@@ -99,6 +101,13 @@ class Converter {
     append(result_.diagnostics, std::move(raised.diagnostics));
     if (text::has_error(result_.diagnostics)) return;
     ir::PrintResult printed = to_.print(raised.program, request_.to);
+    result_.text = std::move(printed.text);
+    result_.origin_lines = std::move(printed.origin_lines);
+  }
+
+  void comments(const ir::Program& program) {
+    ir::PrintResult printed{.text = std::move(result_.text), .origin_lines = std::move(result_.origin_lines)};
+    carry_comments(program, request_.to, to_.comments, printed, result_.diagnostics);
     result_.text = std::move(printed.text);
     result_.origin_lines = std::move(printed.origin_lines);
   }

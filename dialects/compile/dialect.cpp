@@ -23,7 +23,7 @@ constexpr std::array kDialects = {
     Dialect{"mitsubishi-m80", "Mitsubishi M70, M80", mitsubishi::control, mitsubishi::infer_control, mitsubishi::read,
             mitsubishi::plain_scanner, mitsubishi::validate, mitsubishi::raise, mitsubishi::print},
     Dialect{"sinumerik-840d", "SINUMERIK 840D sl", sinumerik_control, sinumerik::infer_control, sinumerik::read,
-            sinumerik::plain_scanner, sinumerik::validate, sinumerik::raise, sinumerik::print,
+            sinumerik::plain_scanner, sinumerik::validate, sinumerik::raise, sinumerik::print, CommentStyle::semicolon,
             sinumerik::standard_cycle},
 };
 

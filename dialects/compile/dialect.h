@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dialects/compile/carry_comments.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/plain_batch.h"
 #include "dialects/ir/program.h"
@@ -33,6 +34,7 @@ struct Dialect {
   // Makes a program of `from` legal for `to`, a control of this dialect.
   ir::RaiseResult (*raise)(const ir::Program& program, const ir::Control& from, const ir::Control& to);
   ir::PrintResult (*print)(const ir::Program& program, const ir::Control& control);
+  CommentStyle comments = CommentStyle::brackets;
   // Text of a program that the control brings along (a standard cycle), empty without one; nullptr: it has none.
   std::string_view (*standard_program)(std::string_view name) = nullptr;
 };

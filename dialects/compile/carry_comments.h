@@ -1,0 +1,24 @@
+// Comments of a program that is translated, put into the translation beside the lines that came from theirs. A comment
+// says what the other control's comments can say and never becomes code there; framing lines (;$PATH=) are none.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dialects/ir/control.h"
+#include "dialects/ir/program.h"
+#include "dialects/ir/stage.h"
+#include "dialects/text/diagnostic.h"
+
+namespace dripfeed::compile {
+
+// How a control writes a comment: "(" and ")", or ";" to the end of the line.
+enum class CommentStyle : std::uint8_t { brackets, semicolon };
+
+// `printed` is the translation of `program` without its comments. Adds to `diagnostics` a note for each line whose
+// comment has characters that `to` has no place for.
+void carry_comments(const ir::Program& program, const ir::Control& to, CommentStyle style, ir::PrintResult& printed,
+                    std::vector<text::Diagnostic>& diagnostics);
+
+}  // namespace dripfeed::compile
