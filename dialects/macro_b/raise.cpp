@@ -10,6 +10,8 @@
 #include "dialects/macro_b/flatten.h"
 #include "dialects/macro_b/print.h"
 #include "dialects/macro_b/raise_block.h"
+#include "dialects/macro_b/raise_drilling.h"
+#include "dialects/macro_b/raise_frames.h"
 #include "dialects/passes/allocation.h"
 #include "dialects/passes/labels.h"
 #include "dialects/passes/rewrite.h"
@@ -221,6 +223,8 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   ir::Program& p = result.program;
   if (from.dialect != to.dialect) say_unsaid(p, from, to, result.diagnostics);
   append(result.diagnostics, complete_statements(p, to.title));
+  if (from.dialect != to.dialect) append(result.diagnostics, raise_drilling(p, from, to));
+  if (from.dialect != to.dialect) append(result.diagnostics, raise_frames(p, to));
   passes::FreeNumbers numbers(p, grammar.highest_block_number);
   append(result.diagnostics, passes::number_labels(p, numbers));
   append(result.diagnostics, passes::lower_counted_loops(p, numbers).diagnostics);

@@ -80,6 +80,10 @@ void BlockRaiser::block(const ir::Statement& statement) {
   shifts_whole_ = false;
   before_.clear();
   after_.clear();
+  counts_factors_ = std::ranges::any_of(words, [&](const ir::Word& w) {
+    const ir::Expression& e = program_.at(w.value);
+    return (is_center(w) || w.address == Address::p) && e.op == Operator::constant && !e.has_point;
+  });
   for (const ir::Code& c : codes) code(c);
   const Traits traits = traits_of(codes, words);
   for (const ir::Word& w : words) word(w, traits);
@@ -154,7 +158,7 @@ void BlockRaiser::code(const ir::Code& code) {
   if (code.number != ExpressionId::none) return cannot(*statement_, "a code with a calculated number");
   if (f == Function::machine_function) return draft_.codes.push_back(code);
   const bool factors = f == Function::scale && code.argument == ir::kFrameAboutPoint;
-  if (factors && from_.semantics.scale_unit != to_.semantics.scale_unit)
+  if (factors && counts_factors_ && from_.semantics.scale_unit != to_.semantics.scale_unit)
     return cannot(*statement_, "scaling, whose factors count otherwise here");
   if (f == Function::work_offset && code.argument > kLastPlainOffset) {
     ir::Code extended = code_of(Function::work_offset, 1);
@@ -187,6 +191,17 @@ void BlockRaiser::word(const ir::Word& word, const Traits& traits) {
   if (word.address == Address::spindle_limit) return speed_limit(word);
   if (word.address == Address::arc_radius) raised.address = Address::r;
   if (is_center(word) && word.mode == ir::WordMode::absolute) return cannot(*statement_, "an absolute arc centre");
+  if (word.address == Address::direct_angle) {
+    // Not every mill has it.
+    if (!from_.semantics.arc_radius_is_r && to_.kind == ir::MachineKind::mill)
+      return cannot(*statement_, "a line by its angle");
+    raised.value = with_point(raised.value, true);
+    return draft_.words.push_back(raised);
+  }
+  if (word.address == Address::rounding || word.address == Address::chamfer) {
+    raised.value = with_point(raised.value, false);
+    return draft_.words.push_back(raised);
+  }
   const bool length = is_center(word) || holds(kAxisLetters, word.address) || raised.address == Address::r;
   if (length || raised.address == Address::f) {
     const bool counts = length || from_.semantics.decimal_mode == ir::DecimalMode::calculator;

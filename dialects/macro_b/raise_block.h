@@ -76,8 +76,9 @@ class BlockRaiser {
   bool edges_;  // D is an edge of the tool
   bool incremental_ = false;
   bool inch_ = false;
-  bool feed_in_mm_ = false;    // inch for lengths only
-  bool shifts_whole_ = false;  // the block's shift takes away those of axes that it does not name
+  bool feed_in_mm_ = false;      // inch for lengths only
+  bool counts_factors_ = false;  // the block has a factor without a point
+  bool shifts_whole_ = false;    // the block's shift takes away those of axes that it does not name
   ir::DiameterMode diameter_;
   ir::ExpressionId tool_ = ir::ExpressionId::none;  // number of the last T
   const ir::Statement* statement_ = nullptr;

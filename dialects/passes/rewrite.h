@@ -19,6 +19,8 @@ class Rewrite {
   void keep();
   // A statement of the line and span of at(); its tokens are empty.
   void emit(ir::StatementKind kind, std::uint32_t payload);
+  // The statement that was emitted last.
+  ir::Statement& last() { return statements_.back(); }
   void emit_assign(ir::VariableId target, ir::ExpressionId value);
   void emit_jump(const ir::Jump& jump);
   void emit_structure(ir::StatementKind kind, const ir::Structure& structure);

@@ -153,7 +153,7 @@ class Printer {
       case StatementKind::modal_call: out += "MCALL "; return call(program_.calls[s.payload], out);
       case StatementKind::modal_call_end:
         // A cycle that is not read stands on the same line.
-        if (same_name(written(s.span), "MCALL")) out += "MCALL";
+        if (s.span.empty() || same_name(written(s.span), "MCALL")) out += "MCALL";
         return;
       case StatementKind::procedure: return procedure(program_.structures[s.payload], out);
       case StatementKind::declaration: out += written_line(i); return;

@@ -59,6 +59,8 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
     raise_vacant(raising);
     raise_expressions(raising);
     raise_flow(raising);
+    raise_cycles(raising);
+    raise_frames(raising);
   }
   raise_blocks(raising);
   if (!raising.is_own()) {

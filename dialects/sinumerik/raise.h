@@ -30,6 +30,8 @@ struct Raising {
 void raise_vacant(const Raising& raising);       // raise_vacant.cpp: variables that are empty until they are set
 void raise_expressions(const Raising& raising);  // raise_expressions.cpp: operators and system variables
 void raise_flow(const Raising& raising);         // raise_flow.cpp: jumps, calls, alarms, natives
+void raise_cycles(const Raising& raising);       // raise_cycles.cpp: modal drilling becomes MCALL
+void raise_frames(const Raising& raising);       // raise_frames.cpp: G68, G51, G51.1 become chains of frames
 void raise_blocks(const Raising& raising);       // raise_blocks.cpp: codes and words
 void raise_modes(const Raising& raising);        // raise_modes.cpp: feed and surface speed in one group; the safe start
 void raise_variables(const Raising& raising);    // raise.cpp: numbers and names become R parameters

@@ -2,6 +2,7 @@
 // by which SINUMERIK calls it, so that the printer needs no table.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "dialects/ir/frame_use.h"
@@ -77,11 +78,14 @@ bool is_length(Address a) {
   return a == Address::x || a == Address::y || a == Address::z || a == Address::u || a == Address::v ||
          a == Address::w || a == Address::i || a == Address::j || a == Address::k || a == Address::r;
 }
-bool is_angle(Address a) { return a <= Address::c; }
+bool is_angle(Address a) { return a <= Address::c || a == Address::direct_angle; }
 
 class BlockRaiser {
  public:
-  explicit BlockRaiser(const Raising& raising) : raising_(raising), program_(raising.program) {}
+  explicit BlockRaiser(const Raising& raising)
+      : raising_(raising),
+        program_(raising.program),
+        inch_(raising.from.semantics.power_on_unit == Function::unit_inch) {}
 
   void run() {
     old_codes_.swap(program_.codes);
@@ -102,6 +106,8 @@ class BlockRaiser {
     block.first_code = static_cast<std::uint32_t>(program_.codes.size());
     block.first_word = static_cast<std::uint32_t>(program_.words.size());
     dwell_ = has(Function::dwell);
+    if (has(Function::unit_inch)) inch_ = true;
+    if (has(Function::unit_mm)) inch_ = false;
     for (const ir::Code& c : codes_) code(c);
     for (const ir::Code& c : codes_) {
       if (c.group != ModalGroup::motion) continue;
@@ -168,10 +174,25 @@ class BlockRaiser {
   [[nodiscard]] std::string name_of(const ir::Code& c) const {
     if (c.function == Function::work_offset) return name_of_offset(c.argument);
     if (c.function == Function::machine_function) return "M" + std::to_string(c.argument);
+    if (const std::string_view frame = name_of_frame(c); !frame.empty()) return std::string(frame);
     if (c.function == Function::unit_inch && c.argument == 1) return "G70";
     if (c.function == Function::unit_mm && c.argument == 1) return "G71";
     const auto row = std::ranges::find(kNames, c.function, &CodeName::function);
     return row == kNames.end() ? std::string() : std::string(row->name);
+  }
+
+  static std::string_view name_of_frame(const ir::Code& c) {
+    struct Row {
+      Function function;
+      std::string_view adds;
+      std::string_view replaces;
+    };
+    static constexpr Row kFrames[] = {{Function::rotate, "AROT", "ROT"},
+                                      {Function::scale, "ASCALE", "SCALE"},
+                                      {Function::mirror, "AMIRROR", "MIRROR"}};
+    const auto* const row = std::ranges::find(kFrames, c.function, &Row::function);
+    if (row == std::end(kFrames)) return {};
+    return c.argument == ir::kFrameAdds ? row->adds : c.argument == ir::kFrameReplaces ? row->replaces : "";
   }
 
   // G54 to G57; the fifth and sixth of the others are G505 and G506, and their further ones (above 100) follow those.
@@ -253,7 +274,9 @@ class BlockRaiser {
     const ir::Expression e = program_.at(w.value);
     if (from.decimal_mode != ir::DecimalMode::least_increment || e.op != ir::Operator::constant || e.has_point)
       return w.value;
-    if (is_length(w.address)) return program_.add_constant(e.value * from.least_increment_mm, e.span);
+    // Ten times finer in inch: X1000 is 0.1 inch where it is 1 mm.
+    const double per_unit = std::nearbyint(1.0 / from.least_increment_mm) * (inch_ ? 10.0 : 1.0);
+    if (is_length(w.address)) return program_.add_constant(e.value / per_unit, e.span);
     if (is_angle(w.address)) return program_.add_constant(e.value * from.least_increment_deg, e.span);
     return w.value;
   }
@@ -324,6 +347,7 @@ class BlockRaiser {
   std::vector<ir::Word> old_words_;
   std::span<const ir::Code> codes_;
   std::span<const ir::Word> words_;
+  bool inch_;  // in the order of the text
   bool dwell_ = false;
   bool arc_is_modal_ = false;
   bool thread_is_modal_ = false;

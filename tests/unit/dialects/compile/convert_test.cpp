@@ -279,21 +279,35 @@ TEST(Library, AsksOnceAndRemembersWhatIsMissing) {
   EXPECT_EQ(cycle.library.loaded()[0]->name, "TURNING_CYCLE");
 }
 
-// G68 is about a point and beside the shift; ROT replaces and AROT adds to it: one is never printed for the other.
-TEST(Convert, AFrameIsNotPrintedAsAnotherKindOfFrame) {
+// G68 is about a point and beside the shift; ROT replaces and AROT adds to it: one is never printed for the other, and
+// what is printed moves the same.
+TEST(Convert, AFrameMovesTheSameWhateverItIsPrintedAs) {
   for (const std::string& to : dialect_names()) {
     if (to == "sinumerik-840d") continue;
     for (const std::string code : {"AROT Z30", "ROT Z30", "ROT", "MIRROR X0", "AMIRROR X0", "SCALE X2 Y2 Z2"}) {
       ConvertRequest request;
-      request.source = text::Source("frames", "G710 G17 G90 G94 G40\n" + code + "\nG0 X10 Y5 Z5\nM30\n");
+      request.source = text::Source("frames", "G710 G17 G90 G94 G40\nTRANS X1\n" + code + "\nG0 X10 Y5 Z5\nM30\n");
       request.from = control("sinumerik-840d", ir::MachineKind::mill);
       request.to = control(to, ir::MachineKind::mill);
       request.mode = ConvertMode::macro;
       const ConvertResult result = convert(request);
-      EXPECT_TRUE(text::has_error(result.diagnostics)) << code << "\n" << result.text;
-      EXPECT_EQ(result.text, "") << code;
+      ASSERT_FALSE(text::has_error(result.diagnostics)) << code << "\n" << said(result.diagnostics, request.source);
+      expect_same(moves_of(run_text(std::string(request.source.text()), request.from).motions),
+                  moves_of(run_text(result.text, request.to).motions), 1e-9, result.text);
     }
   }
+}
+
+// X1000 without a point is a tenth of an inch, or one millimetre, where increments are counted.
+TEST(Convert, LeastIncrementsCountInTheUnitInEffect) {
+  ConvertRequest request;
+  request.source = text::Source("program", "%\nO1\nG20 G17 G90 G94\nG00 X1000\nG21\nX1000\nM30\n%\n");
+  request.from = control("fanuc", ir::MachineKind::mill);
+  request.from.semantics.decimal_mode = ir::DecimalMode::least_increment;
+  request.to = control("sinumerik-840d", ir::MachineKind::mill);
+  const ConvertResult result = convert(request);
+  EXPECT_TRUE(result.text.contains("X0.1\n")) << result.text;
+  EXPECT_TRUE(result.text.contains("X1.\n")) << result.text;
 }
 
 // No control has words for half a structure: it is refused in both modes, and the whole one is not.

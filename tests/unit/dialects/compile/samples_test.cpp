@@ -1,7 +1,6 @@
-// The sample programs, each written for one control, on the three others: the same moves there, by plain blocks always
-// and by variables and loops wherever the other control has words for them.
+// The sample programs, each written for one control, on the three others: the same moves there, by plain blocks
+// and by variables, loops, cycles and frames.
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -47,24 +46,6 @@ ConvertResult converted(const Sample& sample, const std::string& to, ConvertMode
   return convert(request);
 }
 
-// What a control has no macro words for, with what the error names.
-struct Untranslatable {
-  std::string_view name;
-  std::string_view to;  // "": all others
-  std::string_view named;
-};
-constexpr std::array kUntranslatable = {
-    Untranslatable{"drilling.nc", "sinumerik-840d", "G81"},
-    Untranslatable{"shifted.mpf", "", "AROT"},
-};
-
-const Untranslatable* untranslatable(const Sample& sample, const std::string& to) {
-  for (const Untranslatable& row : kUntranslatable) {
-    if (sample.name == row.name && (row.to.empty() || row.to == to)) return &row;
-  }
-  return nullptr;
-}
-
 TEST(Samples, EveryControlHasSome) {
   const std::vector<Sample> all = samples();
   for (const std::string& dialect : dialect_names()) {
@@ -89,20 +70,13 @@ TEST(Samples, MoveTheSameAsPlainBlocksOfEveryOtherControl) {
 
 TEST(Samples, MoveTheSameAsMacrosOfEveryOtherControl) {
   for (const Sample& sample : samples()) {
-    const auto original = moves_of(run_text(sample.text, control(sample.dialect, sample.kind)).motions);
+    const auto original = real_moves(run_text(sample.text, control(sample.dialect, sample.kind)).motions);
     for (const std::string& to : dialect_names()) {
       if (to == sample.dialect) continue;
       SCOPED_TRACE(sample.dialect + "/" + sample.name + " on " + to);
       const ConvertResult result = converted(sample, to, ConvertMode::macro);
-      if (const Untranslatable* row = untranslatable(sample, to)) {
-        const std::string text = said(result.diagnostics, text::Source(sample.name, sample.text));
-        EXPECT_TRUE(text::has_error(result.diagnostics));
-        EXPECT_TRUE(result.text.empty());
-        EXPECT_TRUE(text.contains(row->named)) << text;
-        continue;
-      }
       ASSERT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("", sample.text));
-      expect_same(original, moves_of(run_text(result.text, control(to, sample.kind)).motions), kExact, result.text);
+      expect_same(original, real_moves(run_text(result.text, control(to, sample.kind)).motions), kExact, result.text);
     }
   }
 }

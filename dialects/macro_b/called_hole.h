@@ -1,0 +1,36 @@
+// What a called drilling cycle (CYCLE81 to CYCLE89) makes, as far as these controls can say it.
+#pragma once
+
+#include <expected>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "dialects/ir/cycle.h"
+#include "dialects/ir/program.h"
+
+namespace dripfeed::macro_b {
+
+// Lengths in units of the program.
+struct Hole {
+  std::string name;
+  ir::DrillCycle cycle = ir::DrillCycle::drill;
+  ir::ExpressionId back = ir::ExpressionId::none;   // RTP
+  ir::ExpressionId level = ir::ExpressionId::none;  // RFP and SDIS
+  ir::ExpressionId depth = ir::ExpressionId::none;
+  double dwell_s = 0.0;
+  double peck = 0.0;
+  bool breaks_chips = false;
+  double feed_in = 0.0;  // CYCLE85; 0: the one in effect
+  double feed_out = 0.0;
+  bool constant = false;  // all levels are numbers
+};
+
+// Whether the name is one of a drilling cycle, also of those that have no counterpart.
+bool is_drilling_cycle(std::string_view name);
+// Adds constants to `program`. The error names what of the call cannot be said.
+std::expected<Hole, std::string> called_hole(ir::Program& program, const ir::Call& call);
+// A number with or without sign; nothing for what is computed or left out.
+std::optional<double> constant_value(const ir::Program& program, ir::ExpressionId id);
+
+}  // namespace dripfeed::macro_b

@@ -1,0 +1,345 @@
+// A modal call is in effect from its block to the next MCALL of the text:
+//
+//   MCALL CYCLE81(10,2,1,-8)     G98 G81 Z-8. R3. K0       where all numbers are known and the tool stands at RTP,
+//   X10 Y10                      X10. Y10.                 or RTP is the level RFP+SDIS itself (G99)
+//   MCALL                        G80
+//
+// Otherwise each position is followed by its moves: rapid to RFP+SDIS, feed to DP, dwell, back. Pecks and boring that
+// only a modal cycle has, and levels whose side is not known, are told as errors.
+#include "dialects/macro_b/raise_drilling.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <expected>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "dialects/ir/cycle.h"
+#include "dialects/macro_b/called_hole.h"
+#include "dialects/passes/rewrite.h"
+
+namespace dripfeed::macro_b {
+
+namespace {
+
+using ir::Address;
+using ir::DrillCycle;
+using ir::ExpressionId;
+using ir::Function;
+using ir::StatementKind;
+
+constexpr double kMostHoles = 200.0;
+
+bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
+
+class Drilling {
+ public:
+  Drilling(ir::Program& program, const ir::Control& from, const ir::Control& to)
+      : program_(program), to_(to), out_(program), plane_(from.semantics.power_on_plane) {
+    incremental_ = from.semantics.power_on_distance == Function::incremental;
+  }
+
+  std::vector<text::Diagnostic> run() {
+    const auto count = static_cast<std::uint32_t>(program_.statements.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+      out_.at(i);
+      index_ = i;
+      statement_ = program_.statements[i];
+      if (statement_.is_label ||
+          (statement_.kind >= StatementKind::if_begin && statement_.kind <= StatementKind::loop_end))
+        height_.reset();
+      statement();
+    }
+    out_.finish();
+    return std::move(diagnostics_);
+  }
+
+ private:
+  void statement() {
+    if (statement_.kind == StatementKind::modal_call) return begin();
+    if (statement_.kind == StatementKind::modal_call_end) return end();
+    if (statement_.kind == StatementKind::call) return call();
+    if (statement_.kind == StatementKind::block) return block();
+    if (statement_.kind == StatementKind::native) height_.reset();
+    out_.keep();
+  }
+
+  // --- calls
+
+  void begin() {
+    if (modal_ || native_) close();
+    const std::optional<Hole> hole = hole_of(program_.calls[statement_.payload]);
+    if (!hole) return;  // told
+    modal_ = hole;
+    native_ = fits_modal_cycle(*hole) && region_fits();
+    if (native_) return define(*hole, true);
+    if (!has_moves(*hole)) return;
+    if (region_is_entered()) cannot("a modal call into which jumps lead");
+  }
+
+  void end() {
+    if (!modal_) {
+      // A call of a program of the user's own is another matter.
+      return out_.keep();
+    }
+    close();
+  }
+
+  void close() {
+    if (native_) {
+      emit({code(Function::cycle_off)}, {});
+      emit({code(Function::rapid)}, {});
+    }
+    modal_.reset();
+    native_ = false;
+  }
+
+  void call() {
+    const ir::Call& call = program_.calls[statement_.payload];
+    const std::string name(program_.strings.at(call.name));
+    if (name == "HOLES1" || name == "HOLES2") return holes(name, call);
+    if (!is_drilling_cycle(name)) {
+      height_.reset();
+      return out_.keep();
+    }
+    const std::optional<Hole> hole = hole_of(call);
+    if (!hole) return;
+    if (fits_modal_cycle(*hole)) {
+      define(*hole, false);
+      emit({code(Function::cycle_off)}, {});
+      if (motion_) emit({code(*motion_)}, {});
+    } else if (has_moves(*hole)) {
+      moves(*hole);
+    }
+  }
+
+  // Nothing when it cannot be said here, which is told.
+  std::optional<Hole> hole_of(const ir::Call& call) {
+    std::expected<Hole, std::string> hole = called_hole(program_, call);
+    if (hole) return *hole;
+    cannot(std::move(hole.error()));
+    return std::nullopt;
+  }
+
+  // --- modal cycles
+
+  [[nodiscard]] bool fits_modal_cycle(const Hole& hole) const {
+    if (!hole.constant || to_.kind != ir::MachineKind::mill || plane_ != Function::plane_xy) return false;
+    if (hole.feed_in != 0.0 || hole.feed_out != 0.0) return false;
+    const double back = *number(hole.back);
+    const double level = *number(hole.level);
+    if (*number(hole.depth) >= level) return false;
+    return back == level || (height_ && *height_ == back);
+  }
+
+  // All blocks up to the next MCALL only position, in rapid.
+  [[nodiscard]] bool region_fits() const {
+    if (motion_ != Function::rapid) return false;
+    for (std::uint32_t i = index_ + 1; i < program_.statements.size(); ++i) {
+      const ir::Statement& s = program_.statements[i];
+      if (s.kind == StatementKind::modal_call || s.kind == StatementKind::modal_call_end) return true;
+      if (s.kind != StatementKind::block) continue;
+      const ir::Block& block = program_.blocks[s.payload];
+      for (const ir::Code& c : program_.codes_of(block)) {
+        if (c.group == ir::ModalGroup::motion && c.function != Function::rapid) return false;
+        if (c.group == ir::ModalGroup::plane || c.group == ir::ModalGroup::frame) return false;
+      }
+      for (const ir::Word& w : program_.words_of(block)) {
+        if (w.address == Address::z || w.address == Address::r || w.address == Address::q || w.address == Address::l)
+          return false;
+      }
+    }
+    return true;
+  }
+  [[nodiscard]] bool region_is_entered() const {
+    for (std::uint32_t i = index_ + 1; i < program_.statements.size(); ++i) {
+      const ir::Statement& s = program_.statements[i];
+      if (s.kind == StatementKind::modal_call || s.kind == StatementKind::modal_call_end) return false;
+      if (s.is_label || s.kind == StatementKind::go_to) return true;
+    }
+    return false;
+  }
+
+  // `modal`: the holes follow (K0); otherwise one is drilled here.
+  void define(const Hole& hole, bool modal) {
+    DrillCycle cycle = hole.cycle;
+    if (hole.breaks_chips) cycle = DrillCycle::chip_break;
+    ir::Code drill = code(Function::drill);
+    drill.argument = ir::drill_argument(cycle);
+    const bool to_level = *number(hole.back) == *number(hole.level);
+    std::vector<ir::Word> words = {absolute(Address::z, hole.depth), absolute(Address::r, hole.level)};
+    if (hole.peck > 0.0) words.push_back(word(Address::q, constant(hole.peck)));
+    if (hole.dwell_s > 0.0) words.push_back(word(Address::p, program_.add_constant(hole.dwell_s * 1000.0, {}, false)));
+    if (modal) words.push_back(word(Address::k, program_.add_constant(0.0, {}, false)));
+    emit({code(to_level ? Function::return_to_r : Function::return_to_initial), drill}, words);
+  }
+
+  // --- moves
+
+  // Whether a hole is what these few moves make.
+  bool has_moves(const Hole& hole) {
+    if (hole.cycle == DrillCycle::deep_hole) {
+      cannot(hole.name + " away from a known retraction plane");
+      return false;
+    }
+    return true;
+  }
+
+  void moves(const Hole& hole) {
+    const Address axis = plane_ == Function::plane_zx   ? Address::y
+                         : plane_ == Function::plane_yz ? Address::x
+                                                        : Address::z;
+    emit({code(Function::rapid)}, {absolute(axis, hole.level)});
+    std::vector<ir::Word> in = {absolute(axis, hole.depth)};
+    if (hole.feed_in > 0.0) in.push_back(word(Address::f, constant(hole.feed_in)));
+    emit({code(Function::linear)}, in);
+    if (hole.dwell_s > 0.0) emit({code(Function::dwell)}, {word(Address::f, constant(hole.dwell_s))});
+    const bool by_feed = hole.cycle == DrillCycle::feed_out || hole.cycle == DrillCycle::feed_out_dwell;
+    if (by_feed) {
+      std::vector<ir::Word> out = {absolute(axis, hole.level)};
+      if (hole.feed_out > 0.0) out.push_back(word(Address::f, constant(hole.feed_out)));
+      emit({code(Function::linear)}, out);
+    }
+    emit({code(Function::rapid)}, {absolute(axis, hole.back)});
+    if (motion_ && *motion_ != Function::rapid) emit({code(*motion_)}, {});
+    if (!motion_) cannot("the motion code in effect behind a cycle, which is not known here,");
+    height_ = number(hole.back);
+  }
+
+  // HOLES1(SPCA, SPCO, STA1, FDIS, DBH, NUM), HOLES2(CPA, CPO, RAD, STA1, INDA, NUM): positions in rapid.
+  void holes(const std::string& name, const ir::Call& call) {
+    if (plane_ != Function::plane_xy) return cannot(name + " in another plane than G17");
+    arguments_.assign(program_.arguments_of(call).begin(), program_.arguments_of(call).end());
+    std::array<double, 6> v{};
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      const std::optional<double> value = number_at(i);
+      if (!value) return cannot(name + " with computed arguments");
+      v[i] = *value;
+    }
+    if (v[5] < 1.0 || v[5] > kMostHoles) return cannot(name + " with that number of holes");
+    constexpr double kDegree = 3.14159265358979323846 / 180.0;
+    for (double n = 0.0; n < v[5]; ++n) {
+      const double step = v[4] == 0.0 && name == "HOLES2" ? 360.0 / v[5] : v[4];
+      const double angle = (name == "HOLES2" ? v[3] + n * step : v[2]) * kDegree;
+      const double radius = name == "HOLES2" ? v[2] : v[3] + n * v[4];
+      const ir::Word x = absolute(Address::x, constant(v[0] + radius * std::cos(angle)));
+      const ir::Word y = absolute(Address::y, constant(v[1] + radius * std::sin(angle)));
+      native_ ? emit({}, {x, y}) : emit({code(Function::rapid)}, {x, y});
+      if (modal_ && !native_) moves(*modal_);
+    }
+    if (!native_ && motion_ && *motion_ != Function::rapid) emit({code(*motion_)}, {});
+  }
+
+  // --- blocks
+
+  void block() {
+    const ir::Block& old = program_.blocks[statement_.payload];
+    const auto codes = program_.codes_of(old);
+    const auto words = program_.words_of(old);
+    bool own_words = false;
+    for (const ir::Code& c : codes) {
+      if (c.group == ir::ModalGroup::motion) motion_ = c.function;
+      if (c.group == ir::ModalGroup::plane) plane_ = c.function;
+      if (c.function == Function::absolute || c.function == Function::incremental)
+        incremental_ = c.function == Function::incremental;
+      own_words |= c.group == ir::ModalGroup::non_modal || c.group == ir::ModalGroup::frame;
+      const bool other_height = c.group == ir::ModalGroup::frame || c.group == ir::ModalGroup::work_offset ||
+                                c.group == ir::ModalGroup::unit || c.group == ir::ModalGroup::plane ||
+                                c.function == Function::machine_coordinates || c.function == Function::reference_return;
+      if (other_height) height_.reset();
+    }
+    const bool moves_axes =
+        !own_words && std::ranges::any_of(words, [](const ir::Word& w) { return is_axis(w.address); });
+    if (!own_words) take_height(words);
+    if (native_) {
+      std::vector<ir::Code> others;
+      std::ranges::copy_if(codes, std::back_inserter(others),
+                           [](const ir::Code& c) { return c.function != Function::rapid; });
+      return emit(others, {words.begin(), words.end()});
+    }
+    out_.keep();
+    if (modal_ && moves_axes) moves(*modal_);
+  }
+
+  void take_height(std::span<const ir::Word> words) {
+    for (const ir::Word& w : words) {
+      if (w.address == Address::d || w.address == Address::t) height_.reset();
+      if (w.address != Address::z) continue;
+      const bool absolute_word =
+          w.mode == ir::WordMode::absolute || (w.mode == ir::WordMode::as_modal && !incremental_);
+      height_ = absolute_word ? number(w.value) : std::nullopt;
+    }
+  }
+
+  // --- small parts
+
+  [[nodiscard]] std::optional<double> number(ExpressionId id) const { return constant_value(program_, id); }
+  // Of an argument that is left out: 0.
+  [[nodiscard]] std::optional<double> number_at(std::size_t place) const {
+    const bool given = place < arguments_.size() && arguments_[place].value != ExpressionId::none;
+    return given ? number(arguments_[place].value) : 0.0;
+  }
+
+  ExpressionId constant(double value) { return program_.add_constant(value, {}, true); }
+  static ir::Code code(Function function) {
+    ir::Code c;
+    c.function = function;
+    return c;
+  }
+  static ir::Word word(Address address, ExpressionId value) {
+    ir::Word w;
+    w.address = address;
+    w.value = value;
+    return w;
+  }
+  static ir::Word absolute(Address address, ExpressionId value) {
+    ir::Word w = word(address, value);
+    w.mode = ir::WordMode::absolute;
+    return w;
+  }
+
+  void emit(const std::vector<ir::Code>& codes, const std::vector<ir::Word>& words) {
+    ir::Block made;
+    made.first_code = static_cast<std::uint32_t>(program_.codes.size());
+    made.code_count = static_cast<std::uint32_t>(codes.size());
+    made.first_word = static_cast<std::uint32_t>(program_.words.size());
+    made.word_count = static_cast<std::uint32_t>(words.size());
+    program_.codes.insert(program_.codes.end(), codes.begin(), codes.end());
+    program_.words.insert(program_.words.end(), words.begin(), words.end());
+    program_.blocks.push_back(made);
+    out_.emit(StatementKind::block, static_cast<std::uint32_t>(program_.blocks.size() - 1));
+  }
+
+  void cannot(std::string what) {
+    diagnostics_.push_back(
+        text::make_diagnostic(text::DiagnosticId::cannot_translate, statement_.span, {std::move(what), to_.title}));
+  }
+  ir::Program& program_;
+  const ir::Control& to_;
+  passes::Rewrite out_;
+  std::vector<text::Diagnostic> diagnostics_;
+  ir::Statement statement_;
+  std::uint32_t index_ = 0;
+  std::vector<ir::Argument> arguments_;
+  std::optional<Hole> modal_;
+  bool native_ = false;  // … said by a modal cycle of these controls
+  // In the order of the text.
+  std::optional<Function> motion_;
+  Function plane_;
+  bool incremental_ = false;
+  std::optional<double> height_;
+};
+
+}  // namespace
+
+std::vector<text::Diagnostic> raise_drilling(ir::Program& program, const ir::Control& from, const ir::Control& to) {
+  const bool any = std::ranges::any_of(program.calls, [&](const ir::Call& call) {
+    const std::string_view name = program.strings.at(call.name);
+    return name.starts_with("CYCLE8") || name.starts_with("HOLES");
+  });
+  return any ? Drilling(program, from, to).run() : std::vector<text::Diagnostic>();
+}
+
+}  // namespace dripfeed::macro_b

@@ -1,0 +1,217 @@
+// Forward dataflow over the edges of the program; where two ways meet, what they agree on is kept.
+#include "dialects/sinumerik/drill_state.h"
+
+#include <algorithm>
+#include <deque>
+
+#include "dialects/sinumerik/flow_graph.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using ir::Address;
+using ir::Function;
+using ir::ModalGroup;
+using ir::StatementKind;
+
+bool is_motion(Function f) {
+  return f == Function::rapid || f == Function::linear || f == Function::arc_cw || f == Function::arc_ccw ||
+         f == Function::thread;
+}
+
+// Statements that neither move nor change a mode.
+bool keeps_modes(StatementKind kind) {
+  using enum StatementKind;
+  switch (kind) {
+    case empty:
+    case assign:
+    case go_to:
+    case if_begin:
+    case else_begin:
+    case if_end:
+    case while_begin:
+    case while_end:
+    case repeat_begin:
+    case repeat_end:
+    case for_begin:
+    case for_end:
+    case loop_begin:
+    case loop_end:
+    case define:
+    case declaration:
+    case procedure:
+    case message:
+    case alarm:
+    case output: return true;
+    case block:
+    case call:
+    case subprogram_return:
+    case return_to:
+    case modal_call:
+    case modal_call_end:
+    case program_end:
+    case native:
+    case repeat_section:
+    case execute_text: return false;
+  }
+  return false;
+}
+
+}  // namespace
+
+ir::Address drilling_axis(Function plane) {
+  if (plane == Function::plane_zx) return Address::y;
+  return plane == Function::plane_yz ? Address::x : Address::z;
+}
+
+bool DrillState::meet(const DrillState& o) {
+  bool less = cycle.meet(o.cycle);
+  less |= depth.meet(o.depth) | level.meet(o.level) | peck.meet(o.peck) | dwell.meet(o.dwell);
+  less |= depth_by_distance.meet(o.depth_by_distance) | level_by_distance.meet(o.level_by_distance);
+  less |= feed.meet(o.feed) | speed.meet(o.speed) | to_level.meet(o.to_level) | incremental.meet(o.incremental);
+  less |= inch.meet(o.inch) | at_initial.meet(o.at_initial) | height.meet(o.height) | initial.meet(o.initial);
+  return less | motion.meet(o.motion) | plane.meet(o.plane) | spindle.meet(o.spindle) | feed_mode.meet(o.feed_mode);
+}
+
+void DrillState::forget() {
+  cycle.forget();
+  for (auto* words : {&depth, &level, &peck, &dwell, &feed, &speed}) words->forget();
+  for (auto* flags : {&depth_by_distance, &level_by_distance, &to_level, &incremental, &inch, &at_initial})
+    flags->forget();
+  for (auto* heights : {&height, &initial}) heights->forget();
+  for (auto* functions : {&motion, &plane, &spindle, &feed_mode}) functions->forget();
+}
+
+DrillFlow::DrillFlow(const ir::Program& program, const ir::Control& from)
+    : program_(program), from_(from), before_(program.statements.size() + 1) {
+  FlowGraph graph(program);
+  DrillState start;
+  start.height.forget();
+  start.initial.forget();
+  start.motion.set(from.semantics.power_on_motion);
+  start.plane.set(from.semantics.power_on_plane);
+  start.incremental.set(from.semantics.power_on_distance == Function::incremental);
+  start.inch.set(from.semantics.power_on_unit == Function::unit_inch);
+  start.feed_mode.set(from.semantics.power_on_feed);
+  start.spindle.set(Function::spindle_stop);
+  std::deque<std::uint32_t> work;
+  for (const std::uint32_t entry : graph.entries()) {
+    before_[entry] = start;
+    if (entry != 0) before_[entry]->forget();
+    work.push_back(entry);
+  }
+  while (!work.empty()) {
+    const std::uint32_t i = work.front();
+    work.pop_front();
+    if (i >= program.statements.size()) continue;
+    const DrillState out = step(*before_[i], program.statements[i]);
+    for (const std::uint32_t next : graph.after(i)) {
+      const bool is_new = !before_[next].has_value();
+      if (is_new) before_[next] = out;
+      if (is_new || before_[next]->meet(out)) work.push_back(next);
+    }
+  }
+}
+
+const DrillState* DrillFlow::before(std::uint32_t statement) const {
+  return before_[statement].has_value() ? &*before_[statement] : nullptr;
+}
+
+DrillState DrillFlow::step(const DrillState& state, const ir::Statement& statement) const {
+  if (statement.kind == StatementKind::block) return after(state, program_.blocks[statement.payload]);
+  DrillState out = state;
+  if (!keeps_modes(statement.kind)) out.forget();
+  return out;
+}
+
+DrillState DrillFlow::after(const DrillState& state, const ir::Block& block) const {
+  DrillState out = state;
+  const auto codes = program_.codes_of(block);
+  for (const ir::Code& code : codes) take_code(code, out);
+  // Words of these are no positions, or leave the axis where only the machine knows.
+  const bool own_words = std::ranges::any_of(codes, [](const ir::Code& c) {
+    return c.group == ModalGroup::non_modal || c.group == ModalGroup::frame || c.function == Function::not_modelled ||
+           c.function == Function::machine_coordinates || c.number != ir::ExpressionId::none;
+  });
+  const bool dwell = std::ranges::find(codes, Function::dwell, &ir::Code::function) != codes.end();
+  if (own_words && !dwell) out.height.forget();
+  if (!own_words) take_words(program_.words_of(block), !out.cycle.is(DrillState::kNone), out);
+  return out;
+}
+
+void DrillFlow::take_code(const ir::Code& code, DrillState& out) const {
+  const Function f = code.function;
+  if (code.number != ir::ExpressionId::none && code.letter == 'G') return out.forget();
+  if (f == Function::drill) {
+    const bool enters = out.cycle.is(DrillState::kNone);
+    if (enters || !out.cycle.known) {
+      for (auto* words : {&out.depth, &out.level, &out.peck, &out.dwell}) words->set(ir::ExpressionId::none);
+      out.initial = out.height;
+      if (!enters) out.initial.forget();
+      out.at_initial.set(enters);
+      if (!enters) out.at_initial.forget();
+    }
+    out.cycle.set(code.argument);
+  }
+  if (f == Function::cycle_off || (code.group == ModalGroup::motion && is_motion(f))) {
+    // The tool is left at the level where the last hole ended.
+    if (!out.cycle.is(DrillState::kNone))
+      out.at_initial.is(true) ? void(out.height = out.initial) : out.height.forget();
+    out.cycle.set(DrillState::kNone);
+  }
+  if (code.group == ModalGroup::motion) is_motion(f) ? out.motion.set(f) : out.motion.forget();
+  if (code.group == ModalGroup::plane) out.plane.set(f);
+  if (f == Function::absolute || f == Function::incremental) out.incremental.set(f == Function::incremental);
+  if (f == Function::unit_inch || f == Function::unit_mm) out.inch.set(f == Function::unit_inch);
+  if (f == Function::return_to_initial || f == Function::return_to_r) out.to_level.set(f == Function::return_to_r);
+  if (f == Function::spindle_cw || f == Function::spindle_ccw || f == Function::spindle_stop) out.spindle.set(f);
+  if (code.group == ModalGroup::feed) out.feed_mode.set(f);
+  // Other zeros, lengths and units: the same height has another number.
+  const bool moves_zero = code.group == ModalGroup::work_offset || code.group == ModalGroup::length_offset ||
+                          code.group == ModalGroup::unit || code.group == ModalGroup::frame ||
+                          code.group == ModalGroup::plane;
+  if (moves_zero) out.height.forget();
+}
+
+void DrillFlow::take_words(std::span<const ir::Word> words, bool drills, DrillState& out) const {
+  const Address axis = drilling_axis(out.plane.known ? out.plane.value : Function::plane_xy);
+  bool makes_hole = false;
+  for (const ir::Word& w : words) {
+    makes_hole |=
+        w.address == Address::x || w.address == Address::y || w.address == Address::z || w.address == Address::r;
+    if (w.address == Address::f) out.feed.set(w.value);
+    if (w.address == Address::s) out.speed.set(w.value);
+    if (!drills) {
+      if (w.address != axis) continue;
+      const ir::Expression& e = program_.at(w.value);
+      const bool constant = e.op == ir::Operator::constant &&
+                            (e.has_point || from_.semantics.decimal_mode == ir::DecimalMode::calculator);
+      const bool absolute = out.incremental.is(false) && w.mode == ir::WordMode::as_modal;
+      constant&& absolute ? out.height.set(e.value) : out.height.forget();
+      continue;
+    }
+    if (w.address == axis) {
+      out.depth.set(w.value);
+      out.depth_by_distance = out.incremental;
+    }
+    if (w.address == Address::r) {
+      out.level.set(w.value);
+      out.level_by_distance = out.incremental;
+      if (from_.semantics.drill_r_from_initial) out.level_by_distance.set(true);
+    }
+    if (w.address == Address::q) out.peck.set(w.value);
+    if (w.address == Address::p) out.dwell.set(w.value);
+  }
+  // After a hole the tool is at the R level, or back where the cycle began.
+  if (!drills || !makes_hole) return;
+  if (out.to_level.is(false) && out.at_initial.is(true)) return;
+  if (out.to_level.is(true))
+    out.at_initial.set(false);
+  else if (out.to_level.is(false))
+    out.at_initial.set(true);
+  else
+    out.at_initial.forget();
+}
+
+}  // namespace dripfeed::sinumerik

@@ -1,0 +1,408 @@
+// Modal drilling of the other controls as MCALL of the drilling cycles:
+//
+//   G99 G81 X10. Y10. Z-8. R3. F120.     F120
+//   X30.                                 MCALL CYCLE81(3,3,,-8)
+//   G80                                  G0 X10 Y10
+//                                        G0 X30
+//                                        MCALL
+//
+// RFP is R with no further clearance, RTP is R with G99 and the level where the cycle began with G98: a number where
+// one is known, otherwise $P_EP, the programmed place at that block. The hole is the same; pecks go by the distances
+// that the other control has in its parameters. What has no cycle with the same bottom is an error at its block.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dialects/ir/cycle.h"
+#include "dialects/passes/rewrite.h"
+#include "dialects/sinumerik/drill_state.h"
+#include "dialects/sinumerik/raise.h"
+#include "dialects/sinumerik/system_variables.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using ir::Address;
+using ir::DrillCycle;
+using ir::ExpressionId;
+using ir::Function;
+using ir::Operator;
+using ir::StatementKind;
+
+constexpr double kMostRepeats = 100.0;
+
+bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
+bool is_cycle_word(Address a) {
+  return a == Address::r || a == Address::q || a == Address::p || a == Address::k || a == Address::l;
+}
+
+// What one block of a drilling cycle says.
+struct DrillBlock {
+  std::vector<ir::Code> rest_codes;
+  std::vector<ir::Word> rest_words;
+  std::vector<ir::Word> positions;
+  bool begins = false;     // has the cycle's code
+  bool redefines = false;  // other words of the cycle
+  bool drills = false;
+  double repeats = 1.0;
+};
+
+// RTP, RFP and DP.
+struct Levels {
+  ExpressionId back = ExpressionId::none;
+  ExpressionId reference = ExpressionId::none;
+  ExpressionId depth = ExpressionId::none;
+};
+
+class CycleRaiser {
+ public:
+  explicit CycleRaiser(const Raising& raising)
+      : raising_(raising), program_(raising.program), flow_(program_, raising.from), out_(program_) {}
+
+  void run() {
+    const auto count = static_cast<std::uint32_t>(program_.statements.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+      out_.at(i);
+      const ir::Statement s = program_.statements[i];
+      const DrillState* before = flow_.before(i);
+      if (s.kind != StatementKind::block || before == nullptr)
+        out_.keep();
+      else
+        block(s, *before);
+    }
+    out_.finish();
+  }
+
+ private:
+  void block(const ir::Statement& s, const DrillState& before) {
+    const ir::Block block = program_.blocks[s.payload];
+    const DrillState after = flow_.after(before, block);
+    const bool was = !before.cycle.is(DrillState::kNone);
+    const bool is = !after.cycle.is(DrillState::kNone);
+    if (!was && !is) return out_.keep();
+    statement_ = &s;
+    if (!after.cycle.known) return undecided(block);
+    if (!is) return end(before, block);
+    drill(before, after, block);
+  }
+
+  // A block that may or may not drill.
+  void undecided(const ir::Block& block) {
+    const auto words = program_.words_of(block);
+    if (std::ranges::any_of(words, [](const ir::Word& w) { return is_axis(w.address) || w.address == Address::r; }))
+      raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span, {"the drilling cycle"});
+    out_.keep();
+  }
+
+  void end_modal() {
+    out_.emit(StatementKind::modal_call_end, ir::kNoIndex);
+    out_.last().span = {};
+  }
+
+  // The motion that was in effect before the cycle is again.
+  void end(const DrillState& before, const ir::Block& block) {
+    end_modal();
+    std::vector<ir::Code> codes;
+    bool motion = false;
+    for (const ir::Code& c : program_.codes_of(block)) {
+      if (c.function == Function::cycle_off) continue;
+      motion |= c.group == ir::ModalGroup::motion;
+      codes.push_back(c);
+    }
+    const std::vector<ir::Word> words(program_.words_of(block).begin(), program_.words_of(block).end());
+    if (!motion && before.motion.known) {
+      codes.push_back(motion_code(before.motion.value));
+    } else if (!motion) {
+      raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span, {"the motion behind the cycle"});
+    }
+    emit_block(codes, words);
+  }
+
+  void drill(const DrillState& before, const DrillState& after, const ir::Block& block) {
+    if (after.cycle.value >= ir::kDrillAlongZ) return raising_.cannot("a drilling cycle of a lathe", statement_->span);
+    if (!after.plane.known)
+      raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span, {"the plane of the cycle"});
+    DrillBlock parts = parts_of(block, drilling_axis(after.plane.value));
+    if (!parts.begins && parts.positions.empty() && !parts.drills && !parts.redefines) return out_.keep();
+    parts.redefines |= parts.begins || !before.to_level.known || before.to_level.value != after.to_level.value;
+    if (!parts.rest_codes.empty() || !parts.rest_words.empty()) emit_block(parts.rest_codes, parts.rest_words);
+    if (parts.repeats > kMostRepeats)
+      return raising_.cannot("a cycle that is repeated " + std::to_string(parts.repeats) + " times", statement_->span);
+    if (parts.redefines) {
+      const std::optional<std::uint32_t> call = call_of(before, after, block);
+      if (!call) return;
+      // A modal call would follow the blocks of a call in place, too.
+      const bool in_place = parts.drills && parts.positions.empty();
+      if (in_place && !before.cycle.is(DrillState::kNone)) end_modal();
+      for (double n = 0.0; in_place && n < parts.repeats; ++n) out_.emit(StatementKind::call, *call);
+      out_.emit(StatementKind::modal_call, *call);
+    }
+    if (!parts.drills || parts.positions.empty()) return;
+    for (double n = 0.0; n < parts.repeats; ++n) emit_block({motion_code(Function::rapid)}, parts.positions);
+  }
+
+  DrillBlock parts_of(const ir::Block& block, Address axis) {
+    DrillBlock parts;
+    for (const ir::Code& c : program_.codes_of(block)) {
+      parts.begins |= c.function == Function::drill;
+      const bool of_cycle = c.function == Function::drill || c.function == Function::return_to_initial ||
+                            c.function == Function::return_to_r || c.group == ir::ModalGroup::motion;
+      if (!of_cycle) parts.rest_codes.push_back(c);
+    }
+    for (const ir::Word& w : program_.words_of(block)) {
+      const bool repeats = w.address == Address::k || w.address == Address::l;
+      if (w.address == axis || is_cycle_word(w.address)) {
+        parts.redefines |= !repeats;
+        parts.drills |= w.address == axis || w.address == Address::r;
+        if (repeats) parts.repeats = repeats_of(w);
+      } else if (is_axis(w.address)) {
+        parts.positions.push_back(w);
+        parts.drills = true;
+      } else {
+        parts.rest_words.push_back(w);
+      }
+    }
+    if (parts.repeats == 0.0) parts.drills = false;
+    return parts;
+  }
+
+  double repeats_of(const ir::Word& w) {
+    const ir::Expression& e = program_.at(w.value);
+    if (e.op == Operator::constant && e.value >= 0.0) return std::floor(e.value);
+    raising_.cannot("a cycle with a computed number of repeats", w.span);
+    return 1.0;
+  }
+
+  // --- the call
+
+  struct Row {
+    DrillCycle cycle;
+    std::string_view name;
+  };
+  static constexpr auto kRows = std::to_array<Row>({
+      {DrillCycle::drill, "CYCLE81"},
+      {DrillCycle::drill_dwell, "CYCLE82"},
+      {DrillCycle::deep_hole, "CYCLE83"},
+      {DrillCycle::chip_break, "CYCLE83"},
+      {DrillCycle::tap_right, "CYCLE84"},
+      {DrillCycle::tap_left, "CYCLE84"},
+      {DrillCycle::feed_out, "CYCLE85"},
+      {DrillCycle::feed_out_dwell, "CYCLE85"},
+  });
+
+  std::optional<std::uint32_t> call_of(const DrillState& before, const DrillState& after, const ir::Block& block) {
+    const auto cycle = static_cast<DrillCycle>(after.cycle.value);
+    const auto row = std::ranges::find(kRows, cycle, &Row::cycle);
+    if (row == kRows.end()) return refuse("a boring cycle that stops or shifts the spindle");
+    own_ = program_.words_of(block);
+    inch_ = after.inch.value;
+    const std::optional<Levels> levels = levels_of(before, after);
+    if (!levels) return std::nullopt;
+    arguments_ = {levels->back, levels->reference, ExpressionId::none, levels->depth};
+    switch (cycle) {
+      case DrillCycle::drill_dwell: put(5, seconds(after)); break;
+      case DrillCycle::deep_hole:
+      case DrillCycle::chip_break:
+        if (!pecks(after, cycle)) return std::nullopt;
+        break;
+      case DrillCycle::tap_right:
+      case DrillCycle::tap_left:
+        if (!tap(after, cycle)) return std::nullopt;
+        break;
+      case DrillCycle::feed_out_dwell: put(5, seconds(after)); break;
+      case DrillCycle::drill:
+      case DrillCycle::feed_out:
+      case DrillCycle::stop_out:
+      case DrillCycle::manual_out:
+      case DrillCycle::fine_bore:
+      case DrillCycle::back_bore:
+      case DrillCycle::count_: break;
+    }
+    ir::Call call;
+    call.name = program_.strings.add(row->name);
+    call.first_argument = static_cast<std::uint32_t>(program_.arguments.size());
+    call.argument_count = static_cast<std::uint32_t>(arguments_.size());
+    for (const ExpressionId value : arguments_) program_.arguments.push_back({0, value});
+    program_.calls.push_back(call);
+    return static_cast<std::uint32_t>(program_.calls.size() - 1);
+  }
+
+  std::nullopt_t refuse(std::string_view what) {
+    raising_.cannot(std::string(what), statement_->span);
+    return std::nullopt;
+  }
+
+  // CYCLE83: FDPR is each peck, without degression; DTD dwells at the last depth; VRT and DIS1 are the distances of the
+  // other control's parameters.
+  bool pecks(const DrillState& after, DrillCycle cycle) {
+    if (after.peck.is(ExpressionId::none)) return refuse("a cycle that drills by pecks without their depth"), false;
+    const std::optional<ExpressionId> peck = word(after.peck, "Q");
+    if (!peck) return false;
+    const ir::Semantics& from = raising_.from.semantics;
+    const bool clears = cycle == DrillCycle::deep_hole;
+    put(6, of(Operator::abs, *peck));
+    put(11, constant(clears ? 1.0 : 0.0));
+    const double in_units = inch_ ? 1.0 / 25.4 : 1.0;
+    if (!clears) put(14, constant(from.chip_break_retract_mm * in_units));
+    const ExpressionId dwell = seconds(after);
+    if (dwell != ExpressionId::none) put(15, dwell);
+    if (clears) put(16, constant(from.peck_clearance_mm * in_units));
+    return true;
+  }
+
+  // CYCLE84: the lead is the feed of a turn; the spindle turns again behind it as it did before.
+  bool tap(const DrillState& after, DrillCycle cycle) {
+    const bool known = after.feed.known && after.speed.known && after.feed_mode.known && after.spindle.known;
+    if (!known || after.feed.value == ExpressionId::none || after.speed.value == ExpressionId::none)
+      return refuse("a tap whose feed or speed is not known here"), false;
+    if (!after.speed.known || program_.at(after.speed.value).op != Operator::constant ||
+        program_.at(after.feed.value).op != Operator::constant)
+      return refuse("a tap whose feed or speed is computed"), false;
+    const double speed = program_.at(after.speed.value).value;
+    double lead = program_.at(after.feed.value).value;
+    if (after.feed_mode.value == Function::feed_per_min) lead /= speed;
+    if (!(speed > 0.0) || !(lead > 0.0)) return refuse("a tap without a feed or speed"), false;
+    put(5, seconds(after));
+    const Function spindle = after.spindle.value;
+    put(6, constant(spindle == Function::spindle_cw ? 3.0 : spindle == Function::spindle_ccw ? 4.0 : 5.0));
+    put(8, constant(cycle == DrillCycle::tap_left ? -lead : lead));
+    put(10, constant(speed));
+    return true;
+  }
+
+  void put(std::size_t place, ExpressionId value) {
+    if (value == ExpressionId::none) return;
+    if (arguments_.size() <= place) arguments_.resize(place + 1, ExpressionId::none);
+    arguments_[place] = value;
+  }
+
+  // P in milliseconds.
+  ExpressionId seconds(const DrillState& after) {
+    if (after.dwell.is(ExpressionId::none)) return ExpressionId::none;
+    const std::optional<ExpressionId> written = carried(after.dwell, "P");
+    if (!written) return ExpressionId::none;
+    const ir::Expression& e = program_.at(*written);
+    if (e.op == Operator::constant) return constant(e.value / 1000.0);
+    return of(Operator::divide, *written, constant(1000.0));
+  }
+
+  // --- levels
+
+  std::optional<Levels> levels_of(const DrillState& before, const DrillState& after) {
+    if (after.depth.is(ExpressionId::none)) return refuse("a drilling cycle without a depth");
+    if (!after.to_level.known) return refuse("a return level (G98 or G99) that is not the same on all ways");
+    const std::optional<ExpressionId> z = word(after.depth, "Z");
+    if (!z) return std::nullopt;
+    const bool no_level = after.level.is(ExpressionId::none);
+    std::optional<ExpressionId> r;
+    if (!no_level) r = word(after.level, "R");
+    if (!no_level && !r) return std::nullopt;
+    if (!after.depth_by_distance.known || (!no_level && !after.level_by_distance.known))
+      return refuse("a cycle whose words are absolute on one way and incremental on another");
+    const bool needs_initial = no_level || after.level_by_distance.value || !after.to_level.value;
+    ExpressionId initial = ExpressionId::none;
+    if (needs_initial) {
+      initial = initial_level(before, after);
+      if (initial == ExpressionId::none) return refuse("the level where the drilling cycle began, not known here,");
+    }
+    Levels levels;
+    levels.reference = no_level ? initial : after.level_by_distance.value ? sum(initial, *r) : *r;
+    levels.depth = after.depth_by_distance.value ? sum(levels.reference, *z) : *z;
+    levels.back = after.to_level.value ? levels.reference : initial;
+    const ir::Expression& bottom = program_.at(levels.depth);
+    const ir::Expression& top = program_.at(levels.reference);
+    if (bottom.op == Operator::constant && top.op == Operator::constant && bottom.value > top.value)
+      return refuse("a hole that is drilled upward");
+    return levels;
+  }
+
+  // A number where it is known; otherwise where the tool stands, when that is the level.
+  ExpressionId initial_level(const DrillState& before, const DrillState& after) {
+    if (after.initial.known) return constant(after.initial.value);
+    const bool enters = before.cycle.is(DrillState::kNone);
+    if (!enters && !before.at_initial.is(true)) return ExpressionId::none;
+    ir::Variable place;
+    place.bank = ir::Bank::system;
+    place.number = find_system_variable("$P_EP");
+    const Address axis = drilling_axis(after.plane.value);
+    place.index = constant(axis == Address::x ? 0.0 : axis == Address::y ? 1.0 : 2.0);
+    return program_.add_variable(place);
+  }
+
+  // A word of the cycle in units of the program. What an earlier block computed may be another value by now.
+  std::optional<ExpressionId> word(const Fact<ExpressionId>& fact, std::string_view address) {
+    const std::optional<ExpressionId> written = carried(fact, address);
+    if (!written) return std::nullopt;
+    const ir::Expression& e = program_.at(*written);
+    const bool counts = raising_.from.semantics.decimal_mode == ir::DecimalMode::least_increment;
+    if (e.op != Operator::constant || e.has_point || !counts) return written;
+    const double increment = raising_.from.semantics.least_increment_mm;
+    return constant(e.value / std::nearbyint(inch_ ? 10.0 / increment : 1.0 / increment));
+  }
+  std::optional<ExpressionId> carried(const Fact<ExpressionId>& fact, std::string_view address) {
+    if (!fact.known) {
+      raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span,
+                      {std::string(address) + " of the drilling cycle"});
+      return std::nullopt;
+    }
+    const bool written_here = std::ranges::find(own_, fact.value, &ir::Word::value) != own_.end();
+    if (written_here || program_.at(fact.value).op == Operator::constant) return fact.value;
+    return refuse(std::string(address) + " of the drilling cycle, computed in an earlier block,");
+  }
+
+  // --- small parts
+
+  ExpressionId constant(double value) { return program_.add_constant(value, {}, false); }
+  ExpressionId of(Operator op, ExpressionId a, ExpressionId b = ExpressionId::none) {
+    const ir::Expression& e = program_.at(a);
+    if (op == Operator::abs && e.op == Operator::constant) return constant(std::abs(e.value));
+    return program_.add_operator(op, a, b);
+  }
+  ExpressionId sum(ExpressionId a, ExpressionId b) {
+    const ir::Expression& left = program_.at(a);
+    const ir::Expression& right = program_.at(b);
+    if (left.op == Operator::constant && right.op == Operator::constant) return constant(left.value + right.value);
+    return program_.add_operator(Operator::add, a, b);
+  }
+
+  static ir::Code motion_code(Function function) {
+    ir::Code code;
+    code.function = function;
+    code.group = ir::ModalGroup::motion;
+    return code;
+  }
+
+  void emit_block(const std::vector<ir::Code>& codes, const std::vector<ir::Word>& words) {
+    ir::Block block;
+    block.first_code = static_cast<std::uint32_t>(program_.codes.size());
+    block.code_count = static_cast<std::uint32_t>(codes.size());
+    block.first_word = static_cast<std::uint32_t>(program_.words.size());
+    block.word_count = static_cast<std::uint32_t>(words.size());
+    program_.codes.insert(program_.codes.end(), codes.begin(), codes.end());
+    program_.words.insert(program_.words.end(), words.begin(), words.end());
+    program_.blocks.push_back(block);
+    out_.emit(StatementKind::block, static_cast<std::uint32_t>(program_.blocks.size() - 1));
+  }
+
+  const Raising& raising_;
+  ir::Program& program_;
+  DrillFlow flow_;
+  passes::Rewrite out_;
+  const ir::Statement* statement_ = nullptr;
+  std::span<const ir::Word> own_;  // of the block
+  std::vector<ExpressionId> arguments_;
+  bool inch_ = false;
+};
+
+}  // namespace
+
+void raise_cycles(const Raising& raising) {
+  const auto& codes = raising.program.codes;
+  if (std::ranges::find(codes, Function::drill, &ir::Code::function) != codes.end()) CycleRaiser(raising).run();
+}
+
+}  // namespace dripfeed::sinumerik

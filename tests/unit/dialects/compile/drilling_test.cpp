@@ -1,0 +1,156 @@
+// Drilling cycles between controls with and without modal cycles: the same holes by the same moves, said by each
+// control's own cycles where these do the same.
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/dialects/compile/harness.h"
+
+namespace dripfeed::compile::test {
+namespace {
+
+ConvertResult translated(const std::string& text, const std::string& from, const std::string& to) {
+  ConvertRequest request;
+  request.source = text::Source("program", text);
+  request.from = control(from, ir::MachineKind::mill);
+  request.to = control(to, ir::MachineKind::mill);
+  return convert(request);
+}
+
+std::string expect_same_holes(const std::string& text, const std::string& from, const std::string& to,
+                              double tolerance = 1e-6) {
+  const ConvertResult result = translated(text, from, to);
+  EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("program", text));
+  if (text::has_error(result.diagnostics)) return {};
+  const auto before = real_moves(run_text(text, control(from, ir::MachineKind::mill)).motions);
+  const auto after = real_moves(run_text(result.text, control(to, ir::MachineKind::mill)).motions);
+  expect_same(before, after, tolerance, result.text);
+  return result.text;
+}
+
+void expect_refused(const std::string& text, const std::string& from, const std::string& to, std::string_view named) {
+  const ConvertResult result = translated(text, from, to);
+  EXPECT_TRUE(text::has_error(result.diagnostics)) << result.text;
+  EXPECT_TRUE(result.text.empty());
+  const std::string all = said(result.diagnostics, text::Source("program", text));
+  EXPECT_TRUE(all.contains(named)) << all;
+}
+
+const std::string kHead = "G21 G17 G90 G94 G40 G49 G80\nG54\nS800 M03\nG00 X0. Y0. Z40.\n";
+const std::string kOwnHead = "G71 G17 G90 G94 G40\nG54\nS800 M3\nG0 X0 Y0 Z40\nF120\n";
+constexpr std::string_view kSinumerik = "sinumerik-840d";
+const std::string kTo(kSinumerik);
+constexpr double kPrinted = 6e-5;  // computed places are printed with four decimals
+
+TEST(DrillingToSinumerik, ReturnLevelsAreRetractionPlanes) {
+  const std::string to =
+      expect_same_holes(kHead + "G99 G81 X10. Y10. Z-8. R3. F120.\nX30.\nG98 Y30.\nG80\nG00 Z50.\nM30\n", "fanuc", kTo);
+  EXPECT_TRUE(to.contains("MCALL CYCLE81(3,3,,-8)")) << to;
+  EXPECT_TRUE(to.contains("MCALL CYCLE81(40,3,,-8)")) << to;
+  EXPECT_TRUE(to.contains("\nMCALL\n")) << to;
+}
+
+TEST(DrillingToSinumerik, PecksAndDwellsStay) {
+  for (const std::string from : {"fanuc", "mazak", "mitsubishi-m80"}) {
+    expect_same_holes(kHead + "G99 G83 X50. Y10. Z-25. R3. Q8. F100.\nY30.\nG80\nM30\n", from, kTo);
+    expect_same_holes(kHead + "G98 G82 X70. Y10. Z-5. R3. P500 F90.\nX80.\nG80\nG00 Z60.\nM30\n", from, kTo);
+    expect_same_holes(kHead + "G98 G85 X70. Y10. Z-5. R3. F90.\nX80.\nG80\nG00 Z60.\nM30\n", from, kTo);
+    expect_same_holes(kHead + "G98 G89 X70. Y10. Z-5. R3. P200 F90.\nX80.\nG80\nG00 Z60.\nM30\n", from, kTo);
+  }
+}
+
+TEST(DrillingToSinumerik, WordsStayFromBlockToBlockAndChangeAlone) {
+  expect_same_holes(kHead + "G98 G81 X10. Y10. Z-8. R3. F120.\nZ-12.\nX20. R1.\nG82 X30. P300\nG80\nM30\n", "fanuc",
+                    kTo);
+}
+
+TEST(DrillingToSinumerik, InALoopWithComputedPlaces) {
+  expect_same_holes(kHead +
+                        "#1=0\nG99 G81 Z-8. R3. F120. K0\nWHILE[#1LT5]DO1\nX[10.*#1] Y[#1*#1]\n#1=#1+1\nEND1\nG80\n"
+                        "G01 X0. F200.\nM30\n",
+                    "fanuc", kTo);
+}
+
+TEST(DrillingToSinumerik, FromAPlaceThatIsComputed) {
+  const std::string to = expect_same_holes(
+      "#5=33.\n" + kHead + "G00 Z#5\nG98 G81 X10. Y10. Z-8. R3. F120.\nX20.\nG80\nM30\n", "fanuc", kTo);
+  EXPECT_TRUE(to.contains("$P_EP[Z]")) << to;
+}
+
+TEST(DrillingToSinumerik, IncrementsAndRepeats) {
+  expect_same_holes(kHead + "G91 G99 G81 X10. Y5. Z-11. R-37. F120. K4\nG80\nG90 G00 Z40.\nM30\n", "fanuc", kTo);
+}
+
+TEST(DrillingToSinumerik, TheMotionBehindTheCycleIsSaid) {
+  const std::string to =
+      expect_same_holes(kHead + "G01 X1. F100.\nG99 G81 X10. Z-8. R3.\nG80\nX50.\nM30\n", "fanuc", kTo);
+  EXPECT_TRUE(to.contains("MCALL\nG1\n") || to.contains("MCALL\nG01\n")) << to;
+}
+
+TEST(DrillingToSinumerik, WhatHasNoEqualIsAnErrorWithItsPlace) {
+  expect_refused(kHead + "G98 G86 X1. Y1. Z-5. R2. F50.\nG80\nM30\n", "fanuc", kTo, "program:5");
+  expect_refused(kHead + "G98 G76 X1. Y1. Z-5. R2. Q1. F50.\nG80\nM30\n", "fanuc", kTo, "boring");
+  // The initial level is lost behind G99.
+  expect_refused("#5=33.\n" + kHead + "G00 Z#5\nG99 G81 X10. Z-8. R3. F120.\nG98 X20.\nG80\nM30\n", "fanuc", kTo,
+                 "level where the drilling cycle began");
+  // A depth of an earlier block that may be another by now.
+  expect_refused(kHead + "#1=-5.\nG99 G81 X10. Z#1 R3. F120.\n#1=-9.\nX20. R2.\nG80\nM30\n", "fanuc", kTo, "Z of the");
+  // Two ways with different cycles.
+  expect_refused(kHead + "#1=2.\nG99 G81 X10. Z-8. R3. F120.\nIF[#1GT1.]GOTO10\nG80\nN10 X20.\nM30\n", "fanuc", kTo,
+                 "two ways");
+}
+
+TEST(DrillingToSinumerik, TapsGetTheirLead) {
+  const ConvertResult result = translated(kHead + "G98 G84 X10. Y10. Z-8. R3. F1000.\nG80\nM30\n", "fanuc", kTo);
+  ASSERT_FALSE(text::has_error(result.diagnostics));
+  EXPECT_TRUE(result.text.contains("MCALL CYCLE84(40,3,,-8,,,3,,1.25,,800)")) << result.text;
+}
+
+TEST(DrillingFromSinumerik, ToModalCyclesWhereTheToolStandsAtTheRetractionPlane) {
+  for (const std::string to : {"fanuc", "mazak", "mitsubishi-m80"}) {
+    const std::string text =
+        expect_same_holes(kOwnHead + "MCALL CYCLE81(40,2,1,-8)\nX10 Y10\nX20\nMCALL\nG0 Z60\nM30\n", kTo, to);
+    EXPECT_TRUE(text.contains("G98 G81 Z-8. R3. K0")) << text;
+    EXPECT_TRUE(text.contains("\nX20.\nG80\n")) << text;
+  }
+}
+
+TEST(DrillingFromSinumerik, ToMovesWhereItDoesNot) {
+  const std::string text =
+      expect_same_holes(kOwnHead + "MCALL CYCLE82(10,2,1,-8,,0.5)\nX10 Y10\nX20\nMCALL\nG0 Z60\nM30\n", kTo, "fanuc");
+  EXPECT_FALSE(text.contains("G82")) << text;
+  EXPECT_TRUE(text.contains("G04 P500")) << text;
+}
+
+TEST(DrillingFromSinumerik, PecksBoresAndPatterns) {
+  expect_same_holes(kOwnHead + "MCALL CYCLE83(40,2,0,-20,,,8,0,,,1,1,,,,,1)\nX10 Y10\nX20\nMCALL\nM30\n", kTo, "mazak");
+  expect_same_holes(kOwnHead + "MCALL CYCLE85(40,2,1,-8,,,80,160)\nX10 Y10\nX20\nMCALL\nM30\n", kTo, "fanuc");
+  expect_same_holes(kOwnHead + "MCALL CYCLE81(40,2,1,,8)\nHOLES1(5,5,30,10,12,4)\nMCALL\nM30\n", kTo, "fanuc",
+                    kPrinted);
+  expect_same_holes(kOwnHead + "MCALL CYCLE81(10,2,1,,8)\nHOLES2(5,5,30,10,0,6)\nMCALL\nM30\n", kTo, "mitsubishi-m80",
+                    kPrinted);
+}
+
+TEST(DrillingFromSinumerik, ASingleCallIsOneHole) {
+  const std::string text = expect_same_holes(
+      kOwnHead + "CYCLE81(40,2,1,-8)\nG1 X20 F100\nCYCLE81(40,2,1,-8)\nX30\nG0 Z60\nM30\n", kTo, "fanuc");
+  EXPECT_TRUE(text.contains("G81")) << text;
+}
+
+TEST(DrillingFromSinumerik, LevelsThatAreComputedWithoutAClearance) {
+  expect_same_holes(
+      "DEF REAL TOP=10, REF=2, BOTTOM=-7\n" + kOwnHead + "MCALL CYCLE81(TOP,REF,,BOTTOM)\nX10 Y10\nMCALL\nM30\n", kTo,
+      "fanuc");
+}
+
+TEST(DrillingFromSinumerik, WhatHasNoEqualIsAnErrorWithItsPlace) {
+  expect_refused("DEF REAL TOP=10\n" + kOwnHead + "MCALL CYCLE81(TOP,2,1,-8)\nX1\nMCALL\nM30\n", kTo, "fanuc",
+                 "which side");
+  expect_refused(kOwnHead + "MCALL CYCLE83(10,2,1,-20,,,8,0,,,1,1)\nX1\nMCALL\nM30\n", kTo, "fanuc", "program:6");
+  expect_refused(kOwnHead + "MCALL CYCLE83(40,2,1,-20,,,8,2,,,1,1)\nX1\nMCALL\nM30\n", kTo, "fanuc", "grow less");
+  expect_refused(kOwnHead + "CYCLE86(40,2,1,-20,,0,3,1,1,1,0)\nM30\n", kTo, "fanuc", "CYCLE86");
+}
+
+}  // namespace
+}  // namespace dripfeed::compile::test

@@ -1,0 +1,100 @@
+// Programmable frames between controls: chains of frames there, G52 and frames about a point here.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/dialects/compile/harness.h"
+
+namespace dripfeed::compile::test {
+namespace {
+
+ConvertResult translated(const std::string& text, const std::string& from, const std::string& to) {
+  ConvertRequest request;
+  request.source = text::Source("program", text);
+  request.from = control(from, ir::MachineKind::mill);
+  request.to = control(to, ir::MachineKind::mill);
+  return convert(request);
+}
+
+std::string expect_same_moves(const std::string& text, const std::string& from, const std::string& to) {
+  const ConvertResult result = translated(text, from, to);
+  EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("program", text));
+  if (text::has_error(result.diagnostics)) return {};
+  const auto before = moves_of(run_text(text, control(from, ir::MachineKind::mill)).motions);
+  expect_same(before, moves_of(run_text(result.text, control(to, ir::MachineKind::mill)).motions), 1e-6, result.text);
+  return result.text;
+}
+
+void expect_refused(const std::string& text, const std::string& from, const std::string& to, std::string_view named) {
+  const ConvertResult result = translated(text, from, to);
+  EXPECT_TRUE(text::has_error(result.diagnostics)) << result.text;
+  const std::string all = said(result.diagnostics, text::Source("program", text));
+  EXPECT_TRUE(all.contains(named)) << all;
+}
+
+const std::string kTo = "sinumerik-840d";
+const std::string kHead = "G21 G17 G90 G94 G40 G49 G80\nG54\nG00 X0. Y0. Z5.\nG01 X10. Y5. F200.\n";
+const std::string kOwnHead = "G71 G17 G90 G94 G40\nG54\nG0 X0 Y0 Z5\nG1 X10 Y5 F200\n";
+
+TEST(FramesToSinumerik, RotationAboutAPoint) {
+  for (const std::string from : {"fanuc", "mazak", "mitsubishi-m80"}) {
+    const std::string to = expect_same_moves(
+        kHead + "G68 X10. Y5. R30.\nX20. Y5.\nG02 X30. Y5. I5. J0.\nG69\nG01 X0. Y0.\nM30\n", from, kTo);
+    EXPECT_TRUE(to.contains("AROT RPL=30")) << to;
+  }
+  const std::string at_zero = expect_same_moves(kHead + "G68 X0. Y0. R-45.\nX20.\nG69\nX0.\nM30\n", "fanuc", kTo);
+  EXPECT_FALSE(at_zero.contains("ATRANS")) << at_zero;
+}
+
+TEST(FramesToSinumerik, RotationInALoopReplacesTheOneBefore) {
+  expect_same_moves(kHead + "#1=0\nWHILE[#1LT4]DO1\nG68 X1. Y2. R[#1*20.]\nX20. Y0.\n#1=#1+1\nEND1\nG69\nX0.\nM30\n",
+                    "fanuc", kTo);
+}
+
+TEST(FramesToSinumerik, ScaleAndMirror) {
+  expect_same_moves(kHead + "G51 X1. Y2. Z0. I2. J2. K1.\nX20. Y0.\nG50\nX0.\nM30\n", "fanuc", kTo);
+  expect_same_moves(kHead + "G51.1 X4.\nX20. Y1.\nG51.1 Y3.\nX21. Y2.\nG50.1\nX0.\nM30\n", "fanuc", kTo);
+}
+
+TEST(FramesToSinumerik, LocalShift) {
+  expect_same_moves(kHead + "G52 X5. Y6.\nX1. Y1.\nG52 X7. Y2.\nX2.\nG52 X0. Y0.\nX0.\nM30\n", "fanuc", kTo);
+  expect_refused(kHead + "G52 X5. Y6.\nX1. Y1.\nG52 X7.\nX2.\nM30\n", "fanuc", kTo, "program:7");
+}
+
+TEST(FramesToSinumerik, WhatOneChainCannotSayIsAnError) {
+  expect_refused(kHead + "G52 X5.\nG68 X0. Y0. R10.\nX1.\nG69\nM30\n", "fanuc", kTo, "beside G52");
+  expect_refused(kHead + "G51.1 X0.\nG68 X0. Y0. R10.\nX1.\nG69\nM30\n", "fanuc", kTo, "two of");
+  expect_refused(kHead + "G68 R10.\nX1.\nG69\nM30\n", "fanuc", kTo, "where the tool stands");
+}
+
+TEST(FramesFromSinumerik, ShiftAndRotation) {
+  for (const std::string to : {"fanuc", "mazak", "mitsubishi-m80"}) {
+    const std::string text = expect_same_moves(
+        kOwnHead + "TRANS X30 Y5\nAROT RPL=20\nX10 Y0\nG3 X10 Y10 CR=5\nG1 X0\nTRANS\nX1 Y1\nM30\n", kTo, to);
+    EXPECT_TRUE(text.contains("G68 X0. Y0. R20")) << text;
+    expect_same_moves(kOwnHead + "TRANS X30 Y5\nROT Z=40\nX10 Y0\nROT\nX1 Y1\nM30\n", kTo, to);
+  }
+}
+
+TEST(FramesFromSinumerik, MirrorScaleAndRotationInTheOrderThatIsTheSame) {
+  expect_same_moves(kOwnHead + "TRANS X3 Y1\nAMIRROR X0\nASCALE X2 Y2\nAROT RPL=15\nX4 Y2\nTRANS\nX0\nM30\n", kTo,
+                    "fanuc");
+  expect_same_moves(kOwnHead + "MIRROR Y0\nX4 Y2\nMIRROR\nX0\nM30\n", kTo, "fanuc");
+}
+
+TEST(FramesFromSinumerik, InALoopThatBeginsAnew) {
+  expect_same_moves(
+      "DEF INT I\n" + kOwnHead + "FOR I=0 TO 3\nTRANS X=I*10 Y=2\nAROT RPL=I*15\nX5 Y1\nENDFOR\nTRANS\nX0 Y0\nM30\n",
+      kTo, "fanuc");
+}
+
+TEST(FramesFromSinumerik, WhatHasNoEqualIsAnErrorWithItsPlace) {
+  expect_refused(kOwnHead + "ROT RPL=10\nATRANS X5\nX1\nTRANS\nM30\n", kTo, "fanuc", "program:6");
+  expect_refused(kOwnHead + "ROT RPL=10\nAROT RPL=10\nX1\nTRANS\nM30\n", kTo, "fanuc", "AROT");
+  expect_refused(kOwnHead + "ROT X=10\nX1\nTRANS\nM30\n", kTo, "fanuc", "axis on the plane");
+  expect_refused("DEF INT I\n" + kOwnHead + "FOR I=0 TO 3\nAROT RPL=10\nX1\nENDFOR\nTRANS\nM30\n", kTo, "fanuc",
+                 "not known here");
+}
+
+}  // namespace
+}  // namespace dripfeed::compile::test
