@@ -159,6 +159,7 @@ void act_once(const PlainBlock& block, const BlockRules& rules, const Effects& e
 bool has_move(const PlainBlock& block, const BlockRules& rules, const ModalState& state) {
   constexpr std::uint64_t kArcWords = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k);
   if (((block.present | block.unknown) & rules.axis_addresses) != 0 || has_polar_words(block)) return true;
+  if (((block.present | block.unknown) & bit_of(Address::direct_angle)) != 0) return true;
   const bool arc = state.modes.motion == Function::arc_cw || state.modes.motion == Function::arc_ccw;
   if (block.has(Address::modal_rounding) && !arc) return false;
   return arc && state.modes.motion_modelled && ((block.present | block.unknown) & kArcWords) != 0;

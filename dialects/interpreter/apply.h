@@ -34,6 +34,7 @@ inline constexpr std::uint32_t kNoteArcIsLine = 1U << 21;  // neither centre nor
 inline constexpr std::uint32_t kNoteCycleInFrame = 1U << 22;  // the frame turns or stretches the axis of a hole
 inline constexpr std::uint32_t kNoteScaleUnit = 1U << 23;     // a parameter decides what a factor counts
 inline constexpr std::uint32_t kNoteFrameValue = 1U << 24;    // a factor or angle that is left to a parameter
+inline constexpr std::uint32_t kNoteDirectAngle = 1U << 25;   // an angle (,A) of which no line came
 
 struct BlockResult {
   Flow flow = Flow::next;

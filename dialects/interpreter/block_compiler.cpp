@@ -75,6 +75,9 @@ void BlockCompiler::compile_codes(const ir::Block& block) {
 void BlockCompiler::compile_word(const ir::Word& word) {
   if (!is_interpreted(word)) return report(name_of(word), Function::not_modelled, false);
   if (word.address == Address::named_axis) return put_named_axis(word);
+  // MEAW measures and goes on to its end: only what it measured is not known.
+  if (word.address == Address::measuring && word.name != ir::StringId::none)
+    return report(builder_.source().strings.at(word.name), Function::not_modelled, true);
   if (word.value == ir::ExpressionId::none) return;
   // A written number needs no register: programs have millions of them.
   const ir::Expression* number = builder_.find_literal(word.value);

@@ -31,7 +31,8 @@ constexpr AxisLetter kIncrementalRows[] = {
 };
 constexpr std::string_view kBaseLetters = "XYZC";
 constexpr std::uint64_t kLengths = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k) | bit_of(Address::r) |
-                                   bit_of(Address::arc_radius) | bit_of(Address::f) | bit_of(Address::q);
+                                   bit_of(Address::arc_radius) | bit_of(Address::f) | bit_of(Address::q) |
+                                   bit_of(Address::chamfer) | bit_of(Address::rounding) | bit_of(Address::direct_angle);
 
 // 1 / 0.001 is not quite 1000 in every binary; a whole number divides as the decimal would.
 double reciprocal(double increment) {
@@ -64,6 +65,7 @@ BlockRules::BlockRules(const ir::Control& control)
     if (control.axes.contains(kBaseLetters[i]) && !control.axes.contains(kIncrementalRows[i].letter))
       add(kIncrementalRows[i], true);
   foreign_axes = letters & ~axis_addresses;
+  corner_letters = control.kind == ir::MachineKind::lathe && semantics.arc_radius_is_r;
   counting = bit_of(Address::p);  // a scaling factor counts the control's unit, whatever lengths do
   if (semantics.decimal_mode == ir::DecimalMode::least_increment) counting |= letters | axis_addresses | kLengths;
 }

@@ -27,6 +27,7 @@ class BlockRules {
   std::uint64_t foreign_axes = 0;  // axis letters that the control has no axis for
   std::uint64_t counting = 0;      // addresses whose constants without a point count least increments
   bool x_is_diameter = false;      // the control's X is a diameter, whatever mode is programmed
+  bool corner_letters = false;     // R, I and K of a straight block are its corner (lathes)
   bool tool_at_once = false;       // T takes effect without M6
   double increments_per_mm = 1000.0;
   double increments_per_degree = 1000.0;

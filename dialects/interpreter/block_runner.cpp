@@ -26,8 +26,8 @@ struct NoteRow {
   Report report;
 };
 // Notes that are counted like a code that is not interpreted.
-const std::array<NoteRow, 15>& counted_notes() {
-  static const std::array<NoteRow, 15> rows = {{
+const std::array<NoteRow, 16>& counted_notes() {
+  static const std::array<NoteRow, 16> rows = {{
       {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
       {kNoteReferenceUnknown, {"the way to the reference point", ir::Function::reference_return}},
       {kNoteArcNotComputed, {"arcs from or to a place that is not known"}},
@@ -43,6 +43,7 @@ const std::array<NoteRow, 15>& counted_notes() {
       {kNoteScaleUnit,
        {"what a scaling factor without a point counts, which a parameter decides", ir::Function::scale}},
       {kNoteFrameValue, {"a scaling factor or angle that is left to a parameter", ir::Function::scale}},
+      {kNoteDirectAngle, {"the angle of a line (,A) whose ends do not follow from it", ir::Function::linear}},
       {kNoteHoleWithoutDepth, {"a drilling cycle without a depth", ir::Function::drill}},
   }};
   return rows;

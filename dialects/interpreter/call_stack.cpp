@@ -137,6 +137,12 @@ std::optional<std::uint32_t> CallStack::call(const Instruction& i, std::uint32_t
   return begin;
 }
 
+bool CallStack::enter_program(const Instruction& i, CompiledProgram& target, std::uint32_t next) {
+  if (!has_room(i, false)) return false;
+  enter(push(target, next, false));
+  return true;
+}
+
 bool CallStack::begin_modal(const Instruction& i, double times) {
   CallSite& site = program_->calls[i.a];
   ModalCall modal;

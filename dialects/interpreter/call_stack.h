@@ -32,6 +32,8 @@ class CallStack {
   [[nodiscard]] bool is_unknown_call(const Instruction& i) const;
   // Enters a text that is executed as a block, in the frame of the running program.
   bool enter_text(const Instruction& i, CompiledProgram& text, std::uint32_t next);
+  // Enters a program without arguments that no call site names; `next` as for call(). False when the run has ended.
+  bool enter_program(const Instruction& i, CompiledProgram& target, std::uint32_t next);
   [[nodiscard]] std::size_t depth() const { return frames_.size(); }
   // G66, MCALL and their end: from now on the site's program is called, `times` at a time, behind blocks that move.
   bool begin_modal(const Instruction& i, double times);

@@ -10,6 +10,7 @@
 
 #include "dialects/interpreter/block_runner.h"
 #include "dialects/interpreter/call_stack.h"
+#include "dialects/interpreter/contour_run.h"
 #include "dialects/interpreter/frame_access.h"
 #include "dialects/interpreter/shape_run.h"
 #include "dialects/interpreter/shared_access.h"
@@ -30,6 +31,7 @@ class Machine {
   bool run_plain_blocks(PlainStream& stream, CompiledProgram& plain);
   RunResult finish(const CompiledProgram& main);
   void set_initial_values(const CompiledProgram& main);
+  bool set_touch(const InitialValue& value);
   void execute(std::uint32_t next);
   // Instructions that do not stand in the inner loop; false when the run has ended. `next` may be changed, and after a
   // call or a return it is meant in another program.
@@ -55,8 +57,16 @@ class Machine {
   bool begin_shape(const Instruction& i, std::uint32_t& next);
   bool shape_block(const Instruction& i, std::uint32_t& next);
   bool end_shape(std::uint32_t& next);
+  // CYCLE95: machine_contour.cpp
+  [[nodiscard]] bool is_contour_cycle(const Instruction& i) const;
+  bool begin_contour(const Instruction& i, std::uint32_t& next);
+  bool run_contour_program(const Instruction& i, const std::string& written, std::uint32_t& next);
+  bool run_contour_labels(const Instruction& i, const std::string& name, std::uint32_t& next);
+  bool end_contour();
+  bool leave_contour(std::string name);
   bool call_modal(const Instruction& i, std::uint32_t& next);
   bool go_back(const Instruction& i, std::uint32_t& next);
+  bool leave_program(std::uint32_t& next);
   bool go_back_to(const Instruction& i, std::uint32_t& next);
   bool end_program(const Instruction& i, std::uint32_t& next);
   bool end_text(const Instruction& i);
@@ -96,6 +106,7 @@ class Machine {
   RunReport report_;
   CallStack stack_;
   ShapeRun shape_;
+  ContourRun contour_;
   VariableAccess access_;
   FrameAccess frames_;
   BlockRunner blocks_;

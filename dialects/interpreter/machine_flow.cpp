@@ -1,4 +1,5 @@
 // Where the machine goes on: jumps, calls and returns, the shapes of cycles, and the ends of a program.
+#include <algorithm>
 #include <utility>
 
 #include "dialects/interpreter/compile.h"
@@ -126,6 +127,8 @@ bool Machine::call(const Instruction& i, std::uint32_t& next) {
     return true;
   }
   if (++passes_ > options_.limits.loop_passes) return report_.fail_limit(i, "loop passes");
+  if (is_contour_cycle(i)) [[unlikely]]
+    return begin_contour(i, next);
   const auto begin = stack_.call(i, next);
   next = begin.value_or(0);
   return begin.has_value();
@@ -149,12 +152,18 @@ bool Machine::begin_shape(const Instruction& i, std::uint32_t& next) {
 
 bool Machine::shape_block(const Instruction& i, std::uint32_t& next) {
   if (shape_.ends_before(next - 1)) return end_shape(next);
-  if (shape_.motions().size() > kMotionsOfAShape) return report_.fail_limit(i, "motions of a shape");
+  if (std::max(shape_.motions().size(), contour_.motions.size()) > kMotionsOfAShape)
+    return report_.fail_limit(i, "motions of a shape");
   begin_block(i);
   return true;
 }
 
 bool Machine::end_shape(std::uint32_t& next) {
+  if (contour_.active) {
+    next = shape_.resume();
+    shape_.end();
+    return end_contour();
+  }
   const Instruction& cycle = stack_.program().code[shape_.cycle()];
   BlockResult result;
   ShapeFault fault;
@@ -186,12 +195,15 @@ bool Machine::call_modal(const Instruction& i, std::uint32_t& next) {
   return begin.has_value();
 }
 
+bool Machine::leave_program(std::uint32_t& next) {
+  next = stack_.go_back();
+  const bool contour_ends = contour_.active && contour_.in_program && stack_.depth() == contour_.depth;
+  return !contour_ends || end_contour();
+}
+
 // The end of a subprogram in the main program ends it; or it starts again without end, of which one pass is enough.
 bool Machine::go_back(const Instruction& i, std::uint32_t& next) {
-  if (!stack_.in_main()) {
-    next = stack_.go_back();
-    return true;
-  }
+  if (!stack_.in_main()) return leave_program(next);
   if (control_.semantics.return_in_main_restarts)
     report_.say(i, DiagnosticId::endless_loop);
   else
@@ -222,10 +234,7 @@ bool Machine::go_back_to(const Instruction& i, std::uint32_t& next) {
 }
 
 bool Machine::end_program(const Instruction&, std::uint32_t& next) {
-  if (!stack_.in_main() && control_.semantics.end_in_subprogram_returns) {
-    next = stack_.go_back();
-    return true;
-  }
+  if (!stack_.in_main() && control_.semantics.end_in_subprogram_returns) return leave_program(next);
   emit_event(ir::MotionKind::end, state_, out_);
   return report_.end(Ended::end);
 }

@@ -73,12 +73,24 @@ void Machine::name_input(const ir::Program& source, const ir::Variable& variable
   report_.count({.name = variable_name(variable.bank, variable.number), .is_input = true});
 }
 
+// "$AA_MW[X]": where a probe touches in the next measuring move.
+bool Machine::set_touch(const InitialValue& value) {
+  constexpr std::string_view kHead = "$AA_MW[";
+  if (!value.name.starts_with(kHead) || value.name.size() != kHead.size() + 2) return false;
+  const std::size_t place = std::string_view("XYZABCUVW").find(value.name[kHead.size()]);
+  if (place >= ir::kAxisCount) return false;
+  state_.touch[place] = value.value;
+  state_.touch_known |= static_cast<std::uint16_t>(1U << place);
+  return true;
+}
+
 void Machine::set_initial_values(const CompiledProgram& main) {
   for (const InitialValue& value : options_.initial_values) {
     if (value.name.empty()) {
       access_.set_initial(value);
       continue;
     }
+    if (set_touch(value)) continue;
     if (main.source == nullptr) continue;  // a stream declares no names
     const ir::Program& source = *main.source;
     bool declared = false;

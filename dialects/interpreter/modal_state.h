@@ -148,6 +148,15 @@ struct PendingCorner {
   std::size_t motion = 0;  // place in the buffer of the move before the corner
 };
 
+// Direct drawing input: a line of which only the angle is known, until the block behind it says where it ends.
+struct PendingLine {
+  bool active = false;
+  double angle_deg = 0.0;
+  std::uint16_t unknown_before = 0;  // ModalState::unknown without what the line made unknown
+  std::uint64_t corner = 0;          // bit of the address of its chamfer or rounding
+  double corner_value = 0.0;
+};
+
 struct ModalState {
   Modes modes;
   Drilling drilling;
@@ -177,6 +186,7 @@ struct ModalState {
   bool tangent_known = false;
   double modal_rounding_mm = 0.0;  // RNDM
   PendingCorner corner;
+  PendingLine line;
   Tool selected;  // T, before M6
   Tool tool;
   Announced announced;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "dialects/interpreter/direct_line.h"
 #include "dialects/interpreter/mover.h"
 #include "dialects/interpreter/polar.h"
 
@@ -43,6 +44,8 @@ void move(const PlainBlock& block, const BlockRules& rules, const MoveOptions& o
           MotionBuffer& out, BlockResult& result) {
   if (has_polar_words(block))
     return move(with_coordinates_only(block, rules, state), rules, options, state, out, result);
+  if (is_direct_line(block, state)) [[unlikely]]
+    return move_direct(block, rules, options, state, out, result);
   const Target target = find_any_target(block, rules, state, options.machine_coordinates);
   if (!state.modes.motion_modelled) {
     result.notes |= kNoteMoveNotModelled;
@@ -52,6 +55,12 @@ void move(const PlainBlock& block, const BlockRules& rules, const MoveOptions& o
   if (!state.modes.motion_given) {
     result.notes |= kNoteMotionWithoutCode;
     state.modes.motion_given = true;  // said once
+  }
+  const bool measures = block.has(Address::measuring) && state.modes.motion == Function::linear;
+  if (measures && (target.commanded & state.touch_known) != 0) {
+    move_until_touch(block, rules, state, out, result);
+    result.notes = (result.notes & ~kNoteSkip) | kNoteMeasuring;
+    return;
   }
   Mover mover(block, rules, options, state, out, result);
   move_by(mover, options.motion != Function::none ? options.motion : state.modes.motion, target, result);

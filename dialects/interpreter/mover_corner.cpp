@@ -1,4 +1,6 @@
 // Chamfers and roundings: a move that ends in one waits until the next is known.
+#include <cmath>
+
 #include "dialects/interpreter/mover.h"
 
 namespace dripfeed::interpreter {
@@ -21,7 +23,7 @@ void Mover::put_point(AxisValues& at, PlaneAxes axes, PlanePoint point) const {
 
 // Moves that lie in the plane alone and whose places are known.
 bool Mover::is_flat(const ir::Motion& motion, PlaneAxes axes) {
-  if (motion.axes_unknown != 0 && (motion.axes_unknown & 7U) != 0) return false;
+  if (((motion.axes_unknown >> axes.p | motion.axes_unknown >> axes.q) & 1U) != 0) return false;
   for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis)
     if (axis != axes.p && axis != axes.q && motion.start[axis] != motion.end[axis]) return false;
   return !motion.machine_coordinates;
@@ -55,6 +57,14 @@ std::pair<CornerKind, double> Mover::wanted_corner() const {
   constexpr Row kRows[] = {{Address::chamfer, CornerKind::chamfer_leg},
                            {Address::chamfer_length, CornerKind::chamfer_edge},
                            {Address::rounding, CornerKind::rounding}};
+  // Z-20. R5. and Z-20. I2.: the same without the comma, with a sign that the next block's direction has as well.
+  // (0i-F B-64604EN-1, "Chamfer and corner R".)
+  constexpr Row kLetters[] = {
+      {Address::r, CornerKind::rounding}, {Address::i, CornerKind::chamfer_leg}, {Address::k, CornerKind::chamfer_leg}};
+  if (rules_.corner_letters && state_.modes.motion == ir::Function::linear)
+    for (const Row& row : kLetters)
+      if (block_.has(row.address))
+        return {row.kind, std::abs(rules_.length_mm(block_, row.address, state_.modes.inch))};
   for (const Row& row : kRows)
     if (block_.has(row.address)) return {row.kind, rules_.length_mm(block_, row.address, state_.modes.inch)};
   if (state_.modal_rounding_mm > 0.0) return {CornerKind::rounding, state_.modal_rounding_mm};

@@ -84,6 +84,17 @@ std::optional<double> index_in_group(std::uint32_t group, const Modes& modes) {
   return std::nullopt;
 }
 
+// Where the last measuring move ended.
+std::optional<double> skip_position(const ir::Control& control, std::size_t place, const ModalState& state) {
+  if (place >= ir::kAxisCount || (state.skipped_known >> place & 1U) == 0 || state.modes.has_matrix)
+    return std::nullopt;
+  double value = state.skipped[place] - state.modes.shift[place] - state.coordinate_shift[place];
+  const auto kind = static_cast<ir::Axis>(place);
+  if (kind == ir::Axis::x) value /= BlockRules(control).x_factor(state.modes, false);
+  const bool rotary = kind == ir::Axis::a || kind == ir::Axis::b || kind == ir::Axis::c;
+  return state.modes.inch && !rotary ? value / 25.4 : value;
+}
+
 // Of the block before, in the unit and the coordinates of the program.
 std::optional<double> end_position(const ir::Control& control, std::size_t place, const ModalState& state) {
   if (place >= ir::kAxisCount || (state.unknown >> place & 1U) != 0) return std::nullopt;
@@ -105,6 +116,7 @@ std::optional<double> answer_system(const ir::Control& control, const ir::System
                                     const Indices& indices, const ModalState& state) {
   switch (row.kind) {
     case ir::SystemValue::end_position: return end_position(control, indices[0], state);
+    case ir::SystemValue::skip_position: return skip_position(control, indices[0], state);
     case ir::SystemValue::feed:
       if (state.feed_unknown) return std::nullopt;
       return state.modes.inch_feed ? state.feed / 25.4 : state.feed;
@@ -130,7 +142,6 @@ std::optional<double> answer_system(const ir::Control& control, const ir::System
     case ir::SystemValue::total_frame:
     case ir::SystemValue::machine_position:
     case ir::SystemValue::work_offset_value:
-    case ir::SystemValue::skip_position:
     case ir::SystemValue::comp_number:
     case ir::SystemValue::length_number:
     case ir::SystemValue::block_number:

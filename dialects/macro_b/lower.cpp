@@ -71,8 +71,8 @@ ir::Statement& BlockLowering::emit(StatementKind kind, std::uint32_t payload, co
   return program_.statements.back();
 }
 
-void BlockLowering::emit_native(std::string_view name, bool effects_known, const BlockPlace& place) {
-  program_.natives.push_back({program_.strings.add(name), effects_known});
+void BlockLowering::emit_native(std::string_view name, bool effects_known, const BlockPlace& place, bool moves) {
+  program_.natives.push_back({program_.strings.add(name), effects_known, moves});
   emit(StatementKind::native, static_cast<std::uint32_t>(program_.natives.size() - 1), place);
 }
 
@@ -145,7 +145,8 @@ void BlockLowering::add_word(const RawWord& raw) {
   word.value = raw.value;
   if (raw.comma) {
     word.address = raw.letter == 'R' ? ir::Address::rounding : ir::Address::chamfer;
-    if (raw.letter != 'R' && raw.letter != 'C') {
+    if (raw.letter == 'A') word.address = ir::Address::direct_angle;
+    if (raw.letter != 'R' && raw.letter != 'C' && raw.letter != 'A') {
       word.address = ir::Address::other;
       word.name = program_.strings.add(std::string{',', raw.letter});
     }
@@ -163,6 +164,17 @@ void BlockLowering::emit_block(std::uint32_t first_code, std::uint32_t first_wor
   if (code_count + word_count == 0) return;
   program_.blocks.push_back({first_code, code_count, first_word, word_count, place.rest_level, place.rest_begin});
   emit(StatementKind::block, static_cast<std::uint32_t>(program_.blocks.size() - 1), place);
+}
+
+// A without a comma on a lathe that has no such axis is the angle of a line, in a block that only moves (3405#4).
+void BlockLowering::name_direct_angle(std::uint32_t first_code, std::uint32_t first_word) {
+  if (control_.kind != ir::MachineKind::lathe || control_.axes.contains('A')) return;
+  const auto codes = std::span(program_.codes).subspan(first_code);
+  const bool only_moves = std::ranges::all_of(codes, [](const ir::Code& c) {
+    return c.letter == 'M' || c.function == Function::linear || c.group == ir::ModalGroup::feed;
+  });
+  for (std::uint32_t i = first_word; only_moves && i < program_.words.size(); ++i)
+    if (program_.words[i].address == ir::Address::a) program_.words[i].address = ir::Address::direct_angle;
 }
 
 // G54.1 Pn is a work offset of its own: its argument is kExtendedOffset + n. A computed P is looked at while running.
@@ -186,6 +198,8 @@ void BlockLowering::lower(std::span<const RawWord> words, const BlockPlace& plac
   const auto first_code = static_cast<std::uint32_t>(program_.codes.size());
   const auto first_word = static_cast<std::uint32_t>(program_.words.size());
   bool ends = false;
+  if (each_block_ && is_under_each_block(words)) [[unlikely]]
+    return emit_each_block(words, place);
   for (std::size_t i = 0; i < words.size(); ++i) {
     const RawWord& word = words[i];
     if ((word.letter != 'G' && word.letter != 'M') || word.comma) {
@@ -218,6 +232,7 @@ void BlockLowering::lower(std::span<const RawWord> words, const BlockPlace& plac
     program_.words.resize(first_word);
     return emit_native(kRestNotModelled, false, place);
   }
+  name_direct_angle(first_code, first_word);
   if (ends) return emit_ending_block(first_code, first_word, place);
   emit_block(first_code, first_word, place);
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -51,7 +52,8 @@ class BlockLowering {
   [[nodiscard]] bool in_data_input() const { return in_data_input_; }
 
   ir::Statement& emit(ir::StatementKind kind, std::uint32_t payload, const BlockPlace& place);
-  void emit_native(std::string_view name, bool effects_known, const BlockPlace& place);
+  // `moves`: the axes may be anywhere behind it.
+  void emit_native(std::string_view name, bool effects_known, const BlockPlace& place, bool moves = false);
   // A block of one code without words.
   void emit_code(ir::Function function, ir::ModalGroup group, const BlockPlace& place);
   void emit_assign(const ir::Variable& target, ir::ExpressionId value, const BlockPlace& place);
@@ -65,11 +67,16 @@ class BlockLowering {
   bool begins_data(CallWord kind, std::span<const RawWord> words, const BlockPlace& place);
   void emit_call(CallWord kind, const RawWord& code, std::span<const RawWord> words, const BlockPlace& place);
   void emit_code_call(const RawWord& code, std::span<const RawWord> words, const BlockPlace& place);
+  // G66.1 and the blocks under it: lower_each_block.cpp
+  void begin_each_block(const RawWord& code, std::span<const RawWord> words, const BlockPlace& place);
+  [[nodiscard]] bool is_under_each_block(std::span<const RawWord> words) const;
+  void emit_each_block(std::span<const RawWord> words, const BlockPlace& place);
   void emit_return_jump(ir::ExpressionId target, const BlockPlace& place);
   void set_called_program(ir::Call& call, const RawWord& word);
   void emit_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place);
   void emit_ending_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place);
   void number_extended_offset(std::uint32_t first_code, std::uint32_t first_word);
+  void name_direct_angle(std::uint32_t first_code, std::uint32_t first_word);
   ir::ExpressionId in_increments(ir::ExpressionId value, double increment);
   [[nodiscard]] std::int32_t number10_of(ir::ExpressionId value) const;
 
@@ -79,6 +86,11 @@ class BlockLowering {
   Faults& faults_;
   std::array<std::vector<std::int16_t>, 2> rows_;  // G, M: ten times the number -> row, -1
   bool in_data_input_ = false;
+  struct EachBlock {
+    RawWord program;  // P or a name
+    ir::ExpressionId repeats = ir::ExpressionId::none;
+  };
+  std::optional<EachBlock> each_block_;  // G66.1 in effect, in the order of the text
 };
 
 // "O0012": as programs are called.

@@ -27,6 +27,7 @@ void BlockLowering::lower_call_block(CallWord kind, std::size_t at, std::span<co
                                      const BlockPlace& place) {
   if (kind == CallWord::by_code) return emit_code_call(words[at], words, place);
   if (kind == CallWord::modal_end) {
+    each_block_.reset();
     emit(StatementKind::modal_call_end, ir::kNoIndex, place);
     std::vector<RawWord> others(words.begin(), words.end());
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(at));
@@ -60,7 +61,7 @@ void BlockLowering::lower_call_block(CallWord kind, std::size_t at, std::span<co
     case CallWord::external:
     case CallWord::macro:
     case CallWord::modal: return emit_call(kind, words[at], of_call, place);
-    case CallWord::modal_each_block: return emit_native(words[at].span.in(program_.source.text()), false, place);
+    case CallWord::modal_each_block: return begin_each_block(words[at], of_call, place);
     case CallWord::modal_end:
     case CallWord::by_code:
     case CallWord::data_input:

@@ -17,6 +17,7 @@ using ir::StatementKind;
 // The end of a program or subprogram is the last effect of its block, wherever its code stands. Its statement's
 // payload, for the end of a program, is a block that holds the code alone.
 void BlockLowering::emit_ending_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place) {
+  each_block_.reset();
   const auto is_end = [](const ir::Code& c) {
     return c.function == Function::program_end || c.function == Function::program_end_rewind ||
            c.function == Function::subprogram_end;

@@ -224,6 +224,8 @@ std::string ProgramPrinter::word(const ir::Word& word) const {
     out.push_back(static_cast<char>('A' + static_cast<int>(word.address)));
   } else if (word.address == Address::chamfer || word.address == Address::rounding) {
     out = word.address == Address::chamfer ? ",C" : ",R";
+  } else if (word.address == Address::direct_angle) {
+    out = ",A";
   } else {
     out = program_.strings.at(word.name);
   }

@@ -40,12 +40,26 @@ bool jumps_anywhere(std::string_view native) {
   return std::ranges::find(kNames, native) != std::end(kNames);
 }
 
+namespace {
+
+bool names_blocks(const ir::Program& program, const ir::Call& call) {
+  if (program.strings.at(call.name) != "CYCLE95" || call.argument_count == 0) return false;
+  const ir::ExpressionId name = program.arguments_of(call).front().value;
+  if (name == ir::ExpressionId::none) return false;
+  const ir::Expression& e = program.at(name);
+  return e.op != ir::Operator::string || program.strings.at(e.string).contains(':');
+}
+
+}  // namespace
+
 FlowGraph::FlowGraph(const ir::Program& program) : program_(program) {}
 
 std::vector<std::uint32_t> FlowGraph::entries() const {
   std::vector<std::uint32_t> found = {0};
   const bool open = std::ranges::any_of(program_.statements, [this](const ir::Statement& s) {
     if (s.kind == StatementKind::repeat_section || s.kind == StatementKind::execute_text) return true;
+    // CYCLE95("BEGIN:END") runs the blocks between its labels.
+    if (s.kind == StatementKind::call) return names_blocks(program_, program_.calls[s.payload]);
     if (s.kind == StatementKind::native) return jumps_anywhere(program_.strings.at(program_.natives[s.payload].name));
     return s.kind == StatementKind::go_to && program_.jumps[s.payload].computed != ir::ExpressionId::none;
   });

@@ -78,6 +78,7 @@ constexpr auto kKeywords = std::to_array<Keyword>({
   function("AXNAME", to_axis),
   function("AXSTRING", to_string),
   function("CTRANS", frame_shift),
+  function("CFINE", frame_shift),
   function("CROT", frame_turn),
   function("CSCALE", frame_scale),
   function("CMIRROR", frame_mirror),
@@ -96,6 +97,7 @@ constexpr auto kKeywords = std::to_array<Keyword>({
   address("RND", ir::Address::rounding),
   address("RNDM", ir::Address::modal_rounding),
   address("RPL", ir::Address::frame_angle),
+  address("ANG", ir::Address::direct_angle),
   address("MEAS", ir::Address::measuring),
   address("MEAW", ir::Address::measuring),
   // statements

@@ -107,6 +107,7 @@ class Parser {
   bool value_list(const ir::Variable& first, text::Span head);
   void repeated_value(const ir::Variable& first, text::Span head);
   bool element(const ir::Variable& first, std::uint32_t offset, ir::ExpressionId value, text::Span head);
+  bool is_beyond(const ir::Symbol& symbol, std::uint32_t flat, text::Span head);
   bool skip_value_attributes();
 
   // the rest: parse_statements.cpp
@@ -126,6 +127,7 @@ class Parser {
   void message(text::Span head);
   void alarm(text::Span head);
   void return_statement(text::Span head);
+  [[nodiscard]] bool returns_usually() const;
   void native(std::string_view name, bool effects_known, text::Span head);
   void missing_target();
 
@@ -142,6 +144,7 @@ class Parser {
   static constexpr std::uint32_t kDeepestNesting = 200;
   // Of one block. A chain of operators is a tree as deep as it is long, and whoever walks it must not run out of stack.
   static constexpr std::uint32_t kMostOperators = 1000;
+  static constexpr std::uint32_t kMostDimensions = 3;
 
   ir::Program& program_;
   const ir::Control& control_;

@@ -132,6 +132,11 @@ void Parser::dimensions(ir::Symbol& symbol) {
     ++count;
   } while (cursor_.take(','));
   expect(']');
+  if (count > kMostDimensions) {
+    report(DiagnosticId::too_many_dimensions, symbol.span,
+           {std::string(symbol.span.in(cursor_.whole())), std::to_string(count), std::to_string(kMostDimensions)});
+    if (!diagnostics_.empty() && !faulty_) diagnostics_.back().alarm = "12190";
+  }
 }
 
 // SYNR, PHU 5, LLI 0, APR 7: of global data, without meaning for a run; but NCK or CHAN make it global.
@@ -246,6 +251,17 @@ void Parser::repeated_value(const ir::Variable& first, text::Span head) {
     if (!element(first, i, value, head)) return;
 }
 
+// More values than the array has elements: 12260. An array of a parameter has as many as its caller's.
+bool Parser::is_beyond(const ir::Symbol& symbol, std::uint32_t flat, text::Span head) {
+  const auto at_least_one = [](std::uint16_t size) { return std::max<std::uint32_t>(size, 1); };
+  const std::uint32_t elements = symbol.dimension1 * at_least_one(symbol.dimension2) * at_least_one(symbol.dimension3);
+  if (elements == 0 || symbol.is_parameter || flat < elements) return false;
+  report(DiagnosticId::too_many_initial_values, head,
+         {std::to_string(flat + 1), std::to_string(elements), std::string(program_.strings.at(symbol.name))});
+  if (!diagnostics_.empty() && !faulty_) diagnostics_.back().alarm = "12260";
+  return true;
+}
+
 // One assignment to the element `offset` places after `first`, row by row. False when the place is not known.
 bool Parser::element(const ir::Variable& first, std::uint32_t offset, ir::ExpressionId value, text::Span head) {
   const auto constant_index = [this](ir::ExpressionId id, std::uint32_t& index) {
@@ -275,6 +291,7 @@ bool Parser::element(const ir::Variable& first, std::uint32_t offset, ir::Expres
     target.number = flat;
     target.index = ir::ExpressionId::none;
   } else {
+    if (named && is_beyond(program_.at(first.symbol), flat, head)) return false;
     if (layers > 0) target.index3 = constant(flat % layers, first.span);
     if (layers > 0) flat /= layers;
     if (columns > 0) target.index2 = constant(flat % columns, first.span);

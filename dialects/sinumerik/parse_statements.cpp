@@ -310,18 +310,34 @@ void Parser::alarm(text::Span head) {
 
 // RET alone, or RET("LABEL") to a block of the caller (PGA, "Parameterizable subprogram return"); with more arguments
 // it is kept as written.
-void Parser::return_statement(text::Span head) {
-  if (cursor_.is_symbol('(')) {
-    TokenCursor probe = cursor_.after();
-    const bool has_target = !probe.is_symbol(',') && !probe.is_symbol(')');
-    while (!probe.at_block_end() && !probe.is_symbol(',') && !probe.is_symbol(')')) probe.advance();
-    if (!has_target || !probe.is_symbol(')')) return native("RET", false, head);
-    operator_ = head;
-    ir::Jump jump;
-    jump.computed = parenthesized();
-    return lower_.add_return(jump, to_here(head));
+// RET("LABEL",0,1,0): into the block itself, one level up, not to the start are what RET("LABEL") does as well.
+bool Parser::returns_usually() const {
+  constexpr std::string_view kUsual[] = {"0", "1", "0"};
+  TokenCursor probe = cursor_.after();
+  const bool has_target = !probe.is_symbol(',') && !probe.is_symbol(')');
+  while (!probe.at_block_end() && !probe.is_symbol(',') && !probe.is_symbol(')')) probe.advance();
+  for (const std::string_view usual : kUsual) {
+    if (!probe.is_symbol(',')) break;
+    probe.advance();
+    if (probe.is_symbol(',') || probe.is_symbol(')')) continue;
+    if (probe.text() != usual) return false;
+    probe.advance();
   }
-  lower_.add_plain(StatementKind::subprogram_return, head);
+  return has_target && probe.is_symbol(')');
+}
+
+void Parser::return_statement(text::Span head) {
+  if (!cursor_.is_symbol('(')) return lower_.add_plain(StatementKind::subprogram_return, head);
+  if (!returns_usually()) return native("RET", false, head);
+  operator_ = head;
+  expect('(');
+  ++brackets_;
+  ir::Jump jump;
+  jump.computed = binary(kWeakestRank);
+  --brackets_;
+  while (!cursor_.at_block_end() && !cursor_.is_symbol(')')) cursor_.advance();
+  expect(')');
+  lower_.add_return(jump, to_here(head));
 }
 
 }  // namespace dripfeed::sinumerik

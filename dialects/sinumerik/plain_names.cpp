@@ -7,12 +7,12 @@ namespace {
 
 // Functions that give a value and have no counterpart in ir.
 constexpr std::string_view kForeign[] = {
-    "SPRINT",   "AX",         "AXTOSPI",    "SPI",       "CFINE",     "CROTS",      "CRPL",      "INVFRAME",
-    "ADDFRAME", "CALCDAT",    "CALCPOSI",   "GETT",      "ISAXIS",    "ISFILE",     "INTERSEC",  "CTAB",
-    "CTABINV",  "CTABTSV",    "CTABTEV",    "CTABSSV",   "CTABSEV",   "CTABEXISTS", "CTABTSP",   "CTABTEP",
-    "CTABID",   "GETACTTD",   "GETDNO",     "GETSELT",   "GETEXET",   "CHKDM",      "CHKDNO",    "CORRTRAFO",
-    "QU",       "AXCTSWEC",   "MODAXVAL",   "GETVARTYP", "GETVARPHU", "GETVARAP",   "GETVARLIM", "GETVARDFT",
-    "GETTCOR",  "GETFREELOC", "ISOPENTYPE", "DELOBJ"};
+    "SPRINT",     "AX",         "AXTOSPI",   "SPI",       "CROTS",      "CRPL",      "INVFRAME",  "ADDFRAME",
+    "CALCDAT",    "CALCPOSI",   "GETT",      "ISAXIS",    "ISFILE",     "INTERSEC",  "CTAB",      "CTABINV",
+    "CTABTSV",    "CTABTEV",    "CTABSSV",   "CTABSEV",   "CTABEXISTS", "CTABTSP",   "CTABTEP",   "CTABID",
+    "GETACTTD",   "GETDNO",     "GETSELT",   "GETEXET",   "CHKDM",      "CHKDNO",    "CORRTRAFO", "QU",
+    "AXCTSWEC",   "MODAXVAL",   "GETVARTYP", "GETVARPHU", "GETVARAP",   "GETVARLIM", "GETVARDFT", "GETTCOR",
+    "GETFREELOC", "ISOPENTYPE", "DELOBJ"};
 
 // Around the value of one word: X=AC(10).
 constexpr std::string_view kWordMode[] = {"AC",  "IC",   "DC",   "ACP", "ACN", "CAC", "CIC",
@@ -20,14 +20,14 @@ constexpr std::string_view kWordMode[] = {"AC",  "IC",   "DC",   "ACP", "ACN", "
 
 // Words with a name that are kept as they are written.
 constexpr std::string_view kAddress[] = {
-    "FRC",     "FRCM",     "ANG",   "FB",      "FL",     "ADIS",    "ADISPOS", "DISC", "DISCL", "DISR",
-    "DISRP",   "OFFN",     "SF",    "SPOS",    "SPOSA",  "POS",     "POSA",    "POSP", "FA",    "OVR",
-    "OVRRAP",  "OVRA",     "ACC",   "VELOLIM", "ACCLIM", "JERKLIM", "SCC",     "PW",   "SD",    "PL",
-    "PO",      "CTOL",     "OTOL",  "ATOL",    "STOLF",  "MEASA",   "MEAWA",   "MEAC", "OS",    "OSP1",
-    "OSP2",    "OST1",     "OST2",  "OSE",     "OSNSC",  "OSCTRL",  "OSB",     "FD",   "FDA",   "FXS",
-    "FXST",    "FXSW",     "FZ",    "SVC",     "FMA",    "FAD",     "DITS",    "DITE", "DILF",  "RFP",
-    "FP",      "SR",       "ST",    "THETA",   "PSI",    "PHI",     "TILT",    "LEAD", "FGREF", "VELOLIMA",
-    "ACCLIMA", "JERKLIMA", "CFTOL", "BLSYNC",  "TOFF",   "TOFFL",   "TOFFR",   "MOV",  "PRIO"};
+    "FRC",      "FRCM",  "FB",      "FL",     "ADIS",    "ADISPOS", "DISC", "DISCL", "DISR",     "DISRP",
+    "OFFN",     "SF",    "SPOS",    "SPOSA",  "POS",     "POSA",    "POSP", "FA",    "OVR",      "OVRRAP",
+    "OVRA",     "ACC",   "VELOLIM", "ACCLIM", "JERKLIM", "SCC",     "PW",   "SD",    "PL",       "PO",
+    "CTOL",     "OTOL",  "ATOL",    "STOLF",  "MEASA",   "MEAWA",   "MEAC", "OS",    "OSP1",     "OSP2",
+    "OST1",     "OST2",  "OSE",     "OSNSC",  "OSCTRL",  "OSB",     "FD",   "FDA",   "FXS",      "FXST",
+    "FXSW",     "FZ",    "SVC",     "FMA",    "FAD",     "DITS",    "DITE", "DILF",  "RFP",      "FP",
+    "SR",       "ST",    "THETA",   "PSI",    "PHI",     "TILT",    "LEAD", "FGREF", "VELOLIMA", "ACCLIMA",
+    "JERKLIMA", "CFTOL", "BLSYNC",  "TOFF",   "TOFFL",   "TOFFR",   "MOV",  "PRIO"};
 
 // Statements that are kept as they are written, effects unknown.
 constexpr std::string_view kNative[] = {
@@ -56,13 +56,13 @@ constexpr std::string_view kNative[] = {
 
 // Standard cycles: they move and are not read.
 constexpr std::string_view kCycle[] = {
-    "CYCLE60",   "CYCLE61",  "CYCLE62",   "CYCLE63",   "CYCLE64",   "CYCLE70",   "CYCLE71",   "CYCLE72",   "CYCLE76",
-    "CYCLE77",   "CYCLE78",  "CYCLE79",   "CYCLE90",   "CYCLE92",   "CYCLE93",   "CYCLE94",   "CYCLE95",   "CYCLE96",
-    "CYCLE98",   "CYCLE99",  "CYCLE435",  "CYCLE495",  "CYCLE800",  "CYCLE801",  "CYCLE802",  "CYCLE832",  "CYCLE840",
-    "CYCLE899",  "CYCLE930", "CYCLE940",  "CYCLE950",  "CYCLE951",  "CYCLE952",  "CYCLE961",  "CYCLE971",  "CYCLE973",
-    "CYCLE974",  "CYCLE976", "CYCLE977",  "CYCLE978",  "CYCLE979",  "CYCLE982",  "CYCLE994",  "CYCLE995",  "CYCLE996",
-    "CYCLE997",  "CYCLE998", "CYCLE4071", "CYCLE4072", "CYCLE4073", "CYCLE4074", "CYCLE4075", "CYCLE4077", "CYCLE4078",
-    "CYCLE4079", "POCKET1",  "POCKET2",   "POCKET3",   "POCKET4",   "SLOT1",     "SLOT2",     "LONGHOLE"};
+    "CYCLE60",  "CYCLE61",   "CYCLE62",   "CYCLE63",   "CYCLE64",   "CYCLE70",   "CYCLE71",   "CYCLE72",   "CYCLE76",
+    "CYCLE77",  "CYCLE78",   "CYCLE79",   "CYCLE90",   "CYCLE92",   "CYCLE93",   "CYCLE94",   "CYCLE96",   "CYCLE98",
+    "CYCLE99",  "CYCLE435",  "CYCLE495",  "CYCLE800",  "CYCLE801",  "CYCLE802",  "CYCLE832",  "CYCLE840",  "CYCLE899",
+    "CYCLE930", "CYCLE940",  "CYCLE950",  "CYCLE951",  "CYCLE952",  "CYCLE961",  "CYCLE971",  "CYCLE973",  "CYCLE974",
+    "CYCLE976", "CYCLE977",  "CYCLE978",  "CYCLE979",  "CYCLE982",  "CYCLE994",  "CYCLE995",  "CYCLE996",  "CYCLE997",
+    "CYCLE998", "CYCLE4071", "CYCLE4072", "CYCLE4073", "CYCLE4074", "CYCLE4075", "CYCLE4077", "CYCLE4078", "CYCLE4079",
+    "POCKET1",  "POCKET2",   "POCKET3",   "POCKET4",   "SLOT1",     "SLOT2",     "LONGHOLE"};
 
 // Kept as they are written; they neither move nor change state: displays, files, blank declarations.
 constexpr std::string_view kDisplay[] = {"WORKPIECE", "WRITE", "READ", "MMC", "EXTOPEN", "EXTCLOSE"};

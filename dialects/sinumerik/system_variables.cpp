@@ -54,7 +54,7 @@ constexpr auto kVariables = std::to_array<ir::SystemVariableRow>({
   {"$AA_IW", 0, 0, end_position, false, "LIS1, actual position in work coordinates: the programmed one here"},
   {"$AA_IM", 0, 0, machine_position, false, "LIS1, actual position in machine coordinates"},
   {"$AA_IB", 0, 0, not_modelled, false, "LIS1, actual position in basic coordinates"},
-  {"$AA_MW", 0, 0, not_modelled, false, "LIS1, measured position in work coordinates"},
+  {"$AA_MW", 0, 0, skip_position, false, "LIS1, measured position in work coordinates"},
   {"$AA_MM", 0, 0, not_modelled, false, "LIS1, measured position in machine coordinates"},
   {"$AA_S", 0, 0, not_modelled, false, "LIS1, actual spindle speed"},
   {"$AC_MEA", 0, 0, not_modelled, false, "LIS1, probe has switched"},

@@ -1,5 +1,6 @@
 // Programs in the macro language of the '#' controls, read and run: calls in all forms, several programs in one text,
 // modal calls, output, names, offsets. What is expected is written out by hand.
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -192,6 +193,39 @@ TEST(MacroLanguage, ASkipMoveEndsWhereTheProbeTouches) {
   const Result touched = run(text, "fanuc", ir::MachineKind::mill, {number(5063, -12.5)});
   EXPECT_EQ(value_of(touched, "#101"), -12.5);
   EXPECT_NE(touched.trace.find("linear X0.0000 Y0.0000 Z-12.5000"), std::string::npos);
+}
+
+// G66.1: each block is the macro with its words as arguments; nothing in it moves by itself.
+TEST(MacroLanguage, AMacroInPlaceOfEachBlock) {
+  for (const std::string dialect : {"fanuc", "mazak", "mitsubishi-m80"}) {
+    const Result r =
+        run("%\nO1\nG90 G00 X9. Y0. Z0.\nG66.1 P2\nX1. A5.\n#110=0\nX2. (two)\nG67\nX3.\nM30\n"
+            "O2\n#100=#100+#24\n#101=#1\nM99\n%\n",
+            dialect);
+    EXPECT_EQ(x_of(r), "9 3 ") << dialect << r.trace;
+    EXPECT_EQ(value_of(r, "#100"), 3.0) << dialect;
+    // The second block has no A: a call's locals are new.
+    EXPECT_EQ(value_of(r, "#101"), -999.0) << dialect;
+    const auto& unread = r.result.not_interpreted;
+    EXPECT_TRUE(std::ranges::any_of(unread, [](const auto& n) { return n.name == "G66.1" && !n.effects_known; }));
+  }
+}
+
+TEST(MacroLanguage, ABlockUnderEachBlockCallWithACodeIsNotCertain) {
+  const Result r = run("%\nO1\nG90 G00 X9. Y0. Z0.\nG66.1 P2\nG01 X1. F100.\nG67\nM30\nO2\n#100=1.\nM99\n%\n");
+  EXPECT_EQ(x_of(r), "9 ") << r.trace;
+  EXPECT_TRUE(std::ranges::any_of(r.result.not_interpreted,
+                                  [](const auto& n) { return n.name == "a block under G66.1" && n.first_line == 5; }));
+}
+
+TEST(MacroLanguage, ThreeDimensionalCodesAreToldWithTheirLine) {
+  for (const std::string code : {"G68.2 X0. Y0. Z0. I0. J45. K0.", "G43.4 H1"}) {
+    const Result r = run("%\nO1\nG90 G00 X9. Y0. Z0.\n" + code + "\nX1.\nM30\n%\n");
+    const std::string name = code.substr(0, 5);
+    EXPECT_TRUE(std::ranges::any_of(r.result.not_interpreted, [&](const auto& n) {
+      return n.name == name && n.first_line == 4 && !n.effects_known;
+    })) << code;
+  }
 }
 
 TEST(MacroLanguage, ModesCanBeRead) {

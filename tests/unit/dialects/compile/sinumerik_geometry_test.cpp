@@ -118,6 +118,22 @@ TEST(SinumerikGeometry, MeasuringEndsWhereTheProbeTouches) {
   EXPECT_TRUE(ran.names("$AA_IW[0]"));
 }
 
+TEST(SinumerikGeometry, MeasuringEndsWhereTheStateSaysThatTheProbeTouches) {
+  const std::string text = "G17 G90 G0 X0 Y0 Z0\nMEAS=1 G1 X10 F100\nR1=$AA_IW[X]\nR2=$AA_MW[X]\nM30\n";
+  const Result ran = run(text, {}, ir::MachineKind::mill,
+                         {{.bank = ir::Bank::system, .number = 0, .name = "$AA_MW[X]", .value = 4.5}});
+  EXPECT_TRUE(ran.trace.contains("2 linear X4.5000")) << ran.trace;
+  EXPECT_EQ(ran.value("R1"), 4.5);
+  EXPECT_EQ(ran.value("R2"), 4.5);
+}
+
+// MEAW does not end the move.
+TEST(SinumerikGeometry, MeasuringWithoutDeletingTheWayGoesToItsEnd) {
+  const Result ran = run("G17 G90 G0 X0 Y0 Z0\nMEAW=1 G1 X10 F100\nR1=$AA_IW[X]\nM30\n");
+  EXPECT_EQ(ran.value("R1"), 10.0);
+  EXPECT_TRUE(ran.names("MEAW"));
+}
+
 TEST(SinumerikGeometry, Splines) {
   const Result ran = run("G17 G90 G0 X0 Y0 Z0\nBSPLINE X10 Y5 F100\nX20 Y0\nG1 X30\nM30\n");
   EXPECT_TRUE(ran.trace.contains("3 spline X20.0000 Y0.0000")) << ran.trace;
