@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "dialects/ir/cycle.h"
 #include "dialects/ir/frame_use.h"
 #include "dialects/macro_b/check.h"
 #include "dialects/macro_b/lower.h"
@@ -16,16 +17,24 @@ using ir::Function;
 using ir::StatementKind;
 using enum text::DiagnosticId;
 
+constexpr std::int16_t kRigidTap = 29;  // M29
+
 // Whether something is in effect.
 enum class State : std::uint8_t { off, on, uncertain };
 
 class OrderCheck {
  public:
   OrderCheck(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings)
-      : program_(program), control_(control), findings_(findings), ways_in_(program, section) {}
+      : program_(program),
+        control_(control),
+        findings_(findings),
+        ways_in_(program, section),
+        has_rigid_taps_(!ir::alarm_of(control, rigid_tap_invalid).empty()) {}
 
   void statement(std::uint32_t at) {
     const ir::Statement& s = program_.statements[at];
+    if (s.kind == StatementKind::program_end && rigid_ == Rigid::waits)
+      add_rigid(s.span, "ends the program between M29 and its tapping cycle", ir::AlarmDetail::none);
     if (ways_in_.at(at)) forget();
     if (!corner_span_.empty() && s.kind != StatementKind::empty && s.kind != StatementKind::assign) corner(s);
     if (s.kind == StatementKind::block) {
@@ -44,6 +53,7 @@ class OrderCheck {
  private:
   void forget() {
     modal_ = comp_ = cycle_ = rotation_ = State::uncertain;
+    rigid_ = Rigid::off;
     arc_ = starting_ = cuts_ = false;
     moves_known_ = false;
     extended_ = false;
@@ -80,6 +90,7 @@ class OrderCheck {
       if (f == Function::comp_left || f == Function::comp_right || f == Function::comp_off) comp = &code;
     }
     const bool moves = !own_words && moves_axes(block);
+    if (has_rigid_taps_) rigid_tap(block, moves);
     if (comp != nullptr) take_comp(*comp);
     begin_corner(block, moves);
     if (!moves || !starting_) return;
@@ -111,6 +122,42 @@ class OrderCheck {
     if (code.function != Function::local_shift || !extended_ || !moves_axes(block)) return;
     if (!ir::alarm_of(control_, shift_in_extended_offset).empty())
       add(shift_in_extended_offset, code.span, written(code));
+  }
+
+  // M29 S500, then the tapping cycle: nothing that moves or turns the plane comes between.
+  void rigid_tap(const ir::Block& block, bool moves) {
+    const auto codes = program_.codes_of(block);
+    const auto m29 = std::ranges::find_if(
+        codes, [](const ir::Code& c) { return c.function == Function::machine_function && c.argument == kRigidTap; });
+    const auto cycle = std::ranges::find(codes, Function::drill, &ir::Code::function);
+    const auto plane = std::ranges::find(codes, ir::ModalGroup::plane, &ir::Code::group);
+    const bool taps = cycle != codes.end() && is_tap(*cycle);
+    if (plane != codes.end() && (rigid_ != Rigid::off))
+      add_rigid(plane->span, "changes the plane of a rigid tap", ir::AlarmDetail::plane_changes);
+    if (rigid_ == Rigid::waits && !taps) {
+      if (cycle != codes.end()) {
+        add_rigid(cycle->span, "stands between M29 and its tapping cycle", ir::AlarmDetail::none);
+      } else if (m29 != codes.end()) {
+        add_rigid(m29->span, "stands behind another M29 without a tapping cycle", ir::AlarmDetail::none);
+      } else if (moves) {
+        add_rigid(program_.words_of(block).front().span, "moves between M29 and its tapping cycle",
+                  ir::AlarmDetail::axis_moves);
+        rigid_ = Rigid::off;
+      }
+    }
+    if (m29 != codes.end()) rigid_ = Rigid::waits;
+    if (taps && rigid_ == Rigid::waits) rigid_ = Rigid::taps;
+    const bool ends = std::ranges::any_of(codes, [](const ir::Code& c) {
+      return c.function == Function::cycle_off || c.group == ir::ModalGroup::motion;
+    });
+    if (rigid_ == Rigid::taps && ends && !taps) rigid_ = Rigid::off;
+  }
+  static bool is_tap(const ir::Code& code) {
+    const auto cycle = static_cast<ir::DrillCycle>(code.argument % ir::kDrillAlongZ);
+    return cycle == ir::DrillCycle::tap_right || cycle == ir::DrillCycle::tap_left;
+  }
+  void add_rigid(text::Span span, std::string_view what, ir::AlarmDetail detail) {
+    findings_.add(rigid_tap_invalid, span, {std::string(text_of(program_, span)) + " " + std::string(what)}, detail);
   }
 
   void take_comp(const ir::Code& code) {
@@ -156,7 +203,8 @@ class OrderCheck {
       stays &= moves_axes(block) || has_word(block, ir::Address::i) || has_word(block, ir::Address::j) ||
                has_word(block, ir::Address::k);
       // An angle may stand for a coordinate.
-      stays |= has_word(block, ir::Address::other) || has_word(block, ir::Address::a);
+      stays |= has_word(block, ir::Address::direct_angle) || has_word(block, ir::Address::other) ||
+               has_word(block, ir::Address::a);
     }
     if (is_end || !stays) add_corner(span, "behind it");
   }
@@ -178,6 +226,8 @@ class OrderCheck {
   const ir::Control& control_;
   Findings& findings_;
   WaysIn ways_in_;
+  bool has_rigid_taps_;
+  enum class Rigid : std::uint8_t { off, waits, taps } rigid_ = Rigid::off;
   // At the start nothing is in effect.
   State modal_ = State::off;
   State comp_ = State::off;

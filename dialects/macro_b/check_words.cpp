@@ -51,6 +51,8 @@ struct DataRow {
 };
 constexpr DataRow kDataRows[] = {{2.0, 2.0, 0.0, 6.0}, {20.0, 20.0, 1.0, 300.0}, {10.0, 13.0, 1.0, 999.0}};
 
+constexpr double kLastOffset = 999.0;  // the largest option of tool offsets
+
 class WordCheck {
  public:
   WordCheck(const ir::Program& program, const ir::Control& control, Findings& findings)
@@ -61,6 +63,7 @@ class WordCheck {
     groups(block);
     data_setting(block);
     beside_function(block);
+    offset_number(block);
     std::array<bool, static_cast<std::size_t>(Address::count_)> seen{};
     for (const ir::Word& word : program_.words_of(block)) {
       bool& before = seen[static_cast<std::size_t>(word.address)];
@@ -129,14 +132,40 @@ class WordCheck {
     }
   }
 
-  // G29 with an M function, where the control has an alarm for it.
+  // G27 or G29 with an M function, where the control has an alarm for it.
   void beside_function(const ir::Block& block) {
     const auto codes = program_.codes_of(block);
-    const auto reference = std::ranges::find(codes, Function::leave_reference, &ir::Code::function);
+    const auto reference = std::ranges::find_if(
+        codes, [&](const ir::Code& c) { return c.function == Function::leave_reference || is_reference_check(c); });
     const auto m = std::ranges::find(codes, 'M', &ir::Code::letter);
     if (reference == codes.end() || m == codes.end() || ir::alarm_of(control_, code_beside_function).empty()) return;
     findings_.add(code_beside_function, m->span,
-                  {std::string(text_of(program_, reference->span)), std::string(text_of(program_, m->span))});
+                  {std::string(text_of(program_, reference->span)), std::string(text_of(program_, m->span))},
+                  is_reference_check(*reference) ? ir::AlarmDetail::reference_check : ir::AlarmDetail::none);
+  }
+  [[nodiscard]] bool is_reference_check(const ir::Code& code) const {
+    return code.function == Function::approach && program_.strings.at(code.name) == "G27";
+  }
+
+  // D of a compensation and H of a tool length are numbers of the offset table.
+  void offset_number(const ir::Block& block) {
+    if (control_.kind != ir::MachineKind::mill) return;
+    const auto codes = program_.codes_of(block);
+    const bool comp = std::ranges::any_of(codes, [](const ir::Code& c) {
+      return c.function == Function::comp_left || c.function == Function::comp_right;
+    });
+    const bool length = std::ranges::any_of(codes, [](const ir::Code& c) {
+      return c.function == Function::length_offset_plus || c.function == Function::length_offset_minus;
+    });
+    for (const ir::Word& word : program_.words_of(block)) {
+      const bool counts = (word.address == Address::d && comp) || (word.address == Address::h && length);
+      if (!counts || word.value == ir::ExpressionId::none) continue;
+      const ir::Expression& value = program_.at(word.value);
+      if (value.op != ir::Operator::constant || (value.value >= 0.0 && value.value <= kLastOffset)) continue;
+      findings_.add(value_out_of_range, word.span,
+                    {address_name(program_, word), std::string(text_of(program_, value.span)), "0",
+                     text::format_shortest(kLastOffset)});
+    }
   }
 
   // In a hole's block ,R1 says that a tap is a synchronous one.

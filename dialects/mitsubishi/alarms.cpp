@@ -67,6 +67,8 @@ constexpr auto kAlarms = std::to_array<AlarmRow>({
     {comp_without_number, "P170"},
     {shift_in_extended_offset, "P438"},
     {corner_without_move, "P382"},
+    {value_out_of_range, "P170"},
+    {code_beside_function, "P435", reference_check},
     {tap_without_speed, "P181"},
     {data_setting_invalid, "P173"},
     {code_beside_function, "P436"},

@@ -68,10 +68,29 @@ class Inference {
   void piece() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       const ir::Token& token = tokens_[i];
-      if (token.kind == TokenKind::address && token.span.size() == 1) letter(i);
+      if (token.kind == TokenKind::eob) in_definition_ = false;
+      if (token.kind == TokenKind::name && is_definition(token.span.in(text_))) in_definition_ = true;
+      if (token.kind == TokenKind::address) address(i);
       if (sign_ == Sign::nothing && (token.kind == TokenKind::name || token.kind == TokenKind::string))
         decide(sign_of_name(token.span.in(text_)), i);
     }
+  }
+
+  static bool is_definition(std::string_view name) { return same_name(name, "DEF") || same_name(name, "PROC"); }
+
+  // V and A1 are names where the program defines them, axes elsewhere.
+  void address(std::size_t i) {
+    if (!in_definition_ && defined_.empty()) {
+      if (tokens_[i].span.size() == 1) letter(i);
+      return;
+    }
+    const std::uint32_t begin = tokens_[i].span.begin;
+    std::uint32_t end = begin;
+    while (end < text_.size() && is_name_character(text_[end])) ++end;
+    const UpperName name(text_.substr(begin, end - begin));
+    const bool known = std::ranges::find(defined_, name.view()) != defined_.end();
+    if (in_definition_ && !known) defined_.emplace_back(name.view());
+    if (!in_definition_ && !known && tokens_[i].span.size() == 1) letter(i);
   }
 
   // A letter is a word when a value follows: a number with or without sign, or '='.
@@ -112,6 +131,8 @@ class Inference {
   Sign sign_ = Sign::nothing;
   std::uint32_t offset_ = 0;
   std::string letters_;
+  bool in_definition_ = false;
+  std::vector<std::string> defined_;  // names that begin as an address does
 };
 
 }  // namespace

@@ -45,6 +45,8 @@ void check_modal_state(const Check& check);  // validate_state.cpp
 void check_limits(const Check& check);       // validate_limits.cpp
 void check_calls(const Check& check);        // validate_calls.cpp
 void check_tools(const Check& check);        // validate_tools.cpp
+void check_ranges(const Check& check);       // validate_ranges.cpp
+void check_definitions(const Check& check);  // validate_definitions.cpp
 void check_interpreted(const Check& check);  // validate_interpreted.cpp
 
 }  // namespace dripfeed::sinumerik

@@ -30,6 +30,14 @@ TEST(Infer, AnIntegrexHasCodesOfItsOwn) {
   EXPECT_EQ(mazak.infer_control(text::Source("x", "%\nO1\nT0101\nG00 X5. Z1.\nM30\n%\n")).kind, ir::MachineKind::lathe);
 }
 
+TEST(Infer, ANameIsNoAxis) {
+  const Dialect& own = *find_dialect("sinumerik-840d");
+  const auto axes = [&](const std::string& text) { return own.infer_control(text::Source("x", text)).axes; };
+  EXPECT_EQ(axes("DEF REAL V=1, A1\nV=5 A1=3\nG1 X=V Y=A1\nM30\n"), "XYZ");
+  EXPECT_EQ(axes("PROC P(REAL B)\nB=2\nG1 X=B\nM17\n"), "XYZ");
+  EXPECT_EQ(axes("DEF REAL W\nG1 X1 V5 A=3\nM30\n"), "XYZAV");
+}
+
 TEST(Controls, HaveTablesInOrder) {
   for (const Dialect& dialect : dialects()) {
     if (dialect.name.starts_with("sinumerik")) continue;  // named codes have no number

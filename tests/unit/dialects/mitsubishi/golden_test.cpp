@@ -11,9 +11,9 @@ namespace {
 
 // Rules that differ: loops to 27 deep by numbers to 127, IF blocks, and what else has a program of its own.
 // … and G83 without Q drills in one.
-const std::vector<std::string> kOtherwise = {"peck-without-depth", "loop-number-invalid",
-                                             "nesting-too-deep",   "missing-end",
-                                             "unknown-code",       "expression-without-brackets"};
+const std::vector<std::string> kOtherwise = {"peck-without-depth",         "rigid-tap-invalid", "loop-number-invalid",
+                                             "nesting-too-deep",           "missing-end",       "unknown-code",
+                                             "expression-without-brackets"};
 
 test::GoldenDialect dialect() { return {".expected.mitsubishi", control, infer_control, read, validate}; }
 
