@@ -46,9 +46,10 @@ bool BlockLowering::is_under_each_block(std::span<const RawWord> words) const {
 }
 
 void BlockLowering::emit_each_block(std::span<const RawWord> words, const BlockPlace& place) {
-  const bool plain = std::ranges::none_of(words, [](const RawWord& word) {
-    return word.comma || word.letter == 'G' || word.letter == 'L' || word.letter == 'P' || word.letter == '<';
-  });
+  const bool plain =
+      place.rest_level == 0 && std::ranges::none_of(words, [](const RawWord& word) {
+        return word.comma || word.letter == 'G' || word.letter == 'L' || word.letter == 'P' || word.letter == '<';
+      });
   if (!plain) return emit_native("a block under G66.1", false, place, true);
   ir::Call call;
   call.kind = ir::CallKind::macro;

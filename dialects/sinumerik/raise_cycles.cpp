@@ -85,6 +85,7 @@ class CycleRaiser {
     const bool is = !after.cycle.is(DrillState::kNone);
     if (!was && !is) return out_.keep();
     statement_ = &s;
+    if (block.rest_level != 0) return raising_.cannot("block skip inside a block", s.span);
     if (!after.cycle.known) return undecided(block);
     if (!is) return end(before, block);
     drill(before, after, block);

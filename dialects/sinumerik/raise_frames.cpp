@@ -72,6 +72,7 @@ class FrameRaiser {
     const auto end = std::ranges::find_if(codes, ends);
     // G69 in the safe head of a program that turns nothing has nothing to end.
     if (begin == codes.end() && (end == codes.end() || kinds_.empty())) return out_.keep();
+    if (block.rest_level != 0) return cannot("block skip inside a block");
     std::vector<ir::Code> others;
     std::ranges::copy_if(codes, std::back_inserter(others), [](const ir::Code& c) { return !begins(c) && !ends(c); });
     const std::vector<ir::Word> words(program_.words_of(block).begin(), program_.words_of(block).end());
