@@ -5,12 +5,16 @@
 #pragma once
 
 #include "dialects/curves/arc.h"
+#include "dialects/curves/bezier.h"
 #include "dialects/curves/chord_bound.h"
 #include "dialects/curves/conic.h"
 #include "dialects/curves/deviation.h"
 #include "dialects/curves/explicit_curve.h"
+#include "dialects/curves/gap.h"
+#include "dialects/curves/height_field.h"
 #include "dialects/curves/line.h"
 #include "dialects/curves/nose.h"
+#include "dialects/curves/nurbs.h"
 #include "dialects/curves/parametric_curve.h"
 #include "dialects/curves/path.h"
 #include "dialects/curves/point.h"

@@ -10,6 +10,7 @@ namespace dripfeed::curves {
 namespace {
 
 constexpr int kSteps = 60;
+constexpr int kNewtonSteps = 20;
 
 struct Trial {
   double t = 0.0;
@@ -43,6 +44,19 @@ Trial root(const ParametricCurve& curve, Point point, Trial a, Trial b) {
   return std::ranges::min({best, a, b}, {}, &Trial::square);
 }
 
+ParametricFoot foot_of(const ParametricCurve& curve, Point point, const Trial& nearest) {
+  const bool at_low = nearest.t <= curve.t.low;
+  const bool at_high = nearest.t >= curve.t.high;
+  const Point tangent = unit(nearest.curve.derivative);
+  const Point offset = point - nearest.curve.point;
+  const double side = cross(tangent, offset);
+  ParametricFoot foot{nearest.t, nearest.curve.point, std::copysign(std::sqrt(nearest.square), side), at_low || at_high,
+                      0.0};
+  if (at_low) foot.overhang = std::max(0.0, -dot(offset, tangent));
+  if (at_high) foot.overhang = std::max(foot.overhang, dot(offset, tangent));
+  return foot;
+}
+
 }  // namespace
 
 double curvature(const ParametricPoint& point) {
@@ -63,9 +77,27 @@ ParametricFoot closest(const ParametricCurve& curve, Point point, int pieces) {
     }
     before = trial;
   }
-  const bool at_end = nearest.t <= curve.t.low || nearest.t >= curve.t.high;
-  const double side = cross(nearest.curve.derivative, point - nearest.curve.point);
-  return {nearest.t, nearest.curve.point, std::copysign(std::sqrt(nearest.square), side), at_end};
+  return foot_of(curve, point, nearest);
+}
+
+ParametricFoot closest_from(const ParametricCurve& curve, Point point, double t_near) {
+  Trial trial = trial_at(curve, point, std::clamp(t_near, curve.t.low, curve.t.high));
+  Trial nearest = trial;
+  for (int step = 0; step < kNewtonSteps; ++step) {
+    const double square = dot(trial.curve.derivative, trial.curve.derivative);
+    const double rise = square + dot(trial.curve.point - point, trial.curve.second);
+    // Where the distance bends the wrong way, the step of a straight curve still leads downhill.
+    const double slope = rise > 0.1 * square ? rise : square;
+    if (!(slope > 0.0)) break;
+    const double t = std::clamp(trial.t - trial.gradient / slope, curve.t.low, curve.t.high);
+    // A step shorter than 1e-13 of the speed's way cannot be told from rounding.
+    if (std::fabs(t - trial.t) <= 1e-14 * std::max(std::fabs(curve.t.low), std::fabs(curve.t.high))) break;
+    const Trial next = trial_at(curve, point, t);
+    if (next.square < nearest.square) nearest = next;
+    if (!(std::fabs(next.gradient) < std::fabs(trial.gradient))) break;
+    trial = next;
+  }
+  return foot_of(curve, point, nearest);
 }
 
 }  // namespace dripfeed::curves

@@ -1,0 +1,144 @@
+// See the header for the proof.
+#include "dialects/curves/gap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace dripfeed::curves {
+
+namespace {
+
+constexpr std::size_t kMostParts = 4096;
+constexpr double kExact_mm = 1e-10;  // finer than this is rounding
+
+double largest(Range a) { return std::max(std::fabs(a.low), std::fabs(a.high)); }
+
+Range sum(Range a, Range b) { return {a.low + b.low, a.high + b.high}; }
+Range scaled(double k, Range a) { return k >= 0.0 ? Range{k * a.low, k * a.high} : Range{k * a.high, k * a.low}; }
+Range product(Range a, Range b) {
+  const auto [low, high] = std::minmax({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
+  return {low, high};
+}
+
+// The gap and its second derivative for one kind of path.
+class Gap {
+ public:
+  Gap(const ParametricCurve& curve, const PathPiece& piece) : curve_(curve) {
+    if (const auto* segment = std::get_if<Segment>(&piece)) {
+      const Point along = segment->direction();
+      normal_ = {-along.x, along.z};
+      from_ = segment->a;
+      fine_ = segment->length() > 0.0;
+    } else {
+      const auto& arc = std::get<Arc>(piece);
+      center_ = arc.center;
+      radius_ = arc.radius;
+      // To the left of a counterclockwise arc is its inside.
+      sign_ = arc.sweep > 0.0 ? -1.0 : 1.0;
+      fine_ = arc.radius > 0.0 && arc.sweep != 0.0;
+    }
+  }
+  [[nodiscard]] bool fine() const { return fine_; }
+  [[nodiscard]] double at(double t) const {
+    const Point point = curve_.at(t).point;
+    return radius_ > 0.0 ? sign_ * (distance(point, center_) - radius_) : dot(normal_, point - from_);
+  }
+  // Of |g''| between two places; infinite where it is not known.
+  [[nodiscard]] double second(double low, double high) const {
+    const Box box = curve_.second_derivatives(low, high);
+    if (radius_ == 0.0) return largest(sum(scaled(normal_.z, box.z), scaled(normal_.x, box.x)));
+    return second_of_circle(box, low, high);
+  }
+
+ private:
+  // The direction from the centre turns by at most the angle under which the part is seen.
+  [[nodiscard]] double second_of_circle(const Box& box, double low, double high) const {
+    const double half = 0.5 * (high - low);
+    const ParametricPoint middle = curve_.at(low + half);
+    const Range by{-half, half};
+    const Range d_z = sum({middle.derivative.z, middle.derivative.z}, product(by, box.z));
+    const Range d_x = sum({middle.derivative.x, middle.derivative.x}, product(by, box.x));
+    const double reach = half * std::hypot(largest(d_z), largest(d_x));
+    const Point away = middle.point - center_;
+    const double rho = norm(away);
+    if (!(rho > 2.0 * reach)) return std::numeric_limits<double>::infinity();
+    const Point u = unit(away);
+    const double turn = reach / (rho - reach);  // >= the angle's sine
+    const Range u_z{u.z - turn, u.z + turn};
+    const Range u_x{u.x - turn, u.x + turn};
+    const Range across = sum(product(u_z, d_x), scaled(-1.0, product(u_x, d_z)));
+    const double least =
+        across.low > 0.0 || across.high < 0.0 ? std::min(std::fabs(across.low), std::fabs(across.high)) : 0.0;
+    const Range bend{least * least / (rho + reach), largest(across) * largest(across) / (rho - reach)};
+    return largest(sum(bend, sum(product(u_z, box.z), product(u_x, box.x))));
+  }
+
+  const ParametricCurve& curve_;
+  Point normal_;
+  Point from_;
+  Point center_;
+  double radius_ = 0.0;
+  double sign_ = 1.0;
+  bool fine_ = false;
+};
+
+struct Part {
+  double low = 0.0;
+  double high = 0.0;
+  double gap_low = 0.0;
+  double gap_high = 0.0;
+  Range bound;
+};
+
+}  // namespace
+
+std::optional<Range> gap_range(const ParametricCurve& curve, Range t, const PathPiece& piece, double relative) {
+  const Gap gap(curve, piece);
+  if (!gap.fine() || !curve.second_derivatives || !(t.low <= t.high)) return std::nullopt;
+  Range known{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  const auto include = [&known](double value) {
+    known = {std::min(known.low, value), std::max(known.high, value)};
+    return value;
+  };
+  const auto bounded = [&gap](Part part) {
+    const double width = part.high - part.low;
+    const double more = width > 0.0 ? gap.second(part.low, part.high) * width * width / 8.0 : 0.0;
+    part.bound = {std::min(part.gap_low, part.gap_high) - more, std::max(part.gap_low, part.gap_high) + more};
+    return part;
+  };
+  std::vector<Part> open;
+  double before = t.low;
+  double gap_before = include(gap.at(t.low));
+  const auto add_to = [&](double here) {
+    const double gap_here = include(gap.at(here));
+    open.push_back(bounded({before, here, gap_before, gap_here, {}}));
+    before = here;
+    gap_before = gap_here;
+  };
+  for (const double place : curve.breaks) {
+    if (place > t.low && place < t.high) add_to(place);
+  }
+  add_to(t.high);
+
+  Range proved = known;
+  for (std::size_t parts = open.size(); !open.empty(); ++parts) {
+    const Part part = open.back();
+    open.pop_back();
+    const double allowed = kExact_mm + relative * largest(known);
+    const bool done = part.bound.low >= known.low - allowed && part.bound.high <= known.high + allowed;
+    if (done) {
+      proved = {std::min(proved.low, part.bound.low), std::max(proved.high, part.bound.high)};
+      continue;
+    }
+    const double middle = 0.5 * (part.low + part.high);
+    if (parts >= kMostParts || !(middle > part.low && middle < part.high)) return std::nullopt;
+    const double gap_middle = include(gap.at(middle));
+    open.push_back(bounded({part.low, middle, part.gap_low, gap_middle, {}}));
+    open.push_back(bounded({middle, part.high, gap_middle, part.gap_high, {}}));
+  }
+  return proved;
+}
+
+}  // namespace dripfeed::curves
