@@ -40,6 +40,7 @@ struct Tool {
   std::int32_t tip = 0;      // 0..9
   double diameter_mm = 0.0;  // mills and drills
   double length_mm = 0.0;
+  double corner_radius_mm = 0.0;  // mills: 0 flat, half the diameter a ball, between both a bull nose
 };
 
 // Where a work offset puts its zero, in machine coordinates: slide positions, halved already where programs give

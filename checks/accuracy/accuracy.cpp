@@ -190,7 +190,7 @@ void Accuracy::judge(const curves::Deviation& deviation, const ir::Place& place)
   const double size = std::fabs(worst.value);
   if (size <= worst.tolerance) return;
   report_.findings.add(text::DiagnosticId::deviation_beyond_tolerance, place, size, worst.tolerance, [&] {
-    return std::vector<std::string>{text::format_fixed(worst.value, 4), text::format_fixed(worst.at.z, 3),
+    return std::vector<std::string>{text::format_fixed(worst.value, 4), "z " + text::format_fixed(worst.at.z, 3),
                                     text::format_shortest(worst.tolerance)};
   });
 }
@@ -220,7 +220,7 @@ void Accuracy::find_gaps() {
   report_.covered = report_.gaps.empty();
   for (const Gap& gap : report_.gaps) {
     report_.findings.add(text::DiagnosticId::nominal_not_covered, last_place_, gap.high_mm - gap.low_mm, 0.0, [&] {
-      return std::vector<std::string>{text::format_fixed(gap.low_mm, 3), text::format_fixed(gap.high_mm, 3)};
+      return std::vector<std::string>{"z " + text::format_fixed(gap.low_mm, 3), text::format_fixed(gap.high_mm, 3)};
     });
   }
 }

@@ -25,7 +25,7 @@ bool is_arc(const ir::Motion& motion) {
 }
 
 std::vector<std::string> depth_and_place(double depth_mm, double z_mm) {
-  return {text::format_fixed(depth_mm, 3), text::format_fixed(z_mm, 3)};
+  return {text::format_fixed(depth_mm, 3), "z " + text::format_fixed(z_mm, 3)};
 }
 
 // Where both axes run at their own speed until the nearer end is reached, the way bends here.

@@ -1,6 +1,6 @@
 // checks/gouge: does the tool touch what it must not, for turning in the z-x plane: a rapid that enters the stock as it
 // is left at that moment, or the finished part, and a cut below the nominal beyond its tolerance. The nose radius
-// counts, the tool's holder and the chuck do not. Milling on a height map belongs here, too.
+// counts, the tool's holder and the chuck do not. Milling on a height map is milling.h.
 #pragma once
 
 #include <cstdint>

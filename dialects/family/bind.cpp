@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "dialects/family/evaluate.h"
+#include "dialects/family/geometry.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::family {
@@ -38,8 +39,10 @@ class Binder {
     for (const Definition& definition : family_.definitions) define(definition);
     if (text::has_error(result_.diagnostics)) return std::move(result_);
     for (const Requirement& requirement : family_.requirements) check(requirement);
+    for (const CurveShape& curve : family_.curves) check_curve(curve);
     for (const Step& step : family_.steps) {
       if (step.kind == StepKind::for_begin) check_loop(step);
+      if (step.kind == StepKind::tool) check_tool(step);
     }
     return std::move(result_);
   }
@@ -113,6 +116,30 @@ class Binder {
     std::string condition(requirement.span.in(family_.source.text()));
     if (!requirement.text.empty()) condition += fmt::format(" ({})", requirement.text);
     report(DiagnosticId::family_constraint_failed, requirement.span, {std::move(condition)});
+  }
+
+  void check_curve(const CurveShape& curve) {
+    std::vector<ir::ExpressionId> all = curve.knots;
+    all.insert(all.end(), {curve.t.low, curve.t.high, curve.tolerance});
+    for (const CurvePoint& point : curve.points) all.insert(all.end(), {point.x, point.y, point.weight});
+    for (const ir::ExpressionId one : all) {
+      if (one != ir::ExpressionId::none && !compute(one)) return;
+    }
+    const std::string fault = fault_of(result_.bound, curve);
+    if (!fault.empty()) report(DiagnosticId::family_syntax, curve.span, {fault});
+  }
+
+  // The shape of a tool is known before the program runs.
+  void check_tool(const Step& step) {
+    for (const ir::ExpressionId one : {step.values[0], step.values[1]}) {
+      if (one == ir::ExpressionId::none) continue;
+      if (names_unknown(family_.arena, one, known_)) {
+        report(DiagnosticId::family_syntax, step.span, {"a tool's shape may depend on parameters only"});
+        return;
+      }
+      const std::optional<double> value = compute(one);
+      if (value && *value < 0.0) report(DiagnosticId::family_syntax, step.span, {"a tool's shape is negative"});
+    }
   }
 
   // Only loops that depend on nothing of the body are known before the program runs.

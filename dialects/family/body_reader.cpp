@@ -137,6 +137,8 @@ void BodyReader::tool() {
     out.tip = cursor_.expect_integer("the number of a tip, 0 to 9");
     if (out.tip > kLargestTip) cursor_.syntax(at, "tips are numbered 0 to 9");
   }
+  if (!cursor_.line_failed() && cursor_.accept_word("diameter")) out.values[0] = expressions_.value_of(kLength).id;
+  if (!cursor_.line_failed() && cursor_.accept_word("corner")) out.values[1] = expressions_.value_of(kLength).id;
   add(std::move(out));
 }
 

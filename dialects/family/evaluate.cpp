@@ -98,17 +98,27 @@ Dual leaf(const ir::Program& arena, const ir::Expression& e, std::span<const dou
 
 }  // namespace
 
+UnaryRule unary_rule(Operator op) {
+  const auto row = std::ranges::find(kUnary, op, &UnaryRow::op);
+  return row == kUnary.end() ? nullptr : row->of;
+}
+
+BinaryRule binary_rule(Operator op) {
+  const auto row = std::ranges::find(kBinary, op, &BinaryRow::op);
+  return row == kBinary.end() ? nullptr : row->of;
+}
+
 Dual evaluate(const ir::Program& arena, ir::ExpressionId expression, std::span<const double> values, ir::SymbolId by) {
   const ir::Expression& e = arena.at(expression);
   const int operands = ir::operand_count(e.op);
   if (operands == 0) return leaf(arena, e, values, by);
   const Dual a = evaluate(arena, e.a, values, by);
   if (operands == 1) {
-    const auto row = std::ranges::find(kUnary, e.op, &UnaryRow::op);
-    return row == kUnary.end() ? Dual{kUndefined} : row->of(a);
+    const UnaryRule rule = unary_rule(e.op);
+    return rule == nullptr ? Dual{kUndefined} : rule(a);
   }
-  const auto row = std::ranges::find(kBinary, e.op, &BinaryRow::op);
-  return row == kBinary.end() ? Dual{kUndefined} : row->of(a, evaluate(arena, e.b, values, by));
+  const BinaryRule rule = binary_rule(e.op);
+  return rule == nullptr ? Dual{kUndefined} : rule(a, evaluate(arena, e.b, values, by));
 }
 
 ir::ExpressionId first_undefined(const ir::Program& arena, ir::ExpressionId expression,

@@ -15,6 +15,12 @@ struct Dual {
   double slope = 0.0;
 };
 
+// What one operator does; nullptr: it is none of the family language.
+using UnaryRule = Dual (*)(Dual a);
+using BinaryRule = Dual (*)(Dual a, Dual b);
+UnaryRule unary_rule(ir::Operator op);
+BinaryRule binary_rule(ir::Operator op);
+
 // `values` has one number a symbol of `arena`. The slope is by the symbol `by` (none: 0). Not finite where the
 // expression is not defined; conditions are 1 or 0.
 Dual evaluate(const ir::Program& arena, ir::ExpressionId expression, std::span<const double> values,

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "dialects/family/cursor.h"
 #include "dialects/family/scope.h"
@@ -46,8 +48,12 @@ class ExpressionReader {
   // A number with the unit after it, sign allowed; nothing after a fault.
   std::optional<Literal> literal(bool unit_allowed);
 
-  // The variable `z` of a nominal; none: z is no name here.
-  void set_free_variable(ir::SymbolId symbol) { free_variable_ = symbol; }
+  // Axis letters that are lengths in what is read next: those of a nominal. None: they are no names.
+  struct AxisVariable {
+    std::string_view word;
+    ir::SymbolId symbol = ir::SymbolId::none;
+  };
+  void set_axis_variables(std::vector<AxisVariable> variables) { axis_variables_ = std::move(variables); }
 
   // A fault unless `typed` has the dimension: missing unit for a bare number (with the fix), else wrong unit.
   bool require_dimension(const Typed& typed, Dimension wanted);
@@ -94,7 +100,7 @@ class ExpressionReader {
   Cursor& cursor_;
   const Scope& scope_;
   ir::Program& arena_;
-  ir::SymbolId free_variable_ = ir::SymbolId::none;
+  std::vector<AxisVariable> axis_variables_;
   int depth_ = 0;
 };
 

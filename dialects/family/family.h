@@ -15,12 +15,18 @@
 //               | "require" condition [STRING]  EOL
 //               | "stock" "cylinder" "diameter" expr ["bore" expr] "z" expr ".." expr  EOL
 //               | "stock" "box" "x" expr ".." expr "y" expr ".." expr "z" expr ".." expr  EOL
-//               | "nominal" "x" "=" expr "for" "z" "in" expr ".." expr "tolerance" expr  EOL
+//               | "nominal" "x" "=" expr "for" "z" "in" expr ".." expr "tolerance" expr  EOL                lathe
+//               | "nominal" "z" "=" expr "for" "x" "in" expr ".." expr "y" "in" expr ".." expr "tolerance" expr  EOL
+//                                                                  mill; a later one is carved into the earlier ones
+//               | "nominal" "curve" "for" NAME "in" expr ".." expr "x" expr "y" expr "tolerance" expr ["center"]  EOL
+//               | "nominal" ("bezier" | "nurbs" "order" INTEGER) "tolerance" expr ["center"]  EOL
+//                 { "point" "x" expr "y" expr ["weight" expr]  EOL } ["knots" expr { expr }  EOL] "end"  EOL
+//                                                                  mill; "center": of the tool's centre
 //   kind        = "length" | "angle" | "feed" | "speed" | "time" | "count" | "ratio"
 //   program     = "program" NAME  EOL { step } "end"  EOL
 //   step        = "work" "offset" INTEGER                                          1 is the control's first (G54), 0
 //   none
-//               | "tool" INTEGER ["nose" literal] ["tip" INTEGER]
+//               | "tool" INTEGER ["nose" literal] ["tip" INTEGER] ["diameter" expr] ["corner" expr]
 //               | "spindle" expr ["limit" expr] ["cw" | "ccw"] | "spindle" "off"   rpm, or m/min of surface speed
 //               | "coolant" ("flood" | "mist" | "off")
 //               | "compensate" ("left" | "right" | "off")    of the nose or cutter radius, from the next rapid or cut

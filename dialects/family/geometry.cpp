@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "dialects/curves/nurbs.h"
 #include "dialects/family/evaluate.h"
+#include "dialects/family/formula.h"
 #include "dialects/family/second_derivative.h"
 
 namespace dripfeed::family {
@@ -33,14 +35,12 @@ Stock stock(const BoundFamily& bound, const StockShape& shape) {
 // The expression is in x as the machine has it; curves are in radius.
 curves::ProfilePiece piece(const BoundFamily& bound, const NominalShape& shape) {
   const double scale = bound.family->x_is_diameter ? 0.5 : 1.0;
-  const ir::SymbolId z = bound.family->nominal_variable;
+  const ir::SymbolId z = bound.family->z_variable;
   curves::ProfilePiece out;
   out.tolerance = value_of(bound, shape.tolerance);
   out.curve.z = range(bound, shape.z);
-  out.curve.at = [family = bound.family, values = bound.values, z, x = shape.x, scale](double z_mm) {
-    std::vector<double> here = values;
-    here[static_cast<std::size_t>(z)] = z_mm;
-    const Dual at = evaluate(family->arena, x, here, z);
+  out.curve.at = [x = Formula(bound.family->arena, shape.x, bound.values, z), scale](double z_mm) {
+    const Dual at = x.at(z_mm);
     return curves::ExplicitPoint{scale * at.value, scale * at.slope};
   };
   out.curve.second_derivatives = [family = bound.family, values = bound.values, z, x = shape.x, scale](double low,
@@ -51,23 +51,92 @@ curves::ProfilePiece piece(const BoundFamily& bound, const NominalShape& shape) 
   return out;
 }
 
-std::vector<ToolShape> tools(const Family& family) {
+curves::HeightField surface(const BoundFamily& bound, const SurfaceShape& shape) {
+  const Family& family = *bound.family;
+  const auto of_x = [&](ir::ExpressionId id) { return Formula(family.arena, id, bound.values, family.x_variable); };
+  curves::HeightField out;
+  out.x = range(bound, shape.x);
+  // A square root of less than nothing at the very rim: no surface there.
+  out.y = [low = of_x(shape.y.low), high = of_x(shape.y.high)](double x) {
+    return Range{low.at(x).value, high.at(x).value};
+  };
+  out.z = [z = Formula(family.arena, shape.z, bound.values, family.x_variable, family.y_variable)](double x, double y) {
+    return z.at(x, y).value;
+  };
+  out.tolerance = value_of(bound, shape.tolerance);
+  return out;
+}
+
+// Bezier curves have an order of their points, and knots 0 and 1.
+curves::Nurbs nurbs(const BoundFamily& bound, const CurveShape& shape) {
+  curves::Nurbs out;
+  out.order = shape.order == 0 ? shape.points.size() : static_cast<std::size_t>(shape.order);
+  for (const CurvePoint& point : shape.points) {
+    out.points.push_back({value_of(bound, point.x), value_of(bound, point.y)});
+    out.weights.push_back(point.weight == ir::ExpressionId::none ? 1.0 : value_of(bound, point.weight));
+  }
+  for (const ir::ExpressionId knot : shape.knots) out.knots.push_back(value_of(bound, knot));
+  return out;
+}
+
+// The derivatives of both formulas; the second one from its enclosure, which is exact at a place.
+curves::ParametricCurve formula_curve(const BoundFamily& bound, const CurveShape& shape) {
+  const auto of_t = [&](ir::ExpressionId id) {
+    return Formula(bound.family->arena, id, bound.values, shape.parameter);
+  };
+  const auto second = [family = bound.family, values = bound.values, shape](double low, double high) {
+    const auto of = [&](ir::ExpressionId id) {
+      return second_derivative(family->arena, id, values, shape.parameter, {low, high});
+    };
+    return curves::Box{of(shape.x), of(shape.y)};
+  };
+  curves::ParametricCurve out;
+  out.t = range(bound, shape.t);
+  out.at = [x = of_t(shape.x), y = of_t(shape.y), second](double t) {
+    const Dual at_x = x.at(t);
+    const Dual at_y = y.at(t);
+    const curves::Box here = second(t, t);
+    const auto middle = [](Range a) { return 0.5 * (a.low + a.high); };
+    return curves::ParametricPoint{
+        {at_x.value, at_y.value}, {at_x.slope, at_y.slope}, {middle(here.z), middle(here.x)}};
+  };
+  out.second_derivatives = second;
+  return out;
+}
+
+PlaneCurve plane_curve(const BoundFamily& bound, const CurveShape& shape) {
+  const bool by_formula = shape.parameter != ir::SymbolId::none;
+  return {by_formula ? formula_curve(bound, shape) : curves::curve_of(nurbs(bound, shape)),
+          value_of(bound, shape.tolerance), shape.of_center};
+}
+
+std::vector<ToolShape> tools(const BoundFamily& bound) {
   std::vector<ToolShape> out;
-  for (const Step& step : family.steps) {
+  for (const Step& step : bound.family->steps) {
     if (step.kind != StepKind::tool || std::ranges::find(out, step.number, &ToolShape::number) != out.end()) continue;
-    out.push_back({step.number, step.nose_radius_mm, step.tip});
+    out.push_back(
+        {step.number, step.nose_radius_mm, step.tip, value_of(bound, step.values[0]), value_of(bound, step.values[1])});
   }
   return out;
 }
 
 }  // namespace
 
+std::string fault_of(const BoundFamily& bound, const CurveShape& shape) {
+  if (shape.parameter == ir::SymbolId::none) return curves::fault_of(nurbs(bound, shape));
+  return range(bound, shape.t).width() > 0.0 ? "" : "the curve's parameter has no range";
+}
+
 Geometry geometry(const BoundFamily& bound) {
   Geometry out;
   if (bound.family->stock) out.stock = stock(bound, *bound.family->stock);
   for (const NominalShape& shape : bound.family->nominals) out.nominal.pieces.push_back(piece(bound, shape));
   std::ranges::sort(out.nominal.pieces, {}, [](const curves::ProfilePiece& p) { return p.curve.z.low; });
-  out.tools = tools(*bound.family);
+  for (const SurfaceShape& shape : bound.family->surfaces) out.surfaces.push_back(surface(bound, shape));
+  for (const CurveShape& shape : bound.family->curves) {
+    if (fault_of(bound, shape).empty()) out.curves.push_back(plane_curve(bound, shape));
+  }
+  out.tools = tools(bound);
   return out;
 }
 

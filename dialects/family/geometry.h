@@ -4,9 +4,12 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
+#include "dialects/curves/height_field.h"
+#include "dialects/curves/parametric_curve.h"
 #include "dialects/curves/profile.h"
 #include "dialects/family/bind.h"
 
@@ -28,6 +31,15 @@ struct ToolShape {
   std::int32_t number = 0;
   double nose_radius_mm = 0.0;  // 0: not given
   std::int32_t tip = 0;         // imaginary tip 0 to 9
+  double diameter_mm = 0.0;     // 0: not given
+  double corner_radius_mm = 0.0;
+};
+
+// A nominal curve of the x-y plane; its points' z is the plane's x, their x its y.
+struct PlaneCurve {
+  curves::ParametricCurve curve;
+  double tolerance_mm = 0.0;
+  bool of_center = false;  // of the tool's centre
 };
 
 struct Geometry {
@@ -35,9 +47,14 @@ struct Geometry {
   // x = f(z), x as radius, pieces in the order of z; empty when the family has none. Slopes are exact and second
   // derivatives are enclosed. The functions are pure and may be called from several threads.
   curves::Profile nominal;
+  std::vector<curves::HeightField> surfaces;  // in the order of the family
+  std::vector<PlaneCurve> curves;
   std::vector<ToolShape> tools;  // in the order of the body, each number once
 };
 
 Geometry geometry(const BoundFamily& bound);
+
+// What is wrong with the points, weights and knots of a curve with these values; empty for none.
+std::string fault_of(const BoundFamily& bound, const CurveShape& shape);
 
 }  // namespace dripfeed::family

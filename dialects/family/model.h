@@ -64,9 +64,39 @@ struct NominalShape {
   std::uint32_t line = 0;
 };
 
+// z = f(x, y) over a region of the plane. Later ones are carved into earlier ones.
+struct SurfaceShape {
+  ir::ExpressionId z = ir::ExpressionId::none;
+  ExpressionRange x = {};
+  ExpressionRange y = {};  // may depend on x
+  ir::ExpressionId tolerance = ir::ExpressionId::none;
+  std::uint32_t line = 0;
+};
+
+struct CurvePoint {
+  ir::ExpressionId x = ir::ExpressionId::none;
+  ir::ExpressionId y = ir::ExpressionId::none;
+  ir::ExpressionId weight = ir::ExpressionId::none;  // none: 1
+};
+
+// A curve of the x-y plane: by formulas of a parameter, or by the points of a Bezier or NURBS curve.
+struct CurveShape {
+  ir::SymbolId parameter = ir::SymbolId::none;  // formulas
+  ExpressionRange t = {};
+  ir::ExpressionId x = ir::ExpressionId::none;
+  ir::ExpressionId y = ir::ExpressionId::none;
+  std::int32_t order = 0;  // points: degree + 1; 0: Bezier, as many as points
+  std::vector<CurvePoint> points;
+  std::vector<ir::ExpressionId> knots;  // empty: clamped and uniform
+  bool of_center = false;               // where the tool's centre goes, not what it leaves
+  ir::ExpressionId tolerance = ir::ExpressionId::none;
+  std::uint32_t line = 0;
+  text::Span span;
+};
+
 enum class StepKind : std::uint8_t {
   work_offset,  // number
-  tool,         // number; nose radius, tip
+  tool,         // number; nose radius, tip; values[0] diameter, values[1] corner radius
   spindle,      // values[0] rpm or m/min; values[1] limit
   spindle_off,
   coolant,     // number: CoolantState
@@ -132,7 +162,12 @@ struct Family {
   std::vector<Requirement> requirements;
   std::optional<StockShape> stock;
   std::vector<NominalShape> nominals;
-  ir::SymbolId nominal_variable = ir::SymbolId::none;  // z of the nominals
+  std::vector<SurfaceShape> surfaces;
+  std::vector<CurveShape> curves;
+  // x, y and z of the nominals, where they are used.
+  ir::SymbolId x_variable = ir::SymbolId::none;
+  ir::SymbolId y_variable = ir::SymbolId::none;
+  ir::SymbolId z_variable = ir::SymbolId::none;
 
   std::vector<Step> steps;
   std::vector<StepWord> words;

@@ -130,8 +130,8 @@ Typed ExpressionReader::name() {
   variable.bank = ir::Bank::named;
   variable.span = span;
   Typed out{.dimension = kLength, .span = span};
-  if (word == "z" && free_variable_ != ir::SymbolId::none) {
-    variable.symbol = free_variable_;
+  if (const auto axis = std::ranges::find(axis_variables_, word, &AxisVariable::word); axis != axis_variables_.end()) {
+    variable.symbol = axis->symbol;
   } else if (const Scope::Name* known = scope_.find(word)) {
     variable.symbol = known->symbol;
     out.dimension = known->dimension;

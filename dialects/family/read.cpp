@@ -12,6 +12,7 @@
 #include "dialects/family/cursor.h"
 #include "dialects/family/expression_reader.h"
 #include "dialects/family/naming.h"
+#include "dialects/family/nominal_reader.h"
 #include "dialects/family/scope.h"
 
 namespace dripfeed::family {
@@ -214,25 +215,11 @@ class FamilyReader {
   }
 
   void nominal() {
-    if (family_.machine == ir::MachineKind::mill) {
-      return cursor_.syntax(cursor_.last_span(), "a nominal x = f(z) needs a lathe");
-    }
-    NominalShape out{.line = cursor_.peek().line};
-    if (family_.nominal_variable == ir::SymbolId::none) {
-      ir::Symbol symbol;
-      symbol.name = family_.arena.strings.add("z");
-      family_.nominal_variable = family_.arena.add(symbol);
-    }
-    cursor_.expect_word("x");
-    cursor_.expect_symbol("=");
-    expressions_.set_free_variable(family_.nominal_variable);
-    out.x = expressions_.value_of(kLength).id;
-    expressions_.set_free_variable(ir::SymbolId::none);
-    if (!cursor_.line_failed() && cursor_.expect_word("for") && cursor_.expect_word("z") && cursor_.expect_word("in")) {
-      out.z = range();
-    }
-    if (!cursor_.line_failed() && cursor_.expect_word("tolerance")) out.tolerance = expressions_.value_of(kLength).id;
-    if (!cursor_.line_failed()) family_.nominals.push_back(out);
+    const bool turns = family_.machine != ir::MachineKind::mill;
+    const bool mills = family_.machine != ir::MachineKind::lathe;
+    if (turns && cursor_.at_word("x")) return NominalReader(cursor_, scope_, expressions_, family_).profile();
+    if (mills) return NominalReader(cursor_, scope_, expressions_, family_).of_mill();
+    cursor_.expected("x = ..., the nominal of a lathe");
   }
 
   void program() {

@@ -58,6 +58,7 @@ void read_tool(ObjectReader& object, machine::Profile& profile) {
   object.integer("tip", tool.tip, 0, 9);
   object.number("diameter_mm", tool.diameter_mm, 0.0, 10'000.0);
   object.number("length_mm", tool.length_mm, 0.0, 10'000.0);
+  object.number("corner_radius_mm", tool.corner_radius_mm, 0.0, 5000.0);
   if (tool.number == 0) object.fault("number", "is missing");
   profile.machine.tools.push_back(tool);
 }

@@ -1,0 +1,175 @@
+// Rows of the grid lie along x, so that what a cutter passes in a row is one stretch of memory.
+#include "checks/gouge/height_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace dripfeed::gouge {
+
+namespace {
+
+constexpr double kNothing = -std::numeric_limits<double>::infinity();
+constexpr int kRegionSamples = 64;
+
+// The hull of all regions.
+void hull(std::span<const curves::HeightField> nominal, curves::Range& x, curves::Range& y) {
+  bool first = true;
+  for (const curves::HeightField& field : nominal) {
+    for (int i = 0; i <= kRegionSamples; ++i) {
+      const double at = field.x.low + field.x.width() * i / kRegionSamples;
+      const curves::Range here = field.y(at);
+      if (!(here.low <= here.high)) continue;
+      x = first ? curves::Range{at, at} : curves::Range{std::min(x.low, at), std::max(x.high, at)};
+      y = first ? here : curves::Range{std::min(y.low, here.low), std::max(y.high, here.high)};
+      first = false;
+    }
+  }
+}
+
+}  // namespace
+
+void HeightMap::lay_out(curves::Range x, curves::Range y, double step) {
+  x_ = x;
+  y_ = y;
+  const double least = std::sqrt(x.width() * y.width() / static_cast<double>(kMostPlaces));
+  // A strip is bounded by its length alone.
+  const double longest = std::max(x.width(), y.width()) / static_cast<double>(kMostPlaces / 4);
+  step_ = std::max({step, least, longest, 1e-6});
+  columns_ = std::max<std::size_t>(1, static_cast<std::size_t>(x.width() / step_));
+  rows_ = std::max<std::size_t>(1, static_cast<std::size_t>(y.width() / step_));
+  heights_.assign(columns_ * rows_, kNothing);
+}
+
+HeightMap::HeightMap(const Blank& blank, double step) : top_(blank.z.high), bottom_(blank.z.low) {
+  lay_out(blank.x, blank.y, step);
+  for (std::size_t row = 0; row < rows_; ++row) {
+    for (std::size_t column = 0; column < columns_; ++column) {
+      const double away = 2.0 * std::hypot(x_at(column), y_at(row));
+      const bool inside = blank.diameter_mm <= 0.0 || (away <= blank.diameter_mm && away >= blank.bore_mm);
+      if (inside) heights_[row * columns_ + column] = blank.z.high;
+    }
+  }
+}
+
+HeightMap::HeightMap(std::span<const curves::HeightField> nominal, double step) {
+  curves::Range x;
+  curves::Range y;
+  hull(nominal, x, y);
+  lay_out(x, y, step);
+  top_ = kNothing;
+  bottom_ = kNothing;
+  for (std::size_t row = 0; row < rows_; ++row) {
+    for (std::size_t column = 0; column < columns_; ++column) {
+      const auto place = curves::surface_at(nominal, x_at(column), y_at(row));
+      if (!place) continue;
+      heights_[row * columns_ + column] = place->z;
+      top_ = std::max(top_, place->z);
+    }
+  }
+  set_nominal(nominal);
+}
+
+void HeightMap::set_nominal(std::span<const curves::HeightField> nominal) {
+  static constexpr std::array<std::array<double, 2>, 9> kAround = {
+      {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {0.7, 0.7}, {0.7, -0.7}, {-0.7, 0.7}, {-0.7, -0.7}}};
+  nominal_.assign(heights_.size(), kNothing);
+  tolerances_.assign(heights_.size(), 0.0F);
+  for (std::size_t row = 0; row < rows_; ++row) {
+    for (std::size_t column = 0; column < columns_; ++column) {
+      const auto place = curves::surface_at(nominal, x_at(column), y_at(row));
+      if (!place) continue;
+      double lowest = place->z;
+      for (const auto& [dx, dy] : kAround) {
+        const auto near =
+            curves::surface_at(nominal, x_at(column) + dx * place->tolerance, y_at(row) + dy * place->tolerance);
+        if (near) lowest = std::min(lowest, near->z);
+      }
+      nominal_[row * columns_ + column] = lowest;
+      tolerances_[row * columns_ + column] = static_cast<float>(place->tolerance);
+    }
+  }
+}
+
+template <class Visit>
+void HeightMap::pass(const Sweep& sweep, Visit&& visit) const {
+  const double first_row = std::ceil((sweep.y_low() - y_.low) / step_ - 0.5);
+  const double last_row = std::floor((sweep.y_high() - y_.low) / step_ - 0.5);
+  const bool same = sweep.is_flat_and_level();
+  for (double row = std::max(0.0, first_row); row <= std::min(last_row, static_cast<double>(rows_ - 1)); ++row) {
+    const auto r = static_cast<std::size_t>(row);
+    const double y = y_at(r);
+    const auto stretch = sweep.row(y);
+    if (!stretch) continue;
+    const double first = std::max(0.0, std::ceil((stretch->low - x_.low) / step_ - 0.5));
+    const double last = std::min(std::floor((stretch->high - x_.low) / step_ - 0.5), static_cast<double>(columns_ - 1));
+    if (!(first <= last)) continue;
+    const auto end = static_cast<std::size_t>(last);
+    for (auto column = static_cast<std::size_t>(first); column <= end; ++column) {
+      const double x = x_at(column);
+      visit(r * columns_ + column, x, y, same ? sweep.z_low() : sweep.lowest(x, y));
+    }
+  }
+}
+
+HeightMap::Touch HeightMap::touch(const Cutter& cutter, const Point3& from, const Point3& to, double slack) const {
+  Touch deepest;
+  if (std::min(from.z, to.z) + slack >= top_) return deepest;
+  // A cutter smaller on all sides, its tip higher: what it touches is entered by more than the slack.
+  const Sweep sweep(cutter.shrunk(slack), {from.x, from.y, from.z + slack}, {to.x, to.y, to.z + slack});
+  pass(sweep, [&](std::size_t place, double x, double y, double z) {
+    const double depth = heights_[place] - z;
+    if (!(depth > 0.0)) return;
+    if (depth + slack > deepest.stock.mm) deepest.stock = {depth + slack, x, y};
+    if (nominal_.empty()) return;
+    const double below = nominal_[place] - z + slack;
+    if (below > std::max(slack, static_cast<double>(tolerances_[place])) && below > deepest.nominal.mm) {
+      deepest.nominal = {below, x, y};
+    }
+  });
+  return deepest;
+}
+
+Depth HeightMap::cut(const Cutter& cutter, const Point3& from, const Point3& to) {
+  Depth deepest;
+  if (std::min(from.z, to.z) >= top_) return deepest;
+  const bool judged = !nominal_.empty();
+  pass(Sweep(cutter, from, to), [&](std::size_t place, double x, double y, double z) {
+    if (!(z < heights_[place])) return;
+    heights_[place] = z <= bottom_ ? kNothing : z;
+    if (!judged) return;
+    const double below = nominal_[place] - z;
+    if (below > static_cast<double>(tolerances_[place]) && below > deepest.mm) deepest = {below, x, y};
+  });
+  return deepest;
+}
+
+double HeightMap::height(double x, double y) const {
+  const double column = std::floor((x - x_.low) / step_);
+  const double row = std::floor((y - y_.low) / step_);
+  if (!(column >= 0.0 && row >= 0.0)) return kNothing;
+  if (column >= static_cast<double>(columns_) || row >= static_cast<double>(rows_)) return kNothing;
+  return heights_[static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)];
+}
+
+plot::Map HeightMap::picture(std::size_t columns) const {
+  const std::size_t by = std::max<std::size_t>(1, (columns_ + columns - 1) / columns);
+  plot::Map map;
+  map.columns = (columns_ + by - 1) / by;
+  map.rows = (rows_ + by - 1) / by;
+  map.x_low = x_.low;
+  map.y_low = y_.low;
+  map.x_high = x_.low + static_cast<double>(map.columns * by) * step_;
+  map.y_high = y_.low + static_cast<double>(map.rows * by) * step_;
+  map.values.assign(map.columns * map.rows, std::numeric_limits<double>::infinity());
+  for (std::size_t row = 0; row < rows_; ++row) {
+    for (std::size_t column = 0; column < columns_; ++column) {
+      double& cell = map.values[row / by * map.columns + column / by];
+      cell = std::min(cell, heights_[row * columns_ + column]);
+    }
+  }
+  return map;
+}
+
+}  // namespace dripfeed::gouge

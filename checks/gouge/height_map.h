@@ -1,0 +1,81 @@
+// Stock that is milled from above: a height at even places of the x-y plane, and what the nominal asks for there. A
+// place knows its height exactly; between places nothing is known, so what is narrower than the step may pass unseen,
+// and nothing that is not there is ever reported.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "checks/gouge/sweep.h"
+#include "checks/plot/plot.h"
+#include "dialects/curves/height_field.h"
+#include "dialects/curves/point.h"
+
+namespace dripfeed::gouge {
+
+// A box, or a bar that stands around the z axis of the work offset.
+struct Blank {
+  curves::Range x;
+  curves::Range y;
+  curves::Range z;
+  double diameter_mm = 0.0;  // of a bar, within x and y; 0: a box
+  double bore_mm = 0.0;
+};
+
+// How deep, and where.
+struct Depth {
+  double mm = 0.0;  // 0: nowhere
+  double x = 0.0;
+  double y = 0.0;
+};
+
+class HeightMap {
+ public:
+  static constexpr std::size_t kMostPlaces = 1U << 18U;
+
+  // `step`: between places, mm; grown where there would be more than kMostPlaces; 0: as many as that.
+  HeightMap(const Blank& blank, double step);
+  // The finished part as the nominal has it, for want of a blank: no material elsewhere.
+  HeightMap(std::span<const curves::HeightField> nominal, double step);
+
+  // How far the nominal lies below must be known before cuts are judged. Sideways the lowest within the tolerance
+  // counts, so that a wall has its tolerance, too.
+  void set_nominal(std::span<const curves::HeightField> nominal);
+
+  struct Touch {
+    Depth stock;    // deepest place below what is left, deeper than `slack`
+    Depth nominal;  // the same below the nominal
+  };
+  [[nodiscard]] Touch touch(const Cutter& cutter, const Point3& from, const Point3& to, double slack) const;
+  // Takes away what the cutter passes. Deepest place below the nominal by more than its tolerance that was cut anew;
+  // the depth is from the nominal.
+  Depth cut(const Cutter& cutter, const Point3& from, const Point3& to);
+
+  // -infinity where there is no material.
+  [[nodiscard]] double height(double x, double y) const;
+  [[nodiscard]] double step_mm() const { return step_; }
+  // At most `columns` columns, the lowest of the places that fall into a cell.
+  [[nodiscard]] plot::Map picture(std::size_t columns) const;
+
+ private:
+  void lay_out(curves::Range x, curves::Range y, double step);
+  [[nodiscard]] double x_at(std::size_t column) const { return x_.low + (static_cast<double>(column) + 0.5) * step_; }
+  [[nodiscard]] double y_at(std::size_t row) const { return y_.low + (static_cast<double>(row) + 0.5) * step_; }
+  // Calls visit(place, x, y, z) for the places that are passed and might lie lower than `top`.
+  template <class Visit>
+  void pass(const Sweep& sweep, Visit&& visit) const;
+
+  curves::Range x_;
+  curves::Range y_;
+  double step_ = 0.0;
+  double top_ = 0.0;     // no place is higher
+  double bottom_ = 0.0;  // of the material
+  std::size_t columns_ = 0;
+  std::size_t rows_ = 0;
+  std::vector<double> heights_;
+  std::vector<double> nominal_;    // -infinity: none; empty: none at all
+  std::vector<float> tolerances_;  // mm
+};
+
+}  // namespace dripfeed::gouge

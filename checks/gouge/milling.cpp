@@ -1,0 +1,224 @@
+// Order matters: each move meets the stock as the moves before have left it. Arcs and helices are taken as chords.
+#include "checks/gouge/milling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dialects/text/number.h"
+
+namespace dripfeed::gouge {
+
+namespace {
+
+constexpr double kArcError_mm = 2e-3;
+constexpr double kSamePoint_mm = 1e-9;
+constexpr std::size_t kMostNotes = 8;
+constexpr std::size_t kPictureColumns = 240;
+
+struct PlaneAxes {
+  std::size_t abscissa;
+  std::size_t ordinate;
+  std::size_t height;
+};
+// Indexed by ir::Plane: xy, zx, yz.
+constexpr std::array<PlaneAxes, 3> kPlanes = {PlaneAxes{0, 1, 2}, {2, 0, 1}, {1, 2, 0}};
+
+bool is_arc(const ir::Motion& motion) {
+  return motion.kind == ir::MotionKind::arc_cw || motion.kind == ir::MotionKind::arc_ccw;
+}
+
+Point3 point_of(const std::array<double, ir::kAxisCount>& at) { return {at[0], at[1], at[2]}; }
+
+// Calls visit(from, to) for chords of an arc or helix.
+template <class Visit>
+void for_chords(const ir::Motion& motion, Visit&& visit) {
+  const PlaneAxes plane = kPlanes[static_cast<std::size_t>(motion.plane)];
+  const double center_a = motion.start[plane.abscissa] + motion.center[plane.abscissa];
+  const double center_o = motion.start[plane.ordinate] + motion.center[plane.ordinate];
+  const auto angle_of = [&](const std::array<double, ir::kAxisCount>& at) {
+    return std::atan2(at[plane.ordinate] - center_o, at[plane.abscissa] - center_a);
+  };
+  const double radius = std::hypot(motion.center[plane.abscissa], motion.center[plane.ordinate]);
+  const double turn = motion.kind == ir::MotionKind::arc_ccw ? 1.0 : -1.0;
+  const double full = 2.0 * std::numbers::pi;
+  double sweep = std::fmod(turn * (angle_of(motion.end) - angle_of(motion.start)), full);
+  if (sweep < 0.0) sweep += full;
+  const bool closed = std::hypot(motion.end[plane.abscissa] - motion.start[plane.abscissa],
+                                 motion.end[plane.ordinate] - motion.start[plane.ordinate]) < kSamePoint_mm;
+  if (closed) sweep = full;
+  const double angle = std::sqrt(8.0 * kArcError_mm / std::max(radius, kArcError_mm));
+  const int chords = std::clamp(static_cast<int>(std::ceil(sweep / angle)), 1, 10000);
+  const double start_angle = angle_of(motion.start);
+  std::array<double, ir::kAxisCount> before = motion.start;
+  for (int i = 1; i <= chords; ++i) {
+    const double part = static_cast<double>(i) / chords;
+    std::array<double, ir::kAxisCount> here = motion.end;
+    if (i < chords) {
+      here[plane.abscissa] = center_a + radius * std::cos(start_angle + turn * part * sweep);
+      here[plane.ordinate] = center_o + radius * std::sin(start_angle + turn * part * sweep);
+      here[plane.height] = motion.start[plane.height] + part * (motion.end[plane.height] - motion.start[plane.height]);
+    }
+    visit(point_of(before), point_of(here));
+    before = here;
+  }
+}
+
+}  // namespace
+
+Milling::Milling(MillingSettings settings) : settings_(std::move(settings)) {
+  const bool has_stock = settings_.stock && settings_.stock->x.width() > 0.0 && settings_.stock->y.width() > 0.0;
+  if (has_stock) {
+    map_.emplace(*settings_.stock, settings_.step_mm);
+    if (!settings_.nominal.empty()) map_->set_nominal(settings_.nominal);
+  } else {
+    report_.not_checked.add("no stock is given: rapid moves were checked against the nominal only");
+    if (!settings_.nominal.empty()) map_.emplace(settings_.nominal, settings_.step_mm);
+  }
+  if (settings_.nominal.empty()) report_.not_checked.add("no nominal is given: cuts were not checked against it");
+  knows_speeds_ = std::ranges::all_of(settings_.rapid_mm_min, [](double speed) { return speed > 0.0; });
+  if (!knows_speeds_) {
+    report_.not_checked.add("the rapid speeds of x, y and z are not known: rapid moves were taken as straight lines");
+  }
+}
+
+void Milling::follow_tool(const ir::Motion& motion) {
+  cutter_.reset();
+  const auto tool = std::ranges::find(settings_.tools, motion.number, &checks::Tool::number);
+  if (tool == settings_.tools.end() || !(tool->diameter_mm > 0.0)) {
+    report_.not_checked.add(
+        fmt::format("the diameter of tool {} is not known: its moves were not checked", motion.number),
+        motion.place.line);
+    return;
+  }
+  const double radius = 0.5 * tool->diameter_mm;
+  cutter_ = Cutter{radius, std::clamp(tool->corner_radius_mm, 0.0, radius)};
+}
+
+// Stock and nominal are told in the work offset. A program that changes it cuts several parts or turns the part over.
+void Milling::follow_offset(const ir::Motion& motion) {
+  if (offset_ && *offset_ != motion.number && has_cut_) {
+    report_.not_checked.add("the work offset changes after a cut: stock and nominal were taken in each alike",
+                            motion.place.line);
+  }
+  offset_ = motion.number;
+}
+
+void Milling::consume(std::span<const ir::Motion> motions) {
+  for (const ir::Motion& motion : motions) {
+    if (motion.kind == ir::MotionKind::tool) follow_tool(motion);
+    if (motion.kind == ir::MotionKind::offset) follow_offset(motion);
+    if (ir::is_move(motion.kind)) check_move(motion);
+  }
+}
+
+void Milling::check_move(const ir::Motion& motion) {
+  const std::uint32_t line = motion.place.line;
+  constexpr std::uint16_t kLinear = 7U;
+  if (motion.machine_coordinates) return report_.not_checked.add("a move in machine coordinates was not checked", line);
+  if (!map_) return;
+  if (!cutter_) return report_.not_checked.add("a move without a known tool was not checked", line);
+  for (std::size_t i = 3; i <= 5; ++i) {
+    if (motion.end[i] != 0.0 && (motion.axes_unknown >> i & 1U) == 0) {
+      return report_.not_checked.add("a move with a turned rotary axis was not checked", line);
+    }
+  }
+  const Point3 end = point_of(motion.end);
+  if ((motion.axes_unknown & kLinear) != 0) {
+    report_.not_checked.add("a move starts at a place that is not known: its end alone was checked", line);
+    // An axis that was never commanded is not at its end either.
+    const auto unknown_end = static_cast<std::uint16_t>(motion.axes_unknown & ~motion.axes_commanded & kLinear);
+    if (unknown_end != 0) return;
+    if (motion.kind == ir::MotionKind::rapid) {
+      check_rapid(motion, end, end);
+    } else {
+      check_cut(motion, end, end);
+    }
+    return;
+  }
+  const Point3 start = point_of(motion.start);
+  if (motion.kind == ir::MotionKind::rapid) {
+    check_rapid(motion, start, end);
+  } else if (motion.comp != ir::CompSide::off) {
+    report_.not_checked.add("a move with cutter compensation was not checked", line);
+  } else if (is_arc(motion)) {
+    for_chords(motion, [&](const Point3& from, const Point3& to) { check_cut(motion, from, to); });
+  } else {
+    check_cut(motion, start, end);
+  }
+}
+
+void Milling::add(text::DiagnosticId id, const ir::Motion& motion, const Depth& depth) {
+  report_.findings.add(id, motion.place, depth.mm, 0.0, [&] {
+    return std::vector<std::string>{
+        text::format_fixed(depth.mm, 3),
+        fmt::format("x {} y {}", text::format_fixed(depth.x, 3), text::format_fixed(depth.y, 3))};
+  });
+  if (notes_.size() < kMostNotes) {
+    notes_.push_back({{depth.x, depth.y}, fmt::format("line {}", motion.place.line)});
+  }
+}
+
+void Milling::check_rapid(const ir::Motion& motion, const Point3& from, const Point3& to) {
+  ++report_.rapids;
+  const HeightMap::Touch touch = map_->touch(*cutter_, from, to, settings_.depth_mm);
+  if (touch.stock.mm > 0.0) {
+    const bool is_nominal = touch.nominal.mm > 0.0;
+    const Depth& depth = is_nominal ? touch.nominal : touch.stock;
+    report_.deepest_rapid_mm = std::max(report_.deepest_rapid_mm, depth.mm);
+    return add(is_nominal ? text::DiagnosticId::rapid_into_nominal : text::DiagnosticId::rapid_into_stock, motion,
+               depth);
+  }
+  if (!knows_speeds_) return;
+  // Each axis at its own speed until it is there: up to three straight pieces.
+  const std::array<double, 3> by = {to.x - from.x, to.y - from.y, to.z - from.z};
+  std::array<double, 3> times{};
+  for (std::size_t i = 0; i < 3; ++i) times[i] = std::fabs(by[i]) / settings_.rapid_mm_min[i];
+  std::array<double, 3> stops = times;
+  std::ranges::sort(stops);
+  Point3 before = from;
+  Depth deepest;
+  for (const double stop : stops) {
+    const auto at = [&](std::size_t i) { return times[i] > 0.0 ? std::min(1.0, stop / times[i]) : 1.0; };
+    const Point3 here{from.x + at(0) * by[0], from.y + at(1) * by[1], from.z + at(2) * by[2]};
+    const Depth depth = map_->touch(*cutter_, before, here, settings_.depth_mm).stock;
+    if (depth.mm > deepest.mm) deepest = depth;
+    before = here;
+  }
+  if (deepest.mm > 0.0) add(text::DiagnosticId::rapid_may_enter_stock, motion, deepest);
+}
+
+void Milling::check_cut(const ir::Motion& motion, const Point3& from, const Point3& to) {
+  ++report_.cuts;
+  has_cut_ = true;
+  const Depth depth = map_->cut(*cutter_, from, to);
+  if (!(depth.mm > 0.0)) return;
+  report_.deepest_cut_mm = std::max(report_.deepest_cut_mm, depth.mm);
+  const auto place = curves::surface_at(settings_.nominal, depth.x, depth.y);
+  const double tolerance = place ? place->tolerance : 0.0;
+  report_.findings.add(text::DiagnosticId::cut_below_nominal, motion.place, depth.mm, tolerance, [&] {
+    return std::vector<std::string>{
+        text::format_fixed(depth.mm, 3),
+        fmt::format("x {} y {}", text::format_fixed(depth.x, 3), text::format_fixed(depth.y, 3)),
+        text::format_shortest(tolerance)};
+  });
+  if (notes_.size() < kMostNotes) {
+    notes_.push_back({{depth.x, depth.y}, fmt::format("line {}", motion.place.line)});
+  }
+}
+
+Report Milling::finish() { return std::move(report_); }
+
+plot::Plot Milling::picture() const {
+  plot::Plot picture{.title = "height of what is left", .x = {"x, mm"}, .y = {"y, mm"}, .equal_scale = true};
+  if (map_) picture.map = map_->picture(kPictureColumns);
+  if (picture.map) picture.map->title = "z, mm";
+  picture.notes = notes_;
+  return picture;
+}
+
+}  // namespace dripfeed::gouge

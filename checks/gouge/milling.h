@@ -1,0 +1,60 @@
+// Gouges in milling from above, on a height map: a rapid that enters the stock as it is left at that moment, or the
+// finished part, and a cut below the nominal beyond its tolerance. Flat, ball and bull-nose cutters; the shank, the
+// holder and undercuts do not count.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "checks/gouge/cutter.h"
+#include "checks/gouge/gouge.h"
+#include "checks/gouge/height_map.h"
+#include "checks/machine.h"
+#include "checks/plot/plot.h"
+#include "dialects/curves/height_field.h"
+#include "dialects/ir/motion.h"
+
+namespace dripfeed::gouge {
+
+struct MillingSettings {
+  std::optional<Blank> stock = {};                // nothing: rapids are checked against the nominal only
+  std::vector<curves::HeightField> nominal = {};  // may be empty
+  std::vector<checks::Tool> tools = {};           // by diameter and corner radius; one that is not here is not checked
+  double depth_mm = 0.001;                        // a rapid may touch by this much
+  // Of x, y and z. Axes that run at their own speed bend off the line, and that way is checked, too. 0: not known, then
+  // rapids are taken as lines.
+  std::array<double, 3> rapid_mm_min = {};
+  double step_mm = 0.0;  // between the places of the height map; 0: as fine as its memory allows
+};
+
+class Milling final : public ir::MotionSink {
+ public:
+  explicit Milling(MillingSettings settings);
+  void consume(std::span<const ir::Motion> motions) override;
+  // After the last motion; once.
+  [[nodiscard]] Report finish();
+  // What is left, and where the first findings lie.
+  [[nodiscard]] plot::Plot picture() const;
+
+ private:
+  void follow_tool(const ir::Motion& motion);
+  void follow_offset(const ir::Motion& motion);
+  void check_move(const ir::Motion& motion);
+  void check_rapid(const ir::Motion& motion, const Point3& from, const Point3& to);
+  void check_cut(const ir::Motion& motion, const Point3& from, const Point3& to);
+  void add(text::DiagnosticId id, const ir::Motion& motion, const Depth& depth);
+
+  MillingSettings settings_;
+  Report report_;
+  std::optional<HeightMap> map_;
+  std::optional<Cutter> cutter_;
+  bool knows_speeds_ = false;
+  bool has_cut_ = false;
+  std::optional<std::int32_t> offset_;
+  std::vector<plot::Note> notes_;
+};
+
+}  // namespace dripfeed::gouge

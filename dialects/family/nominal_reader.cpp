@@ -1,0 +1,145 @@
+// The axes' letters are names in these expressions only. A line with a fault inside a block of points does not end the
+// block.
+#include "dialects/family/nominal_reader.h"
+
+#include <optional>
+#include <utility>
+
+#include "dialects/curves/bezier.h"
+#include "dialects/family/naming.h"
+
+namespace dripfeed::family {
+
+ir::SymbolId NominalReader::axis(ir::SymbolId& known, std::string_view name) {
+  if (known == ir::SymbolId::none) {
+    ir::Symbol symbol;
+    symbol.name = family_.arena.strings.add(name);
+    known = family_.arena.add(symbol);
+  }
+  return known;
+}
+
+ExpressionRange NominalReader::range(Dimension dimension) {
+  ExpressionRange out;
+  if (cursor_.line_failed() || !cursor_.expect_word("in")) return out;
+  out.low = expressions_.value_of(dimension).id;
+  cursor_.expect_symbol("..");
+  if (!cursor_.line_failed()) out.high = expressions_.value_of(dimension).id;
+  return out;
+}
+
+void NominalReader::tolerance(ir::ExpressionId& out) {
+  if (!cursor_.line_failed() && cursor_.expect_word("tolerance")) out = expressions_.value_of(kLength).id;
+}
+
+void NominalReader::profile() {
+  NominalShape out{.line = cursor_.peek().line};
+  cursor_.expect_word("x");
+  cursor_.expect_symbol("=");
+  expressions_.set_axis_variables({{"z", axis(family_.z_variable, "z")}});
+  out.x = expressions_.value_of(kLength).id;
+  expressions_.set_axis_variables({});
+  if (!cursor_.line_failed() && cursor_.expect_word("for") && cursor_.expect_word("z")) out.z = range(kLength);
+  tolerance(out.tolerance);
+  if (!cursor_.line_failed()) family_.nominals.push_back(out);
+}
+
+void NominalReader::of_mill() {
+  if (cursor_.at_word("z")) return surface();
+  CurveShape out;
+  out.line = cursor_.peek().line;
+  if (cursor_.accept_word("curve")) return formula_curve(std::move(out));
+  if (cursor_.accept_word("bezier")) return point_curve(std::move(out));
+  if (!cursor_.accept_word("nurbs")) {
+    return cursor_.expected("z = ..., curve, bezier or nurbs, the nominals of a mill");
+  }
+  cursor_.expect_word("order");
+  const text::Span at = cursor_.peek().span;
+  out.order = cursor_.expect_integer("the curve's order, degree + 1");
+  if (!cursor_.line_failed() && (out.order < 2 || out.order > static_cast<int>(curves::BezierPiece::kMostPoints))) {
+    cursor_.syntax(at, "the order must be 2 to 16");
+  }
+  point_curve(std::move(out));
+}
+
+void NominalReader::surface() {
+  SurfaceShape out{.line = cursor_.peek().line};
+  cursor_.advance();
+  cursor_.expect_symbol("=");
+  const ExpressionReader::AxisVariable x{"x", axis(family_.x_variable, "x")};
+  const ExpressionReader::AxisVariable y{"y", axis(family_.y_variable, "y")};
+  expressions_.set_axis_variables({x, y});
+  out.z = expressions_.value_of(kLength).id;
+  expressions_.set_axis_variables({});
+  if (!cursor_.line_failed() && cursor_.expect_word("for") && cursor_.expect_word("x")) out.x = range(kLength);
+  if (!cursor_.line_failed() && cursor_.expect_word("y")) {
+    expressions_.set_axis_variables({x});
+    out.y = range(kLength);
+    expressions_.set_axis_variables({});
+  }
+  tolerance(out.tolerance);
+  if (!cursor_.line_failed()) family_.surfaces.push_back(out);
+}
+
+void NominalReader::formula_curve(CurveShape out) {
+  const text::Span head = cursor_.last_span();
+  if (!cursor_.expect_word("for")) return;
+  const std::optional<NewName> name = expect_new_name(cursor_, scope_);
+  if (!name || !cursor_.expect_word("in")) return;
+  const Typed low = expressions_.value();
+  cursor_.expect_symbol("..");
+  if (cursor_.line_failed()) return;
+  out.t = {low.id, expressions_.value_of(low.dimension).id};
+  scope_.open();
+  out.parameter = scope_.define(family_.arena, name->name, low.dimension, name->span);
+  if (!cursor_.line_failed() && cursor_.expect_word("x")) out.x = expressions_.value_of(kLength).id;
+  if (!cursor_.line_failed() && cursor_.expect_word("y")) out.y = expressions_.value_of(kLength).id;
+  scope_.close();
+  tolerance(out.tolerance);
+  if (!cursor_.line_failed()) out.of_center = cursor_.accept_word("center");
+  add(std::move(out), head);
+}
+
+void NominalReader::point(CurveShape& out) {
+  CurvePoint point;
+  cursor_.expect_word("x");
+  if (!cursor_.line_failed()) point.x = expressions_.value_of(kLength).id;
+  if (!cursor_.line_failed() && cursor_.expect_word("y")) point.y = expressions_.value_of(kLength).id;
+  if (!cursor_.line_failed() && cursor_.accept_word("weight")) point.weight = expressions_.value_of(kRatio).id;
+  if (!cursor_.line_failed()) out.points.push_back(point);
+}
+
+void NominalReader::point_curve(CurveShape out) {
+  const text::Span head = cursor_.last_span();
+  tolerance(out.tolerance);
+  if (!cursor_.line_failed()) out.of_center = cursor_.accept_word("center");
+  bool failed = cursor_.line_failed();
+  cursor_.finish_line();
+  while (!cursor_.at_end() && !cursor_.at_word("end")) {
+    if (cursor_.at_line_end()) {
+      cursor_.advance();
+      continue;
+    }
+    if (cursor_.accept_word("point")) {
+      point(out);
+    } else if (cursor_.accept_word("knots")) {
+      while (!cursor_.line_failed() && !cursor_.at_line_end()) {
+        out.knots.push_back(expressions_.value_of(kRatio).id);
+      }
+    } else {
+      cursor_.expected("point, knots or end");
+    }
+    failed = failed || cursor_.line_failed();
+    cursor_.finish_line();
+  }
+  cursor_.expect_word("end");
+  if (!failed) add(std::move(out), head);
+}
+
+void NominalReader::add(CurveShape out, text::Span head) {
+  if (cursor_.line_failed()) return;
+  out.span = head;
+  family_.curves.push_back(std::move(out));
+}
+
+}  // namespace dripfeed::family

@@ -1,0 +1,39 @@
+// Declarations of nominal geometry: profiles of lathes, surfaces and plane curves of mills.
+#pragma once
+
+#include <string_view>
+
+#include "dialects/family/cursor.h"
+#include "dialects/family/expression_reader.h"
+#include "dialects/family/model.h"
+#include "dialects/family/scope.h"
+
+namespace dripfeed::family {
+
+// Each call stands behind `nominal` and reads the rest of its declaration, but for the end of its last line.
+class NominalReader {
+ public:
+  NominalReader(Cursor& cursor, Scope& scope, ExpressionReader& expressions, Family& family)
+      : cursor_(cursor), scope_(scope), expressions_(expressions), family_(family) {}
+
+  void profile();
+  void of_mill();
+
+ private:
+  void surface();
+  void formula_curve(CurveShape out);
+  void point_curve(CurveShape out);
+  void point(CurveShape& out);
+  // "in" a ".." b, both of that dimension.
+  ExpressionRange range(Dimension dimension);
+  void tolerance(ir::ExpressionId& out);
+  void add(CurveShape out, text::Span head);
+  ir::SymbolId axis(ir::SymbolId& known, std::string_view name);
+
+  Cursor& cursor_;
+  Scope& scope_;
+  ExpressionReader& expressions_;
+  Family& family_;
+};
+
+}  // namespace dripfeed::family
