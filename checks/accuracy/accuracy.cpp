@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "checks/accuracy/chord.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::accuracy {
@@ -38,48 +37,12 @@ curves::PathPiece piece_of(const ir::Motion& motion, bool x_is_diameter) {
 
 }  // namespace
 
-Accuracy::Accuracy(Settings settings) : settings_(std::move(settings)) {}
-
-void Accuracy::Sums::add(const curves::Deviation& deviation, std::uint32_t line) {
-  if (deviation.points == 0) return;
-  const bool first = figures.points == 0;
-  figures.points += deviation.points;
-  figures.length_mm += deviation.length;
-  integral += deviation.integral;
-  integral_square += deviation.integral_square;
-  if (first || deviation.highest.value > figures.highest_mm) figures.highest_mm = deviation.highest.value;
-  if (first || deviation.lowest.value < figures.lowest_mm) figures.lowest_mm = deviation.lowest.value;
-  for (const curves::Extreme& extreme : {deviation.highest, deviation.lowest}) {
-    const double size = std::fabs(extreme.value);
-    if (figures.max_line != 0 && size <= figures.max_mm) continue;
-    figures.max_mm = size;
-    figures.max_signed_mm = extreme.value;
-    figures.max_line = line;
-    figures.max_z_mm = extreme.at.z;
-  }
-}
-
-Figures Accuracy::Sums::result() const {
-  Figures result = figures;
-  if (result.length_mm > 0.0) {
-    result.mean_mm = integral / result.length_mm;
-    result.rmse_mm = std::sqrt(integral_square / result.length_mm);
-  }
-  return result;
-}
-
-bool Accuracy::is_profile(const ir::Motion& motion) const {
-  if (!ir::is_move(motion.kind) || motion.kind == ir::MotionKind::rapid || motion.machine_coordinates) return false;
-  if (settings_.lines.empty()) return true;
-  return motion.place.program == 0 && std::ranges::any_of(settings_.lines, [&](const LineRange& range) {
-           return range.first <= motion.place.line && motion.place.line <= range.last;
-         });
-}
+Accuracy::Accuracy(Settings settings) : settings_(std::move(settings)), bound_(settings_.nominal) {}
 
 void Accuracy::consume(std::span<const ir::Motion> motions) {
   for (const ir::Motion& motion : motions) {
     if (motion.kind == ir::MotionKind::tool) follow_tool(motion);
-    if (settings_.nominal.empty() || !is_profile(motion)) continue;
+    if (settings_.nominal.empty() || !is_profile(motion, settings_.lines)) continue;
     constexpr std::uint16_t kBoth = 1U << kX | 1U << kZ;
     if ((motion.axes_unknown & kBoth) != 0) {
       report_.not_checked.add("a cutting move starts at a place that is not known", motion.place.line);
@@ -105,7 +68,7 @@ void Accuracy::add_move(const ir::Motion& motion) {
   last_place_ = motion.place;
   const curves::PathPiece piece = piece_of(motion, settings_.x_is_diameter);
   if (!(curves::length_of(piece) > 0.0)) return;
-  const curves::Deviation deviation = curves::measure(settings_.nominal, piece, path_.figures.max_mm);
+  const curves::Deviation deviation = curves::measure(settings_.nominal, piece, path_.max_mm());
   path_.add(deviation, motion.place.line);
   report_.overrun_mm = std::max(report_.overrun_mm, deviation.overhang);
   if (deviation.points > 0) {
@@ -113,9 +76,7 @@ void Accuracy::add_move(const ir::Motion& motion) {
     const curves::Range own = curves::box_of(piece).z;
     cover({std::min(own.low, deviation.z.low), std::max(own.high, deviation.z.high)});
   }
-  const std::optional<double> bound = chord_bound(settings_.nominal, piece);
-  bounded_ = bounded_ && bound.has_value();
-  bound_ = std::max(bound_, bound.value_or(0.0));
+  bound_.add(piece, deviation);
 
   const bool compensated = motion.comp != ir::CompSide::off;
   if (!compensated && nose_known_ && nose_.radius > 0.0) {
@@ -178,7 +139,7 @@ void Accuracy::close_pending(double trimmed_end) {
   const double length = curves::length_of(*surface);
   if (length <= pending.trimmed_start + trimmed_end) return;  // its neighbours cut all of it away
   const curves::PathPiece rest = curves::part_of(*surface, pending.trimmed_start / length, 1.0 - trimmed_end / length);
-  const curves::Deviation deviation = curves::measure(settings_.nominal, rest, surface_.figures.max_mm);
+  const curves::Deviation deviation = curves::measure(settings_.nominal, rest, surface_.max_mm());
   surface_.add(deviation, pending.place.line);
   judge(deviation, pending.place);
 }
@@ -187,6 +148,7 @@ void Accuracy::judge(const curves::Deviation& deviation, const ir::Place& place)
   if (deviation.points == 0) return;
   const curves::Extreme& worst =
       deviation.highest.value >= -deviation.lowest.value ? deviation.highest : deviation.lowest;
+  trace_.add(worst.at.z, worst.value);
   const double size = std::fabs(worst.value);
   if (size <= worst.tolerance) return;
   report_.findings.add(text::DiagnosticId::deviation_beyond_tolerance, place, size, worst.tolerance, [&] {
@@ -228,13 +190,15 @@ void Accuracy::find_gaps() {
 Report Accuracy::finish() {
   close_pending(0.0);
   report_.path = path_.result();
+  report_.trace = trace_.points();
   if (settings_.nominal.empty()) {
     report_.not_checked.add("no nominal is given: the accuracy was not checked");
     return std::move(report_);
   }
   if (report_.blocks > 0 && surface_known_) report_.surface = surface_.result();
-  if (report_.blocks > 0 && bounded_) report_.chord_bound_mm = bound_;
-  if (report_.blocks > 0 && !bounded_) report_.not_checked.add("the chord error is measured, but no bound is proved");
+  if (report_.blocks > 0) report_.chord_bound_mm = bound_.value();
+  if (report_.blocks > 0 && !bound_.value())
+    report_.not_checked.add("the chord error is measured, but no bound is proved");
   find_gaps();
   return std::move(report_);
 }

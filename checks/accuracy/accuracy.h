@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "checks/accuracy/chord.h"
+#include "checks/accuracy/figures.h"
 #include "checks/finding.h"
 #include "checks/machine.h"
 #include "dialects/curves/deviation.h"
@@ -18,11 +20,6 @@
 #include "dialects/ir/motion.h"
 
 namespace dripfeed::accuracy {
-
-struct LineRange {
-  std::uint32_t first = 0;  // 1-based, both included
-  std::uint32_t last = 0;
-};
 
 struct Settings {
   curves::Profile nominal = {};  // x as radius, z in the active work offset
@@ -34,41 +31,6 @@ struct Settings {
   double coverage_mm = 0.001;  // a gap up to this is none
 };
 
-struct Figures {
-  std::uint64_t points = 0;    // places measured
-  double max_mm = 0.0;         // largest deviation in size, refined between the places
-  double max_signed_mm = 0.0;  // the same with its sign: positive, material is left; negative, too much is taken
-  std::uint32_t max_line = 0;
-  double max_z_mm = 0.0;
-  double highest_mm = 0.0;  // signed extremes
-  double lowest_mm = 0.0;
-  double mean_mm = 0.0;  // of the size, along the path's length
-  double rmse_mm = 0.0;
-  double length_mm = 0.0;  // of path on the nominal
-};
-
-struct Gap {
-  double low_mm = 0.0;  // z
-  double high_mm = 0.0;
-};
-
-struct Report {
-  std::uint64_t blocks = 0;        // moves that make the profile
-  Figures path;                    // as programmed
-  std::optional<Figures> surface;  // as cut; nothing where no nose was known and uncompensated
-  // No point of any chord lies farther from the nominal along its normal, end points included; nothing where the
-  // nominal's second derivative is not bounded or an arc turns over. Holds for the programmed path.
-  std::optional<double> chord_bound_mm;
-  double overrun_mm = 0.0;  // farthest reach of the path beyond the nominal's ends; not in the figures
-  bool covered = false;     // the path passes all of the nominal
-  std::vector<Gap> gaps;    // where it does not
-  checks::FindingList findings;
-  checks::NotCheckedList not_checked;
-
-  // What counts: the surface where it is known, otherwise the path.
-  [[nodiscard]] const Figures& figures() const { return surface ? *surface : path; }
-};
-
 class Accuracy final : public ir::MotionSink {
  public:
   explicit Accuracy(Settings settings);
@@ -77,14 +39,6 @@ class Accuracy final : public ir::MotionSink {
   [[nodiscard]] Report finish();
 
  private:
-  struct Sums {
-    Figures figures;
-    double integral = 0.0;
-    double integral_square = 0.0;
-
-    void add(const curves::Deviation& deviation, std::uint32_t line);
-    [[nodiscard]] Figures result() const;
-  };
   // A piece of cut surface waits for the next one, which may trim its end.
   struct Pending {
     curves::PathPiece tip_path;
@@ -92,7 +46,6 @@ class Accuracy final : public ir::MotionSink {
     double trimmed_start = 0.0;  // mm
   };
 
-  [[nodiscard]] bool is_profile(const ir::Motion& motion) const;
   void follow_tool(const ir::Motion& motion);
   void add_move(const ir::Motion& motion);
   void add_surface(const ir::Motion& motion, const curves::PathPiece& tip_path);
@@ -105,9 +58,9 @@ class Accuracy final : public ir::MotionSink {
   Settings settings_;
   Report report_;
   Sums path_;
+  Trace trace_;
   Sums surface_;
-  bool bounded_ = true;
-  double bound_ = 0.0;
+  ChordBound bound_;
   std::vector<curves::Range> covered_;  // disjoint, in order
   curves::Nose nose_;
   bool nose_known_ = false;

@@ -1,72 +1,58 @@
-// The piece is taken as x = g(z). With the profile x = f(z) the gap h = g - f has h'' = g'' - f'': zero less the
-// profile's for a line, the circle's less the profile's for an arc. What both ends' gaps and that range prove is
-// curves::gap_bound.
+// Between the feet of its ends each piece is enclosed by curves::gap_range. First a bound that costs nothing is tried:
+// the gap at the ends is no more than the ends' distance, and in between the largest second derivative of the whole
+// profile counts; only where that would raise the maximum is more computed.
 #include "checks/accuracy/chord.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "dialects/curves/chord_bound.h"
-#include "dialects/curves/conic.h"
+#include "dialects/curves/gap.h"
 
 namespace dripfeed::accuracy {
 
-namespace {
-
-constexpr double kUpright_mm = 1e-9;
-
-// The piece as a function of z.
-struct Graph {
-  curves::Range z;
-  const curves::Segment* segment = nullptr;
-  curves::Conic circle;  // for an arc: the half above or below its centre
-
-  [[nodiscard]] double x(double at) const {
-    if (segment == nullptr) return circle.at(at).x;
-    return segment->a.x + (segment->b.x - segment->a.x) * ((at - segment->a.z) / (segment->b.z - segment->a.z));
+ChordBound::ChordBound(const curves::Profile& profile) {
+  for (const curves::ProfilePiece& one : profile.pieces) {
+    curves::ParametricCurve curve;
+    curve.t = one.curve.z;
+    curve.at = [x = one.curve.at](double z) {
+      const curves::ExplicitPoint at = x(z);
+      return curves::ParametricPoint{{z, at.x}, {1.0, at.slope}, {}};
+    };
+    if (one.curve.second_derivatives) {
+      curve.second_derivatives = [second = one.curve.second_derivatives](double low, double high) {
+        return curves::Box{{0.0, 0.0}, second(low, high)};
+      };
+    }
+    pieces_.push_back({std::move(curve), curves::second_limit_of(one.curve)});
   }
-  [[nodiscard]] curves::Range second(double low, double high) const {
-    return segment == nullptr ? circle.second_derivatives(low, high) : curves::Range{};
-  }
-};
-
-std::optional<Graph> graph_of(const curves::PathPiece& piece) {
-  const curves::Box box = curves::box_of(piece);
-  Graph graph{box.z, std::get_if<curves::Segment>(&piece), {}};
-  if (box.z.width() < kUpright_mm) return std::nullopt;
-  if (graph.segment != nullptr) return graph;
-  const auto& arc = std::get<curves::Arc>(piece);
-  const double start = arc.at(0.0).z;
-  const double end = arc.at(1.0).z;
-  const bool turns_over =
-      box.z.low < std::min(start, end) - kUpright_mm || box.z.high > std::max(start, end) + kUpright_mm;
-  if (turns_over || std::fabs(arc.sweep) > 3.2) return std::nullopt;
-  const double side = arc.at(0.5).x >= arc.center.x ? 1.0 : -1.0;
-  graph.circle = {curves::ConicKind::ellipse, side * arc.radius, arc.radius, arc.center};
-  return graph;
 }
 
-}  // namespace
+void ChordBound::add_part(const Piece& nominal, curves::Range z, const curves::PathPiece& piece, double at_ends) {
+  const bool straight = std::holds_alternative<curves::Segment>(piece);
+  const double cheap = at_ends + curves::interpolation_bound(nominal.second_limit, z.width());
+  if (straight && cheap <= bound_) return;
+  const std::optional<curves::Range> range = curves::gap_range(nominal.curve, z, piece);
+  proved_ = proved_ && range.has_value();
+  if (range) bound_ = std::max({bound_, std::fabs(range->low), std::fabs(range->high)});
+}
 
-std::optional<double> chord_bound(const curves::Profile& profile, const curves::PathPiece& piece) {
-  const std::optional<Graph> graph = graph_of(piece);
-  if (!graph) return std::nullopt;
-  double bound = 0.0;
-  for (const curves::ProfilePiece& nominal : profile.pieces) {
-    const curves::ExplicitCurve& curve = nominal.curve;
-    const double low = std::max(graph->z.low, curve.z.low);
-    const double high = std::min(graph->z.high, curve.z.high);
-    if (!(low < high)) continue;
-    if (!curve.second_derivatives) return std::nullopt;
-    const curves::Range f = curve.second_derivatives(low, high);
-    const curves::Range g = graph->second(low, high);
-    const double gap_low = graph->x(low) - curve.at(low).x;
-    const double gap_high = graph->x(high) - curve.at(high).x;
-    const double found = curves::gap_bound(gap_low, gap_high, {g.low - f.high, g.high - f.low}, high - low);
-    if (!std::isfinite(found)) return std::nullopt;
-    bound = std::max(bound, found);
+void ChordBound::add(const curves::PathPiece& piece, const curves::Deviation& measured) {
+  if (measured.points == 0 || !proved_) return;
+  bound_ = std::max(bound_, measured.largest());  // the ends, and where the path passes an end of the profile
+  const double at_ends = std::max(std::fabs(measured.first.foot.distance), std::fabs(measured.last.foot.distance));
+  const auto [low, high] = std::minmax(measured.first.piece, measured.last.piece);
+  const bool forwards =
+      measured.first.piece < measured.last.piece || (low == high && measured.first.foot.z <= measured.last.foot.z);
+  const curves::Foot& left = forwards ? measured.first.foot : measured.last.foot;
+  const curves::Foot& right = forwards ? measured.last.foot : measured.first.foot;
+  for (std::size_t i = low; i <= high && i < pieces_.size(); ++i) {
+    curves::Range z = pieces_[i].curve.t;
+    if (i == low) z.low = left.z;
+    if (i == high) z.high = right.z;
+    if (z.low < z.high) add_part(pieces_[i], z, piece, low == high ? at_ends : 1e300);
   }
-  return bound;
 }
 
 }  // namespace dripfeed::accuracy

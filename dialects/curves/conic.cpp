@@ -47,8 +47,10 @@ double Conic::curvature(double z) const {
 }
 
 ExplicitCurve curve_of(const Conic& conic, Range z) {
-  return {z, [conic](double at) { return conic.at(at); },
-          [conic](double low, double high) { return conic.second_derivatives(low, high); }};
+  ExplicitCurve curve{z, [conic](double at) { return conic.at(at); },
+                      [conic](double low, double high) { return conic.second_derivatives(low, high); }};
+  curve.second_limit = second_limit_of(curve);
+  return curve;
 }
 
 }  // namespace dripfeed::curves

@@ -12,6 +12,7 @@ namespace {
 constexpr int kFewest = 4;  // pieces; even, for Simpson's rule
 constexpr int kMost = 128;
 constexpr double kPieceLength_mm = 1.0;
+constexpr double kShort_mm = 0.25;
 constexpr int kRefinements = 3;
 constexpr int kBisections = 30;  // of a millimetre: 1e-9 mm
 
@@ -29,6 +30,8 @@ class Walk {
   Sample at(double t) {
     const Point point = point_at(piece_, t);
     const ProfileFoot nearest = closest(profile_, point);
+    if (t == 0.0) result_.first = nearest;
+    if (t == 1.0) result_.last = nearest;
     const Foot& foot = nearest.foot;
     result_.overhang = std::max(result_.overhang, foot.overhang);
     if (foot.beyond != Beyond::none) return {t, foot.distance, false};
@@ -80,6 +83,7 @@ class Walk {
 };
 
 int pieces_of(double length) {
+  if (length < kShort_mm) return 2;
   const double wanted = std::ceil(length / kPieceLength_mm);
   return wanted >= kMost ? kMost : std::max(kFewest, 2 * static_cast<int>(std::ceil(0.5 * wanted)));
 }

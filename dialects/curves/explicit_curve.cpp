@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace dripfeed::curves {
 
@@ -23,6 +24,7 @@ namespace {
 
 constexpr int kPieces = 32;
 constexpr int kSteps = 100;
+constexpr int kNearSteps = 20;
 constexpr double kRelative = 1e-13;
 constexpr double kTame_mm = 0.2;
 
@@ -91,6 +93,21 @@ class Search {
     }
     return square(a) < square(b) ? a : b;
   }
+  // Where the point lies so near that g must rise by at least half of itself all over the bracket, Newton's steps with
+  // the slope alone run to its one root; nothing where that is not sure.
+  [[nodiscard]] std::optional<Trial> near_root(const Trial& middle) const {
+    const double gap = std::fabs(middle.gap);
+    const double slope = std::fabs(middle.curve.slope) + curve_.second_limit * gap;
+    if (!(gap * (1.0 + slope) * curve_.second_limit < 0.5)) return std::nullopt;
+    Trial trial = middle;
+    for (int step = 0; step < kNearSteps; ++step) {
+      const double rise = 1.0 + trial.curve.slope * trial.curve.slope;
+      const double z = std::clamp(trial.z - trial.gradient / rise, curve_.z.low, curve_.z.high);
+      if (std::fabs(z - trial.z) <= kRelative * (1.0 + std::fabs(z))) return trial;
+      trial = at(z);
+    }
+    return std::nullopt;
+  }
   // The best minimum among the pieces between a and b.
   [[nodiscard]] Trial scan(const Trial& a, const Trial& b) const {
     Trial nearest = square(a) <= square(b) ? a : b;
@@ -138,11 +155,21 @@ Foot foot_of(const ExplicitCurve& curve, const Search& search, const Trial& near
 
 }  // namespace
 
+double second_limit_of(const ExplicitCurve& curve) {
+  if (!curve.second_derivatives) return std::numeric_limits<double>::infinity();
+  const Range second = curve.second_derivatives(curve.z.low, curve.z.high);
+  const double limit = std::max(std::fabs(second.low), std::fabs(second.high));
+  return std::isnan(limit) ? std::numeric_limits<double>::infinity() : limit;
+}
+
 Foot closest(const ExplicitCurve& curve, Point point) {
   const Search search(curve, point);
   const Trial middle = search.at(std::clamp(point.z, curve.z.low, curve.z.high));
   const double reach = std::sqrt(search.square(middle));
   if (reach == 0.0) return foot_of(curve, search, middle, point);
+  if (curve.z.contains(point.z)) {
+    if (const std::optional<Trial> found = search.near_root(middle)) return foot_of(curve, search, *found, point);
+  }
   const Trial low = search.at(std::max(curve.z.low, point.z - reach));
   const Trial high = search.at(std::min(curve.z.high, point.z + reach));
   Trial nearest = middle;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 
 #include "dialects/curves/point.h"
 
@@ -18,8 +19,13 @@ struct ExplicitCurve {
   std::function<ExplicitPoint(double z)> at;
   // A range that holds every second derivative, 1/mm, between two places of z: what chord bounds are proved from. May
   // be empty: then nothing is proved.
-  std::function<Range(double z_low, double z_high)> second_derivatives;
+  std::function<Range(double z_low, double z_high)> second_derivatives = {};
+  // No second derivative is larger in size, over the whole range; infinity: not known. Makes feet of near points quick.
+  double second_limit = std::numeric_limits<double>::infinity();
 };
+
+// The largest of `second_derivatives` over the whole range; infinity without.
+double second_limit_of(const ExplicitCurve& curve);
 
 // Which end of the curve a foot lies at, where the point lies beyond it and has no perpendicular.
 enum class Beyond : std::uint8_t { none, low, high };

@@ -11,7 +11,7 @@ namespace dripfeed::curves {
 namespace {
 
 constexpr std::size_t kMostParts = 4096;
-constexpr double kExact_mm = 1e-10;  // finer than this is rounding
+constexpr double kExact_mm = 1e-8;  // finer than this nobody asks
 
 double largest(Range a) { return std::max(std::fabs(a.low), std::fabs(a.high)); }
 
@@ -122,23 +122,29 @@ std::optional<Range> gap_range(const ParametricCurve& curve, Range t, const Path
   }
   add_to(t.high);
 
+  // What the parts say before they are halved holds, too.
+  Range at_once = open.front().bound;
+  for (const Part& part : open) {
+    at_once = {std::min(at_once.low, part.bound.low), std::max(at_once.high, part.bound.high)};
+  }
   Range proved = known;
   for (std::size_t parts = open.size(); !open.empty(); ++parts) {
     const Part part = open.back();
     open.pop_back();
     const double allowed = kExact_mm + relative * largest(known);
     const bool done = part.bound.low >= known.low - allowed && part.bound.high <= known.high + allowed;
-    if (done) {
+    const double middle = 0.5 * (part.low + part.high);
+    const bool last = parts >= kMostParts || !(middle > part.low && middle < part.high);
+    if (last && !std::isfinite(part.bound.width())) return std::nullopt;
+    if (done || last) {
       proved = {std::min(proved.low, part.bound.low), std::max(proved.high, part.bound.high)};
       continue;
     }
-    const double middle = 0.5 * (part.low + part.high);
-    if (parts >= kMostParts || !(middle > part.low && middle < part.high)) return std::nullopt;
     const double gap_middle = include(gap.at(middle));
     open.push_back(bounded({part.low, middle, part.gap_low, gap_middle, {}}));
     open.push_back(bounded({middle, part.high, gap_middle, part.gap_high, {}}));
   }
-  return proved;
+  return Range{std::max(proved.low, at_once.low), std::min(proved.high, at_once.high)};
 }
 
 }  // namespace dripfeed::curves

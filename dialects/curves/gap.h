@@ -17,8 +17,8 @@ namespace dripfeed::curves {
 //      point of the segment meets the curve within the range, so no point of the path lies farther from the curve than
 //      the range says (or than an end does); and no point of the curve comes nearer to it.
 //
-// Nothing where the curve's second derivatives are not bounded, the piece has no length, an arc's centre lies too near,
-// or the range is not found within a bounded number of parts.
+// Nothing where the curve's second derivatives are not bounded, the piece has no length, or an arc's centre lies too
+// near. The number of parts is bounded; beyond it the range is wider than asked for.
 std::optional<Range> gap_range(const ParametricCurve& curve, Range t, const PathPiece& piece, double relative = 0.02);
 
 }  // namespace dripfeed::curves

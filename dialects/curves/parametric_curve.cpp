@@ -90,10 +90,12 @@ ParametricFoot closest_from(const ParametricCurve& curve, Point point, double t_
     const double slope = rise > 0.1 * square ? rise : square;
     if (!(slope > 0.0)) break;
     const double t = std::clamp(trial.t - trial.gradient / slope, curve.t.low, curve.t.high);
-    // A step shorter than 1e-13 of the speed's way cannot be told from rounding.
-    if (std::fabs(t - trial.t) <= 1e-14 * std::max(std::fabs(curve.t.low), std::fabs(curve.t.high))) break;
+    // A shorter step cannot be told from rounding; an end is arrived at all the same.
+    const bool at_end = t <= curve.t.low || t >= curve.t.high;
+    const double least = 1e-14 * std::max(std::fabs(curve.t.low), std::fabs(curve.t.high));
+    if (t == trial.t || (std::fabs(t - trial.t) <= least && !at_end)) break;
     const Trial next = trial_at(curve, point, t);
-    if (next.square < nearest.square) nearest = next;
+    if (next.square < nearest.square || at_end) nearest = next;
     if (!(std::fabs(next.gradient) < std::fabs(trial.gradient))) break;
     trial = next;
   }

@@ -48,6 +48,7 @@ curves::ProfilePiece piece(const BoundFamily& bound, const NominalShape& shape) 
     const Range second = second_derivative(family->arena, x, values, z, {low, high});
     return Range{scale * second.low, scale * second.high};
   };
+  out.curve.second_limit = curves::second_limit_of(out.curve);
   return out;
 }
 

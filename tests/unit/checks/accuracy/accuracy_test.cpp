@@ -56,7 +56,7 @@ TEST(Accuracy, MeasuresInRadiusGeometryAlongTheNormal) {
   EXPECT_EQ(report.blocks, 1U);
   EXPECT_FALSE(report.surface);
   ASSERT_TRUE(report.chord_bound_mm);
-  EXPECT_NEAR(*report.chord_bound_mm, 0.05, 1e-9);
+  EXPECT_NEAR(*report.chord_bound_mm, 0.04, 1e-9);
   EXPECT_EQ(report.findings.count(DiagnosticId::deviation_beyond_tolerance), 1U);
   const Report radius =
       run({.nominal = straight(50, 0.75, {0, 40}, 0.05), .x_is_diameter = false}, {cut(40, 80.05, 0, 50.05)});
@@ -144,22 +144,39 @@ TEST(Accuracy, ANoseCutsNoDeeperThanItsNeighboursAtARidge) {
   EXPECT_NEAR(report.surface->max_mm, 0, 1e-9);
 }
 
+std::optional<double> chord_bound(const curves::Profile& profile, const curves::PathPiece& piece) {
+  ChordBound bound(profile);
+  bound.add(piece, curves::measure(profile, piece));
+  return bound.value();
+}
+
 TEST(ChordBound, HoldsForArcsAndFindsAnArcOnItself) {
   const curves::Conic circle{curves::ConicKind::ellipse, 30, 30, {0, 20}};
   const curves::Profile profile{{{curves::curve_of(circle, {-20, 20}), 0.01}}};
   const curves::PathPiece same =
       curves::arc_between({15, circle.at(15).x}, {-15, circle.at(-15).x}, {0, 20}, curves::Turn::counterclockwise);
-  // The range of the difference of two equal second derivatives is not zero: the bound holds and is not tight.
-  EXPECT_GE(chord_bound(profile, same).value(), 0.0);
+  EXPECT_NEAR(chord_bound(profile, same).value(), 0.0, 2e-8);
   const curves::PathPiece chord = curves::Segment{{5, circle.at(5).x}, {-5, circle.at(-5).x}};
   const double sagitta = 30 - std::sqrt(900 - 25.0);
   EXPECT_GE(*chord_bound(profile, chord), sagitta);
-  EXPECT_LE(*chord_bound(profile, chord), 1.1 * sagitta);
-  EXPECT_FALSE(chord_bound(profile, curves::Segment{{5, 50}, {5, 60}}));
-  EXPECT_EQ(chord_bound(profile, curves::Segment{{25, 50}, {30, 50}}), 0.0);
+  EXPECT_LE(*chord_bound(profile, chord), 1.05 * sagitta);
+  EXPECT_GE(*chord_bound(profile, curves::Segment{{5, 50}, {5, 60}}), 10.0);  // away from it
+  EXPECT_EQ(chord_bound(profile, curves::Segment{{60, 50}, {70, 50}}), 0.0);  // beside it
   curves::Profile unbounded = profile;
   unbounded.pieces[0].curve.second_derivatives = nullptr;
   EXPECT_FALSE(chord_bound(unbounded, chord));
+}
+
+TEST(ChordBound, HoldsAcrossAJointOfTheProfile) {
+  // Two lines that meet in a ridge: the chord over it passes below by as much as the ridge is high.
+  const auto line = [](double slope) {
+    return [slope](double z) { return curves::ExplicitPoint{50 + slope * z, slope}; };
+  };
+  const auto straight = [](double, double) { return curves::Range{}; };
+  const curves::Profile roof{{{{{-10, 0}, line(0.1), straight}, 0.01}, {{{0, 10}, line(-0.1), straight}, 0.01}}};
+  const double bound = *chord_bound(roof, curves::Segment{{4, 49.6}, {-4, 49.6}});
+  EXPECT_GE(bound, 0.4 / std::sqrt(1.01) - 1e-9);
+  EXPECT_LE(bound, 0.4 + 1e-9);
 }
 
 }  // namespace

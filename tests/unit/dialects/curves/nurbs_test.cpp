@@ -153,6 +153,14 @@ TEST(ClosestFrom, FollowsAPathOfPlaces) {
   EXPECT_GT(beyond.overhang, 1.0);
 }
 
+TEST(ClosestFrom, LeavesACurveAtItsEnd) {
+  const ParametricCurve line = curve_of({2, {{0, 0}, {100, 0}}, {}, {}});
+  const ParametricFoot last = closest_from(line, {100, 0.01}, 0.5);
+  const ParametricFoot beyond = closest_from(line, {101, 0.01}, last.t);
+  EXPECT_TRUE(beyond.at_end);
+  EXPECT_NEAR(beyond.overhang, 1, 1e-12);
+}
+
 TEST(ClosestFrom, StandsStillOnACurveThatDoes) {
   const ParametricCurve point{{0, 1}, [](double) { return ParametricPoint{{3, 4}, {}, {}}; }};
   EXPECT_NEAR(std::fabs(closest_from(point, {0, 0}, 0.5).distance), 5, 1e-12);

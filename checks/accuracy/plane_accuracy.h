@@ -1,0 +1,85 @@
+// How far what a mill leaves in the x-y plane lies from nominal curves, normal to them. With cutter compensation, or
+// for nominals of the tool's centre, that is the path itself; without, the cutter's edge, a radius beside its centre.
+// What is cut too deep is left to gouge.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "checks/accuracy/figures.h"
+#include "checks/finding.h"
+#include "checks/machine.h"
+#include "dialects/curves/deviation.h"
+#include "dialects/curves/parametric_curve.h"
+#include "dialects/curves/path.h"
+#include "dialects/ir/motion.h"
+
+namespace dripfeed::accuracy {
+
+// Points as x and y of the work offset, in this order.
+struct PlaneNominal {
+  curves::ParametricCurve curve;
+  double tolerance_mm = 0.0;
+  bool of_center = false;
+};
+
+struct PlaneSettings {
+  std::vector<PlaneNominal> nominal = {};
+  std::vector<LineRange> lines = {};     // as in Settings
+  std::vector<checks::Tool> tools = {};  // by diameter; one that is not here is taken as a point, and that is said
+  double coverage_mm = 0.01;             // a gap up to this is none
+};
+
+class PlaneAccuracy final : public ir::MotionSink {
+ public:
+  explicit PlaneAccuracy(PlaneSettings settings);
+  void consume(std::span<const ir::Motion> motions) override;
+  // After the last motion; once.
+  [[nodiscard]] Report finish();
+
+ private:
+  // A place of the path and its foot.
+  struct Place {
+    curves::Point at;
+    std::size_t curve = 0;
+    curves::ParametricFoot foot;
+    bool on = false;  // on the nominal, not beyond an end
+  };
+  struct Side {
+    double offset_mm = 0.0;  // the edge's distance from the path: the radius, or 0
+    double left = 1.0;       // what lies to the left of the path is material that is left (1) or missing (-1)
+  };
+
+  void add_move(const ir::Motion& motion);
+  void add_piece(const ir::Motion& motion, const curves::PathPiece& piece);
+  [[nodiscard]] Side side_of(const ir::Motion& motion, const PlaneNominal& nominal);
+  [[nodiscard]] Place place_of(curves::Point at, const Place* near, double step_mm) const;
+  [[nodiscard]] double value_of(const Place& place, curves::Point direction, const Side& side) const;
+  void add_corner(const ir::Motion& motion, curves::Point at, curves::Point direction);
+  void add_bound(const curves::PathPiece& piece, const Place& first, const Place& last, const Side& side,
+                 double largest);
+  void judge(const curves::Deviation& deviation, const ir::Place& place);
+  void cover(std::size_t curve, curves::Range t);
+  void find_gaps();
+
+  PlaneSettings settings_;
+  Report report_;
+  Sums path_;
+  Sums surface_;
+  Trace trace_;
+  std::vector<std::vector<curves::Range>> covered_;  // by curve, disjoint, in order
+  std::vector<bool> closed_;
+  double radius_ = 0.0;
+  bool radius_known_ = false;
+  bool surface_known_ = true;
+  bool proved_ = true;
+  double bound_ = 0.0;
+  double along_ = 0.0;
+  std::optional<Place> last_;             // where the last piece ended
+  std::optional<curves::Point> heading_;  // and in which direction
+  ir::Place last_place_;
+};
+
+}  // namespace dripfeed::accuracy
