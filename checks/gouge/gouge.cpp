@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "dialects/text/number.h"
 
 namespace dripfeed::gouge {
@@ -15,6 +17,8 @@ namespace {
 
 constexpr std::size_t kX = 0;
 constexpr std::size_t kZ = 2;
+constexpr std::size_t kMostNotes = 8;
+constexpr std::size_t kPicturePlaces = 2000;
 
 curves::Point point_of(const std::array<double, ir::kAxisCount>& at, bool x_is_diameter) {
   return {at[kZ], x_is_diameter ? 0.5 * at[kX] : at[kX]};
@@ -108,10 +112,18 @@ std::optional<curves::Extreme> Gouge::lowest(const curves::Nose& nose, const cur
   return extreme;
 }
 
+// The first ones are marked in the picture, at the end of their moves.
+void Gouge::note(const ir::Motion& motion, double z_mm) {
+  if (notes_.size() >= kMostNotes) return;
+  const double x = point_of(motion.end, settings_.x_is_diameter).x;
+  notes_.push_back({{z_mm, x}, fmt::format("line {}", motion.place.line)});
+}
+
 void Gouge::check_rapid(const ir::Motion& motion, const curves::Segment& way) {
   ++report_.rapids;
   const auto add = [&](text::DiagnosticId id, double depth_mm, double z_mm) {
     report_.findings.add(id, motion.place, depth_mm, 0.0, [&] { return depth_and_place(depth_mm, z_mm); });
+    note(motion, z_mm);
   };
   const std::optional<curves::Extreme> nominal = lowest(nose_, way);
   if (nominal && -nominal->value > std::max(settings_.depth_mm, nominal->tolerance)) {
@@ -148,6 +160,7 @@ void Gouge::check_cut(const ir::Motion& motion, const curves::PathPiece& tip_pat
   const double depth_mm = -nominal->value;
   report_.deepest_cut_mm = std::max(report_.deepest_cut_mm, depth_mm);
   if (depth_mm <= nominal->tolerance) return;
+  note(motion, nominal->at.z);
   report_.findings.add(text::DiagnosticId::cut_below_nominal, motion.place, depth_mm, nominal->tolerance, [&] {
     std::vector<std::string> arguments = depth_and_place(depth_mm, nominal->at.z);
     arguments.push_back(text::format_shortest(nominal->tolerance));
@@ -156,5 +169,24 @@ void Gouge::check_cut(const ir::Motion& motion, const curves::PathPiece& tip_pat
 }
 
 Report Gouge::finish() { return std::move(report_); }
+
+plot::Plot Gouge::picture() const {
+  plot::Plot figure{
+      .title = "what is left of the bar", .x = {"z, mm"}, .y = {"radius, mm"}, .equal_scale = true, .notes = notes_};
+  plot::Series left{"left", {}};
+  if (stock_) {
+    for (const curves::Point at : stock_->outline(kPicturePlaces)) left.points.push_back({at.z, at.x});
+  }
+  plot::Series nominal{"nominal", {}};
+  for (const curves::ProfilePiece& piece : settings_.nominal.pieces) {
+    const curves::Range z = piece.curve.z;
+    for (std::size_t i = 0; i <= kPicturePlaces; ++i) {
+      const double at = z.low + z.width() * static_cast<double>(i) / static_cast<double>(kPicturePlaces);
+      nominal.points.push_back({at, piece.curve.at(at).x});
+    }
+  }
+  figure.series = {std::move(left), std::move(nominal)};
+  return figure;
+}
 
 }  // namespace dripfeed::gouge

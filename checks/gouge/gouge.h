@@ -11,6 +11,7 @@
 #include "checks/finding.h"
 #include "checks/gouge/remaining_stock.h"
 #include "checks/machine.h"
+#include "checks/plot/plot.h"
 #include "dialects/curves/deviation.h"
 #include "dialects/curves/nose.h"
 #include "dialects/curves/path.h"
@@ -54,9 +55,12 @@ class Gouge final : public ir::MotionSink {
   void consume(std::span<const ir::Motion> motions) override;
   // After the last motion; once.
   [[nodiscard]] Report finish();
+  // What is left of the bar over the nominal, as radii.
+  [[nodiscard]] plot::Plot picture() const;
 
  private:
   void follow_tool(const ir::Motion& motion);
+  void note(const ir::Motion& motion, double z_mm);
   void check_rapid(const ir::Motion& motion, const curves::Segment& way);
   void check_cut(const ir::Motion& motion, const curves::PathPiece& tip_path);
   // Signed distance of the nose from the nominal where it is lowest; nothing beside it.
@@ -67,6 +71,7 @@ class Gouge final : public ir::MotionSink {
   Report report_;
   std::optional<RemainingStock> stock_;
   curves::Nose nose_;
+  std::vector<plot::Note> notes_;
   bool is_bore_ = false;  // the tool cuts inside: nothing here knows bores
 };
 

@@ -72,24 +72,40 @@ HeightMap::HeightMap(std::span<const curves::HeightField> nominal, double step) 
 }
 
 void HeightMap::set_nominal(std::span<const curves::HeightField> nominal) {
-  static constexpr std::array<std::array<double, 2>, 9> kAround = {
-      {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {0.7, 0.7}, {0.7, -0.7}, {-0.7, 0.7}, {-0.7, -0.7}}};
-  nominal_.assign(heights_.size(), kNothing);
+  static constexpr std::array<std::array<double, 2>, 8> kAround = {
+      {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {0.7, 0.7}, {0.7, -0.7}, {-0.7, 0.7}, {-0.7, -0.7}}};
+  std::vector<double> own(heights_.size(), kNothing);
   tolerances_.assign(heights_.size(), 0.0F);
   for (std::size_t row = 0; row < rows_; ++row) {
     for (std::size_t column = 0; column < columns_; ++column) {
       const auto place = curves::surface_at(nominal, x_at(column), y_at(row));
       if (!place) continue;
-      double lowest = place->z;
-      for (const auto& [dx, dy] : kAround) {
-        const auto near =
-            curves::surface_at(nominal, x_at(column) + dx * place->tolerance, y_at(row) + dy * place->tolerance);
-        if (near) lowest = std::min(lowest, near->z);
-      }
-      nominal_[row * columns_ + column] = lowest;
+      own[row * columns_ + column] = place->z;
       tolerances_[row * columns_ + column] = static_cast<float>(place->tolerance);
     }
   }
+  nominal_ = own;
+  for (std::size_t row = 0; row < rows_; ++row) {
+    for (std::size_t column = 0; column < columns_; ++column) {
+      const std::size_t here = row * columns_ + column;
+      const auto tolerance = static_cast<double>(tolerances_[here]);
+      if (own[here] == kNothing || !falls_off(own, row, column, own[here] - tolerance)) continue;
+      for (const auto& [dx, dy] : kAround) {
+        const auto near = curves::surface_at(nominal, x_at(column) + dx * tolerance, y_at(row) + dy * tolerance);
+        if (near) nominal_[here] = std::min(nominal_[here], near->z);
+      }
+    }
+  }
+}
+
+// Whether a neighbour lies lower than that: only there is something to be found sideways.
+bool HeightMap::falls_off(const std::vector<double>& z, std::size_t row, std::size_t column, double below) const {
+  for (std::size_t r = row == 0 ? 0 : row - 1; r <= std::min(row + 1, rows_ - 1); ++r) {
+    for (std::size_t c = column == 0 ? 0 : column - 1; c <= std::min(column + 1, columns_ - 1); ++c) {
+      if (z[r * columns_ + c] < below) return true;
+    }
+  }
+  return false;
 }
 
 template <class Visit>

@@ -62,6 +62,7 @@ class HeightMap {
   void lay_out(curves::Range x, curves::Range y, double step);
   [[nodiscard]] double x_at(std::size_t column) const { return x_.low + (static_cast<double>(column) + 0.5) * step_; }
   [[nodiscard]] double y_at(std::size_t row) const { return y_.low + (static_cast<double>(row) + 0.5) * step_; }
+  [[nodiscard]] bool falls_off(const std::vector<double>& z, std::size_t row, std::size_t column, double below) const;
   // Calls visit(place, x, y, z) for the places that are passed and might lie lower than `top`.
   template <class Visit>
   void pass(const Sweep& sweep, Visit&& visit) const;

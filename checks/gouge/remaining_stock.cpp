@@ -83,6 +83,19 @@ double RemainingStock::height(double z) const {
   return std::min(heights_[below], heights_[above]);
 }
 
+std::vector<curves::Point> RemainingStock::outline(std::size_t most) const {
+  const std::size_t by = (heights_.size() + most - 1) / most;
+  std::vector<curves::Point> points;
+  for (std::size_t first = 0; first < heights_.size(); first += by) {
+    std::size_t lowest = first;
+    for (std::size_t i = first; i < std::min(first + by, heights_.size()); ++i) {
+      if (heights_[i] < heights_[lowest]) lowest = i;
+    }
+    points.push_back({z_at(lowest), heights_[lowest]});
+  }
+  return points;
+}
+
 template <class Visit>
 void RemainingStock::pass(double radius, const curves::Segment& centers, Visit&& visit) const {
   const LowerEdge edge(radius, centers);

@@ -29,6 +29,8 @@ class RemainingStock {
   void cut(const curves::Nose& nose, const curves::PathPiece& tip_path);
   // Radius left at z, the lower of its two neighbours between places; 0 beyond the bar's ends.
   [[nodiscard]] double height(double z) const;
+  // At most `most` points from end to end, of several places the lowest.
+  [[nodiscard]] std::vector<curves::Point> outline(std::size_t most) const;
 
  private:
   static constexpr std::size_t kMostPlaces = 65536;

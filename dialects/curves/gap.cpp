@@ -11,7 +11,10 @@ namespace dripfeed::curves {
 namespace {
 
 constexpr std::size_t kMostParts = 4096;
-constexpr double kExact_mm = 1e-8;  // finer than this nobody asks
+// Finer than this nobody asks. A curve that lies on the circle of an arc comes to it slowly: with the cube of the
+// parts.
+constexpr double kExact_mm = 1e-8;
+constexpr double kExactOfArc_mm = 1e-6;
 
 double largest(Range a) { return std::max(std::fabs(a.low), std::fabs(a.high)); }
 
@@ -128,13 +131,13 @@ std::optional<Range> gap_range(const ParametricCurve& curve, Range t, const Path
     at_once = {std::min(at_once.low, part.bound.low), std::max(at_once.high, part.bound.high)};
   }
   Range proved = known;
-  for (std::size_t parts = open.size(); !open.empty(); ++parts) {
-    const Part part = open.back();
-    open.pop_back();
-    const double allowed = kExact_mm + relative * largest(known);
+  const double exact_mm = std::holds_alternative<Arc>(piece) ? kExactOfArc_mm : kExact_mm;
+  for (std::size_t next = 0; next < open.size(); ++next) {  // all of one width before the narrower ones
+    const Part part = open[next];
+    const double allowed = exact_mm + relative * largest(known);
     const bool done = part.bound.low >= known.low - allowed && part.bound.high <= known.high + allowed;
     const double middle = 0.5 * (part.low + part.high);
-    const bool last = parts >= kMostParts || !(middle > part.low && middle < part.high);
+    const bool last = open.size() >= kMostParts || !(middle > part.low && middle < part.high);
     if (last && !std::isfinite(part.bound.width())) return std::nullopt;
     if (done || last) {
       proved = {std::min(proved.low, part.bound.low), std::max(proved.high, part.bound.high)};

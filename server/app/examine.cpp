@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "dialects/compile/execute.h"
+#include "server/app/machine_facts.h"
+#include "server/app/surface_checks.h"
 
 namespace dripfeed::app {
 
@@ -16,13 +18,6 @@ namespace {
 ir::FeedMode feed_mode_of(ir::Function function) {
   if (function == ir::Function::feed_per_rev) return ir::FeedMode::per_rev;
   return function == ir::Function::feed_inverse_time ? ir::FeedMode::inverse_time : ir::FeedMode::per_min;
-}
-
-bool x_is_diameter(const ir::Control& control, const machine::Profile* profile) {
-  if (profile != nullptr) {
-    if (const checks::MachineAxis* x = checks::find_axis(profile->machine, ir::Axis::x)) return x->is_diameter;
-  }
-  return control.semantics.power_on_diameter != ir::DiameterMode::radius;
 }
 
 double part_size(const std::optional<family::Geometry>& geometry) {
@@ -34,49 +29,25 @@ double part_size(const std::optional<family::Geometry>& geometry) {
   return std::max({box.x_mm.high - box.x_mm.low, box.y_mm.high - box.y_mm.low, box.z_mm.high - box.z_mm.low});
 }
 
-// The machine's tools, completed by what the family says of their noses.
-std::vector<checks::Tool> tools_of(const Examination& e) {
-  std::vector<checks::Tool> tools;
-  if (e.profile != nullptr) tools = e.profile->machine.tools;
-  if (!e.geometry) return tools;
-  for (const family::ToolShape& shape : e.geometry->tools) {
-    const auto known = std::ranges::find(tools, shape.number, &checks::Tool::number);
-    if (known == tools.end()) {
-      tools.push_back({.number = shape.number,
-                       .offset = shape.number,
-                       .nose_radius_mm = shape.nose_radius_mm,
-                       .tip = shape.tip,
-                       .diameter_mm = 0.0,
-                       .length_mm = 0.0});
-    }
-  }
-  return tools;
-}
-
 class Checks {
  public:
-  Checks(const Examination& e, CheckReport& report) : e_(e), report_(report) {
+  Checks(const Examination& e, CheckReport& report)
+      : e_(e), report_(report), surfaces_(e, SurfaceScope::all, report.checks.not_checked) {
     make_envelope();
     make_timing();
-    make_gouge();
-    make_accuracy();
   }
 
   std::vector<ir::MotionSink*> sinks() {
-    std::vector<ir::MotionSink*> all;
-    for (ir::MotionSink* sink :
-         {static_cast<ir::MotionSink*>(envelope_.get()), static_cast<ir::MotionSink*>(timing_.get()),
-          static_cast<ir::MotionSink*>(gouge_.get()), static_cast<ir::MotionSink*>(accuracy_.get())}) {
-      if (sink != nullptr) all.push_back(sink);
-    }
+    std::vector<ir::MotionSink*> all = surfaces_.sinks();
+    if (envelope_) all.push_back(envelope_.get());
+    if (timing_) all.push_back(timing_.get());
     return all;
   }
 
   void finish() {
     if (envelope_) report_.checks.envelope = envelope_->finish();
     if (timing_) report_.checks.timing = timing_->finish();
-    if (gouge_) report_.checks.gouge = gouge_->finish();
-    if (accuracy_) report_.checks.accuracy = accuracy_->finish();
+    surfaces_.finish(report_.checks, report_.pictures);
   }
 
  private:
@@ -98,46 +69,11 @@ class Checks {
     timing_ = std::make_unique<timing::Timing>(std::move(*settings));
   }
 
-  void make_gouge() {
-    const bool turns = e_.control.kind != ir::MachineKind::mill;
-    if (!turns) return skip("gouges: only turning in the z-x plane is checked");
-    if (!e_.geometry || (!e_.geometry->stock && e_.geometry->nominal.empty()))
-      return skip("gouges and accuracy: stock and nominal are not known");
-    gouge::Settings settings;
-    if (e_.geometry->stock) {
-      if (const auto* bar = std::get_if<family::CylinderStock>(&*e_.geometry->stock)) {
-        settings.stock =
-            gouge::Cylinder{.diameter_mm = bar->diameter_mm, .z_low_mm = bar->z_mm.low, .z_high_mm = bar->z_mm.high};
-      }
-    }
-    settings.nominal = e_.geometry->nominal;
-    settings.x_is_diameter = x_is_diameter(e_.control, e_.profile);
-    settings.tools = tools_of(e_);
-    if (e_.profile != nullptr) {
-      const checks::MachineAxis* x = checks::find_axis(e_.profile->machine, ir::Axis::x);
-      const checks::MachineAxis* z = checks::find_axis(e_.profile->machine, ir::Axis::z);
-      if (x != nullptr) settings.rapid_x_mm_min = x->rapid_mm_min;
-      if (z != nullptr) settings.rapid_z_mm_min = z->rapid_mm_min;
-    }
-    gouge_ = std::make_unique<gouge::Gouge>(std::move(settings));
-  }
-
-  void make_accuracy() {
-    if (e_.control.kind == ir::MachineKind::mill || !e_.geometry || e_.geometry->nominal.empty()) return;
-    accuracy::Settings settings;
-    settings.nominal = e_.geometry->nominal;
-    settings.x_is_diameter = x_is_diameter(e_.control, e_.profile);
-    for (const family::LineRange& range : e_.profile_lines) settings.lines.push_back({range.first, range.last});
-    settings.tools = tools_of(e_);
-    accuracy_ = std::make_unique<accuracy::Accuracy>(std::move(settings));
-  }
-
   const Examination& e_;
   CheckReport& report_;
   std::unique_ptr<envelope::Envelope> envelope_;
   std::unique_ptr<timing::Timing> timing_;
-  std::unique_ptr<gouge::Gouge> gouge_;
-  std::unique_ptr<accuracy::Accuracy> accuracy_;
+  SurfaceChecks surfaces_;
 };
 
 // What the run said: alarms and warnings, and what it met and did not carry out.

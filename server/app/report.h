@@ -2,13 +2,21 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
+#include "checks/plot/plot.h"
 #include "checks/verdict.h"
 #include "dialects/ir/control.h"
 #include "dialects/text/source.h"
 
 namespace dripfeed::app {
+
+// Figures of what was checked; nothing where the check did not run.
+struct Pictures {
+  std::optional<plot::Plot> gouge;
+  std::optional<plot::Plot> accuracy;
+};
 
 struct CheckReport {
   text::Source source;  // the diagnostics' spans are in it
@@ -20,6 +28,7 @@ struct CheckReport {
   std::uint32_t because_line = 0;  // the line by which the control was inferred; 0: named, or the default
   bool inferred = false;
   checks::CheckReport checks;
+  Pictures pictures;
   checks::Verdict verdict = checks::Verdict::unknown;
   std::uint64_t blocks = 0;  // executed
   bool ran = false;          // to its end

@@ -21,6 +21,7 @@ void add_render(CLI::App& app, int& exit_code);
 void add_time(CLI::App& app, int& exit_code);
 void add_accuracy(CLI::App& app, int& exit_code);
 void add_calibrate(CLI::App& app, int& exit_code);
+void add_gouge(CLI::App& app, int& exit_code);
 void add_send(CLI::App& app, int& exit_code);
 void add_simulate(CLI::App& app, int& exit_code);
 void add_token(CLI::App& app, int& exit_code);

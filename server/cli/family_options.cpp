@@ -9,15 +9,22 @@
 
 namespace dripfeed::cli {
 
-namespace {
-
 std::string find_family(const std::string& name) {
   std::error_code error;
   if (name == "-" || std::filesystem::exists(name, error)) return name;
   return find_shared(fmt::format("families/{}.family", name)).value_or(name);
 }
 
-}  // namespace
+app::Result<std::vector<family::Override>> overrides_of(const FamilyOptions& options) {
+  std::vector<family::Override> values;
+  for (const std::string& value : options.values) {
+    const std::size_t equals = value.find('=');
+    if (equals == std::string::npos)
+      return app::fail(app::ErrorCode::invalid, fmt::format("--set \"{}\" is not name=value", value));
+    values.push_back({.name = value.substr(0, equals), .value = value.substr(equals + 1)});
+  }
+  return values;
+}
 
 void add_family_options(CLI::App& command, FamilyOptions& options) {
   command.add_option("FAMILY", options.file, "family file, or the name of a shipped one")->required();
@@ -40,16 +47,11 @@ app::Result<RenderedFamily> render_family(const FamilyOptions& options) {
     text.control = "kind=lathe";
   auto chosen = choose_control(text);
   if (!chosen) return std::unexpected(chosen.error());
-  std::vector<family::Override> values;
-  for (const std::string& value : options.values) {
-    const std::size_t equals = value.find('=');
-    if (equals == std::string::npos)
-      return app::fail(app::ErrorCode::invalid, fmt::format("--set \"{}\" is not name=value", value));
-    values.push_back({.name = value.substr(0, equals), .value = value.substr(equals + 1)});
-  }
+  auto values = overrides_of(options);
+  if (!values) return std::unexpected(values.error());
   compile::RenderResult result =
       compile::render({.family = *source,
-                       .values = values,
+                       .values = *values,
                        .target = chosen->control,
                        .mode = compile::find_render_mode(options.mode).value_or(compile::RenderMode::automatic),
                        .delivery = options.drip ? ir::Delivery::drip : ir::Delivery::memory,
@@ -57,7 +59,7 @@ app::Result<RenderedFamily> render_family(const FamilyOptions& options) {
   print_diagnostics(result.diagnostics, *source, chosen->control.title);
   return RenderedFamily{.source = std::move(*source),
                         .chosen = std::move(*chosen),
-                        .values = std::move(values),
+                        .values = std::move(*values),
                         .result = std::move(result)};
 }
 

@@ -17,6 +17,10 @@ struct FamilyOptions {
   std::string name;
   bool drip = false;
 };
+// The file of that name, or the shipped family.
+std::string find_family(const std::string& name);
+// --set; errors: invalid.
+app::Result<std::vector<family::Override>> overrides_of(const FamilyOptions& options);
 void add_family_options(CLI::App& command, FamilyOptions& options);
 
 // Renders; faults of the family are printed. The request comes back for its source.

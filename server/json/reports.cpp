@@ -54,8 +54,9 @@ Document gouge_document(const gouge::Report& report) {
 }
 
 Document figures_document(const accuracy::Figures& figures) {
-  return {{"points", figures.points},        {"max_mm", figures.max_signed_mm}, {"max_at_line", figures.max_line},
-          {"max_at_z_mm", figures.max_z_mm}, {"mean_mm", figures.mean_mm},      {"rmse_mm", figures.rmse_mm}};
+  return {{"points", figures.points},        {"max_mm", figures.max_signed_mm},
+          {"max_at_line", figures.max_line}, {"max_at", {figures.max_at.z, figures.max_at.x}},
+          {"mean_mm", figures.mean_mm},      {"rmse_mm", figures.rmse_mm}};
 }
 
 Document accuracy_document(const accuracy::Report& report) {
@@ -90,6 +91,20 @@ Document stretches_document(const timing::Report& report) {
                     {"duration_s", one.duration_s}});
   }
   return list;
+}
+
+Document cmm_figures(const accuracy::CmmFigures& figures) {
+  return {{"points", figures.points},   {"min_mm", figures.min_mm},   {"max_mm", figures.max_mm},
+          {"mean_mm", figures.mean_mm}, {"rmse_mm", figures.rmse_mm}, {"max_at_row", figures.max_row}};
+}
+
+Document cmm_document(const accuracy::CmmReport& report) {
+  Document document = cmm_figures(report.measured);
+  if (!report.fitted) return document;
+  document["best_fit"] = cmm_figures(*report.fitted);
+  document["best_fit"]["shift_mm"] = {report.fit.shift.z, report.fit.shift.x};
+  document["best_fit"]["turn_deg"] = report.fit.angle_deg;
+  return document;
 }
 
 Document timing_document(const timing::Report& report) {
@@ -177,6 +192,12 @@ std::string check_files(std::span<const app::CheckReport> reports) {
 }
 
 std::string time_figures(const timing::Report& report) { return dump(timing_document(report)) + "\n"; }
-std::string accuracy_figures(const accuracy::Report& report) { return dump(accuracy_document(report)) + "\n"; }
+std::string accuracy_figures(const accuracy::Report& report, const std::optional<accuracy::CmmReport>& cmm) {
+  Document document = accuracy_document(report);
+  if (cmm) document["cmm"] = cmm_document(*cmm);
+  return dump(document) + "\n";
+}
+
+std::string gouge_figures(const gouge::Report& report) { return dump(gouge_document(report)) + "\n"; }
 
 }  // namespace dripfeed::json

@@ -1,10 +1,12 @@
 // What the checks say, as JSON: the report that is stored with a verdict, and the objects that the command prints.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "checks/accuracy/cmm.h"
 #include "server/app/report.h"
 
 namespace dripfeed::json {
@@ -17,6 +19,8 @@ std::string check_files(std::span<const app::CheckReport> reports);
 
 // Figures alone; null-free: the check must have run.
 std::string time_figures(const timing::Report& report);
-std::string accuracy_figures(const accuracy::Report& report);
+// `cmm`: with what a measuring machine found, as "cmm".
+std::string accuracy_figures(const accuracy::Report& report, const std::optional<accuracy::CmmReport>& cmm = {});
+std::string gouge_figures(const gouge::Report& report);
 
 }  // namespace dripfeed::json
