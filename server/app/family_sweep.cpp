@@ -1,0 +1,87 @@
+// Values are written as people write them, in the parameter's own unit, so that a failing example can be tried by hand.
+#include "server/app/family_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dialects/text/number.h"
+#include "server/app/examine.h"
+
+namespace dripfeed::app {
+
+namespace {
+
+bool is_whole(double value) { return std::floor(value) == value; }
+
+std::vector<sweep::Parameter> parameters_of(const FamilySweep& order) {
+  std::vector<sweep::Parameter> parameters;
+  for (const compile::ParameterDescription& one : compile::describe_family(order.family).parameters) {
+    if (std::ranges::find(order.fixed, one.name, &family::Override::name) != order.fixed.end()) continue;
+    const std::string_view number = std::string_view(one.standard).substr(0, one.standard.find(' '));
+    const double standard = text::parse_number(number).value_or(one.low);
+    const bool whole = one.unit.empty() && is_whole(standard) && is_whole(one.low) && is_whole(one.high);
+    parameters.push_back({one.name, one.unit, one.low, one.high, standard, whole});
+  }
+  return parameters;
+}
+
+sweep::Trial failed_by(const text::Diagnostic& diagnostic) {
+  return {false, std::string(text::row_of(diagnostic.id).name), text::message_of(diagnostic)};
+}
+
+// The first error of a list; passing without one.
+sweep::Trial trial_of(const std::vector<text::Diagnostic>& diagnostics) {
+  const auto error = std::ranges::find(diagnostics, text::Severity::error, &text::Diagnostic::severity);
+  return error == diagnostics.end() ? sweep::Trial{true, {}, {}} : failed_by(*error);
+}
+
+sweep::Trial trial_of(const checks::FindingList& findings) {
+  for (const checks::Finding& one : findings.kept()) {
+    if (one.severity == text::Severity::error) return {false, std::string(text::row_of(one.id).name), one.text};
+  }
+  return {true, {}, {}};
+}
+
+sweep::Trial trial_of(const CheckReport& report) {
+  if (report.verdict != checks::Verdict::fail) return {true, {}, {}};
+  std::vector<sweep::Trial> trials = {trial_of(report.checks.diagnostics)};
+  if (report.checks.envelope) trials.push_back(trial_of(report.checks.envelope->findings));
+  if (report.checks.gouge) trials.push_back(trial_of(report.checks.gouge->findings));
+  if (report.checks.accuracy) trials.push_back(trial_of(report.checks.accuracy->findings));
+  if (report.checks.timing) trials.push_back(trial_of(report.checks.timing->findings));
+  const auto failed = std::ranges::find(trials, false, &sweep::Trial::passes);
+  return failed == trials.end() ? sweep::Trial{false, "verdict", "the verdict is fail"} : *failed;
+}
+
+}  // namespace
+
+sweep::Report sweep_family(const FamilySweep& order) {
+  const std::vector<sweep::Parameter> parameters = parameters_of(order);
+  const auto attempt = [&](std::span<const double> values) {
+    std::vector<family::Override> overrides = order.fixed;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      std::string value = text::format_shortest(values[i]);
+      if (!parameters[i].unit.empty()) value += " " + parameters[i].unit;
+      overrides.push_back({parameters[i].name, std::move(value)});
+    }
+    compile::RenderResult rendered = compile::render({.family = order.family,
+                                                      .values = std::move(overrides),
+                                                      .target = order.control,
+                                                      .mode = order.mode,
+                                                      .delivery = order.delivery,
+                                                      .program_name = {}});
+    if (text::has_error(rendered.diagnostics)) return trial_of(rendered.diagnostics);
+    return trial_of(examine({.source = text::Source(order.family.name(), std::move(rendered.text)),
+                             .dialect = compile::find_dialect(order.control.dialect),
+                             .control = order.control,
+                             .inferred = false,
+                             .profile = order.profile,
+                             .delivery = order.delivery,
+                             .find_called = {},
+                             .geometry = std::move(rendered.geometry),
+                             .profile_lines = std::move(rendered.profile_lines)}));
+  };
+  return sweep::sweep(parameters, attempt, order.settings);
+}
+
+}  // namespace dripfeed::app
