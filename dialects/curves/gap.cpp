@@ -2,6 +2,7 @@
 #include "dialects/curves/gap.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -95,6 +96,28 @@ struct Part {
   Range bound;
 };
 
+// Few parts are the rule: they lie on the stack, only more of them ask for memory.
+class PartList {
+ public:
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] const Part& operator[](std::size_t i) const {
+    return i < few_.size() ? few_[i] : more_[i - few_.size()];
+  }
+  void push_back(const Part& part) {
+    if (size_ < few_.size()) {
+      few_[size_] = part;
+    } else {
+      more_.push_back(part);
+    }
+    ++size_;
+  }
+
+ private:
+  std::array<Part, 64> few_;
+  std::vector<Part> more_;
+  std::size_t size_ = 0;
+};
+
 }  // namespace
 
 std::optional<Range> gap_range(const ParametricCurve& curve, Range t, const PathPiece& piece, double relative) {
@@ -111,7 +134,7 @@ std::optional<Range> gap_range(const ParametricCurve& curve, Range t, const Path
     part.bound = {std::min(part.gap_low, part.gap_high) - more, std::max(part.gap_low, part.gap_high) + more};
     return part;
   };
-  std::vector<Part> open;
+  PartList open;
   double before = t.low;
   double gap_before = include(gap.at(t.low));
   const auto add_to = [&](double here) {
@@ -126,9 +149,9 @@ std::optional<Range> gap_range(const ParametricCurve& curve, Range t, const Path
   add_to(t.high);
 
   // What the parts say before they are halved holds, too.
-  Range at_once = open.front().bound;
-  for (const Part& part : open) {
-    at_once = {std::min(at_once.low, part.bound.low), std::max(at_once.high, part.bound.high)};
+  Range at_once = open[0].bound;
+  for (std::size_t i = 1; i < open.size(); ++i) {
+    at_once = {std::min(at_once.low, open[i].bound.low), std::max(at_once.high, open[i].bound.high)};
   }
   Range proved = known;
   const double exact_mm = std::holds_alternative<Arc>(piece) ? kExactOfArc_mm : kExact_mm;

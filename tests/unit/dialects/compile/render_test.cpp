@@ -148,7 +148,7 @@ TEST(Render, PocketMeetsItsWall) {
   }
   EXPECT_NEAR(largest, 22.0, 1e-9);
   EXPECT_NEAR(deepest, -12.0, 1e-9);
-  EXPECT_EQ(arcs, 3 * 3);  // layers 4, 8, 12; rings 9.6, 19.2, 22
+  EXPECT_EQ(arcs, 3 * 4);  // layers 4, 8, 12; rings 9.6, 19.2, 22, and the wall once more
 }
 
 TEST(Render, AutomaticChoosesByDelivery) {
