@@ -8,6 +8,7 @@
 #include "dialects/compile/carry_comments.h"
 #include "dialects/compile/dialect.h"
 #include "dialects/compile/explicit_program.h"
+#include "dialects/compile/target_axes.h"
 
 namespace dripfeed::compile {
 
@@ -97,6 +98,7 @@ class Converter {
 
  private:
   void print(const ir::Program& program, const ir::Control& from) {
+    append(result_.diagnostics, foreign_axis_words(program, from, request_.to));
     ir::RaiseResult raised = to_.raise(program, from, request_.to);
     append(result_.diagnostics, std::move(raised.diagnostics));
     if (text::has_error(result_.diagnostics)) return;
@@ -169,7 +171,11 @@ class Converter {
 ConvertResult convert(const ConvertRequest& request) {
   const Dialect* from = find_dialect(request.from.dialect);
   const Dialect* to = find_dialect(request.to.dialect);
-  if (from != nullptr && to != nullptr) return Converter(request, *from, *to).convert();
+  if (from != nullptr && to != nullptr) {
+    ConvertRequest own = request;
+    if (!own.to.from_profile) own.to.axes = joint_axes(own.to, own.from);
+    return Converter(own, *from, *to).convert();
+  }
   ConvertResult out;
   const std::string& unknown = from == nullptr ? request.from.dialect : request.to.dialect;
   out.diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, {}, {"the program", unknown}));

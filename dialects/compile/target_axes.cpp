@@ -1,0 +1,67 @@
+// A word of an axis that is not there would be read as something else: H as a number, C as a chamfer.
+#include "dialects/compile/target_axes.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace dripfeed::compile {
+
+namespace {
+
+using ir::Function;
+
+constexpr std::string_view kAxisLetters = "XYZABCUVW";
+constexpr std::string_view kIncrementLetters = "UVWH";  // of X Y Z C
+constexpr std::string_view kIncremented = "XYZC";
+
+bool letters_are_increments(const ir::Control& control) { return control.semantics.incremental_letters_uvw; }
+
+// The axis of `control` that the address moves.
+std::optional<char> axis_of(ir::Address address, const ir::Control& control) {
+  if (address > ir::Address::z) return std::nullopt;
+  const char letter = static_cast<char>('A' + static_cast<int>(address));
+  if (control.axes.contains(letter)) return letter;
+  const std::size_t increment =
+      letters_are_increments(control) ? kIncrementLetters.find(letter) : std::string_view::npos;
+  if (increment == std::string_view::npos || !control.axes.contains(kIncremented[increment])) return std::nullopt;
+  return kIncremented[increment];
+}
+
+// Codes whose words are no positions.
+bool takes_letters(const ir::Code& code) {
+  return code.function == Function::dwell || code.function == Function::data_input ||
+         code.function == Function::not_modelled;
+}
+
+}  // namespace
+
+std::string joint_axes(const ir::Control& to, const ir::Control& from) {
+  std::string out;
+  for (const char letter : kAxisLetters) {
+    const bool taken = letters_are_increments(to) && kIncrementLetters.contains(letter);
+    if (to.axes.contains(letter) || (from.axes.contains(letter) && !taken)) out.push_back(letter);
+  }
+  return out;
+}
+
+std::vector<text::Diagnostic> foreign_axis_words(const ir::Program& program, const ir::Control& from,
+                                                 const ir::Control& to) {
+  std::vector<text::Diagnostic> out;
+  std::string said;
+  for (const ir::Statement& s : program.statements) {
+    if (s.kind != ir::StatementKind::block) continue;
+    const ir::Block& block = program.blocks[s.payload];
+    if (std::ranges::any_of(program.codes_of(block), takes_letters)) continue;
+    for (const ir::Word& word : program.words_of(block)) {
+      const std::optional<char> axis = axis_of(word.address, from);
+      if (!axis || to.axes.contains(*axis) || said.contains(*axis)) continue;
+      said.push_back(*axis);
+      const text::Span span = word.span.empty() ? s.span : word.span;
+      out.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, span,
+                                          {std::string("the axis ") + *axis, to.title}));
+    }
+  }
+  return out;
+}
+
+}  // namespace dripfeed::compile
