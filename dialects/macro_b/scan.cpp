@@ -49,6 +49,7 @@ class Words {
         highest_block_number_(grammar.highest_block_number),
         g_codes_(index_codes(control, control.g_codes, 'G')),
         m_codes_(index_codes(control, control.m_codes, 'M')),
+        a_may_be_an_angle_(control.kind == ir::MachineKind::lathe && !control.axes.contains('A')),
         control_(&control) {}
 
   [[nodiscard]] std::string_view name() const { return name_; }
@@ -100,6 +101,7 @@ class Words {
     if (number.end == nullptr || number.digits > most_digits_ || class_of(*number.end) == Class::other) return nullptr;
     if (letter == 'N' || letter == 'O') return is_signed ? nullptr : head(letter, number, block);
     block.take(begin, number.end);
+    if (letter == 'A' && a_may_be_an_angle_) return nullptr;
     if (letter == 'G' || letter == 'M') return minus ? nullptr : code(letter, number, block);
     block.add_word(static_cast<ir::Address>(letter - 'A'), minus ? -number.value : number.value, number.has_point);
     return number.end;
@@ -142,6 +144,7 @@ class Words {
   std::uint32_t highest_block_number_;
   ir::PlainCodeIndex g_codes_;
   ir::PlainCodeIndex m_codes_;
+  bool a_may_be_an_angle_;  // of a line: the reader decides by the whole block
   const ir::Control* control_;
   bool at_start_ = true;  // nothing but blank lines so far
   std::string name_;
