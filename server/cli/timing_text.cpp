@@ -85,7 +85,7 @@ std::string timing_text(const timing::Report& t) {
   }
   text += ")\n";
   if (t.is_fed)
-    text += fmt::format("buffer   at least {} bytes, {} blocks\n", t.lowest_buffer_bytes, t.lowest_buffer_blocks);
+    text += fmt::format("buffer   never below {} bytes, {} blocks\n", t.lowest_buffer_bytes, t.lowest_buffer_blocks);
   text += stretch_text(t);
   if (t.stalls > 0) text += advice_text(t);
   for (const checks::NotChecked& one : t.not_checked.list()) text += fmt::format("note     {}\n", one.text);
