@@ -2,6 +2,7 @@
 #include "dialects/sinumerik/drill_state.h"
 
 #include <algorithm>
+#include <array>
 #include <deque>
 
 #include "dialects/sinumerik/flow_graph.h"
@@ -65,13 +66,30 @@ ir::Address drilling_axis(Function plane) {
   return plane == Function::plane_yz ? Address::x : Address::z;
 }
 
+// Every field must meet its other, whatever the ones before came to.
 bool DrillState::meet(const DrillState& o) {
-  bool less = cycle.meet(o.cycle);
-  less |= depth.meet(o.depth) | level.meet(o.level) | peck.meet(o.peck) | dwell.meet(o.dwell);
-  less |= depth_by_distance.meet(o.depth_by_distance) | level_by_distance.meet(o.level_by_distance);
-  less |= feed.meet(o.feed) | speed.meet(o.speed) | to_level.meet(o.to_level) | incremental.meet(o.incremental);
-  less |= inch.meet(o.inch) | at_initial.meet(o.at_initial) | height.meet(o.height) | initial.meet(o.initial);
-  return less | motion.meet(o.motion) | plane.meet(o.plane) | spindle.meet(o.spindle) | feed_mode.meet(o.feed_mode);
+  const std::array less = {
+      cycle.meet(o.cycle),
+      depth.meet(o.depth),
+      level.meet(o.level),
+      peck.meet(o.peck),
+      dwell.meet(o.dwell),
+      depth_by_distance.meet(o.depth_by_distance),
+      level_by_distance.meet(o.level_by_distance),
+      feed.meet(o.feed),
+      speed.meet(o.speed),
+      to_level.meet(o.to_level),
+      incremental.meet(o.incremental),
+      inch.meet(o.inch),
+      at_initial.meet(o.at_initial),
+      height.meet(o.height),
+      initial.meet(o.initial),
+      motion.meet(o.motion),
+      plane.meet(o.plane),
+      spindle.meet(o.spindle),
+      feed_mode.meet(o.feed_mode),
+  };
+  return std::ranges::find(less, true) != less.end();
 }
 
 void DrillState::forget() {
