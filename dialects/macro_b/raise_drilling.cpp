@@ -89,8 +89,8 @@ class Drilling {
 
   void close() {
     if (native_) {
-      emit({code(Function::cycle_off)}, {});
-      emit({code(Function::rapid)}, {});
+      out_.emit_block({code(Function::cycle_off)}, {});
+      out_.emit_block({code(Function::rapid)}, {});
     }
     modal_.reset();
     native_ = false;
@@ -108,8 +108,8 @@ class Drilling {
     if (!hole) return;
     if (fits_modal_cycle(*hole)) {
       define(*hole, false);
-      emit({code(Function::cycle_off)}, {});
-      if (motion_) emit({code(*motion_)}, {});
+      out_.emit_block({code(Function::cycle_off)}, {});
+      if (motion_) out_.emit_block({code(*motion_)}, {});
     } else if (has_moves(*hole)) {
       moves(*hole);
     }
@@ -173,7 +173,7 @@ class Drilling {
     if (hole.peck > 0.0) words.push_back(word(Address::q, constant(hole.peck)));
     if (hole.dwell_s > 0.0) words.push_back(word(Address::p, program_.add_constant(hole.dwell_s * 1000.0, {}, false)));
     if (modal) words.push_back(word(Address::k, program_.add_constant(0.0, {}, false)));
-    emit({code(to_level ? Function::return_to_r : Function::return_to_initial), drill}, words);
+    out_.emit_block({code(to_level ? Function::return_to_r : Function::return_to_initial), drill}, words);
   }
 
   // --- moves
@@ -191,19 +191,19 @@ class Drilling {
     const Address axis = plane_ == Function::plane_zx   ? Address::y
                          : plane_ == Function::plane_yz ? Address::x
                                                         : Address::z;
-    emit({code(Function::rapid)}, {absolute(axis, hole.level)});
+    out_.emit_block({code(Function::rapid)}, {absolute(axis, hole.level)});
     std::vector<ir::Word> in = {absolute(axis, hole.depth)};
     if (hole.feed_in > 0.0) in.push_back(word(Address::f, constant(hole.feed_in)));
-    emit({code(Function::linear)}, in);
-    if (hole.dwell_s > 0.0) emit({code(Function::dwell)}, {word(Address::f, constant(hole.dwell_s))});
+    out_.emit_block({code(Function::linear)}, in);
+    if (hole.dwell_s > 0.0) out_.emit_block({code(Function::dwell)}, {word(Address::f, constant(hole.dwell_s))});
     const bool by_feed = hole.cycle == DrillCycle::feed_out || hole.cycle == DrillCycle::feed_out_dwell;
     if (by_feed) {
       std::vector<ir::Word> out = {absolute(axis, hole.level)};
       if (hole.feed_out > 0.0) out.push_back(word(Address::f, constant(hole.feed_out)));
-      emit({code(Function::linear)}, out);
+      out_.emit_block({code(Function::linear)}, out);
     }
-    emit({code(Function::rapid)}, {absolute(axis, hole.back)});
-    if (motion_ && *motion_ != Function::rapid) emit({code(*motion_)}, {});
+    out_.emit_block({code(Function::rapid)}, {absolute(axis, hole.back)});
+    if (motion_ && *motion_ != Function::rapid) out_.emit_block({code(*motion_)}, {});
     if (!motion_) cannot("the motion code in effect behind a cycle, which is not known here,");
     height_ = number(hole.back);
   }
@@ -226,10 +226,10 @@ class Drilling {
       const double radius = name == "HOLES2" ? v[2] : v[3] + n * v[4];
       const ir::Word x = absolute(Address::x, constant(v[0] + radius * std::cos(angle)));
       const ir::Word y = absolute(Address::y, constant(v[1] + radius * std::sin(angle)));
-      native_ ? emit({}, {x, y}) : emit({code(Function::rapid)}, {x, y});
+      native_ ? out_.emit_block({}, {x, y}) : out_.emit_block({code(Function::rapid)}, {x, y});
       if (modal_ && !native_) moves(*modal_);
     }
-    if (!native_ && motion_ && *motion_ != Function::rapid) emit({code(*motion_)}, {});
+    if (!native_ && motion_ && *motion_ != Function::rapid) out_.emit_block({code(*motion_)}, {});
   }
 
   // --- blocks
@@ -257,7 +257,7 @@ class Drilling {
       std::vector<ir::Code> others;
       std::ranges::copy_if(codes, std::back_inserter(others),
                            [](const ir::Code& c) { return c.function != Function::rapid; });
-      return emit(others, {words.begin(), words.end()});
+      return out_.emit_block(others, {words.begin(), words.end()});
     }
     out_.keep();
     if (modal_ && moves_axes) moves(*modal_);
@@ -298,18 +298,6 @@ class Drilling {
     ir::Word w = word(address, value);
     w.mode = ir::WordMode::absolute;
     return w;
-  }
-
-  void emit(const std::vector<ir::Code>& codes, const std::vector<ir::Word>& words) {
-    ir::Block made;
-    made.first_code = static_cast<std::uint32_t>(program_.codes.size());
-    made.code_count = static_cast<std::uint32_t>(codes.size());
-    made.first_word = static_cast<std::uint32_t>(program_.words.size());
-    made.word_count = static_cast<std::uint32_t>(words.size());
-    program_.codes.insert(program_.codes.end(), codes.begin(), codes.end());
-    program_.words.insert(program_.words.end(), words.begin(), words.end());
-    program_.blocks.push_back(made);
-    out_.emit(StatementKind::block, static_cast<std::uint32_t>(program_.blocks.size() - 1));
   }
 
   void cannot(std::string what) {

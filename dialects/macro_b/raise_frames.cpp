@@ -91,7 +91,7 @@ class Frames {
     const bool replaces = code.argument == ir::kFrameReplaces;
     if (replaces) {
       end_frames();
-      emit({plain(Function::local_shift, 1)}, {});
+      out_.emit_block({plain(Function::local_shift, 1)}, {});
       stage_ = Stage::nothing;
     }
     const std::string_view name = program_.strings.at(code.name);
@@ -114,7 +114,7 @@ class Frames {
     std::vector<ir::Word> places;
     for (const Address axis : kLengths)
       if (find(words, axis) != nullptr) places.push_back(zero(axis));
-    emit({plain(Function::mirror, ir::kFrameAboutPoint)}, places);
+    out_.emit_block({plain(Function::mirror, ir::kFrameAboutPoint)}, places);
   }
 
   // RPL, or the angle about the axis that stands on the plane.
@@ -132,7 +132,7 @@ class Frames {
     by.address = Address::r;
     by.mode = ir::WordMode::as_modal;
     turned.push_back(by);
-    emit({plain(Function::rotate, ir::kFrameAboutPoint)}, turned);
+    out_.emit_block({plain(Function::rotate, ir::kFrameAboutPoint)}, turned);
   }
 
   void scale(const std::vector<ir::Word>& words) {
@@ -149,14 +149,14 @@ class Frames {
       if (value.op == ir::Operator::constant) value.has_point = true;  // a factor, not a count of units
       all.push_back(w);
     }
-    emit({plain(Function::scale, ir::kFrameAboutPoint)}, all);
+    out_.emit_block({plain(Function::scale, ir::kFrameAboutPoint)}, all);
   }
 
   // Ends of the kinds that the program uses: others are never in effect.
   void end_frames() {
     constexpr std::array kKinds = {Function::mirror, Function::scale, Function::rotate};
     for (std::size_t i = kKinds.size(); i-- > 0;)
-      if (used_[i]) emit({plain(kKinds[i], ir::kFrameEnds)}, {});
+      if (used_[i]) out_.emit_block({plain(kKinds[i], ir::kFrameEnds)}, {});
   }
 
   static const ir::Word* find(const std::vector<ir::Word>& words, Address address) {
@@ -176,17 +176,6 @@ class Frames {
     c.argument = argument;
     c.group = ir::ModalGroup::frame;
     return c;
-  }
-  void emit(const std::vector<ir::Code>& codes, const std::vector<ir::Word>& words) {
-    ir::Block made;
-    made.first_code = static_cast<std::uint32_t>(program_.codes.size());
-    made.code_count = static_cast<std::uint32_t>(codes.size());
-    made.first_word = static_cast<std::uint32_t>(program_.words.size());
-    made.word_count = static_cast<std::uint32_t>(words.size());
-    program_.codes.insert(program_.codes.end(), codes.begin(), codes.end());
-    program_.words.insert(program_.words.end(), words.begin(), words.end());
-    program_.blocks.push_back(made);
-    out_.emit(StatementKind::block, static_cast<std::uint32_t>(program_.blocks.size() - 1));
   }
   void cannot(std::string what) {
     diagnostics_.push_back(

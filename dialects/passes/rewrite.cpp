@@ -24,6 +24,18 @@ void Rewrite::emit(ir::StatementKind kind, std::uint32_t payload) {
   statements_.push_back(statement);
 }
 
+void Rewrite::emit_block(const std::vector<ir::Code>& codes, const std::vector<ir::Word>& words) {
+  ir::Block made;
+  made.first_code = static_cast<std::uint32_t>(program_.codes.size());
+  made.code_count = static_cast<std::uint32_t>(codes.size());
+  made.first_word = static_cast<std::uint32_t>(program_.words.size());
+  made.word_count = static_cast<std::uint32_t>(words.size());
+  program_.codes.insert(program_.codes.end(), codes.begin(), codes.end());
+  program_.words.insert(program_.words.end(), words.begin(), words.end());
+  program_.blocks.push_back(made);
+  emit(ir::StatementKind::block, static_cast<std::uint32_t>(program_.blocks.size() - 1));
+}
+
 void Rewrite::emit_assign(ir::VariableId target, ir::ExpressionId value) {
   program_.assigns.push_back({target, value});
   emit(ir::StatementKind::assign, static_cast<std::uint32_t>(program_.assigns.size() - 1));

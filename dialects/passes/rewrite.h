@@ -21,6 +21,8 @@ class Rewrite {
   void emit(ir::StatementKind kind, std::uint32_t payload);
   // The statement that was emitted last.
   ir::Statement& last() { return statements_.back(); }
+  // A block of its own codes and words.
+  void emit_block(const std::vector<ir::Code>& codes, const std::vector<ir::Word>& words);
   void emit_assign(ir::VariableId target, ir::ExpressionId value);
   void emit_jump(const ir::Jump& jump);
   void emit_structure(ir::StatementKind kind, const ir::Structure& structure);

@@ -120,7 +120,7 @@ class CycleRaiser {
     } else if (!motion) {
       raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span, {"the motion behind the cycle"});
     }
-    emit_block(codes, words);
+    out_.emit_block(codes, words);
   }
 
   void drill(const DrillState& before, const DrillState& after, const ir::Block& block) {
@@ -130,7 +130,7 @@ class CycleRaiser {
     DrillBlock parts = parts_of(block, drilling_axis(after.plane.value));
     if (!parts.begins && parts.positions.empty() && !parts.drills && !parts.redefines) return out_.keep();
     parts.redefines |= parts.begins || !before.to_level.known || before.to_level.value != after.to_level.value;
-    if (!parts.rest_codes.empty() || !parts.rest_words.empty()) emit_block(parts.rest_codes, parts.rest_words);
+    if (!parts.rest_codes.empty() || !parts.rest_words.empty()) out_.emit_block(parts.rest_codes, parts.rest_words);
     if (parts.repeats > kMostRepeats)
       return raising_.cannot("a cycle that is repeated " + std::to_string(parts.repeats) + " times", statement_->span);
     if (parts.redefines) {
@@ -143,7 +143,7 @@ class CycleRaiser {
       out_.emit(StatementKind::modal_call, *call);
     }
     if (!parts.drills || parts.positions.empty()) return;
-    for (double n = 0.0; n < parts.repeats; ++n) emit_block({motion_code(Function::rapid)}, parts.positions);
+    for (double n = 0.0; n < parts.repeats; ++n) out_.emit_block({motion_code(Function::rapid)}, parts.positions);
   }
 
   DrillBlock parts_of(const ir::Block& block, Address axis) {
@@ -375,18 +375,6 @@ class CycleRaiser {
     code.function = function;
     code.group = ir::ModalGroup::motion;
     return code;
-  }
-
-  void emit_block(const std::vector<ir::Code>& codes, const std::vector<ir::Word>& words) {
-    ir::Block block;
-    block.first_code = static_cast<std::uint32_t>(program_.codes.size());
-    block.code_count = static_cast<std::uint32_t>(codes.size());
-    block.first_word = static_cast<std::uint32_t>(program_.words.size());
-    block.word_count = static_cast<std::uint32_t>(words.size());
-    program_.codes.insert(program_.codes.end(), codes.begin(), codes.end());
-    program_.words.insert(program_.words.end(), words.begin(), words.end());
-    program_.blocks.push_back(block);
-    out_.emit(StatementKind::block, static_cast<std::uint32_t>(program_.blocks.size() - 1));
   }
 
   const Raising& raising_;

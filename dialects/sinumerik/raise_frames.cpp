@@ -77,16 +77,17 @@ class FrameRaiser {
     std::ranges::copy_if(codes, std::back_inserter(others), [](const ir::Code& c) { return !begins(c) && !ends(c); });
     const std::vector<ir::Word> words(program_.words_of(block).begin(), program_.words_of(block).end());
     if (begin == codes.end()) {
-      emit({code(Function::local_shift, 1)}, {});
+      out_.emit_block({code(Function::local_shift, 1)}, {});
       mirrored_ = kNone;
       mirror_known_ = true;
-      if (!others.empty() || !words.empty()) emit(others, end->function == Function::mirror ? others_of(words) : words);
+      if (!others.empty() || !words.empty())
+        out_.emit_block(others, end->function == Function::mirror ? others_of(words) : words);
       return;
     }
     const Function kind = begin->function;
     if (kinds_.size() > 1) return cannot("two of G68, G51 and G51.1 in one program");
     if (shifts_) return cannot("G68, G51 or G51.1 beside G52");
-    if (!others.empty()) emit(others, {});
+    if (!others.empty()) out_.emit_block(others, {});
     if (kind == Function::rotate) return rotate(words);
     if (kind == Function::scale) return scale(words);
     mirror(words);
@@ -142,7 +143,7 @@ class FrameRaiser {
     if (!mirror_known_) return cannot("G51.1 where ways meet that may have mirrored already");
     for (std::size_t axis = 0; axis < kLengths.size(); ++axis)
       if (const ir::Word* w = find(words, kLengths[axis])) mirrored_[axis] = w->value;
-    emit({code(Function::local_shift, 1)}, {});
+    out_.emit_block({code(Function::local_shift, 1)}, {});
     for (std::size_t axis = 0; axis < kLengths.size(); ++axis) {
       if (mirrored_[axis] == ExpressionId::none) continue;
       const std::vector<ir::Word> center = {word(kLengths[axis], mirrored_[axis])};
@@ -175,7 +176,7 @@ class FrameRaiser {
   }
 
   void about(const std::vector<ir::Word>& center, const ir::Code& change, const std::vector<ir::Word>& words) {
-    emit({code(Function::local_shift, 1)}, {});
+    out_.emit_block({code(Function::local_shift, 1)}, {});
     around(center, change, words);
   }
 
@@ -193,9 +194,9 @@ class FrameRaiser {
       w.value = e.op == Operator::constant ? program_.add_constant(-e.value, e.span, e.has_point)
                                            : program_.add_operator(Operator::negate, w.value);
     }
-    if (!at_zero) emit({code(Function::local_shift_add)}, there);
-    emit({change}, words);
-    if (!at_zero) emit({code(Function::local_shift_add)}, back);
+    if (!at_zero) out_.emit_block({code(Function::local_shift_add)}, there);
+    out_.emit_block({change}, words);
+    if (!at_zero) out_.emit_block({code(Function::local_shift_add)}, back);
   }
 
   ExpressionId in_degrees(ExpressionId value) {
@@ -222,18 +223,6 @@ class FrameRaiser {
     c.argument = argument;
     c.group = ir::ModalGroup::frame;
     return c;
-  }
-
-  void emit(const std::vector<ir::Code>& codes, const std::vector<ir::Word>& words) {
-    ir::Block made;
-    made.first_code = static_cast<std::uint32_t>(program_.codes.size());
-    made.code_count = static_cast<std::uint32_t>(codes.size());
-    made.first_word = static_cast<std::uint32_t>(program_.words.size());
-    made.word_count = static_cast<std::uint32_t>(words.size());
-    program_.codes.insert(program_.codes.end(), codes.begin(), codes.end());
-    program_.words.insert(program_.words.end(), words.begin(), words.end());
-    program_.blocks.push_back(made);
-    out_.emit(StatementKind::block, static_cast<std::uint32_t>(program_.blocks.size() - 1));
   }
 
   void cannot(std::string what) const { raising_.cannot(std::move(what), statement_.span); }
