@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "dialects/ir/axis_letters.h"
+
 namespace dripfeed::compile {
 
 namespace {
@@ -11,20 +13,14 @@ namespace {
 using ir::Function;
 
 constexpr std::string_view kAxisLetters = "XYZABCUVW";
-constexpr std::string_view kIncrementLetters = "UVWH";  // of X Y Z C
-constexpr std::string_view kIncremented = "XYZC";
-
-bool letters_are_increments(const ir::Control& control) { return control.semantics.incremental_letters_uvw; }
+constexpr std::string_view kIncrementLetters = "UVWH";  // where increments have letters
 
 // The axis of `control` that the address moves.
 std::optional<char> axis_of(ir::Address address, const ir::Control& control) {
   if (address > ir::Address::z) return std::nullopt;
   const char letter = static_cast<char>('A' + static_cast<int>(address));
   if (control.axes.contains(letter)) return letter;
-  const std::size_t increment =
-      letters_are_increments(control) ? kIncrementLetters.find(letter) : std::string_view::npos;
-  if (increment == std::string_view::npos || !control.axes.contains(kIncremented[increment])) return std::nullopt;
-  return kIncremented[increment];
+  return ir::incremented_axis(control, letter);
 }
 
 // Codes whose words are no positions.
@@ -38,7 +34,7 @@ bool takes_letters(const ir::Code& code) {
 std::string joint_axes(const ir::Control& to, const ir::Control& from) {
   std::string out;
   for (const char letter : kAxisLetters) {
-    const bool taken = letters_are_increments(to) && kIncrementLetters.contains(letter);
+    const bool taken = to.semantics.incremental_letters_uvw && kIncrementLetters.contains(letter);
     if (to.axes.contains(letter) || (from.axes.contains(letter) && !taken)) out.push_back(letter);
   }
   return out;

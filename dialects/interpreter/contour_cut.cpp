@@ -117,20 +117,8 @@ class ContourCutter {
     p.segment.line = m.place.line;
     p.segment.arc = arc;
     if (arc) p.segment.center = point(m.start[kX] / factor_ + m.center[0], m.start[kZ] + m.center[2]);
-    if (arc) p.segment.turn = turn_of(p.segment, p.ccw);
+    if (arc) p.segment.turn = turn_of(p.segment, p.ccw == along_z_);
     pieces_.push_back(p);
-  }
-
-  // Counterclockwise in the ZX plane turns from Z to X: from way to level along Z, the other way when facing.
-  [[nodiscard]] double turn_of(const ShapeSegment& s, bool ccw) const {
-    const bool positive = ccw == along_z_;
-    const double begin = std::atan2(s.from.level - s.center.level, s.from.way - s.center.way);
-    const double end = std::atan2(s.to.level - s.center.level, s.to.way - s.center.way);
-    double turn = end - begin;
-    constexpr double kFull = 6.283185307179586;
-    while (positive && turn <= 1e-12) turn += kFull;
-    while (!positive && turn >= -1e-12) turn -= kFull;
-    return turn;
   }
 
   void reverse() {

@@ -133,23 +133,11 @@ class ShapeCutter {
         const double cx = m.start[kX] / factor_ + dx + m.center[0];
         const double cz = m.start[kZ] + dz + m.center[2];
         s.center = along_z_ ? ShapePoint{cz, cx} : ShapePoint{cx, cz};
-        s.turn = turn_of(s, m.kind == MotionKind::arc_ccw);
+        s.turn = turn_of(s, (m.kind == MotionKind::arc_ccw) == along_z_);
       }
       segments_.push_back(s);
     }
   }
-  // Counterclockwise in the ZX plane turns from Z to X, which is from way to level of G71 and the other way for G72.
-  double turn_of(const ShapeSegment& s, bool ccw) const {
-    const bool positive = ccw == along_z_;
-    const double begin = std::atan2(s.from.level - s.center.level, s.from.way - s.center.way);
-    const double end = std::atan2(s.to.level - s.center.level, s.to.way - s.center.way);
-    double turn = end - begin;
-    constexpr double kFull = 6.283185307179586;
-    while (positive && turn <= 1e-12) turn += kFull;
-    while (!positive && turn >= -1e-12) turn -= kFull;
-    return turn;
-  }
-
   // In the direction of the cut.
   [[nodiscard]] double side() const {
     const double start = along_z_ ? x0_ / factor_ : z0_;

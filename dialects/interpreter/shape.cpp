@@ -45,6 +45,16 @@ bool turns_back(const ShapeSegment& s, bool in_level) {
 
 }  // namespace
 
+double turn_of(const ShapeSegment& arc, bool positive) {
+  constexpr double kFull = 2.0 * std::numbers::pi;
+  const double begin = std::atan2(arc.from.level - arc.center.level, arc.from.way - arc.center.way);
+  const double end = std::atan2(arc.to.level - arc.center.level, arc.to.way - arc.center.way);
+  double turn = end - begin;
+  while (positive && turn <= 1e-12) turn += kFull;
+  while (!positive && turn >= -1e-12) turn -= kFull;
+  return turn;
+}
+
 std::optional<double> way_at(const ShapeSegment& s, double level) {
   if (!s.arc) {
     const double rise = s.to.level - s.from.level;

@@ -24,6 +24,9 @@ struct ShapeSegment {
   std::uint32_t line = 0;
 };
 
+// An arc's turn from its ends and centre; `positive`: from way to level. Counterclockwise in the ZX plane, from Z to X,
+// is positive where the way is Z and negative where it is X.
+double turn_of(const ShapeSegment& arc, bool positive);
 // Where it cuts the level, as a way; the first place in the direction of the segment. Nothing when it does not.
 std::optional<double> way_at(const ShapeSegment& segment, double level);
 // True when both coordinates only rise or only fall, within a thousandth of a micrometre.

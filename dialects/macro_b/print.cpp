@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/ir/axis_letters.h"
 #include "dialects/macro_b/lower.h"
 #include "dialects/macro_b/variables.h"
 #include "dialects/passes/walk.h"
@@ -26,11 +27,6 @@ using ir::Operator;
 using ir::StatementKind;
 
 constexpr std::string_view kWholeAddresses = "DHLNOPT";  // take no decimal point
-
-// Where increments have letters, H is that of C and no number of a length offset.
-bool is_increment_of_c(const ir::Control& control) {
-  return control.semantics.incremental_letters_uvw && control.axes.contains('C') && !control.axes.contains('H');
-}
 
 constexpr std::int16_t kLastPlainOffset = 6;  // G59
 constexpr int kComputedDecimals = 4;
@@ -231,7 +227,7 @@ std::string ProgramPrinter::word(const ir::Word& word) const {
   }
   const ir::Expression& value = program_.at(word.value);
   if (value.op != Operator::constant) return out + expressions_.word_value(word.value);
-  const bool is_axis = word.address == Address::h && is_increment_of_c(control_);
+  const bool is_axis = word.address == Address::h && ir::incremented_axis(control_, 'H').has_value();
   const bool counts = (kWholeAddresses.contains(out.front()) && !is_axis) || out == "S";
   const bool whole = counts && value.value == std::floor(value.value);
   // T0606: two digits each for the tool and its offset.

@@ -89,7 +89,7 @@ def main():
     if given.list:
         given.list.write_text("".join(f"{kind}\t{path.relative_to(given.folder)}\t{why}\n" for path, kind, why in results if kind not in ("end", "text_end")))
     able = len(results) - counts["call not found"]
-    ended = sum(n for kind, n in counts.items() if kind in ("end", "text_end", "return"))
+    ended = sum(n for kind, n in counts.items() if kind in ("end", "text_end"))
     print(f"{given.dialect}: {len(results)} files, " + ", ".join(f"{n} {kind}" for kind, n in counts.most_common()))
     print(f"of {able} whose calls are found {ended} run to their end ({100 * ended / able:.1f} %), "
           f"{ended + counts['own alarm']} with those that end by an alarm of their own ({100 * (ended + counts['own alarm']) / able:.1f} %)")

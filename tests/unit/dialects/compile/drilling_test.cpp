@@ -10,14 +10,6 @@
 namespace dripfeed::compile::test {
 namespace {
 
-ConvertResult translated(const std::string& text, const std::string& from, const std::string& to) {
-  ConvertRequest request;
-  request.source = text::Source("program", text);
-  request.from = control(from, ir::MachineKind::mill);
-  request.to = control(to, ir::MachineKind::mill);
-  return convert(request);
-}
-
 std::string expect_same_holes(const std::string& text, const std::string& from, const std::string& to,
                               double tolerance = 1e-6) {
   const ConvertResult result = translated(text, from, to);

@@ -8,14 +8,6 @@
 namespace dripfeed::compile::test {
 namespace {
 
-ConvertResult translated(const std::string& text, const std::string& from, const std::string& to) {
-  ConvertRequest request;
-  request.source = text::Source("program", text);
-  request.from = control(from, ir::MachineKind::mill);
-  request.to = control(to, ir::MachineKind::mill);
-  return convert(request);
-}
-
 std::string expect_same_moves(const std::string& text, const std::string& from, const std::string& to) {
   const ConvertResult result = translated(text, from, to);
   EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("program", text));

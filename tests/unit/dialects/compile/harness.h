@@ -40,6 +40,15 @@ inline std::string said(const std::vector<text::Diagnostic>& diagnostics, const 
   return out;
 }
 
+// A mill's program as a macro of another control.
+inline ConvertResult translated(const std::string& text, const std::string& from, const std::string& to) {
+  ConvertRequest request;
+  request.source = text::Source("program", text);
+  request.from = control(from, ir::MachineKind::mill);
+  request.to = control(to, ir::MachineKind::mill);
+  return convert(request);
+}
+
 class Motions final : public ir::MotionSink {
  public:
   void consume(std::span<const ir::Motion> motions) override { all.insert(all.end(), motions.begin(), motions.end()); }

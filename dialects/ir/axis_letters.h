@@ -1,0 +1,22 @@
+// Letters that move an axis without being its name.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "dialects/ir/control.h"
+
+namespace dripfeed::ir {
+
+// U V W H are increments of X Y Z C on controls where increments have letters (G-code system A), as far as the axis is
+// there and the letter is no axis itself. Nothing for all other letters.
+inline std::optional<char> incremented_axis(const Control& control, char letter) {
+  constexpr std::string_view kIncrements = "UVWH";
+  constexpr std::string_view kAxes = "XYZC";
+  const std::size_t row = kIncrements.find(letter);
+  if (!control.semantics.incremental_letters_uvw || row == std::string_view::npos) return std::nullopt;
+  if (!control.axes.contains(kAxes[row]) || control.axes.contains(letter)) return std::nullopt;
+  return kAxes[row];
+}
+
+}  // namespace dripfeed::ir
