@@ -26,6 +26,7 @@ struct Options {
   std::string link;
   std::string machine;
   std::string record;
+  std::string protocol = "dc";
   double speed = 1.0;
   double operator_s = 0.0;
   bool repeat = false;
@@ -49,6 +50,7 @@ simulator::BlockClockSettings clock_settings(const machine::Profile& profile) {
 
 simulator::ControlSettings control_settings(const machine::Profile& profile, const Options& options) {
   simulator::ControlSettings settings;
+  settings.protocol = options.protocol;
   settings.framing = profile.line.framing;
   settings.baud = profile.line.baud;
   settings.code = profile.line.code;
@@ -184,6 +186,8 @@ void add_simulate(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Options>();
   command->add_option("--link", options->link, "pty:/path, tcp-listen://:port or modbus-tcp://:port/unit")->required();
   command->add_option("--machine", options->machine, "machine profile: a file or the name of a preset")->required();
+  command->add_option("--protocol", options->protocol, "what the control speaks")
+      ->check(CLI::IsMember(simulator::control_protocols()));
   command->add_option("--speed", options->speed, "runs so much faster than a machine")->check(CLI::Range(0.001, 1e6));
   command->add_option("--operator", options->operator_s,
                       "after so many seconds without a character the operator presses RESET and START");

@@ -27,9 +27,9 @@ Time_ns now_ns() { return std::chrono::steady_clock::now().time_since_epoch().co
 
 class Fleet::Station {
  public:
-  Station(StationSettings settings, std::unique_ptr<Wire> wire)
-      : settings_(std::move(settings)), wire_(std::move(wire)), control_(settings_.control, settings_.record) {
-    control_.start(now_ns());
+  Station(StationSettings settings, std::unique_ptr<Wire> wire, std::unique_ptr<Control> control)
+      : settings_(std::move(settings)), wire_(std::move(wire)), control_(std::move(control)) {
+    control_->start(now_ns());
   }
 
   // -1: nothing to wait for. A pty without a host is always "hung up", so it is left out for a moment instead of spun
@@ -37,9 +37,9 @@ class Fleet::Station {
   [[nodiscard]] int descriptor() const { return cut_ || now_ns() < rest_until_ ? -1 : wire_->descriptor(); }
   [[nodiscard]] Time_ns deadline() const {
     if (cut_) return kNever;
-    const auto every = control_.look_every();
+    const auto every = control_->look_every();
     const Time_ns look = every ? std::max(looked_at_ + *every, rest_until_) : kNever;
-    return std::min(control_.deadline().value_or(kNever), look);
+    return std::min(control_->deadline().value_or(kNever), look);
   }
   [[nodiscard]] std::string address() const { return wire_->address(); }
 
@@ -48,7 +48,7 @@ class Fleet::Station {
     const Time_ns before = std::exchange(looked_at_, now_ns());
     const std::size_t count = wire_->read(buffer);
     const std::lock_guard lock(mutex_);
-    if (wire_->take_connected() && taken_ == 0) control_.start(now_ns());
+    if (wire_->take_connected() && taken_ == 0) control_->start(now_ns());
     if (count == 0) {
       if (hung_up) rest_until_ = now_ns() + kUnconnectedWait;
       return;
@@ -59,43 +59,43 @@ class Fleet::Station {
       bytes = bytes.first(count - static_cast<std::size_t>(taken_ - *settings_.cut_after));
       cut_ = true;
     }
-    control_.receive(bytes, before, now_ns());
+    control_->receive(bytes, before, now_ns());
     if (cut_) wire_->cut();
   }
 
   void tick() {
     const std::lock_guard lock(mutex_);
     const Time_ns now = now_ns();
-    control_.tick(now);
+    control_->tick(now);
     if (cut_) return;
-    const std::vector<std::byte> out = control_.take_out(now);
+    const std::vector<std::byte> out = control_->take_out(now);
     if (!out.empty()) wire_->write(out);
-    const auto quiet = control_.quiet_since();
-    if ((control_.finished() || control_.state() == ControlState::alarm) && !settings_.repeat) return;
+    const auto quiet = control_->quiet_since();
+    if ((control_->finished() || control_->state() == ControlState::alarm) && !settings_.repeat) return;
     if (settings_.operator_s > 0 && quiet && static_cast<double>(now - *quiet) > settings_.operator_s * 1e9) {
-      control_.reset();
-      control_.start(now);
+      control_->reset();
+      control_->start(now);
     }
   }
 
   [[nodiscard]] bool over() const {
     if (settings_.repeat) return cut_;
     // The host must hear the last DC3 and see the line stay up behind it before the cable is pulled.
-    const auto quiet = control_.quiet_since();
-    const bool left = control_.finished() && quiet && now_ns() - *quiet > kStayAfterEnd;
-    return cut_ || left || control_.state() == ControlState::alarm;
+    const auto quiet = control_->quiet_since();
+    const bool left = control_->finished() && quiet && now_ns() - *quiet > kStayAfterEnd;
+    return cut_ || left || control_->state() == ControlState::alarm;
   }
 
   [[nodiscard]] ControlReport report() const {
     const std::lock_guard lock(mutex_);
-    return control_.report();
+    return control_->report();
   }
 
  private:
   StationSettings settings_;
   std::unique_ptr<Wire> wire_;
   mutable std::mutex mutex_;
-  SimulatedControl control_;
+  std::unique_ptr<Control> control_;
   std::uint64_t taken_ = 0;
   Time_ns rest_until_ = 0;
   Time_ns looked_at_ = now_ns();
@@ -106,9 +106,11 @@ Fleet::Fleet() = default;
 Fleet::~Fleet() = default;
 
 std::expected<std::size_t, std::string> Fleet::add(StationSettings settings) {
+  auto control = make_control(settings.control, settings.record);
+  if (!control) return std::unexpected(control.error());
   auto wire = Wire::open(settings.link);
   if (!wire) return std::unexpected(wire.error());
-  stations_.push_back(std::make_unique<Station>(std::move(settings), std::move(*wire)));
+  stations_.push_back(std::make_unique<Station>(std::move(settings), std::move(*wire), std::move(*control)));
   return stations_.size() - 1;
 }
 

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <expected>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -12,15 +11,15 @@
 #include <vector>
 
 #include "server/machine/link_url.h"
-#include "server/simulator/simulated_control.h"
+#include "server/simulator/control.h"
 
 namespace dripfeed::simulator {
 
 struct StationSettings {
   machine::LinkUrl link;  // pty: or tcp-listen:
   ControlSettings control;
-  std::function<void(std::uint8_t)> record;  // every wire byte, in the order of arrival
-  std::optional<std::uint64_t> cut_after;    // the cable is cut after so many bytes (pty closed, TCP reset)
+  Record record;
+  std::optional<std::uint64_t> cut_after;  // the cable is cut after so many bytes (pty closed, TCP reset)
   double operator_s = 0.0;  // after so long without a character the operator presses RESET and START; 0: never
   bool repeat = false;      // and starts the next program after the end of one
 };
@@ -32,7 +31,7 @@ class Fleet {
   Fleet(const Fleet&) = delete;
   Fleet& operator=(const Fleet&) = delete;
 
-  // Makes the pty (and links it at the path) or listens; its index, or what the system said.
+  // Makes the control and its pty (linked at the path) or listens; its index, or what is wrong or the system said.
   std::expected<std::size_t, std::string> add(StationSettings settings);
   // Serves all until `stop`, or until every control has finished, was cut or stands in an alarm (unless an operator
   // restarts it).

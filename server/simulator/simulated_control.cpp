@@ -27,12 +27,7 @@ bool parity_is_right(std::uint8_t byte, const tape_code::Framing& framing, tape_
 
 }  // namespace
 
-std::string_view name_of(ControlState state) {
-  static constexpr std::array<std::string_view, 5> kNames = {"waiting", "reading", "held", "ended", "alarm"};
-  return kNames[static_cast<std::size_t>(state)];
-}
-
-SimulatedControl::SimulatedControl(const ControlSettings& settings, std::function<void(std::uint8_t)> record)
+SimulatedControl::SimulatedControl(const ControlSettings& settings, Record record)
     : settings_(settings),
       record_(std::move(record)),
       char_ns_(static_cast<Time_ns>(settings.framing.bits_per_char()) * 1'000'000'000 / settings.baud),

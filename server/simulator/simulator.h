@@ -4,6 +4,7 @@
 #pragma once
 
 #include "server/simulator/block_clock.h"
+#include "server/simulator/control.h"
 #include "server/simulator/fleet.h"
 #include "server/simulator/plc.h"
 #include "server/simulator/simulated_control.h"

@@ -70,6 +70,21 @@ class SimulatedControlTest : public ::testing::Test {
   std::vector<std::byte> out_;
 };
 
+TEST(MakeControl, KnowsEachProtocolThatItNamesAndNoOther) {
+  for (const std::string_view protocol : control_protocols()) {
+    ControlSettings settings;
+    settings.protocol = protocol;
+    const auto control = make_control(settings, [](std::uint8_t) {});
+    ASSERT_TRUE(control) << protocol;
+    EXPECT_EQ((*control)->report().bytes, 0U) << protocol;
+  }
+  ControlSettings settings;
+  settings.protocol = "kermit";
+  const auto control = make_control(settings, [](std::uint8_t) {});
+  ASSERT_FALSE(control);
+  EXPECT_NE(control.error().find("\"kermit\"; known are dc"), std::string::npos) << control.error();
+}
+
 TEST_F(SimulatedControlTest, AsksWithDc1AndEndsWithDc3) {
   make(settings());
   EXPECT_EQ(control_->state(), ControlState::reading);
