@@ -1,0 +1,155 @@
+// The code of a reception is found from its bytes, because a person's terminal has none of the parity that the line's
+// control has. Then it is read by the code's rules and held against begin and end.
+#include "protocol/receive/transfer.h"
+
+#include <array>
+
+#include "protocol/tape_code/eob.h"
+#include "protocol/tape_code/parity.h"
+
+namespace dripfeed::receive {
+namespace {
+
+using tape_code::EighthBit;
+
+constexpr char kNul = '\0';
+constexpr char kDel = '\x7F';
+
+struct FaultRow {
+  std::string_view name;
+  std::string_view message;
+};
+constexpr std::array<FaultRow, 11> kFaults{{
+    {"", "it is whole"},
+    {"empty", "nothing but leader came"},
+    {"device", "the device server spoke, not the control"},
+    {"too_long", "it is longer than the limit"},
+    {"link_lost", "the link was lost inside it"},
+    {"parity", "characters have wrong parity"},
+    {"binary", "it holds characters that no program has"},
+    {"interrupted", "the control was reset or began to read before the end"},
+    {"no_start", "it has a final % and no first one"},
+    {"no_end", "its end is missing"},
+    {"unknown_code", "its code is not the line's"},
+}};
+constexpr std::array<std::string_view, 3> kCodes{"ascii", "iso", "eia"};
+
+struct Census {
+  std::uint64_t all = 0;
+  std::uint64_t high = 0;  // with bit 7
+  std::uint64_t odd = 0;   // with an odd number of ones
+};
+
+Census count(std::span<const std::byte> raw) {
+  Census census;
+  for (const std::byte raw_byte : raw) {
+    const auto byte = std::to_integer<std::uint8_t>(raw_byte);
+    ++census.all;
+    if ((byte & tape_code::kTopBit) != 0) ++census.high;
+    if (tape_code::odd_ones(byte)) ++census.odd;
+  }
+  return census;
+}
+
+// What bit 7 carries in truth. Text without any bit 7 carries none. On a line of 8 data bits ISO shows by its parity:
+// about half of its characters have bit 7, and all but damaged ones are even.
+EighthBit bit_seven(const Census& census, EighthBit line) {
+  if (line == EighthBit::clear || census.high == 0) return EighthBit::clear;
+  if (line != EighthBit::data) return line;
+  const bool iso = census.high * 4 >= census.all && census.odd * 10 <= census.all;
+  return iso ? EighthBit::even : EighthBit::data;
+}
+
+bool is_text(char c) {
+  const auto byte = static_cast<std::uint8_t>(c);
+  return byte >= 0x20 || c == '\n' || c == '\t';
+}
+
+struct Marks {
+  bool begins_bare = false;   // the first line is '%' alone
+  bool begins_named = false;  // ... or '%NAME', '$NAME', or there is no '%' at all
+  bool ends_closed = false;   // the last line is '%' alone, and not the first
+};
+
+std::string_view line_at(std::string_view text, std::size_t begin) {
+  std::string_view line = text.substr(begin, text.find('\n', begin) - begin);
+  while (!line.empty() && line.back() == ' ') line.remove_suffix(1);
+  return line;
+}
+
+Marks marks_of(std::string_view text) {
+  Marks marks;
+  const std::size_t first = text.find_first_not_of("\n ");
+  const std::size_t last = text.find_last_not_of("\n ");
+  if (first == std::string_view::npos) return marks;
+  const std::string_view begin = line_at(text, first);
+  marks.begins_bare = begin == "%";
+  const bool header = begin.front() == '%' || begin.front() == '$';
+  marks.begins_named = (header && !marks.begins_bare) || text.find('%') == std::string_view::npos;
+  const bool own_line = last > first && (text[last - 1] == '\n');
+  marks.ends_closed = text[last] == '%' && own_line;
+  return marks;
+}
+
+bool broke_off(EndedBy by) { return by == EndedBy::reader_on || by == EndedBy::reset || by == EndedBy::renewed; }
+
+Fault fault_of(const Transfer& transfer, const Ending& ending, bool binary) {
+  if (ending.by == EndedBy::too_long) return Fault::too_long;
+  const Marks marks = marks_of(transfer.text);
+  const bool closed = marks.ends_closed && (marks.begins_bare || marks.begins_named);
+  if (ending.by == EndedBy::link_lost && !closed) return Fault::link_lost;
+  if (transfer.parity_errors > 0) return Fault::parity;
+  if (binary) return Fault::binary;
+  if (closed) return Fault::none;
+  if (broke_off(ending.by)) return Fault::interrupted;
+  if (marks.begins_bare) return Fault::no_end;
+  if (!marks.begins_named) return Fault::no_start;
+  return ending.punch_signs && ending.by == EndedBy::quiet ? Fault::no_end : Fault::none;
+}
+
+}  // namespace
+
+std::string_view name(Fault fault) { return kFaults[static_cast<std::size_t>(fault)].name; }
+std::string_view message(Fault fault) { return kFaults[static_cast<std::size_t>(fault)].message; }
+std::string_view name(TextCode code) { return kCodes[static_cast<std::size_t>(code)]; }
+
+Transfer judge(std::span<const std::byte> raw, const Ending& ending, const Settings& settings) {
+  Transfer transfer;
+  if (ending.eia) {
+    transfer.code = TextCode::eia;
+    transfer.fault = Fault::unknown_code;
+    return transfer;
+  }
+  const EighthBit eighth = bit_seven(count(raw), settings.eighth_bit);
+  transfer.code = eighth == EighthBit::even ? TextCode::iso : TextCode::ascii;
+  tape_code::EobReader eobs;
+  bool binary = false;
+  std::uint64_t offset = 0;
+  for (const std::byte raw_byte : raw) {
+    const auto byte = std::to_integer<std::uint8_t>(raw_byte);
+    if (!parity_holds(byte, eighth)) {
+      ++transfer.parity_errors;
+      if (!transfer.first_parity_error) transfer.first_parity_error = {.wire_offset = offset, .byte = byte};
+    }
+    ++offset;
+    const auto character = static_cast<char>(without_parity(byte, eighth));
+    if (character == kNul || character == kDel) continue;
+    eobs.put(character, transfer.text);
+    binary = binary || (!is_text(character) && character != '\r');
+  }
+  eobs.finish(transfer.text);
+  transfer.text.erase(0, transfer.text.find_first_not_of("\n "));
+  const std::size_t last = transfer.text.find_last_not_of("\n ");
+  if (last == std::string::npos) {
+    transfer.text.clear();
+    transfer.fault = ending.by == EndedBy::too_long ? Fault::too_long : Fault::empty;
+    return transfer;
+  }
+  transfer.text.resize(last + 1);
+  transfer.text += '\n';
+  transfer.device = device_text(transfer.text);
+  transfer.fault = transfer.device.empty() ? fault_of(transfer, ending, binary) : Fault::device_text;
+  return transfer;
+}
+
+}  // namespace dripfeed::receive
