@@ -14,19 +14,10 @@
 namespace dripfeed::wire {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, unsigned char>, 12> kNames{{
-    {"NUL", 0x00},
-    {"EOT", 0x04},
-    {"LF", 0x0A},
-    {"CR", 0x0D},
-    {"DC1", 0x11},
-    {"DC2", 0x12},
-    {"DC3", 0x13},
-    {"DC3P", 0x93},
-    {"DC4", 0x14},
-    {"NAK", 0x15},
-    {"SYN", 0x16},
-    {"DEL", 0x7F},
+constexpr std::array<std::pair<std::string_view, unsigned char>, 19> kNames{{
+    {"NUL", 0x00}, {"SOH", 0x01}, {"STX", 0x02}, {"ETX", 0x03}, {"EOT", 0x04}, {"ACK", 0x06},  {"LF", 0x0A},
+    {"CR", 0x0D},  {"DLE", 0x10}, {"DC1", 0x11}, {"DC2", 0x12}, {"DC3", 0x13}, {"DC3P", 0x93}, {"DC4", 0x14},
+    {"NAK", 0x15}, {"SYN", 0x16}, {"CAN", 0x18}, {"SUB", 0x1A}, {"DEL", 0x7F},
 }};
 
 std::string trimmed(std::string_view text) {

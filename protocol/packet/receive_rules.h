@@ -1,0 +1,50 @@
+// What one packet protocol adds to the receiver: how a frame is read and judged, what is answered, its times.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "protocol/packet/event.h"
+#include "protocol/packet/receive_state.h"
+#include "protocol/packet/settings.h"
+
+namespace dripfeed::packet {
+
+// What a byte, or the silence, came to; nothing: it is part of something longer, or means nothing.
+struct Received {
+  std::optional<ReceiveInput> input{};
+  Cause cause = Cause::none;
+};
+
+class ReceiveRules {
+ public:
+  ReceiveRules() = default;
+  ReceiveRules(const ReceiveRules&) = delete;
+  ReceiveRules& operator=(const ReceiveRules&) = delete;
+  virtual ~ReceiveRules() = default;
+
+  virtual void begin() = 0;
+  virtual Received hear(std::uint8_t byte, ReceiveState state) = 0;
+  // How long nothing may come in this state.
+  virtual Time silence(ReceiveState state) const = 0;
+  // How often in a row; 0: without limit.
+  virtual std::uint32_t attempts(ReceiveState state) const = 0;
+  // The text of the frame that `good` told of. Valid until the next byte.
+  virtual std::span<const std::byte> payload() const = 0;
+
+  // Each writes into `out` (kMaxAnswer) and says how much.
+  virtual std::size_t invite(std::span<std::byte> out) = 0;
+  virtual std::size_t begin_frame(std::span<std::byte>) { return 0; }
+  virtual std::size_t acknowledge(std::span<std::byte> out) = 0;
+  virtual std::size_t refuse(std::span<std::byte> out) = 0;
+  virtual std::size_t finish(std::span<std::byte> out) { return acknowledge(out); }
+  virtual std::size_t cancel(std::span<std::byte> out) = 0;
+};
+
+std::unique_ptr<ReceiveRules> make_receive_rules(const Settings& settings);
+
+}  // namespace dripfeed::packet

@@ -1,0 +1,125 @@
+// Thousands of seeded transfers over a bad line: what a protocol can detect is detected, what it cannot is counted and
+// found by comparing the text; nothing stands still without a name; every transfer ends in a named state.
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "tests/wire/packet_pair.h"
+
+namespace dripfeed::wire {
+namespace {
+
+using namespace std::chrono_literals;
+using packet::Cause;
+using packet::Protocol;
+using packet::ReceiveState;
+using packet::State;
+
+constexpr std::array kXmodems{Protocol::xmodem, Protocol::xmodem_crc, Protocol::xmodem_1k};
+
+packet::Settings settings_of(Protocol protocol) {
+  packet::Settings settings{.protocol = protocol};
+  settings.answer_patience = 150s;  // longer than a receiver waits, so that every run ends
+  return settings;
+}
+
+struct Ends {
+  int whole = 0;        // both say so and the text is the same
+  int broken = 0;       // not whole, and named
+  int undetected = 0;   // both say whole and the text differs
+  int unconfirmed = 0;  // the text is there, and the sender was not told so
+  std::map<Cause, int> causes;
+  std::uint64_t faults = 0;
+};
+
+// One transfer and its judgement: torn exactly where the control may have an unfinished block.
+void judge(PacketPair& run, Ends& ends) {
+  const packet::Sender& sender = run.sender();
+  const auto known = sender.interval();
+  ends.faults += run.faults_made();
+  const auto inside = [&](std::uint64_t offset) {
+    return offset > 0 && offset < run.text().size() && run.text()[offset - 1] != '\n';
+  };
+  if (sender.state() == State::done) {
+    run.same() ? ++ends.whole : ++ends.undetected;
+    return;
+  }
+  ++ends.broken;
+  ++ends.causes[sender.end_cause()];
+  const bool torn = inside(known.from) || inside(known.to);
+  EXPECT_EQ(sender.state() == State::torn, torn) << name(sender.state()) << " " << known.from << ".." << known.to;
+  if (run.receiver().state() == ReceiveState::done) ++ends.unconfirmed;
+}
+
+Ends play_all(Protocol protocol, const LineFaults& faults, unsigned seeds) {
+  Ends ends;
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    PacketPair run(settings_of(protocol), faults, seed);
+    run.play();
+    judge(run, ends);
+    if (testing::Test::HasFailure()) {
+      ADD_FAILURE() << name(protocol) << " seed " << seed;
+      return ends;
+    }
+  }
+  return ends;
+}
+
+TEST(XmodemScenarios, AGoodLineCarriesEveryText) {
+  for (const Protocol protocol : kXmodems) EXPECT_EQ(play_all(protocol, {}, 50).whole, 50) << name(protocol);
+}
+
+TEST(XmodemScenarios, WhatASumCanSeeIsRepeatedUntilItIsRight) {
+  // Single faults in the data never pass a sum or a CRC; answers are single bytes without any check.
+  for (const Protocol protocol : kXmodems) {
+    for (const LineFaults& faults : {LineFaults{.flip = 60}, LineFaults{.lose = 60}, LineFaults{.twice = 60},
+                                     LineFaults{.delay = 60}, LineFaults{.silence = 20}}) {
+      Ends ends = play_all(protocol, faults, 100);
+      EXPECT_GT(ends.faults, 40U);
+      EXPECT_EQ(ends.undetected, 0) << name(protocol);
+      EXPECT_GE(ends.whole, 90) << name(protocol);
+    }
+  }
+}
+
+TEST(XmodemScenarios, HoldsOfTheMachineAndStopsOfAPersonBreakNothing) {
+  for (const Protocol protocol : kXmodems) {
+    Ends ends = play_all(protocol, {.full = 30, .stop = 20}, 100);
+    EXPECT_EQ(ends.whole, 100) << name(protocol);
+  }
+}
+
+TEST(XmodemScenarios, ACancelEndsWithABlock) {
+  for (const Protocol protocol : kXmodems) {
+    Ends ends = play_all(protocol, {.cancel = 40}, 100);
+    EXPECT_EQ(ends.undetected, 0);
+    EXPECT_EQ(ends.whole + ends.causes[Cause::person], 100) << name(protocol);
+    EXPECT_GT(ends.causes[Cause::person], 20);
+  }
+}
+
+TEST(XmodemScenarios, ALostLinkAndARestartedReceiverEndTheJob) {
+  for (const Protocol protocol : kXmodems) {
+    Ends lost = play_all(protocol, {.link_down = 100}, 100);
+    EXPECT_EQ(lost.whole + lost.causes[Cause::link_lost], 100);
+    EXPECT_GT(lost.causes[Cause::link_lost], 10);
+    Ends anew = play_all(protocol, {.restart = 100}, 100);
+    EXPECT_EQ(anew.undetected, 0) << name(protocol);
+    EXPECT_EQ(anew.whole + anew.broken, 100);
+    EXPECT_GT(anew.broken, 10);
+  }
+}
+
+// A burst passes a sum of 8 bits with one chance in 256, a CRC of 16 with one in 65,536.
+TEST(XmodemScenarios, WhatNoSumSeesIsAsRareAsTheorySays) {
+  for (const Protocol protocol : kXmodems) {
+    Ends ends = play_all(protocol, {.insert = 100, .burst = 300}, 300);
+    EXPECT_GT(ends.faults, 300U);
+    const int most = protocol == Protocol::xmodem ? 20 : 4;
+    EXPECT_LE(ends.undetected, most) << name(protocol);
+    RecordProperty(std::string(name(protocol)), ends.undetected);
+  }
+}
+
+}  // namespace
+}  // namespace dripfeed::wire
