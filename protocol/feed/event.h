@@ -22,6 +22,9 @@ enum class Stall : std::uint8_t {
   waiting_for_text,    // the source is not ready
   waiting_for_end,     // all is clocked, the end sign is missing
   stopped_by_person,
+  dsr_off,              // where DSR is the flow line
+  held_below,           // what is below us takes nothing more, or does not send what it took
+  waiting_for_trigger,  // armed, the profile waits for a text
 };
 
 // Why the state changed or the feed ended.
@@ -41,6 +44,7 @@ enum class Cause : std::uint8_t {
   person,         // a command
   text_lost,      // the source failed or was shorter than its facts
   bad_character,  // a character that the line's code cannot carry
+  trigger,        // the control's start text
 };
 
 enum class EventKind : std::uint8_t {

@@ -2,9 +2,11 @@
 #include "protocol/feed/feed.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "protocol/feed/state_groups.h"
+#include "protocol/tape_code/parity.h"
 
 namespace dripfeed::feed {
 namespace {
@@ -60,7 +62,7 @@ std::string_view message(Refusal refusal) {
 Feed::Feed(const Settings& settings)
     : settings_(settings),
       char_time_(char_time(settings)),
-      clock_(char_time_, settings.unsent, settings.latency_chars) {
+      clock_(char_time_, burst(settings), settings.latency_chars) {
   counters_.estimated = settings.blind;
 }
 
@@ -103,46 +105,63 @@ void Feed::receive(std::span<const std::byte> bytes, Time now) {
   step_to(now);
   for (const std::byte raw : bytes) {
     const auto byte = std::to_integer<std::uint8_t>(raw);
-    const Signal signal = classify(byte, settings_.wire.eighth_bit, settings_.end.eot);
+    const Signal signal = classify(byte, settings_.wire.eighth_bit, settings_.flow_characters, settings_.end.eot);
     const SignalRow& row = kSignals[static_cast<std::size_t>(signal)];
     last_input_ = now_;
-    static_cast<void>(react(row.input, {.cause = row.cause, .byte = byte}));
+    if (!hears_trigger(signal, byte)) static_cast<void>(react(row.input, {.cause = row.cause, .byte = byte}));
     advance();
   }
 }
 
+// While a text is waited for, characters are no fault: they are compared. One EOB behind it is part of it.
+bool Feed::hears_trigger(Signal signal, std::uint8_t byte) {
+  if (settings_.start != Start::on_trigger) return false;
+  const auto eighth_bit = settings_.wire.eighth_bit;
+  const std::uint8_t character = tape_code::without_parity(byte, eighth_bit);
+  const bool filler = character == '\n' || character == '\r' || character == 0;
+  if (std::exchange(after_trigger_, after_trigger_ && filler) && filler) return true;
+  if (state_ != State::armed || signal != Signal::unexpected) return false;
+  if (!tape_code::parity_holds(byte, eighth_bit) || character > tape_code::kLowSevenBits) return false;
+  std::copy(heard_.begin() + 1, heard_.end(), heard_.begin());
+  heard_.back() = character;
+  const std::string_view text = settings_.trigger;
+  triggered_ = std::equal(text.begin(), text.end(), heard_.end() - static_cast<std::ptrdiff_t>(text.size()),
+                          [](char c, std::uint8_t heard) { return static_cast<std::uint8_t>(c) == heard; });
+  after_trigger_ = triggered_;
+  return true;
+}
+
 void Feed::line(LineChange change, Time now) {
   step_to(now);
-  const auto changed = [&](bool& level, bool up, EventKind kind) {
-    if (level == up) return false;
-    level = up;
-    emit({.kind = kind, .up = up});
-    return true;
-  };
   switch (change) {
-    case LineChange::link_up: changed(link_up_, true, EventKind::link_changed); break;
-    case LineChange::link_down:
-      if (changed(link_up_, false, EventKind::link_changed)) {
-        static_cast<void>(react(Input::broken, {.cause = Cause::link_lost}));
-      }
-      break;
+    case LineChange::link_up:
     case LineChange::cts_on:
-      if (changed(cts_on_, true, EventKind::cts_changed)) clock_.go_on(now_);
-      break;
+    case LineChange::dsr_on: change_line(change, true); break;
+    case LineChange::link_down:
     case LineChange::cts_off:
-      if (changed(cts_on_, false, EventKind::cts_changed) && settings_.watch_cts) {
-        clock_.pause(now_);
-        static_cast<void>(react(Input::cts_off, {.cause = Cause::cts_off}));
-      }
-      break;
-    case LineChange::dsr_on: changed(dsr_on_, true, EventKind::dsr_changed); break;
-    case LineChange::dsr_off:
-      if (changed(dsr_on_, false, EventKind::dsr_changed) && settings_.watch_dsr) {
-        static_cast<void>(react(Input::broken, {.cause = Cause::dsr_off}));
-      }
-      break;
+    case LineChange::dsr_off: change_line(change, false); break;
   }
   advance();
+}
+
+void Feed::change_line(LineChange change, bool on) {
+  const bool is_link = change == LineChange::link_up || change == LineChange::link_down;
+  const bool is_cts = change == LineChange::cts_on || change == LineChange::cts_off;
+  bool& level = is_link ? link_up_ : is_cts ? cts_on_ : dsr_on_;
+  if (level == on) return;
+  level = on;
+  emit({.kind = is_link  ? EventKind::link_changed
+                : is_cts ? EventKind::cts_changed
+                         : EventKind::dsr_changed,
+        .up = on});
+  if (!flow_stopped()) clock_.go_on(now_);
+  if (on) return;
+  if (flow_stopped()) clock_.pause(now_);
+  const Cause cause = is_link ? Cause::link_lost : is_cts ? Cause::cts_off : Cause::dsr_off;
+  const bool holds = is_cts ? cts_holds() : !is_link && dsr_is_flow(settings_.flow);
+  const bool ends = is_link || (!is_cts && settings_.watch_dsr);
+  if (holds) static_cast<void>(react(Input::line_off, {.cause = cause}));
+  if (ends) static_cast<void>(react(Input::broken, {.cause = cause}));
 }
 
 void Feed::tick(Time now) {
@@ -185,8 +204,10 @@ void Feed::settle_progress() {
       continue;
     }
     if (row_taken_ != nullptr) row_taken_(row_context_, reactions().size() + i);
+    const bool starts = row.condition == Condition::starts_open || row.condition == Condition::starts_held;
     const Cause cause = row.condition == Condition::expired ? Cause::expired
                         : row.condition == Condition::quiet ? Cause::quiet
+                        : starts && triggered_              ? Cause::trigger
                                                             : Cause::none;
     perform(row.action, {.cause = cause}, row.to);
     i = 0;
@@ -195,8 +216,8 @@ void Feed::settle_progress() {
 
 bool Feed::holds(Condition condition) const {
   switch (condition) {
-    case Condition::starts_open: return settings_.start == Start::at_once && !control_holds_;
-    case Condition::starts_held: return settings_.start == Start::at_once && control_holds_;
+    case Condition::starts_open: return starts_by_itself() && !control_holds_;
+    case Condition::starts_held: return starts_by_itself() && control_holds_;
     case Condition::expired: return now_ >= expires_at_;
     case Condition::program_handed: return counters_.handed >= program_end_wire_;
     case Condition::all_handed: return counters_.handed >= wire_bytes_;
@@ -214,8 +235,15 @@ bool Feed::holds(Guard guard) const {
     case Guard::between_blocks: return !in_block();
     case Guard::dc3_ends: return settings_.end.dc3;
     case Guard::dc3_holds: return !settings_.end.dc3;
+    case Guard::dc1_starts: return settings_.start != Start::on_trigger;
+    case Guard::dc1_is_no_start: return settings_.start == Start::on_trigger;
   }
   return false;
+}
+
+// An arming that starts by itself still waits, and expires, while a flow line is off.
+bool Feed::starts_by_itself() const {
+  return settings_.start == Start::at_once ? !flow_stopped() : settings_.start == Start::on_trigger && triggered_;
 }
 
 // May an unfinished block have reached the control? No only if what was handed ends with a whole block and the line has
@@ -303,6 +331,11 @@ void Feed::take_job() {
   source_ = tape_code::FillStatus::more;
   at_block_end_ = true;
   clock_.restart();
+  heard_ = {};
+  triggered_ = false;
+  stands_since_.reset();
+  last_queue_ = 0;
+  rested_ = Time::zero();
   counters_ = Counters{.estimated = settings_.blind};
   network_has_.reset();
   end_interval_ = {};

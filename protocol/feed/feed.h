@@ -75,7 +75,8 @@ class Feed {
   void receive(std::span<const std::byte> bytes, Time now);
   // The link begins as down; CTS and DSR begin as on. Report changes, also those below a lost link.
   void line(LineChange change, Time now);
-  // Optional: characters still unsent below (TIOCOUTQ, RFC 2217). Only ever slows.
+  // Optional: characters still unsent below (TIOCOUTQ, RFC 2217). Only ever slows; a number that stands still is a
+  // stall of its own.
   void report_queue(std::uint64_t unsent, Time now);
   // Optional: bytes that the network has not confirmed yet (a socket's SIOCOUTQ). They do not count as clocked,
   // whatever their line time says.
@@ -84,7 +85,7 @@ class Feed {
 
   // What may be written now, at most kMaxUnsent bytes. Valid until the next call of a non-const member.
   std::span<const std::byte> pending_out() const;
-  // The driver took the first n of pending_out().
+  // The driver took the first n of pending_out(); 0: it takes nothing now.
   void mark_sent(std::size_t n, Time now);
 
   std::optional<Event> next_event();
@@ -141,6 +142,14 @@ class Feed {
   void note_input(Trigger trigger);
   bool in_block() const;
   bool line_settled() const;
+  bool cts_holds() const { return settings_.watch_cts || cts_is_flow(settings_.flow); }
+  bool flow_stopped() const { return (cts_holds() && !cts_on_) || (dsr_is_flow(settings_.flow) && !dsr_on_); }
+  bool starts_by_itself() const;
+  void change_line(LineChange change, bool on);
+  bool hears_trigger(Signal signal, std::uint8_t byte);
+  void moved_below();
+  bool stands_below() const;
+  Stall line_stall() const;
   std::uint64_t left_by_now();
   std::uint64_t certain_by_now();
   std::size_t allowed() const;
@@ -158,7 +167,10 @@ class Feed {
   bool link_up_ = false;
   bool cts_on_ = true;
   bool dsr_on_ = true;
-  bool control_holds_ = false;  // DC3 came after the last DC1
+  bool control_holds_ = false;                     // DC3 came after the last DC1
+  std::array<std::uint8_t, kMaxTrigger> heard_{};  // the last characters while armed, the newest at the end
+  bool triggered_ = false;
+  bool after_trigger_ = false;  // an EOB behind the start text belongs to it
 
   std::array<std::byte, kMaxUnsent> out_{};
   std::array<std::uint8_t, kMaxUnsent> out_ends_block_{};
@@ -168,6 +180,9 @@ class Feed {
   tape_code::FillStatus source_ = tape_code::FillStatus::end;
   bool at_block_end_ = true;
   std::optional<std::uint64_t> network_has_;  // wire bytes that the network confirmed, where it tells
+  std::uint64_t last_queue_ = 0;              // reported last
+  std::optional<Time> stands_since_;          // nothing moves below since then
+  Time rested_{};                             // all line delays so far
 
   std::uint64_t wire_bytes_ = 0;
   std::uint64_t program_end_wire_ = 0;

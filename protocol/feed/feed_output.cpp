@@ -39,8 +39,9 @@ std::size_t Feed::allowed() const {
   if (reserve_ <= counters_.handed) return 0;
   std::uint64_t count = std::min<std::uint64_t>(out_end_ - out_begin_, credit_);
   count = std::min(count, reserve_ - counters_.handed);
-  if (!ends_with_block(state_)) return count;
-  if (at_block_end_) return 0;
+  const bool to_block_end = ends_with_block(state_) || settings_.line_delay > Time::zero();
+  if (!to_block_end) return count;
+  if (ends_with_block(state_) && at_block_end_) return 0;
   for (std::size_t i = 0; i < count; ++i) {
     if (out_ends_block_[out_begin_ + i] != 0) return i + 1;
   }
@@ -58,20 +59,41 @@ void Feed::mark_sent(std::size_t n, Time now) {
     out_begin_ += count;
     counters_.handed += count;
     clock_.handed(count, std::max(now, now_));
+    const bool behind_eob = counters_.handed > settings_.wire.leader_nuls && counters_.handed <= program_end_wire_;
+    if (at_block_end_ && behind_eob && settings_.line_delay > Time::zero()) {
+      clock_.rest(settings_.line_delay);
+      rested_ += settings_.line_delay;
+    }
+    moved_below();
     if (!has_job(state_)) {
       end_interval_.to = counters_.handed;
       end_interval_.to_position = encoder_->locate(end_interval_.to);
     }
   }
   step_to(now);
+  if (count == 0 && allowed() > 0 && !stands_since_) stands_since_ = now_;
   advance();
 }
 
 void Feed::report_queue(std::uint64_t unsent, Time now) {
   step_to(now);
-  if (has_job(state_)) clock_.queue_reported(unsent, now_);
+  if (has_job(state_)) {
+    clock_.queue_reported(unsent, now_);
+    const bool stands = unsent > 0 && unsent >= last_queue_;
+    if (!stands) moved_below();
+    if (stands && !stands_since_) stands_since_ = now_;
+    last_queue_ = unsent;
+  }
   advance();
 }
+
+// A queue counts as standing from the next report on.
+void Feed::moved_below() {
+  stands_since_.reset();
+  last_queue_ = std::uint64_t{kMaxBudget} + 1;
+}
+
+bool Feed::stands_below() const { return stands_since_ && now_ >= *stands_since_ + kStandstill; }
 
 void Feed::report_unconfirmed(std::uint64_t bytes, Time now) {
   if (has_job(state_)) {
@@ -99,6 +121,7 @@ std::optional<Time> Feed::deadline() const {
   const bool wants_more = may_hand(state_) && !(ends_with_block(state_) && at_block_end_);
   if (wants_more && source_ == FillStatus::not_ready) at(source_retry_at_);
   if (clock_.paused()) return first;
+  if (stands_since_ && !stands_below() && is_on_the_line(state_)) at(*stands_since_ + kStandstill);
   const bool has_more = out_end_ > out_begin_ && reserve_ > counters_.handed;
   if (wants_more && has_more && credit_ == 0) at(clock_.refill_at());
   const bool waits_for_block =
@@ -113,16 +136,30 @@ std::optional<Time> Feed::deadline() const {
 
 Stall Feed::present_stall() const {
   if (!link_up_ || (settings_.watch_dsr && !dsr_on_)) return Stall::peer_gone;
-  if (state_ == State::armed) return Stall::waiting_for_dc1;
+  if (state_ == State::armed) {
+    if (settings_.start == Start::at_once) return line_stall();
+    return settings_.start == Start::on_dc1 ? Stall::waiting_for_dc1 : Stall::waiting_for_trigger;
+  }
   if (state_ == State::stopped || state_ == State::stopped_held) return Stall::stopped_by_person;
   if (is_held(state_)) return Stall::held_by_dc3;
   if (state_ == State::wait_end) return Stall::waiting_for_end;
-  if (!may_hand(state_) || (ends_with_block(state_) && at_block_end_)) return Stall::none;
-  if (settings_.watch_cts && !cts_on_) return Stall::cts_off;
+  if (!is_on_the_line(state_)) return Stall::none;
+  const bool hands = may_hand(state_) && !(ends_with_block(state_) && at_block_end_);
+  if (!hands && line_settled()) return Stall::none;
+  if (const Stall stall = line_stall(); stall != Stall::none) return stall;
+  if (!hands) return Stall::none;
   const bool empty = out_end_ == out_begin_;
   if (empty && source_ == FillStatus::not_ready) return Stall::waiting_for_text;
   if (!empty && reserve_ <= counters_.handed) return Stall::waiting_for_ledger;
   return Stall::none;
+}
+
+// What is below us and does not let go what it has.
+Stall Feed::line_stall() const {
+  if (cts_holds() && !cts_on_) return Stall::cts_off;
+  if (dsr_is_flow(settings_.flow) && !dsr_on_) return Stall::dsr_off;
+  const bool network_stands = clock_.settled(now_ - kStandstill) && !line_settled();
+  return stands_below() || (is_on_the_line(state_) && network_stands) ? Stall::held_below : Stall::none;
 }
 
 Counters Feed::counters() const { return counters_; }
@@ -141,7 +178,8 @@ double Feed::line_use() const {
   const Time until = counters_.ended_at > Time::zero() ? counters_.ended_at : now_;
   const Time on_line = until - counters_.started_at - counters_.stalled_for;
   if (counters_.handed == 0 || on_line <= Time::zero()) return 0;
-  const double busy = static_cast<double>(counters_.handed) * static_cast<double>(char_time_.count());
+  const double busy = static_cast<double>(counters_.handed) * static_cast<double>(char_time_.count()) +
+                      static_cast<double>(rested_.count());
   return std::min(1.0, busy / static_cast<double>(on_line.count()));
 }
 

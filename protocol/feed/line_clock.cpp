@@ -9,6 +9,7 @@ void LineClock::restart() {
   handed_ = 0;
   clocked_ = 0;
   burst_left_ = 0;
+  gap_ = Time::zero();
 }
 
 void LineClock::handed(std::uint64_t count, Time now) {
@@ -52,6 +53,10 @@ std::uint64_t LineClock::queued(Time until) const {
 
 std::uint32_t LineClock::credit(Time now) {
   if (paused_) return 0;
+  if (gap_ > Time::zero()) {
+    if (now < refill_at()) return 0;
+    gap_ = Time::zero();
+  }
   const std::uint64_t queue = queued(now);
   const auto room = static_cast<std::uint32_t>(queue < unsent_ ? unsent_ - queue : 0);
   burst_left_ = now >= refill_at() ? room : std::min(burst_left_, room);

@@ -19,6 +19,8 @@ class LineClock {
   // The driver says that so many characters are unsent below it; more than we believed moves free_at out, fewer does
   // not move it in (a FIFO is not in that number, and a pty always says 0).
   void queue_reported(std::uint64_t unsent, Time now);
+  // Nothing more is handed until so long after the last character has left.
+  void rest(Time gap) { gap_ = gap; }
   // CTS stops and starts the line below us: line time stands still in between.
   void pause(Time now);
   void go_on(Time now);
@@ -27,7 +29,9 @@ class LineClock {
   // Characters that may be handed now: refilled to `unsent` once half is left, and until then what was left of it.
   std::uint32_t credit(Time now);
   // When credit() will refill. Meaningful while not paused.
-  Time refill_at() const { return free_at_ - char_time_ * static_cast<std::int64_t>(unsent_ / 2); }
+  Time refill_at() const {
+    return gap_ > Time::zero() ? free_at_ + gap_ : free_at_ - char_time_ * static_cast<std::int64_t>(unsent_ / 2);
+  }
   // When line time and latency of everything handed have passed. Meaningful while not paused.
   Time settled_at() const { return free_at_ + latency_; }
   bool settled(Time now) const { return !paused_ && now >= settled_at(); }
@@ -47,6 +51,7 @@ class LineClock {
   Time latency_;
   Time free_at_{};
   Time left_at_pause_{};
+  Time gap_{};
   bool paused_ = false;
   std::uint32_t burst_left_ = 0;
   std::uint64_t handed_ = 0;

@@ -5,13 +5,15 @@
 #include <cstdint>
 #include <optional>
 
+#include "protocol/feed/settings.h"
 #include "protocol/tape_code/framing.h"
 
 namespace dripfeed::feed {
 
 enum class Signal : std::uint8_t { dc1, dc2, dc3, dc4, eot, syn, nak, unexpected };
 
-// eot: the profile's end-of-transmission character, 7 bits.
-Signal classify(std::uint8_t byte, tape_code::EighthBit eighth_bit, std::optional<std::uint8_t> eot);
+// flow: what stands for DC1 and DC3. eot: the profile's end-of-transmission character, 7 bits.
+Signal classify(std::uint8_t byte, tape_code::EighthBit eighth_bit, const FlowCharacters& flow,
+                std::optional<std::uint8_t> eot);
 
 }  // namespace dripfeed::feed

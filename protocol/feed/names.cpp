@@ -11,27 +11,31 @@ constexpr std::array<std::string_view, 20> kStateNames{
     "idle",         "armed",      "sending",         "held",    "stopping",     "stopping_held", "stopped",
     "stopped_held", "cancelling", "cancelling_held", "trailer", "trailer_held", "draining",      "wait_end",
     "ending",       "done",       "failed",          "torn",    "cancelled",    "disarmed"};
-constexpr std::array<std::string_view, 14> kInputNames{"dc1",     "dc3",   "punch_code",    "eot",          "broken",
-                                                       "cts_off", "arm",   "disarm",        "stop",         "resume",
-                                                       "cancel",  "abort", "resume_as_dc1", "confirm_reset"};
-constexpr std::array<std::string_view, 5> kGuardNames{"always", "in_block", "between_blocks", "dc3_ends", "dc3_holds"};
+constexpr std::array<std::string_view, 14> kInputNames{"dc1",      "dc3",   "punch_code",    "eot",          "broken",
+                                                       "line_off", "arm",   "disarm",        "stop",         "resume",
+                                                       "cancel",   "abort", "resume_as_dc1", "confirm_reset"};
+constexpr std::array<std::string_view, 7> kGuardNames{"always",    "in_block",   "between_blocks", "dc3_ends",
+                                                      "dc3_holds", "dc1_starts", "dc1_is_no_start"};
 constexpr std::array<std::string_view, 8> kConditionNames{
     "starts_open", "starts_held", "expired", "program_handed", "all_handed", "block_clocked", "line_drained", "quiet"};
 
 static_assert(kStateNames.size() == kStates && kInputNames.size() == kInputs);
 
-constexpr std::array<std::string_view, 9> kStallNames{"none",
-                                                      "waiting_for_dc1",
-                                                      "held_by_dc3",
-                                                      "cts_off",
-                                                      "peer_gone",
-                                                      "waiting_for_ledger",
-                                                      "waiting_for_text",
-                                                      "waiting_for_end",
-                                                      "stopped_by_person"};
-constexpr std::array<std::string_view, 15> kCauseNames{
-    "none",      "dc1",     "dc3",     "eot",     "quiet",  "syn",       "nak",          "unexpected_input",
-    "link_lost", "dsr_off", "cts_off", "expired", "person", "text_lost", "bad_character"};
+constexpr std::array<std::string_view, 12> kStallNames{"none",
+                                                       "waiting_for_dc1",
+                                                       "held_by_dc3",
+                                                       "cts_off",
+                                                       "peer_gone",
+                                                       "waiting_for_ledger",
+                                                       "waiting_for_text",
+                                                       "waiting_for_end",
+                                                       "stopped_by_person",
+                                                       "dsr_off",
+                                                       "held_below",
+                                                       "waiting_for_trigger"};
+constexpr std::array<std::string_view, 16> kCauseNames{
+    "none",      "dc1",     "dc3",     "eot",     "quiet",  "syn",       "nak",           "unexpected_input",
+    "link_lost", "dsr_off", "cts_off", "expired", "person", "text_lost", "bad_character", "trigger"};
 constexpr std::array<std::string_view, 11> kEventNames{
     "state", "stall", "dc1_unarmed", "dc3_seen", "punch_code", "noticed", "command_refused", "resumed_by_person",
     "cts",   "dsr",   "link"};

@@ -1,6 +1,7 @@
 // Validation of a feed's settings and the arithmetic of line time and budget.
 #include "protocol/feed/settings.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
@@ -14,14 +15,23 @@ constexpr std::uint32_t kMinBaud = 50;
 constexpr std::uint32_t kMaxBaud = 4'000'000;
 constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
 
-constexpr std::array<std::pair<SettingsFault, std::string_view>, 7> kMessages{{
+constexpr std::array<std::pair<SettingsFault, std::string_view>, 12> kMessages{{
     {SettingsFault::baud, "the baud rate is not between 50 and 4000000"},
     {SettingsFault::framing, "the framing is not one of 7 or 8 data bits with 1 or 2 stop bits"},
     {SettingsFault::unsent, "unsent characters must be between 1 and 256"},
     {SettingsFault::budget, "characters, more than the overrun budget of "},
     {SettingsFault::fillers, "leader or trailer is longer than 100000 NULs"},
     {SettingsFault::no_end_sign, "no end sign: neither DC3 nor an end character nor a quiet time"},
-    {SettingsFault::eot_code, "the end character must have 7 bits and be none of NUL, DC1 to DC4, NAK, SYN"},
+    {SettingsFault::eot_code, "the end character must have 7 bits and be none of NUL, DC1 to DC4, NAK, SYN, XON, XOFF"},
+    {SettingsFault::flow_characters,
+     "XON and XOFF must be two different characters of 7 bits and none of NUL, DC2, DC4, NAK, SYN"},
+    {SettingsFault::start_unseen,
+     "XOFF is honored below the host, where DC1 and DC3 are swallowed: a start by DC1 would never be seen; start at "
+     "once or by a trigger text, or let the host honor XOFF"},
+    {SettingsFault::trigger,
+     "the start trigger must have 1 to 32 characters of 7 bits, without NUL, DC codes, NAK, SYN and the end character"},
+    {SettingsFault::delay, "a delay is at most 1 s between characters and 60 s behind a line, and not negative"},
+    {SettingsFault::dsr_twice, "DSR off cannot both hold the feed (flow dtrdsr) and end it (watch_dsr)"},
 }};
 
 std::string_view table_text(SettingsFault fault) {
@@ -31,7 +41,29 @@ std::string_view table_text(SettingsFault fault) {
   return {};
 }
 
-bool eot_is_free(std::uint8_t eot) { return eot <= tape_code::kLowSevenBits && eot != 0 && (eot < 0x11 || eot > 0x16); }
+// Not what the machine understands by itself: DC1 to DC4, NAK, SYN.
+bool is_free(std::uint8_t code) {
+  return code <= tape_code::kLowSevenBits && code != 0 && (code < 0x11 || code > 0x16);
+}
+bool is_flow_code(std::uint8_t code) { return is_free(code) || code == 0x11 || code == 0x13; }
+
+bool eot_is_free(std::uint8_t eot, const FlowCharacters& flow) {
+  return is_free(eot) && eot != flow.xon && eot != flow.xoff;
+}
+
+bool trigger_is_usable(const Settings& settings) {
+  if (settings.start != Start::on_trigger) return true;
+  if (settings.trigger.empty() || settings.trigger.size() > kMaxTrigger) return false;
+  return std::ranges::all_of(settings.trigger, [&](char c) {
+    const auto code = static_cast<std::uint8_t>(c);
+    return eot_is_free(code, settings.flow_characters) && code != settings.end.eot;
+  });
+}
+
+bool delays_are_known(const Settings& settings) {
+  const auto within = [](Time delay, Time most) { return delay >= Time::zero() && delay <= most; };
+  return within(settings.char_delay, kMaxCharDelay) && within(settings.line_delay, kMaxLineDelay);
+}
 
 bool framing_is_known(const tape_code::Framing& framing) {
   return (framing.data_bits == 7 || framing.data_bits == 8) && (framing.stop_bits == 1 || framing.stop_bits == 2);
@@ -68,15 +100,23 @@ std::expected<void, SettingsRefusal> validate(const Settings& settings) {
   if (settings.wire.leader_nuls > kMaxFillers || settings.wire.trailer_nuls > kMaxFillers) {
     return refused(SettingsFault::fillers);
   }
-  if (settings.end.eot && !eot_is_free(*settings.end.eot)) return refused(SettingsFault::eot_code);
-  if (!settings.end.dc3 && !settings.end.eot && !settings.end.quiet) return refused(SettingsFault::no_end_sign);
+  const FlowCharacters& flow = settings.flow_characters;
+  if (flow.xon == flow.xoff || !is_flow_code(flow.xon) || !is_flow_code(flow.xoff))
+    return refused(SettingsFault::flow_characters);
+  if (settings.end.eot && !eot_is_free(*settings.end.eot, flow)) return refused(SettingsFault::eot_code);
+  const bool sees_dc3 = settings.end.dc3 && settings.xoff_by == XoffBy::host;
+  if (!sees_dc3 && !settings.end.eot && !settings.end.quiet) return refused(SettingsFault::no_end_sign);
+  if (settings.xoff_by != XoffBy::host && settings.start == Start::on_dc1) return refused(SettingsFault::start_unseen);
+  if (!trigger_is_usable(settings)) return refused(SettingsFault::trigger);
+  if (!delays_are_known(settings)) return refused(SettingsFault::delay);
+  if (settings.watch_dsr && dsr_is_flow(settings.flow)) return refused(SettingsFault::dsr_twice);
   return {};
 }
 
 Time char_time(const Settings& settings) {
   const Time nominal = nominal_char_time(settings.framing, settings.baud);
-  if (!settings.blind) return nominal;
-  return Time(static_cast<std::int64_t>(static_cast<double>(nominal.count()) / kBlindRate) + 1);
+  if (!settings.blind) return nominal + settings.char_delay;
+  return Time(static_cast<std::int64_t>(static_cast<double>(nominal.count()) / kBlindRate) + 1) + settings.char_delay;
 }
 
 std::uint32_t latency_in_chars(Time delay, const tape_code::Framing& framing, std::uint32_t baud) {

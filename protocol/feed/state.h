@@ -40,7 +40,7 @@ enum class Input : std::uint8_t {
   punch_code,  // DC2 or DC4: tolerated
   eot,         // the profile's end-of-transmission character
   broken,      // SYN, NAK, unexpected input, link or DSR lost, text lost, abort by a person: the feed is over
-  cts_off,     // where CTS is watched
+  line_off,    // CTS where it is watched, or a flow line
   arm,         // commands of a person
   disarm,
   stop,
@@ -55,10 +55,12 @@ inline constexpr std::size_t kInputs = 14;
 // What a row depends on besides state and input. A pair of guards splits one (state, input) into two rows.
 enum class Guard : std::uint8_t {
   always,
-  in_block,        // an unfinished block may have reached the control
-  between_blocks,  // what left us ends with a whole block for certain
-  dc3_ends,        // the profile takes DC3 as end sign
-  dc3_holds,       // it does not
+  in_block,         // an unfinished block may have reached the control
+  between_blocks,   // what left us ends with a whole block for certain
+  dc3_ends,         // the profile takes DC3 as end sign
+  dc3_holds,        // it does not
+  dc1_starts,       // the profile takes DC1 as the start
+  dc1_is_no_start,  // it waits for a trigger text
 };
 
 enum class Action : std::uint8_t {
@@ -88,8 +90,8 @@ struct Reaction {
 
 // Conditions that become true by handing bytes or by time.
 enum class Condition : std::uint8_t {
-  starts_open,     // the profile starts at once, the control does not hold
-  starts_held,     // the profile starts at once, the control sent DC3 last
+  starts_open,     // started at once (the flow lines allow it) or by the trigger text, the control does not hold
+  starts_held,     // the same, but the control sent DC3 last
   expired,         // the arming's time is over
   program_handed,  // the final '%' is handed
   all_handed,      // the trailer too

@@ -12,10 +12,19 @@ std::string_view name_of(LineState state) {
 }
 
 std::string_view name_of(feed::Stall stall) {
-  static constexpr std::array<std::string_view, 9> kNames = {
-      "",          "waiting for DC1",    "held by DC3",      "CTS off",
-      "peer gone", "waiting for ledger", "waiting for text", "waiting for end",
+  static constexpr std::array<std::string_view, 12> kNames = {
+      "",
+      "waiting for DC1",
+      "held by DC3",
+      "CTS off",
+      "peer gone",
+      "waiting for ledger",
+      "waiting for text",
+      "waiting for end",
       "stopped",
+      "DSR off",
+      "held below",
+      "waiting for trigger",
   };
   return kNames[static_cast<std::size_t>(stall)];
 }

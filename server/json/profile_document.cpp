@@ -21,7 +21,9 @@ constexpr std::string_view kAxisNames = "XYZABCUVW";
 constexpr std::array<std::string_view, 3> kKinds = {"mill", "lathe", "mill-turn"};
 constexpr std::array<std::string_view, 3> kGSystems = {"A", "B", "C"};
 constexpr std::array<std::string_view, 2> kDecimalModes = {"calculator", "least-increment"};
-constexpr std::array<std::string_view, 2> kStarts = {"dc1", "at-once"};
+constexpr std::array<std::string_view, 3> kStarts = {"dc1", "at-once", "trigger"};
+constexpr std::array<std::string_view, 5> kFlows = {"none", "xonxoff", "rtscts", "dtrdsr", "both"};
+constexpr std::array<std::string_view, 3> kXoffBys = {"host", "kernel", "device"};
 constexpr std::array<std::string_view, 2> kCodes = {"ascii", "iso"};
 constexpr std::array<std::string_view, 4> kEobs = {"lf", "cr-lf", "lf-cr-cr", "cr"};
 
@@ -186,6 +188,16 @@ void read_character_set(ObjectReader& object, machine::LineSettings& line) {
   object.fault("character_set", "must be one of" + names);
 }
 
+// What holds the sender, and how slowly it goes otherwise.
+void read_flow(ObjectReader& object, machine::LineSettings& line) {
+  if (const auto flow = object.choice("flow", kFlows)) line.flow = static_cast<feed::Flow>(*flow);
+  if (const auto by = object.choice("xoff_by", kXoffBys)) line.xoff_by = static_cast<feed::XoffBy>(*by);
+  object.integer("xon", line.xon, 1, 127);
+  object.integer("xoff", line.xoff, 1, 127);
+  object.number("char_delay_ms", line.char_delay_ms, 0.0, 1000.0);
+  object.number("line_delay_ms", line.line_delay_ms, 0.0, 60'000.0);
+}
+
 void read_link(ObjectReader& object, machine::LineSettings& line) {
   std::string url;
   object.text("url", url, true);
@@ -204,6 +216,8 @@ void read_link(ObjectReader& object, machine::LineSettings& line) {
   object.integer("leader", line.leader_nuls, 0, 10'000);
   object.integer("trailer", line.trailer_nuls, 0, 10'000);
   if (const auto start = object.choice("start", kStarts)) line.start = static_cast<feed::Start>(*start);
+  object.text("start_trigger", line.start_trigger);
+  read_flow(object, line);
   object.flag("end_by_dc3", line.end_by_dc3);
   object.integer("end_by_character", line.end_by_character, 1, 127);
   object.number("end_by_quiet_s", line.end_by_quiet_s, 0.1, 3600.0);

@@ -1,9 +1,11 @@
 // From a profile to what the dialects and the feed work with.
 #include "server/machine/profile.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <chrono>
+#include <initializer_list>
 #include <string_view>
 #include <utility>
 
@@ -38,11 +40,51 @@ Applied set_framing(std::string_view value, LineSettings& line) {
   return {};
 }
 
+template <class Value>
+using Names = std::initializer_list<std::pair<std::string_view, Value>>;
+
+template <class Value>
+Applied set_choice(std::string_view option, std::string_view value, Names<Value> names, Value& into) {
+  std::string known;
+  for (const auto& [name, meaning] : names) {
+    if (name == value) {
+      into = meaning;
+      return {};
+    }
+    known += known.empty() ? "" : ", ";
+    known += name;
+  }
+  return std::unexpected(fmt::format("{} \"{}\" is none of {}", option, value, known));
+}
+
 Applied set_start(std::string_view value, LineSettings& line) {
-  if (value != "dc1" && value != "at-once")
-    return std::unexpected(fmt::format("start \"{}\" is not dc1 or at-once", value));
-  line.start = value == "dc1" ? feed::Start::on_dc1 : feed::Start::at_once;
+  return set_choice(
+      "start", value,
+      {{"dc1", feed::Start::on_dc1}, {"at-once", feed::Start::at_once}, {"trigger", feed::Start::on_trigger}},
+      line.start);
+}
+
+Applied set_flow(std::string_view value, LineSettings& line) {
+  return set_choice("flow", value,
+                    {{"xonxoff", feed::Flow::xonxoff},
+                     {"rtscts", feed::Flow::rtscts},
+                     {"dtrdsr", feed::Flow::dtrdsr},
+                     {"both", feed::Flow::both},
+                     {"none", feed::Flow::none}},
+                    line.flow);
+}
+
+Applied set_delay(std::string_view name, std::string_view value, double& into) {
+  std::uint32_t ms = 0;
+  if (auto read = set_number(name, value, ms); !read) return read;
+  into = ms;
   return {};
+}
+Applied set_char_delay(std::string_view value, LineSettings& line) {
+  return set_delay("char_delay_ms", value, line.char_delay_ms);
+}
+Applied set_line_delay(std::string_view value, LineSettings& line) {
+  return set_delay("line_delay_ms", value, line.line_delay_ms);
 }
 
 Applied set_eob(std::string_view value, LineSettings& line) {
@@ -54,20 +96,21 @@ Applied set_eob(std::string_view value, LineSettings& line) {
   return {};
 }
 
-// XON/XOFF is honored in user space on every link; the option exists so that a URL can say what the machine expects.
-Applied set_flow(std::string_view value, LineSettings&) {
-  if (value == "xonxoff") return {};
-  return std::unexpected(fmt::format("flow \"{}\" is not xonxoff", value));
-}
-
 struct Option {
   std::string_view name;
   Applied (*apply)(std::string_view value, LineSettings& line);
 };
 constexpr std::array kOptions = {
-    Option{"baud", set_baud},     Option{"framing", set_framing}, Option{"latency_chars", set_latency},
-    Option{"budget", set_budget}, Option{"unsent", set_unsent},   Option{"start", set_start},
-    Option{"eob", set_eob},       Option{"flow", set_flow},
+    Option{"baud", set_baud},
+    Option{"framing", set_framing},
+    Option{"latency_chars", set_latency},
+    Option{"budget", set_budget},
+    Option{"unsent", set_unsent},
+    Option{"start", set_start},
+    Option{"eob", set_eob},
+    Option{"flow", set_flow},
+    Option{"char_delay_ms", set_char_delay},
+    Option{"line_delay_ms", set_line_delay},
 };
 
 Applied apply_options(LineSettings& line) {
@@ -77,6 +120,23 @@ Applied apply_options(LineSettings& line) {
     if (const auto applied = option.apply(given->second, line); !applied) return applied;
   }
   return {};
+}
+
+// Characters between a flow line's change and our look at it: they pass whatever the profile says.
+std::uint32_t poll_chars(const LineSettings& line) {
+  if (!polls_flow_lines(line)) return 0;
+  const feed::Time poll(static_cast<std::int64_t>(kLinePoll_ms * 1e6));
+  return feed::latency_in_chars(poll, line.framing, line.baud);
+}
+
+// A raw socket has no lines: only the device server can hold by them.
+Applied lines_can_be_seen(const LineSettings& line) {
+  const bool raw = line.link.kind == LinkKind::tcp || line.link.kind == LinkKind::tcp_listen;
+  const bool by_lines = feed::cts_is_flow(line.flow) || feed::dsr_is_flow(line.flow);
+  if (!raw || !by_lines || line.xoff_by == feed::XoffBy::device) return {};
+  return std::unexpected(fmt::format(
+      "{}: CTS and DSR cannot be seen through a raw socket; let the device server hold (xoff_by \"device\")",
+      line.link.text));
 }
 
 feed::Time seconds(double s) { return feed::Time(static_cast<std::int64_t>(s * 1e9)); }
@@ -109,6 +169,8 @@ ir::Control control_of(const Profile& profile, ir::Control control) {
   return control;
 }
 
+bool polls_flow_lines(const LineSettings& line) { return feed::dsr_is_flow(line.flow); }
+
 std::expected<LineSettings, std::string> effective_line(const LineSettings& given) {
   LineSettings line = given;
   if (const auto applied = apply_options(line); !applied) return std::unexpected(applied.error());
@@ -119,6 +181,7 @@ std::expected<feed::Settings, std::string> feed_settings_of(const LineSettings& 
   const auto effective = effective_line(given);
   if (!effective) return std::unexpected(effective.error());
   const LineSettings& line = *effective;
+  if (const auto seen = lines_can_be_seen(line); !seen) return std::unexpected(seen.error());
   feed::Settings settings;
   settings.framing = line.framing;
   settings.baud = line.baud;
@@ -128,12 +191,18 @@ std::expected<feed::Settings, std::string> feed_settings_of(const LineSettings& 
   settings.wire.leader_nuls = line.leader_nuls;
   settings.wire.trailer_nuls = line.trailer_nuls;
   settings.start = line.start;
+  settings.trigger = line.start_trigger;
+  settings.flow = line.flow;
+  settings.flow_characters = {.xon = line.xon, .xoff = line.xoff};
+  settings.xoff_by = line.xoff_by;
+  settings.char_delay = seconds(line.char_delay_ms * 1e-3);
+  settings.line_delay = seconds(line.line_delay_ms * 1e-3);
   settings.end.dc3 = line.end_by_dc3;
   settings.end.eot = line.end_by_character;
   if (line.end_by_quiet_s) settings.end.quiet = seconds(*line.end_by_quiet_s);
   settings.overrun_budget = line.overrun_budget;
   settings.unsent = line.unsent;
-  settings.latency_chars = line.latency_chars;
+  settings.latency_chars = std::max(line.latency_chars, poll_chars(line));
   settings.blind = is_blind(line.link.kind);
   settings.watch_cts = line.watch_cts;
   settings.watch_dsr = line.watch_dsr;

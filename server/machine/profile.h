@@ -57,6 +57,13 @@ struct LineSettings {
   std::uint32_t leader_nuls = 0;
   std::uint32_t trailer_nuls = 0;
   feed::Start start = feed::Start::on_dc1;
+  std::string start_trigger;  // of a start by trigger
+  feed::Flow flow = feed::Flow::xonxoff;
+  std::uint8_t xon = 0x11;
+  std::uint8_t xoff = 0x13;
+  feed::XoffBy xoff_by = feed::XoffBy::host;
+  double char_delay_ms = 0.0;  // additional, between two characters
+  double line_delay_ms = 0.0;  // additional, behind each EOB
   bool end_by_dc3 = true;
   std::optional<std::uint8_t> end_by_character;
   std::optional<double> end_by_quiet_s = 5.0;
@@ -81,11 +88,16 @@ struct Profile {
 // The control's tables with the profile's settings laid over them; marked as coming from a profile.
 ir::Control control_of(const Profile& profile, ir::Control usual);
 
-// The line with its URL's options laid over it (baud, framing, latency_chars, budget, unsent, start, eob); or which
-// option is wrong.
+// A flow line (CTS, DSR) that only we can look at is looked at this often: its share of the latency.
+inline constexpr double kLinePoll_ms = 2.0;
+// DSR as a flow line, on any link: no driver honors it for us.
+bool polls_flow_lines(const LineSettings& line);
+
+// The line with its URL's options laid over it (baud, framing, flow, latency_chars, budget, unsent, start, eob,
+// char_delay_ms, line_delay_ms); or which option is wrong.
 std::expected<LineSettings, std::string> effective_line(const LineSettings& line);
 
-// The feed's settings for this line, URL options (baud, framing, latency_chars, budget, unsent, start, eob) included;
+// The feed's settings for this line, URL options included;
 // or one sentence that says which is wrong, the budget's sum shown where it cannot hold.
 std::expected<feed::Settings, std::string> feed_settings_of(const LineSettings& line);
 

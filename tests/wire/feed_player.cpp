@@ -65,6 +65,21 @@ const std::pair<std::string_view, LineChange> kLines[] = {
     {"cts off", LineChange::cts_off}, {"dsr on", LineChange::dsr_on},      {"dsr off", LineChange::dsr_off},
 };
 
+const std::pair<std::string_view, feed::Flow> kFlows[] = {
+    {"none", feed::Flow::none},     {"xonxoff", feed::Flow::xonxoff}, {"rtscts", feed::Flow::rtscts},
+    {"dtrdsr", feed::Flow::dtrdsr}, {"both", feed::Flow::both},
+};
+const std::pair<std::string_view, feed::XoffBy> kXoffBys[] = {
+    {"host", feed::XoffBy::host}, {"kernel", feed::XoffBy::kernel}, {"device", feed::XoffBy::device}};
+
+template <class Rows>
+auto one_of(const Rows& rows, std::string_view name) {
+  for (const auto& [key, value] : rows) {
+    if (key == name) return value;
+  }
+  throw std::runtime_error("there is no " + std::string(name));
+}
+
 std::uint64_t number(const std::string& text) { return std::stoull(text); }
 
 }  // namespace
@@ -163,6 +178,19 @@ std::string FeedPlayer::set(const std::string& rest) {
       settings_.unsent = static_cast<std::uint32_t>(number(value));
     } else if (key == "start") {
       settings_.start = value == "at once" ? feed::Start::at_once : feed::Start::on_dc1;
+    } else if (key == "trigger") {
+      settings_.start = feed::Start::on_trigger;
+      settings_.trigger = value;
+    } else if (key == "flow") {
+      settings_.flow = one_of(kFlows, value);
+    } else if (key == "xoff_by") {
+      settings_.xoff_by = one_of(kXoffBys, value);
+    } else if (key == "own_flow_characters") {
+      settings_.flow_characters = {.xon = 0x0E, .xoff = 0x0F};
+    } else if (key == "char_delay") {
+      settings_.char_delay = duration(value);
+    } else if (key == "line_delay") {
+      settings_.line_delay = duration(value);
     } else if (key == "end") {
       settings_.end = {.dc3 = value.find("dc3") != std::string::npos};
       if (value.find("eot") != std::string::npos) settings_.end.eot = 0x04;
@@ -284,7 +312,9 @@ std::string FeedPlayer::one_command(const std::string& name, const std::string& 
     const auto taken = feed().command(one, now_);
     return taken ? "" : std::string(message(taken.error()));
   }
-  if (name == "reserve") {
+  if (name == "taken") {
+    feed().mark_sent(number(argument), now_);
+  } else if (name == "reserve") {
     feed().extend_reserve(number(argument), now_);
   } else if (name == "queue") {
     feed().report_queue(number(argument), now_);

@@ -8,8 +8,8 @@ namespace {
 
 using tape_code::EighthBit;
 
-Signal of(int byte, EighthBit eighth, std::optional<std::uint8_t> eot = {}) {
-  return classify(static_cast<std::uint8_t>(byte), eighth, eot);
+Signal of(int byte, EighthBit eighth, std::optional<std::uint8_t> eot = {}, const FlowCharacters& flow = {}) {
+  return classify(static_cast<std::uint8_t>(byte), eighth, flow, eot);
 }
 
 TEST(LineCode, WhatStopsIsBelievedWithOrWithoutParity) {
@@ -49,6 +49,19 @@ TEST(LineCode, TheEndCharacterIsTheProfiles) {
   EXPECT_EQ(of(0x04, EighthBit::even, 0x04), Signal::unexpected);
   EXPECT_EQ(of(0x1A, EighthBit::data, 0x1A), Signal::eot);
   EXPECT_EQ(of(0x9A, EighthBit::data, 0x1A), Signal::eot);
+}
+
+// XON 0E has three ones, XOFF 0F four: with even parity they go as 8E and 0F.
+TEST(LineCode, AProfileHasItsOwnFlowCharacters) {
+  const FlowCharacters own{.xon = 0x0E, .xoff = 0x0F};
+  EXPECT_EQ(of(0x8E, EighthBit::even, {}, own), Signal::dc1);
+  EXPECT_EQ(of(0x0E, EighthBit::even, {}, own), Signal::unexpected) << "a start needs its parity";
+  EXPECT_EQ(of(0x0E, EighthBit::data, {}, own), Signal::dc1);
+  EXPECT_EQ(of(0x8E, EighthBit::data, {}, own), Signal::dc1) << "a control may send it with parity on 8 data bits";
+  EXPECT_EQ(of(0x0F, EighthBit::even, {}, own), Signal::dc3);
+  EXPECT_EQ(of(0x8F, EighthBit::even, {}, own), Signal::dc3) << "a stop is believed either way";
+  EXPECT_EQ(of(0x11, EighthBit::even, {}, own), Signal::unexpected);
+  EXPECT_EQ(of(0x93, EighthBit::even, {}, own), Signal::unexpected);
 }
 
 TEST(LineCode, TheRestIsUnexpected) {

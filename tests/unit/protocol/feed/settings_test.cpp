@@ -59,6 +59,62 @@ TEST(Settings, RefusesTheRestByName) {
   EXPECT_EQ(fault(settings), SettingsFault::fillers);
 }
 
+TEST(Settings, WhatIsSwallowedBelowStartsAndEndsNothing) {
+  for (const XoffBy by : {XoffBy::kernel, XoffBy::device}) {
+    Settings settings;
+    settings.xoff_by = by;
+    settings.end = {.dc3 = true, .quiet = 1s};
+    EXPECT_EQ(fault(settings), SettingsFault::start_unseen);
+    EXPECT_NE(message(validate(settings).error()).find("a start by DC1 would never be seen"), std::string::npos);
+    settings.start = Start::at_once;
+    EXPECT_TRUE(validate(settings));
+    settings.end = {.dc3 = true};
+    EXPECT_EQ(fault(settings), SettingsFault::no_end_sign) << "the DC3 at the end is swallowed, too";
+  }
+}
+
+TEST(Settings, FlowCharactersTriggersAndDelaysHaveTheirLimits) {
+  Settings settings;
+  settings.flow_characters = {.xon = 0x0E, .xoff = 0x0F};
+  EXPECT_TRUE(validate(settings));
+  for (const int xoff : {0x0E, 0x00, 0x12, 0x14, 0x15, 0x16, 0x93}) {
+    settings.flow_characters.xoff = static_cast<std::uint8_t>(xoff);
+    EXPECT_EQ(fault(settings), SettingsFault::flow_characters) << xoff;
+  }
+  settings = {};
+  settings.end.eot = 0x0F;
+  settings.flow_characters = {.xon = 0x0E, .xoff = 0x0F};
+  EXPECT_EQ(fault(settings), SettingsFault::eot_code);
+  settings = {};
+  settings.start = Start::on_trigger;
+  for (const std::string& text : {std::string(), std::string(33, 'A'), std::string("A\x11"), std::string("\xC3\xA4")}) {
+    settings.trigger = text;
+    EXPECT_EQ(fault(settings), SettingsFault::trigger) << text;
+  }
+  settings.trigger = std::string(32, 'A');
+  EXPECT_TRUE(validate(settings));
+  settings.line_delay = 61s;
+  EXPECT_EQ(fault(settings), SettingsFault::delay);
+  settings.line_delay = 60s;
+  settings.char_delay = -1ns;
+  EXPECT_EQ(fault(settings), SettingsFault::delay);
+  settings.char_delay = 1s;
+  EXPECT_TRUE(validate(settings));
+  settings.flow = Flow::dtrdsr;
+  EXPECT_TRUE(validate(settings));
+  settings.watch_dsr = true;
+  EXPECT_EQ(fault(settings), SettingsFault::dsr_twice);
+}
+
+TEST(Settings, ADelayMakesACharacterLongerAndLeavesOneBelow) {
+  Settings settings;
+  settings.char_delay = 5ms;
+  EXPECT_EQ(char_time(settings), 1145834ns + 5ms);
+  EXPECT_EQ(burst(settings), 1U);
+  settings.char_delay = {};
+  EXPECT_EQ(burst(settings), settings.unsent);
+}
+
 TEST(Settings, TimeOfACharacter) {
   Settings settings;
   EXPECT_EQ(char_time(settings), 1145834ns);  // 11 bits at 9600

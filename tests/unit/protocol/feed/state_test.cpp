@@ -33,7 +33,8 @@ TEST(StateTable, EveryStateAnswersEveryInputOnce) {
       for (const Reaction& row : rows_of(state, input)) EXPECT_TRUE(guards.insert(row.guard).second);
       const bool complete = guards == std::set{Guard::always} ||
                             guards == std::set{Guard::in_block, Guard::between_blocks} ||
-                            guards == std::set{Guard::dc3_ends, Guard::dc3_holds};
+                            guards == std::set{Guard::dc3_ends, Guard::dc3_holds} ||
+                            guards == std::set{Guard::dc1_starts, Guard::dc1_is_no_start};
       EXPECT_TRUE(complete) << name(state) << " " << name(input);
     }
   }

@@ -33,7 +33,8 @@ constexpr std::string_view kProfile = R"({
   "buffer": {"bytes": 2048, "blocks": 10},
   "link": {"url": "serial:/dev/ttyS0", "baud": 4800, "framing": "7E2", "code": "iso", "eob": "lf-cr-cr", "leader": 5,
            "trailer": 6, "start": "at-once", "end_by_dc3": false, "end_by_character": 4, "end_by_quiet_s": 2.5,
-           "overrun_budget": 12, "unsent": 3, "latency_chars": 6, "watch_cts": true, "arming_minutes": 5}})";
+           "overrun_budget": 12, "unsent": 3, "latency_chars": 6, "watch_cts": true, "arming_minutes": 5,
+           "flow": "both", "xon": 14, "xoff": 15, "char_delay_ms": 0.5, "line_delay_ms": 20, "xoff_by": "host"}})";
 
 std::string with(std::string_view from, std::string_view to) {
   std::string text(kProfile);
@@ -89,6 +90,11 @@ TEST(ProfileDocument, EveryMemberArrives) {
   EXPECT_EQ(p.line.end_by_character, 4);
   EXPECT_EQ(p.line.end_by_quiet_s, 2.5);
   EXPECT_EQ(p.line.overrun_budget, 12U);
+  EXPECT_EQ(p.line.flow, feed::Flow::both);
+  EXPECT_EQ(p.line.xon, 14U);
+  EXPECT_EQ(p.line.xoff, 15U);
+  EXPECT_EQ(p.line.char_delay_ms, 0.5);
+  EXPECT_EQ(p.line.line_delay_ms, 20.0);
   EXPECT_EQ(p.line.unsent, 3U);
   EXPECT_EQ(p.line.latency_chars, 6U);
   EXPECT_TRUE(p.line.watch_cts);

@@ -87,9 +87,10 @@ TEST(Line, NamesTheOptionThatIsWrong) {
       Wrong{"baud=96.5", "baud \"96.5\" is not a whole number"},
       Wrong{"unsent=99999999999", "unsent \"99999999999\" is not a whole number"},
       Wrong{"framing=9N1", "framing \"9N1\":"},
-      Wrong{"start=now", "start \"now\" is not dc1 or at-once"},
+      Wrong{"start=now", "start \"now\" is none of dc1, at-once, trigger"},
       Wrong{"eob=crlf", "eob \"crlf\" is not lf, cr-lf, lf-cr-cr or cr"},
-      Wrong{"flow=rtscts", "flow \"rtscts\" is not xonxoff"},
+      Wrong{"flow=cts", "flow \"cts\" is none of xonxoff, rtscts, dtrdsr, both, none"},
+      Wrong{"char_delay_ms=1.5", "char_delay_ms \"1.5\" is not a whole number"},
   };
   for (const Wrong& wrong : wrongs) {
     const LineSettings line = line_at("serial:/dev/ttyS0?" + std::string(wrong.option));
@@ -99,6 +100,42 @@ TEST(Line, NamesTheOptionThatIsWrong) {
     EXPECT_EQ(feed_settings_of(line).error(), effective.error());
   }
   EXPECT_NE(feed_settings_of(line_at("serial:/dev/ttyS0?baud=0")).error().find("baud"), std::string::npos);
+}
+
+TEST(Line, AFlowIsAnOptionOfTheUrl) {
+  const std::array<std::pair<std::string_view, feed::Flow>, 5> flows = {{{"none", feed::Flow::none},
+                                                                         {"xonxoff", feed::Flow::xonxoff},
+                                                                         {"rtscts", feed::Flow::rtscts},
+                                                                         {"dtrdsr", feed::Flow::dtrdsr},
+                                                                         {"both", feed::Flow::both}}};
+  for (const auto& [name, flow] : flows) {
+    const auto feed = feed_settings_of(line_at("serial:/dev/ttyS0?flow=" + std::string(name)));
+    ASSERT_TRUE(feed) << feed.error();
+    EXPECT_EQ(feed->flow, flow) << name;
+  }
+  const auto slow = feed_settings_of(line_at("serial:/dev/ttyS0?char_delay_ms=5&line_delay_ms=200"));
+  ASSERT_TRUE(slow) << slow.error();
+  EXPECT_EQ(slow->char_delay, feed::Time(5'000'000));
+  EXPECT_EQ(slow->line_delay, feed::Time(200'000'000));
+}
+
+TEST(Line, AFlowThatCannotBeSeenOrCannotKeepTheBudgetIsRefused) {
+  const auto raw = feed_settings_of(line_at("tcp://h:1?flow=rtscts"));
+  ASSERT_FALSE(raw);
+  EXPECT_NE(raw.error().find("CTS and DSR cannot be seen through a raw socket"), std::string::npos) << raw.error();
+  LineSettings by_device = line_at("tcp://h:1?flow=rtscts&start=at-once");
+  by_device.xoff_by = feed::XoffBy::device;
+  EXPECT_TRUE(feed_settings_of(by_device));
+  // DSR is looked at every 2 ms: 23 characters at 115200 baud and 8N1.
+  EXPECT_TRUE(feed_settings_of(line_at("serial:/dev/ttyS0?flow=dtrdsr")));
+  const auto fast = feed_settings_of(line_at("serial:/dev/ttyS0?flow=dtrdsr&baud=115200&framing=8N1"));
+  ASSERT_FALSE(fast);
+  EXPECT_EQ(fast.error(), "4 unsent + 24 latency = 28 characters, more than the overrun budget of 10");
+  LineSettings kernel = line_at("serial:/dev/ttyS0");
+  kernel.xoff_by = feed::XoffBy::kernel;
+  const auto unseen = feed_settings_of(kernel);
+  ASSERT_FALSE(unseen);
+  EXPECT_NE(unseen.error().find("a start by DC1 would never be seen"), std::string::npos) << unseen.error();
 }
 
 TEST(Line, ReadsEveryEob) {
