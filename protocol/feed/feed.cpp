@@ -251,7 +251,7 @@ bool Feed::starts_by_itself() const {
 bool Feed::in_block() const {
   const std::uint64_t handed = counters_.handed;
   if (handed >= program_end_wire_) return counters_.clocked < program_end_wire_;
-  if (handed <= settings_.wire.leader_nuls) return false;
+  if (handed <= settings_.wire.leader_chars) return false;
   return !(at_block_end_ && line_settled() && counters_.clocked == handed);
 }
 
@@ -322,8 +322,9 @@ void Feed::take_job() {
   const ProgramFacts& facts = job_->facts;
   const tape_code::WireFormat& wire = settings_.wire;
   encoder_.emplace(wire, *job_->source, facts.text_bytes());
-  wire_bytes_ = tape_code::wire_length(wire, facts.text_bytes(), facts.eobs());
-  program_end_wire_ = wire_length(wire, facts.program_bytes(), facts.program_eobs()) - std::uint64_t{wire.trailer_nuls};
+  wire_bytes_ = tape_code::wire_length(wire, facts.text_bytes(), facts.eobs(), facts.odd_blocks());
+  program_end_wire_ = wire_length(wire, facts.program_bytes(), facts.program_eobs(), facts.program_odd_blocks()) -
+                      std::uint64_t{wire.trailer_chars};
   reserve_ = job_->reserve;
   expires_at_ = now_ + job_->expires_after;
   out_begin_ = 0;

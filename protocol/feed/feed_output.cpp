@@ -30,7 +30,7 @@ void Feed::fill() {
     case FillStatus::not_ready: source_retry_at_ = now_ + kSourceRetry; break;
     case FillStatus::source_failed:
     case FillStatus::text_short: static_cast<void>(react(Input::broken, {.cause = Cause::text_lost})); break;
-    case FillStatus::not_seven_bit: static_cast<void>(react(Input::broken, {.cause = Cause::bad_character})); break;
+    case FillStatus::no_code: static_cast<void>(react(Input::broken, {.cause = Cause::bad_character})); break;
   }
 }
 
@@ -59,7 +59,7 @@ void Feed::mark_sent(std::size_t n, Time now) {
     out_begin_ += count;
     counters_.handed += count;
     clock_.handed(count, std::max(now, now_));
-    const bool behind_eob = counters_.handed > settings_.wire.leader_nuls && counters_.handed <= program_end_wire_;
+    const bool behind_eob = counters_.handed > settings_.wire.leader_chars && counters_.handed <= program_end_wire_;
     if (at_block_end_ && behind_eob && settings_.line_delay > Time::zero()) {
       clock_.rest(settings_.line_delay);
       rested_ += settings_.line_delay;

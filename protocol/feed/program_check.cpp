@@ -46,6 +46,7 @@ void ProgramCheck::append(std::span<const char> text) {
 
 void ProgramCheck::put(char character) {
   if (character == '\n') {
+    odd_blocks_ += at_.column % 2;  // the column of the EOB is the number of characters
     end_block();
   } else if (character == '%') {
     put_percent();
@@ -79,6 +80,7 @@ void ProgramCheck::put_percent() {
     if (percent_) refuse(ProgramFault::percent_inside, *percent_);
     if (block_.any) refuse(ProgramFault::percent_not_block_start, at_);
     percent_ = at_;
+    odd_blocks_at_percent_ = odd_blocks_;
   }
   begun_ = true;
   block_.any = true;
@@ -179,6 +181,8 @@ std::expected<ProgramFacts, ProgramRefusal> ProgramCheck::finish() {
   facts.eobs_ = eobs;
   facts.program_bytes_ = percent_ ? percent_->offset + 1 : at_.offset;
   facts.program_eobs_ = percent_ ? percent_->line - 1 : eobs;
+  facts.odd_blocks_ = odd_blocks_;
+  facts.program_odd_blocks_ = percent_ ? odd_blocks_at_percent_ : odd_blocks_;
   return facts;
 }
 

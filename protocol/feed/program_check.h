@@ -66,6 +66,9 @@ class ProgramFacts {
   std::uint64_t program_bytes() const { return program_bytes_; }
   // EOBs among these.
   std::uint64_t program_eobs() const { return program_eobs_; }
+  // Blocks that have an odd number of characters, EOB counted as one, in the text and in the program.
+  std::uint64_t odd_blocks() const { return odd_blocks_; }
+  std::uint64_t program_odd_blocks() const { return program_odd_blocks_; }
 
  private:
   friend class ProgramCheck;
@@ -74,6 +77,8 @@ class ProgramFacts {
   std::uint64_t eobs_ = 0;
   std::uint64_t program_bytes_ = 0;
   std::uint64_t program_eobs_ = 0;
+  std::uint64_t odd_blocks_ = 0;
+  std::uint64_t program_odd_blocks_ = 0;
 };
 
 // Text with LF as EOB, in any pieces.
@@ -104,6 +109,8 @@ class ProgramCheck {
   ProgramSyntax syntax_;
   Place at_;
   std::uint64_t eobs_ = 0;
+  std::uint64_t odd_blocks_ = 0;             // with an odd number of characters
+  std::uint64_t odd_blocks_at_percent_ = 0;  // of these before the final '%'
   std::optional<ProgramRefusal> refusal_;
   bool begun_ = false;            // a character other than EOB was seen
   std::optional<Place> percent_;  // a '%' behind the first character: the final one, if nothing follows

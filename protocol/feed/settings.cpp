@@ -15,12 +15,12 @@ constexpr std::uint32_t kMinBaud = 50;
 constexpr std::uint32_t kMaxBaud = 4'000'000;
 constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
 
-constexpr std::array<std::pair<SettingsFault, std::string_view>, 12> kMessages{{
+constexpr std::array<std::pair<SettingsFault, std::string_view>, 14> kMessages{{
     {SettingsFault::baud, "the baud rate is not between 50 and 4000000"},
     {SettingsFault::framing, "the framing is not one of 7 or 8 data bits with 1 or 2 stop bits"},
     {SettingsFault::unsent, "unsent characters must be between 1 and 256"},
     {SettingsFault::budget, "characters, more than the overrun budget of "},
-    {SettingsFault::fillers, "leader or trailer is longer than 100000 NULs"},
+    {SettingsFault::fillers, "leader or trailer is longer than 100000 characters"},
     {SettingsFault::no_end_sign, "no end sign: neither DC3 nor an end character nor a quiet time"},
     {SettingsFault::eot_code, "the end character must have 7 bits and be none of NUL, DC1 to DC4, NAK, SYN, XON, XOFF"},
     {SettingsFault::flow_characters,
@@ -32,6 +32,8 @@ constexpr std::array<std::pair<SettingsFault, std::string_view>, 12> kMessages{{
      "the start trigger must have 1 to 32 characters of 7 bits, without NUL, DC codes, NAK, SYN and the end character"},
     {SettingsFault::delay, "a delay is at most 1 s between characters and 60 s behind a line, and not negative"},
     {SettingsFault::dsr_twice, "DSR off cannot both hold the feed (flow dtrdsr) and end it (watch_dsr)"},
+    {SettingsFault::eia_framing, "EIA has its parity in the byte: the framing must be 8N1 or 8N2"},
+    {SettingsFault::eia_specials, "a special character of EIA has an even code or one that another character has"},
 }};
 
 std::string_view table_text(SettingsFault fault) {
@@ -65,6 +67,10 @@ bool delays_are_known(const Settings& settings) {
   return within(settings.char_delay, kMaxCharDelay) && within(settings.line_delay, kMaxLineDelay);
 }
 
+bool framing_takes_eia(const tape_code::Framing& framing) {
+  return framing.data_bits == 8 && framing.parity == tape_code::Parity::none;
+}
+
 bool framing_is_known(const tape_code::Framing& framing) {
   return (framing.data_bits == 7 || framing.data_bits == 8) && (framing.stop_bits == 1 || framing.stop_bits == 2);
 }
@@ -94,10 +100,12 @@ std::expected<void, SettingsRefusal> validate(const Settings& settings) {
   };
   if (settings.baud < kMinBaud || settings.baud > kMaxBaud) return refused(SettingsFault::baud);
   if (!framing_is_known(settings.framing)) return refused(SettingsFault::framing);
+  if (settings.wire.eia && !framing_takes_eia(settings.framing)) return refused(SettingsFault::eia_framing);
+  if (settings.wire.eia && tape_code::validate(*settings.wire.eia)) return refused(SettingsFault::eia_specials);
   if (settings.unsent == 0 || settings.unsent > kMaxUnsent) return refused(SettingsFault::unsent);
   const std::uint64_t sum = std::uint64_t{settings.unsent} + settings.latency_chars;
   if (sum > settings.overrun_budget || settings.overrun_budget > kMaxBudget) return refused(SettingsFault::budget);
-  if (settings.wire.leader_nuls > kMaxFillers || settings.wire.trailer_nuls > kMaxFillers) {
+  if (settings.wire.leader_chars > kMaxFillers || settings.wire.trailer_chars > kMaxFillers) {
     return refused(SettingsFault::fillers);
   }
   const FlowCharacters& flow = settings.flow_characters;

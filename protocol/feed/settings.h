@@ -111,6 +111,8 @@ enum class SettingsFault : std::uint8_t {
   trigger,
   delay,
   dsr_twice,  // DSR cannot both hold and end the feed
+  eia_framing,
+  eia_specials,
 };
 
 struct SettingsRefusal {

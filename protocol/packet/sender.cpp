@@ -307,7 +307,7 @@ bool Sender::advance_ready() {
   const tape_code::FillStatus status = outbox_.fill();
   if (status == tape_code::FillStatus::source_failed || status == tape_code::FillStatus::text_short)
     return static_cast<void>(react(Input::broken, Cause::text_lost)), true;
-  if (status == tape_code::FillStatus::not_seven_bit)
+  if (status == tape_code::FillStatus::no_code)
     return static_cast<void>(react(Input::broken, Cause::bad_character)), true;
   if (cancel_wanted_ && outbox_.block_ends_before()) return static_cast<void>(react(Input::cut, Cause::person)), true;
   if (stop_wanted_ && !cancel_wanted_) return false;

@@ -30,6 +30,14 @@ std::optional<CharacterSet> find_character_set(std::string_view name) {
   return std::nullopt;
 }
 
+CharacterSet characters_of(const EncodeTable& code) {
+  CharacterSet set;
+  for (unsigned byte = 0; byte < 256; ++byte) {
+    if (code.has(static_cast<char>(byte))) set.add(static_cast<std::uint8_t>(byte));
+  }
+  return set;
+}
+
 void CharacterCheck::append(std::span<const char> text) {
   for (const char character : text) {
     const auto byte = static_cast<std::uint8_t>(character);

@@ -9,6 +9,8 @@
 #include <span>
 #include <string_view>
 
+#include "protocol/tape_code/code_table.h"
+
 namespace dripfeed::tape_code {
 
 // A set of bytes.
@@ -27,6 +29,11 @@ class CharacterSet {
   }
   constexpr void add(std::uint8_t byte) { bits_[byte / 64U] |= std::uint64_t{1} << (byte % 64U); }
   constexpr bool has(std::uint8_t byte) const { return ((bits_[byte / 64U] >> (byte % 64U)) & 1U) != 0; }
+  // What both hold.
+  friend constexpr CharacterSet operator&(CharacterSet a, const CharacterSet& b) {
+    for (std::size_t i = 0; i < a.bits_.size(); ++i) a.bits_[i] &= b.bits_[i];
+    return a;
+  }
 
  private:
   std::array<std::uint64_t, 4> bits_{};
@@ -42,6 +49,8 @@ struct NamedCharacterSet {
 // DC code.
 std::span<const NamedCharacterSet> character_sets();
 std::optional<CharacterSet> find_character_set(std::string_view name);
+// What a code has: 128 characters of ISO, all bytes of ASCII, the few of EIA and its specials.
+CharacterSet characters_of(const EncodeTable& code);
 
 struct IllegalCharacter {
   std::uint64_t line = 1;    // 1-based count of EOBs (LF)

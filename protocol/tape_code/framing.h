@@ -1,5 +1,5 @@
 // Framing of a character on a serial line, and what its eighth bit carries on a channel of 8 bits. Data only: setting a
-// port is the driver's work. Source of the code tables: ISO 840 (ASCII with even parity in bit 7).
+// port is the driver's work. Source of the code tables: ISO 840 (ASCII with even parity in bit 7); EIA is in eia.h.
 #pragma once
 
 #include <cstdint>
@@ -29,11 +29,12 @@ std::expected<Framing, FramingError> parse_framing(std::string_view text);
 std::string format_framing(const Framing& framing);
 std::string_view message(FramingError error);
 
-// The code of the characters: plain ASCII, or ISO 840, which is ASCII with even parity in bit 7 whatever the framing.
-enum class Code : std::uint8_t { ascii, iso };
+// The code of the characters: plain ASCII; ISO 840, which is ASCII with even parity in bit 7 whatever the framing; EIA
+// RS-244, whose bytes have 8 bits, parity among them.
+enum class Code : std::uint8_t { ascii, iso, eia };
 
 // What bit 7 of a byte carries between the program and the driver.
-//   data   bit 7 belongs to the character (8N with plain ASCII)
+//   data   bit 7 belongs to the character (8N with plain ASCII, EIA)
 //   clear  7-bit characters; bit 7 is sent as 0 and is not looked at (7N, or parity is done by the UART)
 //   even   even parity over all 8 bits (7E, or ISO code on 8N)
 //   odd    odd parity over all 8 bits (7O)

@@ -8,14 +8,26 @@
 namespace dripfeed::tape_code {
 namespace {
 
-// A NUL of leader and trailer is a character like others: with odd parity its eighth bit is set.
-std::byte filler(EighthBit eighth) { return std::byte{with_parity(0, eighth)}; }
+constexpr std::uint8_t kDel = 0x7F;
+
+// A filler is a character like others: with odd parity a NUL's eighth bit is set. In EIA it is no hole or all but one.
+std::byte filler_of(const WireFormat& format) {
+  const std::uint8_t character = format.filler == Filler::nul ? std::uint8_t{0} : kDel;
+  return std::byte{format.eia ? character : with_parity(character, format.eighth_bit)};
+}
+
+// Is the number of characters odd, the EOB counted as one?
+bool is_odd_block(std::uint64_t characters_before_eob) { return characters_before_eob % 2 == 0; }
 
 }  // namespace
 
 WireEncoder::WireEncoder(const WireFormat& format, TextSource& source, std::uint64_t text_bytes)
-    : format_(format), source_(&source), text_bytes_(text_bytes), text_end_wire_(format.leader_nuls) {
-  starts_[0] = {.wire = format.leader_nuls, .text = 0};
+    : format_(format),
+      table_(format.eighth_bit, format.eia),
+      source_(&source),
+      text_bytes_(text_bytes),
+      text_end_wire_(format.leader_chars) {
+  starts_[0] = {.wire = format.leader_chars, .text = 0};
 }
 
 // Makes sure that a character of the text stands at piece_used_.
@@ -31,9 +43,7 @@ FillStatus WireEncoder::ready() {
     piece_ = piece.text;
     piece_used_ = 0;
   }
-  const auto character = static_cast<std::uint8_t>(piece_[piece_used_]);
-  if (format_.eighth_bit != EighthBit::data && character > kLowSevenBits) return FillStatus::not_seven_bit;
-  return FillStatus::more;
+  return table_.has(piece_[piece_used_]) ? FillStatus::more : FillStatus::no_code;
 }
 
 void WireEncoder::remember_block() {
@@ -42,11 +52,17 @@ void WireEncoder::remember_block() {
 }
 
 void WireEncoder::put_eob(std::byte& out, std::uint8_t& ends) {
-  const std::string_view eob = characters(format_.eob);
-  out = std::byte{with_parity(static_cast<std::uint8_t>(eob[eob_done_]), format_.eighth_bit)};
   ++wire_;
-  if (++eob_done_ < eob.size()) return;
+  if (format_.pad_tv && !padded_ && eob_done_ == 0 && is_odd_block(text_ - block(blocks_).text)) {
+    padded_ = true;
+    out = std::byte{table_.code(' ')};
+    return;
+  }
+  const std::string_view all = eob();
+  out = std::byte{table_.code(all[eob_done_])};
+  if (++eob_done_ < all.size()) return;
   eob_done_ = 0;
+  padded_ = false;
   ++piece_used_;
   ++text_;
   ends = 1;
@@ -55,7 +71,7 @@ void WireEncoder::put_eob(std::byte& out, std::uint8_t& ends) {
 
 void WireEncoder::put_character(char character, std::byte& out, std::uint8_t& ends) {
   if (character == '\n') return put_eob(out, ends);
-  out = std::byte{with_parity(static_cast<std::uint8_t>(character), format_.eighth_bit)};
+  out = std::byte{table_.code(character)};
   ++wire_;
   ++piece_used_;
   ++text_;
@@ -64,12 +80,13 @@ void WireEncoder::put_character(char character, std::byte& out, std::uint8_t& en
 
 WireEncoder::Filled WireEncoder::fill(std::span<std::byte> out, std::span<std::uint8_t> ends_block) {
   Filled filled;
+  const std::byte filler = filler_of(format_);
   for (; filled.count < out.size(); ++filled.count) {
     std::byte& byte = out[filled.count];
     std::uint8_t& ends = ends_block[filled.count];
     ends = 0;
-    if (wire_ < format_.leader_nuls) {
-      byte = filler(format_.eighth_bit);
+    if (wire_ < format_.leader_chars) {
+      byte = filler;
       ends = 1;
       ++wire_;
     } else if (text_ < text_bytes_) {
@@ -77,8 +94,8 @@ WireEncoder::Filled WireEncoder::fill(std::span<std::byte> out, std::span<std::u
       if (filled.status != FillStatus::more) return filled;
       put_character(piece_[piece_used_], byte, ends);
       if (text_ == text_bytes_) text_end_wire_ = wire_;
-    } else if (wire_ - text_end_wire_ < format_.trailer_nuls) {
-      byte = filler(format_.eighth_bit);
+    } else if (wire_ - text_end_wire_ < format_.trailer_chars) {
+      byte = filler;
       ends = 1;
       ++wire_;
     } else {
@@ -92,8 +109,8 @@ WireEncoder::Filled WireEncoder::fill(std::span<std::byte> out, std::span<std::u
 std::optional<WirePosition> WireEncoder::locate(std::uint64_t wire_offset) const {
   if (wire_offset > wire_) return std::nullopt;
   WirePosition position{.wire_offset = wire_offset};
-  if (wire_offset <= format_.leader_nuls) {
-    position.part = wire_offset < format_.leader_nuls ? WirePart::leader : WirePart::text;
+  if (wire_offset <= format_.leader_chars) {
+    position.part = wire_offset < format_.leader_chars ? WirePart::leader : WirePart::text;
     return position;
   }
   if (text_ == text_bytes_ && wire_offset >= text_end_wire_) {
@@ -115,7 +132,7 @@ std::optional<WirePosition> WireEncoder::locate(std::uint64_t wire_offset) const
       high = middle - 1;
     }
   }
-  // Inside an EOB of several characters the LF of the text is not complete yet.
+  // Inside an EOB of several characters, or behind the blank before it, the LF of the text is not complete yet.
   const std::uint64_t complete = low == blocks_ ? text_ : block(low + 1).text - 1;
   position.text_offset = std::min(block(low).text + (wire_offset - block(low).wire), complete);
   position.line = low + 1;
@@ -124,8 +141,11 @@ std::optional<WirePosition> WireEncoder::locate(std::uint64_t wire_offset) const
   return position;
 }
 
-std::uint64_t wire_length(const WireFormat& format, std::uint64_t text_bytes, std::uint64_t eobs) {
-  return format.leader_nuls + text_bytes + eobs * (characters(format.eob).size() - 1) + format.trailer_nuls;
+std::uint64_t wire_length(const WireFormat& format, std::uint64_t text_bytes, std::uint64_t eobs,
+                          std::uint64_t odd_blocks) {
+  const std::uint64_t eob_growth = format.eia ? 0 : characters(format.eob).size() - 1;
+  const std::uint64_t blanks = format.pad_tv ? odd_blocks : 0;
+  return format.leader_chars + text_bytes + eobs * eob_growth + blanks + format.trailer_chars;
 }
 
 std::expected<WirePosition, FillStatus> locate(const WireFormat& format, TextSource& source, std::uint64_t text_bytes,

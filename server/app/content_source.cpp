@@ -8,6 +8,18 @@
 
 namespace dripfeed::app {
 
+namespace {
+
+std::unexpected<Error> refuse_at(std::uint64_t line, std::uint64_t column, const std::string& text) {
+  return fail(ErrorCode::refused, fmt::format("line {}, column {}: {}", line, column, text),
+              {{.pointer = {},
+                .line = static_cast<std::uint32_t>(line),
+                .column = static_cast<std::uint32_t>(column),
+                .text = text}});
+}
+
+}  // namespace
+
 ContentSource::ContentSource(store::Contents& contents, std::string sha256)
     : contents_(contents), sha256_(std::move(sha256)) {
   refill();
@@ -47,26 +59,32 @@ tape_code::TextPiece ContentSource::next() noexcept {
 }
 
 Result<feed::ProgramFacts> check_program(store::Contents& contents, const std::string& sha256,
-                                         const feed::ProgramSyntax& syntax) {
+                                         const machine::Profile& profile, ir::Delivery delivery) {
+  const auto line = machine::effective_line(profile.line);
+  if (!line) return fail(ErrorCode::refused, line.error());
   ContentSource source(contents, sha256);
-  feed::ProgramCheck check(syntax);
+  feed::ProgramCheck check(machine::program_syntax_of(profile, delivery));
+  tape_code::CharacterCheck characters(machine::characters_of(*line));
   for (;;) {
     const tape_code::TextPiece piece = source.next();
     if (piece.status == tape_code::SourceStatus::end) break;
     if (piece.status == tape_code::SourceStatus::failed)
       return fail(ErrorCode::unavailable, "the stored text cannot be read");
-    if (piece.status == tape_code::SourceStatus::text) check.append(piece.text);
+    if (piece.status == tape_code::SourceStatus::text) {
+      check.append(piece.text);
+      characters.append(piece.text);
+    }
     source.refill();
+  }
+  if (characters.count() > 0) {
+    const tape_code::IllegalCharacter& first = characters.found().front();
+    return refuse_at(first.line, first.column,
+                     fmt::format("{} ({} such)", machine::character_refusal(*line, first), characters.count()));
   }
   const auto facts = check.finish();
   if (facts) return *facts;
   const feed::ProgramRefusal& refusal = facts.error();
-  const std::string text(feed::message(refusal.fault));
-  return fail(ErrorCode::refused, fmt::format("line {}, column {}: {}", refusal.line, refusal.column, text),
-              {{.pointer = {},
-                .line = static_cast<std::uint32_t>(refusal.line),
-                .column = static_cast<std::uint32_t>(refusal.column),
-                .text = text}});
+  return refuse_at(refusal.line, refusal.column, std::string(feed::message(refusal.fault)));
 }
 
 }  // namespace dripfeed::app

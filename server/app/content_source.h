@@ -11,6 +11,7 @@
 #include "protocol/tape_code/eob.h"
 #include "protocol/tape_code/text_source.h"
 #include "server/app/error.h"
+#include "server/machine/profile.h"
 #include "store/contents.h"
 
 namespace dripfeed::app {
@@ -42,8 +43,9 @@ class ContentSource final : public tape_code::TextSource {
   std::atomic<bool> failed_{false};
 };
 
-// Reads the whole text once and checks that it may be fed; the facts are of the text with LF as EOB.
+// Reads the whole text once and checks that it may be fed to this machine: its frame, and that the control takes and
+// the line's code has every character. The facts are of the text with LF as EOB; a refusal names line and column.
 Result<feed::ProgramFacts> check_program(store::Contents& contents, const std::string& sha256,
-                                         const feed::ProgramSyntax& syntax);
+                                         const machine::Profile& profile, ir::Delivery delivery);
 
 }  // namespace dripfeed::app

@@ -29,7 +29,7 @@ Result<std::uint64_t> wire_bytes(const machine::Profile& profile, const feed::Pr
   if (profile.line.link.kind == machine::LinkKind::modbus_tcp) return facts.text_bytes();
   const auto settings = machine::feed_settings_of(profile.line);
   if (!settings) return fail(ErrorCode::refused, settings.error());
-  return tape_code::wire_length(settings->wire, facts.text_bytes(), facts.eobs());
+  return tape_code::wire_length(settings->wire, facts.text_bytes(), facts.eobs(), facts.odd_blocks());
 }
 
 // A number that no earlier job had: identifies the job at a PLC. Not 0.
@@ -93,8 +93,7 @@ Result<store::Job> Jobs::add(store::Id release, std::string_view actor) {
   if (!row) return std::unexpected(from_store(row.error()));
   const auto profile = profile_of(row->of.machine);
   if (!profile) return std::unexpected(profile.error());
-  const auto facts = check_program(store_.contents(), row->text_sha256,
-                                   machine::program_syntax_of(*profile, delivery_of(row->of.delivery)));
+  const auto facts = check_program(store_.contents(), row->text_sha256, *profile, delivery_of(row->of.delivery));
   if (!facts) return std::unexpected(facts.error());
   const auto bytes = wire_bytes(*profile, *facts);
   if (!bytes) return std::unexpected(bytes.error());
@@ -121,8 +120,7 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
   if (!line) return fail(ErrorCode::refused, fmt::format("machine {} has no line", job->machine));
   const auto whole = lift(store_.contents().verify(job->text_sha256));
   if (!whole) return std::unexpected(whole.error());
-  const auto facts = check_program(store_.contents(), job->text_sha256,
-                                   machine::program_syntax_of(*profile, delivery_of(job->delivery)));
+  const auto facts = check_program(store_.contents(), job->text_sha256, *profile, delivery_of(job->delivery));
   if (!facts) return std::unexpected(facts.error());
   const auto bytes = wire_bytes(*profile, *facts);
   if (!bytes) return std::unexpected(bytes.error());

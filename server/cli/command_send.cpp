@@ -62,16 +62,13 @@ app::Result<machine::Profile> profile_for(const Options& options) {
 
 app::Result<feed::ProgramFacts> facts_of(const std::string& text, const machine::Profile& profile,
                                          const std::string& file) {
-  const auto set = tape_code::find_character_set(profile.line.character_set);
-  if (set) {
-    tape_code::CharacterCheck characters(*set);
-    characters.append(text);
-    if (characters.count() > 0) {
-      const tape_code::IllegalCharacter& first = characters.found().front();
-      return app::fail(app::ErrorCode::invalid,
-                       fmt::format("{}:{}:{}: the control does not take the character 0x{:02X} ({} such)", file,
-                                   first.line, first.column, first.byte, characters.count()));
-    }
+  tape_code::CharacterCheck characters(machine::characters_of(profile.line));
+  characters.append(text);
+  if (characters.count() > 0) {
+    const tape_code::IllegalCharacter& first = characters.found().front();
+    return app::fail(app::ErrorCode::invalid,
+                     fmt::format("{}:{}:{}: {} ({} such)", file, first.line, first.column,
+                                 machine::character_refusal(profile.line, first), characters.count()));
   }
   feed::ProgramCheck check(machine::program_syntax_of(profile, ir::Delivery::drip));
   check.append(text);
@@ -86,7 +83,7 @@ WireHashes hashes_of(const std::string& text, const machine::Profile& profile) {
   if (profile.line.link.kind == machine::LinkKind::modbus_tcp)
     return {.wire_sha256 = hash::sha256_hex(text), .text_sha256 = hash::sha256_hex(text)};
   const auto settings = machine::feed_settings_of(profile.line);
-  WireHasher hasher(settings->wire.eighth_bit);
+  WireHasher hasher(machine::decode_format_of(profile.line));
   tape_code::SpanSource source(text);
   tape_code::WireEncoder encoder(settings->wire, source, text.size());
   std::array<std::byte, 4096> wire{};

@@ -54,6 +54,7 @@ simulator::ControlSettings control_settings(const machine::Profile& profile, con
   settings.framing = profile.line.framing;
   settings.baud = profile.line.baud;
   settings.code = profile.line.code;
+  settings.eia_specials = profile.line.eia_specials;
   if (profile.machine.buffer.bytes > 0) settings.buffer_bytes = profile.machine.buffer.bytes;
   settings.overrun_budget = profile.line.overrun_budget;
   // What follows its own DC3 at the most must still fit.
@@ -123,7 +124,7 @@ int run_control(const machine::LinkUrl& link, const machine::Profile& profile, c
     return kWrongUse;
   }
   const simulator::ControlSettings settings = control_settings(profile, options);
-  WireHasher hasher(tape_code::eighth_bit(settings.framing, settings.code, tape_code::ParityBy::software));
+  WireHasher hasher(machine::decode_format_of(profile.line));
   std::string wire;
   const bool keep = !options.record.empty();
   simulator::Fleet fleet;

@@ -14,7 +14,7 @@ namespace dripfeed::cli {
 
 class WireHasher {
  public:
-  explicit WireHasher(tape_code::EighthBit eighth_bit) : decoder_(eighth_bit) {}
+  explicit WireHasher(const tape_code::DecodeFormat& format) : decoder_(format) {}
   void add(std::uint8_t byte);
   // Of all bytes so far.
   [[nodiscard]] WireHashes finish();

@@ -24,8 +24,8 @@ constexpr std::array<std::string_view, 2> kDecimalModes = {"calculator", "least-
 constexpr std::array<std::string_view, 3> kStarts = {"dc1", "at-once", "trigger"};
 constexpr std::array<std::string_view, 5> kFlows = {"none", "xonxoff", "rtscts", "dtrdsr", "both"};
 constexpr std::array<std::string_view, 3> kXoffBys = {"host", "kernel", "device"};
-constexpr std::array<std::string_view, 2> kCodes = {"ascii", "iso"};
-constexpr std::array<std::string_view, 4> kEobs = {"lf", "cr-lf", "lf-cr-cr", "cr"};
+constexpr std::array<std::string_view, 3> kCodes = {"ascii", "iso", "eia"};
+constexpr std::array<std::string_view, 2> kFillers = {"nul", "del"};
 
 std::optional<ir::Axis> axis_named(std::string_view name) {
   const std::size_t index = name.size() == 1 ? kAxisNames.find(name) : std::string_view::npos;
@@ -198,6 +198,27 @@ void read_flow(ObjectReader& object, machine::LineSettings& line) {
   object.number("line_delay_ms", line.line_delay_ms, 0.0, 60'000.0);
 }
 
+// "lf", "cr-lf", "lf-cr-cr", "cr", or any of lf, cr and hex codes: "cr-lf-lf", "1e".
+void read_eob(ObjectReader& object, machine::LineSettings& line) {
+  std::string name;
+  object.text("eob", name);
+  if (name.empty()) return;
+  for (char& c : name) c = c == '-' ? ' ' : c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  const auto eob = tape_code::parse_eob(name);
+  if (!eob)
+    return object.fault("eob", "must be lf, cr-lf, lf-cr-cr, cr or up to four of lf, cr and hex codes, as cr-lf-lf");
+  line.eob = *eob;
+}
+
+// {"[": 76, "#": 94}: the codes of the characters that the standard does not have.
+void read_eia_specials(ObjectReader& object, machine::LineSettings& line) {
+  for (std::size_t i = 0; i < tape_code::kEiaSpecials.size(); ++i) {
+    object.integer(tape_code::kEiaSpecials.substr(i, 1), line.eia_specials.codes[i], 1, 255);
+  }
+  const auto wrong = tape_code::validate(line.eia_specials);
+  if (wrong) object.fault(std::string(1, wrong->character), std::string(tape_code::message(wrong->fault)));
+}
+
 void read_link(ObjectReader& object, machine::LineSettings& line) {
   std::string url;
   object.text("url", url, true);
@@ -212,9 +233,12 @@ void read_link(ObjectReader& object, machine::LineSettings& line) {
   object.integer("baud", line.baud, 50, 4'000'000);
   read_framing(object, line);
   if (const auto code = object.choice("code", kCodes)) line.code = static_cast<tape_code::Code>(*code);
-  if (const auto eob = object.choice("eob", kEobs)) line.eob = static_cast<tape_code::Eob>(*eob);
-  object.integer("leader", line.leader_nuls, 0, 10'000);
-  object.integer("trailer", line.trailer_nuls, 0, 10'000);
+  object.object("eia_specials", [&](ObjectReader& o) { read_eia_specials(o, line); });
+  read_eob(object, line);
+  object.flag("pad_tv", line.pad_tv);
+  if (const auto filler = object.choice("filler", kFillers)) line.filler = static_cast<tape_code::Filler>(*filler);
+  object.integer("leader", line.leader_chars, 0, 10'000);
+  object.integer("trailer", line.trailer_chars, 0, 10'000);
   if (const auto start = object.choice("start", kStarts)) line.start = static_cast<feed::Start>(*start);
   object.text("start_trigger", line.start_trigger);
   read_flow(object, line);

@@ -27,8 +27,9 @@ constexpr std::array kSchemes = {
     Scheme{"modbus-tcp", LinkKind::modbus_tcp, "//", false, true},
 };
 
-constexpr std::array<std::string_view, 10> kOptions = {"baud",   "framing", "flow", "latency_chars", "budget",
-                                                       "unsent", "start",   "eob",  "char_delay_ms", "line_delay_ms"};
+constexpr std::array<std::string_view, 11> kOptions = {"baud",          "framing",       "flow",  "latency_chars",
+                                                       "budget",        "unsent",        "start", "eob",
+                                                       "char_delay_ms", "line_delay_ms", "code"};
 
 std::optional<std::int64_t> integer_between(std::string_view text, std::int64_t low, std::int64_t high) {
   std::int64_t value = 0;

@@ -20,7 +20,7 @@ struct LinkUrl {
   std::string host;  // tcp, tcp_listen (empty: loopback), modbus_tcp
   std::uint16_t port = 0;
   std::uint8_t unit = 1;                       // modbus_tcp
-  std::map<std::string, std::string> options;  // baud, framing, flow, latency_chars, budget, unsent, start, eob
+  std::map<std::string, std::string> options;  // baud, framing, flow, latency_chars, budget, unsent, start, eob, code
   std::string text;                            // as written
 
   friend bool operator==(const LinkUrl&, const LinkUrl&) = default;

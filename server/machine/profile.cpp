@@ -91,9 +91,23 @@ Applied set_eob(std::string_view value, LineSettings& line) {
   std::string name(value);
   for (char& c : name) c = c == '-' || c == '_' ? ' ' : c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
   const auto eob = tape_code::parse_eob(name);
-  if (!eob) return std::unexpected(fmt::format("eob \"{}\" is not lf, cr-lf, lf-cr-cr or cr", value));
+  if (!eob) {
+    return std::unexpected(fmt::format(
+        "eob \"{}\" is not lf, cr-lf, lf-cr-cr, cr or up to four of lf, cr and hex codes of control characters",
+        value));
+  }
   line.eob = *eob;
   return {};
+}
+
+Applied set_code(std::string_view value, LineSettings& line) {
+  static constexpr std::array<std::string_view, 3> kNames = {"ascii", "iso", "eia"};
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (kNames[i] != value) continue;
+    line.code = static_cast<tape_code::Code>(i);
+    return {};
+  }
+  return std::unexpected(fmt::format("code \"{}\" is not ascii, iso or eia", value));
 }
 
 struct Option {
@@ -111,6 +125,7 @@ constexpr std::array kOptions = {
     Option{"flow", set_flow},
     Option{"char_delay_ms", set_char_delay},
     Option{"line_delay_ms", set_line_delay},
+    Option{"code", set_code},
 };
 
 Applied apply_options(LineSettings& line) {
@@ -177,6 +192,41 @@ std::expected<LineSettings, std::string> effective_line(const LineSettings& give
   return line;
 }
 
+tape_code::WireFormat wire_format_of(const LineSettings& line) {
+  tape_code::WireFormat format;
+  format.eighth_bit = tape_code::eighth_bit(line.framing, line.code, tape_code::ParityBy::software);
+  format.eob = line.eob;
+  format.leader_chars = line.leader_chars;
+  format.trailer_chars = line.trailer_chars;
+  format.filler = line.filler;
+  format.pad_tv = line.pad_tv;
+  if (line.code == tape_code::Code::eia) format.eia = line.eia_specials;
+  return format;
+}
+
+tape_code::DecodeFormat decode_format_of(const LineSettings& line) {
+  const tape_code::WireFormat format = wire_format_of(line);
+  return {.eighth_bit = format.eighth_bit, .eia = format.eia, .eob = format.eob};
+}
+
+tape_code::CharacterSet characters_of(const LineSettings& line) {
+  const tape_code::WireFormat format = wire_format_of(line);
+  const auto named = tape_code::find_character_set(line.character_set);
+  return named.value_or(*tape_code::find_character_set("ascii")) &
+         tape_code::characters_of(tape_code::EncodeTable(format.eighth_bit, format.eia));
+}
+
+std::string character_refusal(const LineSettings& line, const tape_code::IllegalCharacter& character) {
+  const bool printable = character.byte > ' ' && character.byte < 0x7F;
+  const std::string shown =
+      printable ? fmt::format("'{}'", static_cast<char>(character.byte)) : fmt::format("0x{:02X}", character.byte);
+  const auto named = tape_code::find_character_set(line.character_set);
+  if (line.code == tape_code::Code::eia && named && named->has(character.byte)) {
+    return fmt::format("EIA has no code for the character {}", shown);
+  }
+  return fmt::format("the control does not take the character {}", shown);
+}
+
 std::expected<feed::Settings, std::string> feed_settings_of(const LineSettings& given) {
   const auto effective = effective_line(given);
   if (!effective) return std::unexpected(effective.error());
@@ -186,10 +236,7 @@ std::expected<feed::Settings, std::string> feed_settings_of(const LineSettings& 
   settings.framing = line.framing;
   settings.baud = line.baud;
   // Seven bits with parity are made here and sent as eight: the wire is the same, and a pty or a socket has eight only.
-  settings.wire.eighth_bit = tape_code::eighth_bit(line.framing, line.code, tape_code::ParityBy::software);
-  settings.wire.eob = line.eob;
-  settings.wire.leader_nuls = line.leader_nuls;
-  settings.wire.trailer_nuls = line.trailer_nuls;
+  settings.wire = wire_format_of(line);
   settings.start = line.start;
   settings.trigger = line.start_trigger;
   settings.flow = line.flow;

@@ -13,8 +13,10 @@
 #include "dialects/ir/stage.h"
 #include "protocol/feed/program_check.h"
 #include "protocol/feed/settings.h"
+#include "protocol/tape_code/character_set.h"
 #include "protocol/tape_code/eob.h"
 #include "protocol/tape_code/framing.h"
+#include "protocol/tape_code/wire_decoder.h"
 #include "server/machine/link_url.h"
 
 namespace dripfeed::machine {
@@ -54,8 +56,11 @@ struct LineSettings {
   tape_code::Framing framing;
   tape_code::Code code = tape_code::Code::iso;
   tape_code::Eob eob = tape_code::Eob::lf;
-  std::uint32_t leader_nuls = 0;
-  std::uint32_t trailer_nuls = 0;
+  std::uint32_t leader_chars = 0;
+  std::uint32_t trailer_chars = 0;
+  tape_code::Filler filler = tape_code::Filler::nul;  // of leader and trailer
+  tape_code::EiaSpecials eia_specials;                // for code eia
+  bool pad_tv = false;                                // a blank makes the number of characters of a block even
   feed::Start start = feed::Start::on_dc1;
   std::string start_trigger;  // of a start by trigger
   feed::Flow flow = feed::Flow::xonxoff;
@@ -94,12 +99,21 @@ inline constexpr double kLinePoll_ms = 2.0;
 bool polls_flow_lines(const LineSettings& line);
 
 // The line with its URL's options laid over it (baud, framing, flow, latency_chars, budget, unsent, start, eob,
-// char_delay_ms, line_delay_ms); or which option is wrong.
+// char_delay_ms, line_delay_ms, code); or which option is wrong.
 std::expected<LineSettings, std::string> effective_line(const LineSettings& line);
 
 // The feed's settings for this line, URL options included;
 // or one sentence that says which is wrong, the budget's sum shown where it cannot hold.
 std::expected<feed::Settings, std::string> feed_settings_of(const LineSettings& line);
+
+// What goes over this line, URL options not looked at (see effective_line): leader, code, EOB, trailer.
+tape_code::WireFormat wire_format_of(const LineSettings& line);
+// How what comes over it is read.
+tape_code::DecodeFormat decode_format_of(const LineSettings& line);
+// What the control takes and its code has; URL options not looked at. `ascii` where the set has no such name.
+tape_code::CharacterSet characters_of(const LineSettings& line);
+// Why a character is refused: "the control does not take the character 0x61", "EIA has no code for ':'".
+std::string character_refusal(const LineSettings& line, const tape_code::IllegalCharacter& character);
 
 // What a text for this machine must look like to be fed.
 feed::ProgramSyntax program_syntax_of(const Profile& profile, ir::Delivery delivery);

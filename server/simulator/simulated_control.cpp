@@ -31,7 +31,9 @@ SimulatedControl::SimulatedControl(const ControlSettings& settings, Record recor
     : settings_(settings),
       record_(std::move(record)),
       char_ns_(static_cast<Time_ns>(settings.framing.bits_per_char()) * 1'000'000'000 / settings.baud),
-      clock_(settings.clock) {}
+      clock_(settings.clock) {
+  if (settings.code == tape_code::Code::eia) eia_.emplace(tape_code::EighthBit::data, settings.eia_specials);
+}
 
 void SimulatedControl::start(Time_ns now) {
   if (report_.state == ControlState::alarm) return;
@@ -112,12 +114,24 @@ void SimulatedControl::arrive(const Arrival& arrival) {
   if (first_arrival_ < 0) first_arrival_ = arrival.at - char_ns_;
   if (report_.state == ControlState::held) count_after_dc3(arrival.at);
   if (report_.state == ControlState::alarm || report_.state == ControlState::waiting) return;
+  if (eia_) return take_eia(arrival);
   if (!parity_is_right(arrival.byte, settings_.framing, settings_.code)) {
     ++report_.parity_errors;
     return raise("001 TH PARITY");
   }
   const bool seven_bits = settings_.framing.data_bits == 7 || settings_.code == tape_code::Code::iso;
   take_character(static_cast<char>(seven_bits ? arrival.byte & 0x7F : arrival.byte), arrival.at);
+}
+
+// A tape without holes is leader; inside the program it is a fault, as is what is no character (TH check).
+void SimulatedControl::take_eia(const Arrival& arrival) {
+  const tape_code::ByteKind kind = eia_->kind(arrival.byte);
+  const bool inside = !label_skip_ && report_.state != ControlState::ended;
+  if (kind == tape_code::ByteKind::wrong_nothing || (kind == tape_code::ByteKind::blank && inside)) {
+    ++report_.parity_errors;
+    return raise("001 TH PARITY");
+  }
+  if (kind == tape_code::ByteKind::character) take_character(eia_->character(arrival.byte), arrival.at);
 }
 
 void SimulatedControl::take_character(char c, Time_ns at) {

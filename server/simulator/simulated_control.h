@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "protocol/tape_code/code_table.h"
 #include "server/simulator/control.h"
 
 namespace dripfeed::simulator {
@@ -47,6 +48,7 @@ class SimulatedControl final : public Control {
 
   void arrive(const Arrival& arrival);
   void take_character(char c, Time_ns at);
+  void take_eia(const Arrival& arrival);
   void finish_block(Time_ns at);
   void run_blocks(Time_ns now);
   void check_flow(Time_ns at);
@@ -60,6 +62,7 @@ class SimulatedControl final : public Control {
   ControlSettings settings_;
   Record record_;
   Time_ns char_ns_;
+  std::optional<tape_code::DecodeTable> eia_;
   BlockClock clock_;
   std::deque<Arrival> pending_;
   std::deque<Due> out_;

@@ -54,8 +54,8 @@ feed::Settings settings_of(fuzz::Choices& choices) {
   feed::Settings settings;
   settings.baud = kBauds[choices.below(4)];
   settings.wire.eob = kEobs[choices.below(4)];
-  settings.wire.leader_nuls = choices.below(4);
-  settings.wire.trailer_nuls = choices.below(4);
+  settings.wire.leader_chars = choices.below(4);
+  settings.wire.trailer_chars = choices.below(4);
   settings.unsent = 1 + choices.below(6);
   settings.latency_chars = choices.below(5);
   settings.start = choices.flag() ? feed::Start::at_once : feed::Start::on_dc1;
@@ -76,7 +76,7 @@ struct Wire {
   std::size_t text_end = 0;       // bytes up to the final '%'
 
   explicit Wire(const tape_code::WireFormat& format) {
-    add_fillers(format.leader_nuls);
+    add_fillers(format.leader_chars);
     whole_after.push_back(true);
     for (const char c : kText) {
       if (c != '\n') {
@@ -87,7 +87,7 @@ struct Wire {
       const std::string_view eob = characters(format.eob);
       for (std::size_t i = 0; i < eob.size(); ++i) add(eob[i], i + 1 == eob.size(), format);
     }
-    for (std::uint32_t i = 0; i < format.trailer_nuls; ++i) add('\0', true, format);
+    for (std::uint32_t i = 0; i < format.trailer_chars; ++i) add('\0', true, format);
   }
 
  private:

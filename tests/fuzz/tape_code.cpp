@@ -19,8 +19,8 @@ struct Decoded {
   std::uint64_t parity_errors = 0;
 };
 
-Decoded decoded(std::string_view wire, EighthBit eighth, std::size_t piece) {
-  tape_code::WireDecoder decoder(eighth);
+Decoded decoded(std::string_view wire, const tape_code::DecodeFormat& format, std::size_t piece) {
+  tape_code::WireDecoder decoder(format);
   Decoded out;
   for (std::size_t at = 0; at < wire.size(); at += piece) {
     decoder.decode(std::as_bytes(std::span(wire.substr(at, piece))), out.text);
@@ -58,14 +58,43 @@ std::string encoded(const std::string& text, const tape_code::WireFormat& format
   return wire;
 }
 
-// A text as a control's memory has it: from '%', without fillers and CR.
-std::string clean(const Decoded& decoded, EighthBit eighth) {
+// A text as a control's memory has it: from '%', without fillers and the characters of EOBs.
+std::string clean(const Decoded& decoded, const tape_code::WireFormat& format) {
+  const tape_code::EncodeTable table(format.eighth_bit, format.eia);
   std::string out;
   for (const char c : decoded.text.substr(0, decoded.kept)) {
-    const bool seven_bits = eighth == EighthBit::data || static_cast<unsigned char>(c) < 0x80;
-    if (seven_bits && c != '\0' && c != '\r' && c != '\x7f') out.push_back(c);
+    const bool of_eob = c != '\n' && characters(format.eob).contains(c);
+    if (table.has(c) && c != '\0' && c != '\r' && c != '\x7f' && !of_eob) out.push_back(c);
   }
   return out;
+}
+
+// The same with the blanks that the TV check asks for.
+std::string padded(const std::string& text, bool pad, std::uint64_t& odd_blocks) {
+  std::string out;
+  std::size_t in_block = 0;
+  for (const char c : text) {
+    const bool odd = c == '\n' && in_block % 2 == 0;
+    odd_blocks += odd ? 1 : 0;
+    if (odd && pad) out += ' ';
+    out += c;
+    in_block = c == '\n' ? 0 : in_block + 1;
+  }
+  return out;
+}
+
+// Any bytes at all: the code is found without regard to how they are cut.
+void find_code(std::string_view wire) {
+  tape_code::AutoDecoder whole({});
+  tape_code::AutoDecoder bytes({});
+  std::string text;
+  std::string other;
+  whole.decode(std::as_bytes(std::span(wire)), text);
+  for (const char& c : wire) bytes.decode(std::as_bytes(std::span(&c, 1)), other);
+  whole.finish(text);
+  bytes.finish(other);
+  fuzz::require(whole.code() == bytes.code() && text == other, "the code does not depend on how the stream is cut");
+  fuzz::require(whole.decoder()->wire_bytes() == wire.size(), "no byte is lost while the code is open");
 }
 
 }  // namespace
@@ -73,27 +102,38 @@ std::string clean(const Decoded& decoded, EighthBit eighth) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Choices choices(data, size);
   constexpr std::array kBits = {EighthBit::data, EighthBit::clear, EighthBit::even, EighthBit::odd};
-  constexpr std::array kEobs = {tape_code::Eob::lf, tape_code::Eob::cr_lf, tape_code::Eob::lf_cr_cr,
-                                tape_code::Eob::cr};
-  const EighthBit eighth = kBits[choices.below(4)];
-  tape_code::WireFormat format{.eighth_bit = eighth, .eob = kEobs[choices.below(4)]};
-  format.leader_nuls = choices.below(5);
-  format.trailer_nuls = choices.below(5);
+  const std::array kEobs = {tape_code::Eob::lf,
+                            tape_code::Eob::cr_lf,
+                            tape_code::Eob::lf_cr_cr,
+                            tape_code::Eob::cr,
+                            *tape_code::parse_eob("CR LF LF"),
+                            *tape_code::parse_eob("1E LF")};
+  const std::uint32_t code = choices.below(6);
+  tape_code::WireFormat format{.eighth_bit = kBits[code % 4], .eob = kEobs[choices.below(6)]};
+  if (code > 3) format.eia = tape_code::EiaSpecials{.codes = {0x4C, 0x5E}};
+  if (format.eia) format.eighth_bit = EighthBit::data;
+  format.pad_tv = code == 5;
+  format.leader_chars = choices.below(5);
+  format.trailer_chars = choices.below(5);
   const std::string_view wire = choices.text(size);
+  find_code(wire);
 
-  const Decoded whole = decoded(wire, eighth, wire.size() + 1);
-  const Decoded bytes = decoded(wire, eighth, 1);
+  const tape_code::DecodeFormat from{.eighth_bit = format.eighth_bit, .eia = format.eia, .eob = format.eob};
+  const Decoded whole = decoded(wire, from, wire.size() + 1);
+  const Decoded bytes = decoded(wire, from, 1);
   fuzz::require(whole.text == bytes.text && whole.kept == bytes.kept && whole.parity_errors == bytes.parity_errors,
                 "decoding does not depend on how the stream is cut");
 
-  const std::string text = clean(whole, eighth);
+  const std::string text = clean(whole, format);
+  std::uint64_t odd_blocks = 0;
+  const std::string expected = padded(text, format.pad_tv, odd_blocks);
   const std::string sent = encoded(text, format, 64);
   fuzz::require(encoded(text, format, 1) == sent, "encoding does not depend on the room that is given");
-  const Decoded back = decoded(sent, eighth, 7);
-  fuzz::require(back.text.substr(0, back.kept) == text, "what was encoded decodes to itself");
+  const Decoded back = decoded(sent, from, 7);
+  fuzz::require(back.text.substr(0, back.kept) == expected, "what was encoded decodes to itself");
   fuzz::require(back.parity_errors == 0, "what was encoded has right parity");
-  fuzz::require(tape_code::wire_length(format, text.size(),
-                                       static_cast<std::uint64_t>(std::ranges::count(text, '\n'))) == sent.size(),
+  fuzz::require(tape_code::wire_length(format, text.size(), static_cast<std::uint64_t>(std::ranges::count(text, '\n')),
+                                       odd_blocks) == sent.size(),
                 "the wire is as long as foretold");
   return 0;
 }

@@ -16,9 +16,9 @@ using feed::State;
 
 // Does the wire end with a whole block here?
 bool ends_with_block(const std::string& wire, std::size_t count, const feed::Settings& settings) {
-  if (count <= settings.wire.leader_nuls) return true;
+  if (count <= settings.wire.leader_chars) return true;
   const std::string eob(characters(settings.wire.eob));
-  if (count < settings.wire.leader_nuls + eob.size()) return false;
+  if (count < settings.wire.leader_chars + eob.size()) return false;
   for (std::size_t i = 0; i < eob.size(); ++i) {
     const auto byte = static_cast<std::uint8_t>(wire[count - eob.size() + i]);
     if ((byte & tape_code::kLowSevenBits) != static_cast<std::uint8_t>(eob[i])) return false;
@@ -35,6 +35,7 @@ bool is_whole(const std::string& wire, std::size_t count, const feed::Settings& 
 
 // One thing that goes wrong, or is wished, at a random instant.
 enum class Blow { link, syn, nak, noise, dsr, abort, cancel, stop, eot };
+constexpr std::array kEobs{tape_code::Eob::lf, tape_code::Eob::cr_lf, tape_code::Eob::lf_cr_cr, tape_code::Eob::cr};
 constexpr std::array<Blow, 9> kBlows{Blow::link,  Blow::syn,    Blow::nak,  Blow::noise, Blow::dsr,
                                      Blow::abort, Blow::cancel, Blow::stop, Blow::eot};
 
@@ -81,9 +82,9 @@ struct BlowRun {
     model.settings.watch_dsr = true;
     model.settings.end.eot = 0x04;
     model.settings.blind = seed % 3 == 0;
-    model.settings.wire.eob = static_cast<tape_code::Eob>(seed % 4);
-    model.settings.wire.leader_nuls = seed % 5;
-    model.settings.wire.trailer_nuls = seed % 6;
+    model.settings.wire.eob = kEobs[seed % kEobs.size()];
+    model.settings.wire.leader_chars = seed % 5;
+    model.settings.wire.trailer_chars = seed % 6;
     std::mt19937 random(seed);
     text = random_program(random, 20);
     wire = expected_wire(text, model.settings);

@@ -171,9 +171,9 @@ std::string FeedPlayer::set(const std::string& rest) {
     } else if (key == "eob") {
       settings_.wire.eob = tape_code::parse_eob(value).value();
     } else if (key == "leader") {
-      settings_.wire.leader_nuls = static_cast<std::uint32_t>(number(value));
+      settings_.wire.leader_chars = static_cast<std::uint32_t>(number(value));
     } else if (key == "trailer") {
-      settings_.wire.trailer_nuls = static_cast<std::uint32_t>(number(value));
+      settings_.wire.trailer_chars = static_cast<std::uint32_t>(number(value));
     } else if (key == "unsent") {
       settings_.unsent = static_cast<std::uint32_t>(number(value));
     } else if (key == "start") {

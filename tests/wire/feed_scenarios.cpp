@@ -15,7 +15,7 @@ namespace {
 using feed::State;
 
 std::string decoded(const std::string& wire, const feed::Settings& settings) {
-  tape_code::WireDecoder decoder(settings.wire.eighth_bit);
+  tape_code::WireDecoder decoder({.eighth_bit = settings.wire.eighth_bit, .eia = settings.wire.eia});
   std::string text;
   decoder.decode(std::as_bytes(std::span(wire)), text);
   decoder.finish(text);
@@ -56,6 +56,34 @@ TEST(FeedScenarios, AfterDc3NeverMoreThanTheBudgetAndTheLineIsUsed) {
   }
 }
 
+// The stream to the control is full of 13h (a '3') and its DC codes come without parity: neither is taken for the
+// other.
+TEST(FeedScenarios, EiaCodeIsFedWithinTheBudget) {
+  std::uint64_t holds = 0;
+  std::size_t looks_like_dc3 = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    LineModel model = model_of(kLines[1]);
+    model.settings.wire.eia = tape_code::EiaSpecials{};
+    model.settings.wire.leader_chars = seed % 30;
+    model.settings.wire.trailer_chars = seed % 20;
+    model.settings.wire.pad_tv = seed % 2 == 0;
+    std::mt19937 random(seed);
+    const std::string text = random_program(random, 60);
+    VirtualLine line(model, text, seed);
+    line.run(600s);
+    ASSERT_EQ(line.feed().state(), State::done) << "seed " << seed;
+    const std::string wire = line.handed_bytes();
+    if (!model.settings.wire.pad_tv) {
+      ASSERT_EQ(to_final_percent(decoded(wire, model.settings)), to_final_percent(text)) << "seed " << seed;
+    }
+    ASSERT_LE(line.worst_after_dc3, kLines[1].unsent + kLines[1].latency) << "seed " << seed;
+    holds += line.holds;
+    looks_like_dc3 += static_cast<std::size_t>(std::ranges::count(wire, '\x13'));
+  }
+  EXPECT_GT(holds, 500U);
+  EXPECT_GT(looks_like_dc3, 1000U);
+}
+
 TEST(FeedScenarios, AClockThatIsOffByTwoPercentStaysInTheBudget) {
   for (const double rate : {0.98, 0.99, 1.01, 1.02}) {
     for (const bool blind : {true, false}) {
@@ -81,8 +109,8 @@ TEST(FeedScenarios, ShortWritesAndALedgerChangeNothingInTheText) {
   for (unsigned seed = 1; seed <= 300; ++seed) {
     LineModel model = model_of(kLines[seed % kLines.size()]);
     model.settings.wire.eob = seed % 3 == 0 ? tape_code::Eob::lf_cr_cr : tape_code::Eob::cr_lf;
-    model.settings.wire.leader_nuls = seed % 7;
-    model.settings.wire.trailer_nuls = seed % 11;
+    model.settings.wire.leader_chars = seed % 7;
+    model.settings.wire.trailer_chars = seed % 11;
     model.short_writes = true;
     std::mt19937 random(seed);
     const std::string text = random_program(random, 50);

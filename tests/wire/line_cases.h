@@ -48,14 +48,14 @@ inline LineModel model_of(const LineCase& with) {
 
 // The whole wire, made without the encoder.
 inline std::string expected_wire(const std::string& text, const feed::Settings& settings) {
-  std::string wire(settings.wire.leader_nuls, '\0');
+  std::string wire(settings.wire.leader_chars, '\0');
   for (const char c : text) {
     const std::string one = c == '\n' ? std::string(characters(settings.wire.eob)) : std::string(1, c);
     for (const char out : one) {
       wire += static_cast<char>(tape_code::with_parity(static_cast<std::uint8_t>(out), settings.wire.eighth_bit));
     }
   }
-  return wire + std::string(settings.wire.trailer_nuls, '\0');
+  return wire + std::string(settings.wire.trailer_chars, '\0');
 }
 
 }  // namespace dripfeed::wire

@@ -155,7 +155,8 @@ void VirtualLine::control_sends(std::uint8_t byte) {
 // Counts what still comes in behind a DC3; sends DC3 above the high mark and behind the final '%'.
 void VirtualLine::control_takes(std::uint8_t byte) {
   if (control_holds_) worst_after_dc3 = std::max(worst_after_dc3, ++after_dc3_);
-  const bool percent = (byte & tape_code::kLowSevenBits) == '%';
+  const bool eia = model_.settings.wire.eia.has_value();
+  const bool percent = eia ? byte == tape_code::kEiaEor : (byte & tape_code::kLowSevenBits) == '%';
   percents_ += percent ? 1 : 0;
   ++fill_;
   const bool ended = percent && percents_ == 2;

@@ -55,7 +55,7 @@ TEST(Settings, RefusesTheRestByName) {
   }
   settings.end.eot = 0x1A;
   EXPECT_TRUE(validate(settings));
-  settings.wire.trailer_nuls = kMaxFillers + 1;
+  settings.wire.trailer_chars = kMaxFillers + 1;
   EXPECT_EQ(fault(settings), SettingsFault::fillers);
 }
 

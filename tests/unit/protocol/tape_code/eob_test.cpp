@@ -23,6 +23,16 @@ TEST(Eob, HasFourForms) {
   EXPECT_EQ(characters(Eob::lf_cr_cr), "\n\r\r");
   EXPECT_EQ(characters(Eob::cr), "\r");
   for (const Eob eob : {Eob::lf, Eob::cr_lf, Eob::lf_cr_cr, Eob::cr}) EXPECT_EQ(parse_eob(name(eob)), eob);
+  for (const std::string_view own : {"CR LF LF", "1E", "LF 03", "CR CR CR CR", "0C LF"}) {
+    ASSERT_TRUE(parse_eob(own)) << own;
+    EXPECT_EQ(name(*parse_eob(own)), own);
+  }
+  EXPECT_EQ(*parse_eob("0D 0A"), Eob::cr_lf);
+  // Too long, no control character, or one that means something on a line.
+  for (const std::string_view wrong :
+       {"", " ", "LF ", " LF", "CR LF CR LF CR", "41", "00", "11", "13", "16", "7F", "A"}) {
+    EXPECT_EQ(parse_eob(wrong), std::nullopt) << wrong;
+  }
   EXPECT_EQ(parse_eob("LFCRCR"), std::nullopt);
   EXPECT_EQ(parse_eob("lf"), std::nullopt);
 }

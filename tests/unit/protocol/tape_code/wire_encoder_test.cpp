@@ -49,25 +49,33 @@ Plain plain(const WireFormat& format, const std::string& text) {
   const auto mark = [&](std::uint64_t done, std::uint64_t line, WirePart part, bool boundary) {
     all.at.push_back({all.wire.size(), done, line, part, boundary});
   };
-  for (std::uint32_t i = 0; i < format.leader_nuls; ++i) {
+  const auto coded = [&](char c) {
+    if (!format.eia) return static_cast<char>(with_parity(static_cast<std::uint8_t>(c), format.eighth_bit));
+    return c == '\0' || c == '\x7F' ? c : static_cast<char>(eia_code(c, *format.eia));
+  };
+  const char filler = coded(format.filler == Filler::nul ? '\0' : '\x7F');
+  for (std::uint32_t i = 0; i < format.leader_chars; ++i) {
     mark(0, 1, WirePart::leader, true);
-    all.wire += static_cast<char>(with_parity(0, format.eighth_bit));
+    all.wire += filler;
   }
   std::uint64_t line = 1;
   bool boundary = true;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const std::string out = text[i] == '\n' ? std::string(characters(format.eob)) : std::string(1, text[i]);
+    const std::string eob = format.eia ? std::string("\n") : std::string(characters(format.eob));
+    const std::size_t begin = i == 0 ? 0 : text.rfind('\n', i - 1) + 1;  // npos + 1 is 0
+    const bool odd = text[i] == '\n' && format.pad_tv && (i - begin + 1) % 2 == 1;
+    const std::string out = text[i] == '\n' ? (odd ? " " : "") + eob : std::string(1, text[i]);
     for (const char c : out) {
       mark(i, line, WirePart::text, boundary);
-      all.wire += static_cast<char>(with_parity(static_cast<std::uint8_t>(c), format.eighth_bit));
+      all.wire += coded(c);
       boundary = false;
     }
     boundary = text[i] == '\n';
     line += boundary ? 1 : 0;
   }
-  for (std::uint32_t i = 0; i <= format.trailer_nuls; ++i) {
+  for (std::uint32_t i = 0; i <= format.trailer_chars; ++i) {
     mark(text.size(), line, i == 0 ? WirePart::text : WirePart::trailer, true);
-    if (i < format.trailer_nuls) all.wire += static_cast<char>(with_parity(0, format.eighth_bit));
+    if (i < format.trailer_chars) all.wire += filler;
   }
   return all;
 }
@@ -77,20 +85,40 @@ const std::vector<std::string> kTexts{"",       "\n",        "A",        "%\nO1\
 
 std::vector<WireFormat> formats() {
   std::vector<WireFormat> all;
-  for (const Eob eob : {Eob::lf, Eob::cr_lf, Eob::lf_cr_cr, Eob::cr}) {
+  for (const Eob eob : {Eob::lf, Eob::cr_lf, Eob::lf_cr_cr, Eob::cr, *parse_eob("CR LF LF"), *parse_eob("1E")}) {
     for (const EighthBit eighth : {EighthBit::data, EighthBit::clear, EighthBit::even, EighthBit::odd}) {
-      all.push_back({.eighth_bit = eighth, .eob = eob, .leader_nuls = 0, .trailer_nuls = 0});
-      all.push_back({.eighth_bit = eighth, .eob = eob, .leader_nuls = 3, .trailer_nuls = 2});
+      all.push_back({.eighth_bit = eighth, .eob = eob, .leader_chars = 0, .trailer_chars = 0});
+      all.push_back({.eighth_bit = eighth, .eob = eob, .leader_chars = 3, .trailer_chars = 2});
+      all.push_back({.eighth_bit = eighth, .eob = eob, .trailer_chars = 1, .filler = Filler::del, .pad_tv = true});
     }
   }
+  for (const bool pad : {false, true}) {
+    all.push_back({.eighth_bit = EighthBit::data, .eia = EiaSpecials{}, .pad_tv = pad});
+    all.push_back({.eighth_bit = EighthBit::data,
+                   .leader_chars = 2,
+                   .trailer_chars = 3,
+                   .eia = EiaSpecials{},
+                   .filler = pad ? Filler::del : Filler::nul,
+                   .pad_tv = pad});
+  }
   return all;
+}
+
+std::uint64_t odd_blocks(std::string_view text) {
+  std::uint64_t odd = 0;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    odd += (end + 1) % 2;
+    text.remove_prefix(end + 1);
+  }
+  return odd;
 }
 
 TEST(WireEncoder, MakesTheWireInAnyPieces) {
   for (const WireFormat& format : formats()) {
     for (const std::string& text : kTexts) {
       const Plain expected = plain(format, text);
-      EXPECT_EQ(wire_length(format, text.size(), static_cast<std::uint64_t>(std::ranges::count(text, '\n'))),
+      EXPECT_EQ(wire_length(format, text.size(), static_cast<std::uint64_t>(std::ranges::count(text, '\n')),
+                            odd_blocks(text)),
                 expected.wire.size());
       for (unsigned seed = 0; seed < 5; ++seed) {
         std::mt19937 random(seed);
@@ -153,10 +181,14 @@ TEST(WireEncoder, NamesWhatIsWrongWithTheText) {
   EXPECT_EQ(filled.count, 3U);
   SpanSource umlaut(std::string_view("A\xC4"));
   WireEncoder seven({}, umlaut, 2);
-  EXPECT_EQ(seven.fill(out, ends).status, FillStatus::not_seven_bit);
+  EXPECT_EQ(seven.fill(out, ends).status, FillStatus::no_code);
   EXPECT_EQ(seven.produced(), 1U);
   SpanSource again(std::string_view("A\xC4"));
   EXPECT_EQ(WireEncoder({.eighth_bit = EighthBit::data}, again, 2).fill(out, ends).status, FillStatus::end);
+  SpanSource bracket(std::string_view("#1=2"));
+  WireEncoder eia({.eia = EiaSpecials{}}, bracket, 4);
+  EXPECT_EQ(eia.fill(out, ends).status, FillStatus::no_code);
+  EXPECT_EQ(eia.produced(), 0U);
 }
 
 TEST(WireEncoder, NeverSendsMoreThanThePromisedText) {

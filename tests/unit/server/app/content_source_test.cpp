@@ -97,20 +97,47 @@ TEST_F(ContentSourceTest, OneThreadFillsWhileAnotherTakes) {
   EXPECT_TRUE(taken == text);
 }
 
+machine::Profile fed_machine() {
+  machine::Profile profile;
+  profile.control.dialect = "fanuc";
+  return profile;
+}
+
+TEST_F(ContentSourceTest, RefusesACharacterThatTheLineCannotCarry) {
+  machine::Profile profile = fed_machine();
+  const auto refused = [&](const std::string& text) {
+    return refusal(check_program(store_->contents(), put(text), profile, ir::Delivery::drip));
+  };
+  const std::string text = "%\r\nO1\r\nG1 X#1\r\nM30\r\n%\r\n";
+  EXPECT_TRUE(check_program(store_->contents(), put(text), profile, ir::Delivery::drip));
+  profile.line.code = tape_code::Code::eia;
+  profile.line.framing = {.data_bits = 8, .parity = tape_code::Parity::none, .stop_bits = 2};
+  const Error error = refused(text);
+  EXPECT_EQ(error.code, ErrorCode::refused);
+  EXPECT_EQ(error.text, "line 3, column 5: EIA has no code for the character '#' (1 such)");
+  ASSERT_EQ(error.places.size(), 1U);
+  EXPECT_EQ(error.places.front().line, 3U);
+  EXPECT_EQ(error.places.front().column, 5U);
+  profile.line.eia_specials.codes[2] = 0x5E;
+  EXPECT_TRUE(check_program(store_->contents(), put(text), profile, ir::Delivery::drip));
+  profile.line.character_set = "fanuc-iso";
+  EXPECT_EQ(refused("%\n(a)\nM30\n%").text, "line 2, column 2: the control does not take the character 'a' (1 such)");
+}
+
 TEST_F(ContentSourceTest, ChecksAStoredTextWholeAndNamesThePlaceOfAFault) {
   const std::string body = numbered(3 * store::kChunkBytes, "\r\n");
   const std::string lines = body.substr(0, body.rfind("\r\n") + 2);
   const std::string good = "%\r\n" + lines + "M30\r\n%\r\n";
-  const auto facts = must(check_program(store_->contents(), put(good), feed::kParenthesesSyntax));
+  const auto facts = must(check_program(store_->contents(), put(good), fed_machine(), ir::Delivery::drip));
   EXPECT_EQ(facts.text_bytes(), with_lf(good).size());
   const std::string bad = "%\r\n" + lines + "(50%)\r\nM30\r\n%\r\n";
-  const Error error = refusal(check_program(store_->contents(), put(bad), feed::kParenthesesSyntax));
+  const Error error = refusal(check_program(store_->contents(), put(bad), fed_machine(), ir::Delivery::drip));
   EXPECT_EQ(error.code, ErrorCode::refused);
   ASSERT_EQ(error.places.size(), 1U);
   const std::string head = with_lf("%\r\n" + lines);
   EXPECT_EQ(error.places.front().line, 1 + std::count(head.begin(), head.end(), '\n'));
   EXPECT_EQ(error.places.front().column, 4U);
-  EXPECT_EQ(refusal(check_program(store_->contents(), std::string(64, 'a'), feed::kParenthesesSyntax)).code,
+  EXPECT_EQ(refusal(check_program(store_->contents(), std::string(64, 'a'), fed_machine(), ir::Delivery::drip)).code,
             ErrorCode::unavailable);
 }
 

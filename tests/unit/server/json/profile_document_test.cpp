@@ -83,8 +83,8 @@ TEST(ProfileDocument, EveryMemberArrives) {
   EXPECT_EQ(p.line.baud, 4800U);
   EXPECT_EQ(p.line.framing.data_bits, 7);
   EXPECT_EQ(p.line.eob, tape_code::Eob::lf_cr_cr);
-  EXPECT_EQ(p.line.leader_nuls, 5U);
-  EXPECT_EQ(p.line.trailer_nuls, 6U);
+  EXPECT_EQ(p.line.leader_chars, 5U);
+  EXPECT_EQ(p.line.trailer_chars, 6U);
   EXPECT_EQ(p.line.start, feed::Start::at_once);
   EXPECT_FALSE(p.line.end_by_dc3);
   EXPECT_EQ(p.line.end_by_character, 4);
@@ -100,6 +100,20 @@ TEST(ProfileDocument, EveryMemberArrives) {
   EXPECT_TRUE(p.line.watch_cts);
   EXPECT_FALSE(p.line.watch_dsr);
   EXPECT_EQ(p.line.arming_minutes, 5.0);
+}
+
+TEST(ProfileDocument, TheCodeOfTheTapeArrives) {
+  const auto read = read_profile(with(R"("framing": "7E2", "code": "iso", "eob": "lf-cr-cr")",
+                                      R"("framing": "8N2", "code": "eia", "eob": "cr-lf-lf", "filler": "del",
+                                         "pad_tv": true, "eia_specials": {"[": 76, "#": 94})"));
+  ASSERT_TRUE(read) << read.error().text;
+  EXPECT_EQ(read->line.code, tape_code::Code::eia);
+  EXPECT_EQ(tape_code::name(read->line.eob), "CR LF LF");
+  EXPECT_EQ(read->line.filler, tape_code::Filler::del);
+  EXPECT_TRUE(read->line.pad_tv);
+  EXPECT_EQ(read->line.eia_specials.codes[0], 76);
+  EXPECT_EQ(read->line.eia_specials.codes[2], 94);
+  EXPECT_EQ(read->line.eia_specials.codes[1], 0);
 }
 
 struct Wrong {
@@ -151,6 +165,10 @@ TEST(ProfileDocument, EveryWrongMemberHasItsPlace) {
       {R"("baud": 4800)", R"("baud": -4800)", "/link/baud"},
       {R"("framing": "7E2")", R"("framing": "9E1")", "/link/framing"},
       {R"("eob": "lf-cr-cr")", R"("eob": "crlf")", "/link/eob"},
+      {R"("code": "iso")", R"("code": "bcd")", "/link/code"},
+      {R"("code": "iso")", R"("filler": "blank")", "/link/filler"},
+      {R"("code": "iso")", R"("eia_specials": {"[": 97})", "/link/eia_specials/["},
+      {R"("code": "iso")", R"("eia_specials": {"#": 3})", "/link/eia_specials/#"},
       {R"("end_by_character": 4)", R"("end_by_character": 128)", "/link/end_by_character"},
       {R"("end_by_quiet_s": 2.5)", R"("end_by_quiet_s": 0)", "/link/end_by_quiet_s"},
       {R"("unsent": 3)", R"("unsent": 257)", "/link/unsent"},

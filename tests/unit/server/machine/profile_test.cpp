@@ -43,8 +43,8 @@ TEST(Line, OptionsOfTheUrlWin) {
 TEST(Line, WithoutOptionsTheProfileCounts) {
   LineSettings line = line_at("pty:/tmp/x");
   line.baud = 4800;
-  line.leader_nuls = 50;
-  line.trailer_nuls = 20;
+  line.leader_chars = 50;
+  line.trailer_chars = 20;
   line.end_by_dc3 = false;
   line.end_by_character = 4;
   line.end_by_quiet_s = 2.5;
@@ -53,8 +53,8 @@ TEST(Line, WithoutOptionsTheProfileCounts) {
   ASSERT_TRUE(feed) << feed.error();
   EXPECT_EQ(feed->baud, 4800U);
   EXPECT_EQ(feed->wire.eighth_bit, tape_code::EighthBit::even);
-  EXPECT_EQ(feed->wire.leader_nuls, 50U);
-  EXPECT_EQ(feed->wire.trailer_nuls, 20U);
+  EXPECT_EQ(feed->wire.leader_chars, 50U);
+  EXPECT_EQ(feed->wire.trailer_chars, 20U);
   EXPECT_FALSE(feed->end.dc3);
   EXPECT_EQ(feed->end.eot, 4);
   EXPECT_EQ(feed->end.quiet, feed::Time(2'500'000'000));
@@ -88,7 +88,7 @@ TEST(Line, NamesTheOptionThatIsWrong) {
       Wrong{"unsent=99999999999", "unsent \"99999999999\" is not a whole number"},
       Wrong{"framing=9N1", "framing \"9N1\":"},
       Wrong{"start=now", "start \"now\" is none of dc1, at-once, trigger"},
-      Wrong{"eob=crlf", "eob \"crlf\" is not lf, cr-lf, lf-cr-cr or cr"},
+      Wrong{"eob=crlf", "eob \"crlf\" is not lf, cr-lf, lf-cr-cr, cr"},
       Wrong{"flow=cts", "flow \"cts\" is none of xonxoff, rtscts, dtrdsr, both, none"},
       Wrong{"char_delay_ms=1.5", "char_delay_ms \"1.5\" is not a whole number"},
   };
@@ -147,6 +147,29 @@ TEST(Line, ReadsEveryEob) {
   for (const auto& [name, eob] : eobs) {
     EXPECT_EQ(effective_line(line_at("pty:/x?eob=" + std::string(name)))->eob, eob) << name;
   }
+}
+
+TEST(Line, ReadsTheCodeAndAnEobOfTheShop) {
+  EXPECT_EQ(tape_code::name(effective_line(line_at("pty:/x?eob=cr-lf-lf"))->eob), "CR LF LF");
+  EXPECT_FALSE(effective_line(line_at("pty:/x?eob=13")));
+  EXPECT_FALSE(effective_line(line_at("pty:/x?code=bcd")));
+  const auto eia = feed_settings_of(line_at("pty:/x?framing=8N2&code=eia"));
+  ASSERT_TRUE(eia) << eia.error();
+  EXPECT_TRUE(eia->wire.eia);
+  EXPECT_EQ(eia->wire.eighth_bit, tape_code::EighthBit::data);
+  const auto seven = feed_settings_of(line_at("pty:/x?framing=7E2&code=eia"));
+  ASSERT_FALSE(seven);
+  EXPECT_NE(seven.error().find("8N"), std::string::npos) << seven.error();
+  EXPECT_EQ(feed_settings_of(line_at("pty:/x?framing=8N1&code=iso"))->wire.eighth_bit, tape_code::EighthBit::even);
+  LineSettings line = *effective_line(line_at("pty:/x?framing=8N2&code=eia"));
+  EXPECT_FALSE(characters_of(line).has('a'));
+  EXPECT_FALSE(characters_of(line).has('#'));
+  EXPECT_EQ(character_refusal(line, {.byte = '#'}), "EIA has no code for the character '#'");
+  EXPECT_EQ(character_refusal(line, {.byte = 0xE4}), "the control does not take the character 0xE4");
+  line.eia_specials.codes[2] = 0x5E;
+  EXPECT_TRUE(characters_of(line).has('#'));
+  line.eia_specials.codes[2] = 0x61;
+  EXPECT_FALSE(feed_settings_of(line));
 }
 
 TEST(Control, TheProfileLiesOverTheUsualControl) {

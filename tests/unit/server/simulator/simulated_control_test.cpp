@@ -267,5 +267,26 @@ TEST_F(SimulatedControlTest, LineUseLeavesHoldsOut) {
   EXPECT_LE(report().line_use, 1.0);
 }
 
+// EIA: odd holes, EOB 80h, ER 0Bh; a blank is leader and nothing else.
+TEST_F(SimulatedControlTest, ReadsEia) {
+  ControlSettings s = settings();
+  s.framing = tape_code::parse_framing("8N2").value();
+  s.code = tape_code::Code::eia;
+  constexpr std::array<std::uint8_t, 14> kTape = {0x00, 0x00, 0x0B, 0x80, 0x46, 0x13, 0x80,   // ER, O3
+                                                  0x54, 0x13, 0x20, 0x80, 0x0B, 0x80, 0x00};  // M30, ER
+  for (const bool blank_inside : {false, true}) {
+    make(s);
+    for (std::size_t i = 0; i < kTape.size(); ++i) {
+      const std::byte byte{blank_inside && i == 8 ? std::uint8_t{0} : kTape[i]};
+      control_->receive({&byte, 1}, now_, now_);
+      pass(kChar);
+    }
+    pass(kSecond);
+    EXPECT_EQ(control_->report().alarm, blank_inside ? "001 TH PARITY" : "");
+    EXPECT_EQ(control_->state(), blank_inside ? ControlState::alarm : ControlState::ended);
+    EXPECT_EQ(control_->report().blocks_run, blank_inside ? 1U : 2U);
+  }
+}
+
 }  // namespace
 }  // namespace dripfeed::simulator
