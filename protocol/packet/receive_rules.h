@@ -29,10 +29,12 @@ class ReceiveRules {
 
   virtual void begin() = 0;
   virtual Received hear(std::uint8_t byte, ReceiveState state) = 0;
-  // How long nothing may come in this state.
-  virtual Time silence(ReceiveState state) const = 0;
+  // How long nothing may come in this state; none: without limit.
+  virtual std::optional<Time> silence(ReceiveState state) const = 0;
   // How often in a row; 0: without limit.
   virtual std::uint32_t attempts(ReceiveState state) const = 0;
+  // Bytes of text that a frame has at most, by what was agreed; the sink has room for so many before one is asked for.
+  virtual std::size_t usual_payload() const = 0;
   // The text of the frame that `good` told of. Valid until the next byte.
   virtual std::span<const std::byte> payload() const = 0;
 
@@ -43,6 +45,10 @@ class ReceiveRules {
   virtual std::size_t refuse(std::span<std::byte> out) = 0;
   virtual std::size_t finish(std::span<std::byte> out) { return acknowledge(out); }
   virtual std::size_t cancel(std::span<std::byte> out) = 0;
+  // An answer to what came that is none of the above.
+  virtual std::size_t reply(std::span<std::byte>) { return 0; }
+  // A frame is acknowledged although there is no room for another: the sender is told so at its next call.
+  virtual bool acknowledges_at_once() const { return false; }
 };
 
 std::unique_ptr<ReceiveRules> make_receive_rules(const Settings& settings);

@@ -25,6 +25,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::never, S::idle},  // idle, gave_up
     {A::never, S::idle},  // idle, room
     {A::none, S::idle},  // idle, lost
+    {A::never, S::idle},  // idle, nothing
 
     {A::refuse, S::inviting},  // inviting, start
     {A::cancel, S::failed},  // inviting, stop
@@ -40,6 +41,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::never, S::inviting},  // inviting, gave_up
     {A::never, S::inviting},  // inviting, room
     {A::fail, S::failed},  // inviting, lost
+    {A::never, S::inviting},  // inviting, nothing
 
     {A::refuse, S::waiting},  // waiting, start
     {A::cancel, S::failed},  // waiting, stop
@@ -55,6 +57,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::cancel, S::failed},  // waiting, gave_up
     {A::never, S::waiting},  // waiting, room
     {A::fail, S::failed},  // waiting, lost
+    {A::never, S::waiting},  // waiting, nothing
 
     {A::refuse, S::framing},  // framing, start
     {A::cancel, S::failed},  // framing, stop
@@ -64,12 +67,13 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::purge, S::purging},  // framing, bad
     {A::cancel, S::failed},  // framing, out_of_step
     {A::never, S::framing},  // framing, told_end
-    {A::never, S::framing},  // framing, end
+    {A::finish, S::done},  // framing, end
     {A::never, S::framing},  // framing, cancelled
     {A::ask_again, S::waiting},  // framing, silent
     {A::cancel, S::failed},  // framing, gave_up
     {A::never, S::framing},  // framing, room
     {A::fail, S::failed},  // framing, lost
+    {A::listen, S::waiting},  // framing, nothing
 
     {A::refuse, S::purging},  // purging, start
     {A::cancel, S::failed},  // purging, stop
@@ -85,6 +89,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::cancel, S::failed},  // purging, gave_up
     {A::never, S::purging},  // purging, room
     {A::fail, S::failed},  // purging, lost
+    {A::never, S::purging},  // purging, nothing
 
     {A::refuse, S::full},  // full, start
     {A::cancel, S::failed},  // full, stop
@@ -100,6 +105,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::never, S::full},  // full, gave_up
     {A::acknowledge, S::waiting},  // full, room
     {A::fail, S::failed},  // full, lost
+    {A::never, S::full},  // full, nothing
 
     {A::begin, S::inviting},  // done, start
     {A::refuse, S::done},  // done, stop
@@ -115,6 +121,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::never, S::done},  // done, gave_up
     {A::never, S::done},  // done, room
     {A::none, S::done},  // done, lost
+    {A::never, S::done},  // done, nothing
 
     {A::begin, S::inviting},  // failed, start
     {A::refuse, S::failed},  // failed, stop
@@ -130,14 +137,15 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::never, S::failed},  // failed, gave_up
     {A::never, S::failed},  // failed, room
     {A::none, S::failed},  // failed, lost
+    {A::never, S::failed},  // failed, nothing
 }};
 // clang-format on
 
 constexpr std::array<std::string_view, kReceiveStates> kStateNames = {"idle",    "inviting", "waiting", "framing",
                                                                       "purging", "full",     "done",    "failed"};
 constexpr std::array<std::string_view, kReceiveInputs> kInputNames = {
-    "start",    "stop", "header",    "good",   "repeated", "bad",  "out_of_step",
-    "told_end", "end",  "cancelled", "silent", "gave_up",  "room", "lost"};
+    "start", "stop",      "header", "good",    "repeated", "bad",  "out_of_step", "told_end",
+    "end",   "cancelled", "silent", "gave_up", "room",     "lost", "nothing"};
 
 }  // namespace
 

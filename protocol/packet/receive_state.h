@@ -34,8 +34,9 @@ enum class ReceiveInput : std::uint8_t {
   gave_up,      // that happened too often
   room,         // the sink has room for another frame
   lost,         // the link
+  nothing,      // a message that brings no text
 };
-inline constexpr std::size_t kReceiveInputs = 14;
+inline constexpr std::size_t kReceiveInputs = 15;
 
 enum class ReceiveAction : std::uint8_t {
   never,
@@ -44,6 +45,7 @@ enum class ReceiveAction : std::uint8_t {
   begin,        // forget what was, invite
   invite,       // ask for the first frame
   take,         // the frame's time runs
+  listen,       // the state's time runs anew
   keep,         // append it, acknowledge it where there is room for another (else the state is `full`)
   acknowledge,  // it was appended before
   purge,

@@ -39,6 +39,12 @@ std::expected<void, feed::Refusal> Receiver::stop(Time now) {
   return taken;
 }
 
+std::expected<void, feed::Refusal> Receiver::conclude(Time now) {
+  step_to(now);
+  if (state_ != ReceiveState::waiting) return std::unexpected(feed::Refusal::not_in_this_state);
+  return react(ReceiveInput::end);
+}
+
 void Receiver::link(bool up, Time now) {
   step_to(now);
   if (!up) {
@@ -55,6 +61,7 @@ void Receiver::receive(std::span<const std::byte> bytes, Time now) {
     const Received received = rules_->hear(static_cast<std::uint8_t>(byte), state_);
     if (state_ == ReceiveState::framing || state_ == ReceiveState::purging) quiet_since_ = now_;
     if (received.input) static_cast<void>(react(*received.input, received.cause));
+    answer(rules_->reply(out_));
   }
   settle();
 }
@@ -88,7 +95,8 @@ void Receiver::listen() {
   if (uninvited_) return;
   if (state_ == ReceiveState::purging && now_ >= purge_until_)
     return static_cast<void>(react(ReceiveInput::gave_up, Cause::no_answer));
-  if (now_ < quiet_since_ + rules_->silence(state_)) return;
+  const auto silence = rules_->silence(state_);
+  if (!silence || now_ < quiet_since_ + *silence) return;
   const std::uint32_t most = rules_->attempts(state_);
   if (most != 0 && ++silences_ >= most) return static_cast<void>(react(ReceiveInput::gave_up, Cause::no_answer));
   static_cast<void>(react(ReceiveInput::silent));
@@ -126,6 +134,7 @@ void Receiver::perform(ReceiveAction action, Cause cause) {
       uninvited_ = true;
       return;
     case ReceiveAction::invite: uninvited_ = true; return;
+    case ReceiveAction::listen: quiet_since_ = now_; return;
     case ReceiveAction::take: quiet_since_ = now_; return answer(rules_->begin_frame(out_));
     case ReceiveAction::keep: {
       const auto payload = rules_->payload();
@@ -135,7 +144,7 @@ void Receiver::perform(ReceiveAction action, Cause cause) {
       emit({.kind = ReceiveEventKind::frame, .count = static_cast<std::uint32_t>(payload.size())});
       silences_ = 0;
       quiet_since_ = now_;
-      if (has_room()) answer(rules_->acknowledge(out_));
+      if (has_room() || rules_->acknowledges_at_once()) answer(rules_->acknowledge(out_));
       return;
     }
     case ReceiveAction::acknowledge:
@@ -145,6 +154,7 @@ void Receiver::perform(ReceiveAction action, Cause cause) {
       }
       silences_ = 0;
       quiet_since_ = now_;
+      if (state_ == ReceiveState::full && rules_->acknowledges_at_once()) return;
       return answer(rules_->acknowledge(out_));
     case ReceiveAction::purge:
       ++counters_.bad;
@@ -167,7 +177,8 @@ void Receiver::answer(std::size_t size) {
 
 std::optional<Time> Receiver::deadline() const {
   if (is_resting(state_) || state_ == ReceiveState::full || uninvited_) return std::nullopt;
-  return quiet_since_ + rules_->silence(state_);
+  const auto silence = rules_->silence(state_);
+  return silence ? std::optional(quiet_since_ + *silence) : std::nullopt;
 }
 
 std::optional<ReceiveEvent> Receiver::next_event() {

@@ -19,7 +19,8 @@ namespace dripfeed::packet {
 class Sink {
  public:
   virtual ~Sink() = default;
-  // Bytes that it takes now. A frame is asked for and acknowledged only while this is kMaxPayload or more.
+  // Bytes that it takes now. A frame is asked for, and the last one acknowledged, while this is as much as a frame of
+  // the protocol has; a sender that sends longer ones unasked (1024 bytes of XMODEM for 128) is not refused.
   virtual std::size_t room() const noexcept = 0;
   virtual void append(std::span<const std::byte> bytes) noexcept = 0;
 };
@@ -50,6 +51,8 @@ class Receiver {
 
   std::expected<void, feed::Refusal> start(Time now);
   std::expected<void, feed::Refusal> stop(Time now);
+  // 3964 has no end of a text: who reads it says, between two blocks, that it is whole.
+  std::expected<void, feed::Refusal> conclude(Time now);
   void link(bool up, Time now);
   void receive(std::span<const std::byte> bytes, Time now);
   // Also after the sink got room.
@@ -80,7 +83,7 @@ class Receiver {
   void listen();
   void emit(ReceiveEvent event);
   void answer(std::size_t size);
-  bool has_room() const { return sink_->room() >= kMaxPayload; }
+  bool has_room() const { return sink_->room() >= rules_->usual_payload(); }
 
   std::unique_ptr<ReceiveRules> rules_;
   Sink* sink_;

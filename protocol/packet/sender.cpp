@@ -295,8 +295,8 @@ bool Sender::advance() {
     if (rules_->starts_itself() && link_up_) return static_cast<void>(react(Input::asked, Cause::start)), true;
   }
   if (state_ != State::ready || out_begin_ != out_end_) return false;
-  text_missing_ = ledger_missing_ = false;
   if (rules_->is_pulled() && !asked_) return false;
+  text_missing_ = ledger_missing_ = false;
   if (advance_ready()) return true;
   if (state_ == State::ready && rules_->is_pulled() && std::exchange(asked_, false))
     put_small(rules_->nothing_now(small_), false);
@@ -363,7 +363,7 @@ std::optional<Time> Sender::deadline() const {
   if (state_ == State::armed) at(expires_at_);
   if (waits_since_ && stall_ == Stall::none) at(*waits_since_ + kShownAfter);
   if (out_begin_ != out_end_ && credit_ == 0 && link_up_) at(clock_.refill_at());
-  if (state_ == State::ready && text_missing_) at(source_retry_at_);
+  if (state_ == State::ready && text_missing_ && !rules_->is_pulled()) at(source_retry_at_);
   return due;
 }
 

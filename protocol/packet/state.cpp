@@ -47,19 +47,19 @@ constexpr std::array<Cell, kStates * kInputs> kCells{{
     {A::never, S::armed},  // armed, cut
     {A::end, S::disarmed},  // armed, expired
 
-    {A::never, S::calling},  // calling, arm
-    {A::never, S::calling},  // calling, disarm
-    {A::never, S::calling},  // calling, stop
-    {A::never, S::calling},  // calling, resume
-    {A::never, S::calling},  // calling, cancel
-    {A::never, S::calling},  // calling, abort
-    {A::never, S::calling},  // calling, confirm_reset
+    {A::refuse, S::calling},  // calling, arm
+    {A::refuse, S::calling},  // calling, disarm
+    {A::want_stop, S::calling},  // calling, stop
+    {A::unwant_stop, S::calling},  // calling, resume
+    {A::want_cancel, S::calling},  // calling, cancel
+    {A::fail, S::failed},  // calling, abort
+    {A::refuse, S::calling},  // calling, confirm_reset
     {A::never, S::calling},  // calling, asked
     {A::send, S::sending},  // calling, granted
     {A::never, S::calling},  // calling, accepted
-    {A::never, S::calling},  // calling, again
-    {A::never, S::calling},  // calling, broken
-    {A::never, S::calling},  // calling, frame_out
+    {A::call, S::calling},  // calling, again
+    {A::fail, S::failed},  // calling, broken
+    {A::wait, S::calling},  // calling, frame_out
     {A::never, S::calling},  // calling, frame_ready
     {A::never, S::calling},  // calling, finished
     {A::never, S::calling},  // calling, cut
@@ -75,7 +75,7 @@ constexpr std::array<Cell, kStates * kInputs> kCells{{
     {A::never, S::sending},  // sending, asked
     {A::never, S::sending},  // sending, granted
     {A::never, S::sending},  // sending, accepted
-    {A::never, S::sending},  // sending, again
+    {A::call, S::calling},  // sending, again
     {A::fail, S::failed},  // sending, broken
     {A::sent, S::waiting},  // sending, frame_out
     {A::never, S::sending},  // sending, frame_ready
@@ -90,7 +90,7 @@ constexpr std::array<Cell, kStates * kInputs> kCells{{
     {A::want_cancel, S::waiting},  // waiting, cancel
     {A::fail, S::failed},  // waiting, abort
     {A::refuse, S::waiting},  // waiting, confirm_reset
-    {A::never, S::waiting},  // waiting, asked
+    {A::accept_asked, S::ready},  // waiting, asked
     {A::never, S::waiting},  // waiting, granted
     {A::accept, S::ready},  // waiting, accepted
     {A::call, S::calling},  // waiting, again
@@ -108,7 +108,7 @@ constexpr std::array<Cell, kStates * kInputs> kCells{{
     {A::want_cancel, S::ready},  // ready, cancel
     {A::fail, S::failed},  // ready, abort
     {A::refuse, S::ready},  // ready, confirm_reset
-    {A::never, S::ready},  // ready, asked
+    {A::note_asked, S::ready},  // ready, asked
     {A::never, S::ready},  // ready, granted
     {A::never, S::ready},  // ready, accepted
     {A::repeat, S::sending},  // ready, again

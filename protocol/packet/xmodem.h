@@ -63,8 +63,11 @@ class XmodemReceiveRules final : public ReceiveRules {
   void begin() override;
   std::size_t invite(std::span<std::byte> out) override;
   Received hear(std::uint8_t byte, ReceiveState state) override;
-  Time silence(ReceiveState state) const override;
+  std::optional<Time> silence(ReceiveState state) const override;
   std::uint32_t attempts(ReceiveState state) const override;
+  std::size_t usual_payload() const override {
+    return settings_.protocol == Protocol::xmodem_1k ? xmodem::kLong : xmodem::kShort;
+  }
   std::span<const std::byte> payload() const override;
   std::size_t acknowledge(std::span<std::byte> out) override;
   std::size_t refuse(std::span<std::byte> out) override;

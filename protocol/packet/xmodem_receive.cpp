@@ -91,7 +91,7 @@ Received XmodemReceiveRules::judge() {
   return {ReceiveInput::out_of_step, Cause::out_of_step};
 }
 
-Time XmodemReceiveRules::silence(ReceiveState state) const {
+std::optional<Time> XmodemReceiveRules::silence(ReceiveState state) const {
   if (state == ReceiveState::inviting) return crc_ ? kCrcInvitationEvery : kPacketTime;
   if (state == ReceiveState::framing || state == ReceiveState::purging) return kCharacterTime;
   return kPacketTime;

@@ -274,6 +274,7 @@ std::string PacketPlayer::one_command(const std::string& name, const std::string
   if (receiver_) {
     if (name == "start") return said(receiver_->start(now_));
     if (name == "stop") return said(receiver_->stop(now_));
+    if (name == "end") return said(receiver_->conclude(now_));
     if (name != "room") return "unknown command";
     sink_.space = std::stoul(argument);
     receiver_->tick(now_);
