@@ -1,3 +1,4 @@
+// Answers by the state of each option, on each side.
 #include "protocol/telnet/options.h"
 
 #include <algorithm>

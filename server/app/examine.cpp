@@ -131,7 +131,7 @@ std::expected<timing::Settings, std::string> timing_settings(const Examination& 
   settings.keep_whole = e.timing.keep_whole;
   settings.wants_curve = e.timing.wants_curve;
   settings.threads = e.timing.threads;
-  if (e.delivery != ir::Delivery::drip || e.profile->line.link.kind == machine::LinkKind::modbus_tcp) return settings;
+  if (e.delivery != ir::Delivery::drip || !machine::feeds_characters(e.profile->line.link.kind)) return settings;
   const auto effective = machine::effective_line(e.profile->line);  // the URL's options count
   if (!effective) return std::unexpected(effective.error());
   const machine::LineSettings& line = *effective;

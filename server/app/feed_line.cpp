@@ -257,6 +257,10 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     report_.stop_wanted = std::ranges::find(kStopStates, feed_.state()) != kStopStates.end();
     report_.cause = feed_.end_cause() == feed::Cause::none ? std::string_view() : feed::name(feed_.end_cause());
     if (report_.link_error != link_error_) report_.link_error = link_error_;
+    if (link_) {
+      report_.line_errors = link_->errors();
+      if (report_.link_note != link_->note()) report_.link_note = link_->note();
+    }
     report_.total = feed_.wire_bytes();
     report_.handed = counters.handed;
     report_.clocked = counters.clocked;

@@ -12,6 +12,8 @@
 
 #include "protocol/tape_code/wire_encoder.h"
 #include "server/app/content_source.h"
+#include "server/app/drop_line.h"
+#include "server/machine/file_drop.h"
 #include "store/hash/hash.h"
 
 namespace dripfeed::app {
@@ -24,9 +26,20 @@ ir::Delivery delivery_of(store::Delivery delivery) {
   return delivery == store::Delivery::drip ? ir::Delivery::drip : ir::Delivery::memory;
 }
 
+// A folder gives whole files: a control that runs one as it comes would not be fed by us.
+Result<void> refuse_drip_into_folder(const machine::Profile& profile, store::Delivery delivery) {
+  if (profile.line.link.kind != machine::LinkKind::dir || delivery == store::Delivery::memory) return {};
+  return fail(
+      ErrorCode::refused,
+      fmt::format("machine {} fetches whole files from a folder: release the program for memory", profile.name));
+}
+
 // Wire bytes of a text on this line; a block transfer has its text's bytes.
 Result<std::uint64_t> wire_bytes(const machine::Profile& profile, const feed::ProgramFacts& facts) {
-  if (profile.line.link.kind == machine::LinkKind::modbus_tcp) return facts.text_bytes();
+  const machine::LinkKind kind = profile.line.link.kind;
+  if (kind == machine::LinkKind::dir)
+    return tape_code::wire_length(drop_format(profile.line), facts.text_bytes(), facts.eobs());
+  if (!machine::feeds_characters(kind)) return facts.text_bytes();
   const auto settings = machine::feed_settings_of(profile.line);
   if (!settings) return fail(ErrorCode::refused, settings.error());
   return tape_code::wire_length(settings->wire, facts.text_bytes(), facts.eobs(), facts.odd_blocks());
@@ -79,6 +92,16 @@ Result<void> Jobs::refuse_changed_machine(std::string_view text_sha256, std::str
                                               machine, (*verdict)->id));
 }
 
+// "" where the line is no folder.
+Result<std::string> Jobs::file_name(const machine::Profile& profile, store::Id program) {
+  if (profile.line.link.kind != machine::LinkKind::dir) return std::string();
+  const auto row = store_.programs().get(program);
+  if (!row) return std::unexpected(from_store(row.error()));
+  auto name = machine::file_name_for(profile, row->name);
+  if (!name) return fail(ErrorCode::refused, name.error());
+  return std::move(*name);
+}
+
 Result<std::shared_ptr<Line>> Jobs::line_with(const store::Job& job) {
   auto line = lines_.find(job.machine);
   if (!line) return fail(ErrorCode::refused, fmt::format("machine {} has no line", job.machine));
@@ -95,6 +118,7 @@ Result<store::Job> Jobs::add(store::Id release, std::string_view actor) {
   if (!profile) return std::unexpected(profile.error());
   const auto facts = check_program(store_.contents(), row->text_sha256, *profile, delivery_of(row->of.delivery));
   if (!facts) return std::unexpected(facts.error());
+  if (auto whole = refuse_drip_into_folder(*profile, row->of.delivery); !whole) return std::unexpected(whole.error());
   const auto bytes = wire_bytes(*profile, *facts);
   if (!bytes) return std::unexpected(bytes.error());
   if (auto same = refuse_changed_machine(row->text_sha256, row->of.machine, row->of.delivery); !same)
@@ -127,6 +151,8 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
   if (auto same = refuse_changed_machine(job->text_sha256, job->machine, job->delivery); !same)
     return std::unexpected(same.error());
 
+  const auto name = file_name(*profile, job->program);
+  if (!name) return std::unexpected(name.error());
   const double minutes = given.value_or(profile->line.arming_minutes);
   const std::int64_t expires_at_ms = clock_.wall_ms() + static_cast<std::int64_t>(minutes * 60e3);
   auto armed = store_.jobs().move(
@@ -147,7 +173,8 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
                                   .source = source,
                                   .expires_after = expires,
                                   .reserve = reserve,
-                                  .session = random_session()});
+                                  .session = random_session(),
+                                  .file_name = *name});
   if (!on_line) return disarm_after(*armed, on_line.error(), actor);
   keeper_.set_source(job->machine, std::move(source));
   spdlog::info("job {} armed on {} by {}", id, job->machine, actor);

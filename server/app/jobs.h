@@ -38,6 +38,7 @@ class Jobs {
   Result<machine::Profile> profile_of(std::string_view machine);
   Result<void> refuse_changed_machine(std::string_view text_sha256, std::string_view machine, store::Delivery delivery);
   Result<std::shared_ptr<Line>> line_with(const store::Job& job);
+  Result<std::string> file_name(const machine::Profile& profile, store::Id program);
   // `note`: what stands in the ledger, where something does.
   Result<store::Job> command(store::Id job, feed::Command command, std::string_view action, std::string_view reason,
                              std::string_view actor, std::string note = {});

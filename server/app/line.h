@@ -11,6 +11,7 @@
 
 #include "protocol/feed/feed.h"
 #include "protocol/tape_code/text_source.h"
+#include "server/app/ports/link.h"
 
 namespace dripfeed::app {
 
@@ -48,6 +49,8 @@ struct LineReport {
   bool stop_wanted = false;  // a person's stop is in force, reached or on its way to the block end
   std::string_view cause;    // why the job ended, "" while it runs
   std::string link_error;    // why the link is down
+  std::string link_note;     // of a link that is up: what its device server did not confirm
+  LineErrors line_errors;    // that the UART counted since the link is up
   std::uint64_t total = 0;   // wire bytes of the job
   std::uint64_t handed = 0;
   std::uint64_t clocked = 0;
@@ -71,6 +74,7 @@ struct LineOrder {
   feed::Time expires_after = feed::kArmingExpiry;
   std::uint64_t reserve = 0;  // already committed in the ledger
   std::uint64_t session = 0;  // new for each arming; 32 bits of it identify a block transfer at the PLC
+  std::string file_name{};    // for a folder: the name under which the control fetches it
 };
 
 class Line {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "server/app/drop_line.h"
 #include "server/app/feed_line.h"
 #include "server/app/mailbox_line.h"
 
@@ -83,7 +84,8 @@ Result<std::unique_ptr<Line>> make_line(const machine::LineSettings& settings, L
   if (settings.link.kind == machine::LinkKind::modbus_tcp) {
     return make_mailbox_line(make_bus(settings.link), thread.clock(), std::move(changed));
   }
-  auto line = make_feed_line(settings, thread, std::move(changed));
+  auto line = settings.link.kind == machine::LinkKind::dir ? make_drop_line(settings, std::move(changed))
+                                                           : make_feed_line(settings, thread, std::move(changed));
   if (!line) return fail(ErrorCode::invalid, line.error());
   return std::move(*line);
 }

@@ -1,12 +1,14 @@
 // dripfeed send: one transfer without a server, with its own ledger file. It takes texts that nobody checked or
 // released, so it wants to be told that this is meant.
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <thread>
 
 #include <fmt/format.h>
 
 #include "protocol/tape_code/character_set.h"
+#include "server/app/drop_line.h"
 #include "server/app/keeper.h"
 #include "server/app/lines.h"
 #include "server/cli/cli.h"
@@ -17,6 +19,7 @@
 #include "server/cli/signals.h"
 #include "server/cli/wire_hashes.h"
 #include "server/io/io.h"
+#include "server/machine/file_drop.h"
 
 namespace dripfeed::cli {
 
@@ -70,7 +73,8 @@ app::Result<feed::ProgramFacts> facts_of(const std::string& text, const machine:
                      fmt::format("{}:{}:{}: {} ({} such)", file, first.line, first.column,
                                  machine::character_refusal(profile.line, first), characters.count()));
   }
-  feed::ProgramCheck check(machine::program_syntax_of(profile, ir::Delivery::drip));
+  const bool whole_file = profile.line.link.kind == machine::LinkKind::dir;
+  feed::ProgramCheck check(machine::program_syntax_of(profile, whole_file ? ir::Delivery::memory : ir::Delivery::drip));
   check.append(text);
   const auto facts = check.finish();
   if (facts) return *facts;
@@ -82,10 +86,13 @@ app::Result<feed::ProgramFacts> facts_of(const std::string& text, const machine:
 WireHashes hashes_of(const std::string& text, const machine::Profile& profile) {
   if (profile.line.link.kind == machine::LinkKind::modbus_tcp)
     return {.wire_sha256 = hash::sha256_hex(text), .text_sha256 = hash::sha256_hex(text)};
-  const auto settings = machine::feed_settings_of(profile.line);
-  WireHasher hasher(machine::decode_format_of(profile.line));
+  const bool whole_file = profile.line.link.kind == machine::LinkKind::dir;
+  const tape_code::WireFormat format =
+      whole_file ? app::drop_format(profile.line) : machine::feed_settings_of(profile.line)->wire;
+  WireHasher hasher(whole_file ? tape_code::DecodeFormat{.eighth_bit = format.eighth_bit, .eob = format.eob}
+                               : machine::decode_format_of(profile.line));
   tape_code::SpanSource source(text);
-  tape_code::WireEncoder encoder(settings->wire, source, text.size());
+  tape_code::WireEncoder encoder(format, source, text.size());
   std::array<std::byte, 4096> wire{};
   std::array<std::uint8_t, 4096> ends{};
   for (;;) {
@@ -130,7 +137,7 @@ app::Result<app::LineReport> follow(app::Line& line, FileLedger& ledger, const a
 }
 
 app::Result<app::LineReport> transfer(const std::string& text, const feed::ProgramFacts& facts,
-                                      const machine::Profile& profile, FileLedger& ledger,
+                                      const machine::Profile& profile, const std::string& file_name, FileLedger& ledger,
                                       const std::stop_token& stop) {
   const auto thread = io::start_link_thread();
   auto line = app::make_line(profile.line, *thread, io::make_modbus_bus, [] {});
@@ -151,7 +158,8 @@ app::Result<app::LineReport> transfer(const std::string& text, const feed::Progr
                                    .source = std::make_shared<tape_code::SpanSource>(text),
                                    .expires_after = feed::kArmingExpiry,
                                    .reserve = reserve,
-                                   .session = session | 1U});
+                                   .session = session | 1U,
+                                   .file_name = file_name});
   if (!armed) return app::fail(app::ErrorCode::refused, armed.error());
   return follow(**line, ledger, thread->clock(), stop, reserve);
 }
@@ -174,6 +182,15 @@ int send(const Options& options) {
     print_error(facts.error());
     return kFailed;
   }
+  std::string file_name;
+  if (profile->line.link.kind == machine::LinkKind::dir) {
+    auto named = machine::file_name_for(*profile, std::filesystem::path(source->name()).filename().string());
+    if (!named) {
+      print_error(named.error());
+      return kWrongUse;
+    }
+    file_name = std::move(*named);
+  }
   const WireHashes hashes = hashes_of(text, *profile);
   const std::string ledger_path =
       !options.ledger.empty() ? options.ledger : fmt::format("{}.ledger", options.file == "-" ? "stdin" : options.file);
@@ -183,7 +200,7 @@ int send(const Options& options) {
     print_error(ledger.error());
     return kWrongUse;
   }
-  const auto report = transfer(text, *facts, *profile, *ledger, stop);
+  const auto report = transfer(text, *facts, *profile, file_name, *ledger, stop);
   if (!report) {
     print_error(report.error());
     return report.error().code == app::ErrorCode::invalid ? kWrongUse : kFailed;
@@ -202,8 +219,10 @@ void add_send(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Options>();
   command->add_option("FILE", options->file, "program, - for standard input")->required();
   command
-      ->add_option("--link", options->link,
-                   "serial:/dev/ttyS0?baud=9600&framing=7E2, tcp://host:port, modbus-tcp://host:port/unit")
+      ->add_option(
+          "--link", options->link,
+          "serial:/dev/ttyS0?baud=9600&framing=7E2, tcp://host:port, rfc2217://host:port?baud=9600, dir:/folder, "
+          "modbus-tcp://host:port/unit")
       ->required();
   command->add_option("--machine", options->machine, "machine profile: a file or the name of a preset");
   command->add_option("--ledger", options->ledger, "ledger file (default: FILE.ledger)");

@@ -1,42 +1,37 @@
 // termios by hand: Asio's serial_port sets one thing a call, fails on ptys and cannot say what it changed.
 #include "server/io/serial_port.h"
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <utility>
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <linux/serial.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
+#include "server/io/serial_speed.h"
+
 namespace dripfeed::io {
 
 namespace {
 
-struct Speed {
-  std::uint32_t baud;
-  speed_t code;
-};
-constexpr std::array kSpeeds = {
-    Speed{300, B300},     Speed{600, B600},       Speed{1200, B1200},     Speed{2400, B2400},
-    Speed{4800, B4800},   Speed{9600, B9600},     Speed{19200, B19200},   Speed{38400, B38400},
-    Speed{57600, B57600}, Speed{115200, B115200}, Speed{230400, B230400},
-};
-
-std::optional<speed_t> speed_code(std::uint32_t baud) {
-  for (const Speed& speed : kSpeeds) {
-    if (speed.baud == baud) return speed.code;
-  }
-  return std::nullopt;
-}
-
 std::string system_text() { return std::strerror(errno); }
 
-std::expected<void, std::string> set_line(int descriptor, speed_t speed, const tape_code::Framing& framing) {
+// The kernel's XOFF compares whole bytes, so a DC3 with parity (0x93) stops it only when bit 7 is taken off on the way
+// in; the parity of what comes in is then not seen.
+void let_kernel_hold(termios& settings, const machine::LineSettings& line) {
+  settings.c_iflag |= IXON;
+  if (line.framing.data_bits == 7 || line.code == tape_code::Code::iso) settings.c_iflag |= ISTRIP;
+  settings.c_cc[VSTART] = line.xon;
+  settings.c_cc[VSTOP] = line.xoff;
+}
+
+std::expected<void, std::string> set_line(int descriptor, const machine::LineSettings& line) {
+  const tape_code::Framing& framing = line.framing;
   termios settings{};
   if (::tcgetattr(descriptor, &settings) != 0) return std::unexpected(std::string("it is not a terminal device"));
   ::cfmakeraw(&settings);
@@ -48,10 +43,10 @@ std::expected<void, std::string> set_line(int descriptor, speed_t speed, const t
     settings.c_cflag |= PARENB;
     if (framing.parity == tape_code::Parity::odd) settings.c_cflag |= PARODD;
   }
+  if (feed::cts_is_flow(line.flow)) settings.c_cflag |= CRTSCTS;
+  if (line.xoff_by == feed::XoffBy::kernel) let_kernel_hold(settings, line);
   settings.c_cc[VMIN] = 1;
   settings.c_cc[VTIME] = 0;
-  ::cfsetispeed(&settings, speed);
-  ::cfsetospeed(&settings, speed);
   if (::tcsetattr(descriptor, TCSANOW, &settings) != 0)
     return std::unexpected("it refused the settings: " + system_text());
   return {};
@@ -66,17 +61,16 @@ void raise_modem_lines(int descriptor) {
 
 }  // namespace
 
-std::expected<int, std::string> open_serial_port(const std::string& path, std::uint32_t baud,
-                                                 const tape_code::Framing& framing) {
-  const auto speed = speed_code(baud);
-  if (!speed) return std::unexpected(fmt::format("{}: {} baud is not a standard rate", path, baud));
+std::expected<int, std::string> open_serial_port(const machine::LineSettings& line) {
+  const std::string& path = line.link.path;
   const int descriptor = ::open(path.c_str(), O_RDWR | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (descriptor < 0) return std::unexpected(fmt::format("cannot open {}: {}", path, system_text()));
   std::expected<void, std::string> ready;
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
     ready = std::unexpected(std::string("another program owns this line"));
   } else {
-    ready = set_line(descriptor, *speed, framing);
+    ready = set_line(descriptor, line);
+    if (ready) ready = set_speed(descriptor, line.baud);
   }
   if (!ready) {
     ::close(descriptor);
@@ -99,5 +93,17 @@ std::optional<std::uint64_t> read_unsent(int descriptor) {
   if (::ioctl(descriptor, TIOCOUTQ, &count) != 0 || count < 0) return std::nullopt;
   return static_cast<std::uint64_t>(count);
 }
+
+std::optional<app::LineErrors> read_line_errors(int descriptor) {
+  serial_icounter_struct counted{};
+  if (::ioctl(descriptor, TIOCGICOUNT, &counted) != 0) return std::nullopt;
+  const auto count = [](int n) { return static_cast<std::uint64_t>(n < 0 ? 0 : n); };
+  return app::LineErrors{.parity = count(counted.parity),
+                         .framing = count(counted.frame),
+                         .overrun = count(counted.overrun) + count(counted.buf_overrun),
+                         .breaks = count(counted.brk)};
+}
+
+void drop_unsent(int descriptor) { ::tcflush(descriptor, TCOFLUSH); }
 
 }  // namespace dripfeed::io

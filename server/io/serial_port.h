@@ -7,14 +7,15 @@
 #include <optional>
 #include <string>
 
+#include "server/app/ports/link.h"
 #include "server/machine/profile.h"
 
 namespace dripfeed::io {
 
 // The descriptor, non-blocking; or one sentence: no such device, owned by another program, a baud rate that it does not
-// have.
-std::expected<int, std::string> open_serial_port(const std::string& path, std::uint32_t baud,
-                                                 const tape_code::Framing& framing);
+// have. Any rate may be asked for; the device says which it took (termios2).
+// RTS/CTS, and XON/XOFF where the profile gives it to the kernel, are honored below us.
+std::expected<int, std::string> open_serial_port(const machine::LineSettings& line);
 
 struct ModemLines {
   bool cts = true;
@@ -23,7 +24,13 @@ struct ModemLines {
 // Nothing where the device has no modem lines (a pty).
 std::optional<ModemLines> read_modem_lines(int descriptor);
 
+// Of the UART since it was plugged in; nothing where the device does not count (a pty).
+std::optional<app::LineErrors> read_line_errors(int descriptor);
+
 // Characters that the driver holds unsent; nothing where it does not tell. A pty always says 0.
 std::optional<std::uint64_t> read_unsent(int descriptor);
+
+// Before a close: what the driver holds must not follow later, and a line that is held must not hold the close.
+void drop_unsent(int descriptor);
 
 }  // namespace dripfeed::io

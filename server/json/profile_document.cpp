@@ -302,7 +302,7 @@ app::Result<machine::Profile> read_profile(std::string_view document) {
       read_object(document, "machine profile", [&](ObjectReader& object) { read_whole(object, profile); });
   if (!read) return std::unexpected(read.error());
   // What the parts say together: whether the line can keep the machine's budget.
-  if (profile.line.link.kind != machine::LinkKind::modbus_tcp) {
+  if (machine::feeds_characters(profile.line.link.kind)) {
     const auto settings = machine::feed_settings_of(profile.line);
     if (!settings)
       return app::fail(app::ErrorCode::invalid, "machine profile: /link " + settings.error(),

@@ -24,12 +24,14 @@ constexpr std::array kSchemes = {
     Scheme{"pty", LinkKind::pty, "", true, false},
     Scheme{"tcp", LinkKind::tcp, "//", false, false},
     Scheme{"tcp-listen", LinkKind::tcp_listen, "//", false, false},
+    Scheme{"dir", LinkKind::dir, "", true, false},
+    Scheme{"rfc2217", LinkKind::rfc2217, "//", false, false},
     Scheme{"modbus-tcp", LinkKind::modbus_tcp, "//", false, true},
 };
 
-constexpr std::array<std::string_view, 11> kOptions = {"baud",          "framing",       "flow",  "latency_chars",
-                                                       "budget",        "unsent",        "start", "eob",
-                                                       "char_delay_ms", "line_delay_ms", "code"};
+constexpr auto kOptions =
+    std::to_array<std::string_view>({"baud", "framing", "flow", "latency_chars", "budget", "unsent", "start", "eob",
+                                     "char_delay_ms", "line_delay_ms", "code", "close", "ext", "overwrite"});
 
 std::optional<std::int64_t> integer_between(std::string_view text, std::int64_t low, std::int64_t high) {
   std::int64_t value = 0;
@@ -88,7 +90,11 @@ std::expected<void, std::string> read_address(std::string_view address, const Sc
 
 std::string_view name_of(LinkKind kind) { return std::ranges::find(kSchemes, kind, &Scheme::kind)->name; }
 
-bool is_blind(LinkKind kind) { return kind == LinkKind::tcp || kind == LinkKind::tcp_listen; }
+bool feeds_characters(LinkKind kind) { return kind != LinkKind::modbus_tcp && kind != LinkKind::dir; }
+
+bool is_blind(LinkKind kind) {
+  return kind == LinkKind::tcp || kind == LinkKind::tcp_listen || kind == LinkKind::rfc2217;
+}
 
 std::expected<LinkUrl, std::string> parse_link_url(std::string_view text) {
   const std::size_t colon = text.find(':');
@@ -96,8 +102,8 @@ std::expected<LinkUrl, std::string> parse_link_url(std::string_view text) {
   const auto scheme = std::ranges::find(kSchemes, name, &Scheme::name);
   if (colon == std::string_view::npos || scheme == kSchemes.end()) {
     return std::unexpected(
-        fmt::format("\"{}\" is not a link: it must begin with serial:, pty:, tcp://, tcp-listen:// or "
-                    "modbus-tcp://",
+        fmt::format("\"{}\" is not a link: it must begin with serial:, pty:, tcp://, tcp-listen://, dir:, "
+                    "rfc2217:// or modbus-tcp://",
                     text));
   }
   std::string_view rest = text.substr(colon + 1);

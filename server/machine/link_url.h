@@ -1,6 +1,6 @@
-// Where a machine is reached, as a URL: serial:/dev/ttyS0?baud=9600&framing=7E2, tcp://host:port,
-// modbus-tcp://host:port/unit, pty:/path, tcp-listen://:port. Which of them a program end may use (server, simulator)
-// is the opener's decision.
+// Where a machine is reached, as a URL: serial:/dev/ttyS0?baud=9600&framing=7E2, tcp://host:port, tcp-listen://:port,
+// rfc2217://host:port?baud=9600, modbus-tcp://host:port/unit, pty:/path, dir:/path?ext=NC. Which of them a program end
+// may use (server, simulator) is the opener's decision.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace dripfeed::machine {
 
-enum class LinkKind : std::uint8_t { serial, tcp, tcp_listen, modbus_tcp, pty };
+enum class LinkKind : std::uint8_t { serial, tcp, tcp_listen, rfc2217, modbus_tcp, pty, dir };
 std::string_view name_of(LinkKind kind);
 
 struct LinkUrl {
@@ -20,7 +20,7 @@ struct LinkUrl {
   std::string host;  // tcp, tcp_listen (empty: loopback), modbus_tcp
   std::uint16_t port = 0;
   std::uint8_t unit = 1;                       // modbus_tcp
-  std::map<std::string, std::string> options;  // baud, framing, flow, latency_chars, budget, unsent, start, eob, code
+  std::map<std::string, std::string> options;  // by their names, as written
   std::string text;                            // as written
 
   friend bool operator==(const LinkUrl&, const LinkUrl&) = default;
@@ -29,6 +29,9 @@ struct LinkUrl {
 // The URL, or one sentence that says what is wrong and where ("unknown scheme \"ftp\" …", "port \"99999\" is
 // not 1..65535"). Options are checked by name here, by value where they are used.
 std::expected<LinkUrl, std::string> parse_link_url(std::string_view text);
+
+// A program goes over it character by character, paced by us; the others take blocks or a whole file.
+bool feeds_characters(LinkKind kind);
 
 // Blind links give no way to see what is still unsent below the socket.
 bool is_blind(LinkKind kind);

@@ -110,6 +110,26 @@ Applied set_code(std::string_view value, LineSettings& line) {
   return std::unexpected(fmt::format("code \"{}\" is not ascii, iso or eia", value));
 }
 
+// How the connection ends is the driver's work; here only the word is checked.
+Applied set_close(std::string_view value, LineSettings&) {
+  if (value == "finish" || value == "reset") return {};
+  return std::unexpected(fmt::format("close \"{}\" is not finish or reset", value));
+}
+
+Applied set_extension(std::string_view value, LineSettings&) {
+  constexpr std::size_t kMost = 8;
+  const bool plain = std::ranges::all_of(
+      value, [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); });
+  if (plain && value.size() <= kMost) return {};
+  return std::unexpected(
+      fmt::format("ext \"{}\" is not a word of at most {} letters and digits, or none", value, kMost));
+}
+
+Applied set_overwrite(std::string_view value, LineSettings&) {
+  if (value == "yes" || value == "no") return {};
+  return std::unexpected(fmt::format("overwrite \"{}\" is not yes or no", value));
+}
+
 struct Option {
   std::string_view name;
   Applied (*apply)(std::string_view value, LineSettings& line);
@@ -126,6 +146,9 @@ constexpr std::array kOptions = {
     Option{"char_delay_ms", set_char_delay},
     Option{"line_delay_ms", set_line_delay},
     Option{"code", set_code},
+    Option{"close", set_close},
+    Option{"ext", set_extension},
+    Option{"overwrite", set_overwrite},
 };
 
 Applied apply_options(LineSettings& line) {

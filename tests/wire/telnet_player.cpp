@@ -1,3 +1,4 @@
+// What each kind of step does to the client.
 #include "tests/wire/telnet_player.h"
 
 #include <algorithm>

@@ -5,6 +5,8 @@ export const statusOf = (change: Partial<MachineStatus> = {}): MachineStatus => 
   line: 'idle',
   stall: null,
   link_error: null,
+  link_note: null,
+  line_errors: { parity: 0, framing: 0, overrun: 0, breaks: 0 },
   job: null,
   handed: 0,
   clocked: 0,

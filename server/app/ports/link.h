@@ -9,6 +9,15 @@
 
 namespace dripfeed::app {
 
+// What the receiver of the line counted since the link was opened.
+struct LineErrors {
+  std::uint64_t parity = 0;
+  std::uint64_t framing = 0;
+  std::uint64_t overrun = 0;
+  std::uint64_t breaks = 0;
+  friend bool operator==(const LineErrors&, const LineErrors&) = default;
+};
+
 class LinkListener {
  public:
   LinkListener() = default;
@@ -42,6 +51,10 @@ class Link {
   [[nodiscard]] virtual std::optional<std::uint64_t> unsent() = 0;
   // Bytes that the network behind the driver has not confirmed, where there is one.
   [[nodiscard]] virtual std::optional<std::uint64_t> unconfirmed() = 0;
+  // Of the UART, where it tells.
+  [[nodiscard]] virtual LineErrors errors() const { return {}; }
+  // "" or what people should know of a link that is up: what a device server did not confirm.
+  [[nodiscard]] virtual std::string_view note() const { return {}; }
 };
 
 }  // namespace dripfeed::app

@@ -16,6 +16,8 @@ export interface LineReport {
   line: LineState;
   stall: string | null;
   link_error: string | null;
+  link_note: string | null;
+  line_errors: { parity: number; framing: number; overrun: number; breaks: number };
   job: number | null;
   handed: number;
   clocked: number;

@@ -41,12 +41,21 @@ export function MachineCard({ entry }: { entry: MachineEntry }) {
         </p>
       )}
       {status.link_error && <p class="stall">Link: {status.link_error}</p>}
+      {status.link_note && <p class="quiet-text">Link: {status.link_note}</p>}
+      <LineErrors errors={status.line_errors} />
       {onLine && status.job !== null && <OnLine entry={entry} id={status.job} job={job} />}
       {!onLine && !torn && job && <LastJob job={job} />}
       {!onLine && !torn && !job && <p class="quiet-text">No job on the line.</p>}
       {!onLine && <Queue machine={item.name} />}
     </article>
   );
+}
+
+// What the line's receiver counted; nothing is shown while it is all zero.
+function LineErrors({ errors }: { errors: MachineEntry['item']['status']['line_errors'] }) {
+  const seen = Object.entries(errors).filter(([, count]) => count > 0);
+  if (seen.length === 0) return null;
+  return <p class="stall">Received wrongly: {seen.map(([name, count]) => `${count} × ${name}`).join(', ')}</p>;
 }
 
 function OnLine({ entry, id, job }: { entry: MachineEntry; id: number; job: Job | null }) {

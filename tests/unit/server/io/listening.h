@@ -2,12 +2,14 @@
 // what is waited for; their limit is long, so that a busy machine fails nothing.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -43,8 +45,12 @@ class Heard final : public app::LinkListener {
   void on_writable() override {
     act([this] { ++writables_; });
   }
-  void on_cts(bool /*on*/) override {}
-  void on_dsr(bool /*on*/) override {}
+  void on_cts(bool on) override {
+    act([&] { lines_.emplace_back(on ? "cts on" : "cts off"); });
+  }
+  void on_dsr(bool on) override {
+    act([&] { lines_.emplace_back(on ? "dsr on" : "dsr off"); });
+  }
   void on_lost(std::string_view reason) override {
     if (when_lost) when_lost();
     act([&] {
@@ -65,6 +71,9 @@ class Heard final : public app::LinkListener {
   }
   bool await_losses(int count) {
     return await([&] { return losses_ >= count; });
+  }
+  bool await_lines(std::string_view change) {
+    return await([&] { return std::ranges::find(lines_, change) != lines_.end(); });
   }
   std::string received() { return get(received_); }
   std::string reason() { return get(reason_); }
@@ -97,6 +106,7 @@ class Heard final : public app::LinkListener {
   int writables_ = 0;
   std::string received_;
   std::string reason_;
+  std::vector<std::string> lines_;
 };
 
 // A links' thread and one link on it. Everything of the link happens on that thread, as its port asks for.

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "server/io/serial_port.h"
+#include "server/io/serial_speed.h"
 #include "tests/unit/server/io/listening.h"
 
 namespace dripfeed::io {
@@ -66,9 +67,34 @@ std::string all_bytes() {
   return text;
 }
 
+machine::LineSettings line_at(const std::string& path, std::uint32_t baud, std::string_view framing) {
+  machine::LineSettings line;
+  line.link.path = path;
+  line.baud = baud;
+  line.framing = tape_code::parse_framing(framing).value();
+  return line;
+}
+
+TEST(SerialPort, HoldsByTheKernelOnlyWhereItIsAskedTo) {
+  const Pty pty;
+  machine::LineSettings line = line_at(pty.path(), 9600, "7E2");
+  line.xoff_by = feed::XoffBy::kernel;
+  line.xoff = 0x03;
+  line.flow = feed::Flow::both;
+  const auto port = open_serial_port(line);
+  ASSERT_TRUE(port) << port.error();
+  termios settings{};
+  ASSERT_EQ(::tcgetattr(*port, &settings), 0);
+  EXPECT_EQ(settings.c_iflag & (IXON | ISTRIP | IXOFF), static_cast<tcflag_t>(IXON | ISTRIP));
+  EXPECT_EQ(settings.c_cc[VSTOP], 0x03);
+  EXPECT_EQ(settings.c_cc[VSTART], 0x11);
+  EXPECT_NE(settings.c_cflag & CRTSCTS, 0U);
+  ::close(*port);
+}
+
 TEST(SerialPort, IsRawAndHoldsItsModemLines) {
   const Pty pty;
-  const auto port = open_serial_port(pty.path(), 4800, tape_code::parse_framing("7E2").value());
+  const auto port = open_serial_port(line_at(pty.path(), 4800, "7E2"));
   ASSERT_TRUE(port) << port.error();
   termios settings{};
   ASSERT_EQ(::tcgetattr(pty.master(), &settings), 0) << "a master shows its slave's settings";
@@ -87,29 +113,38 @@ TEST(SerialPort, IsRawAndHoldsItsModemLines) {
   ::close(*port);
 }
 
+TEST(SerialPort, TakesAnyRate) {
+  const Pty pty;
+  const auto port = open_serial_port(line_at(pty.path(), 86'400, "8N1"));
+  ASSERT_TRUE(port) << port.error();
+  EXPECT_EQ(set_speed(*port, 12'345), (std::expected<void, std::string>()));
+  termios settings{};
+  ASSERT_EQ(::tcgetattr(*port, &settings), 0);
+  EXPECT_EQ(settings.c_cflag & CBAUD, 0010000U) << "BOTHER: the rate is a number of its own";
+  ::close(*port);
+}
+
 TEST(SerialPort, RefusesWithAReason) {
-  const auto framing = tape_code::parse_framing("8N1").value();
-  const auto missing = open_serial_port("/dev/does-not-exist", 9600, framing);
+  const auto missing = open_serial_port(line_at("/dev/does-not-exist", 9600, "8N1"));
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error(), "cannot open /dev/does-not-exist: No such file or directory");
   const Pty pty;
-  EXPECT_NE(open_serial_port(pty.path(), 9601, framing).error().find("9601 baud is not a standard rate"),
+  EXPECT_NE(open_serial_port(line_at(pty.path(), 49, "8N1")).error().find("49 baud is not 50..12000000"),
             std::string::npos);
-  const auto no_tty = open_serial_port("/dev/null", 9600, framing);
+  const auto no_tty = open_serial_port(line_at("/dev/null", 9600, "8N1"));
   ASSERT_FALSE(no_tty);
   EXPECT_NE(no_tty.error().find("it is not a terminal device"), std::string::npos) << no_tty.error();
 }
 
 TEST(SerialPort, HasOneOwner) {
   const Pty pty;
-  const auto framing = tape_code::parse_framing("8N1").value();
-  const auto first = open_serial_port(pty.path(), 9600, framing);
+  const auto first = open_serial_port(line_at(pty.path(), 9600, "8N1"));
   ASSERT_TRUE(first);
-  const auto second = open_serial_port(pty.path(), 9600, framing);
+  const auto second = open_serial_port(line_at(pty.path(), 9600, "8N1"));
   ASSERT_FALSE(second);
   EXPECT_NE(second.error().find("another program owns this line"), std::string::npos) << second.error();
   ::close(*first);
-  const auto third = open_serial_port(pty.path(), 9600, framing);
+  const auto third = open_serial_port(line_at(pty.path(), 9600, "8N1"));
   EXPECT_TRUE(third) << third.error();
   if (third) ::close(*third);
 }

@@ -177,7 +177,7 @@ TEST_F(SocketTest, APortThatIsTakenIsRefused) {
 }
 
 TEST_F(SocketTest, ARegisterBusIsNoLinkOfBytes) {
-  EXPECT_NE(open("modbus-tcp://127.0.0.1:502/1").find("is a register bus"), std::string::npos);
+  EXPECT_NE(open("modbus-tcp://127.0.0.1:502/1").find("is not a link of bytes"), std::string::npos);
 }
 
 TEST_F(SocketTest, MayBeClosedWhileItConnects) {
