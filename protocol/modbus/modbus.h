@@ -1,7 +1,8 @@
 // modbus: moving a program into a receiver block by block over holding registers ("block mailbox"), each block appended
-// exactly once. Here live the register images, the sending and the receiving side, without any I/O. Not here: Modbus
-// frames, sockets and serial ports (the driver has a library for them), clocks, the ledger. This header brings the
-// folder.
+// exactly once. Here live the register images, the sending and the receiving side, and a server of read-only registers
+// with its TCP frames, without any I/O. Not here: the client's frames, sockets and serial ports (the driver has a
+// library for them), clocks, the ledger. This header brings the folder. The mailbox begins at register 0, the status at
+// 128 (server/app/ports/register_bus.h); both are holding registers.
 //
 // Mailbox H, written by the host. 16-bit registers; 32-bit values have the high word first.
 //   0      magic DF01h
@@ -32,6 +33,8 @@
 #pragma once
 
 #include "protocol/modbus/mailbox.h"
+#include "protocol/modbus/mbap.h"
 #include "protocol/modbus/receiver.h"
+#include "protocol/modbus/register_server.h"
 #include "protocol/modbus/sender.h"
 #include "protocol/modbus/sender_state.h"

@@ -1,9 +1,12 @@
 // dripfeed serve: the server with its store, its links and the API.
+#include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <thread>
 
@@ -13,6 +16,7 @@
 #include <unistd.h>
 
 #include "server/app/application.h"
+#include "server/app/status_registers.h"
 #include "server/cli/cli.h"
 #include "server/cli/inputs.h"
 #include "server/cli/output.h"
@@ -20,6 +24,7 @@
 #include "server/http/api.h"
 #include "server/http/server.h"
 #include "server/io/io.h"
+#include "server/io/modbus_listener.h"
 #include "server/json/documents.h"
 #include "store/hash/hash.h"
 #include "store/sqlite/open.h"
@@ -37,7 +42,29 @@ struct Options {
   std::string listen = "127.0.0.1:8840";
   std::string web;
   bool insecure = false;
+  std::string modbus_listen;              // "": no Modbus server
+  std::vector<std::string> modbus_allow;  // IP addresses
+  std::vector<std::string> modbus_units;  // MACHINE=UNIT
 };
+
+// MACHINE=UNIT, each unit and each machine once.
+app::Result<std::map<std::uint8_t, std::string>> units_of(const std::vector<std::string>& given) {
+  std::map<std::uint8_t, std::string> units;
+  for (const std::string& one : given) {
+    const std::size_t equals = one.rfind('=');
+    int unit = 0;
+    const char* const end = one.data() + one.size();
+    const bool has_number = equals != std::string::npos && equals > 0 &&
+                            std::from_chars(one.data() + equals + 1, end, unit).ptr == end && one.back() != '=';
+    if (!has_number || unit < 1 || unit > 247)
+      return app::fail(app::ErrorCode::invalid, fmt::format("--modbus-unit \"{}\": use MACHINE=1..247", one));
+    const std::string machine = one.substr(0, equals);
+    const bool named = std::ranges::any_of(units, [&](const auto& row) { return row.second == machine; });
+    if (named || !units.emplace(static_cast<std::uint8_t>(unit), machine).second)
+      return app::fail(app::ErrorCode::invalid, fmt::format("--modbus-unit \"{}\": named twice", one));
+  }
+  return units;
+}
 
 // Only the owner may read it: it opens everything.
 app::Result<void> write_secret(const fs::path& path, const std::string& secret) {
@@ -71,6 +98,18 @@ std::string web_root(const Options& options) {
   return find_shared("../web/dist").value_or("");
 }
 
+app::Result<std::unique_ptr<io::ModbusListener>> listen_for_plcs(const Options& options,
+                                                                 modbus::RegisterView& registers) {
+  const auto address = http::parse_listen_address(options.modbus_listen);
+  if (!address) return app::fail(app::ErrorCode::invalid, "--modbus-listen: " + address.error());
+  auto listener =
+      io::listen_modbus({.host = address->host, .port = address->port, .allowed = options.modbus_allow}, registers);
+  if (!listener) return app::fail(app::ErrorCode::invalid, "--modbus-listen: " + listener.error());
+  fmt::print(stderr, "dripfeed: Modbus at {}:{}, {} units\n", address->host, (*listener)->port(),
+             options.modbus_units.size());
+  return std::move(*listener);
+}
+
 int run_server(const Options& options, const http::ListenAddress& address, store::Store& store,
                const std::stop_token& stop) {
   const io::SteadyClock clock;
@@ -88,6 +127,21 @@ int run_server(const Options& options, const http::ListenAddress& address, store
   if (!started) {
     print_error(started.error());
     return kWrongUse;
+  }
+  const auto units = units_of(options.modbus_units);
+  if (!units) {
+    print_error(units.error());
+    return kWrongUse;
+  }
+  app::StatusRegisters registers(application.events(), clock, *units);
+  std::unique_ptr<io::ModbusListener> plcs;
+  if (!options.modbus_listen.empty()) {
+    auto listening = listen_for_plcs(options, registers);
+    if (!listening) {
+      print_error(listening.error());
+      return kWrongUse;
+    }
+    plcs = std::move(*listening);
   }
   http::Api api(application, web_root(options), kVersion);
   auto server = http::Server::start(address, {.refuse_long = [&](const http::Request& r) { return api.refuse_long(r); },
@@ -143,6 +197,11 @@ void add_serve(CLI::App& app, int& exit_code) {
   command->add_option("--data", options->data, "folder of the store")->capture_default_str();
   command->add_option("--listen", options->listen, "ADDRESS:PORT, loopback by default")->capture_default_str();
   command->add_option("--web", options->web, "folder of the built page");
+  command->add_option("--modbus-listen", options->modbus_listen,
+                      "ADDRESS:PORT: PLCs may read there what the machines do, by Modbus TCP");
+  command->add_option("--modbus-unit", options->modbus_units, "MACHINE=UNIT: shown to PLCs as this unit, 1..247");
+  command->add_option("--modbus-allow", options->modbus_allow,
+                      "IP address that may read; must be given where --modbus-listen is not loopback");
   command->add_flag("--insecure", options->insecure, "listen beyond loopback without TLS");
   command->callback([options, &exit_code] { exit_code = serve(*options); });
 }
