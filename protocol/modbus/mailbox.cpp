@@ -138,8 +138,10 @@ void encode(const Status& status, StatusImage& out) {
 std::expected<Status, StatusFault> decode_status(std::span<const std::uint16_t> registers) {
   if (registers.size() < kStatusRegisters) return std::unexpected(StatusFault::length);
   if (registers[0] != kMailboxMagic) return std::unexpected(StatusFault::foreign);
-  if (get32(registers, kStatusCrc) != crc32(0, registers.first(kStatusCrc))) {
-    return std::unexpected(StatusFault::garbled);
+  const std::uint32_t crc = crc32(0, registers.first(kStatusCrc));
+  if (get32(registers, kStatusCrc) != crc) {
+    const std::uint32_t low_word_first = std::uint32_t{registers[kStatusCrc + 1]} << 16U | registers[kStatusCrc];
+    return std::unexpected(low_word_first == crc ? StatusFault::foreign : StatusFault::garbled);
   }
   if (registers[3] >= kReceiverStateNames.size() || registers[5] >= kNakNames.size()) {
     return std::unexpected(StatusFault::foreign);

@@ -93,7 +93,7 @@ void encode(const Status& status, StatusImage& out);
 
 enum class StatusFault : std::uint8_t {
   length,   // fewer registers than an image has
-  foreign,  // another magic or version (or swapped bytes)
+  foreign,  // another magic or version, swapped bytes, or 32-bit values with the low word first
   garbled,  // the check sum does not fit: read while being written; read again
 };
 std::expected<Status, StatusFault> decode_status(std::span<const std::uint16_t> registers);

@@ -68,7 +68,8 @@ std::expected<void, SenderRefusal> Sender::begin(const SenderJob& job, SenderInp
     before_ = {};
     after_ = {};
     boot_.reset();
-    opened_ = take_over_ = hold_wanted_ = false;
+    opened_ = hold_wanted_ = false;
+    take_over_ = job.take_over && input == SenderInput::start;
     at_block_end_ = true;
     piece_ = {};
     piece_used_ = 0;
@@ -160,6 +161,15 @@ void Sender::status_read(std::span<const std::uint16_t> registers, Time now) {
     }
   }
   settle(now);
+}
+
+void Sender::exchanged(std::span<const std::uint16_t> registers, Time now) {
+  const bool ours = in_flight_ && !flight_is_stale_;
+  written(now);
+  if (!ours || !polls(state_)) return;
+  in_flight_ = true;
+  flight_kind_ = Request::Kind::read_status;
+  status_read(registers, now);
 }
 
 void Sender::tick(Time now) { settle(now); }

@@ -31,6 +31,7 @@ struct SenderJob {
   std::uint64_t text_bytes = 0;             // below 4 GiB
   std::uint32_t session = 0;                // random, not 0, new for every job
   std::uint64_t reserve = 0;                // text bytes that the ledger reserved already; UINT64_MAX without a ledger
+  bool take_over = false;  // start: a person says that the receiver was reset, so a session still on there may go
 };
 
 enum class SenderRefusal : std::uint8_t { not_in_this_state, no_source, no_session, text_too_long, no_text };
@@ -89,6 +90,9 @@ class Sender {
   std::optional<Request> next_request(Time now);
   void written(Time now);
   void status_read(std::span<const std::uint16_t> registers, Time now);
+  // The write was answered together with the status as it stood behind it (one FC23): written() and status_read() in
+  // one.
+  void exchanged(std::span<const std::uint16_t> registers, Time now);
   void request_failed(Time now);
   void tick(Time now);
   std::optional<Time> deadline() const;

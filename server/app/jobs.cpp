@@ -38,7 +38,7 @@ Result<void> refuse_drip_into_folder(const machine::Profile& profile, store::Del
 Result<std::uint64_t> wire_bytes(const machine::Profile& profile, const feed::ProgramFacts& facts) {
   const machine::LinkKind kind = profile.line.link.kind;
   if (kind == machine::LinkKind::dir)
-    return tape_code::wire_length(drop_format(profile.line), facts.text_bytes(), facts.eobs());
+    return tape_code::wire_length(drop_format(profile.line), facts.text_bytes(), facts.eobs(), facts.odd_blocks());
   if (!machine::feeds_characters(kind)) return facts.text_bytes();
   const auto settings = machine::feed_settings_of(profile.line);
   if (!settings) return fail(ErrorCode::refused, settings.error());
@@ -258,9 +258,12 @@ Result<store::Job> Jobs::resume(store::Id id, std::string_view reason, std::stri
 Result<store::Job> Jobs::confirm_reset(std::string_view machine, std::string_view reason, std::string_view actor) {
   auto job = store_.jobs().confirm_reset(machine, reason, stamp(actor));
   if (!job) return std::unexpected(from_store(job.error()));
-  if (const auto line = lines_.find(std::string(machine)); line && line->report().state == LineState::torn) {
+  // A line that knows of nothing torn has no use for it, but for a block transfer: the receiver may still have the
+  // session of a server before this one.
+  if (const auto line = lines_.find(std::string(machine))) {
+    const bool torn = line->report().state == LineState::torn;
     const auto cleared = line->command(feed::Command::confirm_reset);
-    if (!cleared) return fail(ErrorCode::refused, cleared.error());
+    if (!cleared && torn) return fail(ErrorCode::refused, cleared.error());
   }
   publish(*job, fmt::format("reset confirmed by {}: {}", actor, reason));
   keeper_.wake();

@@ -8,6 +8,7 @@
 #include "server/app/drop_line.h"
 #include "server/app/feed_line.h"
 #include "server/app/mailbox_line.h"
+#include "server/machine/bus_settings.h"
 
 namespace dripfeed::app {
 
@@ -81,7 +82,9 @@ std::vector<std::pair<std::string, std::shared_ptr<Line>>> Lines::all() const {
 
 Result<std::unique_ptr<Line>> make_line(const machine::LineSettings& settings, LinkThread& thread,
                                         RegisterBusMaker make_bus, LineChanged changed) {
-  if (settings.link.kind == machine::LinkKind::modbus_tcp) {
+  if (machine::is_modbus(settings.link.kind)) {
+    const auto bus = machine::bus_settings_of(settings.link);
+    if (!bus) return fail(ErrorCode::invalid, bus.error());
     return make_mailbox_line(make_bus(settings.link), thread.clock(), std::move(changed));
   }
   auto line = settings.link.kind == machine::LinkKind::dir ? make_drop_line(settings, std::move(changed))

@@ -89,14 +89,19 @@ class MailboxLine final : public Line {
 
   std::expected<void, std::string> arm(LineOrder order) override {
     const std::lock_guard lock(mutex_);
+    if (is_left_open()) {
+      return std::unexpected(std::string("the receiver has a session of another job: reset it and confirm that"));
+    }
     const modbus::SenderJob job{.source = order.source.get(),
                                 .text_bytes = order.facts.text_bytes(),
                                 .session = static_cast<std::uint32_t>(order.session),
-                                .reserve = order.reserve};
+                                .reserve = order.reserve,
+                                .take_over = reset_confirmed_};
     if (const auto started = sender_.start(job, clock_.now()); !started) {
       return std::unexpected(
           fmt::format("{} (the line is {})", modbus::message(started.error()), modbus::name(sender_.state())));
     }
+    reset_confirmed_ = false;
     source_ = std::move(order.source);
     order_job_ = order.job;
     session_ = order.session;
@@ -111,6 +116,7 @@ class MailboxLine final : public Line {
 
   std::expected<void, std::string> command(feed::Command command) override {
     const std::lock_guard lock(mutex_);
+    if (command == feed::Command::confirm_reset) return confirm_reset();
     for (const CommandRow& row : kCommandRows) {
       if (row.given != command) continue;
       const auto done = sender_.command(row.command, clock_.now());
@@ -137,6 +143,20 @@ class MailboxLine final : public Line {
   }
 
  private:
+  // A job found the session of another one open, which a host or a line left that is gone. Nothing says what the
+  // machine did of it, so a person must have reset it before a new session takes its place.
+  [[nodiscard]] bool is_left_open() const {
+    return sender_.state() == modbus::SenderState::stopped &&
+           sender_.stop_reason() == modbus::StopReason::session_running && !reset_confirmed_;
+  }
+
+  std::expected<void, std::string> confirm_reset() {
+    if (modbus::polls(sender_.state())) return std::unexpected(std::string("a job is on the line"));
+    reset_confirmed_ = true;
+    publish();
+    return {};
+  }
+
   void wake() {
     ++wakes_;
     wake_.notify_all();
@@ -178,8 +198,9 @@ class MailboxLine final : public Line {
     std::ranges::copy(request.registers, mailbox.begin());
     const auto registers = std::span<const std::uint16_t>(mailbox).first(request.registers.size());
     lock.unlock();
-    const auto result = request.kind == modbus::Request::Kind::write_mailbox ? bus_->write(kMailboxAddress, registers)
-                                                                             : bus_->read(kStatusAddress, status);
+    const bool writes = request.kind == modbus::Request::Kind::write_mailbox;
+    const auto result =
+        writes ? bus_->exchange(kMailboxAddress, registers, kStatusAddress, status) : read_status(status);
     lock.lock();
     if (!result) {
       link_error_ = result.error().text;
@@ -187,11 +208,19 @@ class MailboxLine final : public Line {
       return;
     }
     link_error_.clear();
-    if (request.kind == modbus::Request::Kind::write_mailbox) {
-      sender_.written(clock_.now());
-    } else {
+    if (!writes) {
       sender_.status_read(status, clock_.now());
+    } else if (*result) {
+      sender_.exchanged(status, clock_.now());
+    } else {
+      sender_.written(clock_.now());
     }
+  }
+
+  std::expected<bool, BusFailure> read_status(modbus::StatusImage& status) {
+    const auto read = bus_->read(kStatusAddress, status);
+    if (!read) return std::unexpected(read.error());
+    return true;
   }
 
   void sleep(const std::stop_token& stop, std::unique_lock<std::mutex>& lock) {
@@ -211,7 +240,7 @@ class MailboxLine final : public Line {
     // Whether the receiver heard the abort or not: no block of an expired job was handed.
     const JobEnd end = row.end != JobEnd::none && expired_ ? JobEnd::disarmed : row.end;
     const modbus::SenderCounters counters = sender_.counters();
-    const LineState state = line_state(row, counters.handed);
+    const LineState state = is_left_open() ? LineState::torn : line_state(row, counters.handed);
     const modbus::SenderStall stall = sender_.stall();
     const std::string_view stall_name = kStallNames[static_cast<std::size_t>(stall)];
     const bool changed = state != report_.state || end != report_.end || stall_name != report_.stall ||
@@ -251,6 +280,7 @@ class MailboxLine final : public Line {
   std::uint64_t wakes_ = 0;
   modbus::Time expires_at_{};
   bool expired_ = false;
+  bool reset_confirmed_ = false;  // for the next session
   std::string link_error_;
   mutable std::mutex mutex_;
   std::condition_variable_any wake_;

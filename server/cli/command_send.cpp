@@ -84,7 +84,7 @@ app::Result<feed::ProgramFacts> facts_of(const std::string& text, const machine:
 
 // The hashes of what goes out: the text as it is, the wire as the encoder makes it.
 WireHashes hashes_of(const std::string& text, const machine::Profile& profile) {
-  if (profile.line.link.kind == machine::LinkKind::modbus_tcp)
+  if (machine::is_modbus(profile.line.link.kind))
     return {.wire_sha256 = hash::sha256_hex(text), .text_sha256 = hash::sha256_hex(text)};
   const bool whole_file = profile.line.link.kind == machine::LinkKind::dir;
   const tape_code::WireFormat format =

@@ -10,6 +10,7 @@
 #include "dialects/text/number.h"
 #include "protocol/tape_code/character_set.h"
 #include "server/json/object_reader.h"
+#include "server/machine/bus_settings.h"
 
 namespace dripfeed::json {
 
@@ -304,6 +305,12 @@ app::Result<machine::Profile> read_profile(std::string_view document) {
   // What the parts say together: whether the line can keep the machine's budget.
   if (machine::feeds_characters(profile.line.link.kind)) {
     const auto settings = machine::feed_settings_of(profile.line);
+    if (!settings)
+      return app::fail(app::ErrorCode::invalid, "machine profile: /link " + settings.error(),
+                       {{.pointer = "/link", .line = 0, .column = 0, .text = settings.error()}});
+  }
+  if (machine::is_modbus(profile.line.link.kind)) {
+    const auto settings = machine::bus_settings_of(profile.line.link);
     if (!settings)
       return app::fail(app::ErrorCode::invalid, "machine profile: /link " + settings.error(),
                        {{.pointer = "/link", .line = 0, .column = 0, .text = settings.error()}});

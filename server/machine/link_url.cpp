@@ -27,11 +27,12 @@ constexpr std::array kSchemes = {
     Scheme{"dir", LinkKind::dir, "", true, false},
     Scheme{"rfc2217", LinkKind::rfc2217, "//", false, false},
     Scheme{"modbus-tcp", LinkKind::modbus_tcp, "//", false, true},
+    Scheme{"modbus-rtu", LinkKind::modbus_rtu, "", true, false},
 };
 
-constexpr auto kOptions =
-    std::to_array<std::string_view>({"baud", "framing", "flow", "latency_chars", "budget", "unsent", "start", "eob",
-                                     "char_delay_ms", "line_delay_ms", "code", "close", "ext", "overwrite"});
+constexpr auto kOptions = std::to_array<std::string_view>({"baud", "framing", "flow", "latency_chars", "budget",
+                                                           "unsent", "start", "eob", "char_delay_ms", "line_delay_ms",
+                                                           "code", "close", "ext", "overwrite", "unit", "timeout_ms"});
 
 std::optional<std::int64_t> integer_between(std::string_view text, std::int64_t low, std::int64_t high) {
   std::int64_t value = 0;
@@ -90,7 +91,9 @@ std::expected<void, std::string> read_address(std::string_view address, const Sc
 
 std::string_view name_of(LinkKind kind) { return std::ranges::find(kSchemes, kind, &Scheme::kind)->name; }
 
-bool feeds_characters(LinkKind kind) { return kind != LinkKind::modbus_tcp && kind != LinkKind::dir; }
+bool is_modbus(LinkKind kind) { return kind == LinkKind::modbus_tcp || kind == LinkKind::modbus_rtu; }
+
+bool feeds_characters(LinkKind kind) { return !is_modbus(kind) && kind != LinkKind::dir; }
 
 bool is_blind(LinkKind kind) {
   return kind == LinkKind::tcp || kind == LinkKind::tcp_listen || kind == LinkKind::rfc2217;
@@ -103,7 +106,7 @@ std::expected<LinkUrl, std::string> parse_link_url(std::string_view text) {
   if (colon == std::string_view::npos || scheme == kSchemes.end()) {
     return std::unexpected(
         fmt::format("\"{}\" is not a link: it must begin with serial:, pty:, tcp://, tcp-listen://, dir:, "
-                    "rfc2217:// or modbus-tcp://",
+                    "rfc2217://, modbus-tcp:// or modbus-rtu:",
                     text));
   }
   std::string_view rest = text.substr(colon + 1);

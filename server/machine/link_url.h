@@ -1,6 +1,6 @@
 // Where a machine is reached, as a URL: serial:/dev/ttyS0?baud=9600&framing=7E2, tcp://host:port, tcp-listen://:port,
-// rfc2217://host:port?baud=9600, modbus-tcp://host:port/unit, pty:/path, dir:/path?ext=NC. Which of them a program end
-// may use (server, simulator) is the opener's decision.
+// rfc2217://host:port?baud=9600, modbus-tcp://host:port/unit, modbus-rtu:/dev/ttyS1?unit=1, pty:/path,
+// dir:/path?ext=NC. Which of them a program end may use (server, simulator) is the opener's decision.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace dripfeed::machine {
 
-enum class LinkKind : std::uint8_t { serial, tcp, tcp_listen, rfc2217, modbus_tcp, pty, dir };
+enum class LinkKind : std::uint8_t { serial, tcp, tcp_listen, rfc2217, modbus_tcp, pty, dir, modbus_rtu };
 std::string_view name_of(LinkKind kind);
 
 struct LinkUrl {
@@ -35,5 +35,7 @@ bool feeds_characters(LinkKind kind);
 
 // Blind links give no way to see what is still unsent below the socket.
 bool is_blind(LinkKind kind);
+// A bus of registers, not a link of bytes.
+bool is_modbus(LinkKind kind);
 
 }  // namespace dripfeed::machine

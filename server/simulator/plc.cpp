@@ -143,10 +143,30 @@ class ModbusPlc final : public Plc {
     std::ranges::copy(request, query.begin());
     publish();
     ++requests_;
+    if (request[kFunctionAt] == MODBUS_FC_WRITE_AND_READ_REGISTERS && !take_exchange(request)) return drop_client();
     const auto length = static_cast<int>(request.size());
     if (modbus_reply(context_.get(), query.data(), length, mapping_.get()) < 0) return drop_client();
     take_write(request);
     publish();
+  }
+
+  // FC23: the write is done and judged before the read, as the standard has it: first register to be written at 12-13,
+  // count at 14-15, bytes at 16, then the data.
+  bool take_exchange(std::span<const std::uint8_t> query) {
+    constexpr std::size_t kWriteAt = 12;
+    constexpr std::size_t kExchangeData = 17;
+    if (query.size() < kExchangeData || query.size() != kExchangeData + query[kExchangeData - 1]) return false;
+    const int first = query[kWriteAt] * 256 + query[kWriteAt + 1];
+    const int count = query[kWriteAt + 2] * 256 + query[kWriteAt + 3];
+    if (query[kExchangeData - 1] != count * 2) return false;
+    if (first < kMailboxAddress || first + count > kStatusAddress) return true;  // libmodbus refuses what is not there
+    std::array<std::uint16_t, kStatusAddress> words{};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+      words[i] = static_cast<std::uint16_t>(query[kExchangeData + 2 * i] * 256U + query[kExchangeData + 2 * i + 1]);
+    receiver_.written(static_cast<std::size_t>(first - kMailboxAddress),
+                      std::span(words).first(static_cast<std::size_t>(count)));
+    publish();
+    return true;
   }
 
   // FC16 as it stands in the request: function at byte 7, first register at 8-9, count at 10-11.

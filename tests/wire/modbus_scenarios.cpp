@@ -21,11 +21,13 @@ struct Faults {
   int drop_request = 0;
   int drop_answer = 0;
   int duplicate = 0;
-  int late = 0;    // an earlier write is applied once more, later
-  int torn = 0;    // only some registers of a write arrive, in any order of looking
-  int flip = 0;    // one bit of a write changes on the way
-  int garble = 0;  // one bit of a status changes on the way
-  int full = 0;    // the receiver cannot store a block
+  int late = 0;      // an earlier write is applied once more, later
+  int torn = 0;      // only some registers of a write arrive, in any order of looking
+  int flip = 0;      // one bit of a write changes on the way
+  int garble = 0;    // one bit of a status changes on the way
+  int swap = 0;      // two words of a write, or the bytes of all, change places
+  int exchange = 0;  // a write brings the status with it
+  int full = 0;      // the receiver cannot store a block
   int restart_sender = 0;
   int restart_receiver = 0;
   bool receiver_forgets = false;
@@ -159,6 +161,7 @@ class Transfer {
     if (chance(faults_.drop_request)) return sender_->request_failed(now_ += 50ms);
     if (chance(faults_.late) && !earlier_.empty()) receiver_->written(0, earlier_[random_() % earlier_.size()]);
     earlier_.push_back(registers);
+    if (faults_.swap > 0 && chance(faults_.swap)) swap(registers);
     if (chance(faults_.flip))
       registers[random_() % registers.size()] ^= static_cast<std::uint16_t>(1U << (random_() % 16));
     if (chance(faults_.torn)) {
@@ -168,7 +171,20 @@ class Transfer {
     receiver_->written(0, registers);
     if (chance(faults_.duplicate)) receiver_->written(0, registers);
     if (chance(faults_.drop_answer)) return sender_->request_failed(now_ += 50ms);
-    sender_->written(now_);
+    if (faults_.exchange > 0 && chance(faults_.exchange)) {
+      sender_->exchanged(receiver_->status_image(), now_);
+    } else {
+      sender_->written(now_);
+    }
+  }
+
+  void swap(std::vector<std::uint16_t>& registers) {
+    if (chance(300)) {
+      for (std::uint16_t& value : registers) value = static_cast<std::uint16_t>(value << 8U | value >> 8U);
+    } else {
+      const std::size_t at = random_() % (registers.size() - 1);
+      std::swap(registers[at], registers[at + 1]);
+    }
   }
 
   // Some registers arrive, the receiver looks in between, the others never come.
@@ -226,6 +242,9 @@ TEST(ModbusScenarios, ABusThatLosesRepeatsDelaysAndTearsChangesNothing) {
       {.flip = 200},
       {.garble = 200},
       {.full = 300},
+      {.swap = 300},
+      {.exchange = 1000},
+      {.drop_answer = 100, .torn = 100, .flip = 100, .exchange = 500, .hold = 10},
       {.hold = 30},
       {.drop_request = 50,
        .drop_answer = 50,
@@ -251,6 +270,32 @@ TEST(ModbusScenarios, ABusThatLosesRepeatsDelaysAndTearsChangesNothing) {
   EXPECT_GT(rewrites, 1000U);
 }
 
+// A PLC that shows its registers with swapped bytes, or 32-bit values with the low word first, gets nothing.
+TEST(ModbusScenarios, AnotherOrderOfBytesOrWordsIsSeenBeforeAnythingIsWritten) {
+  for (const bool bytes : {false, true}) {
+    std::mt19937 random(1);
+    Text sink(random, 0);
+    Receiver receiver(sink, 1);
+    StatusImage image = receiver.status_image();
+    if (bytes) {
+      for (std::uint16_t& value : image) value = static_cast<std::uint16_t>(value << 8U | value >> 8U);
+    } else {
+      std::swap(image[17], image[18]);  // the check sum; the other long words are 0 still
+    }
+    Sender sender({});
+    const std::string text = "%\nM30\n%\n";
+    tape_code::SpanSource source(text);
+    ASSERT_TRUE(sender.start({.source = &source, .text_bytes = text.size(), .session = 9, .reserve = UINT64_MAX}, 1s));
+    const auto request = sender.next_request(1s);
+    ASSERT_TRUE(request);
+    EXPECT_EQ(request->kind, Request::Kind::read_status);
+    sender.status_read(image, 1s);
+    EXPECT_EQ(sender.state(), SenderState::stopped);
+    EXPECT_EQ(sender.stop_reason(), StopReason::foreign_registers);
+    EXPECT_FALSE(sender.next_request(2s));
+  }
+}
+
 TEST(ModbusScenarios, ARestartOfTheHostGoesOnWhereTheReceiverIs) {
   int restarts_done = 0;
   for (unsigned seed = 1; seed <= 400; ++seed) {
@@ -261,6 +306,61 @@ TEST(ModbusScenarios, ARestartOfTheHostGoesOnWhereTheReceiverIs) {
     ++restarts_done;
   }
   EXPECT_EQ(restarts_done, 400);
+}
+
+// A host that died leaves a session open. Another job takes its place only on a person's word, and then its text is the
+// receiver's, whole and alone.
+TEST(ModbusScenarios, ASessionThatIsLeftOpenGoesOnAPersonsWordAlone) {
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    std::mt19937 random(seed);
+    Text sink(random, 0);
+    Receiver receiver(sink, 1);
+    const std::string text = random_text(random, 200 + random() % 3000);
+    const auto run = [&](Sender& sender, int steps) {
+      modbus::Time now = 1s;
+      for (int i = 0; i < steps && polls(sender.state()); ++i) {
+        receiver.set_free_blocks(4);
+        receiver.set_consumed(UINT32_MAX);
+        const auto request = sender.next_request(now);
+        if (!request) {
+          now += 1ms;
+        } else if (request->kind == Request::Kind::read_status) {
+          sender.status_read(receiver.status_image(), now);
+        } else {
+          receiver.written(0, request->registers);
+          sender.exchanged(receiver.status_image(), now);
+        }
+      }
+    };
+    const auto start = [&](Sender& sender, tape_code::SpanSource& source, std::uint32_t session, bool take_over) {
+      return sender
+          .start({.source = &source,
+                  .text_bytes = text.size(),
+                  .session = session,
+                  .reserve = UINT64_MAX,
+                  .take_over = take_over},
+                 1s)
+          .has_value();
+    };
+    tape_code::SpanSource first_source(text);
+    Sender dies({});
+    ASSERT_TRUE(start(dies, first_source, 5, false));
+    run(dies, 4);
+    ASSERT_TRUE(polls(dies.state()));
+    ASSERT_FALSE(sink.text.empty());
+    tape_code::SpanSource second_source(text);
+    Sender second({});
+    ASSERT_TRUE(start(second, second_source, 6, false));
+    run(second, 100'000);
+    ASSERT_EQ(second.state(), SenderState::stopped);
+    ASSERT_EQ(second.stop_reason(), StopReason::session_running);
+    ASSERT_EQ(receiver.status().session, 5U);
+    tape_code::SpanSource third_source(text);
+    ASSERT_TRUE(start(second, third_source, 7, true));
+    run(second, 100'000);
+    ASSERT_EQ(second.state(), SenderState::done) << name(second.stop_reason());
+    ASSERT_EQ(sink.text, text);
+  }
 }
 
 TEST(ModbusScenarios, ARestartOfTheReceiverStopsTheSender) {

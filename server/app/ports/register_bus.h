@@ -29,9 +29,18 @@ class RegisterBus {
   virtual ~RegisterBus() = default;
   virtual std::expected<void, BusFailure> write(std::uint16_t address, std::span<const std::uint16_t> registers) = 0;
   virtual std::expected<void, BusFailure> read(std::uint16_t address, std::span<std::uint16_t> registers) = 0;
+  // Writes, and reads in the same request what stands at `from` behind the write, where the bus can (FC23): true.
+  // False: written only, `into` is as it was.
+  virtual std::expected<bool, BusFailure> exchange(std::uint16_t to, std::span<const std::uint16_t> registers,
+                                                   [[maybe_unused]] std::uint16_t from,
+                                                   [[maybe_unused]] std::span<std::uint16_t> into) {
+    const auto written = write(to, registers);
+    if (!written) return std::unexpected(written.error());
+    return false;
+  }
 };
 
-// Makes a bus for modbus-tcp:// links. It connects with the first call.
+// Makes a bus for modbus-tcp:// and modbus-rtu: links. It connects with the first call.
 using RegisterBusMaker = std::unique_ptr<RegisterBus> (*)(const machine::LinkUrl& url);
 
 }  // namespace dripfeed::app

@@ -117,6 +117,31 @@ TEST_F(MailboxLineTest, APlcThatIsGoneEndsTheJobAndNotTheLine) {
   EXPECT_TRUE(plc_.text().empty() || plc_.text() == text);
 }
 
+// What a transfer that broke off left at the PLC is never taken away by the next job alone.
+TEST_F(MailboxLineTest, ASessionThatIsLeftOpenNeedsAPersonsWord) {
+  plc_.give_credit(false);
+  const std::string text = program(20);
+  const store::Job job = arm(text);
+  ASSERT_TRUE(comes_to(job.id, JobState::feeding));
+  plc_.go_away(true);
+  ASSERT_TRUE(comes_to(job.id, JobState::failed));
+  plc_.go_away(false);
+  plc_.give_credit(true);
+  const store::Job second = must(shop_.jobs.add(job.release, "anna"));
+  must(shop_.jobs.arm(second.id, std::nullopt, "olga"));
+  ASSERT_TRUE(comes_to(second.id, JobState::failed));
+  EXPECT_TRUE(shop_.job(second.id).torn);
+  EXPECT_EQ(shop_.report("press").state, LineState::torn);
+  EXPECT_EQ(plc_.text(), "");
+  const store::Job third = must(shop_.jobs.add(job.release, "anna"));
+  EXPECT_FALSE(shop_.jobs.arm(third.id, std::nullopt, "olga"));
+  must(shop_.jobs.confirm_reset("press", "the press was reset", "olga"));
+  EXPECT_EQ(shop_.report("press").state, LineState::idle);
+  must(shop_.jobs.arm(third.id, std::nullopt, "olga"));
+  ASSERT_TRUE(comes_to(third.id, JobState::done)) << shop_.report("press").cause;
+  EXPECT_EQ(plc_.text(), text);
+}
+
 TEST_F(MailboxLineTest, AnArmingThatFindsNoPlcExpires) {
   plc_.go_away(true);
   const store::Job queued = shop_.add_job("press", program(20));
@@ -185,7 +210,6 @@ TEST_F(MailboxLineTest, ACommandDoesNotTouchTheRegistersThatAreBeingWritten) {
 
 TEST_F(MailboxLineTest, CommandsWithoutAMeaningAreRefused) {
   const auto line = shop_.lines.find("press");
-  EXPECT_FALSE(line->command(feed::Command::confirm_reset));
   EXPECT_FALSE(line->command(feed::Command::resume_as_if_dc1));
   EXPECT_FALSE(line->command(feed::Command::stop)) << "no job is on it";
 }

@@ -105,10 +105,10 @@ TEST(LinkUrl, OnlyRawSocketsAreBlind) {
 }
 
 TEST(LinkUrl, EachKindHasItsScheme) {
-  for (const LinkKind kind :
-       {LinkKind::serial, LinkKind::tcp, LinkKind::tcp_listen, LinkKind::modbus_tcp, LinkKind::pty}) {
+  for (const LinkKind kind : {LinkKind::serial, LinkKind::tcp, LinkKind::tcp_listen, LinkKind::modbus_tcp,
+                              LinkKind::modbus_rtu, LinkKind::pty}) {
     const std::string name(name_of(kind));
-    const bool has_path = kind == LinkKind::serial || kind == LinkKind::pty;
+    const bool has_path = kind == LinkKind::serial || kind == LinkKind::pty || kind == LinkKind::modbus_rtu;
     const auto url = parse_link_url(name + (has_path ? ":/x" : "://h:1"));
     ASSERT_TRUE(url) << url.error();
     EXPECT_EQ(url->kind, kind);
