@@ -36,6 +36,8 @@ Applied set_framing(std::string_view value, LineSettings& line) {
   const auto framing = tape_code::parse_framing(value);
   if (!framing) return std::unexpected(fmt::format("framing \"{}\": {}", value, tape_code::message(framing.error())));
   line.framing = *framing;
+  // A profile that says EIA means the characters, not what the line carries them in: with 7 bits it is refused later.
+  if (line.code == tape_code::Code::eia) return {};
   line.code = framing->data_bits == 7 ? tape_code::Code::iso : tape_code::Code::ascii;
   return {};
 }

@@ -170,6 +170,12 @@ TEST(Line, ReadsTheCodeAndAnEobOfTheShop) {
   EXPECT_TRUE(characters_of(line).has('#'));
   line.eia_specials.codes[2] = 0x61;
   EXPECT_FALSE(feed_settings_of(line));
+  // The framing of a URL does not make another code of a profile's EIA.
+  LineSettings by_profile = line_at("pty:/x?framing=8N1");
+  by_profile.code = tape_code::Code::eia;
+  EXPECT_TRUE(feed_settings_of(by_profile)->wire.eia);
+  by_profile.link = line_at("pty:/x?framing=7E2").link;
+  EXPECT_FALSE(feed_settings_of(by_profile));
 }
 
 TEST(Control, TheProfileLiesOverTheUsualControl) {
