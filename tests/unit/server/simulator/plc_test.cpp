@@ -88,6 +88,26 @@ TEST_F(PlcTest, AppendsEachBlockOnceAndRunsWhatIsWhole) {
   EXPECT_EQ(status().state, modbus::ReceiverState::done);
 }
 
+TEST_F(PlcTest, AWriteBringsTheStatusThatStandsBehindIt) {
+  start();
+  ASSERT_TRUE(write(MailboxCommand::open, 1));
+  const std::string_view text = "G0X1.\n";
+  modbus::Mailbox mailbox{};
+  const std::size_t used = modbus::encode(
+      {.session = 5, .command = MailboxCommand::data, .seq = 1, .offset = 0, .payload = std::as_bytes(std::span(text))},
+      mailbox);
+  for (int i = 0; i < 3; ++i) {
+    modbus::StatusImage image{};
+    const auto exchanged = bus_->exchange(app::kMailboxAddress, std::span<const std::uint16_t>(mailbox).first(used),
+                                          app::kStatusAddress, image);
+    ASSERT_TRUE(exchanged) << exchanged.error().text;
+    ASSERT_TRUE(*exchanged);
+    EXPECT_EQ(modbus::decode_status(image)->ack_seq, 1);
+    EXPECT_EQ(modbus::decode_status(image)->appended, text.size()) << "once, however often it is written";
+  }
+  EXPECT_EQ(plc_->report().text, text);
+}
+
 TEST_F(PlcTest, ANewSessionBeginsWithNothing) {
   start();
   ASSERT_TRUE(write(MailboxCommand::open, 1));
