@@ -190,7 +190,8 @@ void Sender::perform(Action action, Input input, Cause cause) {
     case Action::unarmed: return emit({.kind = EventKind::start_unarmed});
     case Action::take:
       outbox_.begin(settings_.wire, *job_->source, job_->facts.text_bytes());
-      total_ = tape_code::wire_length(settings_.wire, job_->facts.text_bytes(), job_->facts.eobs());
+      total_ = tape_code::wire_length(settings_.wire, job_->facts.text_bytes(), job_->facts.eobs(),
+                                      job_->facts.odd_blocks());
       reserve_ = job_->reserve;
       expires_at_ = now_ + job_->expires_after;
       counters_ = {};

@@ -34,7 +34,7 @@ std::expected<void, SettingsFault> validate(const Settings& s) {
   if (s.char_time <= Time(0)) return std::unexpected(SettingsFault::char_time);
   if (is_xmodem(s.protocol) && s.wire.eighth_bit == tape_code::EighthBit::odd)
     return std::unexpected(SettingsFault::seven_bits);
-  const bool cr_inside = s.wire.eob != tape_code::Eob::lf;
+  const bool cr_inside = tape_code::characters(s.wire.eob).find('\r') != std::string_view::npos;
   if (s.protocol == Protocol::remote_buffer_a && s.end_is_cr && cr_inside)
     return std::unexpected(SettingsFault::end_inside);
   return {};

@@ -34,15 +34,15 @@ Result<void> refuse_drip_into_folder(const machine::Profile& profile, store::Del
       fmt::format("machine {} fetches whole files from a folder: release the program for memory", profile.name));
 }
 
-// Wire bytes of a text on this line; a block transfer has its text's bytes.
+// Wire bytes of a text on this line, without what packets add; a mailbox has its text's bytes.
 Result<std::uint64_t> wire_bytes(const machine::Profile& profile, const feed::ProgramFacts& facts) {
   const machine::LinkKind kind = profile.line.link.kind;
   if (kind == machine::LinkKind::dir)
     return tape_code::wire_length(drop_format(profile.line), facts.text_bytes(), facts.eobs(), facts.odd_blocks());
   if (!machine::feeds_characters(kind)) return facts.text_bytes();
-  const auto settings = machine::feed_settings_of(profile.line);
-  if (!settings) return fail(ErrorCode::refused, settings.error());
-  return tape_code::wire_length(settings->wire, facts.text_bytes(), facts.eobs(), facts.odd_blocks());
+  const auto line = machine::effective_line(profile.line);
+  if (!line) return fail(ErrorCode::refused, line.error());
+  return tape_code::wire_length(machine::wire_format_of(*line), facts.text_bytes(), facts.eobs(), facts.odd_blocks());
 }
 
 // A number that no earlier job had: identifies the job at a PLC. Not 0.

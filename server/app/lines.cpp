@@ -8,6 +8,7 @@
 #include "server/app/drop_line.h"
 #include "server/app/feed_line.h"
 #include "server/app/mailbox_line.h"
+#include "server/app/packet_line.h"
 #include "server/machine/bus_settings.h"
 
 namespace dripfeed::app {
@@ -16,13 +17,14 @@ namespace {
 
 // All that the line was made from, as one comparable text.
 std::string fingerprint(const machine::LineSettings& s) {
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", s.link.text,
-                     s.baud, tape_code::format_framing(s.framing), static_cast<int>(s.code), tape_code::name(s.eob),
-                     static_cast<int>(s.filler), fmt::join(s.eia_specials.codes, ","), s.pad_tv, s.leader_chars,
-                     s.trailer_chars, static_cast<int>(s.start), s.end_by_dc3, s.end_by_character.value_or(0),
-                     s.end_by_quiet_s.value_or(-1.0), s.overrun_budget, s.unsent, s.latency_chars, s.watch_cts,
-                     s.watch_dsr, s.start_trigger, static_cast<int>(s.flow), s.xon, s.xoff, static_cast<int>(s.xoff_by),
-                     s.char_delay_ms, s.line_delay_ms);
+  return fmt::format(
+      "{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", s.link.text,
+      s.baud, tape_code::format_framing(s.framing), static_cast<int>(s.code), tape_code::name(s.eob),
+      static_cast<int>(s.filler), fmt::join(s.eia_specials.codes, ","), s.pad_tv, s.leader_chars, s.trailer_chars,
+      static_cast<int>(s.start), s.end_by_dc3, s.end_by_character.value_or(0), s.end_by_quiet_s.value_or(-1.0),
+      s.overrun_budget, s.unsent, s.latency_chars, s.watch_cts, s.watch_dsr, s.start_trigger, static_cast<int>(s.flow),
+      s.xon, s.xoff, static_cast<int>(s.xoff_by), s.char_delay_ms, s.line_delay_ms, machine::name_of(s.protocol),
+      s.answer_s.value_or(0.0), s.payload_bytes, s.counted_frames, s.gives_way, s.messages_end_with_cr);
 }
 
 bool has_job(const Line& line) {
@@ -87,8 +89,16 @@ Result<std::unique_ptr<Line>> make_line(const machine::LineSettings& settings, L
     if (!bus) return fail(ErrorCode::invalid, bus.error());
     return make_mailbox_line(make_bus(settings.link), thread.clock(), std::move(changed));
   }
-  auto line = settings.link.kind == machine::LinkKind::dir ? make_drop_line(settings, std::move(changed))
-                                                           : make_feed_line(settings, thread, std::move(changed));
+  if (settings.link.kind == machine::LinkKind::dir) {
+    auto line = make_drop_line(settings, std::move(changed));
+    if (!line) return fail(ErrorCode::invalid, line.error());
+    return std::move(*line);
+  }
+  const auto effective = machine::effective_line(settings);
+  if (!effective) return fail(ErrorCode::invalid, effective.error());
+  const bool has_packets = machine::packet_protocol_of(effective->protocol).has_value();
+  auto line = has_packets ? make_packet_line(settings, thread, std::move(changed))
+                          : make_feed_line(settings, thread, std::move(changed));
   if (!line) return fail(ErrorCode::invalid, line.error());
   return std::move(*line);
 }

@@ -88,7 +88,7 @@ WireHashes hashes_of(const std::string& text, const machine::Profile& profile) {
     return {.wire_sha256 = hash::sha256_hex(text), .text_sha256 = hash::sha256_hex(text)};
   const bool whole_file = profile.line.link.kind == machine::LinkKind::dir;
   const tape_code::WireFormat format =
-      whole_file ? app::drop_format(profile.line) : machine::feed_settings_of(profile.line)->wire;
+      whole_file ? app::drop_format(profile.line) : machine::wire_format_of(profile.line);
   WireHasher hasher(whole_file ? tape_code::DecodeFormat{.eighth_bit = format.eighth_bit, .eob = format.eob}
                                : machine::decode_format_of(profile.line));
   tape_code::SpanSource source(text);

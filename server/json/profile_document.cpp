@@ -231,6 +231,13 @@ void read_link(ObjectReader& object, machine::LineSettings& line) {
       object.fault("url", link.error());
     }
   }
+  if (const auto protocol = object.choice("protocol", machine::line_protocol_names()))
+    line.protocol = static_cast<machine::LineProtocol>(*protocol);
+  if (machine::packet_protocol_of(line.protocol)) {
+    line.framing = {.data_bits = 8, .parity = tape_code::Parity::none, .stop_bits = 1};
+    line.code = tape_code::Code::ascii;
+    line.flow = feed::Flow::none;
+  }
   object.integer("baud", line.baud, 50, 4'000'000);
   read_framing(object, line);
   if (const auto code = object.choice("code", kCodes)) line.code = static_cast<tape_code::Code>(*code);
@@ -251,6 +258,11 @@ void read_link(ObjectReader& object, machine::LineSettings& line) {
   object.integer("latency_chars", line.latency_chars, 0, 100'000);
   object.flag("watch_cts", line.watch_cts);
   object.flag("watch_dsr", line.watch_dsr);
+  object.number("answer_s", line.answer_s, 1.0, 86'400.0);
+  object.integer("payload_bytes", line.payload_bytes, 1, packet::kMaxPayload);
+  object.flag("counted_frames", line.counted_frames);
+  object.flag("gives_way", line.gives_way);
+  object.flag("messages_end_with_cr", line.messages_end_with_cr);
   object.number("arming_minutes", line.arming_minutes, 0.1, 60.0);
   read_character_set(object, line);
 }
@@ -295,6 +307,22 @@ void read_whole(ObjectReader& object, machine::Profile& profile) {
   object.object("link", [&](ObjectReader& o) { read_link(o, profile.line); }, true);
 }
 
+std::expected<void, std::string> line_is_possible(const machine::LineSettings& line) {
+  if (machine::is_modbus(line.link.kind)) {
+    if (const auto settings = machine::bus_settings_of(line.link); !settings) return std::unexpected(settings.error());
+    return {};
+  }
+  if (!machine::feeds_characters(line.link.kind)) return {};
+  const auto effective = machine::effective_line(line);
+  if (!effective) return std::unexpected(effective.error());
+  if (machine::packet_protocol_of(effective->protocol)) {
+    if (const auto settings = machine::packet_settings_of(line); !settings) return std::unexpected(settings.error());
+    return {};
+  }
+  if (const auto settings = machine::feed_settings_of(line); !settings) return std::unexpected(settings.error());
+  return {};
+}
+
 }  // namespace
 
 app::Result<machine::Profile> read_profile(std::string_view document) {
@@ -303,18 +331,9 @@ app::Result<machine::Profile> read_profile(std::string_view document) {
       read_object(document, "machine profile", [&](ObjectReader& object) { read_whole(object, profile); });
   if (!read) return std::unexpected(read.error());
   // What the parts say together: whether the line can keep the machine's budget.
-  if (machine::feeds_characters(profile.line.link.kind)) {
-    const auto settings = machine::feed_settings_of(profile.line);
-    if (!settings)
-      return app::fail(app::ErrorCode::invalid, "machine profile: /link " + settings.error(),
-                       {{.pointer = "/link", .line = 0, .column = 0, .text = settings.error()}});
-  }
-  if (machine::is_modbus(profile.line.link.kind)) {
-    const auto settings = machine::bus_settings_of(profile.line.link);
-    if (!settings)
-      return app::fail(app::ErrorCode::invalid, "machine profile: /link " + settings.error(),
-                       {{.pointer = "/link", .line = 0, .column = 0, .text = settings.error()}});
-  }
+  if (const auto possible = line_is_possible(profile.line); !possible)
+    return app::fail(app::ErrorCode::invalid, "machine profile: /link " + possible.error(),
+                     {{.pointer = "/link", .line = 0, .column = 0, .text = possible.error()}});
   return profile;
 }
 

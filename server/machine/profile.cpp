@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace dripfeed::machine {
 
@@ -132,11 +133,44 @@ Applied set_overwrite(std::string_view value, LineSettings&) {
   return std::unexpected(fmt::format("overwrite \"{}\" is not yes or no", value));
 }
 
+// The line of a packet protocol has 8 bits and no flow control by characters, whatever the profile says of the same
+// machine's DC codes.
+Applied set_protocol(std::string_view value, LineSettings& line) {
+  const auto protocol = parse_line_protocol(value);
+  if (!protocol) {
+    return std::unexpected(fmt::format("protocol \"{}\" is none of {}", value, fmt::join(line_protocol_names(), ", ")));
+  }
+  line.protocol = *protocol;
+  if (!packet_protocol_of(*protocol)) return {};
+  line.flow = feed::Flow::none;
+  return set_framing("8N1", line);
+}
+
+Applied set_answer(std::string_view value, LineSettings& line) {
+  std::uint32_t seconds_given = 0;
+  if (const auto read = set_number("answer_s", value, seconds_given); !read) return read;
+  line.answer_s = seconds_given == 0 ? std::nullopt : std::optional<double>(seconds_given);
+  return {};
+}
+
+Applied set_payload(std::string_view value, LineSettings& line) {
+  return set_number("payload", value, line.payload_bytes);
+}
+
+Applied set_counted(std::string_view value, LineSettings& line) {
+  return set_choice("counted", value, {{"yes", true}, {"no", false}}, line.counted_frames);
+}
+
 struct Option {
   std::string_view name;
   Applied (*apply)(std::string_view value, LineSettings& line);
 };
+// In this order: `protocol` brings along what `framing`, `flow` and `code` may change.
 constexpr std::array kOptions = {
+    Option{"protocol", set_protocol},
+    Option{"answer_s", set_answer},
+    Option{"payload", set_payload},
+    Option{"counted", set_counted},
     Option{"baud", set_baud},
     Option{"framing", set_framing},
     Option{"latency_chars", set_latency},

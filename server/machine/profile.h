@@ -17,6 +17,7 @@
 #include "protocol/tape_code/eob.h"
 #include "protocol/tape_code/framing.h"
 #include "protocol/tape_code/wire_decoder.h"
+#include "server/machine/line_protocol.h"
 #include "server/machine/link_url.h"
 
 namespace dripfeed::machine {
@@ -52,6 +53,7 @@ struct ControlSettings {
 // How the line is spoken to; becomes feed::Settings together with the URL's options, which win.
 struct LineSettings {
   LinkUrl link;
+  LineProtocol protocol = LineProtocol::dc_codes;
   std::uint32_t baud = 9600;
   tape_code::Framing framing;
   tape_code::Code code = tape_code::Code::iso;
@@ -78,6 +80,12 @@ struct LineSettings {
   bool watch_cts = false;
   bool watch_dsr = false;
   double arming_minutes = 10.0;
+  // Packet protocols only. answer_s: how long an answer may take; not given: without limit, as a held machine needs it.
+  std::optional<double> answer_s;
+  std::uint32_t payload_bytes = 128;    // 3964, remote buffer
+  bool counted_frames = false;          // 3964: frames carry a number; both sides must know of it
+  bool gives_way = true;                // 3964: withdraws where both call at once
+  bool messages_end_with_cr = false;    // remote buffer: CR instead of ETX
   std::string character_set = "ascii";  // a name of tape_code::character_sets()
 };
 
@@ -99,7 +107,8 @@ inline constexpr double kLinePoll_ms = 2.0;
 bool polls_flow_lines(const LineSettings& line);
 
 // The line with its URL's options laid over it (baud, framing, flow, latency_chars, budget, unsent, start, eob,
-// char_delay_ms, line_delay_ms, code); or which option is wrong.
+// char_delay_ms, line_delay_ms, code, protocol, answer_s, payload, counted); or which option is wrong. A packet
+// protocol in the URL brings 8N1, plain ASCII and no flow control along where the URL does not say otherwise.
 std::expected<LineSettings, std::string> effective_line(const LineSettings& line);
 
 // The feed's settings for this line, URL options included;
