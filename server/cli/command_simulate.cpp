@@ -51,6 +51,11 @@ simulator::BlockClockSettings clock_settings(const machine::Profile& profile) {
 simulator::ControlSettings control_settings(const machine::Profile& profile, const Options& options) {
   simulator::ControlSettings settings;
   settings.protocol = options.protocol;
+  const machine::LineProtocol protocol = profile.line.protocol;
+  if (machine::packet_protocol_of(protocol)) settings.protocol = machine::name_of(protocol);
+  settings.payload_bytes = profile.line.payload_bytes;
+  settings.counted_frames = profile.line.counted_frames;
+  settings.messages_end_with_cr = profile.line.messages_end_with_cr;
   settings.framing = profile.line.framing;
   settings.baud = profile.line.baud;
   settings.code = profile.line.code;
@@ -177,6 +182,12 @@ int simulate(const Options& options) {
     return kWrongUse;
   }
   speaking.line = *settings;
+  if (machine::packet_protocol_of(speaking.line.protocol)) {
+    if (const auto possible = machine::packet_settings_of(speaking.line); !possible) {
+      print_error(possible.error());
+      return kWrongUse;
+    }
+  }
   return run_control(*link, speaking, options, stop);
 }
 

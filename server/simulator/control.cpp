@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "server/simulator/packet_control.h"
 #include "server/simulator/simulated_control.h"
 
 namespace dripfeed::simulator {
@@ -23,6 +24,12 @@ struct Row {
 };
 constexpr std::array kRows = {
     Row{"dc", make_kind<SimulatedControl>},
+    Row{"xmodem", make_kind<PacketControl>},
+    Row{"xmodem-crc", make_kind<PacketControl>},
+    Row{"xmodem-1k", make_kind<PacketControl>},
+    Row{"3964", make_kind<PacketControl>},
+    Row{"3964r", make_kind<PacketControl>},
+    Row{"remote-buffer-a", make_kind<PacketControl>},
 };
 
 }  // namespace

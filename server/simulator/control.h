@@ -37,6 +37,10 @@ struct ControlSettings {
       5;               // its DC3 on the line and the 4-character time-out of a 16550 before the host sees it
   double speed = 1.0;  // runs this much faster than a machine would
   BlockClockSettings clock;
+  // Packet protocols, as in the profile's line.
+  std::uint32_t payload_bytes = 128;
+  bool counted_frames = false;
+  bool messages_end_with_cr = false;
   std::string punches;  // the text that a punching control sends
 };
 
@@ -98,7 +102,7 @@ class Control {
   [[nodiscard]] virtual bool finished() const = 0;
 };
 
-// Gets every wire byte that reaches the control, in the order of arrival.
+// Gets every wire byte that reaches the control, in the order of arrival; of packets the text in them.
 using Record = std::function<void(std::uint8_t)>;
 
 // The names that ControlSettings::protocol may have.
