@@ -122,6 +122,38 @@ struct Wrong {
   std::string_view pointer;
 };
 
+TEST(ProfileDocument, APacketProtocolBringsItsLineAlong) {
+  const auto link = [](std::string_view members) {
+    const std::string text(kProfile);
+    const std::size_t at = text.find("\"link\":");
+    return text.substr(0, at) + "\"link\": {\"url\": \"serial:/dev/ttyS0\", " + std::string(members) + "}}";
+  };
+  const auto read = read_profile(
+      link(R"("protocol": "3964r", "answer_s": 60, "payload_bytes": 64, "counted_frames": true, "gives_way": false)"));
+  ASSERT_TRUE(read) << read.error().text;
+  const machine::LineSettings& line = read->line;
+  EXPECT_EQ(line.protocol, machine::LineProtocol::s3964r);
+  EXPECT_EQ(tape_code::format_framing(line.framing), "8N1");
+  EXPECT_EQ(line.code, tape_code::Code::ascii);
+  EXPECT_EQ(line.flow, feed::Flow::none);
+  EXPECT_EQ(line.answer_s, 60.0);
+  EXPECT_EQ(line.payload_bytes, 64U);
+  EXPECT_TRUE(line.counted_frames);
+  EXPECT_FALSE(line.gives_way);
+
+  const auto seven = read_profile(link(R"("protocol": "xmodem", "framing": "7E2")"));
+  ASSERT_FALSE(seven);
+  EXPECT_NE(seven.error().text.find("8 data bits"), std::string::npos) << seven.error().text;
+  const auto held = read_profile(link(R"("protocol": "xmodem", "flow": "xonxoff")"));
+  ASSERT_FALSE(held);
+  EXPECT_NE(held.error().text.find("XON"), std::string::npos) << held.error().text;
+  const auto both =
+      read_profile(link(R"("protocol": "remote-buffer-a", "messages_end_with_cr": true, "eob": "cr-lf")"));
+  ASSERT_FALSE(both);
+  EXPECT_NE(both.error().text.find("ETX"), std::string::npos) << both.error().text;
+  EXPECT_FALSE(read_profile(link(R"("protocol": "kermit")")));
+}
+
 TEST(ProfileDocument, EveryWrongMemberHasItsPlace) {
   const Wrong rows[] = {
       // missing
