@@ -1,6 +1,5 @@
-// dripfeed simulate: simulated controls on a pseudo-terminal or a TCP port, or a simulated PLC.
+// dripfeed simulate: simulated controls on pseudo-terminals or TCP ports, or a simulated PLC.
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -15,8 +14,10 @@
 #include "server/cli/output.h"
 #include "server/cli/signals.h"
 #include "server/cli/wire_hashes.h"
+#include "server/simulator/fault.h"
 #include "server/simulator/fleet.h"
 #include "server/simulator/plc.h"
+#include "server/simulator/uart.h"
 
 namespace dripfeed::cli {
 
@@ -30,7 +31,12 @@ struct Options {
   double speed = 1.0;
   double operator_s = 0.0;
   bool repeat = false;
-  std::vector<std::string> faults;
+  std::size_t count = 1;
+  std::string uart = "16550";
+  bool uart_given = false;
+  double clock_ppm = 0.0;
+  std::uint32_t seed = 1;
+  std::vector<std::string> fault_texts;
   bool json = false;
 };
 
@@ -48,7 +54,17 @@ simulator::BlockClockSettings clock_settings(const machine::Profile& profile) {
   return settings;
 }
 
-simulator::ControlSettings control_settings(const machine::Profile& profile, const Options& options) {
+// Without --uart the delay is what the profile's budget leaves for it.
+void set_latency(const machine::LineSettings& line, const Options& options, const simulator::Uart& uart,
+                 simulator::ControlSettings& settings) {
+  settings.host_latency_chars = std::min(line.latency_chars, line.overrun_budget - line.unsent);
+  if (!options.uart_given) return;
+  settings.host_latency_chars = 1 + uart.chars;  // its own time and the receiver's
+  settings.host_latency_ns = uart.fixed_ns;
+}
+
+app::Result<simulator::ControlSettings> control_settings(const machine::Profile& profile, const Options& options) {
+  const auto wrong = [](std::string text) { return app::fail(app::ErrorCode::invalid, std::move(text)); };
   simulator::ControlSettings settings;
   settings.protocol = options.protocol;
   const machine::LineProtocol protocol = profile.line.protocol;
@@ -65,25 +81,18 @@ simulator::ControlSettings control_settings(const machine::Profile& profile, con
   // What follows its own DC3 at the most must still fit.
   settings.stop_free_bytes = std::max(settings.buffer_bytes / 8, profile.line.overrun_budget + 1);
   settings.go_free_bytes = settings.buffer_bytes / 2;
-  settings.host_latency_chars = std::min(profile.line.latency_chars, profile.line.overrun_budget - profile.line.unsent);
+  const auto uart = simulator::find_uart(options.uart);
+  if (!uart) return wrong(uart.error());
+  set_latency(profile.line, options, *uart, settings);
+  settings.clock_ppm = options.clock_ppm;
   settings.speed = options.speed;
   settings.clock = clock_settings(profile);
-  return settings;
-}
-
-// --fault cut=N: the cable is cut after N bytes.
-app::Result<std::optional<std::uint64_t>> cut_of(const std::vector<std::string>& faults) {
-  std::optional<std::uint64_t> cut;
-  for (const std::string& fault : faults) {
-    std::uint64_t count = 0;
-    const std::string_view value = std::string_view(fault).substr(std::min<std::size_t>(4, fault.size()));
-    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), count);
-    if (!fault.starts_with("cut=") || error != std::errc{} || end != value.data() + value.size()) {
-      return app::fail(app::ErrorCode::invalid, fmt::format("--fault \"{}\": use cut=BYTES", fault));
-    }
-    cut = count;
+  for (const std::string& text : options.fault_texts) {
+    const auto fault = simulator::parse_fault(text);
+    if (!fault) return wrong(fault.error());
+    settings.faults.push_back(*fault);
   }
-  return cut;
+  return settings;
 }
 
 int run_plc(const machine::LinkUrl& link, const machine::Profile& profile, const Options& options,
@@ -121,44 +130,103 @@ int run_plc(const machine::LinkUrl& link, const machine::Profile& profile, const
   return report.complete ? kDone : kFailed;
 }
 
-int run_control(const machine::LinkUrl& link, const machine::Profile& profile, const Options& options,
-                const std::stop_token& stop) {
-  const auto cut = cut_of(options.faults);
-  if (!cut) {
-    print_error(cut.error());
+// The wire of the n-th of several: {n} in a path is its number from 1 (put behind where there is none), ports count up.
+std::optional<machine::LinkUrl> link_of(const machine::LinkUrl& link, std::size_t n, std::size_t count) {
+  machine::LinkUrl one = link;
+  if (count == 1) return one;
+  if (link.kind == machine::LinkKind::pty) {
+    const std::size_t at = link.path.find("{n}");
+    one.path = at == std::string::npos ? fmt::format("{}-{}", link.path, n)
+                                       : fmt::format("{}{}{}", link.path.substr(0, at), n, link.path.substr(at + 3));
+    return one;
+  }
+  if (link.port + n - 1 > UINT16_MAX) return std::nullopt;
+  one.port = static_cast<std::uint16_t>(link.port + n - 1);
+  return one;
+}
+
+// What one control got: the hashes of it, and every byte where it is to be kept.
+struct Received {
+  explicit Received(const tape_code::DecodeFormat& format) : hasher(format) {}
+  WireHasher hasher;
+  std::string wire;
+};
+
+// Few are looked at as often as their lines need; many together, so that hundreds fit into one process.
+simulator::Time_ns grid_for(std::size_t count) {
+  constexpr std::size_t kFew = 16;
+  constexpr simulator::Time_ns kGrid_ns = 10'000'000;
+  return count <= kFew ? 0 : kGrid_ns;
+}
+
+app::Result<void> add_all(const machine::LinkUrl& link, const simulator::ControlSettings& settings,
+                          const tape_code::DecodeFormat& format, const Options& options,
+                          std::vector<std::unique_ptr<Received>>& received, simulator::Fleet& fleet) {
+  const bool keep = !options.record.empty();
+  for (std::size_t n = 1; n <= options.count; ++n) {
+    const auto own = link_of(link, n, options.count);
+    if (!own) return app::fail(app::ErrorCode::invalid, fmt::format("{}: the ports end at 65535", link.text));
+    received.push_back(std::make_unique<Received>(format));
+    const auto added = fleet.add({.link = *own,
+                                  .control = settings,
+                                  .record =
+                                      [keep, into = received.back().get()](std::uint8_t byte) {
+                                        into->hasher.add(byte);
+                                        if (keep) into->wire += static_cast<char>(byte);
+                                      },
+                                  .seed = options.seed + static_cast<std::uint32_t>(n) - 1,
+                                  .operator_s = options.operator_s,
+                                  .repeat = options.repeat});
+    if (!added) return app::fail(app::ErrorCode::invalid, added.error());
+  }
+  return {};
+}
+
+// --record F writes F, and F-n for each of several.
+bool write_records(const Options& options, const std::vector<std::unique_ptr<Received>>& received) {
+  if (options.record.empty()) return true;
+  for (std::size_t i = 0; i < received.size(); ++i) {
+    const std::string path = received.size() == 1 ? options.record : fmt::format("{}-{}", options.record, i + 1);
+    if (!write_output(path, received[i]->wire)) return false;
+  }
+  return true;
+}
+
+int run_controls(const machine::LinkUrl& link, const machine::Profile& profile, const Options& options,
+                 const std::stop_token& stop) {
+  const auto settings = control_settings(profile, options);
+  if (!settings) {
+    print_error(settings.error());
     return kWrongUse;
   }
-  const simulator::ControlSettings settings = control_settings(profile, options);
-  WireHasher hasher(machine::decode_format_of(profile.line));
-  std::string wire;
-  const bool keep = !options.record.empty();
-  simulator::Fleet fleet;
-  const auto added = fleet.add({.link = link,
-                                .control = settings,
-                                .record =
-                                    [&](std::uint8_t byte) {
-                                      hasher.add(byte);
-                                      if (keep) wire += static_cast<char>(byte);
-                                    },
-                                .cut_after = *cut,
-                                .operator_s = options.operator_s,
-                                .repeat = options.repeat});
-  if (!added) {
+  std::vector<std::unique_ptr<Received>> received;
+  simulator::Fleet fleet(grid_for(options.count));
+  if (const auto added = add_all(link, *settings, machine::decode_format_of(profile.line), options, received, fleet);
+      !added) {
     print_error(added.error());
     return kWrongUse;
   }
-  fmt::print(stderr, "simulated control at {}\n", fleet.address(*added));
+  fmt::print(stderr, "simulated control at {}\n", fleet.address(0));
+  if (options.count > 1)
+    fmt::print(stderr, "... to {}, {} controls\n", fleet.address(options.count - 1), options.count);
   fleet.run(stop);
-  const simulator::ControlReport report = fleet.report(*added);
-  if (keep && !write_output(options.record, wire)) return kWrongUse;
-  if (options.json) {
-    fmt::print("{}", simulate_document(report, hasher.finish()));
-  } else {
-    fmt::print(stderr, "{} bytes, {} blocks run, {} holds, {} characters after DC3 at most, {} stalls{}{}\n",
-               report.bytes, report.blocks_run, report.holds, report.after_dc3_max, report.stalls,
+  if (!write_records(options, received)) return kWrongUse;
+  std::vector<FleetMember> members;
+  bool all_ended = true;
+  for (std::size_t i = 0; i < fleet.size(); ++i) {
+    members.push_back({fleet.address(i), fleet.report(i), received[i]->hasher.finish()});
+    const simulator::ControlReport& report = members.back().report;
+    all_ended = all_ended && report.state == simulator::ControlState::ended;
+    if (options.json) continue;
+    fmt::print(stderr, "{}: {} bytes, {} blocks run, {} holds, {} characters after DC3 at most, {} stalls{}{}\n",
+               members.back().link, report.bytes, report.blocks_run, report.holds, report.after_dc3_max, report.stalls,
                report.alarm.empty() ? "" : ", alarm ", report.alarm);
   }
-  return report.state == simulator::ControlState::ended ? kDone : kFailed;
+  if (options.json) {
+    fmt::print("{}",
+               members.size() == 1 ? simulate_document(members[0].report, members[0].hashes) : fleet_document(members));
+  }
+  return all_ended ? kDone : kFailed;
 }
 
 int simulate(const Options& options) {
@@ -188,7 +256,7 @@ int simulate(const Options& options) {
       return kWrongUse;
     }
   }
-  return run_control(*link, speaking, options, stop);
+  return run_controls(*link, speaking, options, stop);
 }
 
 }  // namespace
@@ -204,10 +272,23 @@ void add_simulate(CLI::App& app, int& exit_code) {
   command->add_option("--operator", options->operator_s,
                       "after so many seconds without a character the operator presses RESET and START");
   command->add_flag("--repeat", options->repeat, "the operator starts the next program after the end of one");
-  command->add_option("--fault", options->faults, "cut=BYTES: the cable is cut after so many bytes");
+  command->add_option("--count", options->count, "so many controls, at pty:/path-{n} or on ports that count up")
+      ->check(CLI::Range(1, 4096));
+  const CLI::Option* uart = command->add_option("--uart", options->uart,
+                                                "what the host's stop signs pass: 16550, ftdi, device-server, ideal");
+  command->add_option("--clock-ppm", options->clock_ppm, "the line's clock is off by so much")
+      ->check(CLI::Range(-50'000.0, 50'000.0));
+  command->add_option("--seed", options->seed, "of the faults; each further control has the next one");
+  std::string names;
+  for (const simulator::FaultRow& row : simulator::fault_table())
+    names += fmt::format("\n{}=N: {}", row.name, row.meaning);
+  command->add_option("--fault", options->fault_texts, "K=N, one of" + names);
   command->add_option("--record", options->record, "write every byte that arrived to this file");
   command->add_flag("--json", options->json, "one JSON object on standard output");
-  command->callback([options, &exit_code] { exit_code = simulate(*options); });
+  command->callback([options, uart, &exit_code] {
+    options->uart_given = uart->count() > 0;
+    exit_code = simulate(*options);
+  });
 }
 
 }  // namespace dripfeed::cli

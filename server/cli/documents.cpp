@@ -68,26 +68,97 @@ std::string send_document(const app::LineReport& report, const WireHashes& hashe
                {"interval", {{"from", report.known.from}, {"to", report.known.to}}}});
 }
 
-std::string simulate_document(const simulator::ControlReport& report, const WireHashes& hashes) {
+namespace {
+
+using Histogram = std::array<std::uint64_t, simulator::kAfterDc3Bins>;
+
+Document histogram_of(const Histogram& after_dc3) {
   Document histogram = Document::array();
-  std::size_t used = report.after_dc3.size();
-  while (used > 1 && report.after_dc3[used - 1] == 0) --used;
-  for (std::size_t i = 0; i < used; ++i) histogram.push_back(report.after_dc3[i]);
-  return dump({{"bytes", report.bytes},
-               {"wire_sha256", hashes.wire_sha256},
-               {"text_sha256", hashes.text_sha256},
-               {"holds", report.holds},
-               {"after_dc3_max", report.after_dc3_max},
-               {"after_dc3_histogram", histogram},
-               {"line_use", report.line_use},
-               {"parity_errors", report.parity_errors},
-               {"alarm", report.alarm.empty() ? Document(nullptr) : Document(report.alarm)},
-               {"stalls", report.stalls},
-               {"stall_s", report.stall_s},
-               {"blocks_run", report.blocks_run},
-               {"bytes_run", report.bytes_run},
-               {"unfinished_block", report.unfinished_block},
-               {"state", simulator::name_of(report.state)}});
+  std::size_t used = after_dc3.size();
+  while (used > 1 && after_dc3[used - 1] == 0) --used;
+  for (std::size_t i = 0; i < used; ++i) histogram.push_back(after_dc3[i]);
+  return histogram;
+}
+
+// The smallest count that 99 of 100 holds did not pass.
+std::uint64_t p99(const Histogram& after_dc3, std::uint64_t holds) {
+  std::uint64_t seen = 0;
+  for (std::size_t i = 0; i < after_dc3.size(); ++i) {
+    seen += after_dc3[i];
+    if (seen * 100 >= holds * 99) return i;
+  }
+  return after_dc3.size() - 1;
+}
+
+Document control_object(const simulator::ControlReport& report, const WireHashes& hashes) {
+  return {{"bytes", report.bytes},
+          {"wire_sha256", hashes.wire_sha256},
+          {"text_sha256", hashes.text_sha256},
+          {"holds", report.holds},
+          {"after_dc3_max", report.after_dc3_max},
+          {"after_dc3_histogram", histogram_of(report.after_dc3)},
+          {"line_use", report.line_use},
+          {"parity_errors", report.parity_errors},
+          {"framing_errors", report.framing_errors},
+          {"alarm", report.alarm.empty() ? Document(nullptr) : Document(report.alarm)},
+          {"stalls", report.stalls},
+          {"stall_s", report.stall_s},
+          {"buffer_min", report.buffer_min},
+          {"buffer_max", report.buffer_max},
+          {"blocks_run", report.blocks_run},
+          {"bytes_run", report.bytes_run},
+          {"unfinished_block", report.unfinished_block},
+          {"state", simulator::name_of(report.state)}};
+}
+
+}  // namespace
+
+std::string simulate_document(const simulator::ControlReport& report, const WireHashes& hashes) {
+  return dump(control_object(report, hashes));
+}
+
+std::string fleet_document(const std::vector<FleetMember>& members) {
+  Document controls = Document::array();
+  simulator::ControlReport total;
+  std::uint64_t alarms = 0;
+  std::uint64_t ended = 0;
+  double least_use = 1.0;
+  for (const FleetMember& member : members) {
+    const simulator::ControlReport& report = member.report;
+    Document object = control_object(report, member.hashes);
+    object["link"] = member.link;
+    controls.push_back(std::move(object));
+    total.bytes += report.bytes;
+    total.blocks_run += report.blocks_run;
+    total.holds += report.holds;
+    total.stalls += report.stalls;
+    total.stall_s += report.stall_s;
+    total.parity_errors += report.parity_errors;
+    total.framing_errors += report.framing_errors;
+    total.after_dc3_max = std::max(total.after_dc3_max, report.after_dc3_max);
+    for (std::size_t i = 0; i < total.after_dc3.size(); ++i) total.after_dc3[i] += report.after_dc3[i];
+    alarms += report.alarm.empty() ? 0 : 1;
+    ended += report.state == simulator::ControlState::ended ? 1 : 0;
+    if (report.bytes > 0) least_use = std::min(least_use, report.line_use);
+  }
+  std::uint64_t closed_holds = 0;
+  for (const std::uint64_t count : total.after_dc3) closed_holds += count;
+  return dump({{"controls", controls},
+               {"total",
+                {{"controls", members.size()},
+                 {"ended", ended},
+                 {"alarms", alarms},
+                 {"bytes", total.bytes},
+                 {"blocks_run", total.blocks_run},
+                 {"holds", total.holds},
+                 {"after_dc3_max", total.after_dc3_max},
+                 {"after_dc3_p99", p99(total.after_dc3, closed_holds)},
+                 {"after_dc3_histogram", histogram_of(total.after_dc3)},
+                 {"line_use_min", least_use},
+                 {"parity_errors", total.parity_errors},
+                 {"framing_errors", total.framing_errors},
+                 {"stalls", total.stalls},
+                 {"stall_s", total.stall_s}}}});
 }
 
 }  // namespace dripfeed::cli

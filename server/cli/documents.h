@@ -22,5 +22,12 @@ std::string run_document(const interpreter::RunResult& result);
 std::string render_document(const compile::RenderResult& result);
 std::string send_document(const app::LineReport& report, const WireHashes& hashes);
 std::string simulate_document(const simulator::ControlReport& report, const WireHashes& hashes);
+// Of a fleet: {"controls":[…],"total":{…}}, each control with its link.
+struct FleetMember {
+  std::string link;
+  simulator::ControlReport report;
+  WireHashes hashes;
+};
+std::string fleet_document(const std::vector<FleetMember>& members);
 
 }  // namespace dripfeed::cli

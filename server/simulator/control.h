@@ -18,6 +18,7 @@
 #include "protocol/tape_code/eia.h"
 #include "protocol/tape_code/framing.h"
 #include "server/simulator/block_clock.h"
+#include "server/simulator/fault.h"
 
 namespace dripfeed::simulator {
 
@@ -30,12 +31,17 @@ struct ControlSettings {
   tape_code::Code code = tape_code::Code::iso;
   tape_code::EiaSpecials eia_specials;  // for code eia
   std::uint32_t buffer_bytes = 2048;
-  std::uint32_t stop_free_bytes = 256;  // DC3 when less is free
-  std::uint32_t go_free_bytes = 1024;   // DC1 when more is free
-  std::uint32_t overrun_budget = 10;    // characters taken after its own DC3
-  std::uint32_t host_latency_chars =
-      5;               // its DC3 on the line and the 4-character time-out of a 16550 before the host sees it
-  double speed = 1.0;  // runs this much faster than a machine would
+  std::uint32_t stop_free_bytes = 256;   // DC3 when less is free
+  std::uint32_t go_free_bytes = 1024;    // DC1 when more is free
+  std::uint32_t overrun_budget = 10;     // characters taken after its own DC3
+  std::uint32_t host_latency_chars = 5;  // its DC3 on the line and the 4-character time-out of a 16550 before the
+                                         // host sees it
+  Time_ns host_latency_ns = 0;           // and what does not depend on the line's speed
+  double clock_ppm = 0.0;                // by which the line is faster than it should be
+  bool says_dc = true;                   // DC1 and DC3
+  bool drives_rts = false;               // its RTS, the host's CTS, is on only while it reads
+  Faults faults;                         // those of the control take effect here
+  double speed = 1.0;                    // runs this much faster than a machine would
   BlockClockSettings clock;
   // Packet protocols, as in the profile's line.
   std::uint32_t payload_bytes = 128;
@@ -58,9 +64,12 @@ struct ControlReport {
   std::array<std::uint64_t, kAfterDc3Bins> after_dc3{};
   double line_use = 0.0;  // of the time not held, from the first to the last character
   std::uint64_t parity_errors = 0;
+  std::uint64_t framing_errors = 0;
   std::string alarm;         // "" or "087 BUFFER OVERFLOW"
   std::uint64_t stalls = 0;  // times that it ran dry before the end
   double stall_s = 0.0;
+  std::uint64_t buffer_min = 0;  // bytes that lay ready when a block was taken, before the end was read
+  std::uint64_t buffer_max = 0;
   ControlState state = ControlState::waiting;
   bool unfinished_block = false;  // the text broke off inside a block; it was not run
 };

@@ -1,4 +1,5 @@
-// The loop: wait for input or the earliest deadline, give each control its bytes and the time, send what is due.
+// The loop: wait for input or the earliest deadline (or the grid), give each control its bytes and the time, send what
+// is due.
 #include "server/simulator/fleet.h"
 
 #include <algorithm>
@@ -8,6 +9,8 @@
 #include <utility>
 
 #include <poll.h>
+#include <sys/resource.h>
+#include <time.h>
 
 #include "server/simulator/wire.h"
 
@@ -16,34 +19,45 @@ namespace dripfeed::simulator {
 namespace {
 
 constexpr Time_ns kMillisecond = 1'000'000;
+constexpr Time_ns kSecond = 1000 * kMillisecond;
 constexpr Time_ns kLongestWait = 20 * kMillisecond;  // an operator and a stop request are looked at this often
 constexpr Time_ns kStayAfterEnd = 1000 * kMillisecond;
 constexpr Time_ns kUnconnectedWait = 5 * kMillisecond;
+constexpr Time_ns kUnplugged = 2 * kSecond;
 constexpr Time_ns kNever = std::numeric_limits<Time_ns>::max();
 
 Time_ns now_ns() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
 
 }  // namespace
 
+// One control and its wire. A lock keeps report() apart from the loop.
 class Fleet::Station {
  public:
   Station(StationSettings settings, std::unique_ptr<Wire> wire, std::unique_ptr<Control> control)
-      : settings_(std::move(settings)), wire_(std::move(wire)), control_(std::move(control)) {
+      : settings_(std::move(settings)),
+        wire_(std::move(wire)),
+        control_(std::move(control)),
+        line_(settings_.control.faults, settings_.seed),
+        cut_after_(find_fault(settings_.control.faults, FaultKind::cut)),
+        unplug_after_(find_fault(settings_.control.faults, FaultKind::unplug)),
+        deaf_after_(find_fault(settings_.control.faults, FaultKind::half_open)) {
     control_->start(now_ns());
   }
 
   // -1: nothing to wait for. A pty without a host is always "hung up", so it is left out for a moment instead of spun
   // on.
-  [[nodiscard]] int descriptor() const { return cut_ || now_ns() < rest_until_ ? -1 : wire_->descriptor(); }
+  [[nodiscard]] int descriptor() const { return !listens() || now_ns() < rest_until_ ? -1 : wire_->descriptor(); }
   [[nodiscard]] Time_ns deadline() const {
+    if (plug_in_at_) return *plug_in_at_;
     if (cut_) return kNever;
     const auto every = control_->look_every();
-    const Time_ns look = every ? std::max(looked_at_ + *every, rest_until_) : kNever;
+    const Time_ns look = every && !deaf_ ? std::max(looked_at_ + *every, rest_until_) : kNever;
     return std::min(control_->deadline().value_or(kNever), look);
   }
   [[nodiscard]] std::string address() const { return wire_->address(); }
 
   void read(bool hung_up) {
+    if (!listens()) return;
     std::array<std::byte, 4096> buffer;
     const Time_ns before = std::exchange(looked_at_, now_ns());
     const std::size_t count = wire_->read(buffer);
@@ -53,23 +67,19 @@ class Fleet::Station {
       if (hung_up) rest_until_ = now_ns() + kUnconnectedWait;
       return;
     }
-    std::span<const std::byte> bytes = std::span(buffer).first(count);
-    taken_ += count;
-    if (settings_.cut_after && taken_ >= *settings_.cut_after) {
-      bytes = bytes.first(count - static_cast<std::size_t>(taken_ - *settings_.cut_after));
-      cut_ = true;
-    }
-    control_->receive(bytes, before, now_ns());
-    if (cut_) wire_->cut();
+    take(std::span(buffer).first(count), before);
   }
 
   void tick() {
     const std::lock_guard lock(mutex_);
     const Time_ns now = now_ns();
+    if (plug_in_at_ && now >= *plug_in_at_) plug_in();
     control_->tick(now);
-    if (cut_) return;
-    const std::vector<std::byte> out = control_->take_out(now);
+    if (cut_ || plug_in_at_ || deaf_) return;
+    std::vector<std::byte> out = control_->take_out(now);
+    line_.to_host(out);
     if (!out.empty()) wire_->write(out);
+    wire_->show(control_->lines());
     const auto quiet = control_->quiet_since();
     if ((control_->finished() || control_->state() == ControlState::alarm) && !settings_.repeat) return;
     if (settings_.operator_s > 0 && quiet && static_cast<double>(now - *quiet) > settings_.operator_s * 1e9) {
@@ -92,17 +102,68 @@ class Fleet::Station {
   }
 
  private:
+  [[nodiscard]] bool listens() const { return !cut_ && !plug_in_at_ && !deaf_; }
+
+  // What arrives up to the character at which the line breaks.
+  void take(std::span<const std::byte> came, Time_ns before) {
+    const auto breaks_at = [&](std::optional<std::uint64_t> after) { return after && taken_ + came.size() >= *after; };
+    std::optional<std::uint64_t> first;
+    for (const auto& after : {cut_after_, unplug_after_, deaf_after_}) {
+      if (breaks_at(after) && (!first || *after < *first)) first = after;
+    }
+    if (first) came = came.first(static_cast<std::size_t>(*first - std::min(*first, taken_)));
+    taken_ += came.size();
+    std::vector<std::byte> bytes(came.begin(), came.end());
+    line_.to_control(bytes);
+    control_->receive(bytes, before, now_ns());
+    if (!first) return;
+    if (first == deaf_after_) {
+      deaf_ = true;
+      return;
+    }
+    wire_->cut();
+    if (first == cut_after_) {
+      cut_ = true;
+      return;
+    }
+    unplug_after_.reset();
+    plug_in_at_ = now_ns() + kUnplugged;
+  }
+
+  // The same wire again; a port or path that somebody took meanwhile stays lost.
+  void plug_in() {
+    plug_in_at_.reset();
+    auto wire = Wire::open(settings_.link);
+    if (wire) {
+      wire_ = std::move(*wire);
+    } else {
+      cut_ = true;
+    }
+  }
+
   StationSettings settings_;
   std::unique_ptr<Wire> wire_;
   mutable std::mutex mutex_;
   std::unique_ptr<Control> control_;
+  LineFaults line_;
+  std::optional<std::uint64_t> cut_after_;
+  std::optional<std::uint64_t> unplug_after_;
+  std::optional<std::uint64_t> deaf_after_;
+  std::optional<Time_ns> plug_in_at_;
   std::uint64_t taken_ = 0;
   Time_ns rest_until_ = 0;
   Time_ns looked_at_ = now_ns();
   bool cut_ = false;
+  bool deaf_ = false;
 };
 
-Fleet::Fleet() = default;
+// Hundreds of wires are more files than a shell allows by default.
+Fleet::Fleet(Time_ns grid_ns) : grid_ns_(grid_ns) {
+  rlimit files{};
+  if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return;
+  files.rlim_cur = files.rlim_max;
+  ::setrlimit(RLIMIT_NOFILE, &files);
+}
 Fleet::~Fleet() = default;
 
 std::expected<std::size_t, std::string> Fleet::add(StationSettings settings) {
@@ -115,20 +176,40 @@ std::expected<std::size_t, std::string> Fleet::add(StationSettings settings) {
 }
 
 void Fleet::run(const std::stop_token& stop) {
-  std::vector<pollfd> files(stations_.size());
+  next_look_ = now_ns();
   while (!stop.stop_requested() && !std::ranges::all_of(stations_, [](const auto& s) { return s->over(); })) {
-    Time_ns until = now_ns() + kLongestWait;
-    for (std::size_t i = 0; i < stations_.size(); ++i) {
-      files[i] = {.fd = stations_[i]->descriptor(), .events = POLLIN, .revents = 0};
-      until = std::min(until, stations_[i]->deadline());
+    if (grid_ns_ > 0) {
+      wait_for_grid();
+    } else {
+      wait_for_input();
     }
-    const Time_ns wait = std::max<Time_ns>(0, until - now_ns());
-    const timespec timeout{.tv_sec = wait / 1'000'000'000, .tv_nsec = wait % 1'000'000'000};
-    ::ppoll(files.data(), files.size(), &timeout, nullptr);
-    for (std::size_t i = 0; i < stations_.size(); ++i) {
-      if (files[i].fd >= 0) stations_[i]->read((files[i].revents & (POLLHUP | POLLERR)) != 0);
-      stations_[i]->tick();
-    }
+  }
+}
+
+void Fleet::wait_for_input() {
+  std::vector<pollfd> files(stations_.size());
+  Time_ns until = now_ns() + kLongestWait;
+  for (std::size_t i = 0; i < stations_.size(); ++i) {
+    files[i] = {.fd = stations_[i]->descriptor(), .events = POLLIN, .revents = 0};
+    until = std::min(until, stations_[i]->deadline());
+  }
+  const Time_ns wait = std::max<Time_ns>(0, until - now_ns());
+  const timespec timeout{.tv_sec = wait / kSecond, .tv_nsec = wait % kSecond};
+  ::ppoll(files.data(), files.size(), &timeout, nullptr);
+  for (std::size_t i = 0; i < stations_.size(); ++i) {
+    if (files[i].fd >= 0) stations_[i]->read((files[i].revents & (POLLHUP | POLLERR)) != 0);
+    stations_[i]->tick();
+  }
+}
+
+// By absolute time; rounds that were missed are left out.
+void Fleet::wait_for_grid() {
+  next_look_ = std::max(next_look_ + grid_ns_, now_ns());
+  const timespec at{.tv_sec = next_look_ / kSecond, .tv_nsec = next_look_ % kSecond};
+  ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &at, nullptr);
+  for (const auto& station : stations_) {
+    if (station->descriptor() >= 0) station->read(false);
+    station->tick();
   }
 }
 

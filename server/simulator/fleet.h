@@ -1,4 +1,4 @@
-// Simulated controls on real wires: pseudo-terminals and TCP ports, all served by one loop over poll(). Faults are made
+// Simulated controls on real wires: pseudo-terminals and TCP ports, all served by one loop. Faults of the line are made
 // here, where a cable would be cut.
 #pragma once
 
@@ -19,14 +19,17 @@ struct StationSettings {
   machine::LinkUrl link;  // pty: or tcp-listen:
   ControlSettings control;
   Record record;
-  std::optional<std::uint64_t> cut_after;  // the cable is cut after so many bytes (pty closed, TCP reset)
+  std::uint32_t seed = 1;   // of the line's faults; control.faults has them all
   double operator_s = 0.0;  // after so long without a character the operator presses RESET and START; 0: never
   bool repeat = false;      // and starts the next program after the end of one
 };
 
 class Fleet {
  public:
-  Fleet();
+  // grid_ns: how often all controls are looked at together; 0: each as often as its line needs, woken by its input. A
+  // coarse grid serves hundreds in one process: arrivals are dated from the look before, and a stop sign that leaves
+  // late by the grid does not count against the host.
+  explicit Fleet(Time_ns grid_ns = 0);
   ~Fleet();
   Fleet(const Fleet&) = delete;
   Fleet& operator=(const Fleet&) = delete;
@@ -36,12 +39,17 @@ class Fleet {
   // Serves all until `stop`, or until every control has finished, was cut or stands in an alarm (unless an operator
   // restarts it).
   void run(const std::stop_token& stop);
+  [[nodiscard]] std::size_t size() const { return stations_.size(); }
   [[nodiscard]] ControlReport report(std::size_t index) const;
   // "pty:/path" or "tcp://127.0.0.1:port": where a host reaches it.
   [[nodiscard]] std::string address(std::size_t index) const;
 
  private:
   class Station;
+  void wait_for_input();
+  void wait_for_grid();
+  Time_ns grid_ns_;
+  Time_ns next_look_ = 0;
   std::vector<std::unique_ptr<Station>> stations_;
 };
 

@@ -14,8 +14,15 @@ namespace {
 constexpr std::uint8_t kDc1 = 0x11;
 constexpr std::uint8_t kDc3 = 0x13;
 constexpr std::uint8_t kDc3WithParity = 0x93;
+constexpr std::uint8_t kNak = 0x95;  // both with parity
+constexpr std::uint8_t kSyn = 0x96;
 
 bool is_dc3(std::byte byte) { return byte == std::byte{kDc3} || byte == std::byte{kDc3WithParity}; }
+
+Time_ns character_ns(const ControlSettings& settings) {
+  const double bits = settings.framing.bits_per_char();
+  return static_cast<Time_ns>(bits * 1e9 / (settings.baud * (1.0 + settings.clock_ppm * 1e-6)));
+}
 
 // Parity over all eight bits of a received byte, as the framing and the code ask for it.
 bool parity_is_right(std::uint8_t byte, const tape_code::Framing& framing, tape_code::Code code) {
@@ -30,9 +37,12 @@ bool parity_is_right(std::uint8_t byte, const tape_code::Framing& framing, tape_
 SimulatedControl::SimulatedControl(const ControlSettings& settings, Record record)
     : settings_(settings),
       record_(std::move(record)),
-      char_ns_(static_cast<Time_ns>(settings.framing.bits_per_char()) * 1'000'000'000 / settings.baud),
+      char_ns_(character_ns(settings)),
+      lines_{.cts = !settings.drives_rts, .dsr = true},
       clock_(settings.clock) {
   if (settings.code == tape_code::Code::eia) eia_.emplace(tape_code::EighthBit::data, settings.eia_specials);
+  if (const auto times = find_fault(settings_.faults, FaultKind::slow); times && *times > 0)
+    settings_.speed /= static_cast<double>(*times);
 }
 
 void SimulatedControl::start(Time_ns now) {
@@ -44,8 +54,21 @@ void SimulatedControl::start(Time_ns now) {
   label_skip_ = true;
   seen_percent_ = false;
   block_.clear();
+  block_characters_ = 0;
   clock_ = BlockClock(settings_.clock);
-  send(kDc1, now);
+  start_reading(now);
+}
+
+void SimulatedControl::start_reading(Time_ns at) {
+  if (settings_.drives_rts) lines_.cts = true;
+  if (settings_.says_dc) send(kDc1, at);
+}
+
+void SimulatedControl::stop_reading(Time_ns at) {
+  if (settings_.drives_rts) lines_.cts = false;
+  if (!settings_.says_dc) return;
+  const bool with_parity = settings_.framing.data_bits == 7 || settings_.code == tape_code::Code::iso;
+  send(with_parity ? kDc3WithParity : kDc3, at);
 }
 
 void SimulatedControl::reset() {
@@ -57,6 +80,7 @@ void SimulatedControl::reset() {
   buffered_ = 0;
   running_ = false;
   before_dc3_left_.clear();
+  lines_ = {.cts = !settings_.drives_rts, .dsr = true};
 }
 
 std::optional<Time_ns> SimulatedControl::quiet_since() const {
@@ -93,7 +117,8 @@ std::optional<Time_ns> SimulatedControl::deadline() const {
   const auto consider = [&](Time_ns at) { earliest = earliest ? std::min(*earliest, at) : at; };
   if (!pending_.empty()) consider(pending_.front().at);
   if (!out_.empty()) consider(out_.front().at);
-  if (running_ && report_.state != ControlState::alarm) consider(run_until_);  // an alarm ends the running, too
+  if (running_ && report_.state != ControlState::alarm && !silent_)
+    consider(run_until_);  // an alarm ends the running, too
   return earliest;
 }
 
@@ -113,7 +138,8 @@ void SimulatedControl::arrive(const Arrival& arrival) {
   ++report_.bytes;
   if (first_arrival_ < 0) first_arrival_ = arrival.at - char_ns_;
   if (report_.state == ControlState::held) count_after_dc3(arrival.at);
-  if (report_.state == ControlState::alarm || report_.state == ControlState::waiting) return;
+  if (report_.state == ControlState::alarm || report_.state == ControlState::waiting || silent_) return;
+  if (strikes(arrival)) return;
   if (eia_) return take_eia(arrival);
   if (!parity_is_right(arrival.byte, settings_.framing, settings_.code)) {
     ++report_.parity_errors;
@@ -134,6 +160,35 @@ void SimulatedControl::take_eia(const Arrival& arrival) {
   if (kind == tape_code::ByteKind::character) take_character(eia_->character(arrival.byte), arrival.at);
 }
 
+// The faults of the control itself, by the number of the character that just came; true if it is lost with that.
+bool SimulatedControl::strikes(const Arrival& arrival) {
+  for (const Fault& fault : settings_.faults) {
+    if (fault.kind == FaultKind::baud && fault.number != settings_.baud) {
+      ++report_.framing_errors;
+      raise("085 COMMUNICATION ERROR");
+      return true;
+    }
+    if (fault.number != report_.bytes) continue;
+    if (fault.kind == FaultKind::silent) return silent_ = true;
+    if (fault.kind == FaultKind::overrun) raise("087 BUFFER OVERFLOW");
+    if (fault.kind == FaultKind::dsr) {
+      lines_.dsr = false;
+      raise("086 DR SIGNAL OFF");
+    }
+    if (fault.kind != FaultKind::reset && fault.kind != FaultKind::alarm) continue;
+    // As a remote buffer tells it: reading stops, then what happened.
+    stop_reading(arrival.at);
+    send(fault.kind == FaultKind::reset ? kSyn : kNak, arrival.at);
+    if (fault.kind == FaultKind::alarm) {
+      raise("ALARM");
+    } else {
+      reset();
+    }
+    return true;
+  }
+  return report_.state == ControlState::alarm;
+}
+
 void SimulatedControl::take_character(char c, Time_ns at) {
   if (report_.state == ControlState::ended || c == '\0' || c == '\r' || c == 0x7F) return;
   if (label_skip_) {
@@ -146,10 +201,12 @@ void SimulatedControl::take_character(char c, Time_ns at) {
     // The end of the tape: the control says DC3 and reads no more.
     if (report_.state == ControlState::held) close_hold(at);
     report_.state = ControlState::ended;
-    send(settings_.framing.data_bits == 7 || settings_.code == tape_code::Code::iso ? kDc3WithParity : kDc3, at);
+    stop_reading(at);
     return;
   }
   ++buffered_;
+  ++block_characters_;
+  report_.buffer_max = std::max(report_.buffer_max, buffered_);
   if (buffered_ > settings_.buffer_bytes) return raise("087 BUFFER OVERFLOW");
   if (c == '\n') {
     finish_block(at);
@@ -160,6 +217,8 @@ void SimulatedControl::take_character(char c, Time_ns at) {
 }
 
 void SimulatedControl::finish_block(Time_ns at) {
+  const bool odd = std::exchange(block_characters_, 0) % 2 != 0;
+  if (odd && find_fault(settings_.faults, FaultKind::tv) == 1) return raise("002 TV PARITY");
   blocks_.push_back({std::exchange(block_, {}), 0});
   blocks_.back().bytes = blocks_.back().text.size() + 1;
   if (idle_since_ >= 0 && !running_) {
@@ -175,7 +234,7 @@ void SimulatedControl::finish_block(Time_ns at) {
 }
 
 void SimulatedControl::run_blocks(Time_ns now) {
-  while (report_.state != ControlState::alarm) {
+  while (report_.state != ControlState::alarm && !silent_) {
     if (running_) {
       if (run_until_ > now) return;
       running_ = false;
@@ -188,6 +247,8 @@ void SimulatedControl::run_blocks(Time_ns now) {
     const Time_ns begin = std::max(run_until_, Time_ns{0}) == 0 ? now : run_until_;
     const Block block = std::move(blocks_.front());
     blocks_.pop_front();
+    if (report_.state != ControlState::ended && report_.blocks_run > 0)
+      buffer_min_ = std::min(buffer_min_.value_or(buffered_), buffered_);
     buffered_ -= block.bytes;
     const double seconds = clock_.run(block.text);
     if (!clock_.fault().empty()) return raise("123 CAN NOT USE MACRO COMMAND IN DNC");
@@ -209,11 +270,12 @@ void SimulatedControl::check_flow(Time_ns at) {
     ++report_.holds;
     dc3_at_ = at;
     after_dc3_ = 0;
-    send(settings_.framing.data_bits == 7 || settings_.code == tape_code::Code::iso ? kDc3WithParity : kDc3, at);
+    const std::uint64_t late = find_fault(settings_.faults, FaultKind::late_xoff).value_or(0);
+    stop_reading(at + static_cast<Time_ns>(late) * char_ns_);
   } else if (report_.state == ControlState::held && free_bytes() > settings_.go_free_bytes) {
     close_hold(at);
     report_.state = ControlState::reading;
-    send(kDc1, at);
+    start_reading(at);
   }
 }
 
@@ -239,7 +301,7 @@ void SimulatedControl::close_hold(Time_ns at) {
 }
 
 void SimulatedControl::send(std::uint8_t byte, Time_ns at) {
-  const Time_ns due = at + static_cast<Time_ns>(settings_.host_latency_chars) * char_ns_;
+  const Time_ns due = at + static_cast<Time_ns>(settings_.host_latency_chars) * char_ns_ + settings_.host_latency_ns;
   out_.push_back({static_cast<std::byte>(byte), out_.empty() ? due : std::max(due, out_.back().at)});
 }
 
@@ -255,6 +317,7 @@ ControlReport SimulatedControl::report() const {
   report.line_use = report.bytes == 0 || span <= 0
                         ? 0.0
                         : static_cast<double>(report.bytes) * static_cast<double>(char_ns_) / static_cast<double>(span);
+  report.buffer_min = buffer_min_.value_or(0);
   report.unfinished_block = !block_.empty();
   return report;
 }

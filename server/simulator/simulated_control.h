@@ -25,6 +25,7 @@ class SimulatedControl final : public Control {
   std::vector<std::byte> take_out(Time_ns now) override;
   [[nodiscard]] std::optional<Time_ns> deadline() const override;
   [[nodiscard]] std::optional<Time_ns> look_every() const override;
+  [[nodiscard]] ControlLines lines() const override { return lines_; }
   [[nodiscard]] ControlReport report() const override;
   [[nodiscard]] ControlState state() const override { return report_.state; }
   [[nodiscard]] std::optional<Time_ns> quiet_since() const override;
@@ -47,9 +48,12 @@ class SimulatedControl final : public Control {
   };
 
   void arrive(const Arrival& arrival);
+  [[nodiscard]] bool strikes(const Arrival& arrival);
   void take_character(char c, Time_ns at);
   void take_eia(const Arrival& arrival);
   void finish_block(Time_ns at);
+  void start_reading(Time_ns at);
+  void stop_reading(Time_ns at);
   void run_blocks(Time_ns now);
   void check_flow(Time_ns at);
   void count_after_dc3(Time_ns at);
@@ -63,12 +67,16 @@ class SimulatedControl final : public Control {
   Record record_;
   Time_ns char_ns_;
   std::optional<tape_code::DecodeTable> eia_;
+  ControlLines lines_;
+  bool silent_ = false;
   BlockClock clock_;
   std::deque<Arrival> pending_;
   std::deque<Due> out_;
   std::deque<Block> blocks_;
+  std::uint64_t block_characters_ = 0;  // of the present one, for the TV check
   std::string block_;
   std::uint64_t buffered_ = 0;
+  std::optional<std::uint64_t> buffer_min_;
   Time_ns last_arrival_ = 0;
   Time_ns first_arrival_ = -1;
   Time_ns held_ns_ = 0;

@@ -5,6 +5,8 @@
 
 #include "server/simulator/block_clock.h"
 #include "server/simulator/control.h"
+#include "server/simulator/fault.h"
 #include "server/simulator/fleet.h"
 #include "server/simulator/plc.h"
 #include "server/simulator/simulated_control.h"
+#include "server/simulator/uart.h"

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "server/machine/link_url.h"
+#include "server/simulator/control.h"
 
 namespace dripfeed::simulator {
 
@@ -25,6 +26,8 @@ class Wire {
   // Bytes that came; 0 when none.
   virtual std::size_t read(std::span<std::byte> into) = 0;
   virtual void write(std::span<const std::byte> bytes) = 0;
+  // Shows the lines to the host, where the wire has any.
+  virtual void show(const ControlLines&) {}
   // Closes at once, as a cut cable or a reset connection.
   virtual void cut() = 0;
   [[nodiscard]] virtual std::string address() const = 0;

@@ -46,6 +46,15 @@ inline LineModel model_of(const LineCase& with) {
   return model;
 }
 
+// The same line under RTS and CTS. The driver looks at CTS each `in_delay` at the latest.
+inline LineModel by_lines(LineModel model) {
+  model.by_lines = true;
+  model.settings.flow = feed::Flow::rtscts;
+  model.settings.start = feed::Start::at_once;
+  model.settings.end = {.dc3 = false, .quiet = std::chrono::seconds(2)};
+  return model;
+}
+
 // The whole wire, made without the encoder.
 inline std::string expected_wire(const std::string& text, const feed::Settings& settings) {
   std::string wire(settings.wire.leader_chars, '\0');

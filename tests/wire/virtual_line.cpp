@@ -40,7 +40,7 @@ VirtualLine::VirtualLine(const LineModel& model, const std::string& text, unsign
       source_(text_),
       feed_(made(model.settings)),
       char_time_(true_char_time(model)) {
-  high_ = 20 + random_() % 400;
+  high_ = 20 + random_() % (model.high_most - 20);
   low_ = high_ / (2 + random_() % 8);
 }
 
@@ -59,7 +59,7 @@ void VirtualLine::run(Time limit) {
   const std::uint64_t reserve = ledger_window > 0 ? ledger_window : feed::kNoReserve;
   static_cast<void>(feed_.arm({.facts = facts_of(text_), .source = &source_, .reserve = reserve}, now_));
   if (ledger_window > 0) add(now_ + kCommitEvery, Kind::ledger_commits);
-  control_sends(kDc1);
+  if (!model_.by_lines) control_sends(kDc1);
   add(now_ + char_time_, Kind::control_eats);
   drive();
   while (!happenings_.empty() && happenings_.top().at <= until && feed_.counters().ended_at == Time::zero()) {
@@ -80,6 +80,9 @@ void VirtualLine::happen(const Happening& happening) {
       feed_.receive({&byte, 1}, now_);
       break;
     }
+    case Kind::host_sees_cts:
+      feed_.line(happening.byte != 0 ? feed::LineChange::cts_on : feed::LineChange::cts_off, now_);
+      break;
     case Kind::host_wakes:
       wake_.reset();
       if (model_.reports_queue) feed_.report_queue(arrivals_.size() - arrived_count(), now_);
@@ -162,12 +165,20 @@ void VirtualLine::control_takes(std::uint8_t byte) {
   const bool ended = percent && percents_ == 2;
   const bool whim = percents_ < 2 && random_() % 300 == 0;
   if (ended || (!control_holds_ && (fill_ >= high_ || whim))) {
-    control_sends(kDc3);
+    if (!model_.by_lines) control_sends(kDc3);
+    if (ended && model_.by_lines) return control_holds(false);
     if (control_holds_) return;
+    if (model_.by_lines) control_holds(true);
     control_holds_ = true;
     after_dc3_ = 0;
     ++holds;
   }
+}
+
+// By its RTS: seen by the host when its driver looks.
+void VirtualLine::control_holds(bool on) {
+  reverse_free_at_ = std::max(now_ + random_time(model_.max_in_delay), reverse_free_at_);
+  add(reverse_free_at_, Kind::host_sees_cts, on ? 0 : 1);
 }
 
 void VirtualLine::control_eats() {
@@ -176,8 +187,13 @@ void VirtualLine::control_eats() {
   const bool starved = percents_ < 2 && !control_holds_ && fill_ == 0 && random_() % 20 == 0;
   if (control_holds_ && fill_ <= low_ && percents_ < 2) {
     control_holds_ = false;
-    control_sends(kDc1);
-  } else if (starved) {
+    ++after_dc3[std::min<std::size_t>(after_dc3_, after_dc3.size() - 1)];
+    if (model_.by_lines) {
+      control_holds(false);
+    } else {
+      control_sends(kDc1);
+    }
+  } else if (starved && !model_.by_lines) {
     control_sends(kDc1);  // some controls ask again
   }
   add(now_ + random_time(static_cast<std::int64_t>(2 * bite) * char_time_), Kind::control_eats);

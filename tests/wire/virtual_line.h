@@ -2,6 +2,7 @@
 // shares nothing with the feed's pacing but the instant at which a byte was handed over.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -19,12 +20,14 @@ using feed::Time;
 
 struct LineModel {
   feed::Settings settings;
-  double true_rate = 1.0;      // line speed in terms of the nominal one
-  Time max_out_delay{};        // from the write to the first bit on the line
-  Time max_in_delay{};         // from the last bit of a character to receive()
-  Time max_wake_delay{};       // of the driver's timer
-  bool reports_queue = false;  // the driver reads the unsent count at each wake
-  bool short_writes = false;   // the driver takes fewer bytes than offered, or none for a while
+  double true_rate = 1.0;         // line speed in terms of the nominal one
+  Time max_out_delay{};           // from the write to the first bit on the line
+  Time max_in_delay{};            // from the last bit of a character to receive()
+  Time max_wake_delay{};          // of the driver's timer
+  bool reports_queue = false;     // the driver reads the unsent count at each wake
+  bool short_writes = false;      // the driver takes fewer bytes than offered, or none for a while
+  bool by_lines = false;          // the control holds by its RTS instead of DC3, and ends by being quiet
+  std::uint64_t high_most = 420;  // the control holds at a random level from 20 to this
 };
 
 // The text sent for a test: `blocks` random blocks between '%' lines, ended by M30.
@@ -58,12 +61,13 @@ class VirtualLine {
   // What the control saw.
   std::uint64_t holds = 0;
   std::uint64_t worst_after_dc3 = 0;
+  std::array<std::uint64_t, 512> after_dc3{};  // holds by the characters that came after
   // Of the time at which the feed was free to send, the share at which the host's port was busy (the link's own delay
   // behind it, which no pacing can help, is left out).
   double line_use() const;
 
  private:
-  enum class Kind { arrival, host_receives, host_wakes, control_eats, ledger_commits };
+  enum class Kind { arrival, host_receives, host_sees_cts, host_wakes, control_eats, ledger_commits };
   struct Happening {
     Time at;
     std::uint64_t order;
@@ -76,6 +80,7 @@ class VirtualLine {
   void happen(const Happening& happening);
   void control_takes(std::uint8_t byte);
   void control_eats();
+  void control_holds(bool on);
   void wake_at_deadline();
   Time random_time(Time most);
   void note_free(bool free);
