@@ -11,10 +11,11 @@
 namespace dripfeed::feed {
 namespace {
 
-constexpr std::array<std::pair<Refusal, std::string_view>, 3> kRefusals{{
+constexpr std::array<std::pair<Refusal, std::string_view>, 4> kRefusals{{
     {Refusal::not_in_this_state, "the command has no effect in this state"},
     {Refusal::link_is_down, "the link is down"},
     {Refusal::no_source, "the job has no text"},
+    {Refusal::rounds, "a program is sent 1 to 1000000 times"},
 }};
 
 constexpr std::array<std::pair<Command, Input>, 7> kCommands{{
@@ -77,6 +78,7 @@ std::expected<void, Refusal> Feed::arm(const Job& job, Time now) {
   step_to(now);
   if (job.source == nullptr) return std::unexpected(Refusal::no_source);
   if (!link_up_) return std::unexpected(Refusal::link_is_down);
+  if (job.rounds == 0 || job.rounds > kMaxRounds) return std::unexpected(Refusal::rounds);
   const std::optional<Job> before = std::exchange(job_, job);
   const auto taken = react(Input::arm, {.cause = Cause::person});
   if (!taken) job_ = before;
@@ -120,7 +122,7 @@ bool Feed::hears_trigger(Signal signal, std::uint8_t byte) {
   const std::uint8_t character = tape_code::without_parity(byte, eighth_bit);
   const bool filler = character == '\n' || character == '\r' || character == 0;
   if (std::exchange(after_trigger_, after_trigger_ && filler) && filler) return true;
-  if (state_ != State::armed || signal != Signal::unexpected) return false;
+  if (!awaits_start(state_) || signal != Signal::unexpected) return false;
   if (!tape_code::parity_holds(byte, eighth_bit) || character > tape_code::kLowSevenBits) return false;
   std::copy(heard_.begin() + 1, heard_.end(), heard_.begin());
   heard_.back() = character;
@@ -156,7 +158,10 @@ void Feed::change_line(LineChange change, bool on) {
         .up = on});
   if (!flow_stopped()) clock_.go_on(now_);
   if (on) return;
-  if (flow_stopped()) clock_.pause(now_);
+  if (flow_stopped()) {
+    clock_.pause(now_);
+    flow_off_at_ = now_;
+  }
   const Cause cause = is_link ? Cause::link_lost : is_cts ? Cause::cts_off : Cause::dsr_off;
   const bool holds = is_cts ? cts_holds() : !is_link && dsr_is_flow(settings_.flow);
   const bool ends = is_link || (!is_cts && settings_.watch_dsr);
@@ -220,9 +225,13 @@ bool Feed::holds(Condition condition) const {
     case Condition::starts_held: return starts_by_itself() && control_holds_;
     case Condition::expired: return now_ >= expires_at_;
     case Condition::program_handed: return counters_.handed >= program_end_wire_;
-    case Condition::all_handed: return counters_.handed >= wire_bytes_;
+    case Condition::all_handed: return counters_.handed >= round_begin_ + round_length_;
     case Condition::block_clocked: return at_block_end_ && line_settled();
     case Condition::line_drained: return line_settled();
+    case Condition::shut:
+      return settings_.end.quiet && flow_stopped() && counters_.clocked >= program_end_wire_ &&
+             now_ >= flow_off_at_ + *settings_.end.quiet;
+    case Condition::round_left: return job_ && round_ < job_->rounds;
     case Condition::quiet: return settings_.end.quiet && line_settled() && now_ >= quiet_at();
   }
   return false;
@@ -251,7 +260,7 @@ bool Feed::starts_by_itself() const {
 bool Feed::in_block() const {
   const std::uint64_t handed = counters_.handed;
   if (handed >= program_end_wire_) return counters_.clocked < program_end_wire_;
-  if (handed <= settings_.wire.leader_chars) return false;
+  if (handed <= round_begin_ + settings_.wire.leader_chars) return false;
   return !(at_block_end_ && line_settled() && counters_.clocked == handed);
 }
 
@@ -303,6 +312,7 @@ void Feed::perform(Action action, Trigger trigger, State to) {
     case Action::unarmed: emit({.kind = EventKind::dc1_unarmed, .byte = trigger.byte}); break;
     case Action::remember: emit({.kind = EventKind::dc3_seen, .byte = trigger.byte}); break;
     case Action::arm: take_job(); break;
+    case Action::again: take_round(); break;
     case Action::start: counters_.started_at = now_; break;
     case Action::hold: ++counters_.holds; break;
     case Action::release: break;
@@ -319,27 +329,38 @@ void Feed::perform(Action action, Trigger trigger, State to) {
 }
 
 void Feed::take_job() {
+  reserve_ = job_->reserve;
+  round_ = 0;
+  clock_.restart();
+  rested_ = Time::zero();
+  counters_ = Counters{.estimated = settings_.blind};
+  network_has_.reset();
+  end_interval_ = {};
+  take_round();
+}
+
+// The text from its start. Offsets and counters go on over all rounds, so that the ledger needs to know of none.
+void Feed::take_round() {
   const ProgramFacts& facts = job_->facts;
   const tape_code::WireFormat& wire = settings_.wire;
+  ++round_;
+  round_begin_ = counters_.handed;
+  round_length_ = tape_code::wire_length(wire, facts.text_bytes(), facts.eobs(), facts.odd_blocks());
   encoder_.emplace(wire, *job_->source, facts.text_bytes());
-  wire_bytes_ = tape_code::wire_length(wire, facts.text_bytes(), facts.eobs(), facts.odd_blocks());
-  program_end_wire_ = wire_length(wire, facts.program_bytes(), facts.program_eobs(), facts.program_odd_blocks()) -
+  wire_bytes_ = round_begin_ + round_length_ * (job_->rounds - round_ + 1);
+  program_end_wire_ = round_begin_ +
+                      wire_length(wire, facts.program_bytes(), facts.program_eobs(), facts.program_odd_blocks()) -
                       std::uint64_t{wire.trailer_chars};
-  reserve_ = job_->reserve;
   expires_at_ = now_ + job_->expires_after;
   out_begin_ = 0;
   out_end_ = 0;
   source_ = tape_code::FillStatus::more;
   at_block_end_ = true;
-  clock_.restart();
   heard_ = {};
   triggered_ = false;
   stands_since_.reset();
   last_queue_ = 0;
-  rested_ = Time::zero();
-  counters_ = Counters{.estimated = settings_.blind};
-  network_has_.reset();
-  end_interval_ = {};
+  counters_.ended_at = Time::zero();
   end_cause_ = Cause::none;
 }
 

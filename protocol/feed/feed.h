@@ -30,12 +30,16 @@
 namespace dripfeed::feed {
 
 inline constexpr Time kArmingExpiry = std::chrono::minutes(10);
+inline constexpr std::uint32_t kMaxRounds = 1'000'000;
 inline constexpr std::uint64_t kNoReserve = UINT64_MAX;
 
 struct Job {
   ProgramFacts facts;                       // from ProgramCheck over the same text
   tape_code::TextSource* source = nullptr;  // at the start of the text; must outlive the job
-  Time expires_after = kArmingExpiry;
+  Time expires_after = kArmingExpiry;       // also of the waiting between two rounds
+  // So many times in all, 1 to kMaxRounds; each waits for the control's own start. The source then gives its text that
+  // often, and no piece of it spans two rounds.
+  std::uint32_t rounds = 1;
   std::uint64_t reserve = 0;  // wire bytes that the ledger reserved already; kNoReserve without a ledger
 };
 
@@ -55,6 +59,7 @@ enum class Refusal : std::uint8_t {
   not_in_this_state,
   link_is_down,  // arm: the link was not reported up
   no_source,     // arm: the job has no source
+  rounds,        // arm: none or too many
 };
 std::string_view message(Refusal refusal);
 
@@ -101,7 +106,9 @@ class Feed {
   Counters counters() const;
   // What the control may have; frozen once the feed is torn, failed, done or cancelled.
   Interval interval() const;
-  // Characters of the job's wire, leader and trailer included, and the time one takes.
+  // The round that is on, from 1.
+  std::uint32_t round() const { return round_; }
+  // Characters of the job's wire, leader and trailer included, of all rounds; and the time one takes.
   std::uint64_t wire_bytes() const { return wire_bytes_; }
   Time paced_char_time() const { return char_time_; }
   // Share of line time used while not stalled, 0..1, up to the last call with a time.
@@ -134,12 +141,14 @@ class Feed {
   void fill();
   void advance();
   void take_job();
+  void take_round();
   void end_job(Action action, Cause cause);
   Time settles_at() const;
   Time quiet_at() const;
   Stall present_stall() const;
   void emit(Event event);
   void note_input(Trigger trigger);
+  std::optional<tape_code::WirePosition> locate(std::uint64_t offset) const;
   bool in_block() const;
   bool line_settled() const;
   bool cts_holds() const { return settings_.watch_cts || cts_is_flow(settings_.flow); }
@@ -183,7 +192,11 @@ class Feed {
   std::uint64_t last_queue_ = 0;              // reported last
   std::optional<Time> stands_since_;          // nothing moves below since then
   Time rested_{};                             // all line delays so far
+  Time flow_off_at_{};                        // when a flow line went off last
 
+  std::uint32_t round_ = 0;
+  std::uint64_t round_begin_ = 0;  // wire offset; all offsets count from the first round's
+  std::uint64_t round_length_ = 0;
   std::uint64_t wire_bytes_ = 0;
   std::uint64_t program_end_wire_ = 0;
   std::uint64_t reserve_ = 0;

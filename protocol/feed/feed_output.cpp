@@ -59,7 +59,8 @@ void Feed::mark_sent(std::size_t n, Time now) {
     out_begin_ += count;
     counters_.handed += count;
     clock_.handed(count, std::max(now, now_));
-    const bool behind_eob = counters_.handed > settings_.wire.leader_chars && counters_.handed <= program_end_wire_;
+    const bool behind_eob =
+        counters_.handed > round_begin_ + settings_.wire.leader_chars && counters_.handed <= program_end_wire_;
     if (at_block_end_ && behind_eob && settings_.line_delay > Time::zero()) {
       clock_.rest(settings_.line_delay);
       rested_ += settings_.line_delay;
@@ -67,7 +68,7 @@ void Feed::mark_sent(std::size_t n, Time now) {
     moved_below();
     if (!has_job(state_)) {
       end_interval_.to = counters_.handed;
-      end_interval_.to_position = encoder_->locate(end_interval_.to);
+      end_interval_.to_position = locate(end_interval_.to);
     }
   }
   step_to(now);
@@ -117,9 +118,12 @@ Time Feed::quiet_at() const {
 std::optional<Time> Feed::deadline() const {
   std::optional<Time> first;
   const auto at = [&](Time time) { first = first ? std::min(*first, time) : time; };
-  if (state_ == State::armed) at(expires_at_);
+  if (awaits_start(state_)) at(expires_at_);
   const bool wants_more = may_hand(state_) && !(ends_with_block(state_) && at_block_end_);
   if (wants_more && source_ == FillStatus::not_ready) at(source_retry_at_);
+  const bool may_be_shut = state_ == State::trailer || state_ == State::draining || state_ == State::ending;
+  if (may_be_shut && flow_stopped() && settings_.end.quiet && counters_.clocked >= program_end_wire_)
+    at(flow_off_at_ + *settings_.end.quiet);
   if (clock_.paused()) return first;
   if (stands_since_ && !stands_below() && is_on_the_line(state_)) at(*stands_since_ + kStandstill);
   const bool has_more = out_end_ > out_begin_ && reserve_ > counters_.handed;
@@ -136,7 +140,7 @@ std::optional<Time> Feed::deadline() const {
 
 Stall Feed::present_stall() const {
   if (!link_up_ || (settings_.watch_dsr && !dsr_on_)) return Stall::peer_gone;
-  if (state_ == State::armed) {
+  if (awaits_start(state_)) {
     if (settings_.start == Start::at_once) return line_stall();
     return settings_.start == Start::on_dc1 ? Stall::waiting_for_dc1 : Stall::waiting_for_trigger;
   }
@@ -164,12 +168,20 @@ Stall Feed::line_stall() const {
 
 Counters Feed::counters() const { return counters_; }
 
+// In the present round; what is older is nowhere.
+std::optional<tape_code::WirePosition> Feed::locate(std::uint64_t offset) const {
+  if (offset < round_begin_) return std::nullopt;
+  auto position = encoder_->locate(offset - round_begin_);
+  if (position) position->wire_offset = offset;
+  return position;
+}
+
 Interval Feed::interval() const {
   if (!has_job(state_)) return end_interval_;
   Interval interval{.from = counters_.clocked, .to = counters_.handed};
   if (encoder_) {
-    interval.from_position = encoder_->locate(interval.from);
-    interval.to_position = encoder_->locate(interval.to);
+    interval.from_position = locate(interval.from);
+    interval.to_position = locate(interval.to);
   }
   return interval;
 }

@@ -7,17 +7,18 @@
 namespace dripfeed::feed {
 namespace {
 
-constexpr std::array<std::string_view, 20> kStateNames{
-    "idle",         "armed",      "sending",         "held",    "stopping",     "stopping_held", "stopped",
-    "stopped_held", "cancelling", "cancelling_held", "trailer", "trailer_held", "draining",      "wait_end",
-    "ending",       "done",       "failed",          "torn",    "cancelled",    "disarmed"};
+constexpr std::array<std::string_view, 21> kStateNames{
+    "idle",       "armed",           "sending", "held",         "stopping", "stopping_held", "stopped", "stopped_held",
+    "cancelling", "cancelling_held", "trailer", "trailer_held", "draining", "wait_end",      "ending",  "next_round",
+    "done",       "failed",          "torn",    "cancelled",    "disarmed"};
 constexpr std::array<std::string_view, 14> kInputNames{"dc1",      "dc3",   "punch_code",    "eot",          "broken",
                                                        "line_off", "arm",   "disarm",        "stop",         "resume",
                                                        "cancel",   "abort", "resume_as_dc1", "confirm_reset"};
 constexpr std::array<std::string_view, 7> kGuardNames{"always",    "in_block",   "between_blocks", "dc3_ends",
                                                       "dc3_holds", "dc1_starts", "dc1_is_no_start"};
-constexpr std::array<std::string_view, 8> kConditionNames{
-    "starts_open", "starts_held", "expired", "program_handed", "all_handed", "block_clocked", "line_drained", "quiet"};
+constexpr std::array<std::string_view, 10> kConditionNames{
+    "starts_open",   "starts_held",  "expired", "program_handed", "all_handed",
+    "block_clocked", "line_drained", "quiet",   "shut",           "round_left"};
 
 static_assert(kStateNames.size() == kStates && kInputNames.size() == kInputs);
 

@@ -14,7 +14,7 @@ using A = Action;
 using C = Condition;
 
 // clang-format off
-constexpr std::array<Reaction, 319> kReactions{{
+constexpr std::array<Reaction, 334> kReactions{{
     // At rest nothing is sent, whatever comes.
     {S::idle, I::dc1, G::always, A::unarmed, S::idle},
     {S::idle, I::dc3, G::always, A::remember, S::idle},
@@ -289,6 +289,23 @@ constexpr std::array<Reaction, 319> kReactions{{
     {S::ending, I::resume_as_dc1, G::always, A::refuse, S::ending},
     {S::ending, I::confirm_reset, G::always, A::refuse, S::ending},
 
+    // Nothing of the next round was sent. What disarms an arming ends the job here, between two programs.
+    {S::next_round, I::dc1, G::dc1_starts, A::release, S::sending},
+    {S::next_round, I::dc1, G::dc1_is_no_start, A::none, S::next_round},
+    {S::next_round, I::dc3, G::always, A::remember, S::next_round},
+    {S::next_round, I::punch_code, G::always, A::note, S::next_round},
+    {S::next_round, I::eot, G::always, A::note, S::next_round},
+    {S::next_round, I::broken, G::always, A::fail, S::failed},
+    {S::next_round, I::line_off, G::always, A::end, S::cancelled},
+    {S::next_round, I::arm, G::always, A::refuse, S::next_round},
+    {S::next_round, I::disarm, G::always, A::end, S::cancelled},
+    {S::next_round, I::stop, G::always, A::refuse, S::next_round},
+    {S::next_round, I::resume, G::always, A::refuse, S::next_round},
+    {S::next_round, I::cancel, G::always, A::end, S::cancelled},
+    {S::next_round, I::abort, G::always, A::end, S::cancelled},
+    {S::next_round, I::resume_as_dc1, G::always, A::refuse, S::next_round},
+    {S::next_round, I::confirm_reset, G::always, A::refuse, S::next_round},
+
     {S::done, I::dc1, G::always, A::unarmed, S::done},
     {S::done, I::dc3, G::always, A::remember, S::done},
     {S::done, I::punch_code, G::always, A::note, S::done},
@@ -368,7 +385,7 @@ constexpr std::array<Reaction, 319> kReactions{{
 
 // In order: where two conditions of a state hold, the first row is taken. A program that is out by a write that the
 // driver had begun before the stop or the DC3 came is out all the same.
-constexpr std::array<Progress, 18> kProgress{{
+constexpr std::array<Progress, 25> kProgress{{
     {S::armed, C::starts_open, A::start, S::sending},
     {S::armed, C::starts_held, A::start, S::held},
     {S::armed, C::expired, A::end, S::disarmed},
@@ -383,10 +400,17 @@ constexpr std::array<Progress, 18> kProgress{{
     {S::cancelling_held, C::program_handed, A::change, S::trailer_held},
     {S::cancelling_held, C::block_clocked, A::end, S::cancelled},
     {S::trailer, C::all_handed, A::change, S::draining},
+    {S::trailer, C::shut, A::end, S::done},
     {S::trailer_held, C::quiet, A::end, S::done},
     {S::draining, C::line_drained, A::change, S::wait_end},
+    {S::draining, C::shut, A::end, S::done},
     {S::wait_end, C::quiet, A::end, S::done},
     {S::ending, C::line_drained, A::end, S::done},
+    {S::ending, C::shut, A::end, S::done},
+    {S::done, C::round_left, A::again, S::next_round},
+    {S::next_round, C::starts_open, A::release, S::sending},
+    {S::next_round, C::starts_held, A::change, S::held},
+    {S::next_round, C::expired, A::end, S::cancelled},
 }};
 // clang-format on
 

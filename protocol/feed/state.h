@@ -26,13 +26,14 @@ enum class State : std::uint8_t {
   draining,         // all is handed, its line time not yet passed
   wait_end,         // all is clocked; waiting for the end sign
   ending,           // the end sign came, line time not yet passed
+  next_round,       // one of several rounds is over; waiting for the control's own start of the next
   done,             // transferred; says nothing about execution
   failed,           // broken off between two blocks
   torn,             // broken off inside a block: nothing goes out until a person confirms that the control was reset
   cancelled,        // at a block end, by a person
   disarmed,         // armed, but nothing was sent: by a person, expiry, a lost line or unexpected input
 };
-inline constexpr std::size_t kStates = 20;
+inline constexpr std::size_t kStates = 21;
 
 enum class Input : std::uint8_t {
   dc1,         // from the control: start, go on
@@ -76,6 +77,7 @@ enum class Action : std::uint8_t {
   stand_in,  // go on handing, on a person's word
   change,    // the state changes, nothing else
   end,       // the job is over, cleanly
+  again,     // the same text once more, from its start
   fail,      // the job is over with a named cause, positions frozen
   clear,     // forget the torn block
 };
@@ -98,6 +100,8 @@ enum class Condition : std::uint8_t {
   block_clocked,   // what is handed ends with a whole block, and its line time and latency passed
   line_drained,    // line time and latency of everything handed passed
   quiet,           // nothing came in for the profile's quiet time
+  shut,            // the program left, and a flow line has been off for the profile's quiet time
+  round_left,      // the arming said that the program is to be sent again
 };
 
 struct Progress {

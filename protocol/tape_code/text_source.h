@@ -26,19 +26,19 @@ class TextSource {
   virtual TextPiece next() noexcept = 0;
 };
 
-// A text that is whole in memory already. The characters must outlive it.
+// A text that is whole in memory already, given so many times. The characters must outlive it.
 class SpanSource final : public TextSource {
  public:
-  explicit SpanSource(std::span<const char> text) : text_(text) {}
+  explicit SpanSource(std::span<const char> text, std::uint32_t times = 1) : text_(text), times_left_(times) {}
   TextPiece next() noexcept override {
-    if (given_ || text_.empty()) return {.status = SourceStatus::end, .text = {}};
-    given_ = true;
+    if (times_left_ == 0 || text_.empty()) return {.status = SourceStatus::end, .text = {}};
+    --times_left_;
     return {.status = SourceStatus::text, .text = text_};
   }
 
  private:
   std::span<const char> text_;
-  bool given_ = false;
+  std::uint32_t times_left_;
 };
 
 }  // namespace dripfeed::tape_code

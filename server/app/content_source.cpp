@@ -20,8 +20,8 @@ std::unexpected<Error> refuse_at(std::uint64_t line, std::uint64_t column, const
 
 }  // namespace
 
-ContentSource::ContentSource(store::Contents& contents, std::string sha256)
-    : contents_(contents), sha256_(std::move(sha256)) {
+ContentSource::ContentSource(store::Contents& contents, std::string sha256, std::uint32_t rounds)
+    : contents_(contents), sha256_(std::move(sha256)), rounds_left_(rounds) {
   refill();
 }
 
@@ -43,7 +43,10 @@ void ContentSource::fill_one(std::string& chunk) {
   for (const char c : std::string_view(raw).substr(0, *count)) eobs_.put(c, chunk);
   if (*count == 0) eobs_.finish(chunk);
   if (!chunk.empty()) filled_.fetch_add(1);
-  if (*count == 0) over_.store(true);
+  if (*count > 0) return;
+  if (--rounds_left_ == 0) over_.store(true);
+  offset_ = 0;
+  eobs_ = {};
 }
 
 tape_code::TextPiece ContentSource::next() noexcept {

@@ -21,7 +21,8 @@ class ContentSource final : public tape_code::TextSource {
   // Four chunks of 64 KiB: 20 s at 115200 baud.
   static constexpr std::size_t kChunks = 4;
 
-  ContentSource(store::Contents& contents, std::string sha256);
+  // The text `rounds` times; no piece spans two of them.
+  ContentSource(store::Contents& contents, std::string sha256, std::uint32_t rounds = 1);
   // Fills the free chunks. From one thread; the store is read here and nowhere else.
   void refill();
   // On the feed's thread.
@@ -32,6 +33,7 @@ class ContentSource final : public tape_code::TextSource {
 
   store::Contents& contents_;
   std::string sha256_;
+  std::uint32_t rounds_left_;
   std::uint64_t offset_ = 0;
   tape_code::EobReader eobs_;
   std::array<std::string, kChunks> chunks_;

@@ -108,6 +108,7 @@ class DropLine final : public Line {
 
   std::expected<void, std::string> arm(LineOrder order) override {
     const std::lock_guard lock(mutex_);
+    if (order.rounds != 1) return std::unexpected(std::string("a file is put into its folder once"));
     if (drop_) return std::unexpected(std::string("a job is being written already"));
     look_at_folder();
     if (!folder_error_.empty()) return std::unexpected(folder_error_);

@@ -41,6 +41,7 @@ constexpr std::array<StateRow, feed::kStates> kStateRows = {{
     {feed::State::draining, LineState::draining, JobEnd::none},
     {feed::State::wait_end, LineState::draining, JobEnd::none},
     {feed::State::ending, LineState::draining, JobEnd::none},
+    {feed::State::next_round, LineState::held, JobEnd::none},
     {feed::State::done, LineState::idle, JobEnd::done},
     {feed::State::failed, LineState::idle, JobEnd::failed},
     {feed::State::torn, LineState::torn, JobEnd::failed},
@@ -117,6 +118,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     const feed::Job job{.facts = order.facts,
                         .source = order.source.get(),
                         .expires_after = order.expires_after,
+                        .rounds = order.rounds,
                         .reserve = order.reserve};
     if (const auto armed = feed_.arm(job, now()); !armed) {
       const std::string_view state = feed::name(feed_.state());

@@ -130,7 +130,11 @@ Result<store::Job> Jobs::add(store::Id release, std::string_view actor) {
   return std::move(*job);
 }
 
-Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::string_view actor) {
+Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::string_view actor, std::uint32_t rounds) {
+  if (rounds == 0 || rounds > feed::kMaxRounds) {
+    return fail(ErrorCode::invalid, std::string(feed::message(feed::Refusal::rounds)),
+                {{.pointer = "/rounds", .text = "1 <= rounds <= 1000000"}});
+  }
   if (given && (!std::isfinite(*given) || *given <= 0 || *given > kLongestArming_min)) {
     return fail(ErrorCode::invalid, "an arming lasts more than 0 and at most 60 minutes",
                 {{.pointer = "/minutes", .text = "0 < minutes <= 60"}});
@@ -160,25 +164,27 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
       stamp(actor));
   if (!armed) return std::unexpected(from_store(armed.error()));
   const std::uint64_t reserve = std::min(reserve_window(line->report()), *bytes);
+  const std::string armed_text = rounds == 1 ? "armed" : fmt::format("armed for {} rounds", rounds);
   const store::NewLedgerRow first{
-      .job = id, .counts = {.handed = 0, .clocked = 0, .confirmed = 0, .reserve = reserve}, .note = "armed"};
+      .job = id, .counts = {.handed = 0, .clocked = 0, .confirmed = 0, .reserve = reserve}, .note = armed_text};
   const auto written = store_.ledger().append(std::span(&first, 1), clock_.wall_ms());
   if (!written) return disarm_after(*armed, store::message_of(written.error()), actor);
   if (!written->empty()) return disarm_after(*armed, written->front().why, actor);
 
-  auto source = std::make_shared<ContentSource>(store_.contents(), job->text_sha256);
+  auto source = std::make_shared<ContentSource>(store_.contents(), job->text_sha256, rounds);
   const auto expires = feed::Time(static_cast<std::int64_t>(minutes * 60e9));
   const auto on_line = line->arm({.job = id,
                                   .facts = *facts,
                                   .source = source,
                                   .expires_after = expires,
                                   .reserve = reserve,
+                                  .rounds = rounds,
                                   .session = random_session(),
                                   .file_name = *name});
   if (!on_line) return disarm_after(*armed, on_line.error(), actor);
   keeper_.set_source(job->machine, std::move(source));
   spdlog::info("job {} armed on {} by {}", id, job->machine, actor);
-  publish(*armed, fmt::format("armed by {}", actor));
+  publish(*armed, fmt::format("{} by {}", armed_text, actor));
   keeper_.wake();
   return std::move(*armed);
 }

@@ -23,9 +23,11 @@ class Jobs {
   // Queued. Errors: not_found, refused (not released, the machine changed after the verdict, or its text cannot be
   // fed: with the place).
   Result<store::Job> add(store::Id release, std::string_view actor);
-  // The named person arms it for its machine's line, for so long or as the profile says. Errors: not_found, invalid,
-  // refused with the reason (torn, busy, link down, machine changed, …).
-  Result<store::Job> arm(store::Id job, std::optional<double> minutes, std::string_view actor);
+  // The named person arms it for its machine's line, for so long or as the profile says; to be sent `rounds` times,
+  // each with the control's own start. Errors: not_found, invalid, refused with the reason (torn, busy, link down,
+  // machine changed, …).
+  Result<store::Job> arm(store::Id job, std::optional<double> minutes, std::string_view actor,
+                         std::uint32_t rounds = 1);
   // At a block end: the feed stops and waits / is over. A queued job is cancelled at once.
   Result<store::Job> stop(store::Id job, std::string_view actor);
   Result<store::Job> cancel(store::Id job, std::string_view actor);

@@ -92,6 +92,7 @@ class MailboxLine final : public Line {
     if (is_left_open()) {
       return std::unexpected(std::string("the receiver has a session of another job: reset it and confirm that"));
     }
+    if (order.rounds != 1) return std::unexpected(std::string("a block transfer sends its program once"));
     const modbus::SenderJob job{.source = order.source.get(),
                                 .text_bytes = order.facts.text_bytes(),
                                 .session = static_cast<std::uint32_t>(order.session),

@@ -33,6 +33,7 @@ struct Options {
   std::string link;
   std::string machine;
   std::string ledger;
+  std::uint32_t rounds = 1;
   bool unreleased = false;
   bool json = false;
 };
@@ -83,7 +84,7 @@ app::Result<feed::ProgramFacts> facts_of(const std::string& text, const machine:
 }
 
 // The hashes of what goes out: the text as it is, the wire as the encoder makes it.
-WireHashes hashes_of(const std::string& text, const machine::Profile& profile) {
+WireHashes hashes_of(const std::string& text, const machine::Profile& profile, std::uint32_t rounds) {
   if (machine::is_modbus(profile.line.link.kind))
     return {.wire_sha256 = hash::sha256_hex(text), .text_sha256 = hash::sha256_hex(text)};
   const bool whole_file = profile.line.link.kind == machine::LinkKind::dir;
@@ -91,15 +92,19 @@ WireHashes hashes_of(const std::string& text, const machine::Profile& profile) {
       whole_file ? app::drop_format(profile.line) : machine::wire_format_of(profile.line);
   WireHasher hasher(whole_file ? tape_code::DecodeFormat{.eighth_bit = format.eighth_bit, .eob = format.eob}
                                : machine::decode_format_of(profile.line));
-  tape_code::SpanSource source(text);
-  tape_code::WireEncoder encoder(format, source, text.size());
   std::array<std::byte, 4096> wire{};
   std::array<std::uint8_t, 4096> ends{};
-  for (;;) {
-    const auto filled = encoder.fill(wire, ends);
-    for (std::size_t i = 0; i < filled.count; ++i) hasher.add(static_cast<std::uint8_t>(wire[i]));
-    if (filled.status != tape_code::FillStatus::more) return hasher.finish();
+  for (std::uint32_t round = 0; round < rounds; ++round) {
+    tape_code::SpanSource source(text);
+    tape_code::WireEncoder encoder(format, source, text.size());
+    auto status = tape_code::FillStatus::more;
+    while (status == tape_code::FillStatus::more) {
+      const auto filled = encoder.fill(wire, ends);
+      for (std::size_t i = 0; i < filled.count; ++i) hasher.add(static_cast<std::uint8_t>(wire[i]));
+      status = filled.status;
+    }
   }
+  return hasher.finish();
 }
 
 bool over(const app::LineReport& report) { return report.job == kJob && report.end != app::JobEnd::none; }
@@ -138,7 +143,7 @@ app::Result<app::LineReport> follow(app::Line& line, FileLedger& ledger, const a
 
 app::Result<app::LineReport> transfer(const std::string& text, const feed::ProgramFacts& facts,
                                       const machine::Profile& profile, const std::string& file_name, FileLedger& ledger,
-                                      const std::stop_token& stop) {
+                                      const std::stop_token& stop, std::uint32_t rounds) {
   const auto thread = io::start_link_thread();
   auto line = app::make_line(profile.line, *thread, io::make_modbus_bus, [] {});
   if (!line) return std::unexpected(line.error());
@@ -155,9 +160,10 @@ app::Result<app::LineReport> transfer(const std::string& text, const feed::Progr
   const auto session = static_cast<std::uint64_t>(thread->clock().wall_ms()) & 0xFFFFFFFFU;
   const auto armed = (*line)->arm({.job = kJob,
                                    .facts = facts,
-                                   .source = std::make_shared<tape_code::SpanSource>(text),
+                                   .source = std::make_shared<tape_code::SpanSource>(text, rounds),
                                    .expires_after = feed::kArmingExpiry,
                                    .reserve = reserve,
+                                   .rounds = rounds,
                                    .session = session | 1U,
                                    .file_name = file_name});
   if (!armed) return app::fail(app::ErrorCode::refused, armed.error());
@@ -191,7 +197,7 @@ int send(const Options& options) {
     }
     file_name = std::move(*named);
   }
-  const WireHashes hashes = hashes_of(text, *profile);
+  const WireHashes hashes = hashes_of(text, *profile, options.rounds);
   const std::string ledger_path =
       !options.ledger.empty() ? options.ledger : fmt::format("{}.ledger", options.file == "-" ? "stdin" : options.file);
   auto ledger =
@@ -200,7 +206,7 @@ int send(const Options& options) {
     print_error(ledger.error());
     return kWrongUse;
   }
-  const auto report = transfer(text, *facts, *profile, file_name, *ledger, stop);
+  const auto report = transfer(text, *facts, *profile, file_name, *ledger, stop, options.rounds);
   if (!report) {
     print_error(report.error());
     return report.error().code == app::ErrorCode::invalid ? kWrongUse : kFailed;
@@ -226,6 +232,8 @@ void add_send(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option("--machine", options->machine, "machine profile: a file or the name of a preset");
   command->add_option("--ledger", options->ledger, "ledger file (default: FILE.ledger)");
+  command->add_option("--rounds", options->rounds, "send it so many times, each with the control's own start")
+      ->check(CLI::Range(1U, feed::kMaxRounds));
   command->add_flag("--unreleased", options->unreleased, "feed it although no release stands behind it");
   command->add_flag("--json", options->json, "one JSON object on standard output");
   command->callback([options, &exit_code] { exit_code = send(*options); });

@@ -104,9 +104,9 @@ Response get_job(const Call& call) {
 Response arm_job(const Call& call) {
   const auto id = id_of(call.parameters[0]);
   if (!id) return id.error();
-  const auto minutes = json::read_arm_minutes(call.request.body);
-  if (!minutes) return problem_response(minutes.error());
-  return job_response(call.api.application().jobs().arm(*id, *minutes, call.user));
+  const auto arming = json::read_arm_body(call.request.body);
+  if (!arming) return problem_response(arming.error());
+  return job_response(call.api.application().jobs().arm(*id, arming->minutes, call.user, arming->rounds));
 }
 
 Response stop_job(const Call& call) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "protocol/feed/feed.h"
 #include "server/json/object_reader.h"
 
 namespace dripfeed::json {
@@ -134,12 +135,15 @@ app::Result<JobBody> read_job_body(std::string_view body) {
   return read;
 }
 
-app::Result<std::optional<double>> read_arm_minutes(std::string_view body) {
-  std::optional<double> minutes;
-  if (body.empty()) return minutes;
-  const auto done = read_object(body, "request", [&](ObjectReader& o) { o.number("minutes", minutes, 0.01, 60.0); });
+app::Result<ArmBody> read_arm_body(std::string_view body) {
+  ArmBody read;
+  if (body.empty()) return read;
+  const auto done = read_object(body, "request", [&](ObjectReader& o) {
+    o.number("minutes", read.minutes, 0.01, 60.0);
+    o.integer("rounds", read.rounds, 1, feed::kMaxRounds);
+  });
   if (!done) return std::unexpected(done.error());
-  return minutes;
+  return read;
 }
 
 app::Result<SessionBody> read_session_body(std::string_view body) {

@@ -54,7 +54,11 @@ struct JobBody {
 app::Result<JobBody> read_job_body(std::string_view body);
 
 // Nothing when the body does not say.
-app::Result<std::optional<double>> read_arm_minutes(std::string_view body);
+struct ArmBody {
+  std::optional<double> minutes;
+  std::uint32_t rounds = 1;
+};
+app::Result<ArmBody> read_arm_body(std::string_view body);
 
 struct SessionBody {
   std::string token;

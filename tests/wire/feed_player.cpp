@@ -85,6 +85,10 @@ std::uint64_t number(const std::string& text) { return std::stoull(text); }
 }  // namespace
 
 tape_code::TextPiece StagedSource::next() noexcept {
+  if (given_ == text_.size() && rounds > 1) {
+    --rounds;
+    given_ = 0;
+  }
   const std::size_t limit = std::min(ready, text_.size());
   if (given_ < limit) {
     const std::size_t from = given_;
@@ -332,7 +336,9 @@ std::string FeedPlayer::one_command(const std::string& name, const std::string& 
     for (const std::string& word : words(argument)) {
       if (word.starts_with("expires=")) job.expires_after = duration(word.substr(8));
       if (word.starts_with("reserve=")) job.reserve = number(word.substr(8));
+      if (word.starts_with("rounds=")) job.rounds = static_cast<std::uint32_t>(number(word.substr(7)));
     }
+    source->rounds = job.rounds;
     const auto taken = feed().arm(job, now_);
     if (!taken) return std::string(message(taken.error()));
     source_ = std::move(source);
@@ -351,6 +357,8 @@ std::string FeedPlayer::check(const std::string& rest) {
   if (all[0] == "end") return is(name(feed().end_cause()));
   if (all[0] == "handed") return is(std::to_string(feed().counters().handed));
   if (all[0] == "clocked") return is(std::to_string(feed().counters().clocked));
+  if (all[0] == "round") return is(std::to_string(feed().round()));
+  if (all[0] == "total") return is(std::to_string(feed().wire_bytes()));
   if (all[0] == "holds") return is(std::to_string(feed().counters().holds));
   if (all[0] == "from") return is(std::to_string(interval.from));
   if (all[0] == "to") return is(std::to_string(interval.to));

@@ -21,6 +21,7 @@ class StagedSource final : public tape_code::TextSource {
   // Characters that next() may give; the rest is "not ready", or failed if broken is set.
   std::size_t ready = SIZE_MAX;
   bool broken = false;
+  std::uint32_t rounds = 1;  // so often in all
 
  private:
   std::string text_;

@@ -84,7 +84,8 @@ TEST(StateTable, BreakingInABlockTearsTheLineWhereverBytesWereOut) {
       }
     }
     const bool split = rows_of(state, Input::broken).size() == 2;
-    EXPECT_EQ(split, is_on_the_line(state)) << name(state);
+    const bool nothing_begun = state == State::next_round;
+    EXPECT_EQ(split, is_on_the_line(state) && !nothing_begun) << name(state);
   }
 }
 

@@ -133,7 +133,7 @@ TEST(Requests, ChecksReleasesAndJobs) {
 }
 
 TEST(Requests, WhatAPersonSaysAtTheMachine) {
-  const auto minutes = [](std::string_view body) { return error_of(read_arm_minutes(body)); };
+  const auto minutes = [](std::string_view body) { return error_of(read_arm_body(body)); };
   const auto reason = [](std::string_view body) { return error_of(read_reason_body(body, false)); };
   const auto needed = [](std::string_view body) { return error_of(read_reason_body(body, true)); };
   const auto session = [](std::string_view body) { return error_of(read_session_body(body)); };
@@ -156,8 +156,11 @@ TEST(Requests, WhatAPersonSaysAtTheMachine) {
       {session, R"({})", "/token"},
   };
   check(rows);
-  EXPECT_EQ(*read_arm_minutes(""), std::nullopt);
-  EXPECT_EQ(*read_arm_minutes(R"({"minutes":2.5})"), 2.5);
+  EXPECT_EQ(read_arm_body("")->minutes, std::nullopt);
+  EXPECT_EQ(read_arm_body("")->rounds, 1U);
+  EXPECT_EQ(read_arm_body(R"({"rounds":3})")->rounds, 3U);
+  EXPECT_FALSE(read_arm_body(R"({"rounds":0})"));
+  EXPECT_EQ(read_arm_body(R"({"minutes":2.5})")->minutes, 2.5);
   EXPECT_EQ(read_reason_body("", false)->reason, "");
 }
 

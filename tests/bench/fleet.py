@@ -1,0 +1,146 @@
+"""Many simulated controls on one server, in real time: N lathes at 9600 baud on pseudo-terminals, each fed a program that lasts, for so many
+seconds. With --load a million-block check, a backup of the data and a watcher of the page run beside them. Shown are the processor time of the
+server and of the fleet, the server's memory, what came behind the DC3s (worst, 99th percentile), the least line use, and every stall that was
+ours: a control that ran dry is one. By hand: fleet.py build/release/dripfeed [--controls 512] [--seconds 300] [--load]"""
+
+import argparse
+import json
+import os
+import pathlib
+import sqlite3
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import urllib.request
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "deploy"))
+import shop  # noqa: E402
+
+BAUD, BITS = 9600, 11
+
+
+def text(seconds):
+    """Long enough, and quick enough to run that the line is the bottleneck now and the motion then: so there are holds."""
+    lines = ["%", "O0001", "G21 G18 G40 G99", "G55", "T0101", "G97 S500 M03", "G00 X100. Z10."]
+    size = 0
+    while size < seconds * BAUD / BITS:
+        i = len(lines)
+        lines.append(f"G01 X{50 + i % 7 * (3 if i // 200 % 2 else 0.02):.3f} Z{-(i % 4000) * 0.05:.3f} F0.9")
+        size += len(lines[-1]) + 1
+    return "\n".join(lines + ["G00 X100.", "M05", "M30", "%"]) + "\n"
+
+
+def processor_s(pid):
+    fields = pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def memory_mib(pid):
+    rows = dict(line.split(":", 1) for line in pathlib.Path(f"/proc/{pid}/status").read_text().splitlines())
+    return int(rows["VmRSS"].split()[0]) / 1024
+
+
+def watch(server, until):
+    """A page that stays open: the live stream is read as it comes."""
+    call = urllib.request.Request(f"http://127.0.0.1:{server.port}/api/v1/events", headers={"Authorization": f"Bearer {server.token()}", "Accept": "text/event-stream"})
+    try:
+        with urllib.request.urlopen(call, timeout=30) as stream:
+            while time.monotonic() < until and stream.readline():
+                pass
+    except OSError as error:
+        print(f"the watcher ended: {error}")
+
+
+def load(server, binary, folder, until):
+    """A check of a million blocks, again and again, copies of the database, and a page."""
+    big = folder / "big.nc"
+    big.write_text("%\nO2\nG21 G18 G40 G99\n" + "".join(f"G01X{i % 90}.Z{-(i % 70)}.F0.3\n" for i in range(1_000_000)) + "M30\n%\n")
+
+    def check():
+        while time.monotonic() < until:
+            subprocess.run(["nice", "-n", "19", str(binary), "check", str(big), "--machine", "fanuc-0i-lathe", "--json"], stdout=subprocess.DEVNULL, check=False)
+
+    def backup():
+        while time.monotonic() < until:
+            source = sqlite3.connect(next(folder.glob("data/*.db")))
+            copy = sqlite3.connect(folder / "copy.db")
+            source.backup(copy, pages=64, sleep=0.01)
+            copy.close()
+            source.close()
+            time.sleep(2)
+
+    return [threading.Thread(target=work, daemon=True) for work in (check, backup, lambda: watch(server, until))]
+
+
+def arm_all(server, release, names):
+    jobs = []
+    for name in names:
+        job = server.post("/jobs", {"release": release[name]})["id"]
+        server.post(f"/jobs/{job}/arm", {})
+        jobs.append(job)
+    return jobs
+
+
+def run(given, folder):
+    binary = pathlib.Path(given.binary).resolve()
+    profile = shop.preset("fanuc-0i-lathe", baud=BAUD, framing="7E2", end_by_quiet_s=2.0, arming_minutes=60)
+    profile["buffer"]["bytes"] = 2048
+    machine = folder / "m.json"
+    profile["link"]["url"] = f"pty:{folder}/line-1"
+    machine.write_text(json.dumps(profile))
+    fleet = subprocess.Popen([str(binary), "simulate", "--link", f"pty:{folder}/line-{{n}}", "--count", str(given.controls), "--machine", str(machine),
+                              "--operator", "1", "--json"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    shop.wait_for("the fleet", lambda: (folder / f"line-{given.controls}").is_symlink(), 60)
+    server = shop.Server(binary, folder / "data").start()
+    names = [f"m{n}" for n in range(1, given.controls + 1)]
+    program = server.post("/programs", {"name": "O0001", "dialect": "fanuc", "text": text(given.seconds * 2 + 120)})
+    release = {}
+    for n, name in enumerate(names, 1):
+        profile["name"], profile["link"]["url"] = name, f"pty:{folder}/line-{n}"
+        server.add_machine(profile)
+        server.post("/checks", {"program": program["id"], "machine": name, "delivery": "drip"})
+        release[name] = server.release(program["id"], name)["id"]
+    print(f"{len(names)} machines are set up", flush=True)
+    arm_all(server, release, names)
+    shop.wait_for("all lines to be on", lambda: all(server.status(n)["line"] in ("feeding", "held") for n in names), 120, 1)
+    until = time.monotonic() + given.seconds
+    beside = load(server, binary, folder, until) if given.load else []
+    for thread in beside:
+        thread.start()
+    begin, wall = (processor_s(server.process.pid), processor_s(fleet.pid)), time.monotonic()
+    most_mib = 0.0
+    while time.monotonic() < until:
+        most_mib = max(most_mib, memory_mib(server.process.pid))
+        time.sleep(min(1.0, max(0.0, until - time.monotonic())))
+    span = time.monotonic() - wall
+    used = (processor_s(server.process.pid) - begin[0]) / span, (processor_s(fleet.pid) - begin[1]) / span
+    states = [server.status(n) for n in names]
+    fleet.terminate()
+    report = json.loads(fleet.communicate(timeout=120)[0])
+    server.kill()
+    reports = report["controls"] if given.controls > 1 else [report]
+    total = report["total"] if given.controls > 1 else report
+    lost = [s for s in states if s["line"] not in ("feeding", "held", "draining", "idle")]
+    print(f"{given.controls} controls, {span:.0f} s: server {used[0]:.2f} cores, fleet {used[1]:.2f} cores, server {most_mib:.0f} MiB; "
+          f"{total['bytes']} characters, {total['holds']} holds, after DC3 worst {total['after_dc3_max']}, p99 {total.get('after_dc3_p99')}; "
+          f"line use at least {min(r['line_use'] for r in reports):.4f}, "
+          f"mean {sum(r['line_use'] for r in reports) / len(reports):.4f}; alarms {sum(1 for r in reports if r['alarm'])}; "
+          f"lines in another state: {len(lost)}; histogram {total['after_dc3_histogram']}")
+    return 1 if lost or any(r["alarm"] for r in reports) else 0
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__)
+    options.add_argument("binary")
+    options.add_argument("--controls", type=int, default=512)
+    options.add_argument("--seconds", type=float, default=300)
+    options.add_argument("--load", action="store_true")
+    with tempfile.TemporaryDirectory(prefix="fleet-", ignore_cleanup_errors=True) as folder:
+        sys.exit(run(options.parse_args(), pathlib.Path(folder)))
+
+
+if __name__ == "__main__":
+    main()
