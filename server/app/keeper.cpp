@@ -277,14 +277,15 @@ void Keeper::follow(Tracked& tracked, const Due& due) {
                      .outcome = {},
                      .text = "the control asked for a program (DC1); nothing is armed, nothing was sent"});
   }
-  if (report.state != tracked.last.state) {
+  // A stall within a state ("CTS off" while feeding) is a transition, too.
+  if (report.state != tracked.last.state || report.stall != tracked.last.stall) {
     events_.publish({.id = 0,
                      .kind = EventKind::machine,
                      .machine = due.machine,
                      .job = {},
                      .verdict = 0,
                      .outcome = {},
-                     .text = {}});
+                     .text = std::string(report.stall)});
   }
   tracked.last = report;
   if (report.job == 0 || report.job != tracked.job.id || tracked.over) return;

@@ -264,7 +264,9 @@ std::string event_data(const app::Event& event) {
                  {"text", event.text}});
   }
   if (event.kind == app::EventKind::alarm) return dump({{"machine", event.machine}, {"text", event.text}});
-  return dump({{"name", event.machine}});
+  Document machine = {{"name", event.machine}};
+  if (!event.text.empty()) machine["stall"] = event.text;
+  return dump(machine);
 }
 
 std::string progress(std::string_view machine, const app::MachineStatus& status) {

@@ -96,7 +96,7 @@ def run(given, folder):
     shop.wait_for("the fleet", lambda: (folder / f"line-{given.controls}").is_symlink(), 60)
     server = shop.Server(binary, folder / "data").start()
     names = [f"m{n}" for n in range(1, given.controls + 1)]
-    program = server.post("/programs", {"name": "O0001", "dialect": "fanuc", "text": text(given.seconds * 2 + 120)})
+    program = server.post("/programs", {"name": "O0001", "dialect": "fanuc", "text": text(given.seconds * 1.2 + 60)})
     release = {}
     for n, name in enumerate(names, 1):
         profile["name"], profile["link"]["url"] = name, f"pty:{folder}/line-{n}"

@@ -133,7 +133,10 @@ TEST(Records, EventsAndProgress) {
   EXPECT_EQ(event_name(event.kind), "alarm");
   EXPECT_EQ(event_data(event), R"({"machine":"mill","text":"DC1"})");
   event.kind = app::EventKind::machine;
+  EXPECT_EQ(event_data(event), R"({"name":"mill","stall":"DC1"})");
+  event.text.clear();
   EXPECT_EQ(event_data(event), R"({"name":"mill"})");
+  event.text = "DC1";
   event.kind = app::EventKind::verdict;
   event.verdict = 5;
   EXPECT_EQ(event_data(event), R"({"id":5,"verdict":"unknown","machine":"mill","text":"DC1"})");

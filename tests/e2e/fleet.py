@@ -1,0 +1,79 @@
+"""Simulated controls in one process and faults by name, with `dripfeed send` as their host: three at a time, one program in two rounds, a flipped
+parity bit, and a cable that is out for two seconds."""
+
+import json
+import os
+import subprocess
+
+from rig import binary, expect, in_folder, plain_program, shop
+
+
+def prepare(folder, blocks):
+    profile = shop.preset("fanuc-0i-lathe", baud=38400, framing="7E2", end_by_quiet_s=2.0, url="pty:/dev/null")
+    profile["buffer"]["bytes"] = 1024
+    (folder / "m.json").write_text(json.dumps(profile))
+    (folder / "p.nc").write_text(plain_program(blocks))
+
+
+def send(folder, link, *arguments):
+    command = [binary(), "send", folder / "p.nc", "--link", link, "--machine", folder / "m.json", "--unreleased", "--json", "--ledger",
+               folder / f"{os.path.basename(link)}.ledger", *arguments]
+    return subprocess.Popen(list(map(str, command)), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def simulate(folder, last, *arguments):
+    control = shop.Control(binary(), f"pty:{folder}/line", folder / "m.json", "--speed", "100", *arguments)
+    control.link = f"pty:{folder}/{last}"
+    return control.start()
+
+
+def three_controls_in_one_process(folder):
+    prepare(folder, 40)
+    fleet = simulate(folder, "line-3", "--count", "3")
+    hosts = [send(folder, f"pty:{folder}/line-{n}") for n in (1, 2, 3)]
+    sent = [json.loads(host.communicate(timeout=90)[0]) for host in hosts]
+    report = fleet.finish(60)
+    expect(len(report["controls"]) == 3 and report["total"]["ended"] == 3, f"not all ended: {report}")
+    for host, control in zip(sent, report["controls"]):
+        expect(host["text_sha256"] == control["text_sha256"], f"another text arrived at {control['link']}")
+    expect(report["total"]["bytes"] == sum(c["bytes"] for c in report["controls"]), "the total is no sum")
+    expect(report["total"]["alarms"] == 0, f"alarms: {report}")
+
+
+def two_rounds_by_two_starts(folder):
+    prepare(folder, 30)
+    control = simulate(folder, "line", "--operator", "0.3", "--repeat")
+    host = send(folder, f"pty:{folder}/line", "--rounds", "2")
+    out, err = host.communicate(timeout=90)
+    expect(host.returncode == 0, f"send ended with {host.returncode}: {err}")
+    sent = json.loads(out)
+    report = control.stop()
+    expect(sent["bytes"] == report["bytes"], f"sent {sent['bytes']}, arrived {report['bytes']}")
+    expect(report["bytes"] in (2 * len((folder / 'p.nc').read_text()), 2 * len((folder / 'p.nc').read_text()) - 1), f"{report['bytes']} are no two rounds")
+    expect("waiting for DC1" in err, f"the wait between the rounds is not named: {err}")
+
+
+def a_flipped_parity_bit_is_an_alarm(folder):
+    prepare(folder, 60)
+    control = simulate(folder, "line", "--fault", "parity=300")
+    host = send(folder, f"pty:{folder}/line")
+    report = control.finish(60)
+    _, err = host.communicate(timeout=90)
+    expect(report["alarm"] == "001 TH PARITY" and report["parity_errors"] == 1, f"{report}")
+    expect(host.returncode == 1 and "link_lost" in err, f"send: {host.returncode} {err}")
+
+
+def a_cable_that_was_out_resumes_nothing(folder):
+    prepare(folder, 60)
+    control = simulate(folder, "line", "--fault", "unplug=300")
+    host = send(folder, f"pty:{folder}/line")
+    _, err = host.communicate(timeout=90)
+    expect(host.returncode == 1 and "link_lost" in err, f"send: {host.returncode} {err}")
+    shop.wait_for("the cable", lambda: os.path.exists(f"{folder}/line"), 10)
+    report = control.stop()
+    expect(report["bytes"] == 300, f"{report['bytes']} arrived: something was sent behind the break")
+
+
+if __name__ == "__main__":
+    for test in (three_controls_in_one_process, two_rounds_by_two_starts, a_flipped_parity_bit_is_an_alarm, a_cable_that_was_out_resumes_nothing):
+        in_folder(test)
