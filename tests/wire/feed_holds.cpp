@@ -2,7 +2,7 @@
 // and how much of the line was used while nothing held it.
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <iostream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -80,9 +80,8 @@ class FeedHolds : public testing::Test {
     }
     std::string shown;
     for (std::uint64_t i = 0; i <= worst; ++i) shown += " " + std::to_string(histogram[i]);
-    std::printf("%s: %llu holds, budget %u, after the stop 0..%llu:%s; line use %.4f at least\n", where.c_str(),
-                static_cast<unsigned long long>(holds), model.settings.overrun_budget,
-                static_cast<unsigned long long>(worst), shown.c_str(), use);
+    std::cout << where << ": " << holds << " holds, budget " << model.settings.overrun_budget << ", after the stop 0.."
+              << worst << ":" << shown << "; line use at least " << static_cast<int>(use * 1000) << " of 1000\n";
     EXPECT_LE(worst, model.settings.overrun_budget) << where;
     EXPECT_GE(worst * 10, std::uint64_t{7} * model.settings.overrun_budget) << where << ": the budget was not tried";
     EXPECT_GE(use, least_use) << where;
