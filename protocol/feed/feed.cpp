@@ -229,8 +229,7 @@ bool Feed::holds(Condition condition) const {
     case Condition::block_clocked: return at_block_end_ && line_settled();
     case Condition::line_drained: return line_settled();
     case Condition::shut:
-      return settings_.end.quiet && flow_stopped() && counters_.clocked >= program_end_wire_ &&
-             now_ >= flow_off_at_ + *settings_.end.quiet;
+      return settings_.end.quiet && is_shut_behind_the_end() && now_ >= flow_off_at_ + *settings_.end.quiet;
     case Condition::round_left: return job_ && round_ < job_->rounds;
     case Condition::quiet: return settings_.end.quiet && line_settled() && now_ >= quiet_at();
   }
@@ -253,6 +252,13 @@ bool Feed::holds(Guard guard) const {
 // An arming that starts by itself still waits, and expires, while a flow line is off.
 bool Feed::starts_by_itself() const {
   return settings_.start == Start::at_once ? !flow_stopped() : settings_.start == Start::on_trigger && triggered_;
+}
+
+// The control stopped us when, by line time, no more than trailer was left to send; one character is within what the
+// clocks and the look at the line may be off. What the driver still has goes out by itself if the control ever asks.
+bool Feed::is_shut_behind_the_end() const {
+  return flow_stopped() && counters_.handed + 1 >= program_end_wire_ + clock_.left_at_pause() &&
+         counters_.handed >= program_end_wire_;
 }
 
 // May an unfinished block have reached the control? No only if what was handed ends with a whole block and the line has

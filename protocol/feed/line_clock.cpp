@@ -44,6 +44,11 @@ void LineClock::go_on(Time now) {
   if (left_at_pause_ > Time::zero()) free_at_ = std::max(free_at_, now + left_at_pause_);
 }
 
+std::uint64_t LineClock::left_at_pause() const {
+  if (!paused_ || left_at_pause_ <= Time::zero()) return 0;
+  return static_cast<std::uint64_t>(left_at_pause_.count() / char_time_.count());
+}
+
 // Characters whose line time has not passed at that instant; one that is half out counts.
 std::uint64_t LineClock::queued(Time until) const {
   if (free_at_ <= until) return 0;

@@ -25,6 +25,8 @@ class LineClock {
   void pause(Time now);
   void go_on(Time now);
   bool paused() const { return paused_; }
+  // Whole characters that by line time had not begun to leave when it was paused.
+  std::uint64_t left_at_pause() const;
 
   // Characters that may be handed now: refilled to `unsent` once half is left, and until then what was left of it.
   std::uint32_t credit(Time now);

@@ -166,8 +166,9 @@ void VirtualLine::control_takes(std::uint8_t byte) {
   const bool whim = percents_ < 2 && random_() % 300 == 0;
   if (ended || (!control_holds_ && (fill_ >= high_ || whim))) {
     if (!model_.by_lines) control_sends(kDc3);
-    // Some keep their RTS on behind the end, some drop it.
-    if (ended && model_.by_lines) return control_holds(random_() % 2 == 0);
+    // Some keep their RTS on behind the end, some drop it. (One that ends inside a hold and stays off cannot be told
+    // from one that holds on.)
+    if (ended && model_.by_lines) return control_holds(!control_holds_ && random_() % 2 == 0);
     if (control_holds_) return;
     if (model_.by_lines) control_holds(true);
     control_holds_ = true;
