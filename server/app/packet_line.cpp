@@ -78,6 +78,7 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
   }
 
   std::expected<void, std::string> arm(LineOrder order) override {
+    if (order.rounds != 1) return std::unexpected(std::string("a transfer in packets sends its program once"));
     std::expected<void, std::string> result;
     thread_.run([&] { result = arm_here(std::move(order)); });
     return result;
