@@ -137,8 +137,8 @@ std::string fleet_document(const std::vector<FleetMember>& members) {
     total.framing_errors += report.framing_errors;
     total.after_dc3_max = std::max(total.after_dc3_max, report.after_dc3_max);
     for (std::size_t i = 0; i < total.after_dc3.size(); ++i) total.after_dc3[i] += report.after_dc3[i];
-    alarms += report.alarm.empty() ? 0 : 1;
-    ended += report.state == simulator::ControlState::ended ? 1 : 0;
+    alarms += report.alarm.empty() ? 0U : 1U;
+    ended += report.state == simulator::ControlState::ended ? 1U : 0U;
     if (report.bytes > 0) least_use = std::min(least_use, report.line_use);
   }
   std::uint64_t closed_holds = 0;
