@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require_told(json::read_reason_body(body, false));
   require_told(json::read_transition_body(body));
   require_told(json::read_job_body(body));
-  require_told(json::read_arm_minutes(body));
+  require_told(json::read_arm_body(body));
   require_told(json::read_session_body(body));
   const app::Result<app::Values> values = json::read_values(body);
   require_told(values);
