@@ -14,6 +14,7 @@ using tape_code::EighthBit;
 
 constexpr char kNul = '\0';
 constexpr char kDel = '\x7F';
+constexpr std::size_t kShortestText = 4;
 
 struct FaultRow {
   std::string_view name;
@@ -93,7 +94,7 @@ Marks marks_of(std::string_view text) {
 
 bool broke_off(EndedBy by) { return by == EndedBy::reader_on || by == EndedBy::reset || by == EndedBy::renewed; }
 
-Fault fault_of(const Transfer& transfer, const Ending& ending, bool binary) {
+Fault fault_of(const Transfer& transfer, const Ending& ending, bool binary, bool has_eob) {
   if (ending.by == EndedBy::too_long) return Fault::too_long;
   const Marks marks = marks_of(transfer.text);
   const bool closed = marks.ends_closed && (marks.begins_bare || marks.begins_named);
@@ -104,7 +105,8 @@ Fault fault_of(const Transfer& transfer, const Ending& ending, bool binary) {
   if (broke_off(ending.by)) return Fault::interrupted;
   if (marks.begins_bare) return Fault::no_end;
   if (!marks.begins_named) return Fault::no_start;
-  return ending.punch_signs && ending.by == EndedBy::quiet ? Fault::no_end : Fault::none;
+  const bool no_sign = ending.punch_signs && ending.by == EndedBy::quiet;
+  return no_sign || !has_eob ? Fault::no_end : Fault::none;
 }
 
 }  // namespace
@@ -145,10 +147,16 @@ Transfer judge(std::span<const std::byte> raw, const Ending& ending, const Setti
     transfer.fault = ending.by == EndedBy::too_long ? Fault::too_long : Fault::empty;
     return transfer;
   }
+  const bool has_eob = transfer.text.find('\n', last) != std::string::npos || transfer.text.find('\n') < last;
   transfer.text.resize(last + 1);
+  // Noise on an open cable: a few characters that end no block.
+  if (!has_eob && transfer.text.size() < kShortestText && transfer.text.find('%') == std::string::npos) {
+    transfer.fault = Fault::empty;
+    return transfer;
+  }
   transfer.text += '\n';
   transfer.device = device_text(transfer.text);
-  transfer.fault = transfer.device.empty() ? fault_of(transfer, ending, binary) : Fault::device_text;
+  transfer.fault = transfer.device.empty() ? fault_of(transfer, ending, binary, has_eob) : Fault::device_text;
   return transfer;
 }
 

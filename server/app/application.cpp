@@ -18,6 +18,7 @@ constexpr std::size_t kBlockAround = 512;  // a block is looked for so far befor
 
 bool runs(const Line& line) {
   const LineReport report = line.report();
+  if (report.state == LineState::answering) return true;
   return report.job != 0 && report.end == JobEnd::none && report.state != LineState::idle &&
          report.state != LineState::disconnected;
 }
@@ -105,7 +106,10 @@ void Application::cancel_all() {
   for (const auto& [machine, line] : lines_.all()) {
     if (!runs(*line)) continue;
     any = true;
-    const feed::Command how = line->report().state == LineState::armed ? feed::Command::disarm : feed::Command::cancel;
+    const LineState state = line->report().state;
+    // An answer that nobody asked for yet is taken back; one that goes out ends at a block end as everything does.
+    if (state == LineState::answering && line->command(feed::Command::disarm)) continue;
+    const feed::Command how = state == LineState::armed ? feed::Command::disarm : feed::Command::cancel;
     if (const auto done = line->command(how); !done) spdlog::warn("{}: {}", machine, done.error());
   }
   const auto until = std::chrono::steady_clock::now() + kCancelAtMost;

@@ -9,6 +9,9 @@
 
 #include <fmt/format.h>
 
+#include "protocol/feed/state_groups.h"
+#include "server/app/line_input.h"
+
 namespace dripfeed::app {
 
 namespace {
@@ -66,6 +69,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
  public:
   FeedLine(feed::Feed feed, machine::LineSettings settings, LinkThread& thread, LineChanged changed)
       : feed_(std::move(feed)), settings_(std::move(settings)), thread_(thread), changed_(std::move(changed)) {
+    if (settings_.receive.enabled) input_.emplace(machine::receive_settings_of(settings_));
     thread_.run([this] {
       thread_.add(*this);
       open();
@@ -106,6 +110,17 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     });
   }
 
+  std::vector<Reception> take_receptions() override {
+    if (!input_) return {};
+    return input_->take_finished();
+  }
+
+  std::expected<void, std::string> answer(Answer answer) override {
+    std::expected<void, std::string> result;
+    thread_.run([&] { result = answer_here(std::move(answer)); });
+    return result;
+  }
+
   [[nodiscard]] LineReport report() const override {
     const std::lock_guard lock(report_mutex_);
     return report_;
@@ -114,7 +129,35 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
  private:
   [[nodiscard]] feed::Time now() const { return thread_.clock().now(); }
 
+  // A person's job goes before an answer that nobody fetched.
+  void drop_waiting_answer() {
+    if (of_answer_ && feed_.state() == feed::State::armed) {
+      static_cast<void>(feed_.command(feed::Command::disarm, now()));
+    }
+  }
+
+  std::expected<void, std::string> answer_here(Answer answer) {
+    drop_waiting_answer();
+    if (input_ && !input_->idle()) return std::unexpected("the control sends a program");
+    const feed::Job job{.facts = answer.facts,
+                        .source = answer.source.get(),
+                        .expires_after = answer.expires_after,
+                        .reserve = feed::kNoReserve};
+    if (const auto armed = feed_.arm(job, now()); !armed) {
+      const std::string_view state = feed::name(feed_.state());
+      settle();
+      return std::unexpected(fmt::format("{} (the line is {})", feed::message(armed.error()), state));
+    }
+    source_ = std::move(answer.source);
+    of_answer_ = true;
+    ++answers_;
+    settle();
+    return {};
+  }
+
   std::expected<void, std::string> arm_here(LineOrder order) {
+    drop_waiting_answer();
+    if (input_ && !input_->idle()) return std::unexpected("the control sends a program");
     const feed::Job job{.facts = order.facts,
                         .source = order.source.get(),
                         .expires_after = order.expires_after,
@@ -127,6 +170,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     }
     // The feed reads the source until it is over, so the source lives until the next order.
     source_ = std::move(order.source);
+    of_answer_ = false;
     order_job_ = order.job;
     session_ = order.session;
     reserve_ = order.reserve;
@@ -163,7 +207,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     settle();
   }
   void on_receive(std::span<const std::byte> bytes) override {
-    feed_.receive(bytes, now());
+    take(bytes);
     settle();
   }
   void on_writable() override { settle(); }
@@ -179,6 +223,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     link_up_ = false;
     link_error_ = reason;
     feed_.line(feed::LineChange::link_down, now());
+    if (input_) input_->link_lost(now());
     link_.reset();
     reopen_later();
     settle();
@@ -194,6 +239,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
       if (const auto unconfirmed = link_->unconfirmed()) feed_.report_unconfirmed(*unconfirmed, time);
     }
     feed_.tick(time);
+    if (input_) input_->tick(time);
     settle();
   }
 
@@ -201,6 +247,9 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     const std::optional<feed::Time> feed_deadline = feed_.deadline();
     std::optional<feed::Time> due = feed_deadline ? std::optional(on_grid(*feed_deadline)) : std::nullopt;
     if (!link_) due = due ? std::min(*due, reopen_at_) : reopen_at_;
+    if (const auto quiet = input_ ? input_->deadline() : std::nullopt) {
+      due = due ? std::min(*due, on_grid(*quiet)) : on_grid(*quiet);
+    }
     const bool held = kStateRows[static_cast<std::size_t>(feed_.state())].line == LineState::held;
     if (held) due = due ? std::min(*due, ticked_at_ + kHoldShown) : ticked_at_ + kHoldShown;
     return due;
@@ -226,11 +275,30 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
 
   void take_input() {
     std::array<std::byte, kInputBytes> buffer;
-    while (const std::size_t count = link_->read(buffer)) feed_.receive(std::span(buffer).first(count), now());
+    while (const std::size_t count = link_->read(buffer)) take(std::span(buffer).first(count));
+  }
+
+  // While a job is on the line all that comes in is the feed's. At rest the receiver has it, and the feed its signs.
+  // What disarmed a job may be the first character of a punch; what broke a feed is not.
+  void take(std::span<const std::byte> bytes) {
+    if (!input_) return feed_.receive(bytes, now());
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      const auto byte = bytes.subspan(i, 1);
+      const feed::State before = feed_.state();
+      const bool at_rest = !feed::has_job(before);
+      const bool for_feed = !at_rest || input_->idle();
+      if (for_feed) feed_.receive(byte, now());
+      const bool disarmed = before == feed::State::armed && !feed::has_job(feed_.state());
+      if (!at_rest && !disarmed) continue;
+      const auto ended = input_->take(byte.front(), now());
+      const bool sign = ended && (*ended == receive::EndedBy::reader_on || *ended == receive::EndedBy::reset);
+      if (sign && !for_feed) feed_.receive(byte, now());
+    }
   }
 
   // Reads before it writes: a DC3 that is here already must stop what would go out now.
   void pump() {
+    hold_control();
     while (link_) {
       if (feed_.pending_out().empty()) return;
       take_input();
@@ -242,27 +310,57 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     }
   }
 
+  // DC3 and DC1 of our own hold. On a torn line nothing goes out, and beside a job only the job.
+  void hold_control() {
+    if (!link_ || !input_ || input_->pending_out().empty()) return;
+    if (feed::has_job(feed_.state()) || feed_.state() == feed::State::torn) return;
+    input_->mark_sent(link_->write(input_->pending_out()));
+  }
+
+  [[nodiscard]] LineState state_now(LineState of_feed) const {
+    if (of_answer_ && feed::has_job(feed_.state())) return LineState::answering;
+    if (of_feed != LineState::idle) return of_feed;
+    if (!link_up_) return LineState::disconnected;
+    return input_ && !input_->idle() ? LineState::receiving : LineState::idle;
+  }
+
   void publish() {
     const StateRow& row = kStateRows[static_cast<std::size_t>(feed_.state())];
     const feed::Counters counters = feed_.counters();
     const feed::Stall stall = feed_.stall();
     const std::lock_guard lock(report_mutex_);
-    const LineState state = row.line == LineState::idle && !link_up_ ? LineState::disconnected : row.line;
+    const LineState state = state_now(row.line);
+    const std::uint64_t received = input_ ? input_->count() : 0;
+    // What the last job came to stays as it was while an answer is on the line.
+    const JobEnd end = of_answer_ ? report_.end : row.end;
     const std::string_view stall_name = name_of(stall);
-    const bool changed = state != report_.state || row.end != report_.end || stall_name != report_.stall ||
-                         order_job_ != report_.job || session_ != report_.session;
+    const bool changed = state != report_.state || end != report_.end || stall_name != report_.stall ||
+                         order_job_ != report_.job || session_ != report_.session || received != report_.received ||
+                         answers_ != report_.answers;
     report_.job = order_job_;
     report_.session = session_;
     report_.state = state;
-    report_.end = row.end;
+    report_.end = end;
     report_.stall = stall_name;
+    report_.received = received;
+    report_.receptions_lost = input_ ? input_->lost() : 0;
+    report_.answers = answers_;
     report_.stop_wanted = std::ranges::find(kStopStates, feed_.state()) != kStopStates.end();
-    report_.cause = feed_.end_cause() == feed::Cause::none ? std::string_view() : feed::name(feed_.end_cause());
+    if (!of_answer_) publish_job(counters);
+    report_.char_s = to_seconds(feed_.paced_char_time());
+    report_.unarmed_starts = unarmed_starts_;
     if (report_.link_error != link_error_) report_.link_error = link_error_;
     if (link_) {
       report_.line_errors = link_->errors();
       if (report_.link_note != link_->note()) report_.link_note = link_->note();
     }
+    if (!changed) return;
+    ++report_.changes;
+    changed_();
+  }
+
+  void publish_job(const feed::Counters& counters) {
+    report_.cause = feed_.end_cause() == feed::Cause::none ? std::string_view() : feed::name(feed_.end_cause());
     report_.total = feed_.wire_bytes();
     report_.handed = counters.handed;
     report_.clocked = counters.clocked;
@@ -273,11 +371,6 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     report_.holds = counters.holds;
     report_.hold_s = to_seconds(counters.held_for);
     report_.line_use = feed_.line_use();
-    report_.char_s = to_seconds(feed_.paced_char_time());
-    report_.unarmed_starts = unarmed_starts_;
-    if (!changed) return;
-    ++report_.changes;
-    changed_();
   }
 
   [[nodiscard]] KnownInterval known() const {
@@ -300,6 +393,9 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   feed::Time reopen_wait_{};
   feed::Time ticked_at_{};
   std::shared_ptr<tape_code::TextSource> source_;
+  std::optional<LineInput> input_;
+  bool of_answer_ = false;  // what the feed has, or had last, is an answer and no job
+  std::uint64_t answers_ = 0;
   std::uint64_t order_job_ = 0;
   std::uint64_t session_ = 0;
   std::uint64_t reserve_ = 0;

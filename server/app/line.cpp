@@ -6,8 +6,8 @@
 namespace dripfeed::app {
 
 std::string_view name_of(LineState state) {
-  static constexpr std::array<std::string_view, 7> kNames = {"disconnected", "idle",     "armed", "feeding",
-                                                             "held",         "draining", "torn"};
+  static constexpr std::array<std::string_view, 9> kNames = {"disconnected", "idle", "armed",     "feeding",  "held",
+                                                             "draining",     "torn", "receiving", "answering"};
   return kNames[static_cast<std::size_t>(state)];
 }
 

@@ -8,8 +8,10 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "protocol/feed/feed.h"
+#include "protocol/receive/receiver.h"
 #include "protocol/tape_code/text_source.h"
 #include "server/app/ports/link.h"
 
@@ -20,9 +22,11 @@ enum class LineState : std::uint8_t {
   idle,
   armed,  // waiting for the control's DC1 (or for the PLC)
   feeding,
-  held,      // by the control, or stopped at a block end by a person
-  draining,  // all is handed, the end is not seen yet
-  torn,      // broken off inside a block: a person must confirm that the control was reset
+  held,       // by the control, or stopped at a block end by a person
+  draining,   // all is handed, the end is not seen yet
+  torn,       // broken off inside a block: a person must confirm that the control was reset
+  receiving,  // the control punches
+  answering,  // what its operator asked for waits for the control, or goes out
 };
 std::string_view name_of(LineState state);
 // "" for none; "waiting for DC1", "held by DC3", …
@@ -61,10 +65,13 @@ struct LineReport {
   KnownInterval known;
   std::uint64_t holds = 0;
   double hold_s = 0.0;
-  double line_use = 0.0;             // share of line time used while not held, 0..1
-  double char_s = 0.0;               // time of one character on the line; 0 where there is none
-  std::uint64_t unarmed_starts = 0;  // DC1 that came with nothing armed: nothing was sent
-  std::uint64_t changes = 0;         // grows with every change of state, stall or end
+  double line_use = 0.0;              // share of line time used while not held, 0..1
+  double char_s = 0.0;                // time of one character on the line; 0 where there is none
+  std::uint64_t unarmed_starts = 0;   // DC1 that came with nothing armed: nothing was sent
+  std::uint64_t received = 0;         // receptions that ended since the start
+  std::uint64_t receptions_lost = 0;  // ... and that nobody took in time
+  std::uint64_t answers = 0;          // answers that were armed since the start
+  std::uint64_t changes = 0;          // grows with every change of state, stall or end
 };
 
 struct LineOrder {
@@ -76,6 +83,20 @@ struct LineOrder {
   std::uint32_t rounds = 1;   // the text is sent so often, and the source gives it so often
   std::uint64_t session = 0;  // new for each arming; 32 bits of it identify a block transfer at the PLC
   std::string file_name{};    // for a folder: the name under which the control fetches it
+};
+
+// What a control punched, as it came.
+struct Reception {
+  std::vector<std::byte> raw;
+  receive::Ending ending;
+  receive::Settings settings;
+};
+
+// A short program that answers an operator: no job, nothing released, nothing in the ledger.
+struct Answer {
+  feed::ProgramFacts facts;
+  std::shared_ptr<tape_code::TextSource> source;
+  feed::Time expires_after = feed::kArmingExpiry;
 };
 
 class Line {
@@ -90,6 +111,12 @@ class Line {
   // The ledger committed a window up to this wire offset.
   virtual void extend_reserve(std::uint64_t job, std::uint64_t wire_offset) = 0;
   [[nodiscard]] virtual LineReport report() const = 0;
+  // Receptions that ended since the last call, oldest first. A line that cannot receive has none.
+  virtual std::vector<Reception> take_receptions() { return {}; }
+  // Arms an answer; it takes the place of one that waits. Or one sentence that says why not.
+  virtual std::expected<void, std::string> answer(Answer /*answer*/) {
+    return std::unexpected("this line gives no answers");
+  }
 };
 
 // Called after each change of LineReport::changes, on the line's own thread: it must only wake somebody.

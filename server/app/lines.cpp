@@ -15,16 +15,24 @@ namespace dripfeed::app {
 
 namespace {
 
+// What a change of the line's own part of it shows by; who may ask for what is no matter of the line.
+std::string fingerprint(const machine::ReceiveSettings& r) {
+  return fmt::format(" {} {} {} {} {}", r.enabled, r.quiet_s, r.quiet_after_end_s, r.end_character.value_or(0),
+                     static_cast<int>(r.hold));
+}
+
 // All that the line was made from, as one comparable text.
 std::string fingerprint(const machine::LineSettings& s) {
-  return fmt::format(
-      "{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", s.link.text,
-      s.baud, tape_code::format_framing(s.framing), static_cast<int>(s.code), tape_code::name(s.eob),
-      static_cast<int>(s.filler), fmt::join(s.eia_specials.codes, ","), s.pad_tv, s.leader_chars, s.trailer_chars,
-      static_cast<int>(s.start), s.end_by_dc3, s.end_by_character.value_or(0), s.end_by_quiet_s.value_or(-1.0),
-      s.overrun_budget, s.unsent, s.latency_chars, s.watch_cts, s.watch_dsr, s.start_trigger, static_cast<int>(s.flow),
-      s.xon, s.xoff, static_cast<int>(s.xoff_by), s.char_delay_ms, s.line_delay_ms, machine::name_of(s.protocol),
-      s.answer_s.value_or(0.0), s.payload_bytes, s.counted_frames, s.gives_way, s.messages_end_with_cr);
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}",
+                     s.link.text, s.baud, tape_code::format_framing(s.framing), static_cast<int>(s.code),
+                     tape_code::name(s.eob), static_cast<int>(s.filler), fmt::join(s.eia_specials.codes, ","), s.pad_tv,
+                     s.leader_chars, s.trailer_chars, static_cast<int>(s.start), s.end_by_dc3,
+                     s.end_by_character.value_or(0), s.end_by_quiet_s.value_or(-1.0), s.overrun_budget, s.unsent,
+                     s.latency_chars, s.watch_cts, s.watch_dsr, s.start_trigger, static_cast<int>(s.flow), s.xon,
+                     s.xoff, static_cast<int>(s.xoff_by), s.char_delay_ms, s.line_delay_ms,
+                     machine::name_of(s.protocol), s.answer_s.value_or(0.0), s.payload_bytes, s.counted_frames,
+                     s.gives_way, s.messages_end_with_cr) +
+         fingerprint(s.receive);
 }
 
 bool has_job(const Line& line) {

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "store/hash/hash.h"
+
 namespace dripfeed::cli {
 
 namespace {
@@ -66,6 +68,22 @@ std::string send_document(const app::LineReport& report, const WireHashes& hashe
                {"line_use", report.line_use},
                {"cause", report.cause},
                {"interval", {{"from", report.known.from}, {"to", report.known.to}}}});
+}
+
+std::string receive_document(const app::Reception& reception, const receive::Transfer& transfer, std::string_view name,
+                             std::string_view output) {
+  const bool whole = transfer.fault == receive::Fault::none;
+  return dump({{"whole", whole},
+               {"fault", whole ? Document(nullptr) : Document(receive::name(transfer.fault))},
+               {"reason", whole ? Document(nullptr) : Document(receive::message(transfer.fault))},
+               {"name", name.empty() ? Document(nullptr) : Document(name)},
+               {"code", receive::name(transfer.code)},
+               {"bytes", reception.raw.size()},
+               {"text_bytes", transfer.text.size()},
+               {"text_sha256", hash::sha256_hex(transfer.text)},
+               {"parity_errors", transfer.parity_errors},
+               {"ended_by", receive::name(reception.ending.by)},
+               {"output", output}});
 }
 
 namespace {

@@ -8,6 +8,7 @@
 
 #include "dialects/compile/execute.h"
 #include "dialects/compile/render.h"
+#include "protocol/receive/transfer.h"
 #include "server/app/line.h"
 #include "server/simulator/fleet.h"
 
@@ -21,6 +22,9 @@ struct WireHashes {
 std::string run_document(const interpreter::RunResult& result);
 std::string render_document(const compile::RenderResult& result);
 std::string send_document(const app::LineReport& report, const WireHashes& hashes);
+// `output`: the file that it went to.
+std::string receive_document(const app::Reception& reception, const receive::Transfer& transfer, std::string_view name,
+                             std::string_view output);
 std::string simulate_document(const simulator::ControlReport& report, const WireHashes& hashes);
 // Of a fleet: {"controls":[…],"total":{…}}, each control with its link.
 struct FleetMember {

@@ -10,6 +10,7 @@
 #include "dialects/text/number.h"
 #include "protocol/tape_code/character_set.h"
 #include "server/json/object_reader.h"
+#include "server/json/profile_receive.h"
 #include "server/machine/bus_settings.h"
 
 namespace dripfeed::json {
@@ -305,6 +306,7 @@ void read_whole(ObjectReader& object, machine::Profile& profile) {
   read_machine(object, profile);
   object.object("control", [&](ObjectReader& o) { read_control(o, profile.control); });
   object.object("link", [&](ObjectReader& o) { read_link(o, profile.line); }, true);
+  object.object("receive", [&](ObjectReader& o) { read_receive(o, profile.line.receive); });
 }
 
 std::expected<void, std::string> line_is_possible(const machine::LineSettings& line) {

@@ -19,6 +19,7 @@
 #include "protocol/tape_code/wire_decoder.h"
 #include "server/machine/line_protocol.h"
 #include "server/machine/link_url.h"
+#include "server/machine/receive_settings.h"
 
 namespace dripfeed::machine {
 
@@ -87,6 +88,7 @@ struct LineSettings {
   bool gives_way = true;                // 3964: withdraws where both call at once
   bool messages_end_with_cr = false;    // remote buffer: CR instead of ETX
   std::string character_set = "ascii";  // a name of tape_code::character_sets()
+  ReceiveSettings receive;
 };
 
 struct Profile {

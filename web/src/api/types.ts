@@ -8,7 +8,7 @@ export interface Session {
   role: Role;
 }
 
-export type LineState = 'idle' | 'armed' | 'feeding' | 'held' | 'draining' | 'torn' | 'disconnected';
+export type LineState = 'idle' | 'armed' | 'feeding' | 'held' | 'draining' | 'torn' | 'disconnected' | 'receiving' | 'answering';
 
 // What the live progress of a machine carries: everything that changes while a program goes out. Counts are wire
 // bytes; block_from and block are lines of the text, 0 where unknown.

@@ -18,6 +18,8 @@ const kLines: Record<LineState, Wording> = {
   draining: { text: 'draining', tone: 'active' },
   torn: { text: 'torn', tone: 'bad' },
   disconnected: { text: 'disconnected', tone: 'waiting' },
+  receiving: { text: 'receiving', tone: 'active' },
+  answering: { text: 'answering', tone: 'ready' },
 };
 
 const kJobs: Record<JobState, Wording> = {
