@@ -62,6 +62,7 @@ struct Job {
   std::string confirmed_by;        // who said that the control was reset
   std::string confirm_reason;
   std::int64_t confirmed_at_ms = 0;  // 0: never
+  std::string read_back;             // of a memory load: "waiting for read-back", "equal", or how it differs
 
   // Nothing may be armed on the machine until a person confirms.
   [[nodiscard]] bool needs_confirmation() const { return torn && confirmed_at_ms == 0; }
@@ -95,6 +96,8 @@ class Jobs : public Repository {
   // A person says that the control of this machine was reset. Errors: not_found (nothing waits), invalid_value (no
   // reason).
   virtual Result<Job> confirm_reset(std::string_view machine, std::string_view reason, const Stamp& by) = 0;
+  // What came of punching a memory load back. Errors: not_found.
+  virtual Result<Job> set_read_back(Id job, std::string_view result, const Stamp& by) = 0;
   // Errors: not_found.
   virtual Result<Job> get(Id job) = 0;
   // Newest first.

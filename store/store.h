@@ -13,6 +13,7 @@
 #include "store/machines.h"
 #include "store/parts.h"
 #include "store/programs.h"
+#include "store/receipts.h"
 #include "store/releases.h"
 #include "store/replies.h"
 #include "store/tokens.h"
@@ -32,6 +33,7 @@ class Store : public Repository {
   virtual Verdicts& verdicts() = 0;
   virtual Releases& releases() = 0;
   virtual Jobs& jobs() = 0;
+  virtual Receipts& receipts() = 0;
   virtual Ledger& ledger() = 0;
   virtual Audit& audit() = 0;
   virtual Tokens& tokens() = 0;

@@ -30,7 +30,7 @@ std::string jobs_where(std::string_view rest) {
       "SELECT id, text_release, program, revision, sha256, machine, delivery, link, bytes_total, state, reason, "
       "created_by, armed_by, created_at_ms, armed_at_ms, started_at_ms, ended_at_ms, torn, confirmed_by, "
       "confirm_reason, "
-      "confirmed_at_ms, expires_at_ms FROM job WHERE {}",
+      "confirmed_at_ms, expires_at_ms, read_back FROM job WHERE {}",
       rest);
 }
 
@@ -58,6 +58,7 @@ Job read_job(Query& query) {
   job.confirm_reason = query.text();
   job.confirmed_at_ms = query.signed_number();
   job.expires_at_ms = query.signed_number();
+  job.read_back = query.text();
   return job;
 }
 

@@ -149,6 +149,15 @@ Result<Job> JobTable::confirm_reset(std::string_view machine, std::string_view r
   });
 }
 
+Result<Job> JobTable::set_read_back(Id job, std::string_view result, const Stamp& by) {
+  return database_.write(job_subject(job), [&](Session& session) -> Result<Job> {
+    session.run("UPDATE job SET read_back = ? WHERE id = ?", result, job);
+    add_audit_row(session, {.action = "job.read-back", .subject = job_subject(job), .detail = std::string(result)}, by);
+    if (!session.ok()) return std::unexpected(session.error());
+    return get(job);
+  });
+}
+
 Result<Job> JobTable::get(Id job) {
   return database_.read(job_subject(job), [&](Session& session) -> Result<Job> {
     static const std::string kSql = jobs_where("id = ?");

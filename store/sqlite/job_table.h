@@ -14,6 +14,7 @@ class JobTable final : public store::Jobs {
   store::Result<store::Job> move(store::Id job, const store::JobMove& move, const store::Stamp& by) override;
   store::Result<store::Job> confirm_reset(std::string_view machine, std::string_view reason,
                                           const store::Stamp& by) override;
+  store::Result<store::Job> set_read_back(store::Id job, std::string_view result, const store::Stamp& by) override;
   store::Result<store::Job> get(store::Id job) override;
   store::Result<store::Page<store::Job>> list(const store::PageRequest& page, const store::JobFilter& filter) override;
   store::Result<std::optional<store::Job>> on_line(std::string_view machine) override;

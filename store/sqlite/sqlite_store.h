@@ -12,6 +12,7 @@
 #include "store/sqlite/owner_lock.h"
 #include "store/sqlite/part_table.h"
 #include "store/sqlite/program_table.h"
+#include "store/sqlite/receipt_table.h"
 #include "store/sqlite/release_table.h"
 #include "store/sqlite/reply_table.h"
 #include "store/sqlite/token_table.h"
@@ -33,6 +34,7 @@ class SqliteStore final : public store::Store {
   store::Verdicts& verdicts() override { return verdicts_; }
   store::Releases& releases() override { return releases_; }
   store::Jobs& jobs() override { return jobs_; }
+  store::Receipts& receipts() override { return receipts_; }
   store::Ledger& ledger() override { return ledger_; }
   store::Audit& audit() override { return audit_; }
   store::Tokens& tokens() override { return tokens_; }
@@ -54,6 +56,7 @@ class SqliteStore final : public store::Store {
   ReleaseTable releases_{*database_, verdicts_};
   JobTable jobs_{*database_, releases_};
   LedgerTable ledger_{*database_};
+  ReceiptTable receipts_{*database_};
   AuditTable audit_{*database_};
   TokenTable tokens_{*database_};
   ReplyTable replies_{*database_};

@@ -57,6 +57,25 @@ void write_newest(Store& store, const std::string& path) {
   must(store.ledger().append(rows, 5));
   must(store.tokens().add("mes", Role::operator_, "hash", by("tester")));
   must(store.replies().keep({"mes", "POST /jobs", "k", "x"}, {201, "", "body", 5}));
+  const Content received = must(store.contents().put("%\nO7\nM30\n%\n"));
+  must(store.receipts().add({.machine = "mill-1",
+                             .name = "O7",
+                             .style = "number",
+                             .sha256 = received.sha256,
+                             .raw_bytes = 14,
+                             .code = "iso",
+                             .ended_by = "punch_off",
+                             .quarantined = false,
+                             .reason = ""},
+                            by("mill-1")));
+  must(store.receipts().add_request({.machine = "mill-1",
+                                     .verb = "load",
+                                     .argument = "42",
+                                     .text = "%",
+                                     .outcome = "armed",
+                                     .detail = "job 1",
+                                     .job = job.id},
+                                    by("mill-1")));
   std::ofstream(fixture(sqlite::migrations().back().version), std::ios::binary) << dump(path);
 }
 
@@ -79,6 +98,12 @@ TEST_F(SchemaTest, EveryOldOneIsReadByThisProgram) {
     EXPECT_EQ(must(store_->ledger().verify(job.id)), 1U);
     must(store_->contents().verify(job.text_sha256));
     EXPECT_EQ(must(store_->tokens().find("hash")).role, Role::operator_);
+    if (migration.version >= 3) {
+      const auto receipts = must(store_->receipts().list({}, {}));
+      ASSERT_EQ(receipts.items.size(), 1U);
+      must(store_->contents().verify(receipts.items[0].of.sha256));
+      EXPECT_EQ(must(store_->receipts().requests({}, "mill-1")).items.size(), 1U);
+    }
     must(store_->releases().released_for(job.text_sha256, "mill-1", Delivery::drip));
     EXPECT_EQ(must(store_->jobs().interrupt_unfinished(by("server"))).size(), 1U);
     EXPECT_EQ(sql("DELETE FROM audit"), "append-only");

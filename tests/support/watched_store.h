@@ -79,6 +79,7 @@ class WatchedStore final : public store::Store {
   store::Verdicts& verdicts() override { return store_.verdicts(); }
   store::Releases& releases() override { return store_.releases(); }
   store::Jobs& jobs() override { return store_.jobs(); }
+  store::Receipts& receipts() override { return store_.receipts(); }
   store::Ledger& ledger() override { return ledger_; }
   store::Audit& audit() override { return audit_; }
   store::Tokens& tokens() override { return store_.tokens(); }
