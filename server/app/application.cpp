@@ -56,14 +56,21 @@ Application::Application(const Environment& environment)
       clock_(environment.clock),
       documents_(environment.documents),
       events_(static_cast<std::uint64_t>(clock_.wall_ms())),
-      lines_(environment.links, environment.make_bus, [this] { keeper_.wake(); }),
+      lines_(environment.links, environment.make_bus, [this] { line_changed(); }),
       keeper_(store_, lines_, events_, clock_, environment.ballast),
       catalog_(store_, lines_, events_, clock_, documents_),
       programs_(store_, clock_, documents_, environment.ballast),
       checking_(store_, catalog_, events_, clock_, documents_),
-      jobs_(store_, lines_, keeper_, events_, clock_, documents_) {}
+      jobs_(store_, lines_, keeper_, events_, clock_, documents_),
+      receiving_({store_, lines_, jobs_, programs_, events_, clock_, documents_}) {}
+
+void Application::line_changed() {
+  keeper_.wake();
+  receiving_.wake();
+}
 
 Application::~Application() {
+  receiving_.stop();
   cancel_all();
   keeper_.round();
   // The lines wake the keeper, so they go before it does.

@@ -11,6 +11,7 @@
 #include "server/app/lines.h"
 #include "server/app/ports/ports.h"
 #include "server/app/programs.h"
+#include "server/app/receiving.h"
 #include "store/store.h"
 
 namespace dripfeed::app {
@@ -52,9 +53,11 @@ class Application {
   Programs& programs() { return programs_; }
   Checking& checking() { return checking_; }
   Jobs& jobs() { return jobs_; }
+  Receiving& receiving() { return receiving_; }
 
  private:
   void cancel_all();
+  void line_changed();
 
   store::Store& store_;
   const Clock& clock_;
@@ -66,6 +69,7 @@ class Application {
   Programs programs_;
   Checking checking_;
   Jobs jobs_;
+  Receiving receiving_;
 };
 
 }  // namespace dripfeed::app

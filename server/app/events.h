@@ -15,7 +15,7 @@
 
 namespace dripfeed::app {
 
-enum class EventKind : std::uint8_t { job, machine, verdict, alarm };
+enum class EventKind : std::uint8_t { job, machine, verdict, alarm, receipt };
 
 struct Event {
   std::uint64_t id = 0;
@@ -24,7 +24,7 @@ struct Event {
   store::Job job;         // job
   store::Id verdict = 0;  // verdict
   store::Outcome outcome = store::Outcome::unknown;
-  std::string text;  // alarm, verdict: a sentence
+  std::string text;  // alarm, verdict, receipt: a sentence
 };
 
 // What a machine's line does, as a watcher sees it; coalesced, so that only the newest counts.

@@ -3,6 +3,7 @@
 #include "server/app/jobs.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "protocol/receive/program_name.h"
 #include "protocol/tape_code/wire_encoder.h"
 #include "server/app/content_source.h"
 #include "server/app/drop_line.h"
@@ -225,6 +227,22 @@ Result<store::Job> Jobs::command(store::Id id, feed::Command command, std::strin
   return std::move(*now);
 }
 
+bool Jobs::protects_number(std::string_view text_sha256) {
+  constexpr std::size_t kBeginning = 2048;
+  std::string text(kBeginning, '\0');
+  const auto count = store_.contents().read(text_sha256, 0, text);
+  if (!count) return true;  // what cannot be read is not loaded either
+  text.resize(*count);
+  for (const std::string& program : receive::split_programs(text)) {
+    const auto name = receive::find_name(program);
+    if (!name || name->style != receive::NameStyle::number) continue;
+    std::uint32_t number = 0;
+    std::from_chars(name->name.data() + 1, name->name.data() + name->name.size(), number);
+    if (number >= 8000 && number <= 9999) return true;
+  }
+  return false;
+}
+
 Result<store::Job> Jobs::stop(store::Id id, std::string_view actor) {
   return command(id, feed::Command::stop, "job.stop", "", actor);
 }
@@ -261,8 +279,26 @@ Result<store::Job> Jobs::resume(store::Id id, std::string_view reason, std::stri
                  fmt::format("{} resumes as if DC1 had come: {}", actor, reason));
 }
 
+// A line that was torn inside an answer has no job: the audit has the confirmation alone.
+Result<store::Job> Jobs::confirm_torn_answer(std::string_view machine, std::string_view reason,
+                                             std::string_view actor) {
+  const auto line = lines_.find(std::string(machine));
+  if (!line || line->report().state != LineState::torn || reason.empty())
+    return fail(ErrorCode::not_found, fmt::format("nothing of {} waits for a confirmation", machine));
+  const auto noted = store_.audit().append(
+      {"machine.confirm-reset", fmt::format("machine/{}", machine), std::string(reason)}, stamp(actor));
+  if (!noted) return std::unexpected(from_store(noted.error()));
+  const auto cleared = line->command(feed::Command::confirm_reset);
+  if (!cleared) return fail(ErrorCode::refused, cleared.error());
+  keeper_.wake();
+  store::Job none;
+  none.machine = machine;
+  return none;
+}
+
 Result<store::Job> Jobs::confirm_reset(std::string_view machine, std::string_view reason, std::string_view actor) {
   auto job = store_.jobs().confirm_reset(machine, reason, stamp(actor));
+  if (!job && job.error().code == store::ErrorCode::not_found) return confirm_torn_answer(machine, reason, actor);
   if (!job) return std::unexpected(from_store(job.error()));
   // A line that knows of nothing torn has no use for it, but for a block transfer: the receiver may still have the
   // session of a server before this one.

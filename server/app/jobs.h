@@ -33,6 +33,11 @@ class Jobs {
   Result<store::Job> cancel(store::Id job, std::string_view actor);
   // A stopped job goes on; a held one goes on "as if DC1" had come, with the reason in the ledger and the audit.
   Result<store::Job> resume(store::Id job, std::string_view reason, std::string_view actor);
+  // The books follow the lines now: a job that its line ended is not armed in the store any more.
+  void settle() { keeper_.round(); }
+  // Whether the text's own number is from O8000 to O9999: the machine builder's in many controls, so that a memory load
+  // of it needs a right of its own.
+  [[nodiscard]] bool protects_number(std::string_view text_sha256);
   // A person says that the control was reset: a torn line may be used again.
   Result<store::Job> confirm_reset(std::string_view machine, std::string_view reason, std::string_view actor);
 
@@ -44,6 +49,7 @@ class Jobs {
   // `note`: what stands in the ledger, where something does.
   Result<store::Job> command(store::Id job, feed::Command command, std::string_view action, std::string_view reason,
                              std::string_view actor, std::string note = {});
+  Result<store::Job> confirm_torn_answer(std::string_view machine, std::string_view reason, std::string_view actor);
   Result<store::Job> cancel_queued(const store::Job& job, std::string_view actor);
   Result<store::Job> disarm_after(const store::Job& job, const std::string& why, std::string_view actor);
   store::Stamp stamp(std::string_view actor) const;

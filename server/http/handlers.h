@@ -62,4 +62,12 @@ Response cancel_job(const Call& call);
 Response resume_job(const Call& call);
 Response get_ledger(const Call& call);
 
+// handlers_receipts.cpp
+Response list_receipts(const Call& call);
+Response get_receipt(const Call& call);
+Response get_receipt_text(const Call& call);
+Response accept_receipt(const Call& call);
+Response discard_receipt(const Call& call);
+Response list_requests(const Call& call);
+
 }  // namespace dripfeed::http

@@ -60,7 +60,8 @@ Response confirm_reset(const Call& call) {
   app::Application& app = call.api.application();
   const auto machine = app.store().machines().get(call.parameters[0]);
   if (!machine) return problem_response(app::from_store(machine.error()));
-  if (!app.status(call.parameters[0]).needs_confirmation)
+  const app::MachineStatus before = app.status(call.parameters[0]);
+  if (!before.needs_confirmation && before.report.state != app::LineState::torn)
     return problem_response(409, "no torn block waits for a confirmation on this machine");
   const auto job = app.jobs().confirm_reset(call.parameters[0], body->reason, call.user);
   if (!job) return problem_response(job.error());

@@ -56,6 +56,14 @@ constexpr Route kRoutes[] = {
     {post, "/api/v1/jobs/{id}/stop", operator_, command, stop_job, "stop at a block end"},
     {post, "/api/v1/jobs/{id}/cancel", operator_, command, cancel_job, "end at a block end"},
     {post, "/api/v1/jobs/{id}/resume", operator_, command, resume_job, "go on; as if DC1 had come, with a reason"},
+    {get, "/api/v1/receipts", viewer, light, list_receipts, "what controls punched, newest first", page,
+     "machine state"},
+    {get, "/api/v1/receipts/{id}", viewer, light, get_receipt,
+     "one receipt, held against the stored program of its name"},
+    {get, "/api/v1/receipts/{id}/text", viewer, light, get_receipt_text, "its text; of one in quarantine the bytes"},
+    {post, "/api/v1/receipts/{id}/accept", programmer, light, accept_receipt, "make it a program's revision"},
+    {post, "/api/v1/receipts/{id}/discard", approver, light, discard_receipt, "it is not wanted, with a reason"},
+    {get, "/api/v1/requests", viewer, light, list_requests, "what operators asked for, newest first", page, "machine"},
     {get, "/api/v1/jobs/{id}/ledger", viewer, light, get_ledger, "what is known of a transfer", page},
 };
 

@@ -100,7 +100,16 @@ Document job_document(const store::Job& job) {
           {"torn", job.torn},
           {"needs_confirmation", job.needs_confirmation()},
           {"confirmed_by", text_or_null(job.confirmed_by)},
-          {"confirm_reason", text_or_null(job.confirm_reason)}};
+          {"confirm_reason", text_or_null(job.confirm_reason)},
+          {"read_back", text_or_null(job.read_back)}};
+}
+
+Document likeness_document(const std::optional<app::StoredLikeness>& likeness) {
+  if (!likeness) return nullptr;
+  return {{"program", likeness->program},
+          {"revision", likeness->revision},
+          {"same", likeness->same},
+          {"difference", text_or_null(likeness->difference)}};
 }
 
 }  // namespace
@@ -248,10 +257,43 @@ std::string verdict(const store::Verdict& verdict) {
   return dump(document);
 }
 
+std::string receipt(const store::Receipt& receipt, const std::optional<app::StoredLikeness>& stored) {
+  return dump({{"id", receipt.id},
+               {"machine", receipt.of.machine},
+               {"at_ms", receipt.at_ms},
+               {"name", receipt.of.name},
+               {"named_by", receipt.of.style},
+               {"state", store::name_of(receipt.state)},
+               {"reason", text_or_null(receipt.of.reason)},
+               {"sha256", receipt.of.sha256},
+               {"bytes", receipt.bytes},
+               {"raw_bytes", receipt.of.raw_bytes},
+               {"code", receipt.of.code},
+               {"ended_by", receipt.of.ended_by},
+               {"stored", likeness_document(stored)},
+               {"program", receipt.program == 0 ? Document(nullptr) : Document(receipt.program)},
+               {"revision", receipt.revision == 0 ? Document(nullptr) : Document(receipt.revision)},
+               {"decided_by", text_or_null(receipt.decided_by)},
+               {"decided_reason", text_or_null(receipt.decided_reason)},
+               {"decided_at_ms", time_or_null(receipt.decided_at_ms)}});
+}
+
+std::string request(const store::Request& request) {
+  return dump({{"id", request.id},
+               {"machine", request.of.machine},
+               {"at_ms", request.at_ms},
+               {"verb", request.of.verb},
+               {"argument", request.of.argument},
+               {"text", request.of.text},
+               {"outcome", request.of.outcome},
+               {"detail", request.of.detail},
+               {"job", request.of.job == 0 ? Document(nullptr) : Document(request.of.job)}});
+}
+
 std::string session(std::string_view name, std::string_view role) { return dump({{"name", name}, {"role", role}}); }
 
 std::string_view event_name(app::EventKind kind) {
-  static constexpr std::string_view kNames[] = {"job", "machine", "verdict", "alarm"};
+  static constexpr std::string_view kNames[] = {"job", "machine", "verdict", "alarm", "receipt"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -263,7 +305,8 @@ std::string event_data(const app::Event& event) {
                  {"machine", event.machine},
                  {"text", event.text}});
   }
-  if (event.kind == app::EventKind::alarm) return dump({{"machine", event.machine}, {"text", event.text}});
+  const bool sentence = event.kind == app::EventKind::alarm || event.kind == app::EventKind::receipt;
+  if (sentence) return dump({{"machine", event.machine}, {"text", event.text}});
   Document machine = {{"name", event.machine}};
   if (!event.text.empty()) machine["stall"] = event.text;
   return dump(machine);

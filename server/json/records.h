@@ -2,6 +2,7 @@
 // `list` puts things on a page.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,6 +25,8 @@ std::string program_revision(const store::ProgramRevision& revision);
 std::string rendered(const app::Rendered& rendered, const text::Source& family);
 std::string release(const store::Release& release);
 std::string job(const store::Job& job);
+std::string receipt(const store::Receipt& receipt, const std::optional<app::StoredLikeness>& stored);
+std::string request(const store::Request& request);
 std::string ledger(std::span<const store::LedgerRow> rows, std::string_view next, const store::LedgerInterval& interval,
                    bool confirms);
 // A stored verdict: the report's members with the verdict's own.

@@ -128,6 +128,19 @@ app::Result<store::ReleaseMove> read_transition_body(std::string_view body) {
   return move;
 }
 
+app::Result<app::AcceptOrder> read_accept_body(std::string_view body) {
+  app::AcceptOrder order;
+  const auto done = read_object(body.empty() ? "{}" : body, "request", [&](ObjectReader& o) {
+    o.integer("program", order.program, 1, kMaxId);
+    o.integer("revision", order.revision, 1, kMaxId);
+    o.text("name", order.name);
+    if (order.revision != 0 && order.program == 0) o.fault("revision", "is of a program: say which");
+    if (!order.name.empty() && order.program != 0) o.fault("name", "a program has its name");
+  });
+  if (!done) return std::unexpected(done.error());
+  return order;
+}
+
 app::Result<JobBody> read_job_body(std::string_view body) {
   JobBody read;
   const auto done = read_object(body, "request", [&](ObjectReader& o) { read_id(o, "release", read.release); });

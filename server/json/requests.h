@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "server/app/programs.h"
+#include "server/app/receiving.h"
 
 namespace dripfeed::json {
 
@@ -47,6 +48,9 @@ struct ReasonBody {
 app::Result<ReasonBody> read_reason_body(std::string_view body, bool required);
 
 app::Result<store::ReleaseMove> read_transition_body(std::string_view body);
+
+// An empty body is one without members.
+app::Result<app::AcceptOrder> read_accept_body(std::string_view body);
 
 struct JobBody {
   store::Id release = 0;

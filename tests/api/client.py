@@ -17,7 +17,7 @@ from rig import binary, expect, in_folder, plain_program, shop  # noqa: E402,F40
 
 API = "/api/v1"
 ROLES = ["viewer", "operator", "programmer", "approver", "admin"]  # each may do what those before it may
-LISTS = ["machines", "families", "parts", "programs", "checks", "releases", "jobs"]
+LISTS = ["machines", "families", "parts", "programs", "checks", "releases", "jobs", "receipts", "requests"]
 ROLL = (shop.ROOT / "deploy/families/hyperbolic-roll.family").read_text()
 DC1, DC3 = b"\x11", b"\x13"
 

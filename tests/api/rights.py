@@ -51,6 +51,12 @@ def rows(made):
         ("GET", "/api/v1/releases", "viewer", {}, None, {}),
         ("GET", "/api/v1/releases/{id}", "viewer", {"id": "release"}, None, {}),
         ("POST", "/api/v1/releases/{id}/transitions", "approver", {"id": "release"}, {"to": "in_review"}, {}),
+        ("GET", "/api/v1/receipts", "viewer", {}, None, {"ready": "received"}),
+        ("GET", "/api/v1/receipts/{id}", "viewer", {"id": "receipt"}, None, {}),
+        ("GET", "/api/v1/receipts/{id}/text", "viewer", {"id": "receipt"}, None, {}),
+        ("POST", "/api/v1/receipts/{id}/accept", "programmer", {"id": "receipt"}, {}, {}),
+        ("POST", "/api/v1/receipts/{id}/discard", "approver", {"id": "torn_receipt"}, {"reason": "torn"}, {}),
+        ("GET", "/api/v1/requests", "viewer", {}, None, {}),
         ("POST", "/api/v1/jobs", "operator", {}, lambda: {"release": made["release"]}, {"keep": "job", "ready": "proving"}),
         ("GET", "/api/v1/jobs", "viewer", {}, None, {}),
         ("GET", "/api/v1/jobs/{id}", "viewer", {"id": "job"}, None, {}),
@@ -71,6 +77,14 @@ class Stage:
 
     def proving(self):
         self.client.post(f"/releases/{self.made['release']}/transitions", {"to": "proving", "transfers": 9})
+
+    def received(self):
+        self.idle()
+        for wire in (b"%\nO0700\nM30\n%\n", b"\x12%\nO0701\nG0 X\x14"):
+            before = len(self.client.get("/receipts")["items"])
+            self.control.say(wire)
+            shop.wait_for("a receipt", lambda: len(self.client.get("/receipts")["items"]) > before)
+        self.made["torn_receipt"], self.made["receipt"] = (item["id"] for item in self.client.get("/receipts")["items"])
 
     def idle(self):
         self.client.wait_line("lathe", "idle")

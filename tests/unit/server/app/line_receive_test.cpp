@@ -34,8 +34,8 @@ class LineReceiveTest : public ::testing::Test {
     links_.settle();
   }
   void answer(const std::string& text, feed::Time expires = 600s) {
-    const auto armed = line_->answer(
-        {.facts = facts_of(text), .source = std::make_shared<OwnedText>(text), .expires_after = expires});
+    const auto armed =
+        line_->answer({.facts = facts_of(text), .source = std::make_shared<OwnedText>(text), .expires_after = expires});
     ASSERT_TRUE(armed) << armed.error();
   }
   std::vector<receive::Transfer> received() {

@@ -1,0 +1,287 @@
+// Rounds on a thread of its own: a request may arm a job, and arming waits for the books that the keeper writes.
+#include "server/app/receiving.h"
+
+#include <chrono>
+#include <utility>
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "protocol/receive/program_name.h"
+#include "server/app/text_difference.h"
+
+namespace dripfeed::app {
+
+namespace {
+
+constexpr std::chrono::milliseconds kRound{250};
+constexpr std::uint64_t kLongestCompared = receive::Settings::kMaxBytes;
+constexpr std::string_view kWaitsForReadBack = "waiting for read-back";
+constexpr std::string_view kEqual = "equal";
+constexpr std::uint32_t kJobsLookedAt = 20;
+
+std::string bytes_of(const Reception& reception) {
+  std::string bytes;
+  bytes.reserve(reception.raw.size());
+  for (const std::byte byte : reception.raw) bytes += static_cast<char>(byte);
+  return bytes;
+}
+
+// "R20261122-113000", for a program that gives itself no name.
+std::string name_by_time(std::int64_t wall_ms) {
+  const std::chrono::sys_time<std::chrono::milliseconds> at{std::chrono::milliseconds(wall_ms)};
+  const auto day = std::chrono::floor<std::chrono::days>(at);
+  const std::chrono::year_month_day date(day);
+  const std::chrono::hh_mm_ss time(std::chrono::floor<std::chrono::seconds>(at - day));
+  return fmt::format("R{:04}{:02}{:02}-{:02}{:02}{:02}", static_cast<int>(date.year()),
+                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), time.hours().count(),
+                     time.minutes().count(), time.seconds().count());
+}
+
+}  // namespace
+
+Receiving::Receiving(const Parts& parts)
+    : store_(parts.store),
+      lines_(parts.lines),
+      jobs_(parts.jobs),
+      programs_(parts.programs),
+      events_(parts.events),
+      clock_(parts.clock),
+      documents_(parts.documents),
+      thread_([this](const std::stop_token& stop) { loop(stop); }) {}
+
+Receiving::~Receiving() { stop(); }
+
+void Receiving::stop() {
+  thread_.request_stop();
+  if (thread_.joinable()) thread_.join();
+}
+
+void Receiving::wake() {
+  const std::lock_guard lock(wake_mutex_);
+  due_ = true;
+  woken_.notify_one();
+}
+
+void Receiving::loop(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    {
+      std::unique_lock lock(wake_mutex_);
+      woken_.wait_for(lock, stop, kRound, [this] { return due_; });
+      due_ = false;
+    }
+    round();
+  }
+}
+
+void Receiving::round() {
+  const std::lock_guard lock(round_mutex_);
+  for (const auto& [machine, line] : lines_.all()) {
+    for (const Reception& reception : line->take_receptions()) {
+      const auto profile = profile_of(machine);
+      if (profile) {
+        take(machine, *profile, reception);
+      } else {
+        spdlog::error("{}: {}", machine, profile.error().text);
+      }
+    }
+    expect_read_back(machine, line->report());
+    send_due(machine, *line);
+  }
+}
+
+Result<machine::Profile> Receiving::profile_of(const std::string& machine) {
+  const auto row = lift(store_.machines().get(machine));
+  if (!row) return std::unexpected(row.error());
+  return documents_.read_profile(row->profile);
+}
+
+store::Stamp Receiving::stamp(std::string_view actor) const { return {std::string(actor), clock_.wall_ms()}; }
+
+void Receiving::alarm(const std::string& machine, std::string text, EventKind kind) {
+  spdlog::info("{}: {}", machine, text);
+  events_.publish(
+      {.id = 0, .kind = kind, .machine = machine, .job = {}, .verdict = 0, .outcome = {}, .text = std::move(text)});
+}
+
+void Receiving::take(const std::string& machine, const machine::Profile& profile, const Reception& reception) {
+  const receive::Transfer transfer = receive::judge(reception.raw, reception.ending, reception.settings);
+  switch (transfer.fault) {
+    case receive::Fault::none: break;
+    case receive::Fault::empty: return;
+    case receive::Fault::device_text:
+      return alarm(machine, fmt::format("the device server says \"{}\"; nothing was stored", transfer.device));
+    case receive::Fault::too_long:
+    case receive::Fault::link_lost:
+    case receive::Fault::parity:
+    case receive::Fault::binary:
+    case receive::Fault::interrupted:
+    case receive::Fault::no_start:
+    case receive::Fault::no_end:
+    case receive::Fault::unknown_code: return quarantine(machine, reception, transfer);
+  }
+  if (profile.line.receive.requests) {
+    const auto request = receive::find_request(transfer.text, machine::request_grammar_of(profile.line.receive));
+    if (request && request->verb == receive::Verb::save && request->legal && !request->argument.empty()) {
+      handle(machine, profile, *request, transfer.text);
+      return keep(machine, reception, transfer, transfer.text, request->argument);
+    }
+    if (request && request->verb != receive::Verb::save) return handle(machine, profile, *request, transfer.text);
+  }
+  if (compare_read_back(machine, transfer)) return;
+  for (const std::string& program : receive::split_programs(transfer.text)) {
+    keep(machine, reception, transfer, program, "");
+  }
+}
+
+void Receiving::quarantine(const std::string& machine, const Reception& reception, const receive::Transfer& transfer) {
+  const auto content = store_.contents().put(bytes_of(reception));
+  if (!content) return alarm(machine, "a broken reception is lost: " + store::message_of(content.error()));
+  const auto name = receive::find_name(transfer.text);
+  std::string reason(receive::message(transfer.fault));
+  if (transfer.first_parity_error) {
+    reason +=
+        fmt::format(" ({}, the first at byte {})", transfer.parity_errors, transfer.first_parity_error->wire_offset);
+  }
+  const auto receipt = store_.receipts().add({.machine = machine,
+                                              .name = name ? name->name : name_by_time(clock_.wall_ms()),
+                                              .style = std::string(name ? receive::name(name->style) : "time"),
+                                              .sha256 = content->sha256,
+                                              .raw_bytes = reception.raw.size(),
+                                              .code = std::string(receive::name(transfer.code)),
+                                              .ended_by = std::string(receive::name(reception.ending.by)),
+                                              .quarantined = true,
+                                              .reason = reason},
+                                             stamp(machine));
+  if (!receipt) return alarm(machine, "a broken reception is lost: " + store::message_of(receipt.error()));
+  alarm(machine, fmt::format("receipt {} is in quarantine: {}", receipt->id, reason));
+}
+
+void Receiving::keep(const std::string& machine, const Reception& reception, const receive::Transfer& transfer,
+                     std::string_view text, std::string_view given) {
+  const auto content = store_.contents().put(text);
+  if (!content) return alarm(machine, "a received program is lost: " + store::message_of(content.error()));
+  const auto found = receive::find_name(text);
+  std::string name(given);
+  if (name.empty()) name = found ? found->name : name_by_time(clock_.wall_ms());
+  const auto receipt = store_.receipts().add({.machine = machine,
+                                              .name = name,
+                                              .style = std::string(found ? receive::name(found->style) : "time"),
+                                              .sha256 = content->sha256,
+                                              .raw_bytes = reception.raw.size(),
+                                              .code = std::string(receive::name(transfer.code)),
+                                              .ended_by = std::string(receive::name(reception.ending.by)),
+                                              .quarantined = false,
+                                              .reason = {}},
+                                             stamp(machine));
+  if (!receipt) return alarm(machine, "a received program is lost: " + store::message_of(receipt.error()));
+  alarm(machine, fmt::format("received {} ({} bytes), receipt {}", name, text.size(), receipt->id), EventKind::receipt);
+}
+
+// --- what people decide
+// -----------------------------------------------------------------------------------------------------------------
+
+Result<store::Receipt> Receiving::accept(store::Id receipt, const AcceptOrder& order, std::string_view actor) {
+  const auto row = lift(store_.receipts().get(receipt));
+  if (!row) return std::unexpected(row.error());
+  if (row->state == store::ReceiptState::quarantined)
+    return fail(ErrorCode::refused, "a receipt in quarantine is no program: punch it again, or discard it");
+  const auto text = lift(store::read_whole(store_.contents(), row->of.sha256, kLongestCompared));
+  if (!text) return std::unexpected(text.error());
+  const auto profile = profile_of(row->of.machine);
+  if (!profile) return std::unexpected(profile.error());
+  // The revision and the decision are one: a receipt that was decided meanwhile adds none.
+  Result<store::Receipt> accepted = fail(ErrorCode::internal, "");
+  const auto done = store_.atomically([&]() -> store::Result<void> {
+    Result<store::Program> program = fail(ErrorCode::internal, "");
+    if (order.program == 0) {
+      program =
+          programs_.upload(order.name.empty() ? row->of.name : order.name, profile->control.dialect, *text, actor);
+    } else {
+      const auto known = store_.programs().get(order.program);
+      if (!known) return std::unexpected(known.error());
+      const store::Revision expected = order.revision == 0 ? known->newest.revision : order.revision;
+      program = programs_.upload_revision(order.program, expected, *text, actor);
+    }
+    if (!program) {
+      accepted = std::unexpected(program.error());
+      return std::unexpected(store::Error{store::ErrorCode::invalid_value, program.error().text});
+    }
+    auto moved = store_.receipts().accept(receipt, program->id, program->newest.revision, stamp(actor));
+    if (!moved) return std::unexpected(moved.error());
+    accepted = std::move(*moved);
+    return {};
+  });
+  if (!done && (accepted || accepted.error().code == ErrorCode::internal))
+    return std::unexpected(from_store(done.error()));
+  return accepted;
+}
+
+Result<store::Receipt> Receiving::discard(store::Id receipt, std::string_view reason, std::string_view actor) {
+  if (reason.empty())
+    return fail(ErrorCode::invalid, "a reason is needed", {{.pointer = "/reason", .text = "a reason"}});
+  return lift(store_.receipts().discard(receipt, reason, stamp(actor)));
+}
+
+Result<std::optional<StoredLikeness>> Receiving::likeness(const store::Receipt& receipt) {
+  const auto known = lift(store_.programs().list({.limit = 1, .after = {}}, {.name = receipt.of.name, .part = {}}));
+  if (!known) return std::unexpected(known.error());
+  if (known->items.empty()) return std::nullopt;
+  const store::ProgramRevision& newest = known->items.front().newest;
+  StoredLikeness likeness{.program = newest.program, .revision = newest.revision, .same = true, .difference = {}};
+  if (newest.sha256 == receipt.of.sha256) return likeness;
+  const auto stored = lift(store::read_whole(store_.contents(), newest.sha256, kLongestCompared));
+  const auto received = lift(store::read_whole(store_.contents(), receipt.of.sha256, kLongestCompared));
+  if (!stored || !received) return std::nullopt;  // too long to be compared here
+  const auto difference = first_difference(*stored, *received);
+  likeness.same = !difference;
+  if (difference) likeness.difference = sentence_of(*difference);
+  return likeness;
+}
+
+// --- read-back
+// --------------------------------------------------------------------------------------------------------------------
+
+// A memory load that is over waits for the operator's punch, where the control can punch.
+void Receiving::expect_read_back(const std::string& machine, const LineReport& report) {
+  Waiting& waiting = waiting_[machine];
+  if (report.job == 0 || report.end != JobEnd::done || report.job == waiting.read_back) return;
+  waiting.read_back = report.job;
+  const auto job = store_.jobs().get(report.job);
+  const auto profile = profile_of(machine);
+  if (!job || !profile || job->delivery != store::Delivery::memory || !job->read_back.empty()) return;
+  if (!profile->line.receive.read_back) return;
+  const auto set = store_.jobs().set_read_back(job->id, kWaitsForReadBack, stamp("dripfeed"));
+  if (!set) return alarm(machine, "read-back: " + store::message_of(set.error()));
+  alarm(machine, fmt::format("job {}: waiting for read-back: punch the program at the control", job->id),
+        EventKind::receipt);
+}
+
+// True where the program is what a job loaded and is the same: it is no receipt then.
+bool Receiving::compare_read_back(const std::string& machine, const receive::Transfer& transfer) {
+  const auto jobs = store_.jobs().list({.limit = kJobsLookedAt, .after = {}}, {.machine = machine, .state = {}});
+  if (!jobs) return false;
+  for (const store::Job& job : jobs->items) {
+    if (job.read_back != kWaitsForReadBack) continue;
+    const auto sent = store::read_whole(store_.contents(), job.text_sha256, kLongestCompared);
+    if (!sent) return false;
+    const auto sent_name = receive::find_name(*sent);
+    const auto name = receive::find_name(transfer.text);
+    if (!sent_name || !name || sent_name->name != name->name) return false;
+    const auto difference = first_difference(*sent, transfer.text);
+    const std::string result = difference ? "differs: " + sentence_of(*difference) : std::string(kEqual);
+    const auto set = store_.jobs().set_read_back(job.id, result, stamp("dripfeed"));
+    if (!set) alarm(machine, "read-back: " + store::message_of(set.error()));
+    if (const auto interval = store_.ledger().interval(job.id)) {
+      const store::NewLedgerRow row{.job = job.id, .counts = interval->last, .note = "read-back " + result};
+      const auto written = store_.ledger().append(std::span(&row, 1), clock_.wall_ms());
+      if (!written) spdlog::error("ledger: job {}: {}", job.id, store::message_of(written.error()));
+    }
+    alarm(machine, fmt::format("job {}: read-back {}", job.id, result),
+          difference ? EventKind::alarm : EventKind::receipt);
+    return !difference;
+  }
+  return false;
+}
+
+}  // namespace dripfeed::app
