@@ -28,6 +28,8 @@ struct Options {
   std::string machine;
   std::string record;
   std::string protocol = "dc";
+  std::string punch;
+  bool then_read = false;
   double speed = 1.0;
   double operator_s = 0.0;
   bool repeat = false;
@@ -194,10 +196,19 @@ bool write_records(const Options& options, const std::vector<std::unique_ptr<Rec
 
 int run_controls(const machine::LinkUrl& link, const machine::Profile& profile, const Options& options,
                  const std::stop_token& stop) {
-  const auto settings = control_settings(profile, options);
+  auto settings = control_settings(profile, options);
   if (!settings) {
     print_error(settings.error());
     return kWrongUse;
+  }
+  if (!options.punch.empty()) {
+    const auto punched = read_source(options.punch);
+    if (!punched) {
+      print_error(punched.error());
+      return kWrongUse;
+    }
+    settings->punches = punched->text();
+    settings->protocol = options.then_read ? "punch-read" : "punch";
   }
   std::vector<std::unique_ptr<Received>> received;
   simulator::Fleet fleet(grid_for(options.count));
@@ -268,6 +279,8 @@ void add_simulate(CLI::App& app, int& exit_code) {
   command->add_option("--machine", options->machine, "machine profile: a file or the name of a preset")->required();
   command->add_option("--protocol", options->protocol, "what the control speaks")
       ->check(CLI::IsMember(simulator::control_protocols()));
+  command->add_option("--punch", options->punch, "the control punches this file once it is connected");
+  command->add_flag("--then-read", options->then_read, "and reads what the host answers");
   command->add_option("--speed", options->speed, "runs so much faster than a machine")->check(CLI::Range(0.001, 1e6));
   command->add_option("--operator", options->operator_s,
                       "after so many seconds without a character the operator presses RESET and START");

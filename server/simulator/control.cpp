@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "server/simulator/packet_control.h"
+#include "server/simulator/punching_control.h"
 #include "server/simulator/simulated_control.h"
 
 namespace dripfeed::simulator {
@@ -30,6 +31,8 @@ constexpr std::array kRows = {
     Row{"3964", make_kind<PacketControl>},
     Row{"3964r", make_kind<PacketControl>},
     Row{"remote-buffer-a", make_kind<PacketControl>},
+    Row{"punch", make_kind<PunchingControl>},
+    Row{"punch-read", make_kind<PunchingControl>},  // and reads what the host answers
 };
 
 }  // namespace

@@ -109,6 +109,8 @@ class Control {
   [[nodiscard]] virtual std::optional<Time_ns> quiet_since() const = 0;
   // The program ended and everything was run.
   [[nodiscard]] virtual bool finished() const = 0;
+  // It begins by itself to send, so it is started when a host is there and not before.
+  [[nodiscard]] virtual bool speaks_first() const { return false; }
 };
 
 // Gets every wire byte that reaches the control, in the order of arrival; of packets the text in them.

@@ -41,7 +41,7 @@ class Fleet::Station {
         cut_after_(find_fault(settings_.control.faults, FaultKind::cut)),
         unplug_after_(find_fault(settings_.control.faults, FaultKind::unplug)),
         deaf_after_(find_fault(settings_.control.faults, FaultKind::half_open)) {
-    control_->start(now_ns());
+    if (!control_->speaks_first()) control_->start(now_ns());
   }
 
   // -1: nothing to wait for. A pty without a host is always "hung up", so it is left out for a moment instead of spun
@@ -62,7 +62,10 @@ class Fleet::Station {
     const Time_ns before = std::exchange(looked_at_, now_ns());
     const std::size_t count = wire_->read(buffer);
     const std::lock_guard lock(mutex_);
-    if (wire_->take_connected() && taken_ == 0) control_->start(now_ns());
+    const bool connected = wire_->take_connected();
+    const bool opened = settings_.link.kind == machine::LinkKind::pty && !hung_up && !reached_;
+    if ((connected && taken_ == 0) || (opened && control_->speaks_first())) control_->start(now_ns());
+    reached_ = reached_ || connected || opened;
     if (count == 0) {
       if (hung_up) rest_until_ = now_ns() + kUnconnectedWait;
       return;
@@ -155,6 +158,7 @@ class Fleet::Station {
   Time_ns looked_at_ = now_ns();
   bool cut_ = false;
   bool deaf_ = false;
+  bool reached_ = false;  // a host was there
 };
 
 // Hundreds of wires are more files than a shell allows by default.

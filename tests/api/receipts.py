@@ -154,7 +154,7 @@ def read_back(bench, job):
     shop.wait_for("the read-back to be expected", lambda: client.job(second["job"])["read_back"])
     bench.punch(b"\x12" + PROGRAM.replace("X50.", "X51.").encode() + b"\x14")
     result = client.job(second["job"])["read_back"]
-    expect(result.startswith("differs: line 8, column 6"), f"{result}")
+    expect(result.startswith("differs: line 8, column 7"), f"{result}")
 
 
 def a_drip_feed_is_armed_by_a_person(folder):
