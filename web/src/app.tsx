@@ -11,6 +11,7 @@ import { Header } from './views/header';
 import { JobView } from './views/job_view';
 import { JobsView } from './views/jobs_view';
 import { MachinesView } from './views/machines_view';
+import { ReceivedView } from './views/received_view';
 import { ReleasesView } from './views/releases_view';
 import { SignIn } from './views/sign_in';
 
@@ -59,5 +60,7 @@ function View({ route }: { route: Route }) {
       return <JobView key={route.id} id={route.id} />;
     case 'releases':
       return <ReleasesView />;
+    case 'received':
+      return <ReceivedView />;
   }
 }

@@ -76,3 +76,10 @@ export const releases = (now) => {
     release({ id: 5, state: 'obsolete', program: 4, revision: 1, machine: 'lathe-4' }),
   ];
 };
+
+// What controls punched: one that differs from the stored program, one that is new, one torn.
+export const receiptsOf = (now) => [
+  { id: 3, machine: 'lathe-1', at_ms: now - 60_000, name: 'O0008', state: 'quarantined', reason: 'its end is missing', sha256: 'c'.repeat(64), bytes: 118, stored: null, program: null, revision: null, decided_by: null, decided_reason: null },
+  { id: 2, machine: 'lathe-1', at_ms: now - 120_000, name: 'O0007', state: 'stored', reason: null, sha256: 'b'.repeat(64), bytes: 402, stored: { program: 7, revision: 2, same: false, difference: 'line 3, column 4: expected "1.", found "2."' }, program: null, revision: null, decided_by: null, decided_reason: null },
+  { id: 1, machine: 'mill-2', at_ms: now - 180_000, name: 'O0100', state: 'stored', reason: null, sha256: 'a'.repeat(64), bytes: 90, stored: null, program: null, revision: null, decided_by: null, decided_reason: null },
+];

@@ -6,19 +6,20 @@ import { readFile } from 'node:fs/promises';
 import http from 'node:http';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { jobsOf, linesOf, machinesOf, programs, releases, textOf } from './mock_data.mjs';
+import { jobsOf, linesOf, machinesOf, programs, receiptsOf, releases, textOf } from './mock_data.mjs';
 
 const kPolicy =
   "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src 'self' data:; font-src " +
   "'self'; form-action 'self'; base-uri 'none'; frame-ancestors 'none'";
 const kTypes = { '.html': 'text/html; charset=utf-8', '.js': 'text/javascript; charset=utf-8', '.css': 'text/css; charset=utf-8', '.svg': 'image/svg+xml', '.map': 'application/json' };
-const kTokens = { viewer: 'viewer', operator: 'operator', admin: 'admin' };
+const kTokens = { viewer: 'viewer', operator: 'operator', programmer: 'programmer', admin: 'admin' };
 const dist = path.join(path.dirname(fileURLToPath(import.meta.url)), '..', 'dist');
 
 export function startMock(port, { empty = false } = {}) {
   const now = Date.now();
   const machines = empty ? [] : machinesOf();
   const jobs = empty ? [] : jobsOf(now);
+  const receipts = empty ? [] : receiptsOf(now);
   const ledgers = new Map();
   const sessions = new Map();
   const streams = new Set();
@@ -196,6 +197,14 @@ export function startMock(port, { empty = false } = {}) {
     }
     if (parts[0] === 'programs' && parts.length === 1) return list(response, programs, query);
     if (parts[0] === 'releases') return list(response, empty ? [] : releases(now), query);
+    if (parts[0] === 'receipts' && get) return list(response, receipts, query);
+    if (parts[0] === 'receipts') {
+      const receipt = receipts.find((r) => r.id === Number(parts[1]));
+      if (!['stored', 'quarantined'].includes(receipt.state)) return problem(response, 409, 'it was decided before');
+      if (parts[2] === 'discard') Object.assign(receipt, { state: 'discarded', decided_by: `${who}-1`, decided_reason: body.reason });
+      if (parts[2] === 'accept') Object.assign(receipt, { state: 'accepted', decided_by: `${who}-1`, program: body.program ?? 99, revision: (body.revision ?? 0) + 1 });
+      return answer(response, 200, receipt);
+    }
     if (parts[0] === 'events') return events(request, response);
     if (parts[0] !== 'jobs') return problem(response, 404, `there is nothing at ${request.url}`);
     if (parts.length === 1 && get) {

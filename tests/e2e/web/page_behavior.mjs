@@ -113,10 +113,32 @@ async function holdsAndStops(page, mock) {
   expect(true, 'an armed job can be taken back');
 }
 
+async function received(page, mock) {
+  await signIn(page, mock.url, 'admin');
+  await page.getByRole('link', { name: 'Received' }).click();
+  const row = (id) => page.locator(`[data-receipt="${id}"]`);
+  await row(3).getByText('in quarantine').waitFor();
+  expect(await row(3).getByText('its end is missing').isVisible(), 'a receipt in quarantine says why');
+  expect((await row(3).getByRole('button', { name: /^Accept/ }).count()) === 0, 'what is in quarantine cannot be accepted');
+  expect(await row(2).getByText(/differs from rev. 2: line 3, column 4/).isVisible(), 'a difference is named');
+  await row(2).getByRole('button', { name: 'Accept receipt 2' }).click();
+  const dialog = page.getByRole('dialog');
+  await dialog.getByText(/becomes revision 3 of program 7/).waitFor();
+  await dialog.getByRole('button', { name: 'Accept' }).click();
+  await row(2).getByText('program 7 rev. 3').waitFor();
+  await row(3).getByRole('button', { name: 'Discard receipt 3' }).click();
+  expect(await dialog.getByRole('button', { name: 'Discard' }).isDisabled(), 'nothing is discarded without a reason');
+  await dialog.getByRole('textbox').fill('torn, punched again');
+  await dialog.getByRole('button', { name: 'Discard' }).click();
+  await row(3).getByText('torn, punched again').waitFor();
+  await shot(page, 'received');
+  expect((await row(3).getByRole('button').count()) === 0, 'what is decided is decided');
+}
+
 async function viewerLooksOnly(page, mock) {
   await signIn(page, mock.url, 'viewer');
   await card(page, 'mill-2').waitFor();
-  for (const view of ['machines', 'jobs', 'releases', 'jobs/41']) {
+  for (const view of ['machines', 'jobs', 'releases', 'received', 'jobs/41']) {
     await page.goto(`${mock.url}/#/${view}`);
     await page.getByRole('heading', { level: 1 }).waitFor();
     await page.waitForTimeout(200);
@@ -128,7 +150,7 @@ async function viewerLooksOnly(page, mock) {
 
 async function narrowScreen(page, mock) {
   await signIn(page, mock.url, 'operator');
-  for (const view of ['machines', 'jobs', 'releases', 'jobs/38']) {
+  for (const view of ['machines', 'jobs', 'releases', 'received', 'jobs/38']) {
     await page.goto(`${mock.url}/#/${view}`);
     await page.waitForTimeout(300);
     const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
@@ -166,6 +188,8 @@ async function emptyServer() {
       await page.getByText(/No job yet/).waitFor();
       await page.getByRole('link', { name: 'New job' }).first().click();
       await page.getByText(/Nothing is proving or approved/).waitFor();
+      await page.getByRole('link', { name: 'Received' }).click();
+      await page.getByText(/Nothing was received yet/).waitFor();
       expect(true, 'an empty server says what is missing');
     });
   } finally {
@@ -178,6 +202,7 @@ await main([
   ['the stream is cut', against({}, cutStream)],
   ['a torn block', against({}, tornBlock)],
   ['holds and stops', against({}, holdsAndStops)],
+  ['what was received', against({}, received)],
   ['a viewer', against({}, viewerLooksOnly)],
   ['a narrow screen', against({ viewport: { width: 360, height: 740 } }, narrowScreen)],
   ['a keyboard alone', against({}, keyboardAlone)],

@@ -1,6 +1,6 @@
 // The calls that this page makes, one function a route.
 import { newOrderKey, request } from './client';
-import type { Job, Ledger, MachineItem, MachineWhole, Page, Program, Release, Session } from './types';
+import type { Job, Ledger, MachineItem, MachineWhole, Page, Program, Receipt, Release, Session, StoredLikeness } from './types';
 
 const enc = encodeURIComponent;
 
@@ -47,6 +47,15 @@ export const calls = {
     request<Job>('POST', `/jobs/${id}/resume`, { body: { reason }, key }),
   ledger: (id: number, limit: number, after: string | null) =>
     request<Ledger>('GET', `/jobs/${id}/ledger?limit=${limit}${after ? `&after=${enc(after)}` : ''}`),
+
+  receipts: () => request<Page<Receipt>>('GET', '/receipts?limit=100'),
+  acceptReceipt: (id: number, stored: StoredLikeness | null, key: string) =>
+    request<Receipt>('POST', `/receipts/${id}/accept`, {
+      body: stored ? { program: stored.program, revision: stored.revision } : {},
+      key,
+    }),
+  discardReceipt: (id: number, reason: string, key: string) =>
+    request<Receipt>('POST', `/receipts/${id}/discard`, { body: { reason }, key }),
 
   releases: () => everything<Release>('/releases'),
   programs: () => everything<Program>('/programs'),

@@ -98,6 +98,7 @@ export interface Job {
   needs_confirmation: boolean;
   confirmed_by: string | null;
   confirm_reason: string | null;
+  read_back?: string | null;
 }
 
 export interface Program {
@@ -122,6 +123,31 @@ export interface Release {
   approved_by: string | null;
   sign_off: string | null;
   changed_at_ms: number;
+}
+
+export type ReceiptState = 'stored' | 'quarantined' | 'accepted' | 'discarded';
+
+export interface StoredLikeness {
+  program: number;
+  revision: number;
+  same: boolean;
+  difference: string | null;
+}
+
+export interface Receipt {
+  id: number;
+  machine: string;
+  at_ms: number;
+  name: string;
+  state: ReceiptState;
+  reason: string | null;
+  sha256: string;
+  bytes: number;
+  stored: StoredLikeness | null;
+  program: number | null;
+  revision: number | null;
+  decided_by: string | null;
+  decided_reason: string | null;
 }
 
 export interface LedgerRow {

@@ -1,6 +1,6 @@
 // The server's names of states and stalls as words for people, with the tone that goes with them. A name that is not
 // in a table is shown as it came: it is never hidden.
-import type { Delivery, JobState, LineState, ReleaseState } from '../api/types';
+import type { Delivery, JobState, LineState, ReceiptState, ReleaseState } from '../api/types';
 
 // What a state asks of the reader; the look of it is in the style sheet, and an icon goes with each.
 export type Tone = 'quiet' | 'ready' | 'active' | 'waiting' | 'good' | 'bad';
@@ -96,6 +96,14 @@ const kDialects: Record<string, string> = {
 };
 
 const unknown = (name: string): Wording => ({ text: name, tone: 'waiting' });
+
+const kReceipts: Record<ReceiptState, Wording> = {
+  stored: { text: 'waits for a decision', tone: 'ready' },
+  quarantined: { text: 'in quarantine', tone: 'bad' },
+  accepted: { text: 'accepted', tone: 'good' },
+  discarded: { text: 'discarded', tone: 'quiet' },
+};
+export const receiptWording = (state: ReceiptState): Wording => kReceipts[state] ?? unknown(state);
 
 export const lineWording = (state: LineState): Wording => kLines[state] ?? unknown(state);
 export const jobWording = (state: JobState): Wording => kJobs[state] ?? unknown(state);

@@ -9,6 +9,7 @@ const kPlaces: { route: Route; label: string }[] = [
   { route: { view: 'machines' }, label: 'Machines' },
   { route: { view: 'jobs' }, label: 'Jobs' },
   { route: { view: 'releases' }, label: 'New job' },
+  { route: { view: 'received' }, label: 'Received' },
 ];
 
 export function Header({ route }: { route: Route }) {

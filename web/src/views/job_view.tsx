@@ -55,6 +55,12 @@ export function JobView({ id }: { id: number }) {
                 </dd>
                 <dt>Machine</dt>
                 <dd>{job.machine}</dd>
+                {job.read_back && (
+                  <>
+                    <dt>Read-back</dt>
+                    <dd>{job.read_back}</dd>
+                  </>
+                )}
                 <dt>Link</dt>
                 <dd>
                   <code>{job.link}</code>
