@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "protocol/receive/state.h"
+#include "protocol/tape_code/eia.h"
 #include "protocol/tape_code/framing.h"
 
 namespace dripfeed::receive {
@@ -26,7 +27,8 @@ enum class Hold : std::uint8_t { none, dc3, rts };
 struct Settings {
   tape_code::EighthBit eighth_bit = tape_code::EighthBit::even;  // what bit 7 carries on this line
   bool eia = false;                                              // the control punches EIA for certain
-  bool eia_known = false;                             // false: a reception that begins with the stop code of EIA is EIA
+  bool eia_known = false;  // false: a reception that begins with the stop code of EIA is EIA
+  tape_code::EiaSpecials eia_specials{};
   Time quiet = std::chrono::seconds(5);               // without an end sign this long silence ends a reception
   Time short_quiet = std::chrono::milliseconds(500);  // behind the final '%'
   std::optional<std::uint8_t> end_character{};        // EOT, ETX, SUB … (7 bits), where the profile has one

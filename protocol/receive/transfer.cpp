@@ -20,7 +20,7 @@ struct FaultRow {
   std::string_view name;
   std::string_view message;
 };
-constexpr std::array<FaultRow, 11> kFaults{{
+constexpr std::array<FaultRow, 10> kFaults{{
     {"", "it is whole"},
     {"empty", "nothing but leader came"},
     {"device", "the device server spoke, not the control"},
@@ -31,7 +31,6 @@ constexpr std::array<FaultRow, 11> kFaults{{
     {"interrupted", "the control was reset or began to read before the end"},
     {"no_start", "it has a final % and no first one"},
     {"no_end", "its end is missing"},
-    {"unknown_code", "its code is not the line's"},
 }};
 constexpr std::array<std::string_view, 3> kCodes{"ascii", "iso", "eia"};
 
@@ -109,6 +108,38 @@ Fault fault_of(const Transfer& transfer, const Ending& ending, bool binary, bool
   return no_sign || !has_eob ? Fault::no_end : Fault::none;
 }
 
+// EIA by its own table; a blank inside is an error there. True where there is one.
+bool read_eia(std::span<const std::byte> raw, const Settings& settings, Transfer& transfer) {
+  tape_code::WireDecoder decoder(tape_code::DecodeFormat{
+      .eighth_bit = EighthBit::data, .eia = settings.eia_specials, .label = tape_code::Label::keep});
+  decoder.decode(raw, transfer.text);
+  decoder.finish(transfer.text);
+  transfer.parity_errors = decoder.parity_errors();
+  transfer.first_parity_error = decoder.first_parity_error();
+  return decoder.blanks_inside() > 0;
+}
+
+// The text without what surrounds it, and the verdict.
+void finish(Transfer& transfer, const Ending& ending, bool binary) {
+  transfer.text.erase(0, transfer.text.find_first_not_of("\n "));
+  const std::size_t last = transfer.text.find_last_not_of("\n ");
+  if (last == std::string::npos) {
+    transfer.text.clear();
+    transfer.fault = ending.by == EndedBy::too_long ? Fault::too_long : Fault::empty;
+    return;
+  }
+  const bool has_eob = transfer.text.find('\n', last) != std::string::npos || transfer.text.find('\n') < last;
+  transfer.text.resize(last + 1);
+  // Noise on an open cable: a few characters that end no block.
+  if (!has_eob && transfer.text.size() < kShortestText && transfer.text.find('%') == std::string::npos) {
+    transfer.fault = Fault::empty;
+    return;
+  }
+  transfer.text += '\n';
+  transfer.device = device_text(transfer.text);
+  transfer.fault = transfer.device.empty() ? fault_of(transfer, ending, binary, has_eob) : Fault::device_text;
+}
+
 }  // namespace
 
 std::string_view name(Fault fault) { return kFaults[static_cast<std::size_t>(fault)].name; }
@@ -119,7 +150,8 @@ Transfer judge(std::span<const std::byte> raw, const Ending& ending, const Setti
   Transfer transfer;
   if (ending.eia) {
     transfer.code = TextCode::eia;
-    transfer.fault = Fault::unknown_code;
+    const bool blanks = read_eia(raw, settings, transfer);
+    finish(transfer, ending, blanks);
     return transfer;
   }
   const EighthBit eighth = bit_seven(count(raw), settings.eighth_bit);
@@ -140,23 +172,7 @@ Transfer judge(std::span<const std::byte> raw, const Ending& ending, const Setti
     binary = binary || (!is_text(character) && character != '\r');
   }
   eobs.finish(transfer.text);
-  transfer.text.erase(0, transfer.text.find_first_not_of("\n "));
-  const std::size_t last = transfer.text.find_last_not_of("\n ");
-  if (last == std::string::npos) {
-    transfer.text.clear();
-    transfer.fault = ending.by == EndedBy::too_long ? Fault::too_long : Fault::empty;
-    return transfer;
-  }
-  const bool has_eob = transfer.text.find('\n', last) != std::string::npos || transfer.text.find('\n') < last;
-  transfer.text.resize(last + 1);
-  // Noise on an open cable: a few characters that end no block.
-  if (!has_eob && transfer.text.size() < kShortestText && transfer.text.find('%') == std::string::npos) {
-    transfer.fault = Fault::empty;
-    return transfer;
-  }
-  transfer.text += '\n';
-  transfer.device = device_text(transfer.text);
-  transfer.fault = transfer.device.empty() ? fault_of(transfer, ending, binary, has_eob) : Fault::device_text;
+  finish(transfer, ending, binary);
   return transfer;
 }
 

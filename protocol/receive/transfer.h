@@ -22,10 +22,9 @@ enum class Fault : std::uint8_t {
   link_lost,
   parity,
   binary,
-  interrupted,   // the control was reset or began to read before the end
-  no_start,      // a final '%' and no first one
-  no_end,        // no final '%', or no DC4 behind DC2
-  unknown_code,  // EIA, where this line's code is not
+  interrupted,  // the control was reset or began to read before the end
+  no_start,     // a final '%' and no first one
+  no_end,       // no final '%', or no DC4 behind DC2
 };
 std::string_view name(Fault fault);
 std::string_view message(Fault fault);

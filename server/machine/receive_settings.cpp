@@ -9,6 +9,9 @@ receive::Settings receive_settings_of(const LineSettings& line) {
   const ReceiveSettings& given = line.receive;
   receive::Settings settings;
   settings.eighth_bit = tape_code::eighth_bit(line.framing, line.code, tape_code::ParityBy::software);
+  settings.eia = line.code == tape_code::Code::eia;
+  settings.eia_known = settings.eia;
+  settings.eia_specials = line.eia_specials;
   settings.quiet = receive::Time(static_cast<std::int64_t>(given.quiet_s * 1e9));
   settings.short_quiet = receive::Time(static_cast<std::int64_t>(given.quiet_after_end_s * 1e9));
   settings.end_character = given.end_character;
