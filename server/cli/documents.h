@@ -10,6 +10,7 @@
 #include "dialects/compile/render.h"
 #include "protocol/receive/transfer.h"
 #include "server/app/line.h"
+#include "server/app/link_test.h"
 #include "server/simulator/fleet.h"
 
 namespace dripfeed::cli {
@@ -21,6 +22,7 @@ struct WireHashes {
 
 std::string run_document(const interpreter::RunResult& result);
 std::string render_document(const compile::RenderResult& result);
+std::string link_test_document(const app::LinkTestResult& result, const machine::LineSettings& line, bool kept);
 std::string send_document(const app::LineReport& report, const WireHashes& hashes);
 // `output`: the file that it went to.
 std::string receive_document(const app::Reception& reception, const receive::Transfer& transfer, std::string_view name,
