@@ -29,4 +29,9 @@ std::string_view name_of(feed::Stall stall) {
   return kNames[static_cast<std::size_t>(stall)];
 }
 
+void tell_link(const Link& link, LineReport& report) {
+  report.line_errors = link.errors();
+  if (report.link_note != link.note()) report.link_note = link.note();
+}
+
 }  // namespace dripfeed::app

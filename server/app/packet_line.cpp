@@ -233,6 +233,7 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
     const packet::Cause cause = sender_.end_cause();
     report_.cause = cause == packet::Cause::none ? std::string_view() : packet::name(cause);
     if (report_.link_error != link_error_) report_.link_error = link_error_;
+    if (link_) tell_link(*link_, report_);
     report_.total = sender_.total_bytes();
     report_.handed = counters.handed;
     report_.clocked = counters.clocked;
