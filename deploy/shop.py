@@ -169,7 +169,7 @@ class Control:
         if self.link.startswith("pty:"):
             path = self.link.split("?")[0][4:]
             wait_for(f"the simulated control at {path}", lambda: os.path.exists(path) or self._over())
-        elif self.link.startswith("tcp-listen:"):
+        elif self.link.startswith(("tcp-listen:", "rfc2217-listen:")):
             port = int(self.link.split("?")[0].rsplit(":", 1)[1])
             wait_for(f"the simulated control at port {port}", lambda: listens(port) or self._over())
         return self

@@ -26,6 +26,7 @@ constexpr std::array kSchemes = {
     Scheme{"tcp-listen", LinkKind::tcp_listen, "//", false, false},
     Scheme{"dir", LinkKind::dir, "", true, false},
     Scheme{"rfc2217", LinkKind::rfc2217, "//", false, false},
+    Scheme{"rfc2217-listen", LinkKind::rfc2217_listen, "//", false, false},
     Scheme{"modbus-tcp", LinkKind::modbus_tcp, "//", false, true},
     Scheme{"modbus-rtu", LinkKind::modbus_rtu, "", true, false},
 };
@@ -83,7 +84,8 @@ std::expected<void, std::string> read_address(std::string_view address, const Sc
   url.port = static_cast<std::uint16_t>(*port);
   url.host = address.substr(0, colon);
   if (url.host.starts_with('[') && url.host.ends_with(']')) url.host = url.host.substr(1, url.host.size() - 2);
-  const bool may_listen = scheme.kind == LinkKind::tcp_listen || scheme.kind == LinkKind::modbus_tcp;
+  const bool may_listen = scheme.kind == LinkKind::tcp_listen || scheme.kind == LinkKind::rfc2217_listen ||
+                          scheme.kind == LinkKind::modbus_tcp;
   if (url.host.empty() && !may_listen) return std::unexpected(std::string("there is no host"));
   return {};
 }

@@ -11,7 +11,17 @@
 
 namespace dripfeed::machine {
 
-enum class LinkKind : std::uint8_t { serial, tcp, tcp_listen, rfc2217, modbus_tcp, pty, dir, modbus_rtu };
+enum class LinkKind : std::uint8_t {
+  serial,
+  tcp,
+  tcp_listen,
+  rfc2217,
+  rfc2217_listen,
+  modbus_tcp,
+  pty,
+  dir,
+  modbus_rtu
+};
 std::string_view name_of(LinkKind kind);
 
 struct LinkUrl {

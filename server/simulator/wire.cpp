@@ -16,6 +16,8 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "server/simulator/telnet_wire.h"
+
 namespace dripfeed::simulator {
 
 namespace {
@@ -157,7 +159,13 @@ Opened open_tcp(const machine::LinkUrl& url) {
 Opened Wire::open(const machine::LinkUrl& url) {
   if (url.kind == machine::LinkKind::pty) return open_pty(url);
   if (url.kind == machine::LinkKind::tcp_listen) return open_tcp(url);
-  return std::unexpected(fmt::format("{}: a simulated control lives on pty:/path or tcp-listen://:port", url.text));
+  if (url.kind == machine::LinkKind::rfc2217_listen) {
+    auto socket = open_tcp(url);
+    if (!socket) return socket;
+    return behind_telnet(std::move(*socket));
+  }
+  return std::unexpected(fmt::format(
+      "{}: a simulated control lives on pty:/path, tcp-listen://:port or rfc2217-listen://:port", url.text));
 }
 
 }  // namespace dripfeed::simulator
