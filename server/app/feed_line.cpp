@@ -350,11 +350,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     report_.char_s = to_seconds(feed_.paced_char_time());
     report_.unarmed_starts = unarmed_starts_;
     if (report_.link_error != link_error_) report_.link_error = link_error_;
-<<<<<<< HEAD
-    if (link_) {
-      report_.line_errors = link_->errors();
-      if (report_.link_note != link_->note()) report_.link_note = link_->note();
-    }
+    if (link_) tell_link(*link_, report_);
     if (!changed) return;
     ++report_.changes;
     changed_();
@@ -362,9 +358,6 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
 
   void publish_job(const feed::Counters& counters) {
     report_.cause = feed_.end_cause() == feed::Cause::none ? std::string_view() : feed::name(feed_.end_cause());
-=======
-    if (link_) tell_link(*link_, report_);
->>>>>>> ad691fe (app: packet lines tell what their link tells)
     report_.total = feed_.wire_bytes();
     report_.handed = counters.handed;
     report_.clocked = counters.clocked;

@@ -85,7 +85,6 @@ struct LineOrder {
   std::string file_name{};    // for a folder: the name under which the control fetches it
 };
 
-<<<<<<< HEAD
 // What a control punched, as it came.
 struct Reception {
   std::vector<std::byte> raw;
@@ -99,10 +98,9 @@ struct Answer {
   std::shared_ptr<tape_code::TextSource> source;
   feed::Time expires_after = feed::kArmingExpiry;
 };
-=======
+
 // What the link itself tells, into the report. Cheap while nothing changes.
 void tell_link(const Link& link, LineReport& report);
->>>>>>> ad691fe (app: packet lines tell what their link tells)
 
 class Line {
  public:
