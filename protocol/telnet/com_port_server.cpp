@@ -69,8 +69,13 @@ void ComPortServer::on_negotiation(Verb verb, std::uint8_t option) {
   options_.receive(verb, option, out_);
   decoder_.set_binary(options_.theirs(kBinary) == Options::Side::on);
   if (option != kComPort) return;
-  const bool before = std::exchange(offered_, options_.theirs(kComPort) == Options::Side::on);
-  if (offered_ && !before) answer_octet(ComPort::notify_modemstate, static_cast<std::uint8_t>(modem_ & modem_mask_));
+  if (options_.theirs(kComPort) == Options::Side::on) return accept();
+  offered_ = false;
+}
+
+void ComPortServer::accept() {
+  if (std::exchange(offered_, true)) return;
+  answer_octet(ComPort::notify_modemstate, static_cast<std::uint8_t>(modem_ & modem_mask_));
 }
 
 void ComPortServer::on_baud(std::span<const std::uint8_t> value) {
@@ -108,7 +113,10 @@ void ComPortServer::on_control(std::uint8_t value) {
 }
 
 void ComPortServer::on_subnegotiation(std::uint8_t option, std::span<const std::uint8_t> parameters) {
-  if (option != kComPort || parameters.empty() || !offered_) return;
+  if (option != kComPort || parameters.empty()) return;
+  // A client that takes our DO for the answer to a WILL that it never sent uses the option all the same.
+  if (options_.theirs(kComPort) == Options::Side::asked) accept();
+  if (!offered_) return;
   const auto command = static_cast<ComPort>(parameters[0]);
   const std::span<const std::uint8_t> value = parameters.subspan(1);
   for (const OctetRow& row : kOctetRows) {

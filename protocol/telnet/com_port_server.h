@@ -55,6 +55,7 @@ class ComPortServer : private DecoderSink {
  private:
   void on_negotiation(Verb verb, std::uint8_t option) override;
   void on_subnegotiation(std::uint8_t option, std::span<const std::uint8_t> parameters) override;
+  void accept();
   void on_baud(std::span<const std::uint8_t> value);
   void on_control(std::uint8_t value);
   void answer(ComPort command, std::span<const std::uint8_t> value);

@@ -95,5 +95,24 @@ TEST(TelnetPair, CarriesEveryByteBothWays) {
   }
 }
 
+std::string answer_to(telnet::ComPortServer& server, const std::string& wire) {
+  std::vector<std::byte> bytes;
+  for (const char c : characters(wire)) bytes.push_back(static_cast<std::byte>(c));
+  std::vector<std::byte> data(bytes.size());
+  server.receive(bytes, data);
+  std::string out;
+  for (const std::byte byte : server.pending_out()) out += static_cast<char>(byte);
+  server.mark_sent(server.pending_out().size());
+  return out;
+}
+
+TEST(TelnetServer, AnswersAClientThatNeverSaidWill) {
+  telnet::ComPortServer server;
+  server.begin();
+  server.mark_sent(server.pending_out().size());
+  EXPECT_EQ(answer_to(server, "FF FA 2C 02 07 FF F0"), characters("FF FA 2C 6B 00 FF F0 FF FA 2C 66 07 FF F0"));
+  EXPECT_EQ(answer_to(server, "FF FC 2C FF FA 2C 02 08 FF F0"), "") << "one that said WONT gets nothing";
+}
+
 }  // namespace
 }  // namespace dripfeed::wire
