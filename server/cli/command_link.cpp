@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/text/number.h"
 #include "server/app/link_test.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"
@@ -37,13 +38,13 @@ app::Result<machine::LineSettings> line_of(const Options& options) {
   return std::move(*effective);
 }
 
-double ms(feed::Time time) { return static_cast<double>(time.count()) * 1e-6; }
+std::string ms(feed::Time time) { return text::format_fixed(static_cast<double>(time.count()) * 1e-6, 3); }
 
 void print_text(const app::LinkTestResult& r, const machine::LineSettings& line, bool kept) {
   const auto median = r.latencies[r.latencies.size() / 2];
-  fmt::print("one character takes {:.3f} ms\n", ms(r.char_time));
-  fmt::print("latency beyond it: median {:.3f} ms, worst {:.3f} ms of {}: {} characters\n", ms(median),
-             ms(r.latencies.back()), r.latencies.size(), r.latency_chars);
+  fmt::print("one character takes {} ms\n", ms(r.char_time));
+  fmt::print("latency beyond it: median {} ms, worst {} ms of {}: {} characters\n", ms(median), ms(r.latencies.back()),
+             r.latencies.size(), r.latency_chars);
   fmt::print("characters after DC3: median {}, worst {} of {} holds\n", r.after_dc3[r.after_dc3.size() / 2],
              r.after_dc3.back(), r.after_dc3.size());
   fmt::print("characters sent {}, came back wrong {}; the UART counted {} parity, {} framing, {} overrun, {} break\n",
