@@ -103,6 +103,7 @@ def receipts_are_decided_once(folder):
     bench.control.wait_called(2)
     client.wait_line("lathe", "idle")
     expect(len(client.get("/receipts?limit=200")["items"]) == 5, "the words of a device server were stored")
+    pages_meet_each_once(client, "/receipts")
     bench.end()
 
 
@@ -135,7 +136,20 @@ def requests_are_answered(folder):
     expect("CANCELLED" in text and client.job(first["job"])["state"] == "cancelled", f"{noted} {text!r}")
     real = bench.punch(b"%\nO9999(MY PROGRAM)\nM30\n%\n")
     expect(real["name"] == "O9999", "a real O9999 is lost")
+    pages_meet_each_once(client, "/requests")
     bench.end()
+
+
+def pages_meet_each_once(client, path):
+    whole = [item["id"] for item in client.get(f"{path}?limit=200")["items"]]
+    expect(len(whole) == len(set(whole)) >= 5, f"{path}: {whole}")
+    for limit in (1, 2, len(whole)):
+        found, after = [], ""
+        while after is not None:
+            page = client.get(f"{path}?limit={limit}{after}")
+            found += [item["id"] for item in page["items"]]
+            after = f"&after={page['next']}" if page["next"] else None
+        expect(found == whole, f"{path} by {limit}: {found}, not {whole}")
 
 
 def read_back(bench, job):
