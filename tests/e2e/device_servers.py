@@ -180,7 +180,7 @@ def pyserial_as_client(folder):
     import serial
     port = rig.shop.free_port()
     machine = profile(folder, "pty:/unused")
-    control = rig.shop.Control(rig.binary(), f"rfc2217-listen://127.0.0.1:{port}?framing=7E2", machine, "--speed", "50").start()
+    control = rig.shop.Control(rig.binary(), f"rfc2217-listen://127.0.0.1:{port}?framing=7E2", machine, "--operator", "0.5", "--speed", "50").start()
     try:
         line = serial.serial_for_url(f"rfc2217://127.0.0.1:{port}", baudrate=4800, bytesize=7, parity="E", stopbits=2, timeout=5)
         rig.expect(line.cts and line.dsr, "the control's lines are on")
@@ -193,7 +193,7 @@ def pyserial_as_client(folder):
         line.close()
     finally:
         report = control.stop()
-    rig.expect(report["parity_errors"] == 0 and report["bytes"] == 12, f"{report}")
+    rig.expect(report["parity_errors"] == 0 and report["bytes"] == 11, f"{report}")
 
 
 if __name__ == "__main__":
