@@ -61,7 +61,7 @@ def load(server, binary, folder, until):
 
     def check():
         while time.monotonic() < until:
-            subprocess.run(["nice", "-n", "19", str(binary), "check", str(big), "--machine", "fanuc-0i-lathe", "--json"], stdout=subprocess.DEVNULL, check=False)
+            subprocess.run(["nice", "-n", "19", str(binary), "check", str(big), "--machine", "fanuc-0i-lathe", "--json"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
 
     def backup():
         while time.monotonic() < until:
@@ -101,7 +101,9 @@ def run(given, folder):
     for n, name in enumerate(names, 1):
         profile["name"], profile["link"]["url"] = name, f"pty:{folder}/line-{n}"
         server.add_machine(profile)
-        server.post("/checks", {"program": program["id"], "machine": name, "delivery": "drip"})
+        check = server.post("/checks", {"program": program["id"], "machine": name, "delivery": "drip"})
+        if check["verdict"] == "warn":  # a line of 9600 baud starves such a program, and here it is meant to
+            server.post(f"/checks/{check['id']}/waivers", {"reason": "a program for the bench"})
         release[name] = server.release(program["id"], name)["id"]
     print(f"{len(names)} machines are set up", flush=True)
     arm_all(server, release, names)
