@@ -23,21 +23,6 @@ struct Options {
   bool json = false;
 };
 
-app::Result<machine::LineSettings> line_of(const Options& options) {
-  auto link = machine::parse_link_url(options.link);
-  if (!link) return app::fail(app::ErrorCode::invalid, link.error());
-  machine::LineSettings line;
-  if (!options.machine.empty()) {
-    auto profile = read_machine(options.machine);
-    if (!profile) return std::unexpected(profile.error());
-    line = std::move(profile->line);
-  }
-  line.link = std::move(*link);
-  auto effective = machine::effective_line(line);
-  if (!effective) return app::fail(app::ErrorCode::invalid, effective.error());
-  return std::move(*effective);
-}
-
 std::string ms(feed::Time time) { return text::format_fixed(static_cast<double>(time.count()) * 1e-6, 3); }
 
 void print_text(const app::LinkTestResult& r, const machine::LineSettings& line, bool kept) {
@@ -57,24 +42,24 @@ void print_text(const app::LinkTestResult& r, const machine::LineSettings& line,
 }
 
 int link_test(const Options& options) {
-  const auto line = line_of(options);
-  if (!line) {
-    print_error(line.error());
+  const auto profile = read_machine_at(options.link, options.machine);
+  if (!profile) {
+    print_error(profile.error());
     return kWrongUse;
   }
+  const machine::LineSettings& line = profile->line;
   const auto thread = io::start_link_thread();
-  const auto result =
-      app::test_link(*line, *thread,
-                     {.round_trips = options.round_trips, .holds = options.holds, .patience = std::chrono::seconds(3)});
+  const auto result = app::test_link(
+      line, *thread, {.round_trips = options.round_trips, .holds = options.holds, .patience = std::chrono::seconds(3)});
   if (!result) {
     print_error(fmt::format("{}: {}", options.link, result.error()));
     return kFailed;
   }
-  const bool kept = result->wrong == 0 && result->after_dc3.back() <= line->overrun_budget;
+  const bool kept = result->wrong == 0 && result->after_dc3.back() <= line.overrun_budget;
   if (options.json) {
-    fmt::print("{}", link_test_document(*result, *line, kept));
+    fmt::print("{}", link_test_document(*result, line, kept));
   } else {
-    print_text(*result, *line, kept);
+    print_text(*result, line, kept);
   }
   return kept ? kDone : kFailed;
 }

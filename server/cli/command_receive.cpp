@@ -33,23 +33,6 @@ struct Options {
   bool json = false;
 };
 
-app::Result<machine::Profile> profile_for(const Options& options) {
-  auto link = machine::parse_link_url(options.link);
-  if (!link) return app::fail(app::ErrorCode::invalid, link.error());
-  machine::Profile profile;
-  if (!options.machine.empty()) {
-    auto read = read_machine(options.machine);
-    if (!read) return read;
-    profile = std::move(*read);
-  }
-  profile.line.link = std::move(*link);
-  profile.line.receive.enabled = true;
-  auto line = machine::effective_line(profile.line);
-  if (!line) return app::fail(app::ErrorCode::invalid, line.error());
-  profile.line = std::move(*line);
-  return profile;
-}
-
 // The first reception that is more than noise. Nothing when none began in time, or a signal came.
 app::Result<std::optional<app::Reception>> wait_for(const machine::Profile& profile, const Options& options,
                                                     const std::stop_token& stop) {
@@ -97,11 +80,12 @@ int keep(const app::Reception& reception, const Options& options) {
 
 int receive_one(const Options& options) {
   const std::stop_token stop = stop_by_signal();
-  const auto profile = profile_for(options);
+  auto profile = read_machine_at(options.link, options.machine);
   if (!profile) {
     print_error(profile.error());
     return kWrongUse;
   }
+  profile->line.receive.enabled = true;
   const auto received = wait_for(*profile, options, stop);
   if (!received) {
     print_error(received.error());

@@ -48,22 +48,6 @@ std::string with_lf(std::string_view text) {
   return out;
 }
 
-app::Result<machine::Profile> profile_for(const Options& options) {
-  auto link = machine::parse_link_url(options.link);
-  if (!link) return app::fail(app::ErrorCode::invalid, link.error());
-  machine::Profile profile;
-  if (!options.machine.empty()) {
-    auto read = read_machine(options.machine);
-    if (!read) return read;
-    profile = std::move(*read);
-  }
-  profile.line.link = std::move(*link);
-  auto line = machine::effective_line(profile.line);
-  if (!line) return app::fail(app::ErrorCode::invalid, line.error());
-  profile.line = std::move(*line);
-  return profile;
-}
-
 app::Result<feed::ProgramFacts> facts_of(const std::string& text, const machine::Profile& profile,
                                          const std::string& file) {
   tape_code::CharacterCheck characters(machine::characters_of(profile.line));
@@ -177,7 +161,7 @@ int send(const Options& options) {
     return kWrongUse;
   }
   const auto source = read_source(options.file);
-  const auto profile = profile_for(options);
+  const auto profile = read_machine_at(options.link, options.machine);
   if (!source || !profile) {
     print_error(!source ? source.error() : profile.error());
     return kWrongUse;

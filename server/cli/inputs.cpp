@@ -150,6 +150,22 @@ app::Result<machine::Profile> read_machine(const std::string& name_or_path) {
   return profile;
 }
 
+app::Result<machine::Profile> read_machine_at(const std::string& link, const std::string& name_or_path) {
+  auto url = machine::parse_link_url(link);
+  if (!url) return app::fail(app::ErrorCode::invalid, url.error());
+  machine::Profile profile;
+  if (!name_or_path.empty()) {
+    auto read = read_machine(name_or_path);
+    if (!read) return read;
+    profile = std::move(*read);
+  }
+  profile.line.link = std::move(*url);
+  auto line = machine::effective_line(profile.line);
+  if (!line) return app::fail(app::ErrorCode::invalid, line.error());
+  profile.line = std::move(*line);
+  return profile;
+}
+
 app::Result<ChosenControl> choose_control(const TextOptions& options) {
   if (!options.machine.empty()) return control_of_machine(options.machine);
   if (options.dialect.empty())

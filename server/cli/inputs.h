@@ -35,6 +35,9 @@ app::Result<text::Source> read_machine_document(const std::string& name_or_path)
 // The profile of a file, or of the preset with that name.
 app::Result<machine::Profile> read_machine(const std::string& name_or_path);
 
+// The profile of that machine, or the usual one for "", reached at this link whose options are laid over its line.
+app::Result<machine::Profile> read_machine_at(const std::string& link, const std::string& name_or_path);
+
 // Files of the project that the command finds without being told: presets. $DRIPFEED_SHARE, beside the binary,
 // /usr/share/dripfeed.
 std::optional<std::string> find_shared(std::string_view relative);
