@@ -19,6 +19,7 @@
 #include <unistd.h>
 
 #include "protocol/tape_code/wire_encoder.h"
+#include "store/hash/hash.h"
 
 namespace dripfeed::app {
 
@@ -65,27 +66,20 @@ struct Drop {
   std::optional<tape_code::WireEncoder> encoder;
   std::uint64_t total = 0;
   std::uint64_t written = 0;
-  std::uint64_t sum = 0;  // of what was written, to compare with what is read back
+  hash::Sha256 sum;  // of what was written, to compare with what is read back
   bool cancelled = false;
 };
 
-// FNV-1a: tells a write that went wrong below from one that did not; no proof against a forger.
-std::uint64_t sum_on(std::uint64_t sum, std::span<const std::byte> bytes) {
-  for (const std::byte byte : bytes) sum = (sum ^ static_cast<std::uint64_t>(byte)) * 1'099'511'628'211ULL;
-  return sum;
-}
-constexpr std::uint64_t kSumStart = 14'695'981'039'346'656'037ULL;
-
-std::expected<std::uint64_t, std::string> sum_of_file(const std::string& path) {
+std::expected<std::string, std::string> sha256_of_file(const std::string& path) {
   const File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (!file) return std::unexpected(system_text());
   std::array<std::byte, kPiece> piece{};
-  std::uint64_t sum = kSumStart;
+  hash::Sha256 sum;
   for (;;) {
     const ssize_t count = ::read(file.get(), piece.data(), piece.size());
     if (count < 0) return std::unexpected(system_text());
-    if (count == 0) return sum;
-    sum = sum_on(sum, std::span(piece).first(static_cast<std::size_t>(count)));
+    if (count == 0) return sum.hex();
+    sum.add(std::span<const std::byte>(piece).first(static_cast<std::size_t>(count)));
   }
 }
 
@@ -116,7 +110,6 @@ class DropLine final : public Line {
     Drop drop(std::move(order));
     drop.unnamed = fmt::format("{}/{}{}", folder_, kUnnamed, drop.order.job);
     drop.total = tape_code::wire_length(format_, drop.order.facts.text_bytes(), drop.order.facts.eobs());
-    drop.sum = kSumStart;
     ::unlink(drop.unnamed.c_str());  // of a job that a lost power left
     drop.file = File(::open(drop.unnamed.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
     if (!drop.file) return std::unexpected(fmt::format("cannot write to {}: {}", folder_, system_text()));
@@ -205,7 +198,7 @@ class DropLine final : public Line {
   }
 
   bool store(std::span<const std::byte> bytes) {
-    drop_->sum = sum_on(drop_->sum, bytes);
+    drop_->sum.add(bytes);
     while (!bytes.empty()) {
       const ssize_t count = ::write(drop_->file.get(), bytes.data(), bytes.size());
       if (count < 0 && errno == EINTR) continue;
@@ -224,8 +217,8 @@ class DropLine final : public Line {
   bool name_it() {
     publish(LineState::draining, "");
     if (::fsync(drop_->file.get()) != 0) return end(JobEnd::failed, "the folder does not take the file");
-    const auto read_back = sum_of_file(drop_->unnamed);
-    if (!read_back || *read_back != drop_->sum)
+    const auto read_back = sha256_of_file(drop_->unnamed);
+    if (!read_back || *read_back != drop_->sum.hex())
       return end(JobEnd::failed, "the file reads back otherwise than written");
     const std::string path = fmt::format("{}/{}", folder_, drop_->order.file_name);
     if (overwrite_) {
@@ -248,8 +241,8 @@ class DropLine final : public Line {
   }
 
   bool taken(const std::string& path) {
-    const auto there = sum_of_file(path);
-    if (!there || *there != drop_->sum) return end(JobEnd::failed, "another program lies there under this name");
+    const auto there = sha256_of_file(path);
+    if (!there || *there != drop_->sum.hex()) return end(JobEnd::failed, "another program lies there under this name");
     ::unlink(drop_->unnamed.c_str());
     return whole();  // the same text lies there already
   }
