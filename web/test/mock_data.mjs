@@ -1,7 +1,7 @@
 // What the mock server tells of: machines in each state of a line, jobs, programs and releases.
 
 const status = (change) => ({
-  line: 'idle', stall: null, link_error: null, link_note: null, line_errors: { parity: 0, framing: 0, overrun: 0, breaks: 0 }, job: null, handed: 0, clocked: 0, confirmed: 0, confirms: false,
+  line: 'idle', stall: null, link_error: null, link_note: null, plc: null, line_errors: { parity: 0, framing: 0, overrun: 0, breaks: 0 }, job: null, handed: 0, clocked: 0, confirmed: 0, confirms: false,
   estimated: false, total: 0, block_from: 0, block: 0, holds: 0, hold_s: 0, line_use: 0, program: '', block_text: '',
   needs_confirmation: null, ...change,
 });

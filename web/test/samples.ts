@@ -6,6 +6,7 @@ export const statusOf = (change: Partial<MachineStatus> = {}): MachineStatus => 
   stall: null,
   link_error: null,
   link_note: null,
+  plc: null,
   line_errors: { parity: 0, framing: 0, overrun: 0, breaks: 0 },
   job: null,
   handed: 0,

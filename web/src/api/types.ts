@@ -30,6 +30,15 @@ export interface LineReport {
   holds: number;
   hold_s: number;
   line_use: number;
+  plc: PlcReport | null;
+}
+
+// What the machine's PLC says of it: 0 is none, or not known.
+export interface PlcReport {
+  state: string;
+  program: number;
+  line: number;
+  alarm: number;
 }
 
 export interface TornBlock {

@@ -46,6 +46,9 @@ const kStalls: Record<string, string> = {
   held_by_person: 'stopped by a person at a block end',
   waiting_for_credit: 'waiting for room in the control’s buffer',
   waiting_for_receiver: 'waiting for the receiver',
+  machine_held: 'the machine is held (feed hold)',
+  machine_alarm: 'the machine has an alarm',
+  machine_in_emergency_stop: 'the machine is in emergency stop',
   stopped: 'stopped: something does not fit, a person must look',
 };
 

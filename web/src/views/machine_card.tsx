@@ -1,5 +1,5 @@
 // One machine: what it is, what its line does, and the job on it with the orders that it takes.
-import type { Job } from '../api/types';
+import type { Job, PlcReport } from '../api/types';
 import { positionText } from '../format/intervals';
 import { count } from '../format/numbers';
 import { clockTime, countdown, duration } from '../format/times';
@@ -42,12 +42,25 @@ export function MachineCard({ entry }: { entry: MachineEntry }) {
       )}
       {status.link_error && <p class="stall">Link: {status.link_error}</p>}
       {status.link_note && <p class="quiet-text">Link: {status.link_note}</p>}
+      {status.plc && <PlcWords plc={status.plc} />}
       <LineErrors errors={status.line_errors} />
       {onLine && status.job !== null && <OnLine entry={entry} id={status.job} job={job} />}
       {!onLine && !torn && job && <LastJob job={job} />}
       {!onLine && !torn && !job && <p class="quiet-text">No job on the line.</p>}
       {!onLine && <Queue machine={item.name} />}
     </article>
+  );
+}
+
+// What the machine's PLC says of it.
+function PlcWords({ plc }: { plc: PlcReport }) {
+  return (
+    <p class={plc.alarm > 0 ? 'stall' : 'quiet-text'}>
+      Machine: {plc.state}
+      {plc.program > 0 && `, program ${plc.program}`}
+      {plc.line > 0 && `, line ${plc.line}`}
+      {plc.alarm > 0 && `, alarm ${plc.alarm}`}
+    </p>
   );
 }
 
