@@ -56,7 +56,7 @@ Application::Application(const Environment& environment)
       clock_(environment.clock),
       documents_(environment.documents),
       events_(static_cast<std::uint64_t>(clock_.wall_ms())),
-      lines_(environment.links, environment.make_bus, [this] { line_changed(); }),
+      lines_(environment.links, environment.take_seat, [this] { line_changed(); }),
       keeper_(store_, lines_, events_, clock_, environment.ballast),
       catalog_(store_, lines_, events_, clock_, documents_),
       programs_(store_, clock_, documents_, environment.ballast),
@@ -95,7 +95,11 @@ Result<void> Application::start() {
 
 MachineStatus Application::status(const std::string& machine) {
   MachineStatus status;
-  if (const auto line = lines_.find(machine)) status.report = line->report();
+  if (const auto line = lines_.find(machine)) {
+    status.report = line->report();
+  } else {
+    status.report.link_error = lines_.why_none(machine);
+  }
   if (const auto torn = store_.jobs().torn_on(machine); torn && *torn) status.needs_confirmation = **torn;
   if (status.needs_confirmation && status.report.state != LineState::torn) status.report.state = LineState::torn;
   if (status.report.job == 0) return status;

@@ -29,7 +29,7 @@ class Application {
   struct Environment {
     store::Store& store;
     LinkThread& links;
-    RegisterBusMaker make_bus;
+    BusSeatMaker take_seat;
     const Clock& clock;
     const Documents& documents;
     Ballast* ballast = nullptr;

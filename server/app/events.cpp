@@ -22,7 +22,7 @@ void Events::progress(const std::string& machine, const LineReport& report) {
     const std::lock_guard lock(mutex_);
     LineReport& known = progress_[machine];
     if (known.changes == report.changes && known.handed == report.handed && known.clocked == report.clocked &&
-        known.confirmed == report.confirmed && known.job == report.job) {
+        known.confirmed == report.confirmed && known.job == report.job && known.machine == report.machine) {
       return;
     }
     known = report;

@@ -81,6 +81,17 @@ std::vector<store::JobState> steps_to(store::JobState from, store::JobState to, 
   return steps;
 }
 
+// An alarm that was not there at the last look; "" for none.
+std::string new_alarm(const LineReport& report, const LineReport& last) {
+  if (!report.machine || report.machine->alarm == 0) return {};
+  if (last.machine && last.machine->alarm == report.machine->alarm) return {};
+  return alarm_text(*report.machine);
+}
+
+std::string_view machine_state(const LineReport& report) {
+  return report.machine ? report.machine->state : std::string_view();
+}
+
 std::string reason_of(const LineReport& report) {
   if (report.end == JobEnd::none || report.end == JobEnd::done) return std::string(report.stall);
   if (report.end == JobEnd::disarmed) return fmt::format("disarmed, nothing was sent: {}", report.cause);
@@ -88,6 +99,7 @@ std::string reason_of(const LineReport& report) {
                                    report.known.from, report.known.to, report.total);
   if (report.known.from_line > 0)
     reason += fmt::format(" (line {} to {})", report.known.from_line, report.known.to_line);
+  if (report.machine && report.machine->alarm > 0) reason += "; " + alarm_text(*report.machine);
   if (report.state == LineState::torn) reason += "; a block is torn: reset the control and confirm it";
   if (!report.link_error.empty()) reason += fmt::format("; {}", report.link_error);
   return reason;
@@ -257,6 +269,8 @@ std::vector<store::NewLedgerRow> Keeper::rows_of(const std::vector<Due>& all) {
       const std::string news = runs ? std::string(report.stall) : reason_of(report);
       row.note += row.note.empty() || news.empty() ? news : "; " + news;
     }
+    if (const std::string news = new_alarm(report, tracked.last); !news.empty())
+      row.note += row.note.empty() ? news : "; " + news;
     if (row.counts != tracked.committed || !runs || !row.note.empty()) rows.push_back(std::move(row));
   }
   return rows;
@@ -277,8 +291,19 @@ void Keeper::follow(Tracked& tracked, const Due& due) {
                      .outcome = {},
                      .text = "the control asked for a program (DC1); nothing is armed, nothing was sent"});
   }
+  if (std::string text = new_alarm(report, tracked.last); !text.empty()) {
+    spdlog::warn("{}: {}", due.machine, text);
+    events_.publish({.id = 0,
+                     .kind = EventKind::alarm,
+                     .machine = due.machine,
+                     .job = {},
+                     .verdict = 0,
+                     .outcome = {},
+                     .text = std::move(text)});
+  }
   // A stall within a state ("CTS off" while feeding) is a transition, too.
-  if (report.state != tracked.last.state || report.stall != tracked.last.stall) {
+  if (report.state != tracked.last.state || report.stall != tracked.last.stall ||
+      machine_state(report) != machine_state(tracked.last)) {
     events_.publish({.id = 0,
                      .kind = EventKind::machine,
                      .machine = due.machine,

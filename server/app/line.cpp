@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include <fmt/format.h>
+
 namespace dripfeed::app {
 
 std::string_view name_of(LineState state) {
@@ -27,6 +29,13 @@ std::string_view name_of(feed::Stall stall) {
       "waiting for trigger",
   };
   return kNames[static_cast<std::size_t>(stall)];
+}
+
+std::string alarm_text(const MachineReport& machine) {
+  if (machine.alarm == 0) return {};
+  std::string text = fmt::format("machine alarm {}", machine.alarm);
+  if (machine.program > 0) text += fmt::format(" (program {}, line {})", machine.program, machine.line);
+  return text;
 }
 
 void tell_link(const Link& link, LineReport& report) {

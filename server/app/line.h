@@ -6,11 +6,13 @@
 #include <expected>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "protocol/feed/feed.h"
+#include "protocol/modbus/doorbell.h"
 #include "protocol/receive/receiver.h"
 #include "protocol/tape_code/text_source.h"
 #include "server/app/ports/link.h"
@@ -44,6 +46,18 @@ struct KnownInterval {
   std::uint64_t to_text = 0;  // characters of the text before `to`
 };
 
+// What a machine says of itself by the words of its PLC.
+struct MachineReport {
+  std::string_view state;     // "idle", "running", "held", "alarm", …
+  std::uint32_t program = 0;  // 0: none, or not known
+  std::uint32_t line = 0;     // being executed, from 1; 0: not known
+  std::uint32_t alarm = 0;    // the control's own number; 0: none
+  friend bool operator==(const MachineReport&, const MachineReport&) = default;
+};
+
+// "machine alarm 1010 (program 42, line 17)"; "" where it has none.
+std::string alarm_text(const MachineReport& machine);
+
 struct LineReport {
   std::uint64_t job = 0;      // 0: none since the start
   std::uint64_t session = 0;  // of its order: tells one arming of a job from the next
@@ -65,13 +79,14 @@ struct LineReport {
   KnownInterval known;
   std::uint64_t holds = 0;
   double hold_s = 0.0;
-  double line_use = 0.0;              // share of line time used while not held, 0..1
-  double char_s = 0.0;                // time of one character on the line; 0 where there is none
-  std::uint64_t unarmed_starts = 0;   // DC1 that came with nothing armed: nothing was sent
-  std::uint64_t received = 0;         // receptions that ended since the start
-  std::uint64_t receptions_lost = 0;  // ... and that nobody took in time
-  std::uint64_t answers = 0;          // answers that were armed since the start
-  std::uint64_t changes = 0;          // grows with every change of state, stall or end
+  double line_use = 0.0;                 // share of line time used while not held, 0..1
+  double char_s = 0.0;                   // time of one character on the line; 0 where there is none
+  std::uint64_t unarmed_starts = 0;      // DC1 that came with nothing armed: nothing was sent
+  std::uint64_t received = 0;            // receptions that ended since the start
+  std::uint64_t receptions_lost = 0;     // ... and that nobody took in time
+  std::uint64_t answers = 0;             // answers that were armed since the start
+  std::optional<MachineReport> machine;  // nothing where the link brings no such words
+  std::uint64_t changes = 0;             // grows with every change of state, stall, end, machine's state or alarm
 };
 
 struct LineOrder {
@@ -116,6 +131,9 @@ class Line {
   [[nodiscard]] virtual LineReport report() const = 0;
   // Receptions that ended since the last call, oldest first. A line that cannot receive has none.
   virtual std::vector<Reception> take_receptions() { return {}; }
+  // A ring of the machine's doorbell, told once, and its answer. A line without a doorbell has none.
+  virtual std::optional<modbus::Ring> take_ring() { return std::nullopt; }
+  virtual void answer_ring(const modbus::BellAnswer& /*answer*/) {}
   // Arms an answer; it takes the place of one that waits. Or one sentence that says why not.
   virtual std::expected<void, std::string> answer(Answer /*answer*/) {
     return std::unexpected("this line gives no answers");

@@ -1,6 +1,7 @@
 // A profile's change closes the old line before the new one opens: a tty has one owner.
 #include "server/app/lines.h"
 
+#include <chrono>
 #include <utility>
 
 #include <fmt/format.h>
@@ -42,8 +43,8 @@ bool has_job(const Line& line) {
 
 }  // namespace
 
-Lines::Lines(LinkThread& thread, RegisterBusMaker make_bus, LineChanged changed)
-    : thread_(thread), make_bus_(make_bus), changed_(std::move(changed)) {}
+Lines::Lines(LinkThread& thread, BusSeatMaker take_seat, LineChanged changed)
+    : thread_(thread), take_seat_(take_seat), changed_(std::move(changed)) {}
 
 Result<void> Lines::refuse_busy(const machine::Profile& profile, const std::string& settings) const {
   const auto known = lines_.find(profile.name);
@@ -65,8 +66,12 @@ Result<void> Lines::set(const machine::Profile& profile) {
   const auto known = lines_.find(profile.name);
   if (known != lines_.end() && known->second.settings == settings) return {};
   if (known != lines_.end()) lines_.erase(known);
-  auto line = make_line(profile.line, thread_, make_bus_, changed_);
-  if (!line) return std::unexpected(line.error());
+  auto line = make_line(profile.line, thread_, take_seat_, changed_);
+  if (!line) {
+    refusals_[profile.name] = line.error().text;
+    return std::unexpected(line.error());
+  }
+  refusals_.erase(profile.name);
   lines_[profile.name] = {settings, std::move(*line)};
   return {};
 }
@@ -82,6 +87,12 @@ std::shared_ptr<Line> Lines::find(const std::string& machine) const {
   return known == lines_.end() ? nullptr : known->second.line;
 }
 
+std::string Lines::why_none(const std::string& machine) const {
+  const std::lock_guard lock(mutex_);
+  const auto known = refusals_.find(machine);
+  return known == refusals_.end() ? std::string() : known->second;
+}
+
 std::vector<std::pair<std::string, std::shared_ptr<Line>>> Lines::all() const {
   const std::lock_guard lock(mutex_);
   std::vector<std::pair<std::string, std::shared_ptr<Line>>> all;
@@ -91,11 +102,14 @@ std::vector<std::pair<std::string, std::shared_ptr<Line>>> Lines::all() const {
 }
 
 Result<std::unique_ptr<Line>> make_line(const machine::LineSettings& settings, LinkThread& thread,
-                                        RegisterBusMaker make_bus, LineChanged changed) {
+                                        BusSeatMaker take_seat, LineChanged changed) {
   if (machine::is_modbus(settings.link.kind)) {
     const auto bus = machine::bus_settings_of(settings.link);
     if (!bus) return fail(ErrorCode::invalid, bus.error());
-    return make_mailbox_line(make_bus(settings.link), thread.clock(), std::move(changed));
+    auto line = make_mailbox_line({.link = settings.link, .idle_poll = std::chrono::milliseconds(bus->poll_ms)},
+                                  take_seat, thread.clock(), std::move(changed));
+    if (!line) return fail(ErrorCode::refused, line.error());
+    return std::move(*line);
   }
   if (settings.link.kind == machine::LinkKind::dir) {
     auto line = make_drop_line(settings, std::move(changed));

@@ -19,7 +19,7 @@ namespace dripfeed::app {
 class Lines {
  public:
   // `changed` is called from the lines' threads after each change of any report.
-  Lines(LinkThread& thread, RegisterBusMaker make_bus, LineChanged changed);
+  Lines(LinkThread& thread, BusSeatMaker take_seat, LineChanged changed);
 
   // Makes the machine's line, or makes it anew when its settings changed. Refused while a job is on the old one, and
   // when the settings cannot be kept.
@@ -30,6 +30,8 @@ class Lines {
   void close();
   // nullptr: there is no such machine. The line lives as long as the pointer.
   [[nodiscard]] std::shared_ptr<Line> find(const std::string& machine) const;
+  // Why a machine that was set has none; "" where it has.
+  [[nodiscard]] std::string why_none(const std::string& machine) const;
   [[nodiscard]] std::vector<std::pair<std::string, std::shared_ptr<Line>>> all() const;
 
  private:
@@ -40,14 +42,15 @@ class Lines {
     std::shared_ptr<Line> line;
   };
   LinkThread& thread_;
-  RegisterBusMaker make_bus_;
+  BusSeatMaker take_seat_;
   LineChanged changed_;
   mutable std::mutex mutex_;
   std::map<std::string, Entry> lines_;
+  std::map<std::string, std::string> refusals_;  // why a machine has no line
 };
 
 // A line for these settings, without a name: for one transfer. Errors: `invalid`.
 Result<std::unique_ptr<Line>> make_line(const machine::LineSettings& settings, LinkThread& thread,
-                                        RegisterBusMaker make_bus, LineChanged changed);
+                                        BusSeatMaker take_seat, LineChanged changed);
 
 }  // namespace dripfeed::app

@@ -1,17 +1,16 @@
-// The thread does what the sender asks for, one request at a time, and sleeps until the sender's deadline or a command.
-// Commands take the lock between two requests, never during one.
+// A turn does what the sender asks for, one request at a time, and says when the next one is wanted. Commands take the
+// lock between two requests, never during one.
 #include "server/app/mailbox_line.h"
 
 #include <algorithm>
 #include <array>
-#include <condition_variable>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "protocol/modbus/modbus.h"
+#include "server/app/machine_watch.h"
 
 namespace dripfeed::app {
 
@@ -74,17 +73,24 @@ LineState line_state(const StateRow& row, std::uint64_t handed) {
   return called_back ? LineState::armed : row.line;
 }
 
-class MailboxLine final : public Line {
- public:
-  MailboxLine(std::unique_ptr<RegisterBus> bus, const Clock& clock, LineChanged changed)
-      : bus_(std::move(bus)),
-        clock_(clock),
-        changed_(std::move(changed)),
-        thread_([this](std::stop_token stop) { loop(stop); }) {}
+// Whether watchers want to know at once; the line that is executed goes with the progress.
+bool differs(const std::optional<MachineReport>& one, const std::optional<MachineReport>& other) {
+  if (!one || !other) return one.has_value() != other.has_value();
+  return one->state != other->state || one->alarm != other->alarm;
+}
 
-  ~MailboxLine() override {
-    thread_.request_stop();
-    wake_.notify_all();
+class MailboxLine final : public Line, private BusUser {
+ public:
+  MailboxLine(const MailboxSettings& settings, const Clock& clock, LineChanged changed)
+      : clock_(clock), changed_(std::move(changed)), idle_poll_(settings.idle_poll), watch_(settings.idle_poll) {}
+
+  // The turns begin; or why there are none.
+  std::expected<void, std::string> sit(const machine::LinkUrl& link, BusSeatMaker take_seat) {
+    auto seat = take_seat(link, *this);
+    if (!seat) return std::unexpected(seat.error());
+    const std::lock_guard lock(mutex_);
+    seat_ = std::move(*seat);
+    return {};
   }
 
   std::expected<void, std::string> arm(LineOrder order) override {
@@ -143,6 +149,17 @@ class MailboxLine final : public Line {
     return report_;
   }
 
+  std::optional<modbus::Ring> take_ring() override {
+    const std::lock_guard lock(mutex_);
+    return watch_.bell().take_ring();
+  }
+
+  void answer_ring(const modbus::BellAnswer& answer) override {
+    const std::lock_guard lock(mutex_);
+    watch_.bell().answer(answer);
+    wake();
+  }
+
  private:
   // A job found the session of another one open, which a host or a line left that is gone. Nothing says what the
   // machine did of it, so a person must have reset it before a new session takes its place.
@@ -159,25 +176,33 @@ class MailboxLine final : public Line {
   }
 
   void wake() {
-    ++wakes_;
-    wake_.notify_all();
+    if (seat_) seat_->wake();
   }
 
-  void loop(const std::stop_token& stop) {
+  std::optional<std::chrono::nanoseconds> turn(RegisterBus& bus) override {
     std::unique_lock lock(mutex_);
-    while (!stop.stop_requested()) {
-      sender_.tick(clock_.now());
-      expire();
-      const auto request = sender_.next_request(clock_.now());
-      while (sender_.next_event()) {
-      }  // the report says all that the events changed
-      publish();  // before a sleep that may have no end: the job may just have stopped
-      if (request) {
-        serve(*request, lock);
-      } else {
-        sleep(stop, lock);
-      }
+    sender_.tick(clock_.now());
+    expire();
+    const bool rings = watch_.bell().want() != modbus::Doorbell::Want::nothing && clock_.now() >= bell_at_;
+    const auto request = rings ? std::nullopt : sender_.next_request(clock_.now());
+    settle();  // before a request that may take long: the job may just have stopped
+    if (rings) {
+      serve_bell(bus, lock);
+    } else if (request) {
+      serve(*request, bus, lock);
+    } else if (!modbus::polls(sender_.state()) && clock_.now() >= watch_.next_look()) {
+      look(bus, lock);
+    } else {
+      return wait();
     }
+    settle();
+    return wait();
+  }
+
+  void settle() {
+    while (sender_.next_event()) {
+    }  // the report says all that the events changed
+    publish();
   }
 
   // The receiver has not taken the session: nothing of the job went out.
@@ -193,47 +218,90 @@ class MailboxLine final : public Line {
 
   // The bus works without the lock. A command given meanwhile composes another message in the sender's registers, so
   // those that are written are a copy.
-  void serve(const modbus::Request& request, std::unique_lock<std::mutex>& lock) {
-    modbus::StatusImage status{};
+  void serve(const modbus::Request& request, RegisterBus& bus, std::unique_lock<std::mutex>& lock) {
+    std::array<std::uint16_t, modbus::kStatusAndMachine> image{};
     modbus::Mailbox mailbox{};
     std::ranges::copy(request.registers, mailbox.begin());
     const auto registers = std::span<const std::uint16_t>(mailbox).first(request.registers.size());
-    lock.unlock();
     const bool writes = request.kind == modbus::Request::Kind::write_mailbox;
+    const auto into = std::span(image).first(writes ? watch_.registers_with_write() : watch_.registers());
+    lock.unlock();
     const auto result =
-        writes ? bus_->exchange(kMailboxAddress, registers, kStatusAddress, status) : read_status(status);
+        writes ? bus.exchange(kMailboxAddress, registers, kStatusAddress, into) : read_status(bus, into);
     lock.lock();
-    if (!result) {
-      link_error_ = result.error().text;
+    if (!note(result, into)) {
       sender_.request_failed(clock_.now());
-      return;
-    }
-    link_error_.clear();
-    if (!writes) {
-      sender_.status_read(status, clock_.now());
+    } else if (!writes) {
+      sender_.status_read(into.first(modbus::kStatusRegisters), clock_.now());
     } else if (*result) {
-      sender_.exchanged(status, clock_.now());
+      sender_.exchanged(into.first(modbus::kStatusRegisters), clock_.now());
     } else {
       sender_.written(clock_.now());
     }
   }
 
-  std::expected<bool, BusFailure> read_status(modbus::StatusImage& status) {
-    const auto read = bus_->read(kStatusAddress, status);
+  // No job makes requests: the machine is looked at all the same.
+  void look(RegisterBus& bus, std::unique_lock<std::mutex>& lock) {
+    std::array<std::uint16_t, modbus::kStatusAndMachine> image{};
+    const auto into = std::span(image).first(watch_.registers());
+    lock.unlock();
+    const auto result = read_status(bus, into);
+    lock.lock();
+    static_cast<void>(note(result, into));
+  }
+
+  // What a request says of the link and the machine; whether it was answered.
+  bool note(const std::expected<bool, BusFailure>& result, std::span<const std::uint16_t> image) {
+    if (!result) {
+      link_error_ = result.error().text;
+      watch_.read_failed(clock_.now());
+      return false;
+    }
+    link_error_.clear();
+    if (*result) watch_.read(image, clock_.now());
+    return true;
+  }
+
+  static std::expected<bool, BusFailure> read_status(RegisterBus& bus, std::span<std::uint16_t> into) {
+    const auto read = bus.read(kStatusAddress, into);
     if (!read) return std::unexpected(read.error());
     return true;
   }
 
-  void sleep(const std::stop_token& stop, std::unique_lock<std::mutex>& lock) {
-    const std::uint64_t before = wakes_;
-    const auto woken = [&] { return wakes_ != before; };
-    auto deadline = sender_.deadline();
-    if (is_armed() && !expired_) deadline = std::min(deadline.value_or(expires_at_), expires_at_);
-    if (deadline) {
-      wake_.wait_for(lock, stop, std::max(*deadline - clock_.now(), modbus::Time(0)), woken);
-    } else {
-      wake_.wait(lock, stop, woken);
+  // The answer's registers have nothing to do with the mailbox: a block that is outstanding stays so.
+  void serve_bell(RegisterBus& bus, std::unique_lock<std::mutex>& lock) {
+    const bool reads = watch_.bell().want() == modbus::Doorbell::Want::read_answer;
+    modbus::AnswerImage image = watch_.bell().image();
+    lock.unlock();
+    const auto done = reads ? bus.read(kAnswerAddress, image) : bus.write(kAnswerAddress, image);
+    lock.lock();
+    bell_at_ = done ? clock_.now() : clock_.now() + idle_poll_;
+    if (!done) link_error_ = done.error().text;
+    if (reads && (done || !done.error().link_lost)) {
+      watch_.bell().answer_read(done ? std::span<const std::uint16_t>(image) : std::span<const std::uint16_t>());
+    } else if (!reads && done) {
+      watch_.bell().answer_written();
     }
+  }
+
+  // Until the next turn is wanted.
+  [[nodiscard]] std::chrono::nanoseconds wait() {
+    modbus::Time until =
+        modbus::polls(sender_.state()) ? sender_.deadline().value_or(modbus::Time::max()) : watch_.next_look();
+    if (is_armed() && !expired_) until = std::min(until, expires_at_);
+    if (watch_.bell().want() != modbus::Doorbell::Want::nothing) until = std::min(until, bell_at_);
+    return std::max(until - clock_.now(), modbus::Time(0));
+  }
+
+  // What holds the transfer up. Where it waits for the receiver, or does not wait at all, the machine's own word is the
+  // better one.
+  [[nodiscard]] std::string_view stall_name() const {
+    const modbus::SenderStall stall = sender_.stall();
+    const bool on = modbus::polls(sender_.state()) && !is_armed() && sender_.state() != modbus::SenderState::aborting;
+    const bool machines = stall == modbus::SenderStall::none || stall == modbus::SenderStall::waiting_for_credit ||
+                          stall == modbus::SenderStall::waiting_for_receiver;
+    if (on && machines && !watch_.stall().empty()) return watch_.stall();
+    return kStallNames[static_cast<std::size_t>(stall)];
   }
 
   void publish() {
@@ -242,20 +310,21 @@ class MailboxLine final : public Line {
     const JobEnd end = row.end != JobEnd::none && expired_ ? JobEnd::disarmed : row.end;
     const modbus::SenderCounters counters = sender_.counters();
     const LineState state = is_left_open() ? LineState::torn : line_state(row, counters.handed);
-    const modbus::SenderStall stall = sender_.stall();
-    const std::string_view stall_name = kStallNames[static_cast<std::size_t>(stall)];
-    const bool changed = state != report_.state || end != report_.end || stall_name != report_.stall ||
-                         order_job_ != report_.job || session_ != report_.session;
+    const std::string_view stall = stall_name();
+    const bool changed = state != report_.state || end != report_.end || stall != report_.stall ||
+                         order_job_ != report_.job || session_ != report_.session ||
+                         differs(report_.machine, watch_.report());
     report_.job = order_job_;
     report_.session = session_;
     report_.state = state;
     report_.end = end;
-    report_.stall = stall_name;
+    report_.stall = stall;
     report_.cause =
         sender_.stop_reason() == modbus::StopReason::none ? std::string_view() : modbus::name(sender_.stop_reason());
     if (expired_) report_.cause = feed::name(feed::Cause::expired);
     report_.stop_wanted = state == LineState::held;
     report_.link_error = link_error_;
+    report_.machine = watch_.report();
     report_.total = total_;
     report_.handed = counters.handed;
     report_.clocked = counters.clocked;
@@ -269,30 +338,34 @@ class MailboxLine final : public Line {
     changed_();
   }
 
-  std::unique_ptr<RegisterBus> bus_;
   const Clock& clock_;
   LineChanged changed_;
+  std::chrono::nanoseconds idle_poll_;
+  MachineWatch watch_;
+  modbus::Time bell_at_{};  // the answer's registers are not asked for before
   modbus::Sender sender_{modbus::SenderSettings{}};
   std::shared_ptr<tape_code::TextSource> source_;
   std::uint64_t order_job_ = 0;
   std::uint64_t session_ = 0;
   std::uint64_t total_ = 0;
   std::uint64_t reserve_ = 0;
-  std::uint64_t wakes_ = 0;
   modbus::Time expires_at_{};
   bool expired_ = false;
   bool reset_confirmed_ = false;  // for the next session
   std::string link_error_;
   mutable std::mutex mutex_;
-  std::condition_variable_any wake_;
   LineReport report_;
-  std::jthread thread_;  // last: it uses all of the above
+  std::unique_ptr<BusSeat> seat_;  // last: its turns use all of the above
 };
 
 }  // namespace
 
-std::unique_ptr<Line> make_mailbox_line(std::unique_ptr<RegisterBus> bus, const Clock& clock, LineChanged changed) {
-  return std::make_unique<MailboxLine>(std::move(bus), clock, std::move(changed));
+std::expected<std::unique_ptr<Line>, std::string> make_mailbox_line(const MailboxSettings& settings,
+                                                                    BusSeatMaker take_seat, const Clock& clock,
+                                                                    LineChanged changed) {
+  auto line = std::make_unique<MailboxLine>(settings, clock, std::move(changed));
+  if (auto seated = line->sit(settings.link, take_seat); !seated) return std::unexpected(seated.error());
+  return line;
 }
 
 }  // namespace dripfeed::app

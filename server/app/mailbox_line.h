@@ -1,8 +1,11 @@
-// A line that transfers blocks by registers: the mailbox sender over a register bus, on a thread of its own because the
-// bus blocks. Exactly once: what is confirmed was read back.
+// A line that transfers blocks by registers: the mailbox sender in turns on its bus's thread. Exactly once: what is
+// confirmed was read back. While no job is on it, it looks at the machine's words and listens to its doorbell.
 #pragma once
 
+#include <chrono>
+#include <expected>
 #include <memory>
+#include <string>
 
 #include "server/app/line.h"
 #include "server/app/ports/clock.h"
@@ -10,6 +13,14 @@
 
 namespace dripfeed::app {
 
-std::unique_ptr<Line> make_mailbox_line(std::unique_ptr<RegisterBus> bus, const Clock& clock, LineChanged changed);
+struct MailboxSettings {
+  machine::LinkUrl link;
+  std::chrono::nanoseconds idle_poll = std::chrono::milliseconds(500);
+};
+
+// Or one sentence that says why the bus has no seat for it.
+std::expected<std::unique_ptr<Line>, std::string> make_mailbox_line(const MailboxSettings& settings,
+                                                                    BusSeatMaker take_seat, const Clock& clock,
+                                                                    LineChanged changed);
 
 }  // namespace dripfeed::app

@@ -85,6 +85,14 @@ void Receiving::round() {
         spdlog::error("{}: {}", machine, profile.error().text);
       }
     }
+    if (const auto ring = line->take_ring()) {
+      const auto profile = profile_of(machine);
+      if (profile) {
+        handle_ring(machine, *profile, *ring, *line);
+      } else {
+        spdlog::error("{}: {}", machine, profile.error().text);
+      }
+    }
     expect_read_back(machine, line->report());
     send_due(machine, *line);
   }

@@ -1,4 +1,5 @@
-// What controls send by themselves: programs that are kept, requests that are answered, read-backs that are compared.
+// What controls send by themselves: programs that are kept, requests that are answered (punched, or rung by a PLC's
+// doorbell), read-backs that are compared.
 // Nothing that comes in here starts or resumes motion: what goes out is a short answer or a released program for the
 // control's memory, when the control asks for it.
 #pragma once
@@ -10,6 +11,7 @@
 #include <string_view>
 #include <thread>
 
+#include "protocol/modbus/doorbell.h"
 #include "protocol/receive/request.h"
 #include "protocol/receive/transfer.h"
 #include "server/app/jobs.h"
@@ -78,7 +80,8 @@ class Receiving {
     std::string outcome;
     std::string detail;
     store::Id job = 0;
-    std::vector<std::string> answer;  // lines; none: no answer
+    std::vector<std::string> answer;                       // lines; none: no answer
+    modbus::BellReason reason = modbus::BellReason::none;  // for a doorbell, where it is refused
   };
 
   void loop(const std::stop_token& stop);
@@ -89,6 +92,8 @@ class Receiving {
             std::string_view text, std::string_view name);
   void handle(const std::string& machine, const machine::Profile& profile, const receive::Request& request,
               std::string_view text);
+  void handle_ring(const std::string& machine, const machine::Profile& profile, const modbus::Ring& ring, Line& line);
+  Outcome decide_ring(const std::string& machine, const machine::Profile& profile, const modbus::Ring& ring);
   Outcome decide(const std::string& machine, const machine::Profile& profile, const receive::Request& request);
   Outcome load(const std::string& machine, const machine::Profile& profile, const receive::Request& request);
   Outcome drip(const std::string& machine, const machine::Profile& profile, const receive::Request& request);

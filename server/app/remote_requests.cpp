@@ -2,6 +2,7 @@
 // who asked stands at the control and it waits for the control's DC1; a drip-feed is queued for a person to arm, unless
 // the profile says that the operator is that person.
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include <fmt/format.h>
@@ -101,6 +102,64 @@ Receiving::Outcome Receiving::decide(const std::string& machine, const machine::
   return {};
 }
 
+// The answer goes to the PLC's registers; a person reads it in the request and in the event.
+void Receiving::handle_ring(const std::string& machine, const machine::Profile& profile, const modbus::Ring& ring,
+                            Line& line) {
+  struct OutcomeRow {
+    std::string_view outcome;
+    modbus::BellOutcome bell;
+  };
+  static constexpr std::array kOutcomes = {
+      OutcomeRow{"answered", modbus::BellOutcome::answered}, OutcomeRow{"armed", modbus::BellOutcome::armed},
+      OutcomeRow{"queued", modbus::BellOutcome::queued}, OutcomeRow{"refused", modbus::BellOutcome::refused}};
+  const Outcome outcome = decide_ring(machine, profile, ring);
+  const bool known = ring.request <= static_cast<std::uint16_t>(modbus::BellRequest::call);
+  const std::string verb = known ? std::string(modbus::name(static_cast<modbus::BellRequest>(ring.request)))
+                                 : fmt::format("request {}", ring.request);
+  const std::string asked = fmt::format("doorbell {}: {} {}", ring.bell, verb, ring.program);
+  const auto noted = store_.receipts().add_request({.machine = machine,
+                                                    .verb = verb,
+                                                    .argument = std::to_string(ring.program),
+                                                    .text = asked,
+                                                    .outcome = outcome.outcome,
+                                                    .detail = outcome.detail,
+                                                    .job = outcome.job},
+                                                   stamp(actor_of(machine)));
+  if (!noted) alarm(machine, "a ring is not recorded: " + store::message_of(noted.error()));
+  const bool calls = ring.request == static_cast<std::uint16_t>(modbus::BellRequest::call);
+  alarm(machine, fmt::format("{}: {}, {}", asked, outcome.outcome, outcome.detail),
+        calls ? EventKind::alarm : EventKind::receipt);
+  const auto row = std::ranges::find(kOutcomes, outcome.outcome, &OutcomeRow::outcome);
+  line.answer_ring({.bell = ring.bell,
+                    .outcome = row == kOutcomes.end() ? modbus::BellOutcome::refused : row->bell,
+                    .reason = outcome.reason,
+                    .job = static_cast<std::uint32_t>(outcome.job)});
+}
+
+Receiving::Outcome Receiving::decide_ring(const std::string& machine, const machine::Profile& profile,
+                                          const modbus::Ring& ring) {
+  struct VerbRow {
+    modbus::BellRequest request;
+    receive::Verb verb;
+  };
+  static constexpr std::array kVerbs = {VerbRow{modbus::BellRequest::load, receive::Verb::load},
+                                        VerbRow{modbus::BellRequest::drip, receive::Verb::drip},
+                                        VerbRow{modbus::BellRequest::cancel, receive::Verb::cancel}};
+  const auto refused = [](std::string detail, modbus::BellReason reason) {
+    return Outcome{.outcome = "refused", .detail = std::move(detail), .job = 0, .answer = {}, .reason = reason};
+  };
+  if (ring.request == static_cast<std::uint16_t>(modbus::BellRequest::call))
+    return {.outcome = "answered", .detail = "the machine calls for a person", .job = 0, .answer = {}};
+  for (const VerbRow& row : kVerbs) {
+    if (ring.request != static_cast<std::uint16_t>(row.request)) continue;
+    if (!profile.line.receive.requests)
+      return refused("the machine's profile allows no requests", modbus::BellReason::not_allowed);
+    const std::string program = std::to_string(ring.program);
+    return decide(machine, profile, {.verb = row.verb, .argument = program, .legal = true, .as_written = "doorbell"});
+  }
+  return refused("there is no such request", modbus::BellReason::unknown);
+}
+
 std::vector<Receiving::Found> Receiving::released(const std::string& machine) {
   std::vector<Found> all;
   store::PageRequest page{.limit = store::kPageLimitMax, .after = {}};
@@ -133,13 +192,15 @@ Receiving::Outcome Receiving::load(const std::string& machine, const machine::Pr
     return {.outcome = "refused",
             .detail = drips ? "released for drip-feed only" : "no released program of this name",
             .job = 0,
-            .answer = {(drips ? "FOR DNC ONLY " : "NOT FOUND ") + request.argument}};
+            .answer = {(drips ? "FOR DNC ONLY " : "NOT FOUND ") + request.argument},
+            .reason = drips ? modbus::BellReason::drip_only : modbus::BellReason::not_found};
   }
   if (jobs_.protects_number(found->release.text_sha256))
     return {.outcome = "refused",
             .detail = "O8000 to O9999 are loaded by an admin",
             .job = 0,
-            .answer = {"PROTECTED " + request.argument}};
+            .answer = {"PROTECTED " + request.argument},
+            .reason = modbus::BellReason::is_protected};
   return queue(machine, profile, *found, true);
 }
 
@@ -149,13 +210,15 @@ Receiving::Outcome Receiving::drip(const std::string& machine, const machine::Pr
     return {.outcome = "refused",
             .detail = "the machine's profile allows no DNC from the control",
             .job = 0,
-            .answer = {"DNC NOT ALLOWED FROM HERE"}};
+            .answer = {"DNC NOT ALLOWED FROM HERE"},
+            .reason = modbus::BellReason::not_allowed};
   const auto found = find_released(machine, request.argument, store::Delivery::drip);
   if (!found)
     return {.outcome = "refused",
             .detail = "no released program of this name",
             .job = 0,
-            .answer = {"NOT FOUND " + request.argument}};
+            .answer = {"NOT FOUND " + request.argument},
+            .reason = modbus::BellReason::not_found};
   return queue(machine, profile, *found, profile.line.receive.remote_arm);
 }
 
@@ -164,7 +227,11 @@ Receiving::Outcome Receiving::queue(const std::string& machine, const machine::P
   cancel_waiting(machine);
   const auto job = jobs_.add(found.release.id, actor_of(machine));
   if (!job)
-    return {.outcome = "refused", .detail = job.error().text, .job = 0, .answer = {"REFUSED", job.error().text}};
+    return {.outcome = "refused",
+            .detail = job.error().text,
+            .job = 0,
+            .answer = {"REFUSED", job.error().text},
+            .reason = modbus::BellReason::busy};
   Waiting& waiting = waiting_[machine];
   waiting.job = job->id;
   if (!arm)
@@ -172,7 +239,8 @@ Receiving::Outcome Receiving::queue(const std::string& machine, const machine::P
             .detail = fmt::format("{} as job {}; a person arms it", found.program, job->id),
             .job = job->id,
             .answer = {fmt::format("QUEUED {} JOB {}", found.program, job->id), "ARM IT AT DRIPFEED"}};
-  if (profile.line.start == feed::Start::at_once) {
+  // A PLC takes a transfer when it is ready for one; a control without DC1 needs time to begin reading.
+  if (profile.line.start == feed::Start::at_once && !machine::is_modbus(profile.line.link.kind)) {
     waiting.arm = job->id;
     return {.outcome = "armed",
             .detail = fmt::format("{} as job {}, after the request delay", found.program, job->id),
@@ -186,8 +254,11 @@ Receiving::Outcome Receiving::queue(const std::string& machine, const machine::P
             .job = job->id,
             .answer = {}};
   cancel_waiting(machine);
-  return {
-      .outcome = "refused", .detail = armed.error().text, .job = job->id, .answer = {"REFUSED", armed.error().text}};
+  return {.outcome = "refused",
+          .detail = armed.error().text,
+          .job = job->id,
+          .answer = {"REFUSED", armed.error().text},
+          .reason = modbus::BellReason::busy};
 }
 
 Receiving::Outcome Receiving::list(const std::string& machine, std::string_view mask) {

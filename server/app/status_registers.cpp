@@ -12,10 +12,22 @@ namespace {
 constexpr std::uint16_t kNoLine = 0xFFFF;
 constexpr std::uint16_t kOtherStall = 255;
 constexpr std::size_t kNameAt = 21;
-constexpr std::array<std::string_view, 12> kStalls = {
-    "",          "waiting for DC1",    "held by DC3",          "CTS off",
-    "peer gone", "waiting for ledger", "waiting for text",     "waiting for end",
-    "stopped",   "waiting for credit", "waiting for receiver", "stopped by a fault",
+constexpr std::array<std::string_view, 15> kStalls = {
+    "",
+    "waiting for DC1",
+    "held by DC3",
+    "CTS off",
+    "peer gone",
+    "waiting for ledger",
+    "waiting for text",
+    "waiting for end",
+    "stopped",
+    "waiting for credit",
+    "waiting for receiver",
+    "stopped by a fault",
+    "machine held",
+    "machine alarm",
+    "machine in emergency stop",
 };
 
 using Registers = std::array<std::uint16_t, StatusRegisters::kCount>;

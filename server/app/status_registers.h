@@ -7,7 +7,7 @@
 //   3      state: 0 disconnected, 1 idle, 2 armed, 3 feeding, 4 held, 5 draining, 6 torn, 65535 no line yet
 //   4      stall: 0 none, 1 waiting for DC1, 2 held by DC3, 3 CTS off, 4 peer gone, 5 waiting for ledger, 6 waiting for
 //          text, 7 waiting for end, 8 stopped, 9 waiting for credit, 10 waiting for receiver, 11 stopped by a fault,
-//          255 another
+//          12 machine held, 13 machine alarm, 14 machine in emergency stop, 255 another
 //   5      how the last job ended: 0 not, 1 done, 2 failed, 3 cancelled, 4 disarmed
 //   6-7    job number, 0 none since the start
 //   8-9    bytes of the job in total, 10-11 handed, 12-13 clocked, 14-15 confirmed

@@ -37,7 +37,7 @@ struct Options {
 app::Result<std::optional<app::Reception>> wait_for(const machine::Profile& profile, const Options& options,
                                                     const std::stop_token& stop) {
   const auto thread = io::start_link_thread();
-  auto line = app::make_line(profile.line, *thread, io::make_modbus_bus, [] {});
+  auto line = app::make_line(profile.line, *thread, io::take_modbus_seat, [] {});
   if (!line) return std::unexpected(line.error());
   const auto begun = std::chrono::steady_clock::now();
   while (!stop.stop_requested()) {

@@ -105,10 +105,14 @@ app::Result<app::LineReport> follow(app::Line& line, FileLedger& ledger, const a
     const std::uint64_t wanted = ended || reserve >= report.handed + window / 2 ? reserve : report.handed + window;
     if (report.changes != last.changes || report.handed != last.handed || report.clocked != last.clocked ||
         wanted != reserve || ended) {
-      const std::string note = ended ? std::string(report.cause) : std::string(report.stall);
+      const std::string alarm = report.machine ? app::alarm_text(*report.machine) : std::string();
+      std::string note = ended ? std::string(report.cause) : std::string(report.stall);
+      if (!alarm.empty()) note += note.empty() ? alarm : "; " + alarm;
       const auto written = ledger.write(clock.wall_ms(), report, wanted, note);
       if (!written) return app::fail(app::ErrorCode::unavailable, written.error());
       if (report.stall != last.stall && !report.stall.empty()) fmt::print(stderr, "dripfeed: {}\n", report.stall);
+      if (!alarm.empty() && (!last.machine || last.machine->alarm != report.machine->alarm))
+        fmt::print(stderr, "dripfeed: {}\n", alarm);
       reserve = wanted;
       line.extend_reserve(kJob, reserve);
     }
@@ -129,7 +133,7 @@ app::Result<app::LineReport> transfer(const std::string& text, const feed::Progr
                                       const machine::Profile& profile, const std::string& file_name, FileLedger& ledger,
                                       const std::stop_token& stop, std::uint32_t rounds) {
   const auto thread = io::start_link_thread();
-  auto line = app::make_line(profile.line, *thread, io::make_modbus_bus, [] {});
+  auto line = app::make_line(profile.line, *thread, io::take_modbus_seat, [] {});
   if (!line) return std::unexpected(line.error());
   const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(5);
   while ((*line)->report().state == app::LineState::disconnected && !stop.stop_requested()) {

@@ -118,7 +118,7 @@ int run_server(const Options& options, const http::ListenAddress& address, store
   app::Ballast ballast(fs::path(options.data) / "ballast");
   app::Application application({.store = store,
                                 .links = *links,
-                                .make_bus = io::make_modbus_bus,
+                                .take_seat = io::take_modbus_seat,
                                 .clock = clock,
                                 .documents = documents,
                                 .ballast = &ballast});

@@ -65,6 +65,16 @@ void set_latency(const machine::LineSettings& line, const Options& options, cons
   settings.host_latency_ns = uart.fixed_ns;
 }
 
+app::Result<simulator::Faults> faults_of(const Options& options) {
+  simulator::Faults faults;
+  for (const std::string& text : options.fault_texts) {
+    const auto fault = simulator::parse_fault(text);
+    if (!fault) return app::fail(app::ErrorCode::invalid, fault.error());
+    faults.push_back(*fault);
+  }
+  return faults;
+}
+
 app::Result<simulator::ControlSettings> control_settings(const machine::Profile& profile, const Options& options) {
   const auto wrong = [](std::string text) { return app::fail(app::ErrorCode::invalid, std::move(text)); };
   simulator::ControlSettings settings;
@@ -89,21 +99,26 @@ app::Result<simulator::ControlSettings> control_settings(const machine::Profile&
   settings.clock_ppm = options.clock_ppm;
   settings.speed = options.speed;
   settings.clock = clock_settings(profile);
-  for (const std::string& text : options.fault_texts) {
-    const auto fault = simulator::parse_fault(text);
-    if (!fault) return wrong(fault.error());
-    settings.faults.push_back(*fault);
-  }
+  auto faults = faults_of(options);
+  if (!faults) return std::unexpected(faults.error());
+  settings.faults = std::move(*faults);
   return settings;
 }
 
 int run_plc(const machine::LinkUrl& link, const machine::Profile& profile, const Options& options,
             const std::stop_token& stop) {
+  auto faults = faults_of(options);
+  if (!faults) {
+    print_error(faults.error());
+    return kWrongUse;
+  }
   const auto plc =
       simulator::Plc::start(link, {.buffer_bytes = std::max<std::uint32_t>(profile.machine.buffer.bytes, 1024),
                                    .speed = options.speed,
                                    .boot_counter = 1,
-                                   .clock = clock_settings(profile)});
+                                   .has_words = true,
+                                   .clock = clock_settings(profile),
+                                   .faults = std::move(*faults)});
   if (!plc) {
     print_error(plc.error());
     return kWrongUse;
@@ -252,7 +267,7 @@ int simulate(const Options& options) {
     print_error(profile.error());
     return kWrongUse;
   }
-  if (link->kind == machine::LinkKind::modbus_tcp) return run_plc(*link, *profile, options, stop);
+  if (machine::is_modbus(link->kind)) return run_plc(*link, *profile, options, stop);
   machine::Profile speaking = *profile;
   speaking.line.link.options = link->options;  // ?baud=…&framing=… say how the simulated control speaks, too
   const auto settings = machine::effective_line(speaking.line);
@@ -275,7 +290,10 @@ int simulate(const Options& options) {
 void add_simulate(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("simulate", "a simulated control at the other end of a line");
   const auto options = std::make_shared<Options>();
-  command->add_option("--link", options->link, "pty:/path, tcp-listen://:port or modbus-tcp://:port/unit")->required();
+  command
+      ->add_option("--link", options->link,
+                   "pty:/path, tcp-listen://:port, modbus-tcp://:port/unit or modbus-rtu:/path")
+      ->required();
   command->add_option("--machine", options->machine, "machine profile: a file or the name of a preset")->required();
   command->add_option("--protocol", options->protocol, "what the control speaks")
       ->check(CLI::IsMember(simulator::control_protocols()));

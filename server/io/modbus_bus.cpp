@@ -1,13 +1,22 @@
 // Recovery by the library is off: it would repeat a write whose effect is unknown. After any failure but an exception
 // of the server the connection is closed, so that a late answer can never be taken for the next one's.
+//
+// Whose turn: of those who are due the one that was served longest ago. A unit that failed twice in a row rests for
+// three times what it cost, as long as it does not have the bus to itself: so a dead one has a quarter of the bus at
+// the most, and nobody waits for it longer than its time-out.
 #include "server/io/modbus_bus.h"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <chrono>
 #include <condition_variable>
 #include <map>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <modbus.h>
@@ -18,6 +27,7 @@ namespace dripfeed::io {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
 using machine::BusSettings;
 using machine::LinkKind;
 using machine::LinkUrl;
@@ -33,52 +43,32 @@ using Context = std::unique_ptr<modbus_t, FreeContext>;
 // The server answered, with an exception: the connection is in step.
 bool is_exception(int error) { return error >= EMBXILFUN && error <= EMBXGTAR; }
 
-// A mutex that is given in the order of asking, so that a busy unit leaves the others their turn.
-class FairLock {
+// The socket or the serial line below a bus.
+class Connection {
  public:
-  void lock() {
-    std::unique_lock lock(mutex_);
-    const std::uint64_t mine = next_++;
-    turn_.wait(lock, [&] { return serving_ == mine; });
-  }
-  void unlock() {
-    {
-      const std::lock_guard lock(mutex_);
-      ++serving_;
-    }
-    turn_.notify_all();
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable turn_;
-  std::uint64_t next_ = 0;
-  std::uint64_t serving_ = 0;
-};
-
-// One connection or serial line, for all units on it.
-class Trunk {
- public:
-  Trunk(LinkUrl url, const BusSettings& settings) : url_(std::move(url)), settings_(settings) {}
+  Connection(LinkUrl url, const BusSettings& settings) : url_(std::move(url)), settings_(settings) {}
 
   [[nodiscard]] bool fits(const BusSettings& settings) const {
     return url_.kind == LinkKind::modbus_tcp ||
            (settings.baud == settings_.baud && settings.framing == settings_.framing);
   }
 
-  // Runs `request` on the connected context; what it returns, or errno where that is below 0. Nothing: not connected.
+  // Runs `request` on the connected context; what it returns, or errno where that is below 0.
   template <class Request>
   std::expected<int, app::BusFailure> call(const BusSettings& settings, const Request& request) {
-    const std::lock_guard turn(lock_);
-    if (!context_) context_ = connect();
+    if (!context_) context_ = connect(settings);
     if (!context_ || modbus_set_slave(context_.get(), settings.unit) != 0) return fail(errno);
-    modbus_set_response_timeout(context_.get(), settings.timeout_ms / 1000, settings.timeout_ms % 1000 * 1000);
+    set_timeout(*context_, settings);
     const int result = request(context_.get());
     if (result >= 0) return result;
     return fail(errno);
   }
 
  private:
+  static void set_timeout(modbus_t& context, const BusSettings& settings) {
+    modbus_set_response_timeout(&context, settings.timeout_ms / 1000, settings.timeout_ms % 1000 * 1000);
+  }
+
   std::unexpected<app::BusFailure> fail(int error) {
     const bool lost = !is_exception(error);
     if (lost) context_.reset();
@@ -86,7 +76,7 @@ class Trunk {
         app::BusFailure{.link_lost = lost, .text = fmt::format("{}: {}", url_.text, modbus_strerror(error))});
   }
 
-  [[nodiscard]] Context connect() const {
+  [[nodiscard]] Context connect(const BusSettings& settings) const {
     constexpr std::array<char, 3> kParities{'N', 'E', 'O'};
     const bool is_rtu = url_.kind == LinkKind::modbus_rtu;
     Context context(is_rtu ? modbus_new_rtu(url_.path.c_str(), static_cast<int>(settings_.baud),
@@ -95,7 +85,7 @@ class Trunk {
                            : modbus_new_tcp(url_.host.empty() ? "127.0.0.1" : url_.host.c_str(), url_.port));
     if (!context) return context;
     modbus_set_error_recovery(context.get(), MODBUS_ERROR_RECOVERY_NONE);
-    modbus_set_response_timeout(context.get(), settings_.timeout_ms / 1000, settings_.timeout_ms % 1000 * 1000);
+    set_timeout(*context, settings);
     const int error = modbus_connect(context.get()) == 0 ? 0 : errno;
     if (error != 0) {
       context.reset();
@@ -108,8 +98,182 @@ class Trunk {
 
   LinkUrl url_;
   BusSettings settings_;
-  FairLock lock_;
   Context context_;
+};
+
+// One unit's registers.
+class UnitBus final : public app::RegisterBus {
+ public:
+  UnitBus(Connection& connection, const BusSettings& settings) : connection_(connection), settings_(settings) {}
+
+  std::expected<void, app::BusFailure> write(std::uint16_t address, std::span<const std::uint16_t> registers) override {
+    return done(call([&](modbus_t* context) {
+      return modbus_write_registers(context, address, static_cast<int>(registers.size()), registers.data());
+    }));
+  }
+  std::expected<void, app::BusFailure> read(std::uint16_t address, std::span<std::uint16_t> registers) override {
+    return done(call([&](modbus_t* context) {
+      return modbus_read_registers(context, address, static_cast<int>(registers.size()), registers.data());
+    }));
+  }
+  std::expected<bool, app::BusFailure> exchange(std::uint16_t to, std::span<const std::uint16_t> registers,
+                                                std::uint16_t from, std::span<std::uint16_t> into) override {
+    if (has_exchange_ && registers.size() <= MODBUS_MAX_WR_WRITE_REGISTERS) {
+      const auto exchanged = call([&](modbus_t* context) {
+        return modbus_write_and_read_registers(context, to, static_cast<int>(registers.size()), registers.data(), from,
+                                               static_cast<int>(into.size()), into.data());
+      });
+      if (exchanged) return true;
+      // A server that answers with an exception does not do it this way; it is asked in two steps from now on.
+      if (exchanged.error().link_lost) return std::unexpected(exchanged.error());
+      has_exchange_ = false;
+    }
+    const auto written = write(to, registers);
+    if (!written) return std::unexpected(written.error());
+    return false;
+  }
+
+  // Requests in a row that nobody answered.
+  [[nodiscard]] int lost() const { return lost_; }
+
+ private:
+  template <class Request>
+  std::expected<int, app::BusFailure> call(const Request& request) {
+    auto result = connection_.call(settings_, request);
+    const bool answered = result || !result.error().link_lost;
+    lost_ = answered ? 0 : lost_ + 1;
+    return result;
+  }
+  static std::expected<void, app::BusFailure> done(const std::expected<int, app::BusFailure>& result) {
+    if (result) return {};
+    return std::unexpected(result.error());
+  }
+
+  Connection& connection_;
+  BusSettings settings_;
+  bool has_exchange_ = true;
+  int lost_ = 0;
+};
+
+constexpr int kLostUntilRest = 2;
+constexpr int kRestFor = 3;  // times what the failure cost
+constexpr std::chrono::seconds kLongestRest{5};
+
+// Who sits on a bus.
+struct Place {
+  Place(app::BusUser& user_, Connection& connection, const BusSettings& settings)
+      : user(user_), bus(connection, settings) {}
+  app::BusUser& user;
+  UnitBus bus;
+  Clock::time_point due = Clock::time_point::min();
+  Clock::time_point rests_until = Clock::time_point::min();
+  std::uint64_t served = 0;  // when, in turns
+  bool woken = false;        // during its turn
+  bool leaving = false;
+};
+
+// One connection with its thread.
+class Trunk {
+ public:
+  Trunk(LinkUrl url, const BusSettings& settings)
+      : connection_(std::move(url), settings), thread_([this](const std::stop_token& stop) { loop(stop); }) {}
+
+  [[nodiscard]] bool fits(const BusSettings& settings) const { return connection_.fits(settings); }
+
+  std::shared_ptr<Place> enter(app::BusUser& user, const BusSettings& settings) {
+    auto place = std::make_shared<Place>(user, connection_, settings);
+    const std::lock_guard lock(mutex_);
+    places_.push_back(place);
+    wake_.notify_all();
+    return place;
+  }
+
+  // Behind it the user has no turn any more.
+  void leave(const std::shared_ptr<Place>& place) {
+    std::unique_lock lock(mutex_);
+    place->leaving = true;
+    turn_over_.wait(lock, [&] { return running_ != place.get(); });
+    std::erase(places_, place);
+  }
+
+  void wake(Place& place) {
+    const std::lock_guard lock(mutex_);
+    place.woken = true;
+    place.due = Clock::time_point::min();
+    ++wakes_;
+    wake_.notify_all();
+  }
+
+ private:
+  [[nodiscard]] Clock::time_point due_of(const Place& place) const {
+    return places_.size() > 1 ? std::max(place.due, place.rests_until) : place.due;
+  }
+
+  // Who is due and was served longest ago; nobody: when somebody will be.
+  std::shared_ptr<Place> next(Clock::time_point now, Clock::time_point& earliest) const {
+    std::shared_ptr<Place> chosen;
+    earliest = Clock::time_point::max();
+    for (const auto& place : places_) {
+      if (place->leaving) continue;
+      const Clock::time_point due = due_of(*place);
+      earliest = std::min(earliest, due);
+      if (due <= now && (!chosen || place->served < chosen->served)) chosen = place;
+    }
+    return chosen;
+  }
+
+  void loop(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    while (!stop.stop_requested()) {
+      Clock::time_point earliest;
+      const auto place = next(Clock::now(), earliest);
+      if (place) {
+        give_turn(*place, lock);
+        continue;
+      }
+      const auto changed = [this, before = wakes_, count = places_.size()] {
+        return wakes_ != before || places_.size() != count;
+      };
+      if (earliest == Clock::time_point::max()) {
+        wake_.wait(lock, stop, changed);
+      } else {
+        wake_.wait_until(lock, stop, earliest, changed);
+      }
+    }
+  }
+
+  void give_turn(Place& place, std::unique_lock<std::mutex>& lock) {
+    place.woken = false;
+    running_ = &place;
+    lock.unlock();
+    const Clock::time_point begun = Clock::now();
+    const int lost_before = place.bus.lost();
+    const auto wait = place.user.turn(place.bus);
+    const Clock::time_point ended = Clock::now();
+    const int lost = place.bus.lost();
+    lock.lock();
+    running_ = nullptr;
+    place.served = ++turns_;
+    if (!place.woken) place.due = wait ? due_in(ended, *wait) : Clock::time_point::max();
+    if (lost > lost_before && lost >= kLostUntilRest)
+      place.rests_until = ended + std::min<Clock::duration>(kRestFor * (ended - begun), kLongestRest);
+    if (place.leaving) turn_over_.notify_all();
+  }
+
+  // Times beyond a day are looked at again then.
+  static Clock::time_point due_in(Clock::time_point now, std::chrono::nanoseconds wait) {
+    return now + std::min<Clock::duration>(wait, std::chrono::hours(24));
+  }
+
+  Connection connection_;
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::condition_variable turn_over_;
+  std::vector<std::shared_ptr<Place>> places_;
+  const Place* running_ = nullptr;
+  std::uint64_t turns_ = 0;
+  std::uint64_t wakes_ = 0;
+  std::jthread thread_;  // last: it uses all of the above
 };
 
 // Who shares what: machines on one serial line, or behind one gateway.
@@ -126,7 +290,8 @@ class Trunks {
       }
     }
     if (trunks_.size() >= kMaxBuses) {
-      return std::unexpected(fmt::format("{}: there are {} register buses already", url.text, kMaxBuses));
+      return std::unexpected(
+          fmt::format("{}: there are {} register buses already; more than that are not served", url.text, kMaxBuses));
     }
     auto trunk = std::make_shared<Trunk>(url, settings);
     trunks_[key] = trunk;
@@ -143,71 +308,27 @@ Trunks& trunks() {
   return all;
 }
 
-class ModbusBus final : public app::RegisterBus {
+class ModbusSeat final : public app::BusSeat {
  public:
-  ModbusBus(std::shared_ptr<Trunk> trunk, const BusSettings& settings)
-      : trunk_(std::move(trunk)), settings_(settings) {}
-
-  std::expected<void, app::BusFailure> write(std::uint16_t address, std::span<const std::uint16_t> registers) override {
-    return done(trunk_->call(settings_, [&](modbus_t* context) {
-      return modbus_write_registers(context, address, static_cast<int>(registers.size()), registers.data());
-    }));
-  }
-  std::expected<void, app::BusFailure> read(std::uint16_t address, std::span<std::uint16_t> registers) override {
-    return done(trunk_->call(settings_, [&](modbus_t* context) {
-      return modbus_read_registers(context, address, static_cast<int>(registers.size()), registers.data());
-    }));
-  }
-  std::expected<bool, app::BusFailure> exchange(std::uint16_t to, std::span<const std::uint16_t> registers,
-                                                std::uint16_t from, std::span<std::uint16_t> into) override {
-    if (has_exchange_ && registers.size() <= MODBUS_MAX_WR_WRITE_REGISTERS) {
-      const auto exchanged = trunk_->call(settings_, [&](modbus_t* context) {
-        return modbus_write_and_read_registers(context, to, static_cast<int>(registers.size()), registers.data(), from,
-                                               static_cast<int>(into.size()), into.data());
-      });
-      if (exchanged) return true;
-      // A server that answers with an exception does not do it this way; it is asked in two steps from now on.
-      if (exchanged.error().link_lost) return std::unexpected(exchanged.error());
-      has_exchange_ = false;
-    }
-    const auto written = write(to, registers);
-    if (!written) return std::unexpected(written.error());
-    return false;
-  }
+  ModbusSeat(std::shared_ptr<Trunk> trunk, app::BusUser& user, const BusSettings& settings)
+      : trunk_(std::move(trunk)), place_(trunk_->enter(user, settings)) {}
+  ~ModbusSeat() override { trunk_->leave(place_); }
+  void wake() override { trunk_->wake(*place_); }
 
  private:
-  static std::expected<void, app::BusFailure> done(const std::expected<int, app::BusFailure>& result) {
-    if (result) return {};
-    return std::unexpected(result.error());
-  }
-
   std::shared_ptr<Trunk> trunk_;
-  BusSettings settings_;
-  bool has_exchange_ = true;
-};
-
-// A link that cannot be had: every call says why.
-class NoBus final : public app::RegisterBus {
- public:
-  explicit NoBus(std::string why) : why_(std::move(why)) {}
-  std::expected<void, app::BusFailure> write(std::uint16_t, std::span<const std::uint16_t>) override { return fail(); }
-  std::expected<void, app::BusFailure> read(std::uint16_t, std::span<std::uint16_t>) override { return fail(); }
-
- private:
-  [[nodiscard]] std::unexpected<app::BusFailure> fail() const {
-    return std::unexpected(app::BusFailure{.link_lost = true, .text = why_});
-  }
-  std::string why_;
+  std::shared_ptr<Place> place_;
 };
 
 }  // namespace
 
-std::unique_ptr<app::RegisterBus> make_modbus_bus(const machine::LinkUrl& url) {
+std::expected<std::unique_ptr<app::BusSeat>, std::string> take_modbus_seat(const machine::LinkUrl& url,
+                                                                           app::BusUser& user) {
   const auto settings = machine::bus_settings_of(url);
-  if (!settings) return std::make_unique<NoBus>(settings.error());
+  if (!settings) return std::unexpected(settings.error());
   auto trunk = trunks().find(url, *settings);
-  if (!trunk) return std::make_unique<NoBus>(trunk.error());
-  return std::make_unique<ModbusBus>(std::move(*trunk), *settings);
+  if (!trunk) return std::unexpected(trunk.error());
+  return std::make_unique<ModbusSeat>(std::move(*trunk), user, *settings);
 }
 
 }  // namespace dripfeed::io

@@ -1,17 +1,21 @@
-// A register bus over Modbus TCP or RTU (libmodbus). Blocking: each bus object is used from one thread of its own.
-// Units behind one address or on one serial line share its connection; their requests queue up in their order.
+// Register buses over Modbus TCP or RTU (libmodbus): one connection and one thread for each address or serial line,
+// which carries the requests of all who have a unit there, in turn.
 #pragma once
 
 #include <cstddef>
+#include <expected>
 #include <memory>
+#include <string>
 
 #include "server/app/ports/register_bus.h"
 
 namespace dripfeed::io {
 
-// Connections at the same time, each an address or a serial line. Calls on a bus beyond them fail and say so.
+// Buses at the same time. A seat on one more is refused.
 inline constexpr std::size_t kMaxBuses = 16;
 
-std::unique_ptr<app::RegisterBus> make_modbus_bus(const machine::LinkUrl& url);
+// See BusSeatMaker. Refused: wrong options, one bus too many, a line that another machine uses with other settings.
+std::expected<std::unique_ptr<app::BusSeat>, std::string> take_modbus_seat(const machine::LinkUrl& url,
+                                                                           app::BusUser& user);
 
 }  // namespace dripfeed::io

@@ -11,6 +11,11 @@ namespace {
 Document time_or_null(std::int64_t at_ms) { return at_ms == 0 ? Document(nullptr) : Document(at_ms); }
 Document text_or_null(std::string_view text) { return text.empty() ? Document(nullptr) : Document(text); }
 
+Document machine_document(const std::optional<app::MachineReport>& machine) {
+  if (!machine) return nullptr;
+  return {{"state", machine->state}, {"program", machine->program}, {"line", machine->line}, {"alarm", machine->alarm}};
+}
+
 Document status_document(const app::MachineStatus& status) {
   const app::LineReport& r = status.report;
   Document waits = nullptr;
@@ -37,6 +42,7 @@ Document status_document(const app::MachineStatus& status) {
           {"holds", r.holds},
           {"hold_s", r.hold_s},
           {"line_use", r.line_use},
+          {"plc", machine_document(r.machine)},
           {"program", status.program},
           {"block_text", status.block_text},
           {"needs_confirmation", waits}};

@@ -17,6 +17,8 @@ constexpr std::array<std::uint32_t, 14> kBauds = {300,   600,   1200,   2400,   
                                                   38400, 57600, 115200, 230400, 460800, 500000, 921600};
 constexpr std::uint32_t kShortestTimeout_ms = 10;
 constexpr std::uint32_t kLongestTimeout_ms = 60'000;
+constexpr std::uint32_t kShortestPoll_ms = 20;
+constexpr std::uint32_t kLongestPoll_ms = 60'000;
 constexpr std::uint32_t kLastUnit = 247;
 
 std::optional<std::uint32_t> number_of(std::string_view text) {
@@ -33,15 +35,15 @@ const std::string* option(const LinkUrl& url, const std::string& name) {
 
 using Read = std::expected<void, std::string>;
 
-Read read_timeout(const LinkUrl& url, BusSettings& settings) {
-  const std::string* const given = option(url, "timeout_ms");
+Read read_number(const LinkUrl& url, const std::string& name, std::uint32_t least, std::uint32_t most,
+                 std::uint32_t& into) {
+  const std::string* const given = option(url, name);
   if (given == nullptr) return {};
   const auto value = number_of(*given);
-  if (!value || *value < kShortestTimeout_ms || *value > kLongestTimeout_ms) {
-    return std::unexpected(
-        fmt::format("timeout_ms \"{}\" is not {}..{}", *given, kShortestTimeout_ms, kLongestTimeout_ms));
+  if (!value || *value < least || *value > most) {
+    return std::unexpected(fmt::format("{} \"{}\" is not {}..{}", name, *given, least, most));
   }
-  settings.timeout_ms = *value;
+  into = *value;
   return {};
 }
 
@@ -74,7 +76,8 @@ Read read_line(const LinkUrl& url, BusSettings& settings) {
 
 std::expected<BusSettings, std::string> bus_settings_of(const LinkUrl& url) {
   BusSettings settings{.unit = url.unit};
-  Read read = read_timeout(url, settings);
+  Read read = read_number(url, "timeout_ms", kShortestTimeout_ms, kLongestTimeout_ms, settings.timeout_ms);
+  if (read) read = read_number(url, "poll_ms", kShortestPoll_ms, kLongestPoll_ms, settings.poll_ms);
   if (read && url.kind == LinkKind::modbus_rtu) read = read_line(url, settings);
   if (!read) return std::unexpected(fmt::format("link \"{}\": {}", url.text, read.error()));
   return settings;

@@ -11,7 +11,7 @@ namespace dripfeed::simulator {
 
 namespace {
 
-constexpr std::array<FaultRow, 17> kRows{{
+constexpr std::array<FaultRow, 22> kRows{{
     {FaultKind::cut, "cut", "the cable is cut after N characters"},
     {FaultKind::unplug, "unplug", "the cable is out for two seconds after N characters"},
     {FaultKind::half_open, "half-open", "after N characters the peer takes and sends nothing, its connection stays"},
@@ -29,6 +29,12 @@ constexpr std::array<FaultRow, 17> kRows{{
     {FaultKind::baud, "baud", "the control's line is set to N baud"},
     {FaultKind::dsr, "dsr", "the control's DTR goes off at character N"},
     {FaultKind::tv, "tv", "N = 1: the control checks that each block has an even number of characters"},
+    {FaultKind::plc_lose, "plc-lose", "the PLC gets nothing of each Nth request"},
+    {FaultKind::plc_silent, "plc-silent", "the PLC does what each Nth request says and does not answer"},
+    {FaultKind::plc_busy, "plc-busy", "the PLC is busy (exception 6) at each Nth request"},
+    {FaultKind::plc_damage, "plc-damage",
+     "each Nth answer of the PLC has a wrong check sum (RTU) or transaction (TCP)"},
+    {FaultKind::plc_restart, "plc-restart", "the PLC is restarted at request N; it keeps its text"},
 }};
 
 constexpr bool rows_in_order() {

@@ -1,5 +1,5 @@
 // What can go wrong on purpose, as a table: faults of the line, which strike any kind of control, and faults of the
-// control itself. `--fault NAME=N`; the same numbers and seed give the same run.
+// control itself, and those of a PLC. `--fault NAME=N`; the same numbers and seed give the same run.
 #pragma once
 
 #include <cstddef>
@@ -34,6 +34,12 @@ enum class FaultKind : std::uint8_t {
   baud,
   dsr,
   tv,
+  // of a PLC
+  plc_lose,
+  plc_silent,
+  plc_busy,
+  plc_damage,
+  plc_restart,
 };
 
 struct Fault {

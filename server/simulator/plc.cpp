@@ -1,24 +1,25 @@
-// libmodbus answers from its registers; this file gathers the requests, so that half a one holds nobody up, looks at
-// each write and lets the receiver decide. One client at a time, as small PLCs do: a new one replaces the old.
+// libmodbus answers from its registers, into a socket of our own; this file looks at each write and lets the receiver
+// decide, and does to an answer what the faults say.
 #include "server/simulator/plc.h"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
+#include <charconv>
 #include <chrono>
+#include <cstring>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 
-#include <arpa/inet.h>
 #include <fmt/format.h>
 #include <modbus.h>
-#include <netinet/in.h>
-#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include "protocol/modbus/modbus.h"
+#include "server/machine/bus_settings.h"
+#include "server/simulator/plc_port.h"
 
 namespace dripfeed::simulator {
 
@@ -26,18 +27,14 @@ namespace {
 
 // As the server's port for register buses has it.
 constexpr int kMailboxAddress = 0;
+constexpr int kAnswerAddress = 121;
 constexpr int kStatusAddress = 128;
+constexpr int kMachineAddress = kStatusAddress + static_cast<int>(modbus::kStatusRegisters);
 constexpr int kRegisters = 256;
 constexpr int kPoll_ms = 5;
-// Of a request (Modbus Messaging on TCP/IP, 3.1.3): transaction, protocol 0, length of what follows, unit; then the
-// PDU.
-constexpr std::size_t kLengthAt = 4;
-constexpr std::size_t kBeforeUnit = 6;
-constexpr std::size_t kFunctionAt = 7;
-constexpr std::size_t kShortest = 8;
-// FC16: first register, count, bytes of data, data.
-constexpr std::size_t kDataBytesAt = 12;
-constexpr std::size_t kBeforeData = 13;
+
+// The panel's registers.
+enum PanelAt : std::size_t { kDoes = 0, kAlarm = 1, kRequest = 3, kProgram = 4, kBell = 6, kPanelRegisters = 7 };
 
 class PlcText final : public modbus::TextSink {
  public:
@@ -52,6 +49,15 @@ class PlcText final : public modbus::TextSink {
   std::string text_;
 };
 
+// The number of a text that begins with one: "%\nO0042".
+std::uint32_t program_number(std::string_view text) {
+  const std::size_t at = text.find('O');
+  std::uint32_t number = 0;
+  if (at == std::string_view::npos || text.find_first_not_of("%\n", 0) != at) return 0;
+  std::from_chars(text.data() + at + 1, text.data() + text.size(), number);
+  return number;
+}
+
 struct FreeContext {
   void operator()(modbus_t* context) const { modbus_free(context); }
 };
@@ -59,154 +65,219 @@ struct FreeMapping {
   void operator()(modbus_mapping_t* mapping) const { modbus_mapping_free(mapping); }
 };
 
+// libmodbus as a machine from request to answer: it writes into one end of a pair, we read the other.
+class Answerer {
+ public:
+  explicit Answerer(bool serial)
+      : context_(serial ? modbus_new_rtu("/dev/null", 19200, 'E', 8, 1) : modbus_new_tcp("127.0.0.1", 502)) {
+    ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0, ends_.data());
+    modbus_set_socket(context_.get(), ends_[1]);
+    modbus_set_response_timeout(context_.get(), 0, 1000);  // an exception sleeps so long
+  }
+  Answerer(const Answerer&) = delete;
+  Answerer& operator=(const Answerer&) = delete;
+  ~Answerer() {
+    for (const int end : ends_) ::close(end);
+  }
+
+  std::span<std::uint8_t> reply(const PlcRequest& request, modbus_mapping_t* mapping) {
+    auto query = query_of(request);
+    modbus_reply(context_.get(), query.data(), static_cast<int>(request.frame.size()), mapping);
+    return taken();
+  }
+  std::span<std::uint8_t> refuse(const PlcRequest& request, unsigned exception) {
+    auto query = query_of(request);
+    modbus_reply_exception(context_.get(), query.data(), exception);
+    return taken();
+  }
+
+ private:
+  using Frame = std::array<std::uint8_t, MODBUS_TCP_MAX_ADU_LENGTH>;
+  static Frame query_of(const PlcRequest& request) {
+    Frame query{};  // libmodbus looks no further than the longest one
+    std::ranges::copy(request.frame, query.begin());
+    return query;
+  }
+  std::span<std::uint8_t> taken() {
+    const ssize_t count = ::recv(ends_[0], answer_.data(), answer_.size(), MSG_DONTWAIT);
+    return std::span(answer_).first(count > 0 ? static_cast<std::size_t>(count) : 0);
+  }
+
+  std::unique_ptr<modbus_t, FreeContext> context_;
+  std::array<int, 2> ends_{-1, -1};
+  Frame answer_{};
+};
+
 class ModbusPlc final : public Plc {
  public:
-  ModbusPlc(const PlcSettings& settings, std::unique_ptr<modbus_t, FreeContext> context, int listener)
+  ModbusPlc(const PlcSettings& settings, std::uint8_t unit, std::unique_ptr<PlcPort> port)
       : settings_(settings),
-        context_(std::move(context)),
+        unit_(unit),
+        port_(std::move(port)),
+        answerer_(port_->is_serial()),
         mapping_(modbus_mapping_new(0, 0, kRegisters, 0)),
-        listener_(listener),
         clock_(settings.clock),
-        receiver_(text_, settings.boot_counter),
+        boot_counter_(settings.boot_counter),
+        receiver_(std::in_place, text_, boot_counter_),
         thread_([this](const std::stop_token& stop) { loop(stop); }) {}
   ~ModbusPlc() override {
     thread_.request_stop();
     thread_.join();
-    drop_client();
-    ::close(listener_);
   }
 
   [[nodiscard]] PlcReport report() const override {
     const std::lock_guard lock(mutex_);
     return {.text = text_.text(), .requests = requests_, .blocks_run = blocks_run_, .complete = complete()};
   }
-
-  [[nodiscard]] std::uint16_t port() const override {
-    sockaddr_in address{};
-    socklen_t length = sizeof(address);
-    // The socket interface takes every address by this type.
-    ::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &length);
-    return ntohs(address.sin_port);
-  }
+  [[nodiscard]] std::uint16_t port() const override { return port_->port(); }
 
  private:
-  [[nodiscard]] bool complete() const { return receiver_.memory().complete && consumed_ == text_.text().size(); }
+  [[nodiscard]] bool complete() const { return receiver_->memory().complete && consumed_ == text_.text().size(); }
 
   void loop(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
-      std::array<pollfd, 2> files = {pollfd{listener_, POLLIN, 0}, pollfd{client_, POLLIN, 0}};
-      ::poll(files.data(), client_ < 0 ? 1 : 2, kPoll_ms);
+      port_->serve(kPoll_ms, [this](const PlcRequest& request) { return answer(request); });
       const std::lock_guard lock(mutex_);
-      if ((files[0].revents & POLLIN) != 0) accept_client();
-      if (client_ >= 0 && files[1].revents != 0) answer();
       run();
     }
   }
 
-  void accept_client() {
-    const int client = ::accept(listener_, nullptr, nullptr);
-    if (client < 0) return;
-    drop_client();
-    client_ = client;
-    gathered_ = 0;
-    modbus_set_socket(context_.get(), client_);
+  [[nodiscard]] bool strikes(FaultKind kind) const {
+    const auto every = find_fault(settings_.faults, kind);
+    return every && *every > 0 && requests_ % *every == 0;
   }
 
-  void drop_client() {
-    if (client_ >= 0) ::close(client_);
-    client_ = -1;
-  }
-
-  // What has come by now; each request that is whole is answered.
-  void answer() {
-    const ssize_t count =
-        ::recv(client_, gathered_bytes_.data() + gathered_, gathered_bytes_.size() - gathered_, MSG_DONTWAIT);
-    if (count < 0 && (errno == EAGAIN || errno == EINTR)) return;
-    if (count <= 0) return drop_client();
-    gathered_ += static_cast<std::size_t>(count);
-    while (client_ >= 0 && gathered_ >= kBeforeUnit) {
-      const std::size_t length = kBeforeUnit + gathered_bytes_[kLengthAt] * 256U + gathered_bytes_[kLengthAt + 1];
-      if (length < kShortest || length > gathered_bytes_.size()) return drop_client();  // the stream is out of step
-      if (gathered_ < length) return;
-      answer_one(std::span(gathered_bytes_).first(length));
-      std::copy(gathered_bytes_.begin() + static_cast<std::ptrdiff_t>(length),
-                gathered_bytes_.begin() + static_cast<std::ptrdiff_t>(gathered_), gathered_bytes_.begin());
-      gathered_ -= length;
-    }
-  }
-
-  void answer_one(std::span<const std::uint8_t> request) {
-    const bool writes = request[kFunctionAt] == MODBUS_FC_WRITE_MULTIPLE_REGISTERS;
-    if (writes && (request.size() < kBeforeData || request.size() != kBeforeData + request[kDataBytesAt]))
-      return drop_client();
-    std::array<std::uint8_t, MODBUS_TCP_MAX_ADU_LENGTH> query{};  // libmodbus looks no further than the longest one
-    std::ranges::copy(request, query.begin());
-    publish();
+  std::span<const std::uint8_t> answer(const PlcRequest& request) {
+    // A TCP server of its own is asked by whatever unit; on a line others answer for theirs.
+    if (port_->is_serial() && request.unit() != unit_) return {};
+    const std::lock_guard lock(mutex_);
     ++requests_;
-    if (request[kFunctionAt] == MODBUS_FC_WRITE_AND_READ_REGISTERS && !take_exchange(request)) return drop_client();
-    const auto length = static_cast<int>(request.size());
-    if (modbus_reply(context_.get(), query.data(), length, mapping_.get()) < 0) return drop_client();
-    take_write(request);
-    publish();
+    if (const auto at = find_fault(settings_.faults, FaultKind::plc_restart); at && requests_ == *at) {
+      restart();
+      return {};
+    }
+    if (strikes(FaultKind::plc_lose)) return {};
+    if (strikes(FaultKind::plc_busy)) return answerer_.refuse(request, MODBUS_EXCEPTION_SLAVE_OR_SERVER_BUSY);
+    const std::span<std::uint8_t> out = handle(request);
+    if (strikes(FaultKind::plc_silent)) return {};
+    // The check sum's last byte on a line, the transaction's number by TCP.
+    if (strikes(FaultKind::plc_damage) && !out.empty()) out[port_->is_serial() ? out.size() - 1 : 1] ^= 0x55;
+    return out;
   }
 
-  // FC23: the write is done and judged before the read, as the standard has it: first register to be written at 12-13,
-  // count at 14-15, bytes at 16, then the data.
-  bool take_exchange(std::span<const std::uint8_t> query) {
-    constexpr std::size_t kWriteAt = 12;
-    constexpr std::size_t kExchangeData = 17;
-    if (query.size() < kExchangeData || query.size() != kExchangeData + query[kExchangeData - 1]) return false;
-    const int first = query[kWriteAt] * 256 + query[kWriteAt + 1];
-    const int count = query[kWriteAt + 2] * 256 + query[kWriteAt + 3];
-    if (query[kExchangeData - 1] != count * 2) return false;
-    if (first < kMailboxAddress || first + count > kStatusAddress) return true;  // libmodbus refuses what is not there
-    std::array<std::uint16_t, kStatusAddress> words{};
+  std::span<std::uint8_t> handle(const PlcRequest& request) {
+    publish();
+    const auto pdu = request.frame.subspan(request.function_at);
+    if (!settings_.has_words && reaches_words(pdu))
+      return answerer_.refuse(request, MODBUS_EXCEPTION_ILLEGAL_DATA_ADDRESS);
+    if (pdu[0] == MODBUS_FC_WRITE_AND_READ_REGISTERS) take_exchange(pdu);
+    const auto out = answerer_.reply(request, mapping_.get());
+    if (pdu[0] == MODBUS_FC_WRITE_MULTIPLE_REGISTERS) take_write(pdu);
+    publish();
+    return out;
+  }
+
+  static int word_at(std::span<const std::uint8_t> pdu, std::size_t at) { return pdu[at] * 256 + pdu[at + 1]; }
+
+  // A read of the machine's words: function, first register, count; of an exchange those behind the function, too.
+  static bool reaches_words(std::span<const std::uint8_t> pdu) {
+    const bool reads = pdu[0] == MODBUS_FC_READ_HOLDING_REGISTERS || pdu[0] == MODBUS_FC_WRITE_AND_READ_REGISTERS;
+    if (!reads || pdu.size() < 5) return false;
+    const int first = word_at(pdu, 1);
+    return first < kPanelAddress && first + word_at(pdu, 3) > kMachineAddress;
+  }
+
+  // FC23: the write is done and judged before the read, as the standard has it: first register to be written at 5,
+  // count at 7, bytes at 9, then the data.
+  void take_exchange(std::span<const std::uint8_t> pdu) {
+    constexpr std::size_t kData = 10;
+    if (pdu.size() < kData) return;
+    const int first = word_at(pdu, 5);
+    const int count = word_at(pdu, 7);
+    if (pdu[9] != count * 2 || pdu.size() < kData + pdu[9]) return;
+    if (first < kMailboxAddress || first + count > kAnswerAddress) return;  // libmodbus refuses what is not there
+    std::array<std::uint16_t, kAnswerAddress> words{};
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
-      words[i] = static_cast<std::uint16_t>(query[kExchangeData + 2 * i] * 256U + query[kExchangeData + 2 * i + 1]);
-    receiver_.written(static_cast<std::size_t>(first - kMailboxAddress),
-                      std::span(words).first(static_cast<std::size_t>(count)));
+      words[i] = static_cast<std::uint16_t>(word_at(pdu, kData + 2 * i));
+    receiver_->written(static_cast<std::size_t>(first - kMailboxAddress),
+                       std::span(words).first(static_cast<std::size_t>(count)));
     publish();
-    return true;
   }
 
-  // FC16 as it stands in the request: function at byte 7, first register at 8-9, count at 10-11.
-  void take_write(std::span<const std::uint8_t> query) {
-    if (query[kFunctionAt] != MODBUS_FC_WRITE_MULTIPLE_REGISTERS) return;
-    const int first = query[8] * 256 + query[9];
-    const int count = query[10] * 256 + query[11];
-    if (first < kMailboxAddress || first + count > kRegisters) return;
-    receiver_.written(static_cast<std::size_t>(first - kMailboxAddress),
-                      std::span(mapping_->tab_registers + first, static_cast<std::size_t>(count)));
+  // FC16: first register at 1, count at 3; the data is in the registers already.
+  void take_write(std::span<const std::uint8_t> pdu) {
+    const int first = word_at(pdu, 1);
+    const int count = word_at(pdu, 3);
+    if (first < kMailboxAddress || first + count > kAnswerAddress) return;
+    receiver_->written(static_cast<std::size_t>(first - kMailboxAddress),
+                       std::span(mapping_->tab_registers + first, static_cast<std::size_t>(count)));
+  }
+
+  // Power off and on: the text and its account stay, the panel and the doorbell's answer do not.
+  void restart() {
+    const modbus::ReceiverMemory memory = receiver_->memory();
+    receiver_.emplace(text_, ++boot_counter_, memory);
+    std::fill_n(mapping_->tab_registers + kAnswerAddress, modbus::kAnswerRegisters, std::uint16_t{0});
+    std::fill_n(mapping_->tab_registers + kPanelAddress, std::size_t{kPanelRegisters}, std::uint16_t{0});
+    port_->drop_all();
+  }
+
+  [[nodiscard]] std::uint16_t panel(std::size_t at) const { return mapping_->tab_registers[kPanelAddress + at]; }
+  [[nodiscard]] std::uint32_t panel_32(std::size_t at) const { return std::uint32_t{panel(at)} << 16U | panel(at + 1); }
+  [[nodiscard]] modbus::MachineState state() const {
+    if (panel(kDoes) > 0 && panel(kDoes) <= static_cast<std::uint16_t>(modbus::MachineState::manual))
+      return static_cast<modbus::MachineState>(panel(kDoes));
+    const bool has_work = !text_.text().empty() && !complete();
+    return has_work && receiver_->status().state != modbus::ReceiverState::idle ? modbus::MachineState::running
+                                                                                : modbus::MachineState::idle;
+  }
+  [[nodiscard]] bool stands() const {
+    const modbus::MachineState now = state();
+    return now == modbus::MachineState::held || now == modbus::MachineState::alarm ||
+           now == modbus::MachineState::emergency_stop || receiver_->status().state == modbus::ReceiverState::held;
   }
 
   void publish() {
     const std::size_t backlog = text_.text().size() - consumed_;
     const std::size_t free_bytes = settings_.buffer_bytes - std::min<std::size_t>(backlog, settings_.buffer_bytes);
-    receiver_.set_free_blocks(static_cast<std::uint16_t>(free_bytes / modbus::kMaxPayload));
-    receiver_.set_consumed(static_cast<std::uint32_t>(consumed_));
-    receiver_.beat();
-    std::ranges::copy(receiver_.status_image(), mapping_->tab_registers + kStatusAddress);
+    receiver_->set_free_blocks(static_cast<std::uint16_t>(free_bytes / modbus::kMaxPayload));
+    receiver_->set_consumed(static_cast<std::uint32_t>(consumed_));
+    receiver_->beat();
+    std::ranges::copy(receiver_->status_image(), mapping_->tab_registers + kStatusAddress);
+    modbus::MachineImage image{};
+    const bool runs = state() != modbus::MachineState::idle && !text_.text().empty();
+    modbus::encode({.state = state(),
+                    .program = program_number(text_.text()),
+                    .line = runs ? lines_run_ : 0,  // the block that was begun last
+                    .alarm = state() == modbus::MachineState::alarm ? panel_32(kAlarm) : 0,
+                    .bell = panel(kBell),
+                    .request = panel(kRequest),
+                    .requested = panel_32(kProgram)},
+                   image);
+    if (settings_.has_words) std::ranges::copy(image, mapping_->tab_registers + kMachineAddress);
   }
 
   // Runs finished blocks only, each for as long as it takes.
   void run() {
     const auto now = std::chrono::steady_clock::now();
     const std::string& text = text_.text();
-    if (receiver_.memory().session != session_) {
-      session_ = receiver_.memory().session;
+    if (receiver_->memory().session != session_) {
+      session_ = receiver_->memory().session;
       consumed_ = 0;
+      lines_run_ = 0;
       clock_ = BlockClock(settings_.clock);
     }
-    while (run_until_ <= now) {
+    while (run_until_ <= now && !stands()) {
       const std::size_t end = text.find('\n', consumed_);
       if (end == std::string::npos) {
-        if (receiver_.memory().complete)
+        if (receiver_->memory().complete)
           consumed_ = text.size();  // the last line needs no EOB once the end is announced
         return;
       }
       const double seconds = clock_.run(std::string_view(text).substr(consumed_, end - consumed_)) / settings_.speed;
       consumed_ = end + 1;
       ++blocks_run_;
+      ++lines_run_;
       const auto duration =
           std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds));
       run_until_ = std::max(run_until_, now - std::chrono::milliseconds(kPoll_ms)) + duration;
@@ -214,17 +285,17 @@ class ModbusPlc final : public Plc {
   }
 
   PlcSettings settings_;
-  std::unique_ptr<modbus_t, FreeContext> context_;
+  std::uint8_t unit_;
+  std::unique_ptr<PlcPort> port_;
+  Answerer answerer_;
   std::unique_ptr<modbus_mapping_t, FreeMapping> mapping_;
-  int listener_;
-  int client_ = -1;
-  std::array<std::uint8_t, MODBUS_TCP_MAX_ADU_LENGTH> gathered_bytes_{};
-  std::size_t gathered_ = 0;
   BlockClock clock_;
   PlcText text_;
-  modbus::Receiver receiver_;
+  std::uint16_t boot_counter_;
+  std::optional<modbus::Receiver> receiver_;
   std::uint32_t session_ = 0;
   std::size_t consumed_ = 0;
+  std::uint32_t lines_run_ = 0;
   std::uint64_t requests_ = 0;
   std::uint64_t blocks_run_ = 0;
   std::chrono::steady_clock::time_point run_until_;
@@ -235,11 +306,11 @@ class ModbusPlc final : public Plc {
 }  // namespace
 
 std::expected<std::unique_ptr<Plc>, std::string> Plc::start(const machine::LinkUrl& url, const PlcSettings& settings) {
-  const std::string host = url.host.empty() ? "127.0.0.1" : url.host;
-  std::unique_ptr<modbus_t, FreeContext> context(modbus_new_tcp(host.c_str(), url.port));
-  const int listener = context ? modbus_tcp_listen(context.get(), 1) : -1;
-  if (listener < 0) return std::unexpected(fmt::format("{}: cannot listen: {}", url.text, modbus_strerror(errno)));
-  return std::make_unique<ModbusPlc>(settings, std::move(context), listener);
+  const auto bus = machine::bus_settings_of(url);
+  if (!bus) return std::unexpected(bus.error());
+  auto port = url.kind == machine::LinkKind::modbus_rtu ? open_rtu_port(url) : open_tcp_port(url);
+  if (!port) return std::unexpected(port.error());
+  return std::make_unique<ModbusPlc>(settings, bus->unit, std::move(*port));
 }
 
 }  // namespace dripfeed::simulator

@@ -1,10 +1,12 @@
-// One Modbus server as registers. Calls block, so a bus has a thread of its own. Whether a write that failed took
-// effect is unknown: the handshake above reads back.
+// One Modbus server as registers, and the thread of the bus that it lies on. Calls block, so they are made in turns on
+// the bus's own thread. Whether a write that failed took effect is unknown: the handshake above reads back.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <expected>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -12,8 +14,10 @@
 
 namespace dripfeed::app {
 
-// Where the two register images of the block mailbox (protocol/modbus) lie at the server.
+// Where the register images of the block mailbox (protocol/modbus) lie at the server; the machine's words are right
+// behind the status.
 inline constexpr std::uint16_t kMailboxAddress = 0;
+inline constexpr std::uint16_t kAnswerAddress = 121;
 inline constexpr std::uint16_t kStatusAddress = 128;
 
 struct BusFailure {
@@ -40,7 +44,31 @@ class RegisterBus {
   }
 };
 
-// Makes a bus for modbus-tcp:// and modbus-rtu: links. It connects with the first call.
-using RegisterBusMaker = std::unique_ptr<RegisterBus> (*)(const machine::LinkUrl& url);
+// Who has a server on a bus.
+class BusUser {
+ public:
+  // On the bus's thread: makes one request at most (two where the bus cannot write and read in one). In how long the
+  // next turn is wanted; nothing: not before a wake().
+  virtual std::optional<std::chrono::nanoseconds> turn(RegisterBus& bus) = 0;
+
+ protected:
+  ~BusUser() = default;
+};
+
+// A user's place on the bus. Its turns begin at once; the destructor waits for one that is on its way.
+class BusSeat {
+ public:
+  BusSeat() = default;
+  BusSeat(const BusSeat&) = delete;
+  BusSeat& operator=(const BusSeat&) = delete;
+  virtual ~BusSeat() = default;
+  // A turn as soon as the others let it. From any thread.
+  virtual void wake() = 0;
+};
+
+// A seat for a modbus-tcp:// or modbus-rtu: link; or one sentence that says why there is none. The bus connects with
+// the first call. `user` must outlive the seat.
+using BusSeatMaker = std::expected<std::unique_ptr<BusSeat>, std::string> (*)(const machine::LinkUrl& url,
+                                                                              BusUser& user);
 
 }  // namespace dripfeed::app

@@ -24,7 +24,7 @@ class ApplicationTest : public ShopTest {
         : store(must(sqlite::open(database, {.own = true}))) {
       links.advance(later);
       application = std::make_unique<Application>(Application::Environment{
-          .store = *store, .links = links, .make_bus = nullptr, .clock = links.clock(), .documents = documents});
+          .store = *store, .links = links, .take_seat = nullptr, .clock = links.clock(), .documents = documents});
     }
     [[nodiscard]] std::string written() { return text_of(links.cable(url_of(kLathe)).written); }
 

@@ -21,7 +21,7 @@ constexpr const char* kPlcUrl = "modbus-tcp://plc:502/1";
 
 class MailboxLineTest : public ShopTest {
  protected:
-  MailboxLineTest() : shop_(make(), make_plc_bus) { shop_.add_machine("press", kPlcUrl); }
+  MailboxLineTest() : shop_(make(), take_plc_seat) { shop_.add_machine("press", kPlcUrl); }
 
   store::Job arm(const std::string& text) {
     const store::Job job = shop_.add_job("press", text);

@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <random>
 #include <string>
+#include <thread>
 
 #include "protocol/modbus/modbus.h"
 #include "server/app/ports/register_bus.h"
@@ -56,11 +60,50 @@ class RegisterPlc final : private modbus::TextSink {
   }
   std::expected<void, BusFailure> read(std::span<std::uint16_t> registers) {
     const std::lock_guard lock(mutex_);
+    ++reads_;
     if (draw() != Luck::arrives) return failure();
+    const bool wants_words = registers.size() > modbus::kStatusRegisters;
+    if (wants_words && !words_ && ignores_long_reads_) return failure();
+    if (wants_words && !words_) return illegal_address();
     settle();
     receiver_.beat();
     std::ranges::copy(receiver_.status_image(), registers.begin());
+    modbus::MachineImage image{};
+    if (words_) modbus::encode(*words_, image);
+    if (wants_words) std::ranges::copy(image, registers.begin() + modbus::kStatusRegisters);
     return {};
+  }
+  std::expected<void, BusFailure> write_answer(std::span<const std::uint16_t> registers) {
+    const std::lock_guard lock(mutex_);
+    if (draw() != Luck::arrives) return failure();
+    std::ranges::copy(registers, answer_.begin());
+    ++answers_;
+    return {};
+  }
+  std::expected<void, BusFailure> read_answer(std::span<std::uint16_t> registers) {
+    const std::lock_guard lock(mutex_);
+    if (draw() != Luck::arrives) return failure();
+    std::ranges::copy(answer_, registers.begin());
+    return {};
+  }
+
+  // The machine's words; nothing: a PLC of the map without them, which answers a longer read by an exception or not.
+  void show(const std::optional<modbus::MachineWords>& words, bool ignores_long_reads = false) {
+    const std::lock_guard lock(mutex_);
+    words_ = words;
+    ignores_long_reads_ = ignores_long_reads;
+  }
+  [[nodiscard]] modbus::AnswerImage answer() {
+    const std::lock_guard lock(mutex_);
+    return answer_;
+  }
+  [[nodiscard]] int answers() {
+    const std::lock_guard lock(mutex_);
+    return answers_;
+  }
+  [[nodiscard]] int reads() const { return reads_.load(); }
+  static std::unexpected<BusFailure> illegal_address() {
+    return std::unexpected(BusFailure{.link_lost = false, .text = "illegal address"});
   }
 
  private:
@@ -94,6 +137,11 @@ class RegisterPlc final : private modbus::TextSink {
   std::atomic<bool> gone_{false};
   std::atomic<bool> gives_{true};
   std::atomic<int> writes_{0};
+  std::atomic<int> reads_{0};
+  std::optional<modbus::MachineWords> words_;
+  bool ignores_long_reads_ = false;
+  modbus::AnswerImage answer_{};
+  int answers_ = 0;
   std::function<void(std::span<const std::uint16_t>)> look_;
 };
 
@@ -101,11 +149,13 @@ class PlcBus final : public RegisterBus {
  public:
   explicit PlcBus(RegisterPlc& plc) : plc_(plc) {}
   std::expected<void, BusFailure> write(std::uint16_t address, std::span<const std::uint16_t> registers) override {
-    if (address != kMailboxAddress) return std::unexpected(BusFailure{.link_lost = false, .text = "illegal address"});
+    if (address == kAnswerAddress) return plc_.write_answer(registers);
+    if (address != kMailboxAddress) return RegisterPlc::illegal_address();
     return plc_.write(registers);
   }
   std::expected<void, BusFailure> read(std::uint16_t address, std::span<std::uint16_t> registers) override {
-    if (address != kStatusAddress) return std::unexpected(BusFailure{.link_lost = false, .text = "illegal address"});
+    if (address == kAnswerAddress) return plc_.read_answer(registers);
+    if (address != kStatusAddress) return RegisterPlc::illegal_address();
     return plc_.read(registers);
   }
 
@@ -118,8 +168,42 @@ inline std::map<std::string, RegisterPlc*>& plcs() {
   static std::map<std::string, RegisterPlc*> all;
   return all;
 }
-inline std::unique_ptr<RegisterBus> make_plc_bus(const machine::LinkUrl& url) {
-  return std::make_unique<PlcBus>(*plcs().at(url.text));
+
+// A bus with one place: its thread gives turns as they are wanted, by the real clock.
+class PlcSeat final : public BusSeat {
+ public:
+  PlcSeat(RegisterPlc& plc, BusUser& user)
+      : bus_(plc), user_(user), thread_([this](const std::stop_token& stop) { loop(stop); }) {}
+  void wake() override {
+    const std::lock_guard lock(mutex_);
+    woken_ = true;
+    wake_.notify_all();
+  }
+
+ private:
+  void loop(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      {
+        const std::lock_guard lock(mutex_);
+        woken_ = false;
+      }
+      const auto wait = user_.turn(bus_);
+      std::unique_lock lock(mutex_);
+      // Virtual time may pass much quicker.
+      wake_.wait_for(lock, stop, std::min(wait.value_or(kLook), kLook), [this] { return woken_; });
+    }
+  }
+
+  static constexpr std::chrono::nanoseconds kLook = std::chrono::milliseconds(2);
+  PlcBus bus_;
+  BusUser& user_;
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  bool woken_ = false;
+  std::jthread thread_;  // last: it uses all of the above
+};
+inline std::expected<std::unique_ptr<BusSeat>, std::string> take_plc_seat(const machine::LinkUrl& url, BusUser& user) {
+  return std::make_unique<PlcSeat>(*plcs().at(url.text), user);
 }
 
 }  // namespace dripfeed::app::test

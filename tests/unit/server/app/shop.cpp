@@ -59,10 +59,10 @@ store::Release release_text(store::Store& store, const std::string& machine, con
   return must(store.releases().move(release.id, {store::ReleaseState::approved, "measured", 0}, by("boris")));
 }
 
-Shop::Shop(const std::string& database, RegisterBusMaker make_bus, Ballast* ballast)
+Shop::Shop(const std::string& database, BusSeatMaker take_seat, Ballast* ballast)
     : sqlite_(must(sqlite::open(database, {.own = true}))),
       store(*sqlite_),
-      lines(links, make_bus, [this] { keeper.wake(); }),
+      lines(links, take_seat, [this] { keeper.wake(); }),
       keeper(store, lines, events, links.clock(), ballast),
       catalog(store, lines, events, links.clock(), documents),
       jobs(store, lines, keeper, events, links.clock(), documents) {}
@@ -104,7 +104,7 @@ void Shop::round() {
 std::string Shop::written(const std::string& machine) { return text_of(links.cable(url_of(machine)).written); }
 
 std::vector<std::string> Shop::told() const {
-  static constexpr const char* kKinds[] = {"job", "machine", "verdict", "alarm"};
+  static constexpr const char* kKinds[] = {"job", "machine", "verdict", "alarm", "receipt"};
   std::vector<std::string> all;
   for (const Event& event : events.since(0).events) {
     all.push_back(std::string(kKinds[static_cast<std::size_t>(event.kind)]) + " " + event.machine + " " + event.text);

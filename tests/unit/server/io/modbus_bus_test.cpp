@@ -18,8 +18,14 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "tests/support/calling_bus.h"
+
 namespace dripfeed::io {
 namespace {
+
+std::unique_ptr<app::RegisterBus> make_bus(const machine::LinkUrl& url) {
+  return test::calling_bus(url, take_modbus_seat);
+}
 
 class ModbusServer {
  public:
@@ -99,7 +105,7 @@ class ModbusBusTest : public ::testing::Test {
   ModbusBusTest() {
     auto url = machine::parse_link_url("modbus-tcp://127.0.0.1:502/1").value();
     url.port = server_.port();
-    bus_ = make_modbus_bus(url);
+    bus_ = make_bus(url);
   }
   bool write(std::uint16_t address, std::initializer_list<std::uint16_t> values) {
     const std::vector<std::uint16_t> registers(values);
@@ -181,7 +187,7 @@ TEST_F(ModbusBusTest, AnExceptionLeavesTheConnection) {
 TEST_F(ModbusBusTest, UnitsBehindOneAddressShareItInTurn) {
   auto url = machine::parse_link_url("modbus-tcp://127.0.0.1:502/2").value();
   url.port = server_.port();
-  const auto other = make_modbus_bus(url);
+  const auto other = make_bus(url);
   std::atomic<int> mine{0};
   std::atomic<int> theirs{0};
   const auto ask = [](app::RegisterBus& bus, std::atomic<int>& done) {
@@ -199,18 +205,18 @@ TEST_F(ModbusBusTest, UnitsBehindOneAddressShareItInTurn) {
 TEST(ModbusBus, ThereIsALimitOfConnections) {
   std::vector<std::unique_ptr<app::RegisterBus>> all;
   for (std::size_t i = 0; i < kMaxBuses; ++i)
-    all.push_back(make_modbus_bus(machine::parse_link_url("modbus-rtu:/nowhere/" + std::to_string(i)).value()));
+    all.push_back(make_bus(machine::parse_link_url("modbus-rtu:/nowhere/" + std::to_string(i)).value()));
   std::array<std::uint16_t, 1> value{};
-  const auto over = make_modbus_bus(machine::parse_link_url("modbus-rtu:/nowhere/more").value());
+  const auto over = make_bus(machine::parse_link_url("modbus-rtu:/nowhere/more").value());
   const auto failed = over->read(0, value);
   ASSERT_FALSE(failed);
   EXPECT_NE(failed.error().text.find("16 register buses"), std::string::npos) << failed.error().text;
-  const auto shared = make_modbus_bus(machine::parse_link_url("modbus-rtu:/nowhere/3?unit=9").value());
+  const auto shared = make_bus(machine::parse_link_url("modbus-rtu:/nowhere/3?unit=9").value());
   EXPECT_EQ(shared->read(0, value).error().text.find("16 register buses"), std::string::npos) << "it is there already";
-  const auto other_rate = make_modbus_bus(machine::parse_link_url("modbus-rtu:/nowhere/3?baud=9600").value());
+  const auto other_rate = make_bus(machine::parse_link_url("modbus-rtu:/nowhere/3?baud=9600").value());
   EXPECT_NE(other_rate->read(0, value).error().text.find("other settings"), std::string::npos);
   all.clear();
-  EXPECT_EQ(make_modbus_bus(machine::parse_link_url("modbus-rtu:/nowhere/more").value())
+  EXPECT_EQ(make_bus(machine::parse_link_url("modbus-rtu:/nowhere/more").value())
                 ->read(0, value)
                 .error()
                 .text.find("16 register buses"),
@@ -280,7 +286,7 @@ class RtuLine {
 TEST(ModbusBus, SpeaksRtuOnASerialLine) {
   const RtuLine line;
   const std::string url = "modbus-rtu:" + line.host_end() + "?baud=19200&framing=8E1&timeout_ms=300&unit=";
-  const auto bus = make_modbus_bus(machine::parse_link_url(url + "5").value());
+  const auto bus = make_bus(machine::parse_link_url(url + "5").value());
   const std::vector<std::uint16_t> registers = {1, 2, 3};
   std::array<std::uint16_t, 3> back{};
   std::expected<void, app::BusFailure> written;
@@ -296,7 +302,7 @@ TEST(ModbusBus, SpeaksRtuOnASerialLine) {
   EXPECT_TRUE(*exchanged);
   EXPECT_EQ(back[1], 7);
   // Nobody has this number; the line is made anew behind the silence, and the other unit is as before.
-  const auto nobody = make_modbus_bus(machine::parse_link_url(url + "6").value());
+  const auto nobody = make_bus(machine::parse_link_url(url + "6").value());
   EXPECT_FALSE(nobody->read(2, back));
   // libmodbus's server takes what follows a request for another for that one's answer, and passes it over.
   bool again = false;
@@ -313,7 +319,7 @@ TEST(ModbusBus, NobodyThereIsAFailure) {
   }
   auto url = machine::parse_link_url("modbus-tcp://127.0.0.1:502/1").value();
   url.port = port;
-  const auto bus = make_modbus_bus(url);
+  const auto bus = make_bus(url);
   std::array<std::uint16_t, 1> value{};
   const auto failed = bus->read(0, value);
   ASSERT_FALSE(failed);

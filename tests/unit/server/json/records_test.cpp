@@ -95,6 +95,10 @@ TEST(Records, TheStateOfALine) {
                               R"("line_errors":{"parity":0,"framing":0,"overrun":0,"breaks":0},"job":7,"handed":50)"));
   EXPECT_THAT(text, HasSubstr(R"("block_from":3,"block":4)"));
   EXPECT_THAT(text, HasSubstr(R"("program":"O1","block_text":"G1X1.","needs_confirmation":null)"));
+  EXPECT_THAT(text, HasSubstr(R"("plc":null,)"));
+  status.report.machine = {.state = "alarm", .program = 42, .line = 17, .alarm = 1010};
+  EXPECT_THAT(machine_status(status),
+              HasSubstr(R"("plc":{"state":"alarm","program":42,"line":17,"alarm":1010},"program":"O1")"));
   status.needs_confirmation = a_job();
   EXPECT_THAT(machine_status(status), HasSubstr(R"("needs_confirmation":{"job":7,"text":"syn: between)"));
 }

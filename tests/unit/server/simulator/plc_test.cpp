@@ -8,6 +8,7 @@
 #include <thread>
 
 #include <arpa/inet.h>
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -15,6 +16,8 @@
 
 #include "protocol/modbus/modbus.h"
 #include "server/io/io.h"
+#include "tests/support/calling_bus.h"
+#include "tests/support/temp_folder.h"
 
 namespace dripfeed::simulator {
 namespace {
@@ -31,7 +34,7 @@ class PlcTest : public ::testing::Test {
     ASSERT_TRUE(started) << started.error();
     plc_ = std::move(*started);
     url.port = plc_->port();
-    bus_ = io::make_modbus_bus(url);
+    bus_ = test::calling_bus(url, io::take_modbus_seat);
   }
   bool write(MailboxCommand command, std::uint16_t seq, std::string_view text = {}, std::uint32_t offset = 0,
              std::uint32_t session = 5) {
@@ -48,6 +51,11 @@ class PlcTest : public ::testing::Test {
     modbus::StatusImage image{};
     EXPECT_TRUE(bus_->read(app::kStatusAddress, image));
     return modbus::decode_status(image).value();
+  }
+  std::expected<modbus::MachineWords, modbus::MachineFault> words() {
+    std::array<std::uint16_t, modbus::kStatusAndMachine> image{};
+    EXPECT_TRUE(bus_->read(app::kStatusAddress, image));
+    return modbus::decode_machine(std::span<const std::uint16_t>(image).subspan(modbus::kStatusRegisters));
   }
   bool until(const std::function<bool()>& condition) {
     for (int i = 0; i < 1000 && !condition(); ++i) std::this_thread::sleep_for(5ms);
@@ -141,7 +149,7 @@ TEST_F(PlcTest, HalfARequestHoldsUpNobody) {
   for (int i = 0; i < 20; ++i) static_cast<void>(plc_->report());
   EXPECT_LT(std::chrono::steady_clock::now() - before, 400ms) << "each would have waited for the rest of it";
   EXPECT_EQ(plc_->report().requests, 0U);
-  ASSERT_TRUE(write(MailboxCommand::open, 1)) << "a new client replaces it";
+  ASSERT_TRUE(write(MailboxCommand::open, 1)) << "a client more";
   EXPECT_EQ(status().state, modbus::ReceiverState::ready);
   ::close(half);
 }
@@ -179,6 +187,116 @@ TEST_F(PlcTest, AStreamThatIsOutOfStepIsDropped) {
   }
   ASSERT_TRUE(write(MailboxCommand::open, 1));
   EXPECT_EQ(status().state, modbus::ReceiverState::ready);
+}
+
+TEST_F(PlcTest, ThePanelShowsInTheMachinesWords) {
+  start();
+  EXPECT_EQ(words().value().state, modbus::MachineState::idle);
+  ASSERT_TRUE(write(MailboxCommand::open, 1));
+  ASSERT_TRUE(write(MailboxCommand::data, 1, "%\nO0042\nG4P100000\nM30\n%\n"));
+  ASSERT_TRUE(until([&] { return words().value().line == 3; }));
+  EXPECT_EQ(words().value().state, modbus::MachineState::running);
+  EXPECT_EQ(words().value().program, 42U);
+  const std::vector<std::uint16_t> panel = {4, 1, 2, 1, 0, 77, 5};
+  ASSERT_TRUE(bus_->write(kPanelAddress, panel));
+  EXPECT_EQ(words().value(), (modbus::MachineWords{.state = modbus::MachineState::alarm,
+                                                   .program = 42,
+                                                   .line = 3,
+                                                   .alarm = 65'538,
+                                                   .bell = 5,
+                                                   .request = 1,
+                                                   .requested = 77}));
+}
+
+TEST_F(PlcTest, AHeldMachineRunsNothing) {
+  start();
+  ASSERT_TRUE(bus_->write(kPanelAddress, std::vector<std::uint16_t>{3}));
+  ASSERT_TRUE(write(MailboxCommand::open, 1));
+  ASSERT_TRUE(write(MailboxCommand::data, 1, "M5\nM5\n"));
+  std::this_thread::sleep_for(100ms);
+  EXPECT_EQ(plc_->report().blocks_run, 0U);
+  ASSERT_TRUE(bus_->write(kPanelAddress, std::vector<std::uint16_t>{0}));
+  EXPECT_TRUE(until([&] { return plc_->report().blocks_run == 2; }));
+}
+
+TEST_F(PlcTest, OfTheMapWithoutWordsRefusesALongerRead) {
+  PlcSettings old;
+  old.has_words = false;
+  start(old);
+  std::array<std::uint16_t, modbus::kStatusAndMachine> image{};
+  const auto all = bus_->read(app::kStatusAddress, image);
+  ASSERT_FALSE(all);
+  EXPECT_FALSE(all.error().link_lost) << "an exception";
+  EXPECT_EQ(status().state, modbus::ReceiverState::idle);
+}
+
+TEST_F(PlcTest, ARestartKeepsTheTextAndCountsTheBoot) {
+  PlcSettings settings;
+  settings.faults = {{FaultKind::plc_restart, 4}};
+  start(settings);
+  ASSERT_TRUE(write(MailboxCommand::open, 1));
+  ASSERT_TRUE(write(MailboxCommand::data, 1, "G0X1.\n"));
+  ASSERT_TRUE(bus_->write(app::kAnswerAddress, std::vector<std::uint16_t>{1}));
+  std::array<std::uint16_t, 1> answer{};
+  for (int i = 0; i < 3 && !bus_->read(app::kAnswerAddress, answer); ++i) continue;
+  EXPECT_EQ(answer[0], 0);
+  EXPECT_EQ(status().boot_counter, 2);
+  EXPECT_EQ(status().appended, 6U);
+}
+
+class RtuPlcTest : public PlcTest {
+ protected:
+  void start_rtu(const PlcSettings& settings = {}, const std::string& more = "&timeout_ms=100") {
+    const std::string path = folder_.file("plc");
+    const auto url = [&](int unit) {
+      return machine::parse_link_url("modbus-rtu:" + path + "?unit=" + std::to_string(unit) + more).value();
+    };
+    auto started = Plc::start(url(5), settings);
+    ASSERT_TRUE(started) << started.error();
+    plc_ = std::move(*started);
+    bus_ = test::calling_bus(url(5), io::take_modbus_seat);
+    other_ = test::calling_bus(url(6), io::take_modbus_seat);
+  }
+
+  test::TempFolder folder_;
+  std::unique_ptr<app::RegisterBus> other_;
+};
+
+TEST_F(RtuPlcTest, AnswersForItsUnitAlone) {
+  start_rtu();
+  ASSERT_TRUE(write(MailboxCommand::open, 1));
+  std::array<std::uint16_t, 1> value{};
+  EXPECT_FALSE(other_->read(app::kStatusAddress, value));
+  ASSERT_TRUE(write(MailboxCommand::data, 1, "G0X1.\n"));
+  EXPECT_EQ(status().appended, 6U);
+  EXPECT_EQ(plc_->report().requests, 3U);
+}
+
+TEST_F(RtuPlcTest, WhatFailsIsNeverTakenForAnAnswer) {
+  for (const FaultKind kind :
+       {FaultKind::plc_lose, FaultKind::plc_silent, FaultKind::plc_busy, FaultKind::plc_damage}) {
+    PlcSettings settings;
+    settings.faults = {{kind, 2}};
+    start_rtu(settings);
+    EXPECT_TRUE(write(MailboxCommand::open, 1)) << name_of(kind);
+    EXPECT_FALSE(write(MailboxCommand::data, 1, "G0X1.\n")) << name_of(kind);
+    const bool taken = kind == FaultKind::plc_silent || kind == FaultKind::plc_damage;
+    EXPECT_EQ(status().appended, taken ? 6U : 0U) << name_of(kind);
+    bus_.reset();
+    other_.reset();
+    plc_.reset();
+  }
+}
+
+TEST_F(RtuPlcTest, ADamagedRequestIsPassedOver) {
+  start_rtu();
+  const int line = ::open(folder_.file("plc").c_str(), O_RDWR | O_NOCTTY);
+  ASSERT_GE(line, 0);
+  EXPECT_EQ(::write(line, "\x05\x03\0\x80\0\1\1\1", 8), 8);
+  std::this_thread::sleep_for(50ms);
+  EXPECT_EQ(plc_->report().requests, 0U);
+  ::close(line);
+  EXPECT_EQ(status().state, modbus::ReceiverState::idle) << "the next one counts";
 }
 
 }  // namespace
