@@ -1,6 +1,7 @@
 // The doorbell: a ring is told once, only where it was seen to come, and answered whatever is restarted in between.
 #include "protocol/modbus/doorbell.h"
 
+#include <random>
 #include <set>
 #include <utility>
 
@@ -138,6 +139,82 @@ TEST_F(DoorbellTest, DamagedAnswerRegistersAreNone) {
   EXPECT_FALSE(answered_bell(kept));
   EXPECT_FALSE(answered_bell(std::span<const std::uint16_t>(kept).first(6)));
 }
+
+// A PLC and a host over many restarts of either, silences and lost writes: each ring is told once at the most, and only
+// where the host was there; the last one is answered in the end.
+class RestartsTest : public testing::TestWithParam<unsigned> {
+ protected:
+  void ring() {
+    if (answered_bell(answer) != bell && bell != 0) return;  // the rule: the one before is answered
+    bell = successor(bell);
+    ++rung;
+    bell_at = now;
+  }
+  void restart_plc(bool keeps) {
+    ++boot;
+    if (keeps) return;
+    bell = 0;
+    answer = {};
+  }
+  void poll(bool lost) {
+    if (lost) return;
+    host.seen(boot, {.bell = bell, .request = 1, .requested = rung}, now);
+    if (const auto one = host.take_ring()) {
+      EXPECT_TRUE(told.insert(one->program).second) << "ring " << one->program << " is told twice";
+      EXPECT_EQ(one->program, rung);
+      EXPECT_LE(now - bell_at, Doorbell::kFresh) << "told late";
+      EXPECT_GE(bell_at, host_since) << "rung before the host was there";
+      host.answer({.bell = one->bell, .outcome = BellOutcome::answered});
+    }
+  }
+  void serve(bool lost) {
+    if (lost) return;
+    if (host.want() == Doorbell::Want::read_answer) host.answer_read(answer);
+    if (host.want() != Doorbell::Want::write_answer) return;
+    answer = host.image();
+    host.answer_written();
+  }
+
+  Doorbell host;
+  Doorbell::Time now{};
+  Doorbell::Time host_since{};
+  Doorbell::Time bell_at{};
+  std::uint16_t bell = 0;
+  std::uint16_t boot = 1;
+  std::uint32_t rung = 0;
+  AnswerImage answer{};
+  std::set<std::uint32_t> told;
+};
+
+TEST_P(RestartsTest, TellEachRingOnceAtTheMost) {
+  std::minstd_rand random(GetParam());
+  for (int step = 0; step < 2000; ++step) {
+    now += 100ms;
+    switch (random() % 40) {
+      case 0: restart_plc(random() % 2 == 0); break;
+      case 1:
+        host = Doorbell();
+        host_since = now;
+        break;
+      case 2: now += 20s; break;
+      case 3:
+      case 4:
+      case 5: ring(); break;
+      default: break;
+    }
+    poll(random() % 4 == 0);
+    serve(random() % 3 == 0);
+  }
+  for (int i = 0; i < 4; ++i) {
+    poll(false);
+    serve(false);
+  }
+  EXPECT_GT(told.size(), 10U);
+  if (bell != 0) {
+    EXPECT_EQ(answered_bell(answer), bell);
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Seeds, RestartsTest, testing::Range(1U, 65U));
 
 // Every way from every state, and no other.
 TEST_F(DoorbellTest, TakesEveryCellOfTheTable) {
