@@ -11,6 +11,7 @@ namespace dripfeed::app {
 namespace {
 
 constexpr int kFailuresUntilUnknown = 2;
+constexpr int kSilencesUntilDoubted = 6;  // that the words are still there, where they were: a bad line loses answers
 
 struct StallRow {
   modbus::MachineState state;
@@ -53,14 +54,17 @@ void MachineWatch::read(std::span<const std::uint16_t> registers, Time now) {
   bell_.seen(status->boot_counter, *words, now);
 }
 
-void MachineWatch::read_failed(Time now) {
+void MachineWatch::read_failed(bool refused, Time now) {
   next_look_ = now + wait_;
   wait_ = std::min(2 * wait_, std::max(kLongestPoll, idle_poll_));
-  probe_.failed();
-  if (++failures_ < kFailuresUntilUnknown) return;
+  ++failures_;
+  if (refused || !probe_.proved() || failures_ >= kSilencesUntilDoubted) probe_.failed();
+  if (!is_away()) return;
   report_.reset();
   state_ = modbus::MachineState::unknown;
 }
+
+bool MachineWatch::is_away() const { return failures_ >= kFailuresUntilUnknown; }
 
 std::string_view MachineWatch::stall() const {
   const auto row = std::ranges::find(kStalls, state_, &StallRow::state);

@@ -28,11 +28,13 @@ class MachineWatch {
   [[nodiscard]] std::size_t registers_with_write() const;
   // They were read / were not.
   void read(std::span<const std::uint16_t> registers, Time now);
-  void read_failed(Time now);
+  void read_failed(bool refused, Time now);  // refused: by an exception; else nobody answered
 
   [[nodiscard]] Time next_look() const { return next_look_; }
   [[nodiscard]] const std::optional<MachineReport>& report() const { return report_; }
   modbus::Doorbell& bell() { return bell_; }
+  // It does not answer: more than one lost answer.
+  [[nodiscard]] bool is_away() const;
   // The stall that the machine itself makes; "" while it makes none.
   [[nodiscard]] std::string_view stall() const;
 

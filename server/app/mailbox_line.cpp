@@ -254,7 +254,7 @@ class MailboxLine final : public Line, private BusUser {
   bool note(const std::expected<bool, BusFailure>& result, std::span<const std::uint16_t> image) {
     if (!result) {
       link_error_ = result.error().text;
-      watch_.read_failed(clock_.now());
+      watch_.read_failed(!result.error().link_lost, clock_.now());
       return false;
     }
     link_error_.clear();
@@ -281,7 +281,14 @@ class MailboxLine final : public Line, private BusUser {
       watch_.bell().answer_read(done ? std::span<const std::uint16_t>(image) : std::span<const std::uint16_t>());
     } else if (!reads && done) {
       watch_.bell().answer_written();
+      note_missed(image);
     }
+  }
+
+  // A ring that was answered "missed" is told by nobody else; it stays in sight until another one is answered.
+  void note_missed(const modbus::AnswerImage& answer) {
+    const bool missed = answer[2] == static_cast<std::uint16_t>(modbus::BellReason::missed);
+    report_.link_note = missed ? fmt::format("doorbell {} was missed: nobody saw it come", answer[0]) : std::string();
   }
 
   // Until the next turn is wanted.
@@ -309,11 +316,14 @@ class MailboxLine final : public Line, private BusUser {
     // Whether the receiver heard the abort or not: no block of an expired job was handed.
     const JobEnd end = row.end != JobEnd::none && expired_ ? JobEnd::disarmed : row.end;
     const modbus::SenderCounters counters = sender_.counters();
-    const LineState state = is_left_open() ? LineState::torn : line_state(row, counters.handed);
+    LineState state = is_left_open() ? LineState::torn : line_state(row, counters.handed);
+    if (state == LineState::idle && watch_.is_away()) state = LineState::disconnected;
+    const bool rings = watch_.bell().state() == modbus::BellState::rung;
     const std::string_view stall = stall_name();
     const bool changed = state != report_.state || end != report_.end || stall != report_.stall ||
                          order_job_ != report_.job || session_ != report_.session ||
-                         differs(report_.machine, watch_.report());
+                         differs(report_.machine, watch_.report()) || (rings && !rings_);
+    rings_ = rings;
     report_.job = order_job_;
     report_.session = session_;
     report_.state = state;
@@ -342,6 +352,7 @@ class MailboxLine final : public Line, private BusUser {
   LineChanged changed_;
   std::chrono::nanoseconds idle_poll_;
   MachineWatch watch_;
+  bool rings_ = false;      // somebody was told that a ring waits
   modbus::Time bell_at_{};  // the answer's registers are not asked for before
   modbus::Sender sender_{modbus::SenderSettings{}};
   std::shared_ptr<tape_code::TextSource> source_;

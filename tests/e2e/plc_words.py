@@ -111,6 +111,30 @@ def send(folder, url, text):
                           capture_output=True, text=True, timeout=120)
 
 
+def send_names_the_alarm(folder):
+    """Without a server: the machine's alarm holds the transfer up, and the command and its ledger say so."""
+    port = shop.free_port()
+    url = f"modbus-tcp://127.0.0.1:{port}/1"
+    record = folder / "plc.txt"
+    plc = shop.Control(binary(), url, "fanuc-0i-lathe", "--speed", "100000", "--repeat", "--record", record).start()
+    shop.wait_for("the PLC", lambda: shop.listens(port))
+    poke(port, PANEL, 4, 0, 504)
+    text = plain_program(1500)  # more than its buffer
+    (folder / "program.nc").write_text(text)
+    ledger = folder / "ledger"
+    said = open(folder / "said", "w")
+    sending = subprocess.Popen([str(binary()), "send", str(folder / "program.nc"), "--link", url, "--unreleased", "--ledger", str(ledger)], stderr=said)
+    said.close()
+    shop.wait_for("the alarm", lambda: "dripfeed: machine alarm 504" in (folder / "said").read_text())
+    shop.wait_for("the stall", lambda: "dripfeed: machine alarm\n" in (folder / "said").read_text())
+    expect(sending.poll() is None, "it ended at the alarm")
+    poke(port, PANEL, 0)
+    expect(sending.wait(60) == 0, (folder / "said").read_text())
+    expect("machine alarm 504" in ledger.read_text(), ledger.read_text())
+    plc.stop()
+    expect(record.read_text() == text, "the PLC's text is not the program")
+
+
 def rtu_with_faults(folder):
     text = plain_program(400)
     url = f"modbus-rtu:{folder}/plc?unit=3&timeout_ms=100"
@@ -152,6 +176,7 @@ def rtu_through_a_pair(folder):
 
 if __name__ == "__main__":
     in_folder(words_and_doorbell)
+    in_folder(send_names_the_alarm)
     in_folder(rtu_with_faults)
     in_folder(rtu_through_a_pair)
     sys.exit(0)

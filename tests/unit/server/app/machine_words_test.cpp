@@ -86,8 +86,10 @@ TEST_F(MachineWordsTest, AreShownWithoutAJobAndAnAlarmIsAnEvent) {
   plc_.go_away(true);
   EXPECT_TRUE(until([&] { return !machine(); })) << "nobody knows any more";
   EXPECT_NE(shop_.report("press").link_error, "");
+  EXPECT_EQ(shop_.report("press").state, LineState::disconnected);
   plc_.go_away(false);
   EXPECT_TRUE(shows("alarm"));
+  EXPECT_EQ(shop_.report("press").state, LineState::idle);
   EXPECT_EQ(shop_.report("press").link_error, "");
 }
 
@@ -149,6 +151,20 @@ TEST_F(MachineWordsTest, APlcThatIsAwayIsAskedLessAndLessOften) {
   EXPECT_LE(plc_.reads() - before, 6) << "every 5 s";
 }
 
+TEST_F(MachineWordsTest, ALineWithoutASeatSaysWhy) {
+  Lines lines(
+      shop_.links,
+      [](const machine::LinkUrl&, BusUser&) -> std::expected<std::unique_ptr<BusSeat>, std::string> {
+        return std::unexpected("there are 16 buses already");
+      },
+      [] {});
+  const auto profile = must(shop_.documents.read_profile(std::string("press ") + kPlcUrl));
+  EXPECT_EQ(refusal(lines.set(profile)).text, "there are 16 buses already");
+  EXPECT_EQ(lines.find("press"), nullptr);
+  EXPECT_EQ(lines.why_none("press"), "there are 16 buses already");
+  EXPECT_EQ(lines.why_none("lathe"), "");
+}
+
 TEST_F(MachineWordsTest, ARingIsAnsweredOnceAndRecorded) {
   plc_.show({{.state = MachineState::idle}});
   open();
@@ -176,7 +192,9 @@ TEST_F(MachineWordsTest, ARingBeforeTheStartIsMissed) {
   ASSERT_TRUE(until([&] { return modbus::answered_bell(plc_.answer()) == 3; }));
   EXPECT_EQ(plc_.answer()[2], static_cast<std::uint16_t>(modbus::BellReason::missed));
   EXPECT_EQ(requests(), 0U);
+  EXPECT_TRUE(until([&] { return shop_.report("press").link_note == "doorbell 3 was missed: nobody saw it come"; }));
   EXPECT_EQ(ring(4, 4, 0).first, static_cast<int>(modbus::BellOutcome::answered));
+  EXPECT_TRUE(until([&] { return shop_.report("press").link_note.empty(); }));
 }
 
 TEST_F(MachineWordsTest, ARingDuringATransferDisturbsNothing) {
