@@ -1,10 +1,10 @@
 // Blocks a second over Modbus TCP on loopback: libmodbus writing 120 registers and nothing else, against the mailbox
 // with its blocks of 121 registers, each appended exactly once. One server thread for both (libmodbus). The wake-up of
 // a waiting thread costs more than all else, so both must run under the same pinning:
-//   cmake --build build/release --target modbus_rate && taskset -c 0 build/release/tests/bench/modbus_rate 100000
+//   cmake --build build/dev --target modbus_rate && taskset -c 0 build/dev/modbus_rate 100000
 // With a second number one more transfer, whose server is killed and restarted so often, at random requests, before or
 // behind what they do; a person's "proceed" follows each restart:
-//   build/release/tests/bench/modbus_rate 20000 300
+//   taskset -c 0 build/dev/modbus_rate 20000 300
 #include <algorithm>
 #include <atomic>
 #include <chrono>
