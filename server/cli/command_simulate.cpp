@@ -105,6 +105,38 @@ app::Result<simulator::ControlSettings> control_settings(const machine::Profile&
   return settings;
 }
 
+std::vector<simulator::PlcReport> reports_of(const simulator::Plc& plc, std::size_t count) {
+  std::vector<simulator::PlcReport> reports;
+  for (std::size_t i = 0; i < count; ++i) reports.push_back(plc.report(i));
+  return reports;
+}
+
+bool all_complete(const std::vector<simulator::PlcReport>& reports) {
+  return std::ranges::all_of(reports, &simulator::PlcReport::complete);
+}
+
+// --record F writes F, and F-n for each of several.
+bool write_record(const Options& options, std::size_t index, std::size_t count, const std::string& text) {
+  if (options.record.empty()) return true;
+  return write_output(count == 1 ? options.record : fmt::format("{}-{}", options.record, index + 1), text);
+}
+
+void print_plcs(const std::string& link, const std::vector<simulator::PlcReport>& reports) {
+  std::vector<FleetMember> members;
+  for (const simulator::PlcReport& report : reports) {
+    simulator::ControlReport shown;
+    shown.bytes = report.text.size();
+    shown.blocks_run = report.blocks_run;
+    shown.line_use = 1.0;
+    shown.state = report.complete ? simulator::ControlState::ended : simulator::ControlState::reading;
+    const std::string hash = hash::sha256_hex(report.text);
+    members.push_back({link, shown, {.wire_sha256 = hash, .text_sha256 = hash}});
+  }
+  fmt::print("{}",
+             members.size() == 1 ? simulate_document(members[0].report, members[0].hashes) : fleet_document(members));
+}
+
+// Several are units of one server, from the link's unit on.
 int run_plc(const machine::LinkUrl& link, const machine::Profile& profile, const Options& options,
             const std::stop_token& stop) {
   auto faults = faults_of(options);
@@ -116,6 +148,7 @@ int run_plc(const machine::LinkUrl& link, const machine::Profile& profile, const
       simulator::Plc::start(link, {.buffer_bytes = std::max<std::uint32_t>(profile.machine.buffer.bytes, 1024),
                                    .speed = options.speed,
                                    .boot_counter = 1,
+                                   .units = options.count,
                                    .has_words = true,
                                    .clock = clock_settings(profile),
                                    .faults = std::move(*faults)});
@@ -129,22 +162,15 @@ int run_plc(const machine::LinkUrl& link, const machine::Profile& profile, const
   auto ended = std::chrono::steady_clock::time_point::max();
   while (!stop.stop_requested() && (options.repeat || std::chrono::steady_clock::now() < ended)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    const bool complete = (*plc)->report().complete;
-    if (complete && ended == std::chrono::steady_clock::time_point::max())
+    if (ended == std::chrono::steady_clock::time_point::max() && all_complete(reports_of(**plc, options.count)))
       ended = std::chrono::steady_clock::now() + kStayAfterEnd;
   }
-  const simulator::PlcReport report = (*plc)->report();
-  if (!options.record.empty() && !write_output(options.record, report.text)) return kWrongUse;
-  if (options.json) {
-    simulator::ControlReport shown;
-    shown.bytes = report.text.size();
-    shown.blocks_run = report.blocks_run;
-    shown.line_use = 1.0;
-    shown.state = report.complete ? simulator::ControlState::ended : simulator::ControlState::reading;
-    const std::string hash = hash::sha256_hex(report.text);
-    fmt::print("{}", simulate_document(shown, {.wire_sha256 = hash, .text_sha256 = hash}));
+  const std::vector<simulator::PlcReport> reports = reports_of(**plc, options.count);
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    if (!write_record(options, i, reports.size(), reports[i].text)) return kWrongUse;
   }
-  return report.complete ? kDone : kFailed;
+  if (options.json) print_plcs(link.text, reports);
+  return all_complete(reports) ? kDone : kFailed;
 }
 
 // The wire of the n-th of several: {n} in a path is its number from 1 (put behind where there is none), ports count up.
@@ -199,12 +225,9 @@ app::Result<void> add_all(const machine::LinkUrl& link, const simulator::Control
   return {};
 }
 
-// --record F writes F, and F-n for each of several.
 bool write_records(const Options& options, const std::vector<std::unique_ptr<Received>>& received) {
-  if (options.record.empty()) return true;
   for (std::size_t i = 0; i < received.size(); ++i) {
-    const std::string path = received.size() == 1 ? options.record : fmt::format("{}-{}", options.record, i + 1);
-    if (!write_output(path, received[i]->wire)) return false;
+    if (!write_record(options, i, received.size(), received[i]->wire)) return false;
   }
   return true;
 }
@@ -303,7 +326,9 @@ void add_simulate(CLI::App& app, int& exit_code) {
   command->add_option("--operator", options->operator_s,
                       "after so many seconds without a character the operator presses RESET and START");
   command->add_flag("--repeat", options->repeat, "the operator starts the next program after the end of one");
-  command->add_option("--count", options->count, "so many controls, at pty:/path-{n} or on ports that count up")
+  command
+      ->add_option("--count", options->count,
+                   "so many controls, at pty:/path-{n} or on ports that count up; of PLCs: units")
       ->check(CLI::Range(1, 4096));
   const CLI::Option* uart = command->add_option("--uart", options->uart,
                                                 "what the host's stop signs pass: 16550, ftdi, device-server, ideal");

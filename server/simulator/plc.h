@@ -24,6 +24,7 @@ struct PlcSettings {
   std::uint32_t buffer_bytes = 4096;
   double speed = 1.0;
   std::uint16_t boot_counter = 1;
+  std::size_t units = 1;  // from the URL's on, all on one connection or line
   bool has_words = true;  // the machine's words; without them a longer read is an illegal address
   BlockClockSettings clock;
   Faults faults{};  // those of a PLC
@@ -42,9 +43,9 @@ class Plc {
   // pseudo-terminal linked there where no such device is. Or what the system said.
   static std::expected<std::unique_ptr<Plc>, std::string> start(const machine::LinkUrl& url,
                                                                 const PlcSettings& settings);
-  virtual ~Plc() = default;  // stops and joins
-  [[nodiscard]] virtual PlcReport report() const = 0;
-  [[nodiscard]] virtual std::uint16_t port() const = 0;  // 0 on a serial line
+  virtual ~Plc() = default;                                                 // stops and joins
+  [[nodiscard]] virtual PlcReport report(std::size_t index = 0) const = 0;  // of the unit
+  [[nodiscard]] virtual std::uint16_t port() const = 0;                     // 0 on a serial line
 
   Plc(const Plc&) = delete;
   Plc& operator=(const Plc&) = delete;
