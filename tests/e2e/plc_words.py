@@ -174,9 +174,38 @@ def rtu_through_a_pair(folder):
         pair.wait()
 
 
+def four_units_on_a_line(folder):
+    """Four machines share one RTU line; the fourth is not there. The others get their programs at the same time, and its job fails by name."""
+    url = f"modbus-rtu:{folder}/line?timeout_ms=200&unit="
+    record = folder / "plc.txt"
+    rig = Rig(folder, url + "1", blocks=300)
+    plc = shop.Control(binary(), rig.url, rig.machine, "--count", "3", "--speed", "100000", "--repeat", "--record", record).start()
+    shop.wait_for("the PLCs' line", (folder / "line").is_symlink)
+    rig.start()
+    program = rig.server.get("/programs?name=O0042")["items"][0]["id"]
+    jobs = [rig.server.post("/jobs", {"release": rig.release["id"]})["id"]]
+    for unit in range(2, 5):
+        name = f"press{unit}"
+        rig.server.add_machine({**rig.profile, "name": name, "link": {**rig.profile["link"], "url": f"{url}{unit}"}})
+        rig.server.post("/checks", {"program": program, "machine": name, "delivery": "drip"})
+        jobs.append(rig.server.post("/jobs", {"release": rig.server.release(program, name)["id"]})["id"])
+    rig.server.wait_line("press4", "disconnected")
+    for job in jobs:
+        rig.server.post(f"/jobs/{job}/arm", {})
+    for job in jobs[:3]:
+        rig.server.wait_job(job, "done")
+    reason = rig.server.wait_job(jobs[3], "failed")["reason"]
+    expect(reason.startswith("peer_gone"), reason)
+    rig.server.stop()
+    plc.stop()
+    for unit in range(1, 4):
+        expect((folder / f"plc.txt-{unit}").read_text() == rig.text, f"the text of unit {unit} is not the program")
+
+
 if __name__ == "__main__":
     in_folder(words_and_doorbell)
     in_folder(send_names_the_alarm)
     in_folder(rtu_with_faults)
     in_folder(rtu_through_a_pair)
+    in_folder(four_units_on_a_line)
     sys.exit(0)
