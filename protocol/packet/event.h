@@ -21,8 +21,9 @@ enum class Stall : std::uint8_t {
   waiting_for_text,
   waiting_for_end,
   stopped_by_person,
+  partner_sends,  // 3964: both called, and this side gave way
 };
-inline constexpr std::size_t kStalls = 8;
+inline constexpr std::size_t kStalls = 9;
 
 enum class Cause : std::uint8_t {
   none,
@@ -40,8 +41,9 @@ enum class Cause : std::uint8_t {
   text_lost,
   bad_character,
   broken_off,
+  second_file,  // a batch of YMODEM goes on behind the file that was received
 };
-inline constexpr std::size_t kCauses = 15;
+inline constexpr std::size_t kCauses = 16;
 
 enum class EventKind : std::uint8_t {
   state_changed,
@@ -50,6 +52,7 @@ enum class EventKind : std::uint8_t {
   repeated,         // a frame, call or end goes out once more (count: attempts so far)
   noticed,          // a byte that means nothing here
   command_refused,  // input
+  telegram,         // 3964: the partner's own, of `count` bytes, came first: Sender::telegram() has it
 };
 
 struct Event {

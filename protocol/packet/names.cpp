@@ -16,14 +16,15 @@ constexpr std::array<std::string_view, kStalls> kStallNames = {
     "waiting for text",
     "waiting for the end's ACK",
     "stopped",
+    "the partner sends",
 };
 constexpr std::array<std::string_view, kCauses> kCauseNames = {
-    "none",           "start",          "person",     "expired",   "link lost",        "cancelled by the peer",
-    "peer restarted", "peer was reset", "peer alarm", "no answer", "too many repeats", "out of step",
-    "text lost",      "bad character",  "broken off",
+    "none",           "start",          "person",     "expired",       "link lost",        "cancelled by the peer",
+    "peer restarted", "peer was reset", "peer alarm", "no answer",     "too many repeats", "out of step",
+    "text lost",      "bad character",  "broken off", "a second file",
 };
-constexpr std::array<std::string_view, 6> kEventNames = {"state",    "stall",   "start_unarmed",
-                                                         "repeated", "noticed", "command_refused"};
+constexpr std::array<std::string_view, 7> kEventNames = {"state",   "stall",           "start_unarmed", "repeated",
+                                                         "noticed", "command_refused", "telegram"};
 constexpr std::array<std::string_view, kReceiveEvents> kReceiveEventNames = {"state", "frame", "repeated_frame",
                                                                              "bad_frame", "command_refused"};
 

@@ -1,4 +1,4 @@
-// packet: programs in frames that the receiver acknowledges: XMODEM, Siemens 3964(R), the FANUC remote buffer's
+// packet: programs in frames that the receiver acknowledges: XMODEM, YMODEM, Siemens 3964(R), the FANUC remote buffer's
 // protocol A. Here live one sender and one receiver for all of them, each with its table of states, and the rules that
 // each protocol adds. Neither does I/O: driven as protocol/feed says at its top. Not here: ports, clocks, threads, what
 // a program means. This header brings all of the folder.

@@ -47,6 +47,8 @@ class ReceiveRules {
   virtual std::size_t cancel(std::span<std::byte> out) = 0;
   // An answer to what came that is none of the above.
   virtual std::size_t reply(std::span<std::byte>) { return 0; }
+  // The text is whole although its sender has more to say; when it does not, that is the end.
+  virtual bool is_whole() const { return false; }
   // A frame is acknowledged although there is no room for another: the sender is told so at its next call.
   virtual bool acknowledges_at_once() const { return false; }
 };

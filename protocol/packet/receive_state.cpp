@@ -26,6 +26,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::never, S::idle},  // idle, room
     {A::none, S::idle},  // idle, lost
     {A::never, S::idle},  // idle, nothing
+    {A::never, S::idle},  // idle, aside
 
     {A::refuse, S::inviting},  // inviting, start
     {A::cancel, S::failed},  // inviting, stop
@@ -42,6 +43,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::never, S::inviting},  // inviting, room
     {A::fail, S::failed},  // inviting, lost
     {A::never, S::inviting},  // inviting, nothing
+    {A::never, S::inviting},  // inviting, aside
 
     {A::refuse, S::waiting},  // waiting, start
     {A::cancel, S::failed},  // waiting, stop
@@ -58,6 +60,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::never, S::waiting},  // waiting, room
     {A::fail, S::failed},  // waiting, lost
     {A::never, S::waiting},  // waiting, nothing
+    {A::note, S::waiting},  // waiting, aside
 
     {A::refuse, S::framing},  // framing, start
     {A::cancel, S::failed},  // framing, stop
@@ -74,6 +77,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::never, S::framing},  // framing, room
     {A::fail, S::failed},  // framing, lost
     {A::listen, S::waiting},  // framing, nothing
+    {A::note, S::waiting},  // framing, aside
 
     {A::refuse, S::purging},  // purging, start
     {A::cancel, S::failed},  // purging, stop
@@ -90,6 +94,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::never, S::purging},  // purging, room
     {A::fail, S::failed},  // purging, lost
     {A::never, S::purging},  // purging, nothing
+    {A::never, S::purging},  // purging, aside
 
     {A::refuse, S::full},  // full, start
     {A::cancel, S::failed},  // full, stop
@@ -106,6 +111,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::acknowledge, S::waiting},  // full, room
     {A::fail, S::failed},  // full, lost
     {A::never, S::full},  // full, nothing
+    {A::never, S::full},  // full, aside
 
     {A::begin, S::inviting},  // done, start
     {A::refuse, S::done},  // done, stop
@@ -122,6 +128,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::never, S::done},  // done, room
     {A::none, S::done},  // done, lost
     {A::never, S::done},  // done, nothing
+    {A::never, S::done},  // done, aside
 
     {A::begin, S::inviting},  // failed, start
     {A::refuse, S::failed},  // failed, stop
@@ -138,6 +145,7 @@ constexpr std::array<ReceiveCell, kReceiveStates * kReceiveInputs> kCells{{
     {A::never, S::failed},  // failed, room
     {A::none, S::failed},  // failed, lost
     {A::never, S::failed},  // failed, nothing
+    {A::never, S::failed},  // failed, aside
 }};
 // clang-format on
 

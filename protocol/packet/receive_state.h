@@ -35,8 +35,9 @@ enum class ReceiveInput : std::uint8_t {
   room,         // the sink has room for another frame
   lost,         // the link
   nothing,      // a message that brings no text
+  aside,        // the same, and it is acknowledged: the header of YMODEM, the end of its file
 };
-inline constexpr std::size_t kReceiveInputs = 15;
+inline constexpr std::size_t kReceiveInputs = 16;
 
 enum class ReceiveAction : std::uint8_t {
   never,
@@ -48,6 +49,7 @@ enum class ReceiveAction : std::uint8_t {
   listen,       // the state's time runs anew
   keep,         // append it, acknowledge it where there is room for another (else the state is `full`)
   acknowledge,  // it was appended before
+  note,         // acknowledge it, nothing was appended
   purge,
   ask_again,  // refuse what came, or ask for what did not
   finish,     // acknowledge the end

@@ -98,7 +98,10 @@ void Receiver::listen() {
   const auto silence = rules_->silence(state_);
   if (!silence || now_ < quiet_since_ + *silence) return;
   const std::uint32_t most = rules_->attempts(state_);
-  if (most != 0 && ++silences_ >= most) return static_cast<void>(react(ReceiveInput::gave_up, Cause::no_answer));
+  if (most != 0 && ++silences_ >= most) {
+    if (rules_->is_whole()) return static_cast<void>(react(ReceiveInput::end));
+    return static_cast<void>(react(ReceiveInput::gave_up, Cause::no_answer));
+  }
   static_cast<void>(react(ReceiveInput::silent));
 }
 
@@ -155,6 +158,10 @@ void Receiver::perform(ReceiveAction action, Cause cause) {
       silences_ = 0;
       quiet_since_ = now_;
       if (state_ == ReceiveState::full && rules_->acknowledges_at_once()) return;
+      return answer(rules_->acknowledge(out_));
+    case ReceiveAction::note:
+      silences_ = 0;
+      quiet_since_ = now_;
       return answer(rules_->acknowledge(out_));
     case ReceiveAction::purge:
       ++counters_.bad;

@@ -1,6 +1,10 @@
 // FANUC remote buffer, protocol A: the messages, the host's rules, and the buffer's own for simulators and tests. The
 // buffer talks, the host answers; one message at a time. Source: B-63322EN, remote buffer.
 //
+// Not spoken: parameters in SET (the buffer keeps those of the control, and so never enters expansion A, whose packets
+// are not spoken either), CLB, RDI and SDO. With ISO code the sum is that of the characters with their parity, which
+// the manual leaves open.
+//
 //   sum of all that follows, two hex digits | three letters | data | ETX or CR
 #pragma once
 
@@ -83,7 +87,7 @@ class RemoteBufferSendRules final : public SendRules {
   explicit RemoteBufferSendRules(const Settings& settings);
 
   void link_up() override;
-  void begin() override {}
+  void begin(const Announcement&) override {}
   Heard hear(std::uint8_t byte, State state) override;
   Heard late(State) override { return {Signal::broken, Cause::no_answer}; }
   Patience patience(State state) const override;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "protocol/packet/receive_rules.h"
@@ -21,31 +22,6 @@ inline constexpr std::uint8_t kDle = 0x10;
 inline constexpr std::uint8_t kNak = 0x15;
 inline constexpr std::size_t kNumberBytes = 2;
 }  // namespace s3964
-
-class S3964SendRules final : public SendRules {
- public:
-  explicit S3964SendRules(const Settings& settings) : settings_(settings) {}
-
-  void begin() override;
-  Heard hear(std::uint8_t byte, State state) override;
-  Heard late(State state) override;
-  Patience patience(State state) const override;
-  std::size_t frame_size(std::size_t available, bool complete) const override;
-  std::size_t call(std::span<std::byte> out) override;
-  std::size_t compose(std::span<const std::byte> payload, std::span<std::byte> out) override;
-  std::size_t reply(std::span<std::byte> out) override;
-  void accepted() override { ++number_; }
-  bool starts_itself() const override { return true; }
-
- private:
-  Heard hear_call(std::uint8_t byte);
-
-  Settings settings_;
-  std::uint16_t number_ = 1;
-  std::int64_t pauses_ = 0;  // in a row, of a receiver that is not ready
-  bool not_ready_ = false;   // the last call was answered so
-  bool refuses_ = false;     // the other side called, and hears NAK
-};
 
 class S3964ReceiveRules final : public ReceiveRules {
  public:
@@ -81,6 +57,40 @@ class S3964ReceiveRules final : public ReceiveRules {
   std::uint16_t expected_ = 1;
   bool first_ = true;
   bool refuses_ = false;
+};
+
+// Where both call at once, the side without priority receives the other's block first, whole, and then calls again. A
+// call that comes when this side has not called is refused: nothing stands behind it that would use the text.
+class S3964SendRules final : public SendRules {
+ public:
+  explicit S3964SendRules(const Settings& settings);
+
+  void link_up() override { owed_.reset(); }
+  void begin(const Announcement& announcement) override;
+  Heard hear(std::uint8_t byte, State state) override;
+  Heard late(State state) override;
+  Patience patience(State state) const override;
+  std::size_t frame_size(std::size_t available, bool complete) const override;
+  std::size_t call(std::span<std::byte> out) override;
+  std::size_t compose(std::span<const std::byte> payload, std::span<std::byte> out) override;
+  std::size_t reply(std::span<std::byte> out) override;
+  void accepted() override { ++number_; }
+  bool starts_itself() const override { return true; }
+  std::span<const std::byte> telegram() const override;
+  void take_telegram() override { has_telegram_ = false; }
+
+ private:
+  Heard hear_call(std::uint8_t byte);
+  Heard hear_telegram(std::uint8_t byte);
+
+  Settings settings_;
+  std::uint16_t number_ = 1;
+  std::int64_t pauses_ = 0;             // in a row, of a receiver that is not ready
+  bool not_ready_ = false;              // the last call was answered so
+  std::optional<std::uint8_t> owed_{};  // DLE or NAK, to what the partner sent
+  S3964ReceiveRules partner_;           // reads its telegram
+  bool spoiled_ = false;                // its telegram is; the rest runs out
+  bool has_telegram_ = false;
 };
 
 }  // namespace dripfeed::packet

@@ -14,19 +14,30 @@ namespace {
 constexpr Time kAnswerTime = std::chrono::milliseconds(2000);
 constexpr Time kAnswerTimeWithoutCheck = std::chrono::milliseconds(550);
 constexpr Time kPause = std::chrono::milliseconds(400);
+constexpr Time kCharacterTime = std::chrono::milliseconds(220);
 constexpr std::uint32_t kAttempts = 6;
+
+// The partner numbers for itself, or not at all: what it sends is kept as it comes.
+Settings of_partner(Settings settings) {
+  settings.counted = false;
+  return settings;
+}
 
 }  // namespace
 
-void S3964SendRules::begin() {
+S3964SendRules::S3964SendRules(const Settings& settings) : settings_(settings), partner_(of_partner(settings)) {}
+
+void S3964SendRules::begin(const Announcement&) {
   number_ = 1;
   pauses_ = 0;
-  not_ready_ = false;
+  not_ready_ = spoiled_ = false;
+  owed_.reset();
 }
 
 Heard S3964SendRules::hear(std::uint8_t byte, State state) {
   switch (state) {
     case State::calling: return hear_call(byte);
+    case State::receiving: return hear_telegram(byte);
     // A receiver that sees the block go wrong says so at once.
     case State::sending: return {byte == kNak ? Signal::again : Signal::none};
     case State::waiting: return {byte == kDle ? Signal::accepted : Signal::again};
@@ -41,8 +52,8 @@ Heard S3964SendRules::hear(std::uint8_t byte, State state) {
     case State::disarmed: break;
   }
   // The other side wants to send, and nobody here receives.
-  refuses_ = byte == kStx;
-  return {refuses_ ? Signal::none : Signal::noise};
+  if (byte == kStx) owed_ = kNak;
+  return {Signal::noise};
 }
 
 Heard S3964SendRules::hear_call(std::uint8_t byte) {
@@ -56,14 +67,40 @@ Heard S3964SendRules::hear_call(std::uint8_t byte) {
     return {Signal::later};
   }
   if (byte != kStx) return {Signal::noise};
-  // Both called. The side with priority goes on waiting for its DLE; the other withdraws, and as it has nothing to
-  // receive with, says so.
+  // Both called. The side with priority goes on waiting for its DLE, the other withdraws and receives first.
   if (!settings_.gives_way) return {};
-  refuses_ = not_ready_ = true;
-  return {Signal::later};
+  if (has_telegram_) {
+    owed_ = kNak;
+    not_ready_ = true;
+    return {Signal::later};
+  }
+  static_cast<void>(partner_.hear(byte, ReceiveState::waiting));
+  owed_ = kDle;
+  spoiled_ = not_ready_ = false;
+  return {Signal::yielded};
+}
+
+// The partner's block, its STX answered. What is wrong with it is said when it has run out.
+Heard S3964SendRules::hear_telegram(std::uint8_t byte) {
+  const auto came = spoiled_ ? std::nullopt : partner_.hear(byte, ReceiveState::framing).input;
+  if (came != ReceiveInput::good) {
+    spoiled_ = spoiled_ || came.has_value();
+    return {Signal::later};
+  }
+  owed_ = kDle;
+  has_telegram_ = !partner_.payload().empty();
+  return {Signal::telegram};
+}
+
+std::span<const std::byte> S3964SendRules::telegram() const {
+  return has_telegram_ ? partner_.payload() : std::span<const std::byte>();
 }
 
 Heard S3964SendRules::late(State state) {
+  if (state == State::receiving) {
+    owed_ = kNak;
+    return {Signal::again};
+  }
   const bool waits_for_readiness = state == State::calling && std::exchange(not_ready_, false);
   if (!waits_for_readiness) return {Signal::again, Cause::no_answer};
   if (settings_.answer_patience && ++pauses_ * kPause >= *settings_.answer_patience)
@@ -74,6 +111,7 @@ Heard S3964SendRules::late(State state) {
 Patience S3964SendRules::patience(State state) const {
   const Time answer = settings_.protocol == Protocol::s3964r ? kAnswerTime : kAnswerTimeWithoutCheck;
   if (state == State::calling) return {.limit = not_ready_ ? kPause : answer, .attempts = kAttempts};
+  if (state == State::receiving) return {.limit = kCharacterTime, .attempts = kAttempts};
   if (state == State::waiting) return {.limit = answer, .attempts = kAttempts};
   return {.limit = {}, .attempts = kAttempts};
 }
@@ -84,13 +122,14 @@ std::size_t S3964SendRules::frame_size(std::size_t available, bool complete) con
 }
 
 std::size_t S3964SendRules::call(std::span<std::byte> out) {
-  out[0] = std::byte{kStx};
-  return 1;
+  const std::size_t owed = reply(out);
+  out[owed] = std::byte{kStx};
+  return owed + 1;
 }
 
 std::size_t S3964SendRules::reply(std::span<std::byte> out) {
-  if (!std::exchange(refuses_, false)) return 0;
-  out[0] = std::byte{kNak};
+  if (!owed_) return 0;
+  out[0] = std::byte{*std::exchange(owed_, std::nullopt)};
   return 1;
 }
 

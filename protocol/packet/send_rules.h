@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "protocol/packet/event.h"
 #include "protocol/packet/settings.h"
@@ -21,8 +22,10 @@ enum class Signal : std::uint8_t {
   granted,
   accepted,
   again,
-  later,   // the receiver is not ready: the wait begins anew
-  broken,  // with a cause
+  later,     // the wait begins anew: the receiver is not ready, or what is awaited has come in part
+  yielded,   // both called, and this side gives way
+  telegram,  // the partner's is whole
+  broken,    // with a cause
 };
 
 struct Heard {
@@ -32,7 +35,13 @@ struct Heard {
 };
 
 // Limit of what goes out beside frames.
-inline constexpr std::size_t kMaxSmall = 96;
+inline constexpr std::size_t kMaxSmall = 136;
+
+// What a protocol with headers tells of the text. The name may be anything, also none.
+struct Announcement {
+  std::string_view name{};
+  std::uint64_t bytes = 0;  // as coded
+};
 
 // How long the sender waits in a state, and how often it repeats there.
 struct Patience {
@@ -49,7 +58,7 @@ class SendRules {
 
   // The link came up, or a job begins.
   virtual void link_up() {}
-  virtual void begin() = 0;
+  virtual void begin(const Announcement& announcement) = 0;
   virtual Heard hear(std::uint8_t byte, State state) = 0;
   // The patience of the state is over.
   virtual Heard late(State state) = 0;
@@ -66,6 +75,10 @@ class SendRules {
   virtual std::size_t part(std::span<std::byte>) { return 0; }
   // What the receiver was just promised an answer to, beside frames.
   virtual std::size_t reply(std::span<std::byte>) { return 0; }
+  // Told when a person aborts inside a block of the program, between two frames: that what came is no whole text.
+  virtual std::size_t abort(std::span<std::byte>) { return 0; }
+  // The last byte of a call, a frame or an end is on its way: an answer may come.
+  virtual void sent() {}
   // The receiver has the present frame.
   virtual void accepted() = 0;
 
@@ -74,6 +87,10 @@ class SendRules {
   virtual std::size_t nothing_now(std::span<std::byte>) { return 0; }
   // The sender begins by itself, the receiver never asks.
   virtual bool starts_itself() const { return false; }
+
+  // What the partner sent when this side had given way; empty when nothing came, or it was taken.
+  virtual std::span<const std::byte> telegram() const { return {}; }
+  virtual void take_telegram() {}
 };
 
 std::unique_ptr<SendRules> make_send_rules(const Settings& settings);

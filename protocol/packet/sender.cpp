@@ -32,12 +32,13 @@ std::expected<Sender, SettingsFault> Sender::make(const Settings& settings) {
 Sender::Sender(const Settings& settings)
     : settings_(settings), rules_(make_send_rules(settings)), clock_(settings.char_time, kUnsent, 0) {}
 
-std::expected<void, feed::Refusal> Sender::arm(const feed::Job& job, Time now) {
+std::expected<void, feed::Refusal> Sender::arm(const feed::Job& job, Time now, std::string_view name) {
   step_to(now);
   if (cell(state_, Input::arm).action == Action::take) {
     if (!link_up_) return std::unexpected(feed::Refusal::link_is_down);
     if (job.source == nullptr) return std::unexpected(feed::Refusal::no_source);
     job_ = job;
+    arming_name_ = name;
   }
   const auto taken = react(Input::arm, Cause::person);
   settle();
@@ -77,6 +78,8 @@ void Sender::heard(Heard heard, std::uint8_t byte) {
     case Signal::asked: return static_cast<void>(react(Input::asked, Cause::start));
     case Signal::granted: return static_cast<void>(react(Input::granted));
     case Signal::accepted: return static_cast<void>(react(Input::accepted));
+    case Signal::yielded: return static_cast<void>(react(Input::yielded));
+    case Signal::telegram: return hear_telegram();
     case Signal::broken: return static_cast<void>(react(Input::broken, heard.cause));
     case Signal::again:
       if (heard.counts && !may_repeat()) {
@@ -87,10 +90,17 @@ void Sender::heard(Heard heard, std::uint8_t byte) {
   }
 }
 
+// It is whole, and this side's own call is due again.
+void Sender::hear_telegram() {
+  emit({.kind = EventKind::telegram, .count = static_cast<std::uint32_t>(rules_->telegram().size())});
+  static_cast<void>(react(Input::again));
+}
+
 // Counts one more attempt; false when there is none left.
 bool Sender::may_repeat() {
   if (state_ == State::ready) return true;
-  std::uint32_t& count = state_ == State::calling ? calls_ : attempts_;
+  const bool calls = state_ == State::calling || state_ == State::receiving;
+  std::uint32_t& count = calls ? calls_ : attempts_;
   return ++count < rules_->patience(state_).attempts;
 }
 
@@ -198,7 +208,7 @@ void Sender::perform(Action action, Input input, Cause cause) {
       end_cause_ = Cause::none;
       stop_wanted_ = cancel_wanted_ = asked_ = false;
       frame_size_ = 0;
-      return rules_->begin();
+      return rules_->begin({.name = std::exchange(arming_name_, {}), .bytes = total_});
     case Action::start:
       asked_ = true;
       counters_.started_at = now_;
@@ -214,13 +224,20 @@ void Sender::perform(Action action, Input input, Cause cause) {
       }
       out_begin_ = out_end_ = 0;
       return put_small(rules_->call(small_), true);
+    case Action::give_way:
+      out_begin_ = out_end_ = 0;
+      out_awaited_ = false;
+      return await_answer();
     case Action::send:
     case Action::repeat:
       calls_ = 0;
       waits_since_.reset();
       return put_frame();
-    case Action::sent: counters_.handed = std::max(counters_.handed, outbox_.frame_end()); return await_answer();
-    case Action::wait: return await_answer();
+    case Action::sent:
+      counters_.handed = std::max(counters_.handed, outbox_.frame_end());
+      rules_->sent();
+      return await_answer();
+    case Action::wait: rules_->sent(); return await_answer();
     case Action::accept:
     case Action::accept_asked:
       // The answer to a frame that was repeated for a receiver that only stayed alive accepts nothing new.
@@ -249,7 +266,7 @@ void Sender::perform(Action action, Input input, Cause cause) {
 void Sender::end_job(Action action, Cause cause) {
   end_interval_ = interval();
   const bool inside = action == Action::fail && in_block();
-  const bool frame_begun = out_is_frame_ && out_begin_ > 0 && out_begin_ < out_end_;
+  const bool frame_begun = out_begin_ > 0 && out_begin_ < out_end_;  // what follows would be taken for its rest
   const bool receiver_waits = action == Action::part ||
                               (action == Action::fail && !inside && !frame_begun &&
                                (cause == Cause::person || cause == Cause::text_lost || cause == Cause::bad_character));
@@ -262,6 +279,7 @@ void Sender::end_job(Action action, Cause cause) {
   job_.reset();
   // A pulled receiver is told when it asks, and only then.
   if (receiver_waits && link_up_ && (!rules_->is_pulled() || asked_)) put_small(rules_->part(small_), false);
+  if (inside && cause == Cause::person && !frame_begun && link_up_) put_small(rules_->abort(small_), false);
   asked_ = false;
 }
 
@@ -341,6 +359,7 @@ Stall Sender::present_stall() const {
     case State::disarmed:
     case State::sending: return Stall::none;
     case State::armed: return Stall::waiting_for_start;
+    case State::receiving: return Stall::partner_sends;
     case State::calling: return shown ? Stall::waiting_for_receiver : Stall::none;
     case State::waiting: return shown ? Stall::waiting_for_ack : Stall::none;
     case State::closing: return shown ? Stall::waiting_for_end : Stall::none;

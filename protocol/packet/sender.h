@@ -30,8 +30,9 @@ class Sender {
 
   static std::expected<Sender, SettingsFault> make(const Settings& settings);
 
-  // A person arms one job. Nothing of the text goes out before the receiver asks (3964: at once).
-  std::expected<void, feed::Refusal> arm(const feed::Job& job, Time now);
+  // A person arms one job. Nothing of the text goes out before the receiver asks (3964: at once). `name` is for
+  // protocols that tell it.
+  std::expected<void, feed::Refusal> arm(const feed::Job& job, Time now, std::string_view name = {});
   std::expected<void, feed::Refusal> command(feed::Command command, Time now);
   // The ledger committed: text up to this offset may be handed. Never lowers the reserve.
   void extend_reserve(std::uint64_t offset, Time now);
@@ -45,6 +46,10 @@ class Sender {
   void mark_sent(std::size_t n, Time now);
 
   std::optional<Event> next_event();
+  // What the partner sent when both had called, as it came; empty when there is none. Until it is taken the partner's
+  // next call is refused, so that none is lost.
+  std::span<const std::byte> telegram() const { return rules_->telegram(); }
+  void take_telegram() { rules_->take_telegram(); }
   std::uint64_t events_dropped() const { return events_dropped_; }
   std::optional<Time> deadline() const;
 
@@ -74,6 +79,7 @@ class Sender {
   void perform(Action action, Input input, Cause cause);
   void enter(State to, Cause cause);
   void heard(Heard heard, std::uint8_t byte);
+  void hear_telegram();
   void settle();
   bool advance();
   bool advance_ready();
@@ -93,6 +99,7 @@ class Sender {
   feed::LineClock clock_;
   Outbox outbox_;
   std::optional<feed::Job> job_;
+  std::string_view arming_name_;  // of the call of arm() that is on
   Time now_{};
 
   State state_ = State::idle;

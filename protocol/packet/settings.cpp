@@ -7,13 +7,13 @@
 namespace dripfeed::packet {
 namespace {
 
-constexpr std::array<std::string_view, kProtocols> kNames = {"xmodem", "xmodem-crc", "xmodem-1k",
-                                                             "3964",   "3964r",      "remote-buffer-a"};
+constexpr std::array<std::string_view, kProtocols> kNames = {"xmodem", "xmodem-crc",      "xmodem-1k", "3964",
+                                                             "3964r",  "remote-buffer-a", "ymodem"};
 
 constexpr std::array<std::string_view, 4> kMessages = {
     "the bytes of text in a frame must be 1 to 1024",
     "the line has no speed",
-    "XMODEM needs 8 data bits without parity",
+    "XMODEM and YMODEM need 8 data bits without parity",
     "the character that ends a message of the remote buffer is part of the EOB; end messages with ETX",
 };
 

@@ -22,15 +22,16 @@ enum class Protocol : std::uint8_t {
   s3964,            // Siemens 3964: the frame of 3964R without its check
   s3964r,           // Siemens 3964R
   remote_buffer_a,  // FANUC remote buffer, protocol A
+  ymodem,           // blocks as of xmodem_1k behind a header with name and length; one file in a batch
 };
-inline constexpr std::size_t kProtocols = 6;
+inline constexpr std::size_t kProtocols = 7;
 
-// How a user names them: "xmodem", "xmodem-crc", "xmodem-1k", "3964", "3964r", "remote-buffer-a".
+// How a user names them: "xmodem", "xmodem-crc", "xmodem-1k", "3964", "3964r", "remote-buffer-a", "ymodem".
 std::string_view name(Protocol protocol);
 std::optional<Protocol> parse_protocol(std::string_view name);
 
 constexpr bool is_xmodem(Protocol p) {
-  return p == Protocol::xmodem || p == Protocol::xmodem_crc || p == Protocol::xmodem_1k;
+  return p == Protocol::xmodem || p == Protocol::xmodem_crc || p == Protocol::xmodem_1k || p == Protocol::ymodem;
 }
 constexpr bool is_3964(Protocol p) { return p == Protocol::s3964 || p == Protocol::s3964r; }
 

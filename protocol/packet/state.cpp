@@ -28,6 +28,7 @@ constexpr std::array<Cell, kStates * kInputs> kCells{{
     {A::never, S::idle},  // idle, finished
     {A::never, S::idle},  // idle, cut
     {A::never, S::idle},  // idle, expired
+    {A::never, S::idle},  // idle, yielded
 
     {A::refuse, S::armed},  // armed, arm
     {A::end, S::disarmed},  // armed, disarm
@@ -46,6 +47,7 @@ constexpr std::array<Cell, kStates * kInputs> kCells{{
     {A::never, S::armed},  // armed, finished
     {A::never, S::armed},  // armed, cut
     {A::end, S::disarmed},  // armed, expired
+    {A::never, S::armed},  // armed, yielded
 
     {A::refuse, S::calling},  // calling, arm
     {A::refuse, S::calling},  // calling, disarm
@@ -64,6 +66,26 @@ constexpr std::array<Cell, kStates * kInputs> kCells{{
     {A::never, S::calling},  // calling, finished
     {A::never, S::calling},  // calling, cut
     {A::never, S::calling},  // calling, expired
+    {A::give_way, S::receiving},  // calling, yielded
+
+    {A::refuse, S::receiving},  // receiving, arm
+    {A::refuse, S::receiving},  // receiving, disarm
+    {A::want_stop, S::receiving},  // receiving, stop
+    {A::unwant_stop, S::receiving},  // receiving, resume
+    {A::want_cancel, S::receiving},  // receiving, cancel
+    {A::fail, S::failed},  // receiving, abort
+    {A::refuse, S::receiving},  // receiving, confirm_reset
+    {A::never, S::receiving},  // receiving, asked
+    {A::never, S::receiving},  // receiving, granted
+    {A::never, S::receiving},  // receiving, accepted
+    {A::call, S::calling},  // receiving, again
+    {A::fail, S::failed},  // receiving, broken
+    {A::never, S::receiving},  // receiving, frame_out
+    {A::never, S::receiving},  // receiving, frame_ready
+    {A::never, S::receiving},  // receiving, finished
+    {A::never, S::receiving},  // receiving, cut
+    {A::never, S::receiving},  // receiving, expired
+    {A::never, S::receiving},  // receiving, yielded
 
     {A::refuse, S::sending},  // sending, arm
     {A::refuse, S::sending},  // sending, disarm
@@ -82,6 +104,7 @@ constexpr std::array<Cell, kStates * kInputs> kCells{{
     {A::never, S::sending},  // sending, finished
     {A::never, S::sending},  // sending, cut
     {A::never, S::sending},  // sending, expired
+    {A::never, S::sending},  // sending, yielded
 
     {A::refuse, S::waiting},  // waiting, arm
     {A::refuse, S::waiting},  // waiting, disarm
@@ -100,6 +123,7 @@ constexpr std::array<Cell, kStates * kInputs> kCells{{
     {A::never, S::waiting},  // waiting, finished
     {A::never, S::waiting},  // waiting, cut
     {A::never, S::waiting},  // waiting, expired
+    {A::never, S::waiting},  // waiting, yielded
 
     {A::refuse, S::ready},  // ready, arm
     {A::refuse, S::ready},  // ready, disarm
@@ -118,6 +142,7 @@ constexpr std::array<Cell, kStates * kInputs> kCells{{
     {A::close, S::closing},  // ready, finished
     {A::part, S::cancelled},  // ready, cut
     {A::never, S::ready},  // ready, expired
+    {A::never, S::ready},  // ready, yielded
 
     {A::refuse, S::closing},  // closing, arm
     {A::refuse, S::closing},  // closing, disarm
@@ -136,6 +161,7 @@ constexpr std::array<Cell, kStates * kInputs> kCells{{
     {A::never, S::closing},  // closing, finished
     {A::never, S::closing},  // closing, cut
     {A::never, S::closing},  // closing, expired
+    {A::never, S::closing},  // closing, yielded
 
     {A::take, S::armed},  // done, arm
     {A::refuse, S::done},  // done, disarm
@@ -154,6 +180,7 @@ constexpr std::array<Cell, kStates * kInputs> kCells{{
     {A::never, S::done},  // done, finished
     {A::never, S::done},  // done, cut
     {A::never, S::done},  // done, expired
+    {A::never, S::done},  // done, yielded
 
     {A::take, S::armed},  // failed, arm
     {A::refuse, S::failed},  // failed, disarm
@@ -172,6 +199,7 @@ constexpr std::array<Cell, kStates * kInputs> kCells{{
     {A::never, S::failed},  // failed, finished
     {A::never, S::failed},  // failed, cut
     {A::never, S::failed},  // failed, expired
+    {A::never, S::failed},  // failed, yielded
 
     {A::refuse, S::torn},  // torn, arm
     {A::refuse, S::torn},  // torn, disarm
@@ -190,6 +218,7 @@ constexpr std::array<Cell, kStates * kInputs> kCells{{
     {A::never, S::torn},  // torn, finished
     {A::never, S::torn},  // torn, cut
     {A::never, S::torn},  // torn, expired
+    {A::never, S::torn},  // torn, yielded
 
     {A::take, S::armed},  // cancelled, arm
     {A::refuse, S::cancelled},  // cancelled, disarm
@@ -208,6 +237,7 @@ constexpr std::array<Cell, kStates * kInputs> kCells{{
     {A::never, S::cancelled},  // cancelled, finished
     {A::never, S::cancelled},  // cancelled, cut
     {A::never, S::cancelled},  // cancelled, expired
+    {A::never, S::cancelled},  // cancelled, yielded
 
     {A::take, S::armed},  // disarmed, arm
     {A::refuse, S::disarmed},  // disarmed, disarm
@@ -226,15 +256,16 @@ constexpr std::array<Cell, kStates * kInputs> kCells{{
     {A::never, S::disarmed},  // disarmed, finished
     {A::never, S::disarmed},  // disarmed, cut
     {A::never, S::disarmed},  // disarmed, expired
+    {A::never, S::disarmed},  // disarmed, yielded
 }};
 // clang-format on
 
-constexpr std::array<std::string_view, kStates> kStateNames = {"idle",    "armed", "calling",   "sending",
-                                                               "waiting", "ready", "closing",   "done",
-                                                               "failed",  "torn",  "cancelled", "disarmed"};
+constexpr std::array<std::string_view, kStates> kStateNames = {
+    "idle",    "armed", "calling", "receiving", "sending",   "waiting", "ready",
+    "closing", "done",  "failed",  "torn",      "cancelled", "disarmed"};
 constexpr std::array<std::string_view, kInputs> kInputNames = {
-    "arm",      "disarm", "stop",   "resume",    "cancel",      "abort",    "confirm_reset", "asked",  "granted",
-    "accepted", "again",  "broken", "frame_out", "frame_ready", "finished", "cut",           "expired"};
+    "arm",      "disarm", "stop",   "resume",    "cancel",      "abort",    "confirm_reset", "asked",   "granted",
+    "accepted", "again",  "broken", "frame_out", "frame_ready", "finished", "cut",           "expired", "yielded"};
 
 }  // namespace
 

@@ -11,7 +11,8 @@ namespace dripfeed::packet {
 enum class State : std::uint8_t {
   idle,
   armed,      // a person armed a job; waiting for the receiver's start
-  calling,    // 3964: STX is out, waiting for DLE; the others pass through
+  calling,    // 3964: STX is out, waiting for DLE; YMODEM: so with the header; the others pass through
+  receiving,  // 3964: both called, and this side gave way: the partner's telegram comes first
   sending,    // a frame goes out
   waiting,    // all of it is out; waiting for its answer
   ready,      // no frame is on the way; the next waits for text, ledger, a person, or the receiver's request
@@ -22,7 +23,7 @@ enum class State : std::uint8_t {
   cancelled,  // at a block end, by a person
   disarmed,   // armed, but nothing was sent
 };
-inline constexpr std::size_t kStates = 12;
+inline constexpr std::size_t kStates = 13;
 
 enum class Input : std::uint8_t {
   arm,  // commands of a person
@@ -42,8 +43,9 @@ enum class Input : std::uint8_t {
   finished,     // all of the text is accepted
   cut,          // a cancel is wanted, and what was accepted ends with a block
   expired,      // the arming's time is over
+  yielded,      // both called, and this side gives way
 };
-inline constexpr std::size_t kInputs = 17;
+inline constexpr std::size_t kInputs = 18;
 
 enum class Action : std::uint8_t {
   never,  // cannot be
@@ -55,7 +57,8 @@ enum class Action : std::uint8_t {
   want_stop,
   unwant_stop,
   want_cancel,
-  call,  // call for the frame, the present one where it is not accepted
+  call,      // call for the frame, the present one where it is not accepted
+  give_way,  // the call is taken back, the partner may send
   send,
   sent,  // the answer is awaited from now
   wait,  // as sent, for a call or an end
@@ -78,8 +81,8 @@ Cell cell(State state, Input input);
 
 // A frame or an end is between us and the receiver, or the next is due.
 constexpr bool is_on_the_line(State state) {
-  return state == State::calling || state == State::sending || state == State::waiting || state == State::ready ||
-         state == State::closing;
+  return state == State::calling || state == State::receiving || state == State::sending || state == State::waiting ||
+         state == State::ready || state == State::closing;
 }
 
 std::string_view name(State state);

@@ -16,6 +16,7 @@
 #include "server/app/content_source.h"
 #include "server/app/drop_line.h"
 #include "server/machine/file_drop.h"
+#include "server/machine/line_protocol.h"
 #include "store/hash/hash.h"
 
 namespace dripfeed::app {
@@ -94,12 +95,15 @@ Result<void> Jobs::refuse_changed_machine(std::string_view text_sha256, std::str
                                               machine, (*verdict)->id));
 }
 
-// "" where the line is no folder.
+// "" where the line is no folder and tells no name. What a control calls its files is a rule for folders; where a name
+// is only told, the control makes of it what it will.
 Result<std::string> Jobs::file_name(const machine::Profile& profile, store::Id program) {
-  if (profile.line.link.kind != machine::LinkKind::dir) return std::string();
+  const bool is_told = machine::tells_name(profile.line);
+  if (profile.line.link.kind != machine::LinkKind::dir && !is_told) return std::string();
   const auto row = store_.programs().get(program);
   if (!row) return std::unexpected(from_store(row.error()));
   auto name = machine::file_name_for(profile, row->name);
+  if (!name && is_told) return row->name;
   if (!name) return fail(ErrorCode::refused, name.error());
   return std::move(*name);
 }

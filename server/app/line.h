@@ -97,7 +97,7 @@ struct LineOrder {
   std::uint64_t reserve = 0;  // already committed in the ledger
   std::uint32_t rounds = 1;   // the text is sent so often, and the source gives it so often
   std::uint64_t session = 0;  // new for each arming; 32 bits of it identify a block transfer at the PLC
-  std::string file_name{};    // for a folder: the name under which the control fetches it
+  std::string file_name{};    // the name under which the control fetches it from a folder, or that YMODEM tells
 };
 
 // What a control punched, as it came.

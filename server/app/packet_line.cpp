@@ -11,15 +11,16 @@
 #include <fmt/format.h>
 
 #include "protocol/packet/packet.h"
+#include "server/app/kept_link.h"
 #include "server/machine/line_protocol.h"
+#include "server/machine/receive_settings.h"
 
 namespace dripfeed::app {
 
 namespace {
 
 constexpr std::size_t kInputBytes = 256;
-constexpr feed::Time kReopenFirst = std::chrono::milliseconds(500);
-constexpr feed::Time kReopenLongest = std::chrono::seconds(5);
+constexpr std::size_t kMaxReceptions = 16;
 constexpr feed::Time kHoldShown = std::chrono::seconds(1);
 
 struct StateRow {
@@ -32,6 +33,7 @@ constexpr std::array<StateRow, packet::kStates> kStateRows = {{
     {packet::State::idle, LineState::idle, JobEnd::none},
     {packet::State::armed, LineState::armed, JobEnd::none},
     {packet::State::calling, LineState::feeding, JobEnd::none},
+    {packet::State::receiving, LineState::feeding, JobEnd::none},
     {packet::State::sending, LineState::feeding, JobEnd::none},
     {packet::State::waiting, LineState::feeding, JobEnd::none},
     {packet::State::ready, LineState::feeding, JobEnd::none},
@@ -54,18 +56,18 @@ static_assert(rows_in_order());
 // A receiver that is late with its answer holds the feed, as a DC3 does.
 bool holds(packet::Stall stall) {
   return stall == packet::Stall::waiting_for_ack || stall == packet::Stall::waiting_for_receiver ||
-         stall == packet::Stall::stopped_by_person;
+         stall == packet::Stall::stopped_by_person || stall == packet::Stall::partner_sends;
 }
 
 double to_seconds(feed::Time time) { return static_cast<double>(time.count()) * 1e-9; }
 
 class PacketLine final : public Line, private LinkListener, private Ticker {
  public:
-  PacketLine(packet::Sender sender, machine::LineSettings settings, LinkThread& thread, LineChanged changed)
-      : sender_(std::move(sender)), settings_(std::move(settings)), thread_(thread), changed_(std::move(changed)) {
+  PacketLine(packet::Sender sender, const machine::LineSettings& settings, LinkThread& thread, LineChanged changed)
+      : sender_(std::move(sender)), thread_(thread), changed_(std::move(changed)), link_(settings, thread, *this) {
     thread_.run([this] {
       thread_.add(*this);
-      open();
+      link_.open();
       publish();
     });
   }
@@ -73,7 +75,7 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
   ~PacketLine() override {
     thread_.run([this] {
       thread_.remove(*this);
-      link_.reset();
+      link_.close();
     });
   }
 
@@ -104,6 +106,11 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
     });
   }
 
+  std::vector<Reception> take_receptions() override {
+    const std::lock_guard lock(report_mutex_);
+    return std::exchange(receptions_, {});
+  }
+
   [[nodiscard]] LineReport report() const override {
     const std::lock_guard lock(report_mutex_);
     return report_;
@@ -117,7 +124,7 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
                         .source = order.source.get(),
                         .expires_after = order.expires_after,
                         .reserve = order.reserve};
-    if (const auto armed = sender_.arm(job, now()); !armed) {
+    if (const auto armed = sender_.arm(job, now(), order.file_name); !armed) {
       const std::string_view state = packet::name(sender_.state());
       settle();
       return std::unexpected(fmt::format("{} (the line is {})", feed::message(armed.error()), state));
@@ -131,26 +138,8 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
     return {};
   }
 
-  void open() {
-    auto opened = thread_.open(settings_, *this);
-    if (opened) {
-      link_ = std::move(*opened);
-      link_error_.clear();
-      return;
-    }
-    link_error_ = opened.error();
-    reopen_later();
-  }
-
-  void reopen_later() {
-    reopen_wait_ = std::min(reopen_wait_ == feed::Time{} ? kReopenFirst : reopen_wait_ * 2, kReopenLongest);
-    reopen_at_ = now() + reopen_wait_;
-  }
-
   void on_up() override {
-    link_up_ = true;
-    reopen_wait_ = {};
-    link_error_.clear();
+    link_.came_up();
     sender_.link(true, now());
     settle();
   }
@@ -162,28 +151,25 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
   // A packet that CTS holds back is answered late, which is a stall with a name.
   void on_cts(bool) override {}
   void on_dsr(bool on) override {
-    if (settings_.watch_dsr) sender_.link(on, now());
+    if (link_.settings().watch_dsr) sender_.link(on, now());
     settle();
   }
   void on_lost(std::string_view reason) override {
-    link_up_ = false;
-    link_error_ = reason;
+    link_.was_lost(reason);
     sender_.link(false, now());
-    link_.reset();
-    reopen_later();
     settle();
   }
 
   void tick(feed::Time time) override {
     ticked_at_ = time;
-    if (!link_ && time >= reopen_at_) open();
+    link_.tick(time);
     sender_.tick(time);
     settle();
   }
 
   [[nodiscard]] std::optional<feed::Time> deadline() const override {
     std::optional<feed::Time> due = sender_.deadline();
-    if (!link_) due = due ? std::min(*due, reopen_at_) : reopen_at_;
+    if (const auto reopen = link_.deadline()) due = due ? std::min(*due, *reopen) : *reopen;
     if (holds(sender_.stall())) due = due ? std::min(*due, ticked_at_ + kHoldShown) : ticked_at_ + kHoldShown;
     return due;
   }
@@ -193,18 +179,35 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
     while (const auto event = sender_.next_event()) {
       if (event->kind == packet::EventKind::start_unarmed) ++unarmed_starts_;
     }
+    keep_telegram();
     publish();
+  }
+
+  // What the partner of 3964 sent in between is received as a punch would be, for whoever judges and keeps that.
+  void keep_telegram() {
+    const auto telegram = sender_.telegram();
+    if (telegram.empty()) return;
+    const std::lock_guard lock(report_mutex_);
+    if (receptions_.size() == kMaxReceptions) return;  // the partner's next call is refused until somebody looks
+    const receive::Ending ending{
+        .by = receive::EndedBy::end_code, .bytes = telegram.size(), .began_at = now(), .at = now()};
+    receptions_.push_back({.raw = {telegram.begin(), telegram.end()},
+                           .ending = ending,
+                           .settings = machine::receive_settings_of(link_.settings())});
+    ++received_;
+    sender_.take_telegram();
   }
 
   // Reads before it writes: a receiver that took leave must stop what would go out now.
   void pump() {
     std::array<std::byte, kInputBytes> buffer;
-    while (link_ && !sender_.pending_out().empty()) {
-      while (const std::size_t count = link_->read(buffer)) sender_.receive(std::span(buffer).first(count), now());
+    while (link_.get() != nullptr && !sender_.pending_out().empty()) {
+      while (const std::size_t count = link_.get()->read(buffer))
+        sender_.receive(std::span(buffer).first(count), now());
       const std::span<const std::byte> out = sender_.pending_out();
       if (out.empty()) return;
       const std::size_t size = out.size();
-      const std::size_t taken = link_->write(out);
+      const std::size_t taken = link_.get()->write(out);
       sender_.mark_sent(taken, now());
       if (taken < size) return;  // on_writable or the next tick goes on
     }
@@ -213,7 +216,7 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
   [[nodiscard]] LineState line_state() const {
     const LineState state = kStateRows[static_cast<std::size_t>(sender_.state())].line;
     if (state == LineState::feeding && holds(sender_.stall())) return LineState::held;
-    return state == LineState::idle && !link_up_ ? LineState::disconnected : state;
+    return state == LineState::idle && !link_.is_up() ? LineState::disconnected : state;
   }
 
   void publish() {
@@ -223,7 +226,8 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
     const std::string_view stall = packet::name(sender_.stall());
     const std::lock_guard lock(report_mutex_);
     const bool changed = state != report_.state || end != report_.end || stall != report_.stall ||
-                         order_job_ != report_.job || session_ != report_.session;
+                         order_job_ != report_.job || session_ != report_.session || received_ != report_.received;
+    report_.received = received_;
     report_.job = order_job_;
     report_.session = session_;
     report_.state = state;
@@ -232,8 +236,7 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
     report_.stop_wanted = sender_.stop_wanted();
     const packet::Cause cause = sender_.end_cause();
     report_.cause = cause == packet::Cause::none ? std::string_view() : packet::name(cause);
-    if (report_.link_error != link_error_) report_.link_error = link_error_;
-    if (link_) tell_link(*link_, report_);
+    link_.tell(report_);
     report_.total = sender_.total_bytes();
     report_.handed = counters.handed;
     report_.clocked = counters.clocked;
@@ -267,22 +270,19 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
   }
 
   packet::Sender sender_;
-  machine::LineSettings settings_;
   LinkThread& thread_;
   LineChanged changed_;
-  std::unique_ptr<Link> link_;
-  bool link_up_ = false;
-  std::string link_error_;
-  feed::Time reopen_at_{};
-  feed::Time reopen_wait_{};
+  KeptLink link_;
   feed::Time ticked_at_{};
   std::shared_ptr<tape_code::TextSource> source_;
   std::uint64_t order_job_ = 0;
   std::uint64_t session_ = 0;
   std::uint64_t reserve_ = 0;
   std::uint64_t unarmed_starts_ = 0;
+  std::uint64_t received_ = 0;
   mutable std::mutex report_mutex_;
   LineReport report_;
+  std::vector<Reception> receptions_;  // guarded by report_mutex_
 };
 
 }  // namespace

@@ -12,8 +12,8 @@ namespace dripfeed::machine {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> kNames = {"dc-codes",  "remote-buffer-b", "xmodem", "xmodem-crc",
-                                                    "xmodem-1k", "remote-buffer-a", "3964",   "3964r"};
+constexpr std::array<std::string_view, 9> kNames = {
+    "dc-codes", "remote-buffer-b", "xmodem", "xmodem-crc", "xmodem-1k", "remote-buffer-a", "3964", "3964r", "ymodem"};
 
 using Packet = std::optional<packet::Protocol>;
 constexpr std::array<Packet, kNames.size()> kPackets = {
@@ -25,6 +25,7 @@ constexpr std::array<Packet, kNames.size()> kPackets = {
     packet::Protocol::remote_buffer_a,
     packet::Protocol::s3964,
     packet::Protocol::s3964r,
+    packet::Protocol::ymodem,
 };
 
 }  // namespace
@@ -41,6 +42,12 @@ std::optional<LineProtocol> parse_line_protocol(std::string_view name) {
 
 std::optional<packet::Protocol> packet_protocol_of(LineProtocol protocol) {
   return kPackets[static_cast<std::size_t>(protocol)];
+}
+
+bool tells_name(const LineSettings& line) {
+  if (!feeds_characters(line.link.kind)) return false;
+  const auto effective = effective_line(line);
+  return effective && effective->protocol == LineProtocol::ymodem;
 }
 
 std::expected<packet::Settings, std::string> packet_settings_of(const LineSettings& given) {

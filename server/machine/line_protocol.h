@@ -23,14 +23,18 @@ enum class LineProtocol : std::uint8_t {
   remote_buffer_a,
   s3964,
   s3964r,
+  ymodem,
 };
 
-// "dc-codes", "xmodem", "xmodem-crc", "xmodem-1k", "remote-buffer-a", "remote-buffer-b", "3964", "3964r".
+// "dc-codes", "xmodem", "xmodem-crc", "xmodem-1k", "remote-buffer-a", "remote-buffer-b", "3964", "3964r", "ymodem".
 std::span<const std::string_view> line_protocol_names();
 std::string_view name_of(LineProtocol protocol);
 std::optional<LineProtocol> parse_line_protocol(std::string_view name);
 // Nothing where the line speaks DC codes.
 std::optional<packet::Protocol> packet_protocol_of(LineProtocol protocol);
+
+// A transfer over this line tells the control the program's name: YMODEM. The URL's options count.
+bool tells_name(const LineSettings& line);
 
 // The settings of a packet line, URL options included; or one sentence that says which is wrong. Only for a line whose
 // protocol has packets.

@@ -27,6 +27,7 @@ std::string described(const packet::Event& event) {
     case packet::EventKind::stall_changed: add(event.stall == packet::Stall::none ? "none" : name(event.stall)); break;
     case packet::EventKind::command_refused: add(name(event.input)); break;
     case packet::EventKind::noticed: add(hex(std::string(1, static_cast<char>(event.byte))).substr(0, 2)); break;
+    case packet::EventKind::telegram: add(std::to_string(event.count)); break;
     case packet::EventKind::start_unarmed:
     case packet::EventKind::repeated: break;
   }
@@ -56,8 +57,8 @@ constexpr std::array<std::pair<std::string_view, feed::Command>, 7> kCommands{{
 }};
 
 // A block of XMODEM, made bit by bit so that the product's own check sums are not their own judge.
-std::string xmodem_block(bool is_long, unsigned number, bool crc, std::string text, bool wrong) {
-  text.resize(is_long ? 1024 : 128, '\x1A');
+std::string xmodem_block(bool is_long, unsigned number, bool crc, std::string text, bool wrong, char fill = '\x1A') {
+  text.resize(is_long ? 1024 : 128, fill);
   unsigned check = 0;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
@@ -156,6 +157,8 @@ std::string PacketPlayer::set(const std::string& rest) {
       settings_.protocol = packet::parse_protocol(value).value();
     } else if (key == "role") {
       receives_ = value == "receiver";
+    } else if (key == "name") {
+      name_ = value;
     } else if (key == "answer") {
       settings_.answer_patience = duration(value);
     } else if (key == "payload") {
@@ -176,11 +179,13 @@ std::string PacketPlayer::set(const std::string& rest) {
 }
 
 std::string PacketPlayer::bytes_of(const std::string& rest) const {
-  if (!rest.starts_with("short ") && !rest.starts_with("long ")) return characters(rest);
+  const bool is_header = rest.starts_with("header ");
+  if (!is_header && !rest.starts_with("short ") && !rest.starts_with("long ")) return characters(rest);
   const std::vector<std::string> all = words(rest);
   const std::size_t quote = rest.find('"');
   const bool wrong = rest.ends_with(" wrong");
   const std::string text = rest.substr(quote, rest.size() - quote - (wrong ? 6 : 0));
+  if (is_header) return xmodem_block(false, 0, all.at(1) == "crc", characters(text), wrong, '\0');
   return xmodem_block(all[0] == "long", static_cast<unsigned>(std::stoul(all.at(1))), all.at(2) == "crc",
                       characters(text), wrong);
 }
@@ -288,6 +293,8 @@ std::string PacketPlayer::one_command(const std::string& name, const std::string
   } else if (name == "ready") {
     ready_ = std::stoul(argument);
     if (source_) source_->ready = ready_;
+  } else if (name == "take") {
+    sender_->take_telegram();
   } else if (name == "broken") {
     source_->broken = true;
   } else if (name == "arm") {
@@ -295,7 +302,7 @@ std::string PacketPlayer::one_command(const std::string& name, const std::string
     source->ready = ready_;
     feed::Job job{.facts = facts_of(text_), .source = source.get(), .reserve = feed::kNoReserve};
     if (!argument.empty()) job.reserve = std::stoul(argument);
-    const auto taken = sender_->arm(job, now_);
+    const auto taken = sender_->arm(job, now_, name_);
     if (taken) source_ = std::move(source);
     return said(taken);
   } else {
@@ -319,6 +326,11 @@ std::string PacketPlayer::check(const std::string& rest) {
     return "unknown check";
   }
   if (all.at(0) == "state") return is(name(sender_->state()));
+  if (all[0] == "telegram") {
+    std::string have;
+    for (const std::byte byte : sender_->telegram()) have += static_cast<char>(byte);
+    return have == characters(std::string_view(rest).substr(9)) ? "" : "it is " + hex(have);
+  }
   if (all[0] == "handed") return is(std::to_string(sender_->counters().handed));
   if (all[0] == "clocked") return is(std::to_string(sender_->counters().clocked));
   if (all[0] == "confirmed") return is(std::to_string(sender_->counters().confirmed));

@@ -1,7 +1,9 @@
 // Plays a dialog against a packet sender or receiver; the dialog is the other side.
-//   set protocol=NAME role=sender|receiver answer=TIME payload=N ...    set text "..."
-//   > and < take characters, or a block of XMODEM: short|long NUMBER crc|sum "text" [wrong]
-//   * link on|off, arm, disarm, stop, resume, cancel, abort, confirm_reset, reserve N, ready N, broken, room N, start
+//   set protocol=NAME role=sender|receiver answer=TIME payload=N name=FILE ...    set text "..."
+//   > and < take characters, or a block of XMODEM: short|long NUMBER crc|sum "text" [wrong], or YMODEM's header: header
+//   crc|sum "text" [wrong], filled up with NUL
+//   * link on|off, arm, disarm, stop, resume, cancel, abort, confirm_reset, reserve N, ready N, broken, room N, start,
+//   take (the partner's telegram)
 #pragma once
 
 #include <deque>
@@ -63,6 +65,7 @@ class PacketPlayer {
   packet::Settings settings_;
   bool receives_ = false;
   std::string text_ = "%\nO1\nG1X1\nM30\n%\n";
+  std::string name_;
   std::optional<packet::Sender> sender_;
   std::optional<packet::Receiver> receiver_;
   RoomySink sink_;

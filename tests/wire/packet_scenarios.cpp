@@ -15,7 +15,7 @@ using packet::Protocol;
 using packet::ReceiveState;
 using packet::State;
 
-constexpr std::array kXmodems{Protocol::xmodem, Protocol::xmodem_crc, Protocol::xmodem_1k};
+constexpr std::array kXmodems{Protocol::xmodem, Protocol::xmodem_crc, Protocol::xmodem_1k, Protocol::ymodem};
 
 packet::Settings settings_of(Protocol protocol) {
   packet::Settings settings{.protocol = protocol};

@@ -160,6 +160,69 @@ TEST_F(PacketLineTest, AStopWaitsBetweenTwoPacketsAndAStartWithoutAJobIsCounted)
   EXPECT_EQ(report().end, JobEnd::done);
 }
 
+// A partner of 3964R that calls when it is called, sends its own telegram, and then reads.
+class CallingPeer final : public dripfeed::test::Peer, private packet::Sink {
+ public:
+  void receive(std::span<const std::byte> bytes, feed::Time now) override {
+    for (const std::byte byte : bytes) take(byte, now);
+  }
+  void tick(feed::Time now) override { receiver_.tick(now); }
+  std::vector<std::byte> take_out(feed::Time now) override {
+    if (!out_.empty()) return std::exchange(out_, {});
+    const auto out = receiver_.pending_out();
+    std::vector<std::byte> bytes(out.begin(), out.end());
+    receiver_.mark_sent(bytes.size(), now);
+    return bytes;
+  }
+  [[nodiscard]] std::optional<feed::Time> deadline() const override {
+    if (!out_.empty() || !receiver_.pending_out().empty()) return feed::Time(0);
+    return receiver_.deadline();
+  }
+  std::string text;
+
+ private:
+  void say(std::string_view bytes) {
+    for (const char c : bytes) out_.push_back(static_cast<std::byte>(c));
+  }
+  void take(std::byte byte, feed::Time now) {
+    if (step_ == 2) return receiver_.receive({&byte, 1}, now);
+    if (++step_ == 1) return say("\x02");
+    // E ^ 1 ^ 2 ^ LF ^ DLE ^ ETX
+    say("E12\n\x10\x03\x5F");
+    receiver_.link(true, now);
+    static_cast<void>(receiver_.start(now));
+  }
+  [[nodiscard]] std::size_t room() const noexcept override { return 1U << 20; }
+  void append(std::span<const std::byte> bytes) noexcept override {
+    for (const std::byte byte : bytes) text += static_cast<char>(byte);
+  }
+  int step_ = 0;
+  std::vector<std::byte> out_;
+  packet::Receiver receiver_ = *packet::Receiver::make({.protocol = packet::Protocol::s3964r}, *this);
+};
+
+TEST(PacketLines, ATelegramThatThePartnerSentFirstIsAReception) {
+  constexpr const char* kUrl = "pty:/machine/mill?protocol=3964r&baud=19200";
+  FakeLinkThread links;
+  CallingPeer peer;
+  auto made = make_line(line_settings(kUrl), links, nullptr, [] {});
+  ASSERT_TRUE(made) << made.error().text;
+  links.cable(kUrl).peer = &peer;
+  links.settle();
+  const std::string text = program(20);
+  ASSERT_TRUE((*made)->arm(order_of(1, text, feed::kNoReserve)));
+  for (int i = 0; i < 500; ++i) links.advance(10ms);
+  EXPECT_EQ((*made)->report().end, JobEnd::done);
+  EXPECT_EQ((*made)->report().received, 1U);
+  EXPECT_EQ(peer.text, text);
+  const auto receptions = (*made)->take_receptions();
+  ASSERT_EQ(receptions.size(), 1U);
+  std::string came;
+  for (const std::byte byte : receptions.front().raw) came += static_cast<char>(byte);
+  EXPECT_EQ(came, "E12\n");
+  EXPECT_TRUE((*made)->take_receptions().empty());
+}
+
 TEST(PacketLines, SettingsThatCannotBeKeptAreASentence) {
   FakeLinkThread links;
   const auto made = make_line(line_settings("pty:/x?protocol=xmodem&framing=7E2"), links, nullptr, [] {});

@@ -1,0 +1,57 @@
+// An idle link sends nothing, so opening it again is harmless; a machine that is off is not asked too often.
+#include "server/app/kept_link.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace dripfeed::app {
+
+namespace {
+
+constexpr feed::Time kReopenFirst = std::chrono::milliseconds(500);
+constexpr feed::Time kReopenLongest = std::chrono::seconds(5);
+
+}  // namespace
+
+void KeptLink::open() {
+  auto opened = thread_.open(settings_, listener_);
+  if (opened) {
+    link_ = std::move(*opened);
+    error_.clear();
+    return;
+  }
+  error_ = opened.error();
+  open_later();
+}
+
+void KeptLink::open_later() {
+  reopen_wait_ = std::min(reopen_wait_ == feed::Time{} ? kReopenFirst : reopen_wait_ * 2, kReopenLongest);
+  reopen_at_ = thread_.clock().now() + reopen_wait_;
+}
+
+void KeptLink::came_up() {
+  up_ = true;
+  reopen_wait_ = {};
+  error_.clear();
+}
+
+void KeptLink::was_lost(std::string_view reason) {
+  up_ = false;
+  error_ = reason;
+  link_.reset();
+  open_later();
+}
+
+void KeptLink::tick(feed::Time now) {
+  if (!link_ && now >= reopen_at_) open();
+}
+
+std::optional<feed::Time> KeptLink::deadline() const { return link_ ? std::nullopt : std::optional(reopen_at_); }
+
+void KeptLink::tell(LineReport& report) const {
+  if (report.link_error != error_) report.link_error = error_;
+  if (link_) tell_link(*link_, report);
+}
+
+}  // namespace dripfeed::app
