@@ -10,6 +10,7 @@
 #include "server/app/feed_line.h"
 #include "server/app/mailbox_line.h"
 #include "server/app/packet_line.h"
+#include "server/app/punch_line.h"
 #include "server/machine/bus_settings.h"
 
 namespace dripfeed::app {
@@ -99,6 +100,18 @@ std::vector<std::pair<std::string, std::shared_ptr<Line>>> Lines::all() const {
   all.reserve(lines_.size());
   for (const auto& [name, entry] : lines_) all.emplace_back(name, entry.line);
   return all;
+}
+
+Result<std::unique_ptr<Line>> make_receiving_line(const machine::LineSettings& settings, LinkThread& thread,
+                                                  BusSeatMaker take_seat, LineChanged changed) {
+  const auto effective = machine::effective_line(settings);
+  if (!effective) return fail(ErrorCode::invalid, effective.error());
+  const bool has_characters = machine::feeds_characters(settings.link.kind);
+  if (!has_characters || !machine::packet_protocol_of(effective->protocol))
+    return make_line(settings, thread, take_seat, std::move(changed));
+  auto line = make_punch_line(settings, thread, std::move(changed));
+  if (!line) return fail(ErrorCode::invalid, line.error());
+  return std::move(*line);
 }
 
 Result<std::unique_ptr<Line>> make_line(const machine::LineSettings& settings, LinkThread& thread,

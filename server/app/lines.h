@@ -49,6 +49,10 @@ class Lines {
   std::map<std::string, std::string> refusals_;  // why a machine has no line
 };
 
+// A line for these settings, without a name: for one reception. Errors: `invalid`.
+Result<std::unique_ptr<Line>> make_receiving_line(const machine::LineSettings& settings, LinkThread& thread,
+                                                  BusSeatMaker take_seat, LineChanged changed);
+
 // A line for these settings, without a name: for one transfer. Errors: `invalid`.
 Result<std::unique_ptr<Line>> make_line(const machine::LineSettings& settings, LinkThread& thread,
                                         BusSeatMaker take_seat, LineChanged changed);

@@ -24,6 +24,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kLook{20};
 constexpr std::chrono::seconds kToOpen{5};
+constexpr std::chrono::milliseconds kLeaveTaking{200};
 
 struct Options {
   std::string link;
@@ -37,15 +38,27 @@ struct Options {
 app::Result<std::optional<app::Reception>> wait_for(const machine::Profile& profile, const Options& options,
                                                     const std::stop_token& stop) {
   const auto thread = io::start_link_thread();
-  auto line = app::make_line(profile.line, *thread, io::take_modbus_seat, [] {});
+  auto line = app::make_receiving_line(profile.line, *thread, io::take_modbus_seat, [] {});
   if (!line) return std::unexpected(line.error());
   const auto begun = std::chrono::steady_clock::now();
-  while (!stop.stop_requested()) {
+  bool stopped = false;
+  for (;;) {
     for (app::Reception& one : (*line)->take_receptions()) {
       const receive::Transfer transfer = receive::judge(one.raw, one.ending, one.settings);
-      if (transfer.fault != receive::Fault::empty) return std::move(one);
+      if (transfer.fault == receive::Fault::empty) continue;
+      if (const std::string_view cause = (*line)->report().cause; !cause.empty() && cause != "none")
+        fmt::print(stderr, "dripfeed: the transfer broke off: {}\n", cause);
+      return std::move(one);
     }
     const app::LineReport report = (*line)->report();
+    if (stopped) break;
+    if (stop.stop_requested()) {
+      // A sender of packets is told; what came of its text so far is a broken reception. Others hear nothing.
+      stopped = true;
+      static_cast<void>((*line)->command(feed::Command::abort));
+      std::this_thread::sleep_for(kLeaveTaking);
+      continue;
+    }
     const auto waited = std::chrono::steady_clock::now() - begun;
     if (report.state == app::LineState::disconnected && waited > kToOpen)
       return app::fail(app::ErrorCode::unavailable, fmt::format("{}: {}", options.link, report.link_error));

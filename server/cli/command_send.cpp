@@ -20,6 +20,7 @@
 #include "server/cli/wire_hashes.h"
 #include "server/io/io.h"
 #include "server/machine/file_drop.h"
+#include "server/machine/line_protocol.h"
 
 namespace dripfeed::cli {
 
@@ -27,6 +28,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kRound{50};
 constexpr std::uint64_t kJob = 1;
+// A protocol's leave-taking is let out before the link is closed, which drops what is unsent.
+constexpr std::chrono::milliseconds kLeaveTaking{200};
 
 struct Options {
   std::string file;
@@ -93,10 +96,17 @@ WireHashes hashes_of(const std::string& text, const machine::Profile& profile, s
 
 bool over(const app::LineReport& report) { return report.job == kJob && report.end != app::JobEnd::none; }
 
-// Keeps the ledger ahead of the feed until the job is over; a signal cancels at a block end.
-app::Result<app::LineReport> follow(app::Line& line, FileLedger& ledger, const app::Clock& clock,
-                                    const std::stop_token& stop, std::uint64_t reserve) {
+void say(app::Line& line, feed::Command command, const char* sentence) {
+  fmt::print(stderr, "dripfeed: {}\n", sentence);
+  if (const auto told = line.command(command); !told) fmt::print(stderr, "dripfeed: {}\n", told.error());
+}
+
+// Keeps the ledger ahead of the feed until the job is over; a signal cancels at a block end, a second one at once:
+// where a control never answers there is no block end.
+app::Result<app::LineReport> follow(app::Line& line, FileLedger& ledger, const app::Clock& clock, const Stops& stops,
+                                    std::uint64_t reserve) {
   bool cancelled = false;
+  bool aborted = false;
   app::LineReport last;
   for (;;) {
     const app::LineReport report = line.report();
@@ -117,13 +127,17 @@ app::Result<app::LineReport> follow(app::Line& line, FileLedger& ledger, const a
       line.extend_reserve(kJob, reserve);
     }
     last = report;
+    if (ended && report.end != app::JobEnd::done) std::this_thread::sleep_for(kLeaveTaking);
     if (ended) return report;
-    if (stop.stop_requested() && !cancelled) {
+    if (stops.first.stop_requested() && !cancelled) {
       cancelled = true;
-      fmt::print(stderr, "dripfeed: stopping at the end of the block\n");
       const bool waits = report.state == app::LineState::armed;
-      const auto told = line.command(waits ? feed::Command::disarm : feed::Command::cancel);
-      if (!told) fmt::print(stderr, "dripfeed: {}\n", told.error());
+      say(line, waits ? feed::Command::disarm : feed::Command::cancel,
+          "stopping at the end of the block; one more signal stops at once");
+    }
+    if (stops.second.stop_requested() && !aborted) {
+      aborted = true;
+      say(line, feed::Command::abort, "stopping at once");
     }
     std::this_thread::sleep_for(kRound);
   }
@@ -131,12 +145,12 @@ app::Result<app::LineReport> follow(app::Line& line, FileLedger& ledger, const a
 
 app::Result<app::LineReport> transfer(const std::string& text, const feed::ProgramFacts& facts,
                                       const machine::Profile& profile, const std::string& file_name, FileLedger& ledger,
-                                      const std::stop_token& stop, std::uint32_t rounds) {
+                                      const Stops& stops, std::uint32_t rounds) {
   const auto thread = io::start_link_thread();
   auto line = app::make_line(profile.line, *thread, io::take_modbus_seat, [] {});
   if (!line) return std::unexpected(line.error());
   const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(5);
-  while ((*line)->report().state == app::LineState::disconnected && !stop.stop_requested()) {
+  while ((*line)->report().state == app::LineState::disconnected && !stops.first.stop_requested()) {
     if (std::chrono::steady_clock::now() > patience)
       return app::fail(app::ErrorCode::unavailable,
                        fmt::format("{}: {}", profile.line.link.text, (*line)->report().link_error));
@@ -155,11 +169,11 @@ app::Result<app::LineReport> transfer(const std::string& text, const feed::Progr
                                    .session = session | 1U,
                                    .file_name = file_name});
   if (!armed) return app::fail(app::ErrorCode::refused, armed.error());
-  return follow(**line, ledger, thread->clock(), stop, reserve);
+  return follow(**line, ledger, thread->clock(), stops, reserve);
 }
 
 int send(const Options& options) {
-  const std::stop_token stop = stop_by_signal();
+  const Stops stops = stop_by_two_signals();
   if (!options.unreleased) {
     print_error("send feeds a text that no release stands behind; say --unreleased if that is meant");
     return kWrongUse;
@@ -176,7 +190,8 @@ int send(const Options& options) {
     print_error(facts.error());
     return kFailed;
   }
-  std::string file_name;
+  std::string file_name =
+      machine::tells_name(profile->line) ? std::filesystem::path(source->name()).filename().string() : std::string();
   if (profile->line.link.kind == machine::LinkKind::dir) {
     auto named = machine::file_name_for(*profile, std::filesystem::path(source->name()).filename().string());
     if (!named) {
@@ -194,7 +209,7 @@ int send(const Options& options) {
     print_error(ledger.error());
     return kWrongUse;
   }
-  const auto report = transfer(text, *facts, *profile, file_name, *ledger, stop, options.rounds);
+  const auto report = transfer(text, *facts, *profile, file_name, *ledger, stops, options.rounds);
   if (!report) {
     print_error(report.error());
     return report.error().code == app::ErrorCode::invalid ? kWrongUse : kFailed;

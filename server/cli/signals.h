@@ -9,4 +9,11 @@ namespace dripfeed::cli {
 // before any thread starts.
 std::stop_token stop_by_signal();
 
+// The same for a command that can stop gently, and then at once.
+struct Stops {
+  std::stop_token first;
+  std::stop_token second;
+};
+Stops stop_by_two_signals();
+
 }  // namespace dripfeed::cli
