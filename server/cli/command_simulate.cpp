@@ -246,7 +246,11 @@ int run_controls(const machine::LinkUrl& link, const machine::Profile& profile, 
       return kWrongUse;
     }
     settings->punches = punched->text();
-    settings->protocol = options.then_read ? "punch-read" : "punch";
+    if (settings->protocol != "dc") {
+      settings->protocol = "punch-" + settings->protocol;
+    } else {
+      settings->protocol = options.then_read ? "punch-read" : "punch";
+    }
   }
   std::vector<std::unique_ptr<Received>> received;
   simulator::Fleet fleet(grid_for(options.count));

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "server/simulator/packet_control.h"
+#include "server/simulator/packet_punch.h"
 #include "server/simulator/punching_control.h"
 #include "server/simulator/simulated_control.h"
 
@@ -31,8 +32,16 @@ constexpr std::array kRows = {
     Row{"3964", make_kind<PacketControl>},
     Row{"3964r", make_kind<PacketControl>},
     Row{"remote-buffer-a", make_kind<PacketControl>},
+    Row{"ymodem", make_kind<PacketControl>},
     Row{"punch", make_kind<PunchingControl>},
     Row{"punch-read", make_kind<PunchingControl>},  // and reads what the host answers
+    Row{"punch-xmodem", make_kind<PacketPunch>},
+    Row{"punch-xmodem-crc", make_kind<PacketPunch>},
+    Row{"punch-xmodem-1k", make_kind<PacketPunch>},
+    Row{"punch-ymodem", make_kind<PacketPunch>},
+    Row{"punch-3964", make_kind<PacketPunch>},
+    Row{"punch-3964r", make_kind<PacketPunch>},
+    Row{"punch-remote-buffer-a", make_kind<PacketPunch>},
 };
 
 }  // namespace

@@ -10,10 +10,22 @@ namespace dripfeed::simulator {
 
 namespace {
 
-packet::Settings packet_settings(const ControlSettings& settings) {
+packet::Receiver make_receiver(const packet::Settings& settings, packet::Sink& sink) {
+  auto made = packet::Receiver::make(settings, sink);
+  // A wrong setting was refused where the line was read; what is left is the plainest receiver.
+  return made ? std::move(*made) : *packet::Receiver::make({}, sink);
+}
+
+// make_control() found this control by the same name.
+packet::Protocol protocol_of(const ControlSettings& settings) {
+  return packet::parse_protocol(settings.protocol).value_or(packet::Protocol::xmodem);
+}
+
+}  // namespace
+
+packet::Settings packet_settings(const ControlSettings& settings, packet::Protocol protocol) {
   packet::Settings packet;
-  // make_control() found this control by the same name.
-  packet.protocol = packet::parse_protocol(settings.protocol).value_or(packet::Protocol::xmodem);
+  packet.protocol = protocol;
   packet.wire.eighth_bit = tape_code::eighth_bit(settings.framing, settings.code, tape_code::ParityBy::software);
   packet.char_time =
       packet::Time(std::int64_t{1'000'000'000} * settings.framing.bits_per_char() / std::max(settings.baud, 1U));
@@ -24,19 +36,11 @@ packet::Settings packet_settings(const ControlSettings& settings) {
   return packet;
 }
 
-packet::Receiver make_receiver(const packet::Settings& settings, packet::Sink& sink) {
-  auto made = packet::Receiver::make(settings, sink);
-  // A wrong setting was refused where the line was read; what is left is the plainest receiver.
-  return made ? std::move(*made) : *packet::Receiver::make({}, sink);
-}
-
-}  // namespace
-
 PacketControl::PacketControl(const ControlSettings& settings, Record record)
     : settings_(settings),
       record_(std::move(record)),
       eighth_bit_(tape_code::eighth_bit(settings.framing, settings.code, tape_code::ParityBy::software)),
-      receiver_(make_receiver(packet_settings(settings), *this)),
+      receiver_(make_receiver(packet_settings(settings, protocol_of(settings)), *this)),
       tape_(settings.clock, settings.speed) {
   receiver_.link(true, packet::Time(0));
 }

@@ -1,5 +1,5 @@
-// A control that reads its program in packets: XMODEM, 3964(R), the remote buffer's protocol A. It acknowledges a
-// packet when its buffer has room for another, runs whole blocks only, and is in alarm when the transfer breaks.
+// A control that reads its program in packets: XMODEM, YMODEM, 3964(R), the remote buffer's protocol A. It acknowledges
+// a packet when its buffer has room for another, runs whole blocks only, and is in alarm when the transfer breaks.
 #pragma once
 
 #include "protocol/packet/packet.h"
@@ -7,6 +7,9 @@
 #include "server/simulator/tape_reader.h"
 
 namespace dripfeed::simulator {
+
+// What a control with these settings says of its packets.
+packet::Settings packet_settings(const ControlSettings& settings, packet::Protocol protocol);
 
 class PacketControl final : public Control, private packet::Sink {
  public:
