@@ -1,9 +1,10 @@
-"""Packet protocols with the real binary: lrzsz at the other end of a pseudo-terminal (our sender to rx, the simulated control as a receiver of sx),
-and our sender to our simulated controls. The bytes are compared; what fills the last block is not text."""
+"""Packet protocols with the real binary: lrzsz at the other end of a pseudo-terminal (our sender to rx and rb, our receiver of sx and sb, the
+simulated control as a receiver of sx), and our sender to our simulated controls. The bytes are compared; what fills the last block is not text."""
 
 import contextlib
 import json
 import shutil
+import signal
 import subprocess
 import time
 
@@ -13,10 +14,11 @@ SPEED = "baud=115200"
 
 
 @contextlib.contextmanager
-def peer(folder, command):
-    """A program of lrzsz with its two pipes at the other end of a pseudo-terminal; the path of our end."""
+def peer(folder, command, where=None, after=0):
+    """A program of lrzsz with its two pipes at the other end of a pseudo-terminal; the path of our end. rx and rb ask every 10 s, and what they asked
+    before our arming starts nothing, so they begin some seconds `after`."""
     link = folder / "line"
-    socat = subprocess.Popen(["socat", f"PTY,link={link},raw,echo=0", f"EXEC:{command}"], stderr=subprocess.DEVNULL)
+    socat = subprocess.Popen(["socat", f"PTY,link={link},raw,echo=0", f"SYSTEM:sleep {after}; {command}"], stderr=subprocess.DEVNULL, cwd=where)
     try:
         shop.wait_for("the pseudo-terminal of socat", link.exists)
         yield link
@@ -44,16 +46,102 @@ def expect_text(path, got, what):
 
 def lrzsz_receives_what_we_send(folder):
     path = program(folder)
-    # rx asks every 10 s, and what it asked before the arming starts nothing: two of the four pairs are enough here.
     for protocol, command in [("xmodem", "rx"), ("xmodem-1k", "rx -c")]:
         target = folder / "got"
-        with peer(folder, f"{command} {target}") as link:
+        with peer(folder, f"{command} {target}", after=1) as link:
             sent = send(path, f"pty:{link}?protocol={protocol}&{SPEED}")
             expect(sent.returncode == 0, f"{protocol} to {command}: {sent.stderr}")
         expect_text(path, target.read_bytes(), f"{protocol} to {command}")
         told = json.loads(sent.stdout)
         expect(told["confirmed"] == told["bytes"] == path.stat().st_size, f"{protocol}: {told}")
         target.unlink()
+
+
+def lrzsz_takes_a_batch(folder):
+    """YMODEM tells the name and the length: rb makes a file of that name and cuts what fills the last block."""
+    path = program(folder)
+    received = folder / "received"
+    received.mkdir()
+    with peer(folder, "rb -q", received, after=1) as link:
+        sent = send(path, f"pty:{link}?protocol=ymodem&{SPEED}")
+        expect(sent.returncode == 0, f"ymodem to rb: {sent.stderr}")
+    files = list(received.iterdir())
+    expect([file.name.upper() for file in files] == ["O0042.NC"], f"rb made {files}")
+    expect(files[0].read_bytes() == path.read_bytes(), "rb has another text, or not its length")
+    told = json.loads(sent.stdout)
+    expect(told["confirmed"] == told["bytes"] == path.stat().st_size, f"ymodem: {told}")
+
+
+def receive(link, output, *arguments):
+    command = [binary(), "receive", "--json", "--timeout", "30", "-o", output, "--link", link, *arguments]
+    return subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=60)
+
+
+def lrzsz_punches_and_we_receive(folder):
+    """sx and sb are the control that punches; the text arrives as it is, without what filled the last block."""
+    path = program(folder)
+    for protocol, command in [("xmodem", "sx"), ("xmodem-crc", "sx"), ("xmodem-1k", "sx -k"), ("ymodem", "sb"), ("ymodem", "sb -k")]:
+        with peer(folder, f"{command} -q {path}") as link:
+            done = receive(f"pty:{link}?protocol={protocol}&{SPEED}", folder / "got.nc")
+        expect(done.returncode == 0, f"{protocol} from {command}: {done}")
+        expect((folder / "got.nc").read_bytes() == path.read_bytes(), f"{protocol} from {command}: another text arrived")
+        expect(json.loads(done.stdout)["name"] == "O0042", f"{done.stdout}")
+        (folder / "got.nc").unlink()
+
+
+def simulated_controls_punch_in_packets(folder):
+    path = program(folder)
+    for protocol in ["ymodem", "3964r", "remote-buffer-a"]:
+        link, options = folder / f"punch-{protocol}", f"protocol={protocol}&{SPEED}"
+        control = shop.Control(binary(), f"pty:{link}?{options}", "fanuc-0i-lathe", "--punch", path).start()
+        done = receive(f"pty:{link}?{options}", folder / "got.nc")
+        expect(done.returncode == 0, f"{protocol}: {done}")
+        expect((folder / "got.nc").read_bytes() == path.read_bytes(), f"{protocol}: another text arrived")
+        control.stop() if control.process.poll() is None else control.finish()
+
+
+def what_breaks_is_kept_apart(folder):
+    """A sender that is killed inside: named, and under no output's name. A batch of two files: the second is refused by name."""
+    path = program(folder, 100_000)
+    with peer(folder, f"timeout -s KILL 0.4 sx -q {path}") as link:
+        done = receive(f"pty:{link}?protocol=xmodem&baud=9600", folder / "got.nc")
+    expect(done.returncode == 1 and not (folder / "got.nc").exists(), f"{done}")
+    small = folder / "O0043.nc"
+    small.write_text(plain_program(3, "O0043"))
+    program(folder)
+    with peer(folder, f"sb -q {small} {path}") as link:
+        done = receive(f"pty:{link}?protocol=ymodem&{SPEED}", folder / "got.nc")
+    expect("a second file" in done.stderr, f"{done}")
+
+
+def two_signals_end_a_transfer_that_nobody_answers(folder):
+    """The receiver asks, takes a packet and says nothing more: the first signal waits for a block's end, the second ends the job by name and tells
+    the receiver by CAN CAN."""
+    path = program(folder)
+    ours, theirs = folder / "ours", folder / "theirs"
+    socat = subprocess.Popen(["socat", f"PTY,link={ours},raw,echo=0", f"PTY,link={theirs},raw,echo=0"], stderr=subprocess.DEVNULL)
+    try:
+        shop.wait_for("the pseudo-terminals", lambda: ours.exists() and theirs.exists())
+        command = [binary(), "send", path, "--unreleased", "--json", "--ledger", folder / "ledger", "--link", f"pty:{ours}?protocol=xmodem&{SPEED}"]
+        with open(folder / "said", "wb") as said, open(theirs, "r+b", buffering=0) as far:
+            sender = subprocess.Popen(list(map(str, command)), stdout=subprocess.PIPE, stderr=said, text=True)
+            told = lambda words: words in (folder / "said").read_bytes()  # noqa: E731
+            shop.wait_for("the arming", lambda: told(b"waiting for the receiver's start"))
+            far.write(b"\x15")
+            came = b""
+            while len(came) < 132:
+                came += far.read(132 - len(came))
+            shop.wait_for("the stall's name", lambda: told(b"waiting for ACK"))
+            sender.send_signal(signal.SIGINT)
+            shop.wait_for("the first signal's answer", lambda: told(b"stopping at the end of the block"))
+            expect(sender.poll() is None, "the first signal ended it inside a block")
+            sender.send_signal(signal.SIGINT)
+            out, _ = sender.communicate(timeout=20)
+            expect(far.read(8) == b"\x18" * 8, "the receiver was not told")
+        expect(sender.returncode == 1 and told(b"person: the control may have between byte 0 and 128"), f"{(folder / 'said').read_bytes()} {out}")
+    finally:
+        socat.kill()
+        socat.wait()
 
 
 def we_receive_what_lrzsz_sends(folder):
@@ -76,7 +164,7 @@ def simulated_controls_read_in_packets(folder):
     profile = shop.preset("fanuc-0i-lathe", url="pty:/nowhere")
     profile["buffer"]["bytes"] = 2048
     machine.write_text(json.dumps(profile))
-    for protocol in ["xmodem", "xmodem-crc", "xmodem-1k", "3964", "3964r", "3964r&counted=yes", "remote-buffer-a&payload=256"]:
+    for protocol in ["xmodem", "xmodem-crc", "xmodem-1k", "3964", "3964r", "3964r&counted=yes", "remote-buffer-a&payload=256", "ymodem"]:
         link = folder / f"sim-{protocol.replace('&', '-')}"
         options = f"protocol={protocol}&{SPEED}"
         control = shop.Control(binary(), f"pty:{link}?{options}", machine, "--speed", "40").start()
@@ -98,5 +186,6 @@ def what_cannot_be_is_refused(folder):
 
 if __name__ == "__main__":
     expect(shutil.which("rx") and shutil.which("socat"), "lrzsz or socat is not installed: deploy/install test")
-    for test in [what_cannot_be_is_refused, lrzsz_receives_what_we_send, we_receive_what_lrzsz_sends, simulated_controls_read_in_packets]:
+    for test in [what_cannot_be_is_refused, lrzsz_receives_what_we_send, lrzsz_takes_a_batch, lrzsz_punches_and_we_receive, simulated_controls_punch_in_packets,
+                 what_breaks_is_kept_apart, two_signals_end_a_transfer_that_nobody_answers, we_receive_what_lrzsz_sends, simulated_controls_read_in_packets]:
         in_folder(test)
