@@ -164,7 +164,7 @@ def simulated_controls_read_in_packets(folder):
     profile = shop.preset("fanuc-0i-lathe", url="pty:/nowhere")
     profile["buffer"]["bytes"] = 2048
     machine.write_text(json.dumps(profile))
-    for protocol in ["xmodem", "xmodem-crc", "xmodem-1k", "3964", "3964r", "3964r&counted=yes", "remote-buffer-a&payload=256", "ymodem"]:
+    for protocol in ["xmodem", "xmodem-1k", "3964", "3964r", "3964r&counted=yes", "remote-buffer-a&payload=256", "ymodem"]:
         link = folder / f"sim-{protocol.replace('&', '-')}"
         options = f"protocol={protocol}&{SPEED}"
         control = shop.Control(binary(), f"pty:{link}?{options}", machine, "--speed", "40").start()
