@@ -54,6 +54,15 @@ TEST(LineProtocol, AUrlMaySayOtherwise) {
   EXPECT_FALSE(settings->answer_patience);
 }
 
+TEST(LineProtocol, OnlyYmodemTellsAName) {
+  EXPECT_TRUE(tells_name(line_of("pty:/x?protocol=ymodem")));
+  EXPECT_FALSE(tells_name(line_of("pty:/x?protocol=xmodem-1k")));
+  EXPECT_FALSE(tells_name(line_of("dir:/x")));
+  LineSettings by_profile = line_of("pty:/x");
+  by_profile.protocol = LineProtocol::ymodem;
+  EXPECT_TRUE(tells_name(by_profile));
+}
+
 TEST(LineProtocol, WhatCannotBeIsASentence) {
   struct Wrong {
     const char* options;
