@@ -276,31 +276,28 @@ std::vector<store::NewLedgerRow> Keeper::rows_of(const std::vector<Due>& all) {
   return rows;
 }
 
+void Keeper::tell_alarm(const std::string& machine, std::string text) {
+  spdlog::warn("{}: {}", machine, text);
+  events_.publish({.id = 0,
+                   .kind = EventKind::alarm,
+                   .machine = machine,
+                   .job = {},
+                   .verdict = 0,
+                   .outcome = {},
+                   .text = std::move(text)});
+}
+
 // Moves the job's state after the line's, and publishes.
 void Keeper::follow(Tracked& tracked, const Due& due) {
   const LineReport& report = due.report;
   events_.progress(due.machine, report);
   const std::uint64_t starts_before = std::exchange(tracked.unarmed_starts, report.unarmed_starts);
-  if (report.unarmed_starts > starts_before) {
-    spdlog::warn("{}: DC1 with nothing armed, nothing was sent", due.machine);
-    events_.publish({.id = 0,
-                     .kind = EventKind::alarm,
-                     .machine = due.machine,
-                     .job = {},
-                     .verdict = 0,
-                     .outcome = {},
-                     .text = "the control asked for a program (DC1); nothing is armed, nothing was sent"});
-  }
-  if (std::string text = new_alarm(report, tracked.last); !text.empty()) {
-    spdlog::warn("{}: {}", due.machine, text);
-    events_.publish({.id = 0,
-                     .kind = EventKind::alarm,
-                     .machine = due.machine,
-                     .job = {},
-                     .verdict = 0,
-                     .outcome = {},
-                     .text = std::move(text)});
-  }
+  if (report.unarmed_starts > starts_before)
+    tell_alarm(due.machine, "the control asked for a program (DC1); nothing is armed, nothing was sent");
+  if (std::string text = new_alarm(report, tracked.last); !text.empty()) tell_alarm(due.machine, std::move(text));
+  // What a device server did not confirm, or a ring that nobody saw come.
+  if (!report.link_note.empty() && report.link_note != tracked.last.link_note)
+    tell_alarm(due.machine, report.link_note);
   // A stall within a state ("CTS off" while feeding) is a transition, too.
   if (report.state != tracked.last.state || report.stall != tracked.last.stall ||
       machine_state(report) != machine_state(tracked.last)) {

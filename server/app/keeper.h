@@ -71,6 +71,7 @@ class Keeper {
   store::Result<std::vector<store::LedgerFault>> append(std::span<const store::NewLedgerRow> rows);
   void complain(const std::string& error, const std::vector<Due>& all);
   void follow(Tracked& tracked, const Due& due);
+  void tell_alarm(const std::string& machine, std::string text);
   void move(Tracked& tracked, store::JobState to, const LineReport& report);
 
   store::Store& store_;

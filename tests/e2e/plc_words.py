@@ -101,6 +101,7 @@ def restarts(rig, port, asked):
     rig.server.start()
     expect(answer_to(port, 5)[:2] == (REFUSED, 6), "a ring that nobody saw come is not missed")
     expect(requests(rig) == asked, f"acted on: {requests(rig)}")
+    shop.wait_for("the missed ring to be told", lambda: "doorbell 5 was missed" in (rig.server.status("lathe")["link_note"] or ""))
     expect(ring(port, 6, CALL)[:2] == (ANSWERED, 0), "the next ring does not count")
 
 
