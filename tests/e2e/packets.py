@@ -8,7 +8,7 @@ import signal
 import subprocess
 import time
 
-from rig import binary, expect, in_folder, plain_program, shop
+from rig import Rig, binary, expect, in_folder, plain_program, shop
 
 SPEED = "baud=115200"
 
@@ -144,6 +144,26 @@ def two_signals_end_a_transfer_that_nobody_answers(folder):
         socat.wait()
 
 
+def a_server_feeds_a_batch(folder):
+    """A released program over the server: rb makes a file of the program's own name."""
+    ours, theirs, received = folder / "ours", folder / "theirs", folder / "received"
+    received.mkdir()
+    cable = subprocess.Popen(["socat", f"PTY,link={ours},raw,echo=0", f"PTY,link={theirs},raw,echo=0"], stderr=subprocess.DEVNULL)
+    try:
+        shop.wait_for("the pseudo-terminals", lambda: ours.exists() and theirs.exists())
+        rig = Rig(folder, f"pty:{ours}?protocol=ymodem&{SPEED}", blocks=60, framing="8N1").start()
+        job = rig.arm_new_job()
+        subprocess.run(["socat", f"{theirs},raw,echo=0", "EXEC:rb -q"], stderr=subprocess.DEVNULL, cwd=received, timeout=60)
+        rig.server.wait_job(job, "done")
+        files = list(received.iterdir())
+        expect([file.name.upper() for file in files] == ["O0042"], f"{files}")
+        expect(files[0].read_bytes().strip(b"\0") == rig.text.encode(), "another text arrived, leader and trailer apart")
+        rig.server.stop()
+    finally:
+        cable.kill()
+        cable.wait()
+
+
 def we_receive_what_lrzsz_sends(folder):
     path = program(folder)
     machine = folder / "machine.json"
@@ -187,5 +207,6 @@ def what_cannot_be_is_refused(folder):
 if __name__ == "__main__":
     expect(shutil.which("rx") and shutil.which("socat"), "lrzsz or socat is not installed: deploy/install test")
     for test in [what_cannot_be_is_refused, lrzsz_receives_what_we_send, lrzsz_takes_a_batch, lrzsz_punches_and_we_receive, simulated_controls_punch_in_packets,
-                 what_breaks_is_kept_apart, two_signals_end_a_transfer_that_nobody_answers, we_receive_what_lrzsz_sends, simulated_controls_read_in_packets]:
+                 what_breaks_is_kept_apart, two_signals_end_a_transfer_that_nobody_answers, a_server_feeds_a_batch,
+                 we_receive_what_lrzsz_sends, simulated_controls_read_in_packets]:
         in_folder(test)
