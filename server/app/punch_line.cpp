@@ -153,7 +153,8 @@ class PunchLine final : public Line, private LinkListener, private Ticker, priva
       while (!raw_.empty() && (std::to_integer<unsigned>(raw_.back()) & tape_code::kLowSevenBits) == kFilling)
         raw_.pop_back();
     }
-    cause_ = packet::name(receiver_.end_cause());
+    const packet::Cause cause = receiver_.end_cause();
+    cause_ = cause == packet::Cause::none ? std::string_view() : packet::name(cause);
     if (raw_.empty()) {
       anew_at_ = now() + kAnewAfter;
       return;

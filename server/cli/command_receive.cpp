@@ -46,7 +46,7 @@ app::Result<std::optional<app::Reception>> wait_for(const machine::Profile& prof
     for (app::Reception& one : (*line)->take_receptions()) {
       const receive::Transfer transfer = receive::judge(one.raw, one.ending, one.settings);
       if (transfer.fault == receive::Fault::empty) continue;
-      if (const std::string_view cause = (*line)->report().cause; !cause.empty() && cause != "none")
+      if (const std::string_view cause = (*line)->report().cause; !cause.empty())
         fmt::print(stderr, "dripfeed: the transfer broke off: {}\n", cause);
       return std::move(one);
     }
