@@ -8,7 +8,11 @@
 #include "dialects/compile/carry_comments.h"
 #include "dialects/compile/dialect.h"
 #include "dialects/compile/explicit_program.h"
+#include "dialects/compile/several_programs.h"
 #include "dialects/compile/target_axes.h"
+#include "dialects/passes/arc_words.h"
+#include "dialects/passes/machine_functions.h"
+#include "dialects/passes/settle_modes.h"
 
 namespace dripfeed::compile {
 
@@ -86,8 +90,14 @@ class Converter {
     append(result_.diagnostics, std::move(read.diagnostics));
     append(result_.diagnostics, unmatched_structures(read.program, request_.from));
     if (text::has_error(result_.diagnostics)) return std::move(result_);
+    append(result_.diagnostics, passes::foreign_machine_functions(read.program, request_.from, request_.to));
     if (request_.mode == ConvertMode::macro) {
-      print(read.program, request_.from);
+      settle(read.program);
+      if (read.program.sections.size() > 1) {
+        several(read.program);
+      } else {
+        print(read.program, request_.from);
+      }
       if (!text::has_error(result_.diagnostics)) comments(read.program);
     } else {
       explicit_blocks(read.program);
@@ -103,6 +113,30 @@ class Converter {
     append(result_.diagnostics, std::move(raised.diagnostics));
     if (text::has_error(result_.diagnostics)) return;
     ir::PrintResult printed = to_.print(raised.program, request_.to);
+    result_.text = std::move(printed.text);
+    result_.origin_lines = std::move(printed.origin_lines);
+  }
+
+  // What the other control would take otherwise, if it were only printed.
+  void settle(ir::Program& program) {
+    append(result_.diagnostics, passes::settle_modes(program, request_.from, request_.to));
+    append(result_.diagnostics, passes::settle_arcs(program, request_.from, request_.to));
+  }
+
+  void several(const ir::Program& text) {
+    append(result_.diagnostics, foreign_axis_words(text, request_.from, request_.to));
+    JoinedPrograms joined(text, request_.to);
+    for (const ir::Section& section : text.sections) {
+      const ir::Program program = program_of(text, section);
+      ir::RaiseResult raised = to_.raise(program, request_.from, request_.to);
+      append(result_.diagnostics, std::move(raised.diagnostics));
+      raised.program.name = joined.name_there(program);
+      if (!text::has_error(result_.diagnostics))
+        joined.add(program, raised.program, to_.print(raised.program, request_.to));
+    }
+    append(result_.diagnostics, joined.diagnostics());
+    if (text::has_error(result_.diagnostics)) return;
+    ir::PrintResult printed = joined.take();
     result_.text = std::move(printed.text);
     result_.origin_lines = std::move(printed.origin_lines);
   }
@@ -153,6 +187,7 @@ class Converter {
         explicit_program(program, request_.from, finder, {.limits = request_.limits, .initial_values = {}});
     append(result_.diagnostics, run_faults(made));
     say_skip_decided(program);
+    append(result_.diagnostics, passes::assumed_modes(program, request_.from));
     if (text::has_error(result_.diagnostics)) return;
     print(made.program, made.control);
     for (std::uint32_t& line : result_.origin_lines) {

@@ -13,6 +13,7 @@
 #include "dialects/macro_b/raise_drilling.h"
 #include "dialects/macro_b/raise_frames.h"
 #include "dialects/passes/allocation.h"
+#include "dialects/passes/foreign_variables.h"
 #include "dialects/passes/labels.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/safe_start.h"
@@ -233,6 +234,9 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   append(result.diagnostics, passes::lower_conditions(p, numbers).diagnostics);
   append(result.diagnostics, passes::lower_logic(p, numbers).diagnostics);
   append(result.diagnostics, passes::limit_loop_nesting(p, numbers, to.limits.loop_nesting).diagnostics);
+  const bool by_number =
+      std::ranges::any_of(from.variables, [](const ir::VariableRange& range) { return range.bank == ir::Bank::hash; });
+  if (from.dialect != to.dialect && by_number) append(result.diagnostics, passes::settle_variables(p, from, to));
   append(result.diagnostics, passes::allocate_variables(p, from, to, ir::Bank::hash).diagnostics);
   check_system_variables(p, to, result.diagnostics);
   for (text::Diagnostic& d : result.diagnostics) d.alarm = ir::alarm_of(to, d.id);

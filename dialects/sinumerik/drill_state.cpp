@@ -5,7 +5,7 @@
 #include <array>
 #include <deque>
 
-#include "dialects/sinumerik/flow_graph.h"
+#include "dialects/passes/flow_graph.h"
 
 namespace dripfeed::sinumerik {
 
@@ -103,7 +103,7 @@ void DrillState::forget() {
 
 DrillFlow::DrillFlow(const ir::Program& program, const ir::Control& from)
     : program_(program), from_(from), before_(program.statements.size() + 1) {
-  FlowGraph graph(program);
+  passes::FlowGraph graph(program);
   DrillState start;
   start.height.forget();
   start.initial.forget();

@@ -24,6 +24,8 @@ Parser::Parser(ir::Program& program, const ir::Control& control, std::vector<tex
 
 void Parser::run() {
   while (!cursor_.at_text_end()) line();
+  if (!program_.sections.empty())
+    program_.sections.back().last = static_cast<std::uint32_t>(program_.statements.size());
 }
 
 void Parser::line() {
@@ -84,13 +86,28 @@ void Parser::unreadable_tokens() {
   if (faulty_) lower_.keep_as_native("unreadable", false, cursor_.span());
 }
 
-// "%_N_SHAFT_MPF": the head of a file on a serial line names the program.
+// "%_N_SHAFT_MPF": the head of a file on a serial line names the program; each further one begins another file of the
+// same stream.
 void Parser::tape_head() {
   std::string_view head = cursor_.text().substr(1);
   while (!head.empty() && (head.back() == ' ' || head.back() == '\t')) head.remove_suffix(1);
   if (head.size() > 3 && same_name(head.substr(0, 3), "_N_")) head.remove_prefix(3);
   if (head.size() > 4 && head[head.size() - 4] == '_') head.remove_suffix(4);
-  if (!head.empty() && std::ranges::all_of(head, is_name_character)) program_.name = UpperName(head).view();
+  if (head.empty() || !std::ranges::all_of(head, is_name_character)) return;
+  const std::string name(UpperName(head).view());
+  if (std::exchange(has_head_, true)) {
+    open_section(name);
+  } else {
+    program_.name = name;
+  }
+}
+
+void Parser::open_section(const std::string& name) {
+  const auto first = static_cast<std::uint32_t>(program_.statements.size());
+  std::vector<ir::Section>& sections = program_.sections;
+  if (sections.empty()) sections.push_back({.name = program_.strings.add(program_.name), .first = 0});
+  sections.back().last = first;
+  sections.push_back({.name = program_.strings.add(name), .first = first, .last = first});
 }
 
 // '/' with its level, N10 or :10, labels.

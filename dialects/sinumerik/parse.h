@@ -36,6 +36,7 @@ class Parser {
   void name_statement();
   void stray_symbol();
   void tape_head();
+  void open_section(const std::string& name);
   void finish_line(text::Span start);
   void unreadable_tokens();
   [[nodiscard]] text::Span to_here(text::Span from) const { return {from.begin, cursor_.previous_end()}; }
@@ -152,6 +153,7 @@ class Parser {
   Lowering lower_;
   TokenCursor cursor_;
   std::uint32_t line_ = 1;
+  bool has_head_ = false;  // the text has named a program
   // of the block
   bool faulty_ = false;         // a fault was reported: what follows from it is not
   bool in_condition_ = false;   // a name before '=' is a comparison gone wrong, not the next word

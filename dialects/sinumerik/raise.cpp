@@ -3,7 +3,9 @@
 // own screen, and they survive a reset; their names stay beside their first assignment as comments.
 #include "dialects/sinumerik/raise.h"
 
+#include <algorithm>
 #include <map>
+#include <string>
 #include <utility>
 
 #include "dialects/passes/allocation.h"
@@ -20,11 +22,36 @@ void Raising::cannot(std::string what, text::Span span) const {
   report(text::DiagnosticId::cannot_translate, span, {std::move(what), to.title});
 }
 
+namespace {
+
+constexpr std::uint32_t kFirstCommon = 100;
+
+// #500 of the program that is called is R500 or another number, as that translation found room.
+void tell_shared(const Raising& raising, const passes::AllocatedVariable& v) {
+  if (v.from_bank != ir::Bank::hash || v.from_number < kFirstCommon || v.number == v.from_number) return;
+  const auto& statements = raising.program.statements;
+  const bool shares = std::ranges::any_of(statements, [](const ir::Statement& s) {
+    return s.kind == ir::StatementKind::call || s.kind == ir::StatementKind::subprogram_return;
+  });
+  if (!shares) return;
+  const auto use = std::ranges::find_if(raising.program.variables, [&](const ir::Variable& u) {
+    return u.bank == ir::Bank::r && u.number == v.number && !u.span.empty();
+  });
+  const text::Span span = use == raising.program.variables.end() ? text::Span{} : use->span;
+  raising.cannot("the number of #" + std::to_string(v.from_number) + ", here R" + std::to_string(v.number) +
+                     " and in called programs and callers perhaps another,",
+                 span);
+  raising.diagnostics.back().severity = text::Severity::warning;
+}
+
+}  // namespace
+
 void raise_variables(const Raising& raising) {
   ir::Program& program = raising.program;
   passes::AllocationReport report = passes::allocate_variables(program, raising.from, raising.to, ir::Bank::r);
   for (text::Diagnostic& d : report.diagnostics) raising.diagnostics.push_back(std::move(d));
   // A number that one name has to itself keeps the name for the printer's comment.
+  for (const passes::AllocatedVariable& v : report.variables) tell_shared(raising, v);
   std::map<std::uint32_t, ir::SymbolId> names;
   for (const passes::AllocatedVariable& v : report.variables) {
     if (v.symbol == ir::SymbolId::none || v.count != 1) continue;

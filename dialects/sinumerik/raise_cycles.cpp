@@ -33,6 +33,7 @@ using ir::Function;
 using ir::Operator;
 using ir::StatementKind;
 
+constexpr std::string_view kTwoWays = "two ways lead to this block and differ";
 constexpr double kMostRepeats = 100.0;
 
 bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
@@ -95,7 +96,8 @@ class CycleRaiser {
   void undecided(const ir::Block& block) {
     const auto words = program_.words_of(block);
     if (std::ranges::any_of(words, [](const ir::Word& w) { return is_axis(w.address) || w.address == Address::r; }))
-      raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span, {"the drilling cycle"});
+      raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span,
+                      {"the drilling cycle", std::string(kTwoWays)});
     out_.keep();
   }
 
@@ -118,7 +120,8 @@ class CycleRaiser {
     if (!motion && before.motion.known) {
       codes.push_back(motion_code(before.motion.value));
     } else if (!motion) {
-      raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span, {"the motion behind the cycle"});
+      raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span,
+                      {"the motion behind the cycle", std::string(kTwoWays)});
     }
     out_.emit_block(codes, words);
   }
@@ -126,7 +129,8 @@ class CycleRaiser {
   void drill(const DrillState& before, const DrillState& after, const ir::Block& block) {
     if (after.cycle.value >= ir::kDrillAlongZ) return raising_.cannot("a drilling cycle of a lathe", statement_->span);
     if (!after.plane.known)
-      raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span, {"the plane of the cycle"});
+      raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span,
+                      {"the plane of the cycle", std::string(kTwoWays)});
     DrillBlock parts = parts_of(block, drilling_axis(after.plane.value));
     if (!parts.begins && parts.positions.empty() && !parts.drills && !parts.redefines) return out_.keep();
     parts.redefines |= parts.begins || !before.to_level.known || before.to_level.value != after.to_level.value;
@@ -347,7 +351,7 @@ class CycleRaiser {
   std::optional<ExpressionId> carried(const Fact<ExpressionId>& fact, std::string_view address) {
     if (!fact.known) {
       raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span,
-                      {std::string(address) + " of the drilling cycle"});
+                      {std::string(address) + " of the drilling cycle", std::string(kTwoWays)});
       return std::nullopt;
     }
     const bool written_here = std::ranges::find(own_, fact.value, &ir::Word::value) != own_.end();

@@ -8,6 +8,7 @@
 #include <set>
 #include <span>
 
+#include "dialects/passes/foreign_variables.h"
 #include "dialects/passes/walk.h"
 #include "dialects/sinumerik/keywords.h"
 #include "dialects/sinumerik/raise.h"
@@ -140,6 +141,8 @@ class ExpressionRaiser {
   void system_variable(std::uint32_t id, const ir::Expression& e) {
     const ir::Variable v = program_.at(e.variable);
     const ir::SystemVariableRow* row = row_of(v);
+    if (row == nullptr && passes::is_foreign_variable(v, raising_.from))
+      return raising_.cannot("the variable " + std::string(raising_.text_of(e.span)), e.span);
     if (row == nullptr) return;
     const bool position = row->kind == ir::SystemValue::end_position || row->kind == ir::SystemValue::machine_position;
     const std::uint32_t axis = v.number - row->first;
@@ -155,7 +158,8 @@ class ExpressionRaiser {
 
   void system_target(ir::VariableId target) {
     const ir::Variable v = program_.at(target);
-    if (row_of(v) != nullptr) raising_.cannot("the variable " + std::string(raising_.text_of(v.span)), v.span);
+    if (row_of(v) != nullptr || passes::is_foreign_variable(v, raising_.from))
+      raising_.cannot("the variable " + std::string(raising_.text_of(v.span)), v.span);
   }
 
   // The row of a numbered system variable of the control that the program is from.

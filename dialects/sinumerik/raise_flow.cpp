@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "dialects/sinumerik/flow_graph.h"
+#include "dialects/passes/flow_graph.h"
 #include "dialects/sinumerik/name_index.h"
 #include "dialects/sinumerik/raise.h"
 
@@ -21,7 +21,7 @@ void raise_jump(const Raising& raising, std::uint32_t i) {
   const ir::Statement& s = program.statements[i];
   ir::Jump& jump = program.jumps[s.payload];
   if (jump.computed != ir::ExpressionId::none) return raising.cannot("a jump to a computed block number", s.span);
-  const std::uint32_t target = target_of(program, i);
+  const std::uint32_t target = passes::target_of(program, i);
   if (target == ir::kNoIndex) {
     if (!jump.tolerant)
       raising.report(text::DiagnosticId::jump_target_missing, s.span, {"N" + std::to_string(jump.number)});
@@ -31,11 +31,19 @@ void raise_jump(const Raising& raising, std::uint32_t i) {
   if (jump.search == wanted) return;
   jump.search = wanted;
   // GOTOB takes the nearest label above; a number that stands twice may lead elsewhere.
-  if (target_of(program, i) != target) raising.cannot("a jump to a block number that stands twice", s.span);
+  if (passes::target_of(program, i) != target) raising.cannot("a jump to a block number that stands twice", s.span);
 }
 
-// O9010 is no name here, L9010 is.
-void raise_call(const Raising& raising, const ir::Statement& s) {
+constexpr std::uint32_t kLastLocal = 33;
+
+bool uses_locals(const ir::Program& program) {
+  return std::ranges::any_of(program.variables, [](const ir::Variable& v) {
+    return v.bank == ir::Bank::hash && v.number >= 1 && v.number <= kLastLocal;
+  });
+}
+
+// O9010 is no name here, L9010 is. R parameters are the same in both; a macro has local variables of its own.
+void raise_call(const Raising& raising, const ir::Statement& s, bool locals) {
   ir::Program& program = raising.program;
   ir::Call& call = program.calls[s.payload];
   if (call.number != ir::ExpressionId::none) return raising.cannot("a call of a computed program number", s.span);
@@ -43,6 +51,8 @@ void raise_call(const Raising& raising, const ir::Statement& s) {
   const bool by_letter =
       std::ranges::any_of(program.arguments_of(call), [](const ir::Argument& a) { return a.letter != 0; });
   if (by_letter) return raising.cannot("a macro call with arguments by letter", s.span);
+  if (call.kind == ir::CallKind::macro && locals)
+    return raising.cannot("a macro call beside local variables (#1 to #33), which it would overwrite here,", s.span);
   const std::string name(program.strings.at(call.name));
   if (name.size() > 1 && to_upper(name.front()) == 'O' && is_digit(name[1]))
     call.name = program.strings.add("L" + name.substr(1));
@@ -91,10 +101,11 @@ void refuse_foreign(const Raising& raising, std::uint32_t i) {
 
 void raise_flow(const Raising& raising) {
   ir::Program& program = raising.program;
+  const bool locals = uses_locals(program);
   for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
     const ir::Statement s = program.statements[i];
     if (s.kind == StatementKind::go_to) raise_jump(raising, i);
-    if (s.kind == StatementKind::call) raise_call(raising, s);
+    if (s.kind == StatementKind::call) raise_call(raising, s, locals);
     if (s.kind == StatementKind::alarm) raise_alarm(raising, s);
     if (s.kind == StatementKind::subprogram_return) raise_return(raising, i);
     refuse_foreign(raising, i);

@@ -59,7 +59,8 @@ class FeedAndSpeed {
     }
     if (!stated) return;
     if (!surface_known_) {
-      raising_.report(text::DiagnosticId::unknown_modal_state, span, {"constant surface speed"});
+      raising_.report(text::DiagnosticId::unknown_modal_state, span,
+                      {"constant surface speed", "two ways lead to this block and differ"});
       surface_known_ = true;
     }
     say(block, speed_stated, span);

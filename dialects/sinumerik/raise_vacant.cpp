@@ -9,8 +9,8 @@
 #include <deque>
 #include <map>
 
+#include "dialects/passes/flow_graph.h"
 #include "dialects/passes/walk.h"
-#include "dialects/sinumerik/flow_graph.h"
 #include "dialects/sinumerik/raise.h"
 
 namespace dripfeed::sinumerik {
@@ -59,7 +59,7 @@ class SetOnAllWays {
 
   // A statement that was not reached yet has no bits at all; the first way in gives it its own.
   void propagate() {
-    FlowGraph graph(program_);
+    passes::FlowGraph graph(program_);
     const std::size_t words = bit_of_.size() / 64 + 1;
     std::deque<std::uint32_t> work;
     for (const std::uint32_t entry : graph.entries()) {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <map>
 
-#include "dialects/sinumerik/flow_graph.h"
+#include "dialects/passes/flow_graph.h"
 #include "dialects/sinumerik/validate.h"
 
 namespace dripfeed::sinumerik {
@@ -23,7 +23,7 @@ class Reachability {
       : check_(check), statements_(check.program.statements), reached_(statements_.size() + 1, false) {}
 
   void run() {
-    FlowGraph graph(check_.program);
+    passes::FlowGraph graph(check_.program);
     std::vector<std::uint32_t> work = graph.entries();
     while (!work.empty()) {
       const std::uint32_t i = work.back();
@@ -83,7 +83,8 @@ void check_labels(const Check& check) {
     const ir::Statement& s = program.statements[i];
     if (s.kind != StatementKind::go_to) continue;
     const ir::Jump& jump = program.jumps[s.payload];
-    if (jump.tolerant || jump.computed != ir::ExpressionId::none || target_of(program, i) != ir::kNoIndex) continue;
+    if (jump.tolerant || jump.computed != ir::ExpressionId::none || passes::target_of(program, i) != ir::kNoIndex)
+      continue;
     check.report(DiagnosticId::jump_target_missing, s.span, {name_of_target(program, jump)});
   }
 }

@@ -231,7 +231,7 @@ constexpr auto kRows = std::to_array<DiagnosticRow>({
   // translation and rendering
   {cannot_translate, "cannot-translate", error, "{} has no counterpart on {}",
    "Replace it in the source, or render explicitly, where only moves remain."},
-  {unknown_modal_state, "unknown-modal-state", error, "{} is not known here: two ways lead to this block and differ",
+  {unknown_modal_state, "unknown-modal-state", error, "{} is not known here: {}",
    "State it in the block, so that it is the same whichever way the program comes."},
   {block_skip_decided, "block-skip-decided", warning, "block skip is taken as off: plain blocks have no choice",
    "What stands behind / is carried out and written down. Translate as a macro to keep the choice with the operator."},

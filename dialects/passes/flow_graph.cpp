@@ -1,11 +1,11 @@
 // One case a kind of statement. Labels are in the order of the text, so that a jump's target is searched from where it
 // stands.
-#include "dialects/sinumerik/flow_graph.h"
+#include "dialects/passes/flow_graph.h"
 
 #include <algorithm>
 #include <iterator>
 
-namespace dripfeed::sinumerik {
+namespace dripfeed::passes {
 
 namespace {
 
@@ -13,20 +13,30 @@ using ir::StatementKind;
 
 }  // namespace
 
+StatementRange section_of(const ir::Program& program, std::uint32_t statement) {
+  const auto behind = std::ranges::upper_bound(program.sections, statement, {}, &ir::Section::first);
+  if (behind != program.sections.begin()) return {std::prev(behind)->first, std::prev(behind)->last};
+  return {0, static_cast<std::uint32_t>(program.statements.size())};
+}
+
 std::uint32_t target_of(const ir::Program& program, std::uint32_t jump_statement) {
   const ir::Jump& jump = program.jumps[program.statements[jump_statement].payload];
-  if (jump.restart) return 0;
+  const StatementRange own = section_of(program, jump_statement);
+  if (jump.restart) return own.first;
   if (jump.computed != ir::ExpressionId::none) return ir::kNoIndex;
   const auto matches = [&jump](const ir::Label& label) {
     return jump.label != ir::StringId::none ? label.name == jump.label
                                             : label.name == ir::StringId::none && label.number == jump.number;
   };
-  const auto& labels = program.labels;
+  const auto begin = std::ranges::lower_bound(program.labels, own.first, {}, &ir::Label::statement);
+  const auto labels = std::ranges::subrange(
+      begin, std::ranges::lower_bound(begin, program.labels.end(), own.last, {}, &ir::Label::statement));
   const auto behind = std::ranges::partition_point(
       labels, [jump_statement](const ir::Label& label) { return label.statement <= jump_statement; });
   if (jump.search == ir::JumpSearch::backward) {
-    const auto found = std::find_if(std::make_reverse_iterator(behind), labels.rend(), matches);
-    return found == labels.rend() ? ir::kNoIndex : found->statement;
+    const auto top = std::make_reverse_iterator(labels.begin());
+    const auto found = std::find_if(std::make_reverse_iterator(behind), top, matches);
+    return found == top ? ir::kNoIndex : found->statement;
   }
   const auto found = std::find_if(behind, labels.end(), matches);
   if (found != labels.end()) return found->statement;
@@ -56,6 +66,8 @@ FlowGraph::FlowGraph(const ir::Program& program) : program_(program) {}
 
 std::vector<std::uint32_t> FlowGraph::entries() const {
   std::vector<std::uint32_t> found = {0};
+  for (const ir::Section& section : program_.sections)
+    if (section.first != 0) found.push_back(section.first);
   const bool open = std::ranges::any_of(program_.statements, [this](const ir::Statement& s) {
     if (s.kind == StatementKind::repeat_section || s.kind == StatementKind::execute_text) return true;
     // CYCLE95("BEGIN:END") runs the blocks between its labels.
@@ -135,7 +147,9 @@ const std::vector<std::uint32_t>& FlowGraph::after(std::uint32_t i) {
     case StatementKind::repeat_section:
     case StatementKind::execute_text: after_.push_back(i + 1); break;
   }
+  const std::uint32_t end = section_of(program_, i).last;
+  if (end < program_.statements.size()) std::erase(after_, end);
   return after_;
 }
 
-}  // namespace dripfeed::sinumerik
+}  // namespace dripfeed::passes

@@ -8,9 +8,17 @@
 
 #include "dialects/ir/program.h"
 
-namespace dripfeed::sinumerik {
+namespace dripfeed::passes {
 
-// The first statement with the label that the jump would find, kNoIndex when there is none or it is computed.
+// Of the program of a text that holds the statement: all statements where the text is one program.
+struct StatementRange {
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+};
+StatementRange section_of(const ir::Program& program, std::uint32_t statement);
+
+// The first statement with the label that the jump would find in its own program, kNoIndex when there is none or it is
+// computed.
 std::uint32_t target_of(const ir::Program& program, std::uint32_t jump_statement);
 
 // Whether a Native of that name may jump to any label or repeat any section.
@@ -20,9 +28,10 @@ class FlowGraph {
  public:
   explicit FlowGraph(const ir::Program& program);
 
-  // Statements that may come after `statement`; the number of statements stands for the end of the text.
+  // Statements that may come after `statement`; the number of statements stands for the end of the text. Nothing
+  // follows the last one of a program that others follow in the text.
   [[nodiscard]] const std::vector<std::uint32_t>& after(std::uint32_t statement);
-  // Where runs begin: the first statement, and every label when something may jump anywhere.
+  // Where runs begin: the first statement of each program, and every label when something may jump anywhere.
   [[nodiscard]] std::vector<std::uint32_t> entries() const;
 
  private:
@@ -35,4 +44,4 @@ class FlowGraph {
   std::vector<std::uint32_t> after_;
 };
 
-}  // namespace dripfeed::sinumerik
+}  // namespace dripfeed::passes

@@ -1,0 +1,18 @@
+// Arcs whose words controls take differently: without any centre or radius, or with both.
+#pragma once
+
+#include <vector>
+
+#include "dialects/ir/control.h"
+#include "dialects/ir/program.h"
+#include "dialects/text/diagnostic.h"
+
+namespace dripfeed::passes {
+
+// From a control of '#' variables to any other. Neither centre nor radius: the control goes straight or stops, as a
+// parameter says (Fanuc 3403#5), the others stop: an error at the block. Both: the radius counts (B-64604EN, circular
+// interpolation), so the centre's words go. A centre's word that is left out is 0 everywhere and stays so. Blocks are
+// followed in the order of the text.
+std::vector<text::Diagnostic> settle_arcs(ir::Program& program, const ir::Control& from, const ir::Control& to);
+
+}  // namespace dripfeed::passes

@@ -1,0 +1,83 @@
+// The ranges of the controls say what is there; below kFirstOwn they were laid down together (0i-F B-64604EN, Mazak and
+// M800 user macro chapters), above it each builder went on for itself.
+#include "dialects/passes/foreign_variables.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "dialects/passes/walk.h"
+
+namespace dripfeed::passes {
+
+namespace {
+
+constexpr std::uint32_t kFirstOwn = 8000;
+constexpr std::uint32_t kAxes = 20;  // numbers of one work offset
+
+// Where a control keeps the offsets of G54.1: P `first_offset` begins at `first`.
+struct OffsetRow {
+  std::string_view dialect;  // empty: all
+  std::uint32_t first;
+  std::uint32_t first_offset;
+  std::uint32_t count;
+};
+constexpr OffsetRow kOffsets[] = {
+    {"", 7001, 1, 48},
+    {"fanuc", 14001, 1, 300},
+    {"mitsubishi-m80", 101001, 49, 252},
+};
+
+bool is_of(const OffsetRow& row, const ir::Control& control) {
+  return row.dialect.empty() || row.dialect == control.dialect;
+}
+
+// The number of the same axis of the same offset.
+std::optional<std::uint32_t> equal_offset(std::uint32_t number, const ir::Control& from, const ir::Control& to) {
+  for (const OffsetRow& row : kOffsets) {
+    if (!is_of(row, from) || number < row.first || number >= row.first + row.count * kAxes) continue;
+    const std::uint32_t offset = row.first_offset + (number - row.first) / kAxes;
+    const std::uint32_t axis = (number - row.first) % kAxes;
+    for (const OffsetRow& there : kOffsets) {
+      if (!is_of(there, to) || offset < there.first_offset || offset >= there.first_offset + there.count) continue;
+      return there.first + (offset - there.first_offset) * kAxes + axis;
+    }
+  }
+  return std::nullopt;
+}
+
+bool is_system(const ir::VariableRange* range) { return range == nullptr || range->use == ir::VariableUse::system; }
+
+}  // namespace
+
+bool is_foreign_variable(const ir::Variable& v, const ir::Control& from) {
+  if (v.bank != ir::Bank::hash || v.index != ir::ExpressionId::none || v.number == 0) return false;
+  return is_system(ir::find_variable(from, ir::Bank::hash, v.number));
+}
+
+std::vector<text::Diagnostic> settle_variables(ir::Program& program, const ir::Control& from, const ir::Control& to) {
+  std::vector<text::Diagnostic> out;
+  std::set<ir::VariableId> seen;
+  for (const ir::Statement& s : program.statements) {
+    for (const VariableUseAt& use : variables_of(program, s)) {
+      if (!seen.insert(use.variable).second) continue;
+      ir::Variable& v = program.variables[static_cast<std::uint32_t>(use.variable)];
+      if (v.bank != ir::Bank::hash || v.index != ir::ExpressionId::none) continue;
+      const ir::VariableRange* there = ir::find_variable(to, ir::Bank::hash, v.number);
+      if (!is_foreign_variable(v, from) && there != nullptr && there->use != ir::VariableUse::system) continue;
+      const bool common = v.number < kFirstOwn && is_system(there) && there != nullptr;
+      if (common || v.number == 0) continue;
+      if (const auto equal = equal_offset(v.number, from, to)) {
+        v.number = *equal;
+        continue;
+      }
+      const text::Span span = v.span.empty() ? s.span : v.span;
+      out.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, span,
+                                          {"the variable #" + std::to_string(v.number), to.title}));
+    }
+  }
+  return out;
+}
+
+}  // namespace dripfeed::passes

@@ -1,0 +1,287 @@
+// Which block needs which mode is a short list of rules; mode_flow.h knows what holds there.
+#include "dialects/passes/settle_modes.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dialects/ir/cycle.h"
+#include "dialects/passes/mode_flow.h"
+
+namespace dripfeed::passes {
+
+namespace {
+
+using ir::Address;
+using ir::Function;
+using ir::ModalGroup;
+using ir::StatementKind;
+using Needs = std::array<bool, kModes>;
+
+struct ModeRow {
+  Mode mode;
+  ModalGroup group;
+  std::string_view name;
+};
+constexpr std::array kRows = {
+    ModeRow{Mode::feed, ModalGroup::feed, "the feed mode"},
+    ModeRow{Mode::surface_speed, ModalGroup::surface_speed, "constant surface speed"},
+    ModeRow{Mode::unit, ModalGroup::unit, "the unit of lengths"},
+    ModeRow{Mode::distance, ModalGroup::distance, "absolute or incremental"},
+    ModeRow{Mode::plane, ModalGroup::plane, "the plane"},
+    ModeRow{Mode::diameter, ModalGroup::diameter, "diameter or radius"},
+};
+const ModeRow& row_of(std::size_t mode) { return kRows[mode]; }
+
+bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
+bool is_length(Address a) {
+  return (a >= Address::u && a <= Address::z) || a == Address::i || a == Address::j || a == Address::k ||
+         a == Address::r;
+}
+
+// What a block holds, as far as the rules ask.
+struct Traits {
+  bool feed_code = false;
+  bool speed_code = false;
+  bool drills = false;  // a cycle of mills
+  bool dwells = false;
+  bool bends = false;  // an arc or a compensation
+  bool axis_word = false;
+  bool modal_axis_word = false;
+  bool explicit_word = false;  // says by itself whether it is an increment
+  bool x_word = false;
+  bool counted_length = false;  // in increments of the control, without a point
+};
+
+Traits traits_of(const ir::Program& program, const ir::Block& block) {
+  Traits t;
+  for (const ir::Code& c : program.codes_of(block)) {
+    t.feed_code |= c.function == Function::feed_per_min || c.function == Function::feed_per_rev;
+    t.speed_code |= mode_of(c) == Mode::surface_speed;
+    t.drills |= c.function == Function::drill && c.argument < ir::kDrillAlongZ;
+    t.dwells |= c.function == Function::dwell;
+    t.bends |= c.function == Function::arc_cw || c.function == Function::arc_ccw || c.function == Function::comp_left ||
+               c.function == Function::comp_right;
+  }
+  for (const ir::Word& w : program.words_of(block)) {
+    if (t.dwells || w.value == ir::ExpressionId::none) continue;
+    const ir::Expression& e = program.at(w.value);
+    t.counted_length |= is_length(w.address) && e.op == ir::Operator::constant && !e.has_point && e.value != 0.0;
+    if (!is_axis(w.address)) continue;
+    t.axis_word = true;
+    t.x_word |= w.address == Address::x;
+    t.modal_axis_word |= w.mode == ir::WordMode::as_modal;
+    t.explicit_word |= w.mode != ir::WordMode::as_modal;
+  }
+  return t;
+}
+
+// One main program, from its first block to its last: the order of the text is the only way.
+bool runs_as_written(const ir::Program& program) {
+  return program.sections.size() < 2 &&
+         std::ranges::all_of(
+             program.statements,
+             [](const ir::Statement& s) {
+               return s.kind == StatementKind::empty || s.kind == StatementKind::block ||
+                      s.kind == StatementKind::assign || s.kind == StatementKind::define ||
+                      s.kind == StatementKind::message || s.kind == StatementKind::program_end;
+             });
+}
+
+bool uses_surface_speed(const ir::Program& program) {
+  return std::ranges::find(program.codes, Function::surface_speed_on, &ir::Code::function) != program.codes.end();
+}
+
+class Settling {
+ public:
+  Settling(ir::Program& program, const ir::Control& from, const ir::Control& to)
+      : program_(program), from_(from), to_(to), flow_(program, from), speed_matters_(uses_surface_speed(program)) {
+    speed_matters_ |= from.kind != ir::MachineKind::mill;
+    wake_up();
+  }
+
+  std::vector<text::Diagnostic> run() {
+    for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
+      if (section_of(program_, i).first == i) wake_up();
+      if (program_.statements[i].kind != StatementKind::block) continue;
+      if (const ModeFacts* facts = flow_.before(i)) block(i, *facts);
+      for (const ir::Code& code : program_.codes_of(program_.blocks[program_.statements[i].payload]))
+        if (const auto mode = mode_of(code)) by_text_[index_of(*mode)] = code.function;
+    }
+    return std::move(diagnostics_);
+  }
+
+ private:
+  void wake_up() {
+    for (std::size_t m = 0; m < kModes; ++m) by_text_[m] = power_on(static_cast<Mode>(m), from_.semantics);
+  }
+
+  [[nodiscard]] Needs needs_of(const Traits& t) const {
+    const ir::Semantics& from = from_.semantics;
+    const ir::Semantics& to = to_.semantics;
+    Needs needs{};
+    const auto need = [&needs](Mode mode, bool when) { needs[index_of(mode)] = needs[index_of(mode)] || when; };
+    // Feed and surface speed are two groups there and one here.
+    const bool pairs = to.feed_code_ends_surface_speed && !from.feed_code_ends_surface_speed;
+    need(Mode::feed, pairs && t.speed_code && !t.feed_code);
+    need(Mode::surface_speed, pairs && t.feed_code && !t.speed_code && speed_matters_);
+    need(Mode::unit, from.decimal_mode == ir::DecimalMode::least_increment && t.counted_length);
+    const bool modal = !from.incremental_letters_uvw;
+    need(Mode::distance, modal && to.incremental_letters_uvw && t.modal_axis_word);
+    need(Mode::distance, modal && !to.feed_code_ends_surface_speed && t.explicit_word);
+    need(Mode::distance, modal && pairs && t.drills);
+    need(Mode::plane, pairs && t.drills);
+    const bool turning = from_.kind != ir::MachineKind::mill && to_.kind != ir::MachineKind::mill;
+    need(Mode::diameter, turning && from.feed_code_ends_surface_speed && !to.feed_code_ends_surface_speed && t.x_word);
+    return needs;
+  }
+
+  void block(std::uint32_t i, const ModeFacts& facts) {
+    Needs needs = needs_of(traits_of(program_, program_.blocks[program_.statements[i].payload]));
+    for (const ir::Code& code : program_.codes_of(program_.blocks[program_.statements[i].payload]))
+      if (const auto mode = mode_of(code)) needs[index_of(*mode)] = false;
+    for (std::size_t m = 0; m < kModes; ++m)
+      if (needs[m]) settle(i, m, facts[m]);
+  }
+
+  void settle(std::uint32_t i, std::size_t mode, const ModeFact& fact) {
+    const text::Span span = program_.statements[i].span;
+    if (!fact.agrees()) {
+      const bool is_new = said_.insert({mode, section_of(program_, i).first}).second;
+      if (!is_new) return;
+      diagnostics_.push_back(text::make_diagnostic(
+          text::DiagnosticId::unknown_modal_state, span,
+          {std::string(row_of(mode).name), fmt::format("{}", fmt::join(flow_.ways(fact), ", or "))}));
+      return;
+    }
+    if (fact.changer != ir::kNoIndex && said_.insert({mode, fact.changer + (std::uint64_t{1} << 32)}).second) {
+      diagnostics_.push_back(
+          text::make_diagnostic(text::DiagnosticId::unknown_modal_state, span,
+                                {std::string(row_of(mode).name),
+                                 fmt::format("it is taken as {}, which what line {} calls or does may have changed",
+                                             flow_.ways(fact).front(), program_.statements[fact.changer].line)}));
+      diagnostics_.back().severity = text::Severity::warning;
+    }
+    if (fact.function != by_text_[mode]) say(program_.blocks[program_.statements[i].payload], mode, fact.function);
+  }
+
+  // The code in front of the block's own.
+  void say(ir::Block& block, std::size_t mode, Function function) {
+    ir::Code code;
+    code.function = function;
+    code.group = row_of(mode).group;
+    const std::vector<ir::Code> own(program_.codes_of(block).begin(), program_.codes_of(block).end());
+    block.first_code = static_cast<std::uint32_t>(program_.codes.size());
+    block.code_count += 1;
+    program_.codes.push_back(code);
+    program_.codes.insert(program_.codes.end(), own.begin(), own.end());
+  }
+
+  ir::Program& program_;
+  const ir::Control& from_;
+  const ir::Control& to_;
+  ModeFlow flow_;
+  bool speed_matters_;
+  std::array<Function, kModes> by_text_{};
+  std::set<std::pair<std::size_t, std::uint64_t>> said_;
+  std::vector<text::Diagnostic> diagnostics_;
+};
+
+// --- running by itself
+
+class Assuming {
+ public:
+  Assuming(const ir::Program& program, const ir::Control& control)
+      : program_(program), control_(control), flow_(program, control) {}
+
+  std::vector<text::Diagnostic> run() {
+    const StatementRange main = section_of(program_, 0);
+    const ModeFacts* start = main.first < main.last ? flow_.before(main.first) : nullptr;
+    if (start == nullptr || !start->front().inherited) return {};
+    for (std::uint32_t i = main.first; i < main.last; ++i) {
+      const ir::Statement& s = program_.statements[i];
+      if (s.kind != StatementKind::block) continue;
+      if (const ModeFacts* facts = flow_.before(i)) block(s, *facts);
+      spindle(s);
+    }
+    return std::move(diagnostics_);
+  }
+
+ private:
+  void block(const ir::Statement& s, ModeFacts facts) {
+    const ir::Block& block = program_.blocks[s.payload];
+    for (const ir::Code& code : program_.codes_of(block))
+      if (const auto mode = mode_of(code)) facts[index_of(*mode)] = {.function = code.function};
+    const Traits t = traits_of(program_, block);
+    const bool turning = control_.kind != ir::MachineKind::mill;
+    const auto words = program_.words_of(block);
+    const auto feed = std::ranges::find(words, Address::f, &ir::Word::address);
+    const auto assume = [&](Mode mode, bool needed, text::DiagnosticId id, std::string argument) {
+      if (needed && facts[index_of(mode)].inherited) say(mode, id, s.span, std::move(argument));
+    };
+    using enum text::DiagnosticId;
+    assume(Mode::unit, t.axis_word, unit_not_stated, {});
+    assume(Mode::distance, t.modal_axis_word && !control_.semantics.incremental_letters_uvw, distance_mode_not_stated,
+           {});
+    assume(Mode::plane, t.bends && !turning, plane_not_stated, {});
+    if (feed != words.end() && !t.dwells)
+      assume(Mode::feed, true, feed_mode_not_stated, std::string(feed->span.in(program_.source.text())));
+    // A mode of programs only where the feed is one group with surface speed.
+    const bool has_diameter_codes = control_.semantics.feed_code_ends_surface_speed && turning;
+    assume(Mode::diameter, t.x_word && has_diameter_codes, unknown_modal_state, std::string(kRows[5].name));
+  }
+
+  void say(Mode mode, text::DiagnosticId id, text::Span span, std::string argument) {
+    if (std::exchange(said_[index_of(mode)], true)) return;
+    const ModeFact woken{.function = power_on(mode, control_.semantics), .origin = ModeFact::kPowerOn};
+    const std::string taken = "taken as " + flow_.ways(woken).front() + "; a caller may have set another";
+    std::vector<std::string> arguments;
+    if (!argument.empty()) arguments.push_back(std::move(argument));
+    if (id == text::DiagnosticId::unknown_modal_state) arguments.push_back(taken);
+    text::Diagnostic d = text::make_diagnostic(id, span, std::move(arguments));
+    d.severity = text::Severity::warning;
+    if (id != text::DiagnosticId::unknown_modal_state) d.notes.push_back({span, taken});
+    diagnostics_.push_back(std::move(d));
+  }
+
+  // Plain blocks say a speed with the direction that it turns in.
+  void spindle(const ir::Statement& s) {
+    const ir::Block& block = program_.blocks[s.payload];
+    const auto codes = program_.codes_of(block);
+    const auto words = program_.words_of(block);
+    turns_ = turns_ || std::ranges::any_of(codes, [](const ir::Code& c) {
+               return c.function == Function::spindle_cw || c.function == Function::spindle_ccw;
+             });
+    const bool speed = std::ranges::any_of(words, [](const ir::Word& w) { return w.address == Address::s; }) ||
+                       std::ranges::any_of(codes, [](const ir::Code& c) { return mode_of(c) == Mode::surface_speed; });
+    if (turns_ || !speed || std::exchange(said_speed_, true)) return;
+    diagnostics_.push_back(
+        text::make_diagnostic(text::DiagnosticId::cannot_translate, s.span,
+                              {"a speed of the spindle that only the caller has started", "plain blocks"}));
+  }
+
+  const ir::Program& program_;
+  const ir::Control& control_;
+  ModeFlow flow_;
+  std::array<bool, kModes> said_{};
+  bool turns_ = false;
+  bool said_speed_ = false;
+  std::vector<text::Diagnostic> diagnostics_;
+};
+
+}  // namespace
+
+std::vector<text::Diagnostic> settle_modes(ir::Program& program, const ir::Control& from, const ir::Control& to) {
+  if (from.dialect == to.dialect || runs_as_written(program)) return {};
+  return Settling(program, from, to).run();
+}
+
+std::vector<text::Diagnostic> assumed_modes(const ir::Program& program, const ir::Control& control) {
+  return Assuming(program, control).run();
+}
+
+}  // namespace dripfeed::passes

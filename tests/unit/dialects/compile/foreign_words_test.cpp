@@ -1,0 +1,123 @@
+// Words that another control has not, or takes for something else: named at their place, never passed on.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/dialects/compile/harness.h"
+
+namespace dripfeed::compile::test {
+namespace {
+
+const std::string kHead = "O0001\nG17 G21 G90 G94 G40 G80\n";
+
+std::string complaints(const ConvertResult& result) {
+  std::string out;
+  for (const text::Diagnostic& d : result.diagnostics) out += text::message_of(d) + "\n";
+  return out;
+}
+
+struct Case {
+  std::string line;
+  std::string from;
+  std::string to;
+  std::string says;  // empty: no error
+};
+
+TEST(ForeignWords, VariablesOfTheControlAreNotPassedOn) {
+  const Case cases[] = {
+      {"#1=#70001", "mazak", "fanuc", "#70001"},
+      {"#1=#70001", "fanuc", "mitsubishi-m80", "#70001"},
+      {"#1=#100001", "mitsubishi-m80", "mazak", "#100001"},
+      {"#60001=3", "mazak", "mitsubishi-m80", "#60001"},
+      {"#10001=2.", "fanuc", "mazak", "#10001"},
+      {"#1=#1200", "mitsubishi-m80", "fanuc", "#1200"},
+      {"#1=#2001", "fanuc", "sinumerik-840d", "#2001"},
+      {"#1100=1", "fanuc", "sinumerik-840d", "#1100"},
+      {"#3003=1", "fanuc", "sinumerik-840d", "#3003"},
+      {"#1=#60001", "mazak", "sinumerik-840d", "#60001"},
+      {"#1=#2001", "fanuc", "mazak", ""},
+      {"#100=#5041", "fanuc", "mitsubishi-m80", ""},
+      {"#500=1.", "fanuc", "mazak", ""},
+  };
+  for (const Case& c : cases) {
+    const ConvertResult result = translated(kHead + c.line + "\nM30\n", c.from, c.to);
+    EXPECT_EQ(text::has_error(result.diagnostics), !c.says.empty()) << c.line << " " << c.from << complaints(result);
+    EXPECT_NE(complaints(result).find(c.says), std::string::npos) << c.line << " " << c.to << complaints(result);
+  }
+}
+
+// G54.1 P1 to P48 are #7001 on all, P49 on are elsewhere.
+TEST(ForeignWords, OffsetsKeepTheirMeaningUnderAnotherNumber) {
+  EXPECT_NE(translated(kHead + "#1=#14022\nM30\n", "fanuc", "mazak").text.find("#1=#7022"), std::string::npos);
+  EXPECT_NE(translated(kHead + "#1=#14961\nM30\n", "fanuc", "mitsubishi-m80").text.find("#1=#101001"),
+            std::string::npos);
+  EXPECT_NE(translated(kHead + "#1=#101022\nM30\n", "mitsubishi-m80", "fanuc").text.find("#1=#14982"),
+            std::string::npos);
+  EXPECT_TRUE(text::has_error(translated(kHead + "#1=#14961\nM30\n", "fanuc", "mazak").diagnostics));
+}
+
+TEST(ForeignWords, MachineFunctionsAreNamedOnce) {
+  const ConvertResult result = translated(kHead + "M60\nM61\nM60\nM30\n", "fanuc", "mazak");
+  ASSERT_FALSE(text::has_error(result.diagnostics)) << complaints(result);
+  const std::string said = complaints(result);
+  EXPECT_NE(said.find("M60"), std::string::npos) << said;
+  EXPECT_EQ(said.find("M60"), said.rfind("M60")) << said;
+  EXPECT_NE(said.find("M61"), std::string::npos) << said;
+}
+
+// M17 would end the program there.
+TEST(ForeignWords, AMachineFunctionIsNoFunctionOfTheOtherControl) {
+  EXPECT_TRUE(text::has_error(translated(kHead + "M17\nM30\n", "fanuc", "sinumerik-840d").diagnostics));
+  EXPECT_TRUE(text::has_error(translated("G90 G17\nM98\nM30\n", "sinumerik-840d", "fanuc").diagnostics));
+  EXPECT_TRUE(text::has_error(translated("G90 G17\nM96\nM30\n", "sinumerik-840d", "fanuc").diagnostics));
+}
+
+TEST(ForeignWords, InterruptsByASignalAreRefused) {
+  for (const std::string& to : dialect_names()) {
+    if (to == "fanuc") continue;
+    const ConvertResult result = translated(kHead + "M96 P1234\nG00 X1.\nM97\nM30\n", "fanuc", to);
+    EXPECT_TRUE(text::has_error(result.diagnostics)) << to << result.text;
+    EXPECT_NE(complaints(result).find("M96"), std::string::npos) << complaints(result);
+  }
+}
+
+TEST(ForeignWords, AnArcNeedsACentreOrARadius) {
+  for (const std::string& to : dialect_names()) {
+    if (to == "fanuc") continue;
+    const ConvertResult none = translated(kHead + "G01 X0. F100.\nG02 X10. Y0.\nM30\n", "fanuc", to);
+    EXPECT_NE(complaints(none).find("an arc without a centre or radius"), std::string::npos) << to << none.text;
+    const ConvertResult modal = translated(kHead + "G02 X10. Y0. I5. F100.\nX20.\nM30\n", "fanuc", to);
+    EXPECT_NE(complaints(modal).find("an arc without a centre or radius"), std::string::npos) << to << modal.text;
+    // One word left out is 0, also beside a move along the third axis.
+    const std::string helix = kHead + "G00 X0. Y0. Z0.\nG02 X10. Y0. Z-2. I5. F100.\nG03 I-5.\nG01 X3.\nM30\n";
+    const ConvertResult whole = translated(helix, "fanuc", to);
+    ASSERT_FALSE(text::has_error(whole.diagnostics)) << to << complaints(whole);
+    expect_same(real_moves(run_text(helix, control("fanuc", ir::MachineKind::mill)).motions),
+                real_moves(run_text(whole.text, control(to, ir::MachineKind::mill)).motions), 1e-6, whole.text);
+  }
+}
+
+// R wins on the control that takes both.
+TEST(ForeignWords, OfACentreAndARadiusTheRadiusCounts) {
+  const std::string both = kHead + "G00 X0. Y0.\nG02 X10. Y0. I2. R5. F100.\nM30\n";
+  for (const std::string& to : dialect_names()) {
+    if (to == "fanuc") continue;
+    const ConvertResult result = translated(both, "fanuc", to);
+    ASSERT_FALSE(text::has_error(result.diagnostics)) << to << complaints(result);
+    EXPECT_EQ(result.text.find("I2."), std::string::npos) << result.text;
+    expect_same(real_moves(run_text(both, control("fanuc", ir::MachineKind::mill)).motions),
+                real_moves(run_text(result.text, control(to, ir::MachineKind::mill)).motions), 1e-6, result.text);
+  }
+}
+
+TEST(ForeignWords, ABlockSkipInsideABlockIsNotMovedToItsStart) {
+  const ConvertResult result = translated(kHead + "G00 X1. /2 Y3.\nM30\n", "fanuc", "sinumerik-840d");
+  EXPECT_TRUE(text::has_error(result.diagnostics)) << result.text;
+  EXPECT_TRUE(result.text.empty()) << result.text;
+  EXPECT_NE(complaints(result).find("block skip inside a block"), std::string::npos) << complaints(result);
+  const ConvertResult kept = translated(kHead + "G00 X1. /2 Y3.\nM30\n", "fanuc", "mazak");
+  EXPECT_TRUE(kept.text.contains("X1. /2 Y3.") || text::has_error(kept.diagnostics)) << kept.text;
+}
+
+}  // namespace
+}  // namespace dripfeed::compile::test

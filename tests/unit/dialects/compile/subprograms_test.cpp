@@ -1,0 +1,211 @@
+// Subprograms in translation: their modes come from their callers, and a text of several programs stays one.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/dialects/compile/harness.h"
+
+namespace dripfeed::compile::test {
+namespace {
+
+ConvertResult turned(const std::string& text, const std::string& from, const std::string& to,
+                     ConvertMode mode = ConvertMode::macro) {
+  ConvertRequest request;
+  request.source = text::Source("program", text);
+  request.from = control(from, ir::MachineKind::lathe);
+  request.to = control(to, ir::MachineKind::lathe);
+  request.mode = mode;
+  return convert(request);
+}
+
+std::string complaints(const ConvertResult& result) {
+  std::string out;
+  for (const text::Diagnostic& d : result.diagnostics) {
+    out += text::message_of(d) + "\n";
+    for (const text::DiagnosticNote& note : d.notes) out += "  " + note.text + "\n";
+  }
+  return out;
+}
+
+// Per minute in the first call, per revolution in the second program's.
+const std::string kTwoModes = R"(%
+O0001
+G21 G18 G40 G97 G98
+T0101
+G00 X50. Z2.
+G01 Z0. F100.
+M98 P0100
+G99
+M98 P0200
+G00 X100.
+M30
+O0100
+G96 S200 M03
+G01 Z-10. F120.
+GOTO10
+N10 G97 S500
+M99
+O0200
+G97 S500 M03
+G01 X20. F0.1
+N10 G00 X60.
+M99
+%
+)";
+
+TEST(Subprograms, TakeTheFeedModeOfTheirCallers) {
+  const ConvertResult result = turned(kTwoModes, "fanuc", "sinumerik-840d");
+  ASSERT_FALSE(text::has_error(result.diagnostics)) << complaints(result);
+  EXPECT_NE(result.text.find("%_N_L0100_SPF\n;$PATH=/_N_SPF_DIR\nG961 S200 M3\n"), std::string::npos) << result.text;
+  EXPECT_NE(result.text.find("N10 G971 S500\n"), std::string::npos) << result.text;
+  EXPECT_NE(result.text.find("%_N_L0200_SPF\n;$PATH=/_N_SPF_DIR\nG97 S500 M3\n"), std::string::npos) << result.text;
+}
+
+TEST(Subprograms, OfOneTextMoveTheSameOnEveryControl) {
+  const Played original = run_text(kTwoModes, control("fanuc", ir::MachineKind::lathe));
+  for (const std::string& to : dialect_names()) {
+    const ConvertResult result = turned(kTwoModes, "fanuc", to);
+    ASSERT_FALSE(text::has_error(result.diagnostics)) << to << complaints(result);
+    const Played there = run_text(result.text, control(to, ir::MachineKind::lathe));
+    expect_same(real_moves(original.motions), real_moves(there.motions), 1e-6, to + "\n" + result.text);
+  }
+}
+
+TEST(Subprograms, KeepTheirNumbersOnControlsThatCallByNumber) {
+  const ConvertResult result = turned(kTwoModes, "fanuc", "mazak");
+  ASSERT_FALSE(text::has_error(result.diagnostics)) << complaints(result);
+  EXPECT_NE(result.text.find("M30\nO0100\nG96 S200 M03\n"), std::string::npos) << result.text;
+  EXPECT_NE(result.text.find("M99\nO0200\n"), std::string::npos) << result.text;
+  EXPECT_TRUE(result.text.ends_with("M99\n%\n")) << result.text;
+  EXPECT_EQ(std::ranges::count(result.text, '%'), 2);
+}
+
+TEST(Subprograms, ComeBackFromAPunchedTape) {
+  const ConvertResult there = turned(kTwoModes, "fanuc", "sinumerik-840d");
+  const ConvertResult back = turned(there.text, "sinumerik-840d", "fanuc");
+  ASSERT_FALSE(text::has_error(back.diagnostics)) << complaints(back);
+  EXPECT_NE(back.text.find("\nO0200\n"), std::string::npos) << back.text;
+  const ir::Control lathe = control("fanuc", ir::MachineKind::lathe);
+  expect_same(real_moves(run_text(kTwoModes, lathe).motions), real_moves(run_text(back.text, lathe).motions), 1e-6,
+              back.text);
+}
+
+TEST(Subprograms, WithCallersThatDifferAreRefusedByBothPaths) {
+  const std::string text =
+      "O0001\nG97 G98\nM98 P0100\nG97 G99\nM98 P0100\nM30\n"
+      "O0100\nG96 S200\nG01 X10. F0.2\nM99\n";
+  const ConvertResult result = turned(text, "fanuc", "sinumerik-840d");
+  EXPECT_TRUE(text::has_error(result.diagnostics));
+  EXPECT_TRUE(result.text.empty()) << result.text;
+  EXPECT_NE(
+      complaints(result).find("the feed mode is not known here: feed per minute from line 2 of O0001, or feed per "
+                              "revolution from line 4 of O0001"),
+      std::string::npos)
+      << complaints(result);
+}
+
+TEST(Subprograms, ThatSayTheModeThemselvesNeedNoCaller) {
+  const std::string text = "O0100\nG98 G96 S200\nG01 X10. F120.\nM99\n";
+  const ConvertResult result = turned(text, "fanuc", "sinumerik-840d");
+  EXPECT_FALSE(text::has_error(result.diagnostics)) << complaints(result);
+  EXPECT_NE(result.text.find("G961 S200"), std::string::npos) << result.text;
+}
+
+TEST(Subprograms, WithoutACallerAreNotTakenAsPowerOn) {
+  const std::string text = "O0100\nG96 S200\nG01 X10. F120.\nM99\n";
+  const ConvertResult result = turned(text, "fanuc", "sinumerik-840d");
+  EXPECT_TRUE(text::has_error(result.diagnostics)) << result.text;
+  EXPECT_NE(complaints(result).find("the feed mode is not known here: what a caller outside of this text has set"),
+            std::string::npos)
+      << complaints(result);
+}
+
+// What the called program sets holds behind the call.
+TEST(Subprograms, HandTheirModesBack) {
+  const std::string text =
+      "O0001\nG97 G99\nM98 P0100\nG96 S150 M03\nG01 X10. F120.\nM30\n"
+      "O0100\nG97 G98\nM99\n";
+  const ConvertResult result = turned(text, "fanuc", "sinumerik-840d");
+  ASSERT_FALSE(text::has_error(result.diagnostics)) << complaints(result);
+  EXPECT_NE(result.text.find("G961 S150"), std::string::npos) << result.text;
+}
+
+TEST(Subprograms, OutsideOfTheTextMayChangeAMode) {
+  const std::string text = "O0001\nG97 G98\nM98 P0100\nG96 S150 M03\nG01 X10. F120.\nM30\n";
+  const ConvertResult result = turned(text, "fanuc", "sinumerik-840d");
+  ASSERT_FALSE(text::has_error(result.diagnostics)) << complaints(result);
+  EXPECT_NE(complaints(result).find("which what line 3 calls or does may have changed"), std::string::npos)
+      << complaints(result);
+}
+
+// Two jumps that meet are two ways as well.
+TEST(Subprograms, AJumpOverAModeIsAWayOfItsOwn) {
+  const std::string text = "O0001\nG97 G99\nIF[#100EQ1]GOTO10\nG98\nN10 G96 S150 M03\nG01 X10. F120.\nM30\n";
+  const ConvertResult result = turned(text, "fanuc", "sinumerik-840d");
+  EXPECT_NE(complaints(result).find("feed per minute from line 4"), std::string::npos) << complaints(result);
+  EXPECT_TRUE(text::has_error(result.diagnostics));
+}
+
+// G91 of the caller: on a lathe with letters for increments each word depends on it.
+TEST(Subprograms, OfSinumerikNeedToSayTheirDistanceMode) {
+  const ConvertResult open = turned("G1 X10 F0.2\nM17\n", "sinumerik-840d", "fanuc");
+  EXPECT_NE(complaints(open).find("absolute or incremental is not known here"), std::string::npos) << complaints(open);
+  EXPECT_TRUE(text::has_error(open.diagnostics));
+  const ConvertResult said = turned("G90 DIAMON G1 X10 F0.2\nM17\n", "sinumerik-840d", "fanuc");
+  EXPECT_FALSE(text::has_error(said.diagnostics)) << complaints(said);
+}
+
+TEST(Subprograms, RunByThemselvesTellWhatIsAssumed) {
+  const std::string text = "O0100\nG01 X10. F0.2\nM99\n";
+  const ConvertResult result = turned(text, "fanuc", "mazak", ConvertMode::explicit_blocks);
+  ASSERT_FALSE(text::has_error(result.diagnostics)) << complaints(result);
+  EXPECT_NE(complaints(result).find("taken as feed per revolution as the control wakes up; a caller may have set"),
+            std::string::npos)
+      << complaints(result);
+  EXPECT_NE(complaints(result).find("taken as millimetre"), std::string::npos) << complaints(result);
+  const ConvertResult main = turned("O0100\nG01 X10. F0.2\nM30\n", "fanuc", "mazak", ConvertMode::explicit_blocks);
+  EXPECT_EQ(complaints(main).find("a caller"), std::string::npos) << complaints(main);
+}
+
+TEST(Subprograms, RunByThemselvesLoseNoSpeed) {
+  const std::string text = "O0100\nG99 G96 S200\nG01 X10. F0.2\nM99\n";
+  const ConvertResult result = turned(text, "fanuc", "mazak", ConvertMode::explicit_blocks);
+  EXPECT_TRUE(text::has_error(result.diagnostics)) << result.text;
+  const ConvertResult started =
+      turned("O0100\nG99 G97 S200 M03\nG01 X10. F0.2\nM99\n", "fanuc", "mazak", ConvertMode::explicit_blocks);
+  EXPECT_FALSE(text::has_error(started.diagnostics)) << complaints(started);
+}
+
+// One number in one program and another in the next would be two variables.
+TEST(Subprograms, ShareTheirVariables) {
+  const std::string text =
+      "O0001\nG97 G99\n#501=1.\n#500=2.\nM98 P0100\nG00 X#500\nM30\n"
+      "O0100\n#501=5.\nM99\n";
+  const ConvertResult result = turned(text, "fanuc", "sinumerik-840d");
+  EXPECT_TRUE(text::has_error(result.diagnostics)) << result.text;
+  EXPECT_NE(complaints(result).find("another number in another program"), std::string::npos) << complaints(result);
+}
+
+TEST(Subprograms, OfOtherTextsAreToldOfNumbersThatChange) {
+  const std::string call = "O0001\nG97 G99\n#500=2.\nM98 P0100\nG00 X#500\nM30\n";
+  EXPECT_NE(complaints(turned(call, "fanuc", "sinumerik-840d")).find("the number of #500, here R"), std::string::npos);
+  const std::string alone = "O0001\nG97 G99\n#500=2.\nG00 X#500\nM30\n";
+  EXPECT_EQ(complaints(turned(alone, "fanuc", "sinumerik-840d")).find("the number of"), std::string::npos);
+}
+
+// #1 of a macro is not #1 of its caller.
+TEST(Subprograms, OfMacrosHaveLocalVariablesOfTheirOwn) {
+  const std::string beside = "O0001\nG97 G99\n#1=2.\nG65 P9100\nG00 X#1\nM30\n";
+  EXPECT_TRUE(text::has_error(turned(beside, "fanuc", "sinumerik-840d").diagnostics));
+  const std::string common = "O0001\nG97 G99\n#101=2.\nG65 P9100\nG00 X#101\nM30\n";
+  EXPECT_FALSE(text::has_error(turned(common, "fanuc", "sinumerik-840d").diagnostics));
+}
+
+TEST(Subprograms, ThatEndTheWholeProgramAreRefused) {
+  const std::string text = "O0001\nG97 G99\nM98 P0100\nG00 X1.\nM30\nO0100\nG00 X5.\nM30\n";
+  EXPECT_TRUE(text::has_error(turned(text, "fanuc", "sinumerik-840d").diagnostics));
+  EXPECT_FALSE(text::has_error(turned(text, "fanuc", "mazak").diagnostics));
+}
+
+}  // namespace
+}  // namespace dripfeed::compile::test
