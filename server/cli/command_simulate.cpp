@@ -88,6 +88,7 @@ app::Result<simulator::ControlSettings> control_settings(const machine::Profile&
   settings.baud = profile.line.baud;
   settings.code = profile.line.code;
   settings.eia_specials = profile.line.eia_specials;
+  settings.eob = profile.line.eob;
   if (profile.machine.buffer.bytes > 0) settings.buffer_bytes = profile.machine.buffer.bytes;
   settings.overrun_budget = profile.line.overrun_budget;
   // What follows its own DC3 at the most must still fit.

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "protocol/tape_code/eia.h"
+#include "protocol/tape_code/eob.h"
 #include "protocol/tape_code/framing.h"
 #include "server/simulator/block_clock.h"
 #include "server/simulator/fault.h"
@@ -29,7 +30,8 @@ struct ControlSettings {
   tape_code::Framing framing;
   std::uint32_t baud = 9600;
   tape_code::Code code = tape_code::Code::iso;
-  tape_code::EiaSpecials eia_specials;  // for code eia
+  tape_code::EiaSpecials eia_specials;      // for code eia
+  tape_code::Eob eob = tape_code::Eob::lf;  // of what it punches
   std::uint32_t buffer_bytes = 2048;
   std::uint32_t stop_free_bytes = 256;   // DC3 when less is free
   std::uint32_t go_free_bytes = 1024;    // DC1 when more is free

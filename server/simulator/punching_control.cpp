@@ -2,7 +2,10 @@
 #include "server/simulator/punching_control.h"
 
 #include <algorithm>
+#include <optional>
+#include <string_view>
 
+#include "protocol/tape_code/code_table.h"
 #include "protocol/tape_code/parity.h"
 
 namespace dripfeed::simulator {
@@ -17,12 +20,23 @@ constexpr std::size_t kLeader = 20;
 constexpr Time_ns kToPunch_ns = 300'000'000;   // the operator presses PUNCH
 constexpr Time_ns kToRead_ns = 1'500'000'000;  // ... and READ, once the host had time to look
 
+// A character that the code does not have is left out, as controls do.
 std::vector<std::byte> wire_of(const ControlSettings& settings) {
   const auto eighth = tape_code::eighth_bit(settings.framing, settings.code, tape_code::ParityBy::software);
+  const bool is_eia = settings.code == tape_code::Code::eia;
+  const tape_code::EncodeTable code(eighth, is_eia ? std::optional(settings.eia_specials) : std::nullopt);
+  const std::string_view eob = is_eia ? std::string_view("\n") : tape_code::characters(settings.eob);
   std::vector<std::byte> wire = {kDc2};
   wire.resize(1 + kLeader);
+  const auto put = [&](char c) {
+    if (code.has(c)) wire.push_back(std::byte{code.code(c)});
+  };
   for (const char c : settings.punches) {
-    wire.push_back(static_cast<std::byte>(tape_code::with_parity(static_cast<std::uint8_t>(c), eighth)));
+    if (c == '\n') {
+      std::ranges::for_each(eob, put);
+    } else {
+      put(c);
+    }
   }
   wire.resize(wire.size() + kLeader);
   wire.push_back(kDc4);

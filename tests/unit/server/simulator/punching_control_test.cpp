@@ -41,6 +41,23 @@ TEST(PunchingControl, PunchesItsTextBetweenItsSigns) {
   EXPECT_EQ(control.state(), ControlState::ended);
 }
 
+TEST(PunchingControl, PunchesInEiaAndWithItsOwnEob) {
+  ControlSettings eia = settings_of("%\nO35\n%\n");
+  eia.code = tape_code::Code::eia;
+  eia.eob = tape_code::Eob::cr_lf;
+  PunchingControl control(eia, [](std::uint8_t) {});
+  Time_ns now = 0;
+  control.start(now);
+  const std::string sent = run(control, now, 2'000 * kMs);
+  EXPECT_NE(sent.find("\x0B\x80\x46\x13\x15\x80\x0B\x80"), std::string::npos) << "EIA has an EOB of its own";
+  ControlSettings lines = settings_of("%\nO7\n");
+  lines.eob = tape_code::Eob::cr_lf;
+  PunchingControl other(lines, [](std::uint8_t) {});
+  now = 0;
+  other.start(now);
+  EXPECT_NE(run(other, now, 2'000 * kMs).find("\xA5\x8D\n\xCF\xB7\x8D\n"), std::string::npos);
+}
+
 TEST(PunchingControl, KeepsThePaceOfItsLine) {
   PunchingControl control(settings_of(std::string(1000, 'A')), [](std::uint8_t) {});
   Time_ns now = 0;
