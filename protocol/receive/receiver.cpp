@@ -12,34 +12,29 @@ namespace {
 using tape_code::EighthBit;
 
 constexpr std::uint8_t kDel = 0x7F;
-constexpr std::uint8_t kDc1 = 0x11;
-constexpr std::uint8_t kDc3 = 0x13;
 
 struct SignRow {
   std::uint8_t character;
   Input input;
 };
 // Characters of 7 bits that are no text.
-constexpr std::array<SignRow, 11> kSigns{{
+constexpr std::array<SignRow, 9> kSigns{{
     {0x00, Input::filler},
     {kDel, Input::filler},
     {'\n', Input::eob},
     {'\r', Input::eob},
     {'%', Input::percent},
-    {kDc1, Input::reader_on},
     {0x12, Input::punch_on},
-    {kDc3, Input::reader_off},
     {0x14, Input::punch_off},
     {0x15, Input::reset},
     {0x16, Input::reset},
 }};
 // The same of EIA, whose 13, 15 and 16 are the digits 3, 5 and 6.
-constexpr std::array<SignRow, 7> kEiaSigns{{
+constexpr std::array<SignRow, 6> kEiaSigns{{
     {0x00, Input::filler},
     {kDel, Input::filler},
     {kEiaEob, Input::eob},
     {kEiaStop, Input::percent},
-    {kDc1, Input::reader_on},
     {0x12, Input::punch_on},
     {0x14, Input::punch_off},
 }};
@@ -74,27 +69,52 @@ constexpr std::array<std::string_view, 9> kEndNames{"punch_off", "percent",   "e
 
 std::string_view name(EndedBy ended_by) { return kEndNames[static_cast<std::size_t>(ended_by)]; }
 
+// The code up to and with this byte. A line that is known to be EIA, or not to look for it, has nothing to find; where
+// it is looked for the stop code or the EOB of EIA says so, and any EOB or byte above 80h of the others. Until then
+// nothing but what has one meaning in all codes is taken for a sign.
+Receiver::Looks Receiver::look(std::uint8_t byte) const {
+  if (settings_.eia_known) return settings_.eia ? Looks::eia : Looks::other;
+  if (!at_rest() && looks_ != Looks::open) return looks_;
+  if (byte == kEiaStop) return Looks::eia;
+  if (!settings_.find_code) return Looks::other;
+  if (byte == kEiaEob) return Looks::eia;
+  const bool eob = byte == '\n' || byte == '\r';
+  const bool leader = byte == 0xFF;
+  if (eob || (byte > kEiaEob && !leader) || (at_rest() && byte == '%')) return Looks::other;
+  return Looks::open;
+}
+
+// EIA's own characters have an odd number of ones, so a flow character that has an even one is a sign there.
 Input Receiver::classify_eia(std::uint8_t byte) const {
+  if (byte == settings_.xon && !tape_code::odd_ones(byte)) return Input::reader_on;
   for (const SignRow& row : kEiaSigns) {
     if (row.character == byte) return row.input;
   }
   return Input::text;
 }
 
+// The sign that a character of 7 bits is, by the line's own flow characters. DC1 and DC3 mean nothing where the line
+// has others.
+std::optional<Input> Receiver::sign_of(std::uint8_t character) const {
+  if (character == settings_.xon) return Input::reader_on;
+  if (character == settings_.xoff) return Input::reader_off;
+  for (const SignRow& row : kSigns) {
+    if (row.character == character) return row.input;
+  }
+  return std::nullopt;
+}
+
 // A sign is believed with the bit 7 that this line's characters have; a damaged one is text, and the parity of the
 // whole tells. DC3, SYN and NAK stop, so they are believed either way, as the feed does.
 Input Receiver::classify(std::uint8_t byte) const {
-  const bool at_rest = state_ == State::idle || state_ == State::opened;
-  const bool eia = settings_.eia_known ? settings_.eia : (at_rest ? byte == kEiaStop : eia_);
-  if (eia) return classify_eia(byte);
+  if (looks_ == Looks::eia || (looks_ == Looks::open && !at_rest())) return classify_eia(byte);
   const auto character = static_cast<std::uint8_t>(byte & tape_code::kLowSevenBits);
   if (settings_.end_character && character == *settings_.end_character) return Input::end_code;
   const bool plain = byte == character;
   const bool even = !tape_code::odd_ones(byte);
   const bool fits = settings_.eighth_bit == EighthBit::odd ? !even : (plain || even);
-  for (const SignRow& row : kSigns) {
-    if (row.character != character) continue;
-    return fits || row.input == Input::reader_off || row.input == Input::reset ? row.input : Input::text;
+  if (const auto sign = sign_of(character)) {
+    return fits || *sign == Input::reader_off || *sign == Input::reset ? *sign : Input::text;
   }
   return character >= 0x20 || character == '\t' ? Input::text : Input::other;
 }
@@ -105,6 +125,7 @@ std::size_t Receiver::receive(std::span<const std::byte> bytes, Time now) {
   while (taken < bytes.size() && piece_size_ < kMaxPiece && !ended_) {
     const auto byte = std::to_integer<std::uint8_t>(bytes[taken++]);
     last_input_ = now_;
+    looks_ = look(byte);
     react(classify(byte), byte);
     static_cast<void>(progress_by(Condition::too_long));
   }
@@ -151,21 +172,21 @@ void Receiver::begin(bool punch_signs) {
   bytes_ = 0;
   percent_seen_ = false;
   punch_signs_ = punch_signs;
-  eia_ = settings_.eia_known && settings_.eia;
 }
 
 void Receiver::keep(Input input, std::uint8_t byte) {
-  if (state_ == State::idle || state_ == State::opened) {
-    eia_ = settings_.eia_known ? settings_.eia : byte == kEiaStop;
-  }
   percent_seen_ = percent_seen_ || input == Input::percent;
   piece_[piece_size_++] = static_cast<std::byte>(byte);
   ++bytes_;
 }
 
 void Receiver::end(EndedBy by) {
-  ended_ =
-      Ending{.by = by, .punch_signs = punch_signs_, .eia = eia_, .bytes = bytes_, .began_at = began_at_, .at = now_};
+  ended_ = Ending{.by = by,
+                  .punch_signs = punch_signs_,
+                  .eia = looks_ == Looks::eia,
+                  .bytes = bytes_,
+                  .began_at = began_at_,
+                  .at = now_};
 }
 
 std::optional<Ending> Receiver::ended() { return std::exchange(ended_, std::nullopt); }
@@ -227,7 +248,7 @@ void Receiver::can_take(bool more, Time now) {
   if (hold == holding_) return;
   holding_ = hold;
   if (!hold) last_input_ = now_;
-  if (settings_.hold == Hold::dc3) put_out(hold ? kDc3 : kDc1);
+  if (settings_.hold == Hold::dc3) put_out(hold ? settings_.xoff : settings_.xon);
 }
 
 void Receiver::put_out(std::uint8_t character) {
@@ -236,7 +257,8 @@ void Receiver::put_out(std::uint8_t character) {
     out_size_ = 0;
     return;
   }
-  out_[0] = static_cast<std::byte>(eia_ ? character : tape_code::with_parity(character, settings_.eighth_bit));
+  out_[0] = static_cast<std::byte>(looks_ == Looks::eia ? character
+                                                        : tape_code::with_parity(character, settings_.eighth_bit));
   out_size_ = 1;
 }
 

@@ -28,10 +28,15 @@ struct Settings {
   tape_code::EighthBit eighth_bit = tape_code::EighthBit::even;  // what bit 7 carries on this line
   bool eia = false;                                              // the control punches EIA for certain
   bool eia_known = false;  // false: a reception that begins with the stop code of EIA is EIA
+  bool find_code =
+      false;  // ISO, ASCII or EIA is found out from what comes up to the first EOB, whatever the line sends
   tape_code::EiaSpecials eia_specials{};
   Time quiet = std::chrono::seconds(5);               // without an end sign this long silence ends a reception
   Time short_quiet = std::chrono::milliseconds(500);  // behind the final '%'
   std::optional<std::uint8_t> end_character{};        // EOT, ETX, SUB … (7 bits), where the profile has one
+  std::uint8_t xon = 0x11;  // the line's flow characters (7 bits): what DC1 and DC3 are on others
+  std::uint8_t xoff = 0x13;
+  bool flow_below = false;  // they are taken out of what comes in before it is seen here
   Hold hold = Hold::none;
   std::uint64_t max_bytes = kMaxBytes;
 
@@ -92,6 +97,7 @@ class Receiver {
   void mark_sent(std::size_t n) { out_size_ = n > 0 ? 0 : out_size_; }
   // What RTS should be where the hold is by RTS.
   bool rts() const { return settings_.hold != Hold::rts || !holding_; }
+  bool holding() const { return holding_; }
 
   State state() const { return state_; }
   const Settings& settings() const { return settings_; }
@@ -104,8 +110,14 @@ class Receiver {
   }
 
  private:
+  // What the bytes of a reception say of its code so far.
+  enum class Looks : std::uint8_t { open, eia, other };
+
+  bool at_rest() const { return state_ == State::idle || state_ == State::opened; }
+  Looks look(std::uint8_t byte) const;
   Input classify(std::uint8_t byte) const;
   Input classify_eia(std::uint8_t byte) const;
+  std::optional<Input> sign_of(std::uint8_t character) const;
   void react(Input input, std::uint8_t byte);
   void perform(Action action, Input input, std::uint8_t byte, State to);
   void begin(bool punch_signs);
@@ -125,7 +137,7 @@ class Receiver {
   std::uint64_t bytes_ = 0;
   bool percent_seen_ = false;
   bool punch_signs_ = false;
-  bool eia_ = false;
+  Looks looks_ = Looks::other;
   bool holding_ = false;
   std::array<std::byte, kMaxPiece> piece_{};
   std::size_t piece_size_ = 0;

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "protocol/tape_code/auto_decoder.h"
 #include "protocol/tape_code/eob.h"
 #include "protocol/tape_code/parity.h"
 
@@ -20,7 +21,7 @@ struct FaultRow {
   std::string_view name;
   std::string_view message;
 };
-constexpr std::array<FaultRow, 10> kFaults{{
+constexpr std::array<FaultRow, 11> kFaults{{
     {"", "it is whole"},
     {"empty", "nothing but leader came"},
     {"device", "the device server spoke, not the control"},
@@ -31,6 +32,7 @@ constexpr std::array<FaultRow, 10> kFaults{{
     {"interrupted", "the control was reset or began to read before the end"},
     {"no_start", "it has a final % and no first one"},
     {"no_end", "its end is missing"},
+    {"flow_taken", "EIA came through XON/XOFF below us, which takes every 3 (13h) out of it"},
 }};
 constexpr std::array<std::string_view, 3> kCodes{"ascii", "iso", "eia"};
 
@@ -140,22 +142,8 @@ void finish(Transfer& transfer, const Ending& ending, bool binary) {
   transfer.fault = transfer.device.empty() ? fault_of(transfer, ending, binary, has_eob) : Fault::device_text;
 }
 
-}  // namespace
-
-std::string_view name(Fault fault) { return kFaults[static_cast<std::size_t>(fault)].name; }
-std::string_view message(Fault fault) { return kFaults[static_cast<std::size_t>(fault)].message; }
-std::string_view name(TextCode code) { return kCodes[static_cast<std::size_t>(code)]; }
-
-Transfer judge(std::span<const std::byte> raw, const Ending& ending, const Settings& settings) {
-  Transfer transfer;
-  if (ending.eia) {
-    transfer.code = TextCode::eia;
-    const bool blanks = read_eia(raw, settings, transfer);
-    finish(transfer, ending, blanks);
-    return transfer;
-  }
-  const EighthBit eighth = bit_seven(count(raw), settings.eighth_bit);
-  transfer.code = eighth == EighthBit::even ? TextCode::iso : TextCode::ascii;
+// The characters of ISO or ASCII. True where one of them is none of a text.
+bool read_iso(std::span<const std::byte> raw, EighthBit eighth, Transfer& transfer) {
   tape_code::EobReader eobs;
   bool binary = false;
   std::uint64_t offset = 0;
@@ -172,8 +160,63 @@ Transfer judge(std::span<const std::byte> raw, const Ending& ending, const Setti
     binary = binary || (!is_text(character) && character != '\r');
   }
   eobs.finish(transfer.text);
+  return binary;
+}
+
+// The code by the first EOB and the parity of what stands before it.
+TextCode found_code(std::span<const std::byte> raw, const Settings& settings) {
+  static constexpr std::array kFound = {TextCode::ascii, TextCode::iso, TextCode::eia};
+  tape_code::AutoDecoder decoder(tape_code::DecodeFormat{.eia = settings.eia_specials});
+  std::string text;
+  decoder.decode(raw, text);
+  decoder.finish(text);
+  return kFound[static_cast<std::size_t>(*decoder.code())];
+}
+
+TextCode code_of(std::span<const std::byte> raw, const Ending& ending, const Settings& settings) {
+  if (settings.find_code && !settings.eia_known) return found_code(raw, settings);
+  if (ending.eia) return TextCode::eia;
+  return bit_seven(count(raw), settings.eighth_bit) == EighthBit::even ? TextCode::iso : TextCode::ascii;
+}
+
+// Bit 7 of a text that is not EIA. Where the code was looked for it alone says so, not the line.
+EighthBit eighth_of(TextCode code, std::span<const std::byte> raw, const Settings& settings) {
+  if (settings.find_code) return code == TextCode::iso ? EighthBit::even : EighthBit::data;
+  return bit_seven(count(raw), settings.eighth_bit);
+}
+
+}  // namespace
+
+std::string_view name(Fault fault) { return kFaults[static_cast<std::size_t>(fault)].name; }
+std::string_view message(Fault fault) { return kFaults[static_cast<std::size_t>(fault)].message; }
+std::string_view name(TextCode code) { return kCodes[static_cast<std::size_t>(code)]; }
+
+std::optional<TextCode> text_code(std::string_view name) {
+  for (std::size_t i = 0; i < kCodes.size(); ++i) {
+    if (kCodes[i] == name) return static_cast<TextCode>(i);
+  }
+  return std::nullopt;
+}
+
+Transfer judge(std::span<const std::byte> raw, const Ending& ending, const Settings& settings) {
+  Transfer transfer;
+  transfer.code = code_of(raw, ending, settings);
+  const bool eia = transfer.code == TextCode::eia;
+  const bool binary =
+      eia ? read_eia(raw, settings, transfer) : read_iso(raw, eighth_of(transfer.code, raw, settings), transfer);
   finish(transfer, ending, binary);
+  if (eia && settings.flow_below && transfer.fault == Fault::none) transfer.fault = Fault::flow_taken;
   return transfer;
+}
+
+std::string read_as(TextCode code, std::span<const std::byte> raw, const Settings& settings) {
+  Transfer transfer;
+  if (code == TextCode::eia) {
+    read_eia(raw, settings, transfer);
+  } else {
+    read_iso(raw, code == TextCode::iso ? EighthBit::even : bit_seven(count(raw), settings.eighth_bit), transfer);
+  }
+  return std::move(transfer.text);
 }
 
 }  // namespace dripfeed::receive

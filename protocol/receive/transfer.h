@@ -25,12 +25,14 @@ enum class Fault : std::uint8_t {
   interrupted,  // the control was reset or began to read before the end
   no_start,     // a final '%' and no first one
   no_end,       // no final '%', or no DC4 behind DC2
+  flow_taken,   // EIA through XON/XOFF below us: its 3 is DC3, and none arrived
 };
 std::string_view name(Fault fault);
 std::string_view message(Fault fault);
 
 enum class TextCode : std::uint8_t { ascii, iso, eia };
 std::string_view name(TextCode code);
+std::optional<TextCode> text_code(std::string_view name);
 
 struct Transfer {
   Fault fault = Fault::none;
@@ -43,6 +45,9 @@ struct Transfer {
 
 // `raw`: all that Receiver::kept() gave of this reception.
 Transfer judge(std::span<const std::byte> raw, const Ending& ending, const Settings& settings);
+
+// The text of bytes whose code a person or an earlier judgement knows, as far as it can be read.
+std::string read_as(TextCode code, std::span<const std::byte> raw, const Settings& settings);
 
 // What a terminal or device server says in the place of a control ("Port already in use", "Connection refused", …); ""
 // when the text is no such sentence. Sources: ser2net 4.3, Moxa NPort, Lantronix and Digi manuals, telnet clients.

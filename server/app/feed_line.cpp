@@ -20,6 +20,7 @@ constexpr std::size_t kInputBytes = 256;
 constexpr feed::Time kTick = std::chrono::milliseconds(1);
 constexpr feed::Time kReopenFirst = std::chrono::milliseconds(500);
 constexpr feed::Time kReopenLongest = std::chrono::seconds(5);
+constexpr std::string_view kHoldsControl = "holding the control: what it sent before is not taken yet";
 constexpr feed::Time kHoldShown = std::chrono::seconds(1);  // a hold has no deadline, but people see how long it lasts
 
 struct StateRow {
@@ -112,7 +113,15 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
 
   std::vector<Reception> take_receptions() override {
     if (!input_) return {};
-    return input_->take_finished();
+    std::vector<Reception> finished = input_->take_finished();
+    // A control that was held has room again, and nothing that it sends would say so.
+    if (!finished.empty() && settings_.receive.hold != receive::Hold::none) {
+      thread_.post([this] {
+        input_->tick(now());
+        settle();
+      });
+    }
+    return finished;
   }
 
   std::expected<void, std::string> answer(Answer answer) override {
@@ -185,6 +194,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     if (opened) {
       link_ = std::move(*opened);
       link_error_.clear();
+      rts_ = true;  // every driver raises it
       return;
     }
     link_error_ = opened.error();
@@ -310,9 +320,14 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     }
   }
 
-  // DC3 and DC1 of our own hold. On a torn line nothing goes out, and beside a job only the job.
+  // Our own hold: RTS, or DC3 and DC1. On a torn line nothing goes out, and beside a job only the job.
   void hold_control() {
-    if (!link_ || !input_ || input_->pending_out().empty()) return;
+    if (!link_ || !link_up_ || !input_) return;
+    if (input_->rts() != rts_) {
+      rts_ = input_->rts();
+      static_cast<void>(link_->set_rts(rts_));  // a profile for a link without it is refused
+    }
+    if (input_->pending_out().empty()) return;
     if (feed::has_job(feed_.state()) || feed_.state() == feed::State::torn) return;
     input_->mark_sent(link_->write(input_->pending_out()));
   }
@@ -333,7 +348,8 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     const std::uint64_t received = input_ ? input_->count() : 0;
     // What the last job came to stays as it was while an answer is on the line.
     const JobEnd end = of_answer_ ? report_.end : row.end;
-    const std::string_view stall_name = name_of(stall);
+    const bool holds = input_ && input_->holding();
+    const std::string_view stall_name = stall == feed::Stall::none && holds ? kHoldsControl : name_of(stall);
     const bool changed = state != report_.state || end != report_.end || stall_name != report_.stall ||
                          order_job_ != report_.job || session_ != report_.session || received != report_.received ||
                          answers_ != report_.answers;
@@ -385,6 +401,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   LineChanged changed_;
   std::unique_ptr<Link> link_;
   bool link_up_ = false;
+  bool rts_ = true;  // ours, as the link has it
   std::string link_error_;
   feed::Time reopen_at_{};
   feed::Time reopen_wait_{};
@@ -407,6 +424,7 @@ std::expected<std::unique_ptr<Line>, std::string> make_feed_line(const machine::
                                                                  LinkThread& thread, LineChanged changed) {
   const auto effective = machine::effective_line(settings);
   if (!effective) return std::unexpected(effective.error());
+  if (const auto receives = machine::can_receive(*effective); !receives) return std::unexpected(receives.error());
   const auto feed_settings = machine::feed_settings_of(*effective);
   if (!feed_settings) return std::unexpected(feed_settings.error());
   auto feed = feed::Feed::make(*feed_settings);

@@ -30,6 +30,9 @@ class LineInput {
   [[nodiscard]] bool idle() const { return receiver_.state() == receive::State::idle; }
   [[nodiscard]] std::span<const std::byte> pending_out() const { return receiver_.pending_out(); }
   void mark_sent(std::size_t n) { receiver_.mark_sent(n); }
+  // The control is asked to wait, by a DC3 or by what our RTS should be.
+  [[nodiscard]] bool holding() const { return receiver_.holding(); }
+  [[nodiscard]] bool rts() const { return receiver_.rts(); }
   // Receptions that ended since the start, lost ones among them.
   [[nodiscard]] std::uint64_t count() const { return count_; }
   [[nodiscard]] std::uint64_t lost() const { return lost_; }

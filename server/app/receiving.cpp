@@ -125,7 +125,8 @@ void Receiving::take(const std::string& machine, const machine::Profile& profile
     case receive::Fault::binary:
     case receive::Fault::interrupted:
     case receive::Fault::no_start:
-    case receive::Fault::no_end: return quarantine(machine, reception, transfer);
+    case receive::Fault::no_end:
+    case receive::Fault::flow_taken: return quarantine(machine, reception, transfer);
   }
   if (profile.line.receive.requests) {
     const auto request = receive::find_request(transfer.text, machine::request_grammar_of(profile.line.receive));

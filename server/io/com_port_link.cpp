@@ -69,6 +69,11 @@ class Session final : public app::LinkListener, public std::enable_shared_from_t
     return taken;
   }
 
+  void set_rts(bool on) {
+    client_.set_rts(on);
+    flush();
+  }
+
   std::size_t read(std::span<std::byte> into) {
     if (!announced_) return 0;
     std::size_t count = 0;
@@ -251,6 +256,10 @@ class ComPortLink final : public app::Link {
   // RFC 2217 has no word for how much the server holds.
   std::optional<std::uint64_t> unsent() override { return std::nullopt; }
   std::optional<std::uint64_t> unconfirmed() override { return session_->unconfirmed(); }
+  bool set_rts(bool on) override {
+    session_->set_rts(on);
+    return true;
+  }
   [[nodiscard]] app::LineErrors errors() const override { return session_->errors(); }
   [[nodiscard]] std::string_view note() const override { return session_->note(); }
 

@@ -60,6 +60,7 @@ class SerialLink final : public app::Link {
   std::size_t read(std::span<std::byte> into) override { return core_->read(into); }
   std::optional<std::uint64_t> unsent() override { return read_unsent(core_->stream().native_handle()); }
   std::optional<std::uint64_t> unconfirmed() override { return std::nullopt; }
+  bool set_rts(bool on) override { return io::set_rts(core_->stream().native_handle(), on); }
   [[nodiscard]] app::LineErrors errors() const override { return look_->errors; }
 
  private:

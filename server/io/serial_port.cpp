@@ -88,6 +88,11 @@ std::optional<ModemLines> read_modem_lines(int descriptor) {
   return ModemLines{.cts = (lines & TIOCM_CTS) != 0, .dsr = (lines & TIOCM_DSR) != 0};
 }
 
+bool set_rts(int descriptor, bool on) {
+  int line = TIOCM_RTS;
+  return ::ioctl(descriptor, on ? TIOCMBIS : TIOCMBIC, &line) == 0;
+}
+
 std::optional<std::uint64_t> read_unsent(int descriptor) {
   int count = 0;
   if (::ioctl(descriptor, TIOCOUTQ, &count) != 0 || count < 0) return std::nullopt;

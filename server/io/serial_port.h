@@ -27,6 +27,9 @@ std::optional<ModemLines> read_modem_lines(int descriptor);
 // Of the UART since it was plugged in; nothing where the device does not count (a pty).
 std::optional<app::LineErrors> read_line_errors(int descriptor);
 
+// Sets our RTS; false where the device has none (a pty).
+bool set_rts(int descriptor, bool on);
+
 // Characters that the driver holds unsent; nothing where it does not tell. A pty always says 0.
 std::optional<std::uint64_t> read_unsent(int descriptor);
 

@@ -310,6 +310,9 @@ void read_whole(ObjectReader& object, machine::Profile& profile) {
 }
 
 std::expected<void, std::string> line_is_possible(const machine::LineSettings& line) {
+  if (const auto laid_over = machine::effective_line(line); laid_over) {
+    if (const auto receives = machine::can_receive(*laid_over); !receives) return receives;
+  }
   if (machine::is_modbus(line.link.kind)) {
     if (const auto settings = machine::bus_settings_of(line.link); !settings) return std::unexpected(settings.error());
     return {};

@@ -103,14 +103,17 @@ Applied set_eob(std::string_view value, LineSettings& line) {
   return {};
 }
 
+// `auto` is for what comes in; what goes out keeps the code that the framing brings.
 Applied set_code(std::string_view value, LineSettings& line) {
+  line.receive.find_code = value == "auto";
+  if (line.receive.find_code) return {};
   static constexpr std::array<std::string_view, 3> kNames = {"ascii", "iso", "eia"};
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     if (kNames[i] != value) continue;
     line.code = static_cast<tape_code::Code>(i);
     return {};
   }
-  return std::unexpected(fmt::format("code \"{}\" is not ascii, iso or eia", value));
+  return std::unexpected(fmt::format("code \"{}\" is not ascii, iso, eia or auto", value));
 }
 
 // How the connection ends is the driver's work; here only the word is checked.

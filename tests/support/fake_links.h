@@ -41,6 +41,7 @@ struct Cable {
   app::LinkListener* listener = nullptr;  // of the link that is open
   bool is_up = false;
   bool comes_up = true;                       // as soon as it is opened
+  std::optional<bool> rts;                    // what it was set to; nothing: it was not
   std::string refusal;                        // opening fails with this
   int opened = 0;                             // times
   std::string written;                        // every byte that left, over all links
@@ -74,6 +75,10 @@ class FakeLink final : public app::Link {
     return count;
   }
   std::optional<std::uint64_t> unsent() override { return cable_.unsent; }
+  bool set_rts(bool on) override {
+    cable_.rts = on;
+    return true;
+  }
   std::optional<std::uint64_t> unconfirmed() override { return cable_.unconfirmed; }
 
  private:

@@ -86,6 +86,14 @@ std::string ReceivePlayer::set(const std::string& rest) {
       settings_.hold = value == "dc3" ? receive::Hold::dc3 : value == "rts" ? receive::Hold::rts : receive::Hold::none;
     } else if (key == "max") {
       settings_.max_bytes = std::stoull(value);
+    } else if (key == "xon") {
+      settings_.xon = static_cast<std::uint8_t>(std::stoul(value, nullptr, 16));
+    } else if (key == "xoff") {
+      settings_.xoff = static_cast<std::uint8_t>(std::stoul(value, nullptr, 16));
+    } else if (key == "code") {
+      settings_.find_code = value == "auto";
+    } else if (key == "below") {
+      settings_.flow_below = value == "yes";
     } else if (key == "eia") {
       settings_.eia_known = true;
       settings_.eia = value == "yes";

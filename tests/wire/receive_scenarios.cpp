@@ -2,6 +2,7 @@
 // happens, what is called whole is the text that was punched.
 #include <gtest/gtest.h>
 
+#include "protocol/tape_code/code_table.h"
 #include "protocol/tape_code/parity.h"
 #include "tests/wire/receive_player.h"
 
@@ -39,9 +40,26 @@ Scenario punch(std::mt19937& random) {
   return scenario;
 }
 
+// The same punch in a code that the line does not know of.
+Scenario punch_in(std::mt19937& random, receive::TextCode code) {
+  Scenario scenario{.text = program(random), .wire = {}};
+  const bool eia = code == receive::TextCode::eia;
+  const auto eighth = code == receive::TextCode::iso ? tape_code::EighthBit::even : tape_code::EighthBit::data;
+  const tape_code::EncodeTable table(eighth, eia ? std::optional(tape_code::EiaSpecials{}) : std::nullopt);
+  const auto put = [&](std::uint8_t byte) { scenario.wire.push_back(static_cast<std::byte>(byte)); };
+  const bool signs = random() % 2 == 0;
+  if (signs) put(0x12);
+  for (std::size_t i = random() % 40; i > 0; --i) put(0x00);
+  for (const char c : scenario.text) put(table.code(c));
+  for (std::size_t i = random() % 40; i > 0; --i) put(0x00);
+  if (signs) put(0x14);
+  return scenario;
+}
+
 // Gives the bytes in pieces with pauses that no quiet time reaches, then silence.
-std::deque<ReceiveDriver::Got> receive_all(std::mt19937& random, std::span<const std::byte> wire) {
-  ReceiveDriver driver(receive::Settings{});
+std::deque<ReceiveDriver::Got> receive_all(std::mt19937& random, std::span<const std::byte> wire,
+                                           const receive::Settings& settings = {}) {
+  ReceiveDriver driver(settings);
   Time now{1'000'000'000};
   while (!wire.empty()) {
     const std::size_t size = std::min<std::size_t>(wire.size(), 1 + random() % 700);
@@ -65,6 +83,23 @@ TEST(ReceiveScenarios, AWholePunchIsItsTextHoweverItIsSplit) {
     ASSERT_EQ(got.size(), 1U) << seed;
     EXPECT_EQ(got[0].transfer.fault, receive::Fault::none) << seed;
     EXPECT_EQ(got[0].transfer.text, scenario.text) << seed;
+  }
+}
+
+TEST(ReceiveScenarios, TheCodeIsFoundHoweverThePunchIsSplit) {
+  using receive::TextCode;
+  for (const auto line : {tape_code::EighthBit::even, tape_code::EighthBit::data}) {
+    const receive::Settings settings{.eighth_bit = line, .find_code = true, .end_character = 0x04};
+    for (unsigned seed = 1; seed <= 300; ++seed) {
+      std::mt19937 random(seed);
+      const auto code = static_cast<TextCode>(seed % 3);
+      const Scenario scenario = punch_in(random, code);
+      const auto got = receive_all(random, scenario.wire, settings);
+      ASSERT_EQ(got.size(), 1U) << seed;
+      EXPECT_EQ(got[0].transfer.code, code) << seed;
+      EXPECT_EQ(got[0].transfer.fault, receive::Fault::none) << seed;
+      EXPECT_EQ(got[0].transfer.text, scenario.text) << seed;
+    }
   }
 }
 

@@ -51,6 +51,8 @@ class Link {
   [[nodiscard]] virtual std::optional<std::uint64_t> unsent() = 0;
   // Bytes that the network behind the driver has not confirmed, where there is one.
   [[nodiscard]] virtual std::optional<std::uint64_t> unconfirmed() = 0;
+  // Our RTS, off asks the control to stop sending. False where the link has no such line.
+  virtual bool set_rts(bool /*on*/) { return false; }
   // Of the UART, where it tells.
   [[nodiscard]] virtual LineErrors errors() const { return {}; }
   // "" or what people should know of a link that is up: what a device server did not confirm.

@@ -195,11 +195,63 @@ TEST_F(LineReceiveTest, HoldsTheControlWhileNobodyTakesWhatCame) {
   EXPECT_EQ(links_.cable(kUrl).written, "\x93");
   links_.advance(60s);
   EXPECT_EQ(report().state, LineState::receiving) << "quiet time stands still";
+  EXPECT_EQ(report().stall, "holding the control: what it sent before is not taken yet");
   EXPECT_EQ(received().size(), 8U);
-  links_.receive(kUrl, on_wire("M"));
-  EXPECT_EQ(links_.cable(kUrl).written, "\x93\x11");
-  links_.receive(kUrl, on_wire("30\n%\n") + "\x14");
+  links_.settle();
+  EXPECT_EQ(links_.cable(kUrl).written, "\x93\x11") << "without a further character";
+  EXPECT_EQ(report().stall, "");
+  links_.receive(kUrl, on_wire("M30\n%\n") + "\x14");
   EXPECT_EQ(received().size(), 1U);
+}
+
+TEST_F(LineReceiveTest, HoldsTheControlByItsOwnCharactersOrByRts) {
+  machine::LineSettings settings = line_settings();
+  settings.receive.hold = receive::Hold::dc3;
+  settings.xon = 0x05;
+  settings.xoff = 0x06;
+  open(settings);
+  for (int i = 0; i < 8; ++i) links_.receive(kUrl, "\x12" + on_wire("%\nO7\n%\n") + "\x14");
+  links_.receive(kUrl, "\x12" + on_wire("%\nO8\n"));
+  EXPECT_EQ(links_.cable(kUrl).written, "\x06");
+  received();
+  links_.settle();
+  EXPECT_EQ(text_of(links_.cable(kUrl).written), "\x06\x05");
+
+  constexpr const char* kSerial = "serial:/dev/ttyS0";
+  settings = line_settings(kSerial);
+  settings.receive.hold = receive::Hold::rts;
+  open(settings);
+  for (int i = 0; i < 8; ++i) links_.receive(kSerial, "\x12" + on_wire("%\nO7\n%\n") + "\x14");
+  EXPECT_EQ(links_.cable(kSerial).rts, std::nullopt);
+  links_.receive(kSerial, "\x12" + on_wire("%\nO8\n"));
+  EXPECT_EQ(links_.cable(kSerial).rts, false);
+  received();
+  links_.settle();
+  EXPECT_EQ(links_.cable(kSerial).rts, true);
+  EXPECT_EQ(links_.cable(kSerial).written, "");
+  // A new link begins with RTS on.
+  links_.receive(kSerial, on_wire("M30\n%\n") + "\x14");
+  received();
+  for (int i = 0; i < 8; ++i) links_.receive(kSerial, "\x12" + on_wire("%\nO7\n%\n") + "\x14");
+  links_.receive(kSerial, "\x12" + on_wire("%\nO8\n"));
+  EXPECT_EQ(links_.cable(kSerial).rts, false);
+  links_.lose(kSerial);
+  links_.cable(kSerial).rts.reset();
+  links_.advance(6s);
+  EXPECT_NE(links_.cable(kSerial).rts, false);
+}
+
+TEST_F(LineReceiveTest, ALineThatWouldLoseTheThreesOfEiaIsRefused) {
+  machine::LineSettings settings = line_settings();
+  settings.code = tape_code::Code::eia;
+  settings.framing = {.data_bits = 8, .parity = tape_code::Parity::none, .stop_bits = 1};
+  settings.xoff_by = feed::XoffBy::kernel;
+  settings.start = feed::Start::at_once;
+  const auto made = make_feed_line(settings, links_, [] {});
+  ASSERT_FALSE(made);
+  EXPECT_NE(made.error().find("the digit 3"), std::string::npos) << made.error();
+  settings.receive.enabled = false;
+  EXPECT_TRUE(make_feed_line(settings, links_, [] {}));
 }
 
 }  // namespace
