@@ -112,6 +112,32 @@ void run_checks(const Examination& e, const ir::Program& program, CheckReport& r
   checks.finish();
 }
 
+// What the machine's line could not carry, or its control would not take: a job would be refused for it. What the
+// reader said of a character already is not said again.
+void check_characters(const Examination& e, std::vector<text::Diagnostic>& diagnostics) {
+  if (e.profile == nullptr) return;
+  const auto line = machine::effective_line(e.profile->line);
+  if (!line) return;  // the profile's own fault, told where the time is
+  tape_code::CharacterSet taken = machine::characters_of(*line);
+  taken.add('\r');  // a part of the text's EOBs, and not sent as such
+  tape_code::CharacterCheck check(taken);
+  check.append(e.source.text());
+  for (const tape_code::IllegalCharacter& one : check.found()) {
+    const auto at = static_cast<std::uint32_t>(one.text_offset);
+    const bool told = std::ranges::any_of(diagnostics, [&](const text::Diagnostic& d) {
+      return d.id == text::DiagnosticId::invalid_character && d.span.begin <= at && at < d.span.end;
+    });
+    if (told) continue;
+    const bool printable = one.byte > ' ' && one.byte < 0x7F;
+    diagnostics.push_back(
+        {.id = text::DiagnosticId::invalid_character,
+         .severity = text::Severity::error,
+         .span = {at, at + 1},
+         .arguments = {printable ? std::string(1, static_cast<char>(one.byte)) : fmt::format("0x{:02X}", one.byte)},
+         .notes = {{.span = {}, .text = machine::character_refusal(*line, one)}}});
+  }
+}
+
 void sort_and_join(std::vector<text::Diagnostic>& diagnostics) {
   std::ranges::stable_sort(diagnostics, {}, [](const text::Diagnostic& d) { return d.span.begin; });
   // What reading and running both saw is said once.
@@ -139,16 +165,20 @@ std::expected<timing::Settings, std::string> timing_settings(const Examination& 
   settings.line = timing::Line{.baud = static_cast<double>(line.baud),
                                .bits_per_char = bits,
                                .latency_s = line.latency_chars * bits / line.baud};
-  settings.line_bytes = bytes_of_lines(text, tape_code::characters(line.eob).size());
+  settings.line_bytes = bytes_of_lines(text, machine::wire_format_of(line));
   return settings;
 }
 
-std::vector<std::uint32_t> bytes_of_lines(std::string_view text, std::size_t eob_bytes) {
+std::vector<std::uint32_t> bytes_of_lines(std::string_view text, const tape_code::WireFormat& format) {
   std::vector<std::uint32_t> bytes;
+  tape_code::WireFormat blocks = format;
+  blocks.leader_chars = blocks.trailer_chars = 0;
   while (!text.empty()) {
     const std::size_t end = text.find_first_of("\r\n");
     const std::string_view line = text.substr(0, end);
-    bytes.push_back(static_cast<std::uint32_t>(line.size() + eob_bytes));
+    // A block with an even number of characters has an odd one with its EOB.
+    const std::uint64_t odd_blocks = line.size() % 2 == 0 ? 1 : 0;
+    bytes.push_back(static_cast<std::uint32_t>(tape_code::wire_length(blocks, line.size() + 1, 1, odd_blocks)));
     if (end == std::string_view::npos) break;
     text.remove_prefix(end + text::eob_length(text, end));
   }
@@ -172,6 +202,7 @@ CheckReport examine(const Examination& e) {
   auto more = e.dialect->validate(read.program, e.control, e.delivery);
   report.checks.diagnostics.insert(report.checks.diagnostics.end(), std::make_move_iterator(more.begin()),
                                    std::make_move_iterator(more.end()));
+  check_characters(e, report.checks.diagnostics);
   if (readable) {
     run_checks(e, read.program, report);
   } else {

@@ -41,7 +41,8 @@ CheckReport examine(const Examination& examination);
 // How `text` is timed on the machine of e.profile, which must be named. Errors: the link's URL.
 std::expected<timing::Settings, std::string> timing_settings(const Examination& e, std::string_view text);
 
-// Bytes on the wire of each line, its EOB as the machine has it; line 1 first.
-std::vector<std::uint32_t> bytes_of_lines(std::string_view text, std::size_t eob_bytes);
+// Bytes on the wire of each line, its EOB as the machine has it and the blank that a TV check may ask for; line 1
+// first.
+std::vector<std::uint32_t> bytes_of_lines(std::string_view text, const tape_code::WireFormat& format);
 
 }  // namespace dripfeed::app

@@ -1,0 +1,80 @@
+// What an examination says of a text besides what its dialect says: the characters of the machine's line, and the
+// bytes that its lines take there.
+#include "server/app/examine.h"
+
+#include <gtest/gtest.h>
+
+namespace dripfeed::app {
+namespace {
+
+machine::Profile profile_of(const std::string& url, const char* set) {
+  machine::Profile profile;
+  profile.name = "m";
+  profile.control.dialect = "fanuc";
+  profile.line.link = machine::parse_link_url(url).value();
+  profile.line.character_set = set;
+  return profile;
+}
+
+CheckReport report_of(const std::string& text, const machine::Profile* profile) {
+  const compile::Dialect* dialect = compile::find_dialect("fanuc");
+  return examine({.source = text::Source("x.nc", text),
+                  .dialect = dialect,
+                  .control = dialect->control(ir::MachineKind::mill, ir::GSystem::a),
+                  .inferred = false,
+                  .profile = profile,
+                  .delivery = ir::Delivery::memory,
+                  .find_called = {},
+                  .geometry = {},
+                  .profile_lines = {}});
+}
+
+// "LINE:COLUMN ARGUMENT" of what is said of characters.
+std::vector<std::string> characters_in(const CheckReport& report) {
+  std::vector<std::string> all;
+  for (const text::Diagnostic& one : report.checks.diagnostics) {
+    if (one.id != text::DiagnosticId::invalid_character) continue;
+    const text::Position at = report.source.position(one.span.begin);
+    all.push_back(std::to_string(at.line) + ":" + std::to_string(at.column) + " " + one.arguments.at(0));
+  }
+  return all;
+}
+
+TEST(Examine, ACharacterThatTheLineCannotCarryIsSeenBeforeAJob) {
+  const std::string text = "%\r\nO1(Shaft)\r\nG21G90G94G17\r\nG0X1.\r\nM30\r\n%\r\n";
+  const machine::Profile upper = profile_of("serial:/dev/ttyS0", "fanuc-iso");
+  const CheckReport report = report_of(text, &upper);
+  EXPECT_EQ(characters_in(report), (std::vector<std::string>{"2:5 h", "2:6 a", "2:7 f", "2:8 t"}));
+  EXPECT_EQ(report.verdict, checks::Verdict::fail);
+  const machine::Profile lower = profile_of("serial:/dev/ttyS0", "ascii");
+  EXPECT_TRUE(characters_in(report_of(text, &lower)).empty());
+  EXPECT_TRUE(characters_in(report_of(text, nullptr)).empty()) << "no machine, no line";
+}
+
+TEST(Examine, TheCodeOfTheUrlCounts) {
+  const std::string text = "%\nO1\nG21G90G94G17\nG0X1.\nM30\n%\n";
+  const machine::Profile eia = profile_of("serial:/dev/ttyS0?framing=8N2&code=eia", "fanuc-iso");
+  EXPECT_TRUE(characters_in(report_of(text, &eia)).empty());
+  EXPECT_EQ(characters_in(report_of("%\nO1\nG21G90G94G17\n#1=2.\nM30\n%\n", &eia)),
+            (std::vector<std::string>{"4:1 #", "4:3 ="}));
+}
+
+TEST(Examine, WhatTheReaderSaidIsNotSaidAgain) {
+  const machine::Profile profile = profile_of("serial:/dev/ttyS0", "fanuc-iso");
+  EXPECT_EQ(characters_in(report_of("%\nO1\nG0X1.\n\xC3\xA4\nM30\n%\n", &profile)).size(), 1U);
+}
+
+TEST(Examine, LinesTakeTheirEobAndTheBlankOfATvCheck) {
+  tape_code::WireFormat format;
+  EXPECT_EQ(bytes_of_lines("%\r\nG0X1\r\nG0X10\r\n", format), (std::vector<std::uint32_t>{2, 5, 6}));
+  format.eob = tape_code::Eob::lf_cr_cr;
+  format.leader_chars = 100;
+  EXPECT_EQ(bytes_of_lines("%\nG0X1\nG0X10", format), (std::vector<std::uint32_t>{4, 7, 8}));
+  format.pad_tv = true;
+  EXPECT_EQ(bytes_of_lines("%\nG0X1\nG0X10\n", format), (std::vector<std::uint32_t>{4, 8, 8}));
+  format.eia = tape_code::EiaSpecials{};
+  EXPECT_EQ(bytes_of_lines("%\nG0X1\nG0X10\n", format), (std::vector<std::uint32_t>{2, 6, 6}));
+}
+
+}  // namespace
+}  // namespace dripfeed::app
