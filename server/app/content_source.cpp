@@ -2,9 +2,12 @@
 // reads it.
 #include "server/app/content_source.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "server/machine/file_drop.h"
 
 namespace dripfeed::app {
 
@@ -20,8 +23,8 @@ std::unexpected<Error> refuse_at(std::uint64_t line, std::uint64_t column, const
 
 }  // namespace
 
-ContentSource::ContentSource(store::Contents& contents, std::string sha256, std::uint32_t rounds)
-    : contents_(contents), sha256_(std::move(sha256)), rounds_left_(rounds) {
+ContentSource::ContentSource(store::Contents& contents, std::string sha256, std::uint32_t rounds, TextPart part)
+    : contents_(contents), sha256_(std::move(sha256)), rounds_left_(rounds), part_(part), offset_(part.begin) {
   refill();
 }
 
@@ -32,8 +35,8 @@ void ContentSource::refill() {
 }
 
 void ContentSource::fill_one(std::string& chunk) {
-  std::string raw(store::kChunkBytes, '\0');
-  const auto count = contents_.read(sha256_, offset_, raw);
+  std::string raw(std::min<std::uint64_t>(store::kChunkBytes, part_.end - offset_), '\0');
+  const auto count = raw.empty() ? store::Result<std::size_t>(0) : contents_.read(sha256_, offset_, raw);
   if (!count) {
     failed_.store(true);
     return;
@@ -45,7 +48,7 @@ void ContentSource::fill_one(std::string& chunk) {
   if (!chunk.empty()) filled_.fetch_add(1);
   if (*count > 0) return;
   if (--rounds_left_ == 0) over_.store(true);
-  offset_ = 0;
+  offset_ = part_.begin;
   eobs_ = {};
 }
 
@@ -61,11 +64,33 @@ tape_code::TextPiece ContentSource::next() noexcept {
   return {.status = over ? tape_code::SourceStatus::end : tape_code::SourceStatus::not_ready, .text = {}};
 }
 
+Result<TextPart> part_for(store::Contents& contents, const std::string& sha256, const machine::Profile& profile) {
+  if (!machine::drops_bare_files(profile)) return TextPart{};
+  const auto known = lift(contents.find(sha256));
+  if (!known) return std::unexpected(known.error());
+  std::string head(std::min<std::uint64_t>(known->bytes, machine::kArchiveEdge), '\0');
+  std::string tail = head;
+  const auto first = lift(contents.read(sha256, 0, head));
+  const auto last = lift(contents.read(sha256, known->bytes - tail.size(), tail));
+  if (!first || !last) return fail(ErrorCode::unavailable, "the stored text cannot be read");
+  const std::size_t begin = machine::archive_head(head);
+  const std::size_t behind = machine::archive_tail(tail);
+  std::string lines;
+  tape_code::EobReader eobs;
+  for (const char c : std::string_view(head).substr(0, begin)) eobs.put(c, lines);
+  eobs.finish(lines);
+  return TextPart{.begin = begin,
+                  .end = std::max<std::uint64_t>(begin, known->bytes - behind),
+                  .line = 1 + static_cast<std::uint64_t>(std::ranges::count(lines, '\n'))};
+}
+
 Result<feed::ProgramFacts> check_program(store::Contents& contents, const std::string& sha256,
                                          const machine::Profile& profile, ir::Delivery delivery) {
   const auto line = machine::effective_line(profile.line);
   if (!line) return fail(ErrorCode::refused, line.error());
-  ContentSource source(contents, sha256);
+  const auto part = part_for(contents, sha256, profile);
+  if (!part) return std::unexpected(part.error());
+  ContentSource source(contents, sha256, 1, *part);
   feed::ProgramCheck check(machine::program_syntax_of(profile, delivery));
   tape_code::CharacterCheck characters(machine::characters_of(*line));
   for (;;) {
@@ -81,13 +106,13 @@ Result<feed::ProgramFacts> check_program(store::Contents& contents, const std::s
   }
   if (characters.count() > 0) {
     const tape_code::IllegalCharacter& first = characters.found().front();
-    return refuse_at(first.line, first.column,
+    return refuse_at(part->line - 1 + first.line, first.column,
                      fmt::format("{} ({} such)", machine::character_refusal(*line, first), characters.count()));
   }
   const auto facts = check.finish();
   if (facts) return *facts;
   const feed::ProgramRefusal& refusal = facts.error();
-  return refuse_at(refusal.line, refusal.column, std::string(feed::message(refusal.fault)));
+  return refuse_at(part->line - 1 + refusal.line, refusal.column, std::string(feed::message(refusal.fault)));
 }
 
 }  // namespace dripfeed::app

@@ -177,7 +177,9 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
   if (!written) return disarm_after(*armed, store::message_of(written.error()), actor);
   if (!written->empty()) return disarm_after(*armed, written->front().why, actor);
 
-  auto source = std::make_shared<ContentSource>(store_.contents(), job->text_sha256, rounds);
+  const auto part = part_for(store_.contents(), job->text_sha256, *profile);
+  if (!part) return std::unexpected(part.error());
+  auto source = std::make_shared<ContentSource>(store_.contents(), job->text_sha256, rounds, *part);
   const auto expires = feed::Time(static_cast<std::int64_t>(minutes * 60e9));
   const auto on_line = line->arm({.job = id,
                                   .facts = *facts,

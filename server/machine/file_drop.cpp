@@ -45,7 +45,40 @@ std::expected<void, std::string> obeys(std::string_view stem, const NameRule& ru
   return {};
 }
 
+// Where the next line begins.
+std::size_t behind_line(std::string_view text, std::size_t at) {
+  at = text.find_first_of("\r\n", at);
+  if (at == std::string_view::npos) return text.size();
+  return at + (text.substr(at).starts_with("\r\n") ? 2 : 1);
+}
+
+bool is_eob(char c) { return c == '\r' || c == '\n'; }
+
 }  // namespace
+
+bool drops_bare_files(const Profile& profile) {
+  return profile.line.link.kind == LinkKind::dir && profile.control.dialect.starts_with("sinumerik");
+}
+
+std::size_t archive_head(std::string_view beginning) {
+  if (!beginning.starts_with('%')) return 0;
+  std::size_t at = behind_line(beginning, 0);
+  if (beginning.substr(at).starts_with(";$PATH=")) at = behind_line(beginning, at);
+  return at;
+}
+
+std::size_t archive_tail(std::string_view end) {
+  std::size_t at = end.size();
+  while (at > 0 && (is_eob(end[at - 1]) || end[at - 1] == ' ')) --at;
+  const bool alone = at > 0 && end[at - 1] == '%' && (at == 1 || is_eob(end[at - 2]));
+  return alone ? end.size() - at + 1 : 0;
+}
+
+std::string_view file_part(std::string_view text) {
+  const std::size_t head = archive_head(text);
+  const std::size_t tail = archive_tail(text);
+  return head + tail >= text.size() ? std::string_view() : text.substr(head, text.size() - head - tail);
+}
 
 std::expected<std::string, std::string> file_name_for(const Profile& profile, std::string_view program) {
   const auto* rule = std::ranges::find(kRules, profile.control.dialect, &NameRule::dialect);

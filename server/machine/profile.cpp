@@ -12,6 +12,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "server/machine/file_drop.h"
+
 namespace dripfeed::machine {
 
 namespace {
@@ -323,6 +325,7 @@ feed::ProgramSyntax program_syntax_of(const Profile& profile, ir::Delivery deliv
   feed::ProgramSyntax syntax =
       profile.control.dialect.starts_with("sinumerik") ? feed::kSemicolonSyntax : feed::kParenthesesSyntax;
   syntax.end_code = delivery == ir::Delivery::drip;
+  if (drops_bare_files(profile)) syntax.start_percent = syntax.final_percent = false;
   return syntax;
 }
 

@@ -79,5 +79,17 @@ def dropped_and_fetched(folder):
         server.stop()
 
 
+def a_sinumerik_gets_a_plain_file(folder):
+    """`send` into a folder takes the head of the archive off: name and place are the folder's."""
+    drop = folder / "drop"
+    drop.mkdir()
+    (folder / "ROLL.MPF").write_text("%_N_ROLL_MPF\n;$PATH=/_N_MPF_DIR\nG0 X1\nM30\n%\n")
+    done = subprocess.run([str(rig.binary()), "send", str(folder / "ROLL.MPF"), "--link", f"dir:{drop}", "--machine", "sinumerik-840d-mill",
+                           "--unreleased", "--json"], capture_output=True, text=True, timeout=60)
+    rig.expect(done.returncode == 0, f"{done}")
+    rig.expect((drop / "ROLL.MPF").read_bytes().replace(b"\r\n", b"\n") == b"G0 X1\nM30\n", f"{(drop / 'ROLL.MPF').read_bytes()}")
+
+
 if __name__ == "__main__":
+    rig.in_folder(a_sinumerik_gets_a_plain_file)
     rig.in_folder(dropped_and_fetched)

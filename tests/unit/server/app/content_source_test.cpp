@@ -141,5 +141,40 @@ TEST_F(ContentSourceTest, ChecksAStoredTextWholeAndNamesThePlaceOfAFault) {
             ErrorCode::unavailable);
 }
 
+// All of its text, as the feed takes it.
+std::string all_of(ContentSource& source) {
+  std::string taken;
+  for (;;) {
+    const auto piece = source.next();
+    if (piece.status == SourceStatus::end || piece.status == SourceStatus::failed) return taken;
+    taken.append(piece.text.begin(), piece.text.end());
+    source.refill();
+  }
+}
+
+TEST_F(ContentSourceTest, AFolderOfSinumerikGetsTheFileAndNotTheArchive) {
+  machine::Profile profile;
+  profile.control.dialect = "sinumerik-840d";
+  profile.line.link = machine::parse_link_url("dir:/srv/dnc").value();
+  const std::string body = numbered(3 * store::kChunkBytes, "\n") + "\nM30\n";
+  const std::string sha = put("%_N_ROLL_MPF\r\n;$PATH=/_N_MPF_DIR\r\n" + body + "%\r\n");
+  const TextPart part = must(part_for(store_->contents(), sha, profile));
+  ContentSource source(store_->contents(), sha, 2, part);
+  EXPECT_EQ(all_of(source), body + body);
+  const auto facts = must(check_program(store_->contents(), sha, profile, ir::Delivery::memory));
+  EXPECT_EQ(facts.text_bytes(), body.size());
+
+  const auto several = put("%_N_A_MPF\n;$PATH=/_N_MPF_DIR\nM30\n%_N_B_SPF\nM17\n%\n");
+  const Error refused = refusal(check_program(store_->contents(), several, profile, ir::Delivery::memory));
+  EXPECT_NE(refused.text.find("line 4, column"), std::string::npos) << refused.text;
+
+  // A line gets the archive, and a Fanuc its % wherever it is fetched from.
+  profile.line.link = machine::parse_link_url("serial:/dev/ttyS0").value();
+  EXPECT_EQ(must(part_for(store_->contents(), sha, profile)).begin, 0U);
+  profile.control.dialect = "fanuc";
+  profile.line.link = machine::parse_link_url("dir:/srv/dnc").value();
+  EXPECT_EQ(must(part_for(store_->contents(), sha, profile)).begin, 0U);
+}
+
 }  // namespace
 }  // namespace dripfeed::app

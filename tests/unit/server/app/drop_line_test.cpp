@@ -165,5 +165,20 @@ TEST(FileDrop, NamesFollowTheControl) {
   EXPECT_FALSE(file_name_for(profile_of("fanuc", "dir:/x"), "a b"));
 }
 
+TEST(FileDrop, AFileOfSinumerikHasNoHeadOfAnArchive) {
+  using machine::file_part;
+  EXPECT_EQ(file_part("%_N_ROLL_MPF\n;$PATH=/_N_MPF_DIR\nG0 X1\nM30\n%\n"), "G0 X1\nM30\n");
+  EXPECT_EQ(file_part("%_N_ROLL_MPF\r\nG0 X1\r\nM30\r\n"), "G0 X1\r\nM30\r\n");
+  EXPECT_EQ(file_part("%\nG0 X1\nM30\n%"), "G0 X1\nM30\n");
+  EXPECT_EQ(file_part("G0 X1 ;$PATH=/x\n;$PATH=/y\nM30\n"), "G0 X1 ;$PATH=/x\n;$PATH=/y\nM30\n")
+      << "it is bare already";
+  EXPECT_EQ(file_part("%_N_ROLL_MPF\nMSG(\"5%\nM30\n"), "MSG(\"5%\nM30\n");
+  EXPECT_EQ(file_part("%_N_ROLL_MPF"), "");
+  EXPECT_EQ(file_part(""), "");
+  EXPECT_TRUE(machine::drops_bare_files(profile_of("sinumerik-840d", "dir:/x")));
+  EXPECT_FALSE(machine::drops_bare_files(profile_of("fanuc", "dir:/x")));
+  EXPECT_FALSE(machine::drops_bare_files(profile_of("sinumerik-840d", "serial:/dev/ttyS0")));
+}
+
 }  // namespace
 }  // namespace dripfeed::app
