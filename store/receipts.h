@@ -64,8 +64,10 @@ class Receipts : public Repository {
  public:
   // Errors: broken_reference (no such machine or content).
   virtual Result<Receipt> add(const NewReceipt& receipt, const Stamp& by) = 0;
-  // Errors: not_found, refused_transition (it was decided before), broken_reference (no such revision).
-  virtual Result<Receipt> accept(Id receipt, Id program, Revision revision, const Stamp& by) = 0;
+  // Errors: not_found, refused_transition (it was decided before), broken_reference (no such revision), invalid_value
+  // (one in quarantine, without a reason).
+  virtual Result<Receipt> accept(Id receipt, Id program, Revision revision, std::string_view reason,
+                                 const Stamp& by) = 0;
   // Errors: not_found, refused_transition, invalid_value (no reason).
   virtual Result<Receipt> discard(Id receipt, std::string_view reason, const Stamp& by) = 0;
   // Errors: not_found.

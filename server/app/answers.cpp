@@ -18,12 +18,12 @@ bool is_sinumerik(const machine::Profile& profile) { return profile.control.dial
 
 // Capitals, because the oldest readers take no others; no sign that ends a comment, a block or the reading.
 std::string legal(const machine::Profile& profile, std::string_view text) {
-  const auto set = tape_code::find_character_set(profile.line.character_set);
+  const tape_code::CharacterSet set = machine::characters_of(profile.line);
   std::string out;
   for (const char c : text) {
     const char upper = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
     const bool sign = upper == '(' || upper == ')' || upper == '%' || upper == ';' || upper == '\n' || upper == '\t';
-    const bool taken = !set || set->has(static_cast<std::uint8_t>(upper));
+    const bool taken = set.has(static_cast<std::uint8_t>(upper));
     out += sign || !taken || static_cast<std::uint8_t>(upper) < 0x20 ? '.' : upper;
   }
   return out;
@@ -44,9 +44,13 @@ std::vector<std::string> wrapped(std::string text, std::size_t room) {
 
 }  // namespace
 
+std::uint32_t answer_number_of(const machine::ReceiveSettings& receive) {
+  return receive.answer_number != 0 ? receive.answer_number : receive.request_number;
+}
+
 std::string answer_program(const machine::Profile& profile, const std::vector<std::string>& lines) {
   const bool sinumerik = is_sinumerik(profile);
-  const std::string number = fmt::format("O{:04}", profile.line.receive.request_number);
+  const std::string number = fmt::format("O{:04}", answer_number_of(profile.line.receive));
   const std::size_t block =
       std::min<std::size_t>(profile.control.block_length_bytes.value_or(kUsualBlock), kUsualBlock);
   const std::size_t room = std::max<std::size_t>(block, 16) - number.size() - 3;

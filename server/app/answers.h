@@ -10,6 +10,10 @@
 
 namespace dripfeed::app {
 
+// The O number of an answer at a control that has numbers: the profile's, or the request's own, which the shop keeps
+// free for that.
+std::uint32_t answer_number_of(const machine::ReceiveSettings& receive);
+
 // A program of comments and an end, with LF as EOB: "%", "O9999(NOT FOUND 1234)", "M30", "%", or in the form of a
 // SINUMERIK archive. Characters that the control does not take in a comment become '.', lines fit its block length.
 std::string answer_program(const machine::Profile& profile, const std::vector<std::string>& lines);

@@ -16,9 +16,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kRound{250};
 constexpr std::uint64_t kLongestCompared = receive::Settings::kMaxBytes;
-constexpr std::string_view kWaitsForReadBack = "waiting for read-back";
-constexpr std::string_view kEqual = "equal";
-constexpr std::uint32_t kJobsLookedAt = 20;
 
 std::string bytes_of(const Reception& reception) {
   std::string bytes;
@@ -77,6 +74,7 @@ void Receiving::loop(const std::stop_token& stop) {
 void Receiving::round() {
   const std::lock_guard lock(round_mutex_);
   for (const auto& [machine, line] : lines_.all()) {
+    expect_read_back(machine, line->report());
     for (const Reception& reception : line->take_receptions()) {
       const auto profile = profile_of(machine);
       if (profile) {
@@ -93,7 +91,7 @@ void Receiving::round() {
         spdlog::error("{}: {}", machine, profile.error().text);
       }
     }
-    expect_read_back(machine, line->report());
+    expire_read_backs(machine);
     send_due(machine, *line);
   }
 }
@@ -101,7 +99,12 @@ void Receiving::round() {
 Result<machine::Profile> Receiving::profile_of(const std::string& machine) {
   const auto row = lift(store_.machines().get(machine));
   if (!row) return std::unexpected(row.error());
-  return documents_.read_profile(row->profile);
+  auto profile = documents_.read_profile(row->profile);
+  if (!profile) return profile;
+  auto line = machine::effective_line(profile->line);  // the URL may say how the control starts
+  if (!line) return fail(ErrorCode::refused, line.error());
+  profile->line = std::move(*line);
+  return profile;
 }
 
 store::Stamp Receiving::stamp(std::string_view actor) const { return {std::string(actor), clock_.wall_ms()}; }
@@ -118,7 +121,11 @@ void Receiving::take(const std::string& machine, const machine::Profile& profile
     case receive::Fault::none: break;
     case receive::Fault::empty: return;
     case receive::Fault::device_text:
-      return alarm(machine, fmt::format("the device server says \"{}\"; nothing was stored", transfer.device));
+      // It may say so at each new connection: one receipt is enough.
+      if (waiting_[machine].device == transfer.device) return;
+      waiting_[machine].device = transfer.device;
+      alarm(machine, fmt::format("the device server says \"{}\": that is no program", transfer.device));
+      return quarantine(machine, reception, transfer);
     case receive::Fault::too_long:
     case receive::Fault::link_lost:
     case receive::Fault::parity:
@@ -128,6 +135,7 @@ void Receiving::take(const std::string& machine, const machine::Profile& profile
     case receive::Fault::no_end:
     case receive::Fault::flow_taken: return quarantine(machine, reception, transfer);
   }
+  waiting_[machine].device.clear();
   if (profile.line.receive.requests) {
     const auto request = receive::find_request(transfer.text, machine::request_grammar_of(profile.line.receive));
     if (request && request->verb == receive::Verb::save && request->legal && !request->argument.empty()) {
@@ -136,8 +144,8 @@ void Receiving::take(const std::string& machine, const machine::Profile& profile
     }
     if (request && request->verb != receive::Verb::save) return handle(machine, profile, *request, transfer.text);
   }
-  if (compare_read_back(machine, transfer)) return;
   for (const std::string& program : receive::split_programs(transfer.text)) {
+    if (compare_read_back(machine, program)) continue;
     keep(machine, reception, transfer, program, "");
   }
 }
@@ -151,6 +159,7 @@ void Receiving::quarantine(const std::string& machine, const Reception& receptio
     reason +=
         fmt::format(" ({}, the first at byte {})", transfer.parity_errors, transfer.first_parity_error->wire_offset);
   }
+  if (!transfer.device.empty()) reason += fmt::format(" (\"{}\")", transfer.device);
   const auto receipt = store_.receipts().add({.machine = machine,
                                               .name = name ? name->name : name_by_time(clock_.wall_ms()),
                                               .style = std::string(name ? receive::name(name->style) : "time"),
@@ -189,13 +198,26 @@ void Receiving::keep(const std::string& machine, const Reception& reception, con
 // --- what people decide
 // -----------------------------------------------------------------------------------------------------------------
 
+Result<std::string> Receiving::readable(const store::Receipt& receipt) {
+  auto stored = lift(store::read_whole(store_.contents(), receipt.of.sha256, kLongestCompared));
+  if (!stored || !receipt.of.quarantined) return stored;
+  const auto profile = profile_of(receipt.of.machine);
+  if (!profile) return std::unexpected(profile.error());
+  const auto code = receive::text_code(receipt.of.code);
+  if (!code) return fail(ErrorCode::internal, fmt::format("receipt {} has no code", receipt.id));
+  return receive::read_as(*code, std::as_bytes(std::span(*stored)), machine::receive_settings_of(profile->line));
+}
+
 Result<store::Receipt> Receiving::accept(store::Id receipt, const AcceptOrder& order, std::string_view actor) {
   const auto row = lift(store_.receipts().get(receipt));
   if (!row) return std::unexpected(row.error());
-  if (row->state == store::ReceiptState::quarantined)
-    return fail(ErrorCode::refused, "a receipt in quarantine is no program: punch it again, or discard it");
-  const auto text = lift(store::read_whole(store_.contents(), row->of.sha256, kLongestCompared));
+  if (row->of.quarantined && order.reason.empty())
+    return fail(ErrorCode::invalid, "a receipt in quarantine is taken for a program with a reason only",
+                {{.pointer = "/reason", .text = "a reason"}});
+  const auto text = readable(*row);
   if (!text) return std::unexpected(text.error());
+  if (text->find_first_not_of("\n ") == std::string::npos)
+    return fail(ErrorCode::refused, "nothing of it can be read: punch it again, or discard it");
   const auto profile = profile_of(row->of.machine);
   if (!profile) return std::unexpected(profile.error());
   // The revision and the decision are one: a receipt that was decided meanwhile adds none.
@@ -215,7 +237,7 @@ Result<store::Receipt> Receiving::accept(store::Id receipt, const AcceptOrder& o
       accepted = std::unexpected(program.error());
       return std::unexpected(store::Error{store::ErrorCode::invalid_value, program.error().text});
     }
-    auto moved = store_.receipts().accept(receipt, program->id, program->newest.revision, stamp(actor));
+    auto moved = store_.receipts().accept(receipt, program->id, program->newest.revision, order.reason, stamp(actor));
     if (!moved) return std::unexpected(moved.error());
     accepted = std::move(*moved);
     return {};
@@ -245,51 +267,6 @@ Result<std::optional<StoredLikeness>> Receiving::likeness(const store::Receipt& 
   likeness.same = !difference;
   if (difference) likeness.difference = sentence_of(*difference);
   return likeness;
-}
-
-// --- read-back
-// --------------------------------------------------------------------------------------------------------------------
-
-// A memory load that is over waits for the operator's punch, where the control can punch.
-void Receiving::expect_read_back(const std::string& machine, const LineReport& report) {
-  Waiting& waiting = waiting_[machine];
-  if (report.job == 0 || report.end != JobEnd::done || report.job == waiting.read_back) return;
-  waiting.read_back = report.job;
-  const auto job = store_.jobs().get(report.job);
-  const auto profile = profile_of(machine);
-  if (!job || !profile || job->delivery != store::Delivery::memory || !job->read_back.empty()) return;
-  if (!profile->line.receive.read_back) return;
-  const auto set = store_.jobs().set_read_back(job->id, kWaitsForReadBack, stamp("dripfeed"));
-  if (!set) return alarm(machine, "read-back: " + store::message_of(set.error()));
-  alarm(machine, fmt::format("job {}: waiting for read-back: punch the program at the control", job->id),
-        EventKind::receipt);
-}
-
-// True where the program is what a job loaded and is the same: it is no receipt then.
-bool Receiving::compare_read_back(const std::string& machine, const receive::Transfer& transfer) {
-  const auto jobs = store_.jobs().list({.limit = kJobsLookedAt, .after = {}}, {.machine = machine, .state = {}});
-  if (!jobs) return false;
-  for (const store::Job& job : jobs->items) {
-    if (job.read_back != kWaitsForReadBack) continue;
-    const auto sent = store::read_whole(store_.contents(), job.text_sha256, kLongestCompared);
-    if (!sent) return false;
-    const auto sent_name = receive::find_name(*sent);
-    const auto name = receive::find_name(transfer.text);
-    if (!sent_name || !name || sent_name->name != name->name) return false;
-    const auto difference = first_difference(*sent, transfer.text);
-    const std::string result = difference ? "differs: " + sentence_of(*difference) : std::string(kEqual);
-    const auto set = store_.jobs().set_read_back(job.id, result, stamp("dripfeed"));
-    if (!set) alarm(machine, "read-back: " + store::message_of(set.error()));
-    if (const auto interval = store_.ledger().interval(job.id)) {
-      const store::NewLedgerRow row{.job = job.id, .counts = interval->last, .note = "read-back " + result};
-      const auto written = store_.ledger().append(std::span(&row, 1), clock_.wall_ms());
-      if (!written) spdlog::error("ledger: job {}: {}", job.id, store::message_of(written.error()));
-    }
-    alarm(machine, fmt::format("job {}: read-back {}", job.id, result),
-          difference ? EventKind::alarm : EventKind::receipt);
-    return !difference;
-  }
-  return false;
 }
 
 }  // namespace dripfeed::app

@@ -24,6 +24,7 @@ struct AcceptOrder {
   store::Id program = 0;         // 0: a new one
   store::Revision revision = 0;  // of that program, as the caller knows it; 0: the newest
   std::string name;              // of a new one; empty: the receipt's
+  std::string reason;            // needed for one in quarantine
 };
 
 // The stored program of the same name, as a hint for whoever decides.
@@ -57,20 +58,34 @@ class Receiving {
   // Nothing is taken any more; for the end of a server.
   void stop();
 
-  // Errors: not_found, refused (decided before, or in quarantine), invalid, stale.
+  // Of one in quarantine the text as far as it can be read, see readable(). Errors: not_found, refused (decided before,
+  // nothing to read), invalid (quarantine without a reason), stale.
   Result<store::Receipt> accept(store::Id receipt, const AcceptOrder& order, std::string_view actor);
   Result<store::Receipt> discard(store::Id receipt, std::string_view reason, std::string_view actor);
+  // The text of a receipt; of one in quarantine what its bytes say in the code that it came in.
+  Result<std::string> readable(const store::Receipt& receipt);
   // Nothing where no program has the receipt's name.
   Result<std::optional<StoredLikeness>> likeness(const store::Receipt& receipt);
 
  private:
+  // A memory load that nobody compared yet.
+  struct OpenReadBack {
+    store::Id job = 0;
+    store::Id program = 0;
+    std::string sha256;
+    std::int64_t expires_at_ms = 0;
+  };
   // What waits for the control of one machine.
   struct Waiting {
-    store::Id job = 0;        // a remote request's
-    std::string answer;       // a text that is to be armed
-    store::Id arm = 0;        // a job that is to be armed
-    feed::Time due{};         // not before
-    store::Id read_back = 0;  // the last job whose end was looked at
+    store::Id job = 0;                     // a remote request's
+    std::string answer;                    // a text that is to be armed
+    store::Id arm = 0;                     // a job that is to be armed
+    feed::Time due{};                      // not before
+    feed::Time expires_at{};               // of `job`, where it was armed at once
+    store::Id read_back = 0;               // the last job whose end was looked at
+    bool looked = false;                   // for loads that a server before this one left open
+    std::vector<OpenReadBack> read_backs;  // oldest first
+    std::string device;                    // what the device server said last
   };
   struct Found {
     store::Release release;
@@ -104,10 +119,16 @@ class Receiving {
   bool cancel_waiting(const std::string& machine);
   std::vector<Found> released(const std::string& machine);
   std::optional<Found> find_released(const std::string& machine, std::string_view name, store::Delivery delivery);
+  void expire_request(const std::string& machine);
   void send_due(const std::string& machine, Line& line);
   void expect_read_back(const std::string& machine, const LineReport& report);
-  bool compare_read_back(const std::string& machine, const receive::Transfer& transfer);
+  void find_open_read_backs(const std::string& machine, Waiting& waiting);
+  void expire_read_backs(const std::string& machine);
+  bool compare_read_back(const std::string& machine, std::string_view program);
+  // Into the job, the ledger and the events.
+  void note_read_back(const std::string& machine, store::Id job, std::string_view result, EventKind kind);
   void alarm(const std::string& machine, std::string text, EventKind kind = EventKind::alarm);
+  bool answer_hides_a_program(const std::string& machine, const machine::Profile& profile);
   [[nodiscard]] store::Stamp stamp(std::string_view actor) const;
 
   store::Store& store_;

@@ -16,6 +16,7 @@ namespace dripfeed::app {
 namespace {
 
 constexpr double kAnswerExpires_min = 10.0;
+constexpr feed::Time kAnswerExpires = std::chrono::minutes(10);
 constexpr std::size_t kListedAtMost = 60;
 
 std::string upper(std::string_view text) {
@@ -81,7 +82,19 @@ void Receiving::handle(const std::string& machine, const machine::Profile& profi
   waiting.due =
       clock_.now() +
       (asks ? feed::Time{} : feed::Time(static_cast<std::int64_t>(profile.line.receive.request_delay_s * 1e9)));
-  if (!outcome.answer.empty()) waiting.answer = answer_program(profile, outcome.answer);
+  if (outcome.answer.empty() || answer_hides_a_program(machine, profile)) return;
+  waiting.answer = answer_program(profile, outcome.answer);
+}
+
+// An answer takes the place of a program of its number in the control's memory. One that the shop loads there is not
+// to be lost by it.
+bool Receiving::answer_hides_a_program(const std::string& machine, const machine::Profile& profile) {
+  if (profile.control.dialect.starts_with("sinumerik")) return false;
+  const std::string number = fmt::format("O{:04}", answer_number_of(profile.line.receive));
+  if (!find_released(machine, number, store::Delivery::memory)) return false;
+  alarm(machine,
+        fmt::format("no answer is sent: {} is a released program; set receive.answer_number to a free number", number));
+  return true;
 }
 
 Receiving::Outcome Receiving::decide(const std::string& machine, const machine::Profile& profile,
@@ -248,6 +261,7 @@ Receiving::Outcome Receiving::queue(const std::string& machine, const machine::P
             .answer = {}};
   }
   const auto armed = jobs_.arm(job->id, kAnswerExpires_min, actor_of(machine));
+  if (armed) waiting.expires_at = clock_.now() + kAnswerExpires;
   if (armed)
     return {.outcome = "armed",
             .detail = fmt::format("{} as job {}", found.program, job->id),
@@ -289,6 +303,7 @@ Receiving::Outcome Receiving::tell_status(const std::string& machine) {
   if (jobs && !jobs->items.empty()) {
     const store::Job& job = jobs->items.front();
     answer.push_back(fmt::format("JOB {} {}", job.id, store::name_of(job.state)));
+    if (!job.read_back.empty()) answer.push_back("READ-BACK " + job.read_back);
   }
   return {.outcome = "answered", .detail = answer.front(), .job = 0, .answer = std::move(answer)};
 }
@@ -307,6 +322,7 @@ bool Receiving::cancel_waiting(const std::string& machine) {
   bool any = !waiting.answer.empty();
   waiting.answer.clear();
   waiting.arm = 0;
+  waiting.expires_at = {};
   const store::Id id = std::exchange(waiting.job, 0);
   if (id == 0) return any;
   jobs_.settle();  // the request itself disarmed what waited
@@ -317,12 +333,29 @@ bool Receiving::cancel_waiting(const std::string& machine) {
   return any || cancelled.has_value();
 }
 
-// What is due goes to the line; a load that expired unfetched is over.
+// A load that nobody fetched in time is over: its line disarmed it, and nobody is to find it in the queue later.
+void Receiving::expire_request(const std::string& machine) {
+  Waiting& waiting = waiting_[machine];
+  if (waiting.expires_at == feed::Time{} || clock_.now() < waiting.expires_at) return;
+  const auto job = store_.jobs().get(waiting.job);
+  const bool by_a_person = job && job->armed_by != actor_of(machine);
+  if (job && !by_a_person && job->state == store::JobState::armed) return;  // the line says so in a moment
+  waiting.expires_at = {};
+  if (!job || by_a_person || job->state != store::JobState::queued) return;
+  waiting.job = 0;
+  const auto cancelled = jobs_.cancel(job->id, "dripfeed");
+  if (!cancelled) return alarm(machine, fmt::format("job {}: {}", job->id, cancelled.error().text));
+  alarm(machine, fmt::format("the request for job {} expired: nobody fetched it at the control", job->id));
+}
+
+// What is due goes to the line.
 void Receiving::send_due(const std::string& machine, Line& line) {
+  expire_request(machine);
   Waiting& waiting = waiting_[machine];
   if (clock_.now() < waiting.due) return;
   if (const store::Id id = std::exchange(waiting.arm, 0); id != 0) {
     const auto armed = jobs_.arm(id, kAnswerExpires_min, actor_of(machine));
+    if (armed) waiting.expires_at = clock_.now() + kAnswerExpires;
     if (!armed) alarm(machine, fmt::format("job {}: {}", id, armed.error().text));
   }
   if (waiting.answer.empty()) return;

@@ -7,10 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "protocol/receive/transfer.h"
 #include "protocol/tape_code/character_set.h"
 #include "server/app/drop_line.h"
 #include "server/app/keeper.h"
 #include "server/app/lines.h"
+#include "server/app/read_back.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"
 #include "server/cli/file_ledger.h"
@@ -38,6 +40,7 @@ struct Options {
   std::string ledger;
   std::uint32_t rounds = 1;
   bool unreleased = false;
+  bool read_back = false;
   bool json = false;
 };
 
@@ -143,9 +146,39 @@ app::Result<app::LineReport> follow(app::Line& line, FileLedger& ledger, const a
   }
 }
 
-app::Result<app::LineReport> transfer(const std::string& text, const feed::ProgramFacts& facts,
-                                      const machine::Profile& profile, const std::string& file_name, FileLedger& ledger,
-                                      const Stops& stops, std::uint32_t rounds) {
+using Possible = std::expected<void, std::string>;
+
+// The line takes what the control punches; or why it cannot.
+Possible expect_punch(machine::LineSettings& line) {
+  line.receive.enabled = line.receive.read_back = true;
+  const auto effective = machine::effective_line(line);
+  return effective ? machine::can_receive(*effective) : std::unexpected(effective.error());
+}
+
+// The operator punches what was loaded; the first program that comes is compared. What comes broken is punched again.
+std::string read_back(app::Line& line, const std::string& sent, double minutes, const std::stop_token& stop) {
+  fmt::print(stderr, "dripfeed: {}: punch the program at the control\n", app::kReadBackWaits);
+  const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(minutes * 60.0);
+  while (!stop.stop_requested() && std::chrono::steady_clock::now() < until) {
+    for (const app::Reception& one : line.take_receptions()) {
+      const receive::Transfer transfer = receive::judge(one.raw, one.ending, one.settings);
+      if (transfer.fault == receive::Fault::none) return app::read_back_result(sent, transfer.text);
+      if (transfer.fault != receive::Fault::empty)
+        fmt::print(stderr, "dripfeed: what came is no program: {}\n", receive::message(transfer.fault));
+    }
+    std::this_thread::sleep_for(kRound);
+  }
+  return std::string(app::kReadBackExpired);
+}
+
+struct Sent {
+  app::LineReport report;
+  std::string read_back;  // empty: none was due
+};
+
+app::Result<Sent> transfer(const std::string& text, const feed::ProgramFacts& facts, const machine::Profile& profile,
+                           const std::string& file_name, FileLedger& ledger, const Stops& stops,
+                           const Options& options) {
   const auto thread = io::start_link_thread();
   auto line = app::make_line(profile.line, *thread, io::take_modbus_seat, [] {});
   if (!line) return std::unexpected(line.error());
@@ -162,14 +195,22 @@ app::Result<app::LineReport> transfer(const std::string& text, const feed::Progr
   const auto session = static_cast<std::uint64_t>(thread->clock().wall_ms()) & 0xFFFFFFFFU;
   const auto armed = (*line)->arm({.job = kJob,
                                    .facts = facts,
-                                   .source = std::make_shared<tape_code::SpanSource>(text, rounds),
+                                   .source = std::make_shared<tape_code::SpanSource>(text, options.rounds),
                                    .expires_after = feed::kArmingExpiry,
                                    .reserve = reserve,
-                                   .rounds = rounds,
+                                   .rounds = options.rounds,
                                    .session = session | 1U,
                                    .file_name = file_name});
   if (!armed) return app::fail(app::ErrorCode::refused, armed.error());
-  return follow(**line, ledger, thread->clock(), stops, reserve);
+  auto report = follow(**line, ledger, thread->clock(), stops, reserve);
+  if (!report) return std::unexpected(report.error());
+  Sent sent{.report = *report, .read_back = {}};
+  if (sent.report.end != app::JobEnd::done || !options.read_back) return sent;
+  sent.read_back = read_back(**line, text, profile.line.receive.read_back_minutes, stops.first);
+  const auto noted =
+      ledger.write(thread->clock().wall_ms(), sent.report, sent.report.handed, "read-back " + sent.read_back);
+  if (!noted) return app::fail(app::ErrorCode::unavailable, noted.error());
+  return sent;
 }
 
 int send(const Options& options) {
@@ -179,12 +220,17 @@ int send(const Options& options) {
     return kWrongUse;
   }
   const auto source = read_source(options.file);
-  const auto profile = read_machine_at(options.link, options.machine);
+  auto profile = read_machine_at(options.link, options.machine);
   if (!source || !profile) {
     print_error(!source ? source.error() : profile.error());
     return kWrongUse;
   }
-  const std::string text = with_lf(source->text());
+  if (const auto receives = options.read_back ? expect_punch(profile->line) : Possible(); !receives) {
+    print_error(receives.error());
+    return kWrongUse;
+  }
+  std::string text = with_lf(source->text());
+  if (machine::drops_bare_files(*profile)) text = machine::file_part(text);
   const auto facts = facts_of(text, *profile, source->name());
   if (!facts) {
     print_error(facts.error());
@@ -209,15 +255,20 @@ int send(const Options& options) {
     print_error(ledger.error());
     return kWrongUse;
   }
-  const auto report = transfer(text, *facts, *profile, file_name, *ledger, stops, options.rounds);
-  if (!report) {
-    print_error(report.error());
-    return report.error().code == app::ErrorCode::invalid ? kWrongUse : kFailed;
+  const auto sent = transfer(text, *facts, *profile, file_name, *ledger, stops, options);
+  if (!sent) {
+    print_error(sent.error());
+    return sent.error().code == app::ErrorCode::invalid ? kWrongUse : kFailed;
   }
-  if (options.json) fmt::print("{}", send_document(*report, hashes));
-  if (report->end == app::JobEnd::done) return kDone;
-  print_error(fmt::format("{}: the control may have between byte {} and {} of {}", report->cause, report->known.from,
-                          report->known.to, report->total));
+  const app::LineReport& report = sent->report;
+  if (options.json) fmt::print("{}", send_document(report, hashes, sent->read_back));
+  if (report.end == app::JobEnd::done) {
+    if (sent->read_back.empty() || sent->read_back == app::kReadBackEqual) return kDone;
+    print_error(fmt::format("read-back {}", sent->read_back));
+    return kFailed;
+  }
+  print_error(fmt::format("{}: the control may have between byte {} and {} of {}", report.cause, report.known.from,
+                          report.known.to, report.total));
   return kFailed;
 }
 
@@ -237,6 +288,8 @@ void add_send(CLI::App& app, int& exit_code) {
   command->add_option("--ledger", options->ledger, "ledger file (default: FILE.ledger)");
   command->add_option("--rounds", options->rounds, "send it so many times, each with the control's own start")
       ->check(CLI::Range(1U, feed::kMaxRounds));
+  command->add_flag("--read-back", options->read_back,
+                    "then wait for the operator's punch of it, as long as the profile says, and compare");
   command->add_flag("--unreleased", options->unreleased, "feed it although no release stands behind it");
   command->add_flag("--json", options->json, "one JSON object on standard output");
   command->callback([options, &exit_code] { exit_code = send(*options); });

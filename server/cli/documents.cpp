@@ -77,7 +77,7 @@ std::string link_test_document(const app::LinkTestResult& r, const machine::Line
        {"kept", kept}});
 }
 
-std::string send_document(const app::LineReport& report, const WireHashes& hashes) {
+std::string send_document(const app::LineReport& report, const WireHashes& hashes, std::string_view read_back) {
   return dump({{"bytes", report.total},
                {"wire_sha256", hashes.wire_sha256},
                {"text_sha256", hashes.text_sha256},
@@ -88,6 +88,7 @@ std::string send_document(const app::LineReport& report, const WireHashes& hashe
                {"hold_s", report.hold_s},
                {"line_use", report.line_use},
                {"cause", report.cause},
+               {"read_back", read_back.empty() ? Document(nullptr) : Document(read_back)},
                {"interval", {{"from", report.known.from}, {"to", report.known.to}}}});
 }
 

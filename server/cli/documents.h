@@ -23,7 +23,8 @@ struct WireHashes {
 std::string run_document(const interpreter::RunResult& result);
 std::string render_document(const compile::RenderResult& result);
 std::string link_test_document(const app::LinkTestResult& result, const machine::LineSettings& line, bool kept);
-std::string send_document(const app::LineReport& report, const WireHashes& hashes);
+// `read_back`: what came of it; empty: none was due.
+std::string send_document(const app::LineReport& report, const WireHashes& hashes, std::string_view read_back);
 // `output`: the file that it went to.
 std::string receive_document(const app::Reception& reception, const receive::Transfer& transfer, std::string_view name,
                              std::string_view output);

@@ -58,6 +58,16 @@ Response get_receipt_text(const Call& call) {
   store::Store& store = call.api.application().store();
   const auto receipt = store.receipts().get(*id);
   if (!receipt) return problem_response(app::from_store(receipt.error()));
+  const std::string form = query_text(call.request, "form");
+  if (!form.empty() && form != "read") return problem_response(422, fmt::format("\"{}\" is no form of a text", form));
+  if (form == "read" && receipt->of.quarantined) {
+    auto text = call.api.application().receiving().readable(*receipt);
+    if (!text) return problem_response(text.error());
+    Response read;
+    read.content_type = "text/plain; charset=iso-8859-1";
+    read.body = std::move(*text);
+    return read;
+  }
   Response response;
   response.content_type = receipt->of.quarantined ? "application/octet-stream" : "text/plain; charset=utf-8";
   const auto offset = std::make_shared<std::uint64_t>(0);
@@ -77,6 +87,10 @@ Response accept_receipt(const Call& call) {
   const auto order = json::read_accept_body(call.request.body);
   if (!order) return problem_response(order.error());
   app::Application& app = call.api.application();
+  const auto receipt = app::lift(app.store().receipts().get(*id));
+  if (!receipt) return problem_response(receipt.error());
+  if (receipt->of.quarantined && call.right < Right::approver)
+    return problem_response(403, "a receipt in quarantine is accepted by an approver");
   return receipt_response(app, app.receiving().accept(*id, *order, call.user));
 }
 

@@ -84,6 +84,11 @@ Document embedded(std::string_view text) {
   return document ? std::move(*document) : Document(nullptr);
 }
 
+// One word for programs: "waiting", "equal", "differs", "expired", "superseded".
+std::string_view read_back_state(std::string_view read_back) {
+  return read_back.substr(0, read_back.find_first_of(" :"));
+}
+
 Document job_document(const store::Job& job) {
   return {{"id", job.id},
           {"state", store::name_of(job.state)},
@@ -107,7 +112,8 @@ Document job_document(const store::Job& job) {
           {"needs_confirmation", job.needs_confirmation()},
           {"confirmed_by", text_or_null(job.confirmed_by)},
           {"confirm_reason", text_or_null(job.confirm_reason)},
-          {"read_back", text_or_null(job.read_back)}};
+          {"read_back", text_or_null(job.read_back)},
+          {"read_back_state", text_or_null(read_back_state(job.read_back))}};
 }
 
 Document likeness_document(const std::optional<app::StoredLikeness>& likeness) {

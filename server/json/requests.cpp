@@ -134,6 +134,7 @@ app::Result<app::AcceptOrder> read_accept_body(std::string_view body) {
     o.integer("program", order.program, 1, kMaxId);
     o.integer("revision", order.revision, 1, kMaxId);
     o.text("name", order.name);
+    o.text("reason", order.reason);
     if (order.revision != 0 && order.program == 0) o.fault("revision", "is of a program: say which");
     if (!order.name.empty() && order.program != 0) o.fault("name", "a program has its name");
   });

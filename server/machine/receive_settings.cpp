@@ -31,7 +31,10 @@ std::expected<void, std::string> hold_is_possible(const LineSettings& line) {
 
 std::expected<void, std::string> can_receive(const LineSettings& line) {
   const bool by_characters = feeds_characters(line.link.kind) && !packet_protocol_of(line.protocol);
-  if (line.receive.read_back && (!line.receive.enabled || !by_characters))
+  // The partner of 3964 sends of its own, too.
+  const bool both_send = line.protocol == LineProtocol::s3964 || line.protocol == LineProtocol::s3964r;
+  const bool punches = feeds_characters(line.link.kind) && (by_characters || both_send);
+  if (line.receive.read_back && (!line.receive.enabled || !punches))
     return std::unexpected(std::string("receive.read_back: nothing that the control punches is received on this line"));
   if (!line.receive.enabled || !by_characters) return {};
   if (line.code == tape_code::Code::eia && flow_is_below(line))

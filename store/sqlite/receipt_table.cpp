@@ -95,18 +95,27 @@ Result<Receipt> ReceiptTable::add(const store::NewReceipt& receipt, const Stamp&
   });
 }
 
-Result<Receipt> ReceiptTable::accept(Id receipt, Id program, store::Revision revision, const Stamp& by) {
+Result<Receipt> ReceiptTable::accept(Id receipt, Id program, store::Revision revision, std::string_view reason,
+                                     const Stamp& by) {
   return database_.write(subject_of(receipt), [&](Session& session) -> Result<Receipt> {
     const auto old = get(receipt);
     if (!old) return old;
     if (decided(*old)) return session.refuse(ErrorCode::refused_transition, "it was decided before");
+    if (old->of.quarantined && reason.empty())
+      return session.refuse(ErrorCode::invalid_value, "a reason is needed to take it out of quarantine");
     session.run(
-        "UPDATE receipt SET state = ?, program = ?, revision = ?, decided_by = ?, decided_at_ms = ? WHERE id = ?",
-        ReceiptState::accepted, program, revision, by.actor, by.at_ms, receipt);
+        "UPDATE receipt SET state = ?, program = ?, revision = ?, decided_by = ?, decided_reason = ?, decided_at_ms = "
+        "? "
+        "WHERE id = ?",
+        ReceiptState::accepted, program, revision, by.actor, reason, by.at_ms, receipt);
     add_audit_row(session,
                   {.action = "receipt.accept",
                    .subject = subject_of(receipt),
-                   .detail = fmt::format("program/{} revision {}", program, revision)},
+                   .detail = fmt::format("program/{} revision {}{}{}", program, revision,
+                                         old->of.quarantined ? ", out of quarantine: "
+                                         : reason.empty()    ? ""
+                                                             : ": ",
+                                         reason)},
                   by);
     if (!session.ok()) return std::unexpected(session.error());
     return get(receipt);

@@ -11,7 +11,7 @@ class ReceiptTable final : public store::Receipts {
   explicit ReceiptTable(Database& database) : database_(database) {}
   store::Result<store::Receipt> add(const store::NewReceipt& receipt, const store::Stamp& by) override;
   store::Result<store::Receipt> accept(store::Id receipt, store::Id program, store::Revision revision,
-                                       const store::Stamp& by) override;
+                                       std::string_view reason, const store::Stamp& by) override;
   store::Result<store::Receipt> discard(store::Id receipt, std::string_view reason, const store::Stamp& by) override;
   store::Result<store::Receipt> get(store::Id receipt) override;
   store::Result<store::Page<store::Receipt>> list(const store::PageRequest& page,

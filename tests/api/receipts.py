@@ -88,10 +88,10 @@ def receipts_are_decided_once(folder):
     torn = bench.punch(b"\x12%\nO0008\nG0X\x14")
     expect(torn["state"] == "quarantined" and torn["reason"], f"{torn}")
     expect(client.call("GET", f"/receipts/{torn['id']}/text").body == b"%\nO0008\nG0X", "the bytes are not kept as they came")
-    client.refuse(409, "POST", f"/receipts/{torn['id']}/accept", {})
     client.refuse(422, "POST", f"/receipts/{torn['id']}/discard", {})
     expect(client.post(f"/receipts/{torn['id']}/discard", {"reason": "torn"})["state"] == "discarded", "it is not discarded")
-    expect(len(client.get("/receipts?state=accepted")["items"]) == 2, "the filter by state")
+    out_of_quarantine(bench)
+    expect(len(client.get("/receipts?state=accepted")["items"]) == 3, "the filter by state")
     expect(client.get("/receipts?machine=other")["items"] == [], "the filter by machine")
     client.refuse(422, "GET", "/receipts?state=odd")
 
@@ -102,9 +102,27 @@ def receipts_are_decided_once(folder):
     bench.control.cut()
     bench.control.wait_called(2)
     client.wait_line("lathe", "idle")
-    expect(len(client.get("/receipts?limit=200")["items"]) == 5, "the words of a device server were stored")
+    words = shop.wait_for("the words of a device server", lambda: client.get("/receipts?state=quarantined")["items"])[0]
+    expect("Port already in use" in words["reason"] and len(client.get("/receipts?limit=200")["items"]) == 7, f"{words}")
     pages_meet_each_once(client, "/receipts")
     bench.end()
+
+
+def out_of_quarantine(bench):
+    """A person with the right looks at what can be read and takes it for a program, with a reason that stays."""
+    client = bench.client
+    open_end = bench.punch(b"\x12\xA5\n\xCF9\n\xC7\x30X\xB1.\n\x14")
+    path = f"/receipts/{open_end['id']}"
+    expect((open_end["state"], open_end["code"]) == ("quarantined", "iso"), f"{open_end}")
+    expect(client.call("GET", f"{path}/text?form=read").body == b"%\nO9\nG0X1.\n", "it cannot be read")
+    expect(client.call("GET", f"{path}/text").body.startswith(b"\xA5\n"), "the bytes are not kept as they came")
+    client.refuse(422, "GET", f"{path}/text?form=odd")
+    client.refuse(403, "POST", f"{path}/accept", {"reason": "I think it is right"}, role="programmer")
+    client.refuse(422, "POST", f"{path}/accept", {}, role="approver")
+    taken = client.must("POST", f"{path}/accept", {"reason": "only its end is missing"}, role="approver")
+    expect((taken["state"], taken["decided_reason"], taken["revision"]) == ("accepted", "only its end is missing", 1), f"{taken}")
+    expect(client.call("GET", f"/programs/{taken['program']}/text").body == b"%\nO9\nG0X1.\n", "the program is another")
+    client.refuse(409, "POST", f"{path}/discard", {"reason": "too late"})
 
 
 def requests_are_answered(folder):
@@ -157,6 +175,7 @@ def read_back(bench, job):
     client = bench.client
     waits = shop.wait_for("the read-back to be expected", lambda: client.job(job["id"])["read_back"])
     expect(waits == "waiting for read-back", f"{waits}")
+    expect(client.job(job["id"])["read_back_state"] == "waiting", "no word for programs")
     bench.control.say(b"\x12" + PROGRAM.replace("\n", "\n\r\r").encode() + b"\x14")
     shop.wait_for("the read-back", lambda: client.job(job["id"])["read_back"] == "equal")
     expect(client.get("/receipts")["items"] == [], "a read-back that is equal is no receipt")
@@ -169,6 +188,7 @@ def read_back(bench, job):
     bench.punch(b"\x12" + PROGRAM.replace("X50.", "X51.").encode() + b"\x14")
     result = client.job(second["job"])["read_back"]
     expect(result.startswith("differs: line 8, column 7"), f"{result}")
+    expect(client.job(second["job"])["read_back_state"] == "differs", "no word for programs")
 
 
 def a_drip_feed_is_armed_by_a_person(folder):

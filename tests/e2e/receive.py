@@ -4,6 +4,7 @@ a torn punch; `dripfeed receive` without a server; and a person who types at the
 import json
 import os
 import pty
+import socket
 import subprocess
 import sys
 import time
@@ -43,6 +44,23 @@ def a_server_receives(folder):
     rig.server.stop()
 
 
+def eia_reaches_a_server(folder):
+    rig = Rig(folder, f"tcp://127.0.0.1:{shop.free_port()}", blocks=20, baud=19200, framing="8N2")
+    rig.profile["link"]["code"] = "eia"
+    rig.profile["receive"] = {"quiet_s": 1.0}
+    rig.machine.write_text(json.dumps(rig.profile))
+    rig.start()
+    punch(rig, "%\nO0356(BUSH)\nG0X135.6\nM30\n%\n")
+    first = receipts(rig, 1)[0]
+    expect((first["state"], first["name"], first["code"]) == ("stored", "O0356", "eia"), f"{first}")
+    text = rig.server.request("GET", f"/api/v1/receipts/{first['id']}/text", text=True)
+    expect(text == b"%\nO0356(BUSH)\nG0X135.6\nM30\n%\n", f"{text}")
+    record = rig.folder / "answer.nc"
+    report = punch(rig, "%\nO9999(DIR)\n%\n", "--then-read", "--record", str(record))
+    expect(not report["alarm"] and bytes([0x1A, 0x46, 0x20, 0x20, 0x04, 0x02]) in record.read_bytes(), f"{report} {record.read_bytes()}")
+    rig.server.stop()
+
+
 def load(rig):
     program = rig.server.get("/programs?name=O0042")["items"][0]["id"]
     rig.server.post("/checks", {"program": program, "machine": "lathe", "delivery": "memory"})
@@ -69,6 +87,57 @@ def one_transfer_without_a_server(folder):
     expect(not (folder / "torn.nc").exists(), "a torn program lies under the output's name")
 
 
+def even(text):
+    return bytes(c | 0x80 if bin(c).count("1") % 2 else c for c in text.encode())
+
+
+def a_load_is_read_back_without_a_server(folder):
+    text = "%\nO0042\nG00X1.\nM30\n%\n"
+    (folder / "load.nc").write_text(text)
+    for punched, code, result in [(text, 0, "equal"), (text.replace("X1.", "X7."), 1, "differs: line 3, column 5")]:
+        with socket.create_server(("127.0.0.1", 0)) as server:
+            command = [str(binary()), "send", str(folder / "load.nc"), "--link", f"tcp://127.0.0.1:{server.getsockname()[1]}", "--machine",
+                       "fanuc-0i-lathe", "--unreleased", "--read-back", "--json", "--ledger", str(folder / f"ledger-{code}")]
+            sender = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            server.settimeout(20)
+            control = server.accept()[0]
+            control.settimeout(1)
+            got = b""
+            while got.count(b"\xa5") < 2:
+                if not got:
+                    control.sendall(b"\x11")  # until the job is armed nothing answers it
+                try:
+                    got += control.recv(4096)
+                except TimeoutError:
+                    expect(sender.poll() is None, f"send is over: {sender.stderr.read() if sender.poll() is not None else ''}")
+            control.sendall(b"\x93")
+            while "waiting for read-back" not in sender.stderr.readline():
+                expect(sender.poll() is None, "send did not wait for the punch")
+            control.sendall(b"\x12" + even(punched) + b"\x14")
+            out, _ = sender.communicate(timeout=30)
+            control.close()
+        expect(sender.returncode == code and json.loads(out)["read_back"].startswith(result), f"{sender.returncode} {out}")
+        expect(f"read-back {result}" in (folder / f"ledger-{code}").read_text(), "the ledger does not say it")
+
+
+def the_code_is_found(folder):
+    """Punches in ISO, ASCII and EIA, with the same line at the receiver."""
+    text = "%\nO3564\nG01X130.356Z-3.\nM30\n%\n"
+    (folder / "in.nc").write_text(text)
+    for code, framing in [("iso", "7E2"), ("ascii", "8N1"), ("eia", "8N2")]:
+        port = shop.free_port()
+        control = shop.Control(binary(), f"tcp-listen://127.0.0.1:{port}?framing={framing}&code={code}&eob=cr-lf", "fanuc-0i-lathe",
+                               "--punch", str(folder / "in.nc")).start()
+        command = [str(binary()), "receive", "--link", f"tcp://127.0.0.1:{port}?framing=8N1&code=auto", "--machine", "fanuc-0i-lathe",
+                   "-o", str(folder / f"{code}.nc"), "--timeout", "20", "--json"]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+        control.stop() if control.process.poll() is None else control.finish()
+        expect(done.returncode == 0, f"{code}: {done}")
+        document = json.loads(done.stdout)
+        expect((document["whole"], document["code"], document["name"]) == (True, code, "O3564"), f"{document}")
+        expect((folder / f"{code}.nc").read_text() == text, f"{code}: {(folder / f'{code}.nc').read_bytes()}")
+
+
 def a_person_types(folder):
     master, slave = pty.openpty()
     command = [str(binary()), "receive", "--link", f"serial:{os.ttyname(slave)}?baud=9600&framing=8N1", "-o", str(folder / "typed.nc"), "--timeout", "20"]
@@ -85,6 +154,9 @@ def a_person_types(folder):
 
 if __name__ == "__main__":
     in_folder(one_transfer_without_a_server)
+    in_folder(the_code_is_found)
+    in_folder(a_load_is_read_back_without_a_server)
     in_folder(a_person_types)
     in_folder(a_server_receives)
+    in_folder(eia_reaches_a_server)
     sys.exit(0)

@@ -54,17 +54,31 @@ TEST_F(ReceiptTest, TheSamePunchTwiceIsTwoReceipts) {
 TEST_F(ReceiptTest, AreDecidedOnce) {
   const Receipt one = add("%\nO7\n%\n");
   const Program program = must(store_->programs().add("O7", "fanuc", {.sha256 = one.of.sha256}, by("anna")));
-  const Receipt accepted = must(store_->receipts().accept(one.id, program.id, 1, by("anna", 6000)));
+  const Receipt accepted = must(store_->receipts().accept(one.id, program.id, 1, "", by("anna", 6000)));
   EXPECT_EQ(accepted.state, ReceiptState::accepted);
   EXPECT_EQ(accepted.program, program.id);
   EXPECT_EQ(accepted.decided_by, "anna");
   EXPECT_EQ(refusal(store_->receipts().discard(one.id, "no", by("otto"))), ErrorCode::refused_transition);
-  EXPECT_EQ(refusal(store_->receipts().accept(one.id, program.id, 1, by("otto"))), ErrorCode::refused_transition);
+  EXPECT_EQ(refusal(store_->receipts().accept(one.id, program.id, 1, "", by("otto"))), ErrorCode::refused_transition);
   const Receipt two = add("%\nO8\n", true);
   EXPECT_EQ(refusal(store_->receipts().discard(two.id, "", by("otto"))), ErrorCode::invalid_value);
   EXPECT_EQ(must(store_->receipts().discard(two.id, "torn", by("otto"))).state, ReceiptState::discarded);
   EXPECT_EQ(sql("UPDATE receipt SET name = 'X'"), "append-only");
   EXPECT_EQ(sql("DELETE FROM receipt"), "append-only");
+}
+
+TEST_F(ReceiptTest, OneInQuarantineIsAcceptedWithAReasonThatTheAuditHas) {
+  const Receipt torn = add("%\nO8\n", true);
+  const Program program = must(store_->programs().add("O8", "fanuc", {.sha256 = torn.of.sha256}, by("anna")));
+  EXPECT_EQ(refusal(store_->receipts().accept(torn.id, program.id, 1, "", by("anna"))), ErrorCode::invalid_value);
+  const Receipt accepted = must(store_->receipts().accept(torn.id, program.id, 1, "only its % is missing", by("anna")));
+  EXPECT_EQ(accepted.state, ReceiptState::accepted);
+  EXPECT_TRUE(accepted.of.quarantined);
+  EXPECT_EQ(accepted.decided_reason, "only its % is missing");
+  const auto rows = must(store_->audit().list({.limit = 5, .after = {}}, "receipt/" + std::to_string(torn.id))).items;
+  ASSERT_FALSE(rows.empty());
+  EXPECT_NE(rows.front().entry.detail.find("out of quarantine: only its % is missing"), std::string::npos)
+      << rows.front().entry.detail;
 }
 
 TEST_F(ReceiptTest, TheirContentsStayWhenTheStoreIsOpenedAgain) {

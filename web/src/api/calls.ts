@@ -54,6 +54,8 @@ export const calls = {
       body: stored ? { program: stored.program, revision: stored.revision } : {},
       key,
     }),
+  acceptFromQuarantine: (id: number, reason: string, key: string) =>
+    request<Receipt>('POST', `/receipts/${id}/accept`, { body: { reason }, key }),
   discardReceipt: (id: number, reason: string, key: string) =>
     request<Receipt>('POST', `/receipts/${id}/discard`, { body: { reason }, key }),
 

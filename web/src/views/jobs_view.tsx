@@ -70,6 +70,7 @@ function JobRow({ job, may }: { job: Job; may: boolean }) {
       <td data-label="State">
         <Badge wording={jobWording(job.state)} old={!isLive(state) && job.ended_at_ms === null} />
         <Reason job={job} />
+        {job.read_back && <p class="reason">read-back: {job.read_back}</p>}
         {job.state === 'armed' && <Expiry job={job} />}
       </td>
       <td data-label="Program">

@@ -91,7 +91,8 @@ function ReceiptRow({ receipt, orders }: { receipt: Receipt; orders: Orders | nu
       </td>
       <td data-label="State">
         <Badge wording={wording} />
-        {(receipt.decided_reason ?? receipt.reason) && <span class="reason">{receipt.decided_reason ?? receipt.reason}</span>}
+        {(receipt.decided_reason || receipt.reason) && <span class="reason">{receipt.decided_reason || receipt.reason}</span>}
+        {receipt.state === 'quarantined' && <ReadableText receipt={receipt} />}
       </td>
       <td data-label="Machine">{receipt.machine}</td>
       <td data-label="Received">{dateTime(receipt.at_ms)}</td>
@@ -101,6 +102,11 @@ function ReceiptRow({ receipt, orders }: { receipt: Receipt; orders: Orders | nu
           {receipt.state === 'stored' && (
             <button type="button" class="button button-main" disabled={!orders.live} onClick={() => orders.ask('accept')} aria-label={`Accept receipt ${receipt.id}`}>
               Accept
+            </button>
+          )}
+          {receipt.state === 'quarantined' && orders.mayDiscard && (
+            <button type="button" class="button" disabled={!orders.live} onClick={() => orders.ask('accept')} aria-label={`Take receipt ${receipt.id} out of quarantine`}>
+              Accept with a reason
             </button>
           )}
           {open && orders.mayDiscard && (
@@ -127,6 +133,14 @@ function Decision({ asked, close, done }: { asked: NonNullable<Asked>; close: ()
         <p>The receipt stays in the list, with the reason.</p>
       </OrderDialog>
     );
+  if (receipt.state === 'quarantined')
+    return (
+      <OrderDialog title={`Accept ${receipt.name} from quarantine`} confirm="Accept" danger reason="Why it is right all the same" send={(key, reason) => finish(calls.acceptFromQuarantine(receipt.id, reason, key))} close={close}>
+        <p>
+          It is in quarantine: {receipt.reason}. <ReadableText receipt={receipt} /> becomes a new program. It is not released by that.
+        </p>
+      </OrderDialog>
+    );
   const stored = receipt.stored;
   return (
     <OrderDialog title={`Accept ${receipt.name}`} confirm="Accept" send={(key) => finish(calls.acceptReceipt(receipt.id, stored, key))} close={close}>
@@ -137,6 +151,15 @@ function Decision({ asked, close, done }: { asked: NonNullable<Asked>; close: ()
         It is not released by that.
       </p>
     </OrderDialog>
+  );
+}
+
+// What can be read of a broken one, in the code that it came in.
+function ReadableText({ receipt }: { receipt: Receipt }) {
+  return (
+    <a href={`/api/v1/receipts/${receipt.id}/text?form=read`} target="_blank" rel="noreferrer">
+      What can be read
+    </a>
   );
 }
 

@@ -26,6 +26,13 @@ TEST(Answers, HoldNoSignThatAControlWouldTakeForAnother) {
   EXPECT_EQ(text, "%\nO9999(A.B.C.D.E.F.G.)\nM30\n%\n");
 }
 
+TEST(Answers, HoldNoCharacterThatTheCodeOfTheLineDoesNotHave) {
+  machine::Profile profile = profile_of("fanuc", "ascii");
+  profile.line.code = tape_code::Code::eia;
+  profile.line.receive.answer_number = 17;
+  EXPECT_EQ(answer_program(profile, {"a=b #1"}), "%\nO0017(A.B .1)\nM30\n%\n");
+}
+
 TEST(Answers, KeepTheBlockLength) {
   machine::Profile profile = profile_of("fanuc", "fanuc-iso");
   profile.control.block_length_bytes = 32;

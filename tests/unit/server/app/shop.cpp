@@ -40,7 +40,8 @@ std::string PlainDocuments::write_report(const CheckReport& report) const {
   return std::string(checks::name_of(report.verdict));
 }
 
-store::Release release_text(store::Store& store, const std::string& machine, const std::string& text) {
+store::Release release_text(store::Store& store, const std::string& machine, const std::string& text,
+                            store::Delivery delivery) {
   store::NewProgramText row;
   row.sha256 = must(store.contents().put(text)).sha256;
   row.blocks = 1;
@@ -50,10 +51,10 @@ store::Release release_text(store::Store& store, const std::string& machine, con
   verdict.revision = 1;
   verdict.machine = machine;
   verdict.machine_revision = must(store.machines().get(machine)).revision;
+  verdict.delivery = delivery;
   verdict.outcome = store::Outcome::pass;
   must(store.verdicts().add(verdict, by("anna")));
-  const store::Release release =
-      must(store.releases().add({program.id, 1, machine, store::Delivery::drip}, by("anna")));
+  const store::Release release = must(store.releases().add({program.id, 1, machine, delivery}, by("anna")));
   must(store.releases().move(release.id, {store::ReleaseState::in_review, "", 0}, by("anna")));
   must(store.releases().move(release.id, {store::ReleaseState::proving, "", 100}, by("boris")));
   return must(store.releases().move(release.id, {store::ReleaseState::approved, "measured", 0}, by("boris")));

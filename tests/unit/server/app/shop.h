@@ -53,7 +53,8 @@ inline store::Stamp by(std::string actor) { return {std::move(actor), dripfeed::
 inline std::string url_of(const std::string& machine) { return "pty:/machine/" + machine; }
 
 // A text that is released for this machine, with a passing verdict and an approval.
-store::Release release_text(store::Store& store, const std::string& machine, const std::string& text);
+store::Release release_text(store::Store& store, const std::string& machine, const std::string& text,
+                            store::Delivery delivery = store::Delivery::drip);
 
 // The use cases without the object that holds them together in a server: so that a test can end them as kill -9 would.
 class Shop {
