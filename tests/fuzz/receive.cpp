@@ -36,7 +36,10 @@ void look_at(const receive::Transfer& transfer) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Choices choices(data, size);
   receive::Settings settings;
-  settings.eighth_bit = static_cast<tape_code::EighthBit>(choices.below(4));
+  const std::uint32_t kind = choices.below(16);
+  settings.eighth_bit = static_cast<tape_code::EighthBit>(kind % 4);
+  settings.find_code = (kind & 4U) != 0;
+  settings.flow_below = (kind & 8U) != 0;
   settings.hold = static_cast<receive::Hold>(choices.below(3));
   if (choices.flag()) settings.end_character = 0x04;
   settings.max_bytes = 16 + choices.word();

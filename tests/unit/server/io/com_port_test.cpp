@@ -161,6 +161,17 @@ TEST_F(LinkTest, ComPortTellsLinesAndErrors) {
   EXPECT_EQ(errors, (app::LineErrors{.parity = 1, .framing = 0, .overrun = 1, .breaks = 0}));
 }
 
+TEST_F(LinkTest, ComPortHoldsTheControlByItsRts) {
+  DeviceServer server;
+  ASSERT_EQ(open(server.url()), "");
+  ASSERT_TRUE(heard_.await_ups(1));
+  for (const bool on : {false, true}) {
+    thread_->run([&] { EXPECT_TRUE(link_->set_rts(on)); });
+    for (int i = 0; i < 3000 && server.port().rts != on; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_EQ(server.port().rts, on);
+  }
+}
+
 TEST_F(LinkTest, ComPortWaitsWhileTheServerSuspends) {
   DeviceServer server;
   ASSERT_EQ(open(server.url()), "");
