@@ -96,6 +96,11 @@ bool uses_surface_speed(const ir::Program& program) {
   return std::ranges::find(program.codes, Function::surface_speed_on, &ir::Code::function) != program.codes.end();
 }
 
+// One group of the feed and surface speed there, two here.
+bool splits_pair(const ir::Control& from, const ir::Control& to) {
+  return from.semantics.feed_code_ends_surface_speed && !to.semantics.feed_code_ends_surface_speed;
+}
+
 class Settling {
  public:
   Settling(ir::Program& program, const ir::Control& from, const ir::Control& to)
@@ -141,11 +146,21 @@ class Settling {
   }
 
   void block(std::uint32_t i, const ModeFacts& facts) {
-    Needs needs = needs_of(traits_of(program_, program_.blocks[program_.statements[i].payload]));
+    const Traits traits = traits_of(program_, program_.blocks[program_.statements[i].payload]);
+    end_surface_speed(program_.blocks[program_.statements[i].payload], traits, facts[index_of(Mode::surface_speed)]);
+    Needs needs = needs_of(traits);
     for (const ir::Code& code : program_.codes_of(program_.blocks[program_.statements[i].payload]))
       if (const auto mode = mode_of(code)) needs[index_of(*mode)] = false;
     for (std::size_t m = 0; m < kModes; ++m)
       if (needs[m]) settle(i, m, facts[m]);
+  }
+
+  // A feed code by itself ends constant surface speed where both are one group; elsewhere S800 behind it would be
+  // metres.
+  void end_surface_speed(ir::Block& block, const Traits& traits, const ModeFact& fact) {
+    if (!splits_pair(from_, to_) || !speed_matters_ || !traits.feed_code || traits.speed_code) return;
+    const bool is_off = fact.agrees() && fact.function == Function::surface_speed_off && fact.changer == ir::kNoIndex;
+    if (!is_off) say(block, index_of(Mode::surface_speed), Function::surface_speed_off);
   }
 
   void settle(std::uint32_t i, std::size_t mode, const ModeFact& fact) {
@@ -276,7 +291,9 @@ class Assuming {
 }  // namespace
 
 std::vector<text::Diagnostic> settle_modes(ir::Program& program, const ir::Control& from, const ir::Control& to) {
-  if (from.dialect == to.dialect || runs_as_written(program)) return {};
+  if (from.dialect == to.dialect) return {};
+  const bool may_end_speed = splits_pair(from, to) && uses_surface_speed(program);
+  if (runs_as_written(program) && !may_end_speed) return {};
   return Settling(program, from, to).run();
 }
 

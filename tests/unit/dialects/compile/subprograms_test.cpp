@@ -176,6 +176,26 @@ TEST(Subprograms, RunByThemselvesLoseNoSpeed) {
   EXPECT_FALSE(text::has_error(started.diagnostics)) << complaints(started);
 }
 
+// 800 turns a minute, not 800 metres.
+TEST(Modes, AFeedCodeThatEndsSurfaceSpeedSaysSoElsewhere) {
+  const std::string text =
+      "G90 G18 G710 DIAMON\nT1 D1\nG96 S200 LIMS=2000 M4\nG0 X50 Z2\nG1 Z0 F0.2\nG95 S800 F0.1\nG1 X70\nG94 F90\n"
+      "G1 X72\nM30\n";
+  const std::vector<ir::Motion> original =
+      real_moves(run_text(text, control("sinumerik-840d", ir::MachineKind::lathe)).motions);
+  for (const std::string& to : dialect_names()) {
+    for (const ConvertMode mode : {ConvertMode::macro, ConvertMode::explicit_blocks}) {
+      const ConvertResult result = turned(text, "sinumerik-840d", to, mode);
+      ASSERT_FALSE(text::has_error(result.diagnostics)) << to << complaints(result);
+      expect_same(original, real_moves(run_text(result.text, control(to, ir::MachineKind::lathe)).motions), 1e-6,
+                  to + "\n" + result.text);
+    }
+  }
+  const ConvertResult fanuc = turned(text, "sinumerik-840d", "fanuc");
+  EXPECT_NE(fanuc.text.find("G97 G99 S800"), std::string::npos) << fanuc.text;
+  EXPECT_NE(fanuc.text.find("\nG98 F90"), std::string::npos) << fanuc.text;
+}
+
 // One number in one program and another in the next would be two variables.
 TEST(Subprograms, ShareTheirVariables) {
   const std::string text =
