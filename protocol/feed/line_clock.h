@@ -2,6 +2,7 @@
 // instant, free_at = max(now, free_at) + n * character time, never by adding up intervals.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "protocol/feed/settings.h"
@@ -11,7 +12,17 @@ namespace dripfeed::feed {
 class LineClock {
  public:
   LineClock(Time char_time, std::uint32_t unsent, std::uint32_t latency_chars)
-      : char_time_(char_time), unsent_(unsent), latency_(char_time * latency_chars) {}
+      : char_time_(char_time),
+        unsent_(unsent),
+        left_at_refill_(left_at_refill(char_time, unsent)),
+        latency_(char_time * latency_chars) {}
+
+  // So many characters are left to send when the next are handed: enough for kRefillAhead, and half of `unsent` at
+  // most. As few as can be, because each write costs the same however much is in it.
+  static std::uint32_t left_at_refill(Time char_time, std::uint32_t unsent) {
+    const auto ahead = static_cast<std::uint64_t>((kRefillAhead + char_time - Time(1)) / char_time);
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(ahead, unsent / 2));
+  }
 
   // A new job: counts from 0 again. What is still on the line stays on the line.
   void restart();
@@ -28,11 +39,12 @@ class LineClock {
   // Whole characters that by line time had not begun to leave when it was paused.
   std::uint64_t left_at_pause() const;
 
-  // Characters that may be handed now: refilled to `unsent` once half is left, and until then what was left of it.
+  // Characters that may be handed now: refilled to `unsent` once left_at_refill() are left, and until then what was
+  // left of it.
   std::uint32_t credit(Time now);
   // When credit() will refill. Meaningful while not paused.
   Time refill_at() const {
-    return gap_ > Time::zero() ? free_at_ + gap_ : free_at_ - char_time_ * static_cast<std::int64_t>(unsent_ / 2);
+    return gap_ > Time::zero() ? free_at_ + gap_ : free_at_ - char_time_ * static_cast<std::int64_t>(left_at_refill_);
   }
   // When line time and latency of everything handed have passed. Meaningful while not paused.
   Time settled_at() const { return free_at_ + latency_; }
@@ -50,6 +62,7 @@ class LineClock {
 
   Time char_time_;
   std::uint32_t unsent_;
+  std::uint32_t left_at_refill_;
   Time latency_;
   Time free_at_{};
   Time left_at_pause_{};

@@ -93,6 +93,8 @@ inline constexpr Time kMaxCharDelay = std::chrono::seconds(1);
 inline constexpr Time kMaxLineDelay = std::chrono::seconds(60);
 // So long nothing moves below before it counts as held there.
 inline constexpr Time kStandstill = std::chrono::milliseconds(250);
+// The line gets its next characters so long before it runs out of them: a host that has much to do wakes late.
+inline constexpr Time kRefillAhead = std::chrono::milliseconds(2);
 // How often a source that was not ready is asked again.
 inline constexpr Time kSourceRetry = std::chrono::milliseconds(5);
 // How often a network that has not confirmed everything is asked again.

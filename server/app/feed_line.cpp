@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t kInputBytes = 256;
 constexpr feed::Time kTick = std::chrono::milliseconds(1);
+constexpr feed::Time kCountersShown = std::chrono::milliseconds(20);  // news are told at once, counters alone so often
 constexpr feed::Time kReopenFirst = std::chrono::milliseconds(500);
 constexpr feed::Time kReopenLongest = std::chrono::seconds(5);
 constexpr std::string_view kHoldsControl = "holding the control: what it sent before is not taken yet";
@@ -262,14 +263,19 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     }
     const bool held = kStateRows[static_cast<std::size_t>(feed_.state())].line == LineState::held;
     if (held) due = due ? std::min(*due, ticked_at_ + kHoldShown) : ticked_at_ + kHoldShown;
+    if (untold_) due = due ? std::min(*due, published_at_ + kCountersShown) : published_at_ + kCountersShown;
     return due;
   }
 
-  // Slow lines wake together once a millisecond; where half the credit lasts under two, the exact instant counts.
+  // Slow lines wake together, once in the half of what they have left when they are refilled: hundreds of wakes become
+  // one. Where that is under half a millisecond the exact instant counts.
   [[nodiscard]] feed::Time on_grid(feed::Time instant) const {
-    const feed::Time half = feed_.paced_char_time() * static_cast<std::int64_t>(feed_.settings().unsent / 2);
-    if (half < 2 * kTick) return instant;
-    return (instant + kTick - feed::Time(1)) / kTick * kTick;
+    const feed::Time char_time = feed_.paced_char_time();
+    const std::uint32_t left = feed::LineClock::left_at_refill(char_time, feed::burst(feed_.settings()));
+    for (const feed::Time grid : {kTick, kTick / 2}) {
+      if (char_time * std::int64_t{left} >= 2 * grid) return (instant + grid - feed::Time(1)) / grid * grid;
+    }
+    return instant;
   }
 
   // --- pump
@@ -339,33 +345,39 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     return input_ && !input_->idle() ? LineState::receiving : LineState::idle;
   }
 
+  // What is new is told at once. Counters alone are told now and then: they change with every write, and where a byte
+  // lies in the text is looked up for each report.
   void publish() {
     const StateRow& row = kStateRows[static_cast<std::size_t>(feed_.state())];
-    const feed::Counters counters = feed_.counters();
-    const feed::Stall stall = feed_.stall();
-    const std::lock_guard lock(report_mutex_);
     const LineState state = state_now(row.line);
     const std::uint64_t received = input_ ? input_->count() : 0;
     // What the last job came to stays as it was while an answer is on the line.
     const JobEnd end = of_answer_ ? report_.end : row.end;
     const bool holds = input_ && input_->holding();
-    const std::string_view stall_name = stall == feed::Stall::none && holds ? kHoldsControl : name_of(stall);
-    const bool changed = state != report_.state || end != report_.end || stall_name != report_.stall ||
+    const std::string_view of_feed = name_of(feed_.stall());
+    const std::string_view stall = of_feed.empty() && holds ? kHoldsControl : of_feed;
+    const bool changed = state != report_.state || end != report_.end || stall != report_.stall ||
                          order_job_ != report_.job || session_ != report_.session || received != report_.received ||
                          answers_ != report_.answers;
+    const bool news = changed || unarmed_starts_ != report_.unarmed_starts || link_error_ != report_.link_error;
+    const feed::Time time = now();
+    untold_ = !news && time < published_at_ + kCountersShown;
+    if (untold_) return;
+    published_at_ = time;
+    const std::lock_guard lock(report_mutex_);
     report_.job = order_job_;
     report_.session = session_;
     report_.state = state;
     report_.end = end;
-    report_.stall = stall_name;
+    report_.stall = stall;
     report_.received = received;
     report_.receptions_lost = input_ ? input_->lost() : 0;
     report_.answers = answers_;
     report_.stop_wanted = std::ranges::find(kStopStates, feed_.state()) != kStopStates.end();
-    if (!of_answer_) publish_job(counters);
+    if (!of_answer_) publish_job(feed_.counters());
     report_.char_s = to_seconds(feed_.paced_char_time());
     report_.unarmed_starts = unarmed_starts_;
-    if (report_.link_error != link_error_) report_.link_error = link_error_;
+    report_.link_error = link_error_;
     if (link_) tell_link(*link_, report_);
     if (!changed) return;
     ++report_.changes;
@@ -414,6 +426,8 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   std::uint64_t session_ = 0;
   std::uint64_t reserve_ = 0;
   std::uint64_t unarmed_starts_ = 0;
+  feed::Time published_at_{};
+  bool untold_ = false;  // counters changed since, and nothing else
   mutable std::mutex report_mutex_;
   LineReport report_;
 };

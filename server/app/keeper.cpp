@@ -162,8 +162,8 @@ void Keeper::round() {
     for (const auto& [machine, source] : sources_) source->refill();
   }
   std::vector<Due> all;
-  for (auto& [machine, line] : lines_.all()) all.push_back({machine, line, line->report()});
-  for (const Due& due : all) begin(tracked_[due.machine], due);
+  for (auto& [machine, line] : lines_.all()) all.push_back({machine, line, line->report(), tracked_[machine]});
+  for (const Due& due : all) begin(due);
 
   const std::vector<store::NewLedgerRow> rows = rows_of(all);
   if (!rows.empty()) {
@@ -180,7 +180,7 @@ void Keeper::round() {
     for (const store::LedgerFault& fault : *faults) spdlog::error("ledger: job {}: {}", fault.job, fault.why);
     commit(rows, *faults, all);
   }
-  for (const Due& due : all) follow(tracked_[due.machine], due);
+  for (const Due& due : all) follow(due);
   if (ballast_ != nullptr && clock_.now() >= restore_at_) {
     restore_at_ = clock_.now() + kRestoreEvery;
     ballast_->restore();
@@ -204,7 +204,7 @@ void Keeper::complain(const std::string& error, const std::vector<Due>& all) {
   complaint_ = error;
   spdlog::error("ledger: {}", error);
   for (const Due& due : all) {
-    if (tracked_[due.machine].over) continue;
+    if (due.tracked.over) continue;
     events_.publish({.id = 0,
                      .kind = EventKind::alarm,
                      .machine = due.machine,
@@ -218,10 +218,11 @@ void Keeper::complain(const std::string& error, const std::vector<Due>& all) {
 // The rows are durable: their windows may be used.
 void Keeper::commit(std::span<const store::NewLedgerRow> rows, std::span<const store::LedgerFault> faults,
                     const std::vector<Due>& all) {
+  auto next = rows.begin();  // they stand in the order of `all`
   for (const Due& due : all) {
-    Tracked& tracked = tracked_[due.machine];
-    const auto row = std::ranges::find(rows, tracked.job.id, &store::NewLedgerRow::job);
-    if (row == rows.end() || due.report.job != tracked.job.id) continue;
+    Tracked& tracked = due.tracked;
+    if (next == rows.end() || due.report.job != tracked.job.id || next->job != tracked.job.id) continue;
+    const auto row = next++;
     const auto fault = std::ranges::find(faults, tracked.job.id, &store::LedgerFault::job);
     if (fault != faults.end() && !fault->written) continue;
     tracked.committed = row->counts;
@@ -232,7 +233,8 @@ void Keeper::commit(std::span<const store::NewLedgerRow> rows, std::span<const s
 
 // An arming that the line has and the books do not know yet. A disarmed job may come again, and may be disarmed again
 // before anybody looked.
-void Keeper::begin(Tracked& tracked, const Due& due) {
+void Keeper::begin(const Due& due) {
+  Tracked& tracked = due.tracked;
   if (due.report.job == 0 || (due.report.job == tracked.job.id && due.report.session == tracked.session)) return;
   const auto job = store_.jobs().get(due.report.job);
   const auto interval = store_.ledger().interval(due.report.job);
@@ -249,7 +251,7 @@ void Keeper::begin(Tracked& tracked, const Due& due) {
 std::vector<store::NewLedgerRow> Keeper::rows_of(const std::vector<Due>& all) {
   std::vector<store::NewLedgerRow> rows;
   for (const Due& due : all) {
-    const Tracked& tracked = tracked_[due.machine];
+    const Tracked& tracked = due.tracked;
     const LineReport& report = due.report;
     if (report.job == 0 || report.job != tracked.job.id || tracked.over) continue;
     store::NewLedgerRow row{
@@ -288,7 +290,8 @@ void Keeper::tell_alarm(const std::string& machine, std::string text) {
 }
 
 // Moves the job's state after the line's, and publishes.
-void Keeper::follow(Tracked& tracked, const Due& due) {
+void Keeper::follow(const Due& due) {
+  Tracked& tracked = due.tracked;
   const LineReport& report = due.report;
   events_.progress(due.machine, report);
   const std::uint64_t starts_before = std::exchange(tracked.unarmed_starts, report.unarmed_starts);

@@ -61,16 +61,17 @@ class Keeper {
     std::string machine;
     std::shared_ptr<Line> line;
     LineReport report;
+    Tracked& tracked;
   };
 
   void loop(const std::stop_token& stop);
-  void begin(Tracked& tracked, const Due& due);
+  void begin(const Due& due);
   std::vector<store::NewLedgerRow> rows_of(const std::vector<Due>& all);
   void commit(std::span<const store::NewLedgerRow> rows, std::span<const store::LedgerFault> faults,
               const std::vector<Due>& all);
   store::Result<std::vector<store::LedgerFault>> append(std::span<const store::NewLedgerRow> rows);
   void complain(const std::string& error, const std::vector<Due>& all);
-  void follow(Tracked& tracked, const Due& due);
+  void follow(const Due& due);
   void tell_alarm(const std::string& machine, std::string text);
   void move(Tracked& tracked, store::JobState to, const LineReport& report);
 

@@ -39,9 +39,10 @@ app::LineErrors since(const app::LineErrors& before, const app::LineErrors& now)
 
 class SerialLink final : public app::Link {
  public:
-  SerialLink(asio::io_context& context, int descriptor, std::chrono::microseconds look_every,
+  SerialLink(asio::io_context& context, int descriptor, bool has_queue, std::chrono::microseconds look_every,
              app::LinkListener& listener)
-      : core_(std::make_shared<SerialCore>(asio::posix::stream_descriptor(context, descriptor), listener)),
+      : has_queue_(has_queue),
+        core_(std::make_shared<SerialCore>(asio::posix::stream_descriptor(context, descriptor), listener)),
         look_(std::make_shared<Look>(context, look_every)) {
     core_->stream().non_blocking(true);
     asio::post(context, [core = core_] {
@@ -58,7 +59,10 @@ class SerialLink final : public app::Link {
 
   std::size_t write(std::span<const std::byte> bytes) override { return core_->write(bytes); }
   std::size_t read(std::span<std::byte> into) override { return core_->read(into); }
-  std::optional<std::uint64_t> unsent() override { return read_unsent(core_->stream().native_handle()); }
+  // A pseudo-terminal says 0 whatever it holds; it is not asked.
+  std::optional<std::uint64_t> unsent() override {
+    return has_queue_ ? read_unsent(core_->stream().native_handle()) : std::nullopt;
+  }
   std::optional<std::uint64_t> unconfirmed() override { return std::nullopt; }
   bool set_rts(bool on) override { return io::set_rts(core_->stream().native_handle(), on); }
   [[nodiscard]] app::LineErrors errors() const override { return look_->errors; }
@@ -81,6 +85,7 @@ class SerialLink final : public app::Link {
     });
   }
 
+  bool has_queue_;
   std::shared_ptr<SerialCore> core_;
   std::shared_ptr<Look> look_;
 };
@@ -92,8 +97,8 @@ std::expected<std::unique_ptr<app::Link>, std::string> open_serial_link(boost::a
                                                                         app::LinkListener& listener) {
   const auto descriptor = open_serial_port(line);
   if (!descriptor) return std::unexpected(descriptor.error());
-  return std::make_unique<SerialLink>(context, *descriptor, machine::polls_flow_lines(line) ? kFlowLook : kLook,
-                                      listener);
+  return std::make_unique<SerialLink>(context, *descriptor, line.link.kind != machine::LinkKind::pty,
+                                      machine::polls_flow_lines(line) ? kFlowLook : kLook, listener);
 }
 
 }  // namespace dripfeed::io

@@ -129,6 +129,7 @@ std::vector<std::byte> SimulatedControl::take_out(Time_ns now) {
     out_.pop_front();
     bytes.push_back(due.byte);
     if (is_dc3(due.byte)) dc3_left(now - due.at);
+    if (due.byte == std::byte{kDc1} && report_.state == ControlState::reading) held_ns_ += now - due.at;
   }
   return bytes;
 }

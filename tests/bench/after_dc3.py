@@ -39,7 +39,8 @@ def measure(binary, folder, rate, seconds, tcp):
         host, far = f"tcp://127.0.0.1:{port}", f"tcp-listen://127.0.0.1:{port}"
     else:
         host = far = f"pty:{folder}/line"
-    control = shop.Control(binary, far, folder / "m.json", "--speed", "1.5").start()
+    # So quick that the line and the motion take turns at each rate.
+    control = shop.Control(binary, far, folder / "m.json", "--speed", str(1.5 * baud / 9600)).start()
     sent = subprocess.run([binary, "send", folder / "p.nc", "--link", host, "--machine", folder / "m.json", "--unreleased", "--json", "--ledger",
                            folder / "p.ledger"], capture_output=True, text=True, timeout=seconds * 60 + 120, check=False)
     report = control.finish(60)

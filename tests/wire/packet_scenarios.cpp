@@ -74,13 +74,16 @@ TEST(XmodemScenarios, AGoodLineCarriesEveryText) {
 }
 
 TEST(XmodemScenarios, WhatASumCanSeeIsRepeatedUntilItIsRight) {
-  // Single faults in the data never pass a sum or a CRC; answers are single bytes without any check.
+  // A flipped bit never passes a sum or a CRC; answers are single bytes without any check. A character that is lost or
+  // doubled shifts those behind it, and what then stands in the place of the sum is right once in 256 times.
   for (const Protocol protocol : kXmodems) {
     for (const LineFaults& faults : {LineFaults{.flip = 60}, LineFaults{.lose = 60}, LineFaults{.twice = 60},
                                      LineFaults{.delay = 60}, LineFaults{.silence = 20}}) {
       Ends ends = play_all(protocol, faults, 100);
       EXPECT_GT(ends.faults, 40U);
-      EXPECT_EQ(ends.undetected, 0) << name(protocol);
+      const bool shifts = faults.lose > 0 || faults.twice > 0;
+      const int chance = protocol == Protocol::xmodem && shifts ? 1 + static_cast<int>(ends.faults / 64) : 0;
+      EXPECT_LE(ends.undetected, chance) << name(protocol) << " of " << ends.faults;
       EXPECT_GE(ends.whole, 90) << name(protocol);
     }
   }

@@ -23,6 +23,21 @@ TEST(LineClock, RefillsWhenHalfIsLeft) {
   EXPECT_EQ(clock.credit(104ms), 4U);
 }
 
+// What is written at a time is as much as the line can go without: a wake and a write cost the same for 1 or for 200.
+TEST(LineClock, RefillsLateWhereMuchMayBeUnsent) {
+  EXPECT_EQ(LineClock::left_at_refill(1ms, 8), 2U);
+  EXPECT_EQ(LineClock::left_at_refill(1146us, 5), 2U);
+  EXPECT_EQ(LineClock::left_at_refill(1146us, 3), 1U);  // never more than half
+  EXPECT_EQ(LineClock::left_at_refill(87us, 200), 23U);
+  EXPECT_EQ(LineClock::left_at_refill(10ms, 8), 1U);
+  EXPECT_EQ(LineClock::left_at_refill(1ms, 1), 0U);
+  LineClock clock(1ms, 8, 0);
+  clock.handed(8, 100ms);
+  EXPECT_EQ(clock.refill_at(), 106ms);
+  EXPECT_EQ(clock.credit(105ms), 0U);
+  EXPECT_EQ(clock.credit(106ms), 6U);
+}
+
 TEST(LineClock, AShortWriteKeepsTheRestOfItsCredit) {
   LineClock clock = clock_of_milliseconds();
   EXPECT_EQ(clock.credit(100ms), 4U);

@@ -103,8 +103,10 @@ TEST_F(ApplicationTest, ShowsTheBlockThatIsOnTheWay) {
     must(jobs.arm(job.id, std::nullopt, "olga"));
     const std::size_t before = server.written().size();
     server.links.receive(url_of(kLathe), kDc1);
-    for (int i = 0; i < 250; ++i) {
-      server.links.advance(1ms);
+    for (int i = 0; i < 80; ++i) {
+      server.links.advance(3ms);
+      server.links.receive(url_of(kLathe), kDc3);  // news are told at once, counters alone only every 20 ms
+      server.links.receive(url_of(kLathe), kDc1);
       const std::string sent = server.written().substr(before);
       if (sent.empty()) continue;
       const std::size_t from = sent.size() < 2 ? 0 : sent.rfind('\n', sent.size() - 2) + 1;
