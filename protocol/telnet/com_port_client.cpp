@@ -178,7 +178,9 @@ void ComPortClient::send_settings() {
   }
   set_dtr(true);
   set_rts(true);
-  constexpr std::array<std::uint8_t, 1> kAllLines = {0xFF};
+  // All but the ring's trailing edge: FF would have to be doubled here, and there are servers that do not undouble it
+  // and send what they take for data to the machine.
+  constexpr std::array<std::uint8_t, 1> kAllLines = {0xFB};
   constexpr std::array<std::uint8_t, 1> kErrors = {line::kErrors};
   out_.subnegotiate(kComPort, static_cast<std::uint8_t>(ComPort::set_modemstate_mask), kAllLines);
   out_.subnegotiate(kComPort, static_cast<std::uint8_t>(ComPort::set_linestate_mask), kErrors);
