@@ -184,6 +184,7 @@ class Trunk {
     auto place = std::make_shared<Place>(user, connection_, settings);
     const std::lock_guard lock(mutex_);
     places_.push_back(place);
+    ++wakes_;
     wake_.notify_all();
     return place;
   }
@@ -231,9 +232,7 @@ class Trunk {
         give_turn(*place, lock);
         continue;
       }
-      const auto changed = [this, before = wakes_, count = places_.size()] {
-        return wakes_ != before || places_.size() != count;
-      };
+      const auto changed = [this, before = wakes_] { return wakes_ != before; };
       if (earliest == Clock::time_point::max()) {
         wake_.wait(lock, stop, changed);
       } else {
@@ -272,8 +271,8 @@ class Trunk {
   std::vector<std::shared_ptr<Place>> places_;
   const Place* running_ = nullptr;
   std::uint64_t turns_ = 0;
-  std::uint64_t wakes_ = 0;
-  std::jthread thread_;  // last: it uses all of the above
+  std::uint64_t wakes_ = 0;  // grows with all that may make somebody due
+  std::jthread thread_;      // last: it uses all of the above
 };
 
 // Who shares what: machines on one serial line, or behind one gateway.
