@@ -165,7 +165,7 @@ TEST_F(SerialLinkTest, AllEightBitsPassBothWays) {
   pty_.say(all_bytes());
   ASSERT_TRUE(heard_.await_received(256));
   EXPECT_EQ(heard_.received(), all_bytes()) << "DC1, DC3, CR, NUL and 0xFF are characters like others";
-  EXPECT_EQ(unsent(), 0U);
+  EXPECT_EQ(unsent(), std::nullopt) << "a pseudo-terminal would say 0 whatever it holds";
   EXPECT_EQ(heard_.losses(), 0);
 }
 
@@ -174,7 +174,6 @@ TEST_F(SerialLinkTest, TakesWhatFitsAndTellsWhenThereIsRoom) {
   const std::string much(1 << 20, 'x');
   const std::size_t taken = write(much);
   ASSERT_LT(taken, much.size());
-  EXPECT_EQ(heard_.writables(), 0);
   EXPECT_EQ(pty_.hear(taken), much.substr(0, taken));
   ASSERT_TRUE(heard_.await_writables(1));
   EXPECT_GT(write("more"), 0U);
