@@ -129,7 +129,7 @@ std::vector<std::byte> SimulatedControl::take_out(Time_ns now) {
     out_.pop_front();
     bytes.push_back(due.byte);
     if (is_dc3(due.byte)) dc3_left(now - due.at);
-    if (due.byte == std::byte{kDc1} && report_.state == ControlState::reading) held_ns_ += now - due.at;
+    if (due.byte == std::byte{kDc1}) dc1_left(now - due.at);
   }
   return bytes;
 }
@@ -283,6 +283,12 @@ void SimulatedControl::check_flow(Time_ns at) {
 void SimulatedControl::dc3_left(Time_ns late) {
   dc3_at_ += late;
   for (const Time_ns at : std::exchange(before_dc3_left_, {})) count_after_dc3(at);
+}
+
+// The host could not know yet that the hold was over.
+void SimulatedControl::dc1_left(Time_ns late) {
+  const bool goes_on = report_.state == ControlState::reading && first_arrival_ >= 0;
+  if (goes_on) held_ns_ += late;
 }
 
 void SimulatedControl::count_after_dc3(Time_ns at) {

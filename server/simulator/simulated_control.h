@@ -58,6 +58,7 @@ class SimulatedControl final : public Control {
   void check_flow(Time_ns at);
   void count_after_dc3(Time_ns at);
   void dc3_left(Time_ns late);
+  void dc1_left(Time_ns late);
   void close_hold(Time_ns at);
   void send(std::uint8_t byte, Time_ns at);
   void raise(std::string_view alarm);
