@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "protocol/feed/state_groups.h"
+#include "server/app/kept_link.h"
 #include "server/app/line_input.h"
 
 namespace dripfeed::app {
@@ -19,8 +20,6 @@ namespace {
 constexpr std::size_t kInputBytes = 256;
 constexpr feed::Time kTick = std::chrono::milliseconds(1);
 constexpr feed::Time kCountersShown = std::chrono::milliseconds(20);  // news are told at once, counters alone so often
-constexpr feed::Time kReopenFirst = std::chrono::milliseconds(500);
-constexpr feed::Time kReopenLongest = std::chrono::seconds(5);
 constexpr std::string_view kHoldsControl = "holding the control: what it sent before is not taken yet";
 constexpr feed::Time kHoldShown = std::chrono::seconds(1);  // a hold has no deadline, but people see how long it lasts
 
@@ -69,12 +68,12 @@ double to_seconds(feed::Time time) { return static_cast<double>(time.count()) * 
 
 class FeedLine final : public Line, private LinkListener, private Ticker {
  public:
-  FeedLine(feed::Feed feed, machine::LineSettings settings, LinkThread& thread, LineChanged changed)
-      : feed_(std::move(feed)), settings_(std::move(settings)), thread_(thread), changed_(std::move(changed)) {
-    if (settings_.receive.enabled) input_.emplace(machine::receive_settings_of(settings_));
+  FeedLine(feed::Feed feed, const machine::LineSettings& settings, LinkThread& thread, LineChanged changed)
+      : feed_(std::move(feed)), thread_(thread), changed_(std::move(changed)), link_(settings, thread, *this) {
+    if (settings.receive.enabled) input_.emplace(machine::receive_settings_of(settings));
     thread_.run([this] {
       thread_.add(*this);
-      open();
+      link_.open();
       publish();
     });
   }
@@ -82,7 +81,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   ~FeedLine() override {
     thread_.run([this] {
       thread_.remove(*this);
-      link_.reset();
+      link_.close();
     });
   }
 
@@ -116,7 +115,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     if (!input_) return {};
     std::vector<Reception> finished = input_->take_finished();
     // A control that was held has room again, and nothing that it sends would say so.
-    if (!finished.empty() && settings_.receive.hold != receive::Hold::none) {
+    if (!finished.empty() && link_.settings().receive.hold != receive::Hold::none) {
       thread_.post([this] {
         input_->tick(now());
         settle();
@@ -190,27 +189,9 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
 
   // --- link
   // -------------------------------------------------------------------------------------------------------------
-  void open() {
-    auto opened = thread_.open(settings_, *this);
-    if (opened) {
-      link_ = std::move(*opened);
-      link_error_.clear();
-      rts_ = true;  // every driver raises it
-      return;
-    }
-    link_error_ = opened.error();
-    reopen_later();
-  }
-
-  void reopen_later() {
-    reopen_wait_ = std::min(reopen_wait_ == feed::Time{} ? kReopenFirst : reopen_wait_ * 2, kReopenLongest);
-    reopen_at_ = now() + reopen_wait_;
-  }
-
   void on_up() override {
-    link_up_ = true;
-    reopen_wait_ = {};
-    link_error_.clear();
+    link_.came_up();
+    rts_ = true;  // every driver raises it
     // A new link begins with both on and reports what is not; what the lost one last said is worth nothing.
     feed_.line(feed::LineChange::cts_on, now());
     feed_.line(feed::LineChange::dsr_on, now());
@@ -231,12 +212,9 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     settle();
   }
   void on_lost(std::string_view reason) override {
-    link_up_ = false;
-    link_error_ = reason;
+    link_.was_lost(reason);
     feed_.line(feed::LineChange::link_down, now());
     if (input_) input_->link_lost(now());
-    link_.reset();
-    reopen_later();
     settle();
   }
 
@@ -244,10 +222,10 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   // ------------------------------------------------------------------------------------------------------------
   void tick(feed::Time time) override {
     ticked_at_ = time;
-    if (!link_ && time >= reopen_at_) open();
-    if (link_) {
-      if (const auto unsent = link_->unsent()) feed_.report_queue(*unsent, time);
-      if (const auto unconfirmed = link_->unconfirmed()) feed_.report_unconfirmed(*unconfirmed, time);
+    link_.tick(time);
+    if (Link* link = link_.get()) {
+      if (const auto unsent = link->unsent()) feed_.report_queue(*unsent, time);
+      if (const auto unconfirmed = link->unconfirmed()) feed_.report_unconfirmed(*unconfirmed, time);
     }
     feed_.tick(time);
     if (input_) input_->tick(time);
@@ -257,7 +235,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   [[nodiscard]] std::optional<feed::Time> deadline() const override {
     const std::optional<feed::Time> feed_deadline = feed_.deadline();
     std::optional<feed::Time> due = feed_deadline ? std::optional(on_grid(*feed_deadline)) : std::nullopt;
-    if (!link_) due = due ? std::min(*due, reopen_at_) : reopen_at_;
+    if (const auto reopen = link_.deadline()) due = due ? std::min(*due, *reopen) : *reopen;
     if (const auto quiet = input_ ? input_->deadline() : std::nullopt) {
       due = due ? std::min(*due, on_grid(*quiet)) : on_grid(*quiet);
     }
@@ -291,7 +269,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
 
   void take_input() {
     std::array<std::byte, kInputBytes> buffer;
-    while (const std::size_t count = link_->read(buffer)) take(std::span(buffer).first(count));
+    while (const std::size_t count = link_.get()->read(buffer)) take(std::span(buffer).first(count));
   }
 
   // While a job is on the line all that comes in is the feed's. At rest the receiver has it, and the feed its signs.
@@ -315,12 +293,12 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   // Reads before it writes: a DC3 that is here already must stop what would go out now.
   void pump() {
     hold_control();
-    while (link_) {
+    while (link_.get() != nullptr) {
       if (feed_.pending_out().empty()) return;
       take_input();
       const std::span<const std::byte> out = feed_.pending_out();
       if (out.empty()) return;
-      const std::size_t taken = link_->write(out);
+      const std::size_t taken = link_.get()->write(out);
       feed_.mark_sent(taken, now());
       if (taken < out.size()) return;  // on_writable or the next tick goes on
     }
@@ -328,20 +306,21 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
 
   // Our own hold: RTS, or DC3 and DC1. On a torn line nothing goes out, and beside a job only the job.
   void hold_control() {
-    if (!link_ || !link_up_ || !input_) return;
+    Link* const link = link_.get();
+    if (link == nullptr || !link_.is_up() || !input_) return;
     if (input_->rts() != rts_) {
       rts_ = input_->rts();
-      static_cast<void>(link_->set_rts(rts_));  // a profile for a link without it is refused
+      static_cast<void>(link->set_rts(rts_));  // a profile for a link without it is refused
     }
     if (input_->pending_out().empty()) return;
     if (feed::has_job(feed_.state()) || feed_.state() == feed::State::torn) return;
-    input_->mark_sent(link_->write(input_->pending_out()));
+    input_->mark_sent(link->write(input_->pending_out()));
   }
 
   [[nodiscard]] LineState state_now(LineState of_feed) const {
     if (of_answer_ && feed::has_job(feed_.state())) return LineState::answering;
     if (of_feed != LineState::idle) return of_feed;
-    if (!link_up_) return LineState::disconnected;
+    if (!link_.is_up()) return LineState::disconnected;
     return input_ && !input_->idle() ? LineState::receiving : LineState::idle;
   }
 
@@ -359,7 +338,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     const bool changed = state != report_.state || end != report_.end || stall != report_.stall ||
                          order_job_ != report_.job || session_ != report_.session || received != report_.received ||
                          answers_ != report_.answers;
-    const bool news = changed || unarmed_starts_ != report_.unarmed_starts || link_error_ != report_.link_error;
+    const bool news = changed || unarmed_starts_ != report_.unarmed_starts || link_.error() != report_.link_error;
     const feed::Time time = now();
     untold_ = !news && time < published_at_ + kCountersShown;
     if (untold_) return;
@@ -377,8 +356,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     if (!of_answer_) publish_job(feed_.counters());
     report_.char_s = to_seconds(feed_.paced_char_time());
     report_.unarmed_starts = unarmed_starts_;
-    report_.link_error = link_error_;
-    if (link_) tell_link(*link_, report_);
+    link_.tell(report_);
     if (!changed) return;
     ++report_.changes;
     changed_();
@@ -408,15 +386,10 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   }
 
   feed::Feed feed_;
-  machine::LineSettings settings_;
   LinkThread& thread_;
   LineChanged changed_;
-  std::unique_ptr<Link> link_;
-  bool link_up_ = false;
+  KeptLink link_;
   bool rts_ = true;  // ours, as the link has it
-  std::string link_error_;
-  feed::Time reopen_at_{};
-  feed::Time reopen_wait_{};
   feed::Time ticked_at_{};
   std::shared_ptr<tape_code::TextSource> source_;
   std::optional<LineInput> input_;
