@@ -79,7 +79,8 @@ class Fleet::Station {
     if (plug_in_at_ && now >= *plug_in_at_) plug_in();
     control_->tick(now);
     if (cut_ || plug_in_at_ || deaf_) return;
-    std::vector<std::byte> out = control_->take_out(now);
+    // By the time of the write and not that of the tick: what the simulation was kept from is not the host's fault.
+    std::vector<std::byte> out = control_->take_out(now_ns());
     line_.to_host(out);
     if (!out.empty()) wire_->write(out);
     wire_->show(control_->lines());

@@ -12,10 +12,10 @@ namespace {
 constexpr std::int64_t kMillisecond = 1'000'000;
 
 constexpr std::array<Uart, 4> kUarts{{
-    {.name = "16550", .chars = 4, .fixed_ns = 0, .fifo_chars = 16},
-    {.name = "ftdi", .chars = 0, .fixed_ns = 16 * kMillisecond, .fifo_chars = 128},
-    {.name = "device-server", .chars = 4, .fixed_ns = 2 * kMillisecond, .fifo_chars = 1024},
-    {.name = "ideal", .chars = 0, .fixed_ns = 0, .fifo_chars = 0},
+    {.name = "16550", .chars = 4, .fixed_ns = 0},
+    {.name = "ftdi", .chars = 0, .fixed_ns = 16 * kMillisecond},
+    {.name = "device-server", .chars = 4, .fixed_ns = 2 * kMillisecond},
+    {.name = "ideal", .chars = 0, .fixed_ns = 0},
 }};
 
 }  // namespace

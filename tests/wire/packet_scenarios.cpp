@@ -158,8 +158,8 @@ TEST(S3964Scenarios, HoldsStopsCancelsAndLossesEndByName) {
 // Without a number a lost acknowledgement makes a block come twice, without a check a flipped bit stays: comparing the
 // text finds both, and nothing else does.
 TEST(S3964Scenarios, WhatThePlainProtocolCannotSeeIsFoundByComparing) {
-  const Ends flipped = play_all(Protocol::s3964, {.flip = 40}, 150);
-  EXPECT_GT(flipped.undetected, 10);
+  const Ends flipped = play_all(Protocol::s3964, {.flip = 40}, 1000);
+  EXPECT_GT(flipped.undetected, 60);
   packet::Settings foreign = settings_of(Protocol::s3964r);
   foreign.counted = false;
   Ends ends;

@@ -49,7 +49,7 @@ std::vector<std::byte> some_bytes(std::mt19937& random) {
 }
 
 TEST(TelnetPair, CarriesEveryByteBothWays) {
-  for (unsigned seed = 1; seed <= 200; ++seed) {
+  for (unsigned seed = 1; seed <= 400; ++seed) {
     std::mt19937 random(seed);
     telnet::ComPortSettings settings{.baud = 1 + static_cast<std::uint32_t>(random() % 4'000'000),
                                      .data_bits = static_cast<std::uint8_t>(7 + random() % 2),

@@ -74,7 +74,7 @@ TEST(Fault, TheLineLosesFlipsAndIsRepeatable) {
 TEST(Fault, UartsHaveTheirDelays) {
   EXPECT_EQ(find_uart("16550")->chars, 4U);
   EXPECT_EQ(find_uart("ftdi")->fixed_ns, 16'000'000);
-  EXPECT_EQ(find_uart("device-server")->fifo_chars, 1024U);
+  EXPECT_EQ(find_uart("device-server")->fixed_ns, 2'000'000);
   EXPECT_EQ(find_uart("ideal")->chars, 0U);
   EXPECT_EQ(find_uart("8250").error(), "uart \"8250\" is none of: 16550 ftdi device-server ideal");
 }
