@@ -25,14 +25,15 @@ std::string read_back_result(std::string_view sent, std::string_view punched) {
   return difference ? "differs: " + sentence_of(*difference) : std::string(kReadBackEqual);
 }
 
+// The ledger first: whoever sees the job's word finds its row.
 void Receiving::note_read_back(const std::string& machine, store::Id id, std::string_view result, EventKind kind) {
-  const auto job = store_.jobs().set_read_back(id, result, stamp("dripfeed"));
-  if (!job) return alarm(machine, "read-back: " + store::message_of(job.error()));
   if (const auto interval = store_.ledger().interval(id)) {
     const store::NewLedgerRow row{.job = id, .counts = interval->last, .note = fmt::format("read-back {}", result)};
     const auto written = store_.ledger().append(std::span(&row, 1), clock_.wall_ms());
     if (!written) spdlog::error("ledger: job {}: {}", id, store::message_of(written.error()));
   }
+  const auto job = store_.jobs().set_read_back(id, result, stamp("dripfeed"));
+  if (!job) return alarm(machine, "read-back: " + store::message_of(job.error()));
   events_.publish({.id = 0,
                    .kind = EventKind::job,
                    .machine = machine,

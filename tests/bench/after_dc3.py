@@ -18,7 +18,7 @@ RATES = [(9600, "7E2", 4, 5), (38400, "8N1", 10, 12), (115200, "8N1", 26, 26)]
 
 
 def program(characters):
-    lines = ["%", "O0001", "G21"]
+    lines = ["%", "O0001", "G21 G18 G40 G98"]
     size = 0
     while size < characters:
         lines.append(f"G01 X{50 + len(lines) % 7 * 0.1:.3f} Z{-len(lines) * 0.05:.3f} F4000")
@@ -40,7 +40,7 @@ def measure(binary, folder, rate, seconds, tcp):
     else:
         host = far = f"pty:{folder}/line"
     # So quick that the line and the motion take turns at each rate.
-    control = shop.Control(binary, far, folder / "m.json", "--speed", str(1.5 * baud / 9600)).start()
+    control = shop.Control(binary, far, folder / "m.json", "--operator", "2", "--speed", str(0.15 * baud / 9600)).start()
     sent = subprocess.run([binary, "send", folder / "p.nc", "--link", host, "--machine", folder / "m.json", "--unreleased", "--json", "--ledger",
                            folder / "p.ledger"], capture_output=True, text=True, timeout=seconds * 60 + 120, check=False)
     report = control.finish(60)

@@ -29,7 +29,10 @@ constexpr Time kNamedBy = telnet::kOfferTime + telnet::kAnswerTime + kStep;
 class FaultyServer {
  public:
   FaultyServer(Fault fault, std::mt19937& random)
-      : fault_(fault), random_(random), silent_from_(random() % (random() % 2 == 0 ? 12 : 120)), delay_(random() % 8000 * 1ms) {
+      : fault_(fault),
+        random_(random),
+        silent_from_(random() % (random() % 2 == 0 ? 12 : 120)),
+        delay_(random() % 8000 * 1ms) {
     server_.begin();
   }
 
