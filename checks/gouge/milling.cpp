@@ -70,7 +70,8 @@ void for_chords(const ir::Motion& motion, Visit&& visit) {
 
 }  // namespace
 
-Milling::Milling(MillingSettings settings) : settings_(std::move(settings)) {
+Milling::Milling(MillingSettings settings)
+    : settings_(std::move(settings)), compensation_(settings_.outer_corner, report_.not_checked) {
   const bool has_stock = settings_.stock && settings_.stock->x.width() > 0.0 && settings_.stock->y.width() > 0.0;
   if (has_stock) {
     map_.emplace(*settings_.stock, settings_.step_mm);
@@ -88,6 +89,7 @@ Milling::Milling(MillingSettings settings) : settings_(std::move(settings)) {
 
 void Milling::follow_tool(const ir::Motion& motion) {
   cutter_.reset();
+  tool_ = motion.number;
   const auto tool = std::ranges::find(settings_.tools, motion.number, &checks::Tool::number);
   if (tool == settings_.tools.end() || !(tool->diameter_mm > 0.0)) {
     report_.not_checked.add(
@@ -110,10 +112,57 @@ void Milling::follow_offset(const ir::Motion& motion) {
 
 void Milling::consume(std::span<const ir::Motion> motions) {
   for (const ir::Motion& motion : motions) {
+    if (motion.kind == ir::MotionKind::tool || motion.kind == ir::MotionKind::offset) {
+      compensation_.flush();
+      check_led();
+    }
     if (motion.kind == ir::MotionKind::tool) follow_tool(motion);
     if (motion.kind == ir::MotionKind::offset) follow_offset(motion);
-    if (ir::is_move(motion.kind)) check_move(motion);
+    if (ir::is_move(motion.kind)) lead(motion);
   }
+}
+
+// The radius in the control's register; what the spindle holds may be another.
+double Milling::comp_radius_of(const ir::Motion& motion) {
+  if (motion.comp == ir::CompSide::off) return 0.0;
+  if (settings_.comp_radius == CompRadius::of_tool) return cutter_->radius;
+  const std::int32_t number = motion.tool_offset;
+  if (number == 0 && settings_.comp_radius == CompRadius::of_number) {
+    report_.not_checked.add("cutter compensation by D0, or by no D, was taken as none", motion.place.line);
+    return 0.0;
+  }
+  if (number == 0) return cutter_->radius;
+  const checks::Tool* found = nullptr;
+  for (const checks::Tool& tool : settings_.tools) {
+    if (tool.offset != number || !(tool.diameter_mm > 0.0)) continue;
+    if (found == nullptr || tool.number == tool_) found = &tool;
+  }
+  if (found != nullptr) return 0.5 * found->diameter_mm;
+  report_.not_checked.add(
+      fmt::format("D{} is the offset of no tool that is known: the radius of tool {} was taken", number, tool_),
+      motion.place.line);
+  return cutter_->radius;
+}
+
+// A compensated move waits for the next one, which decides where it ends.
+void Milling::lead(const ir::Motion& motion) {
+  const bool compensated = motion.comp != ir::CompSide::off;
+  if (!compensated && compensation_.is_idle()) return check_move(motion);
+  const bool in_plane = !compensated || motion.plane == ir::Plane::xy;
+  if (motion.machine_coordinates || !cutter_ || !in_plane) {
+    compensation_.forget();
+    check_led();
+    if (in_plane) return check_move(motion);
+    return report_.not_checked.add("a move with cutter compensation in another plane than x-y was not checked",
+                                   motion.place.line);
+  }
+  compensation_.add(motion, comp_radius_of(motion));
+  check_led();
+}
+
+void Milling::check_led() {
+  for (const ir::Motion& motion : compensation_.known()) check_move(motion);
+  compensation_.clear_known();
 }
 
 void Milling::check_move(const ir::Motion& motion) {
@@ -143,8 +192,6 @@ void Milling::check_move(const ir::Motion& motion) {
   const Point3 start = point_of(motion.start);
   if (motion.kind == ir::MotionKind::rapid) {
     check_rapid(motion, start, end);
-  } else if (motion.comp != ir::CompSide::off) {
-    report_.not_checked.add("a move with cutter compensation was not checked", line);
   } else if (is_arc(motion)) {
     for_chords(motion, [&](const Point3& from, const Point3& to) { check_cut(motion, from, to); });
   } else {
@@ -211,7 +258,11 @@ void Milling::check_cut(const ir::Motion& motion, const Point3& from, const Poin
   }
 }
 
-Report Milling::finish() { return std::move(report_); }
+Report Milling::finish() {
+  compensation_.flush();
+  check_led();
+  return std::move(report_);
+}
 
 plot::Plot Milling::picture() const {
   plot::Plot picture{.title = "height of what is left", .x = {"x, mm"}, .y = {"y, mm"}, .equal_scale = true};

@@ -1,6 +1,6 @@
 // Gouges in milling from above, on a height map: a rapid that enters the stock as it is left at that moment, or the
 // finished part, and a cut below the nominal beyond its tolerance. Flat, ball and bull-nose cutters; the shank, the
-// holder and undercuts do not count.
+// holder and undercuts do not count. Under cutter compensation the axis is led as the control leads it.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "checks/gouge/compensation.h"
 #include "checks/gouge/cutter.h"
 #include "checks/gouge/gouge.h"
 #include "checks/gouge/height_map.h"
@@ -19,6 +20,10 @@
 
 namespace dripfeed::gouge {
 
+// Whose radius G41 and G42 take: the tool's in the spindle, that of the offset which the program names by D, or that
+// with the tool's own where it names none.
+enum class CompRadius : std::uint8_t { of_tool, of_number, of_number_or_tool };
+
 struct MillingSettings {
   std::optional<Blank> stock = {};                // nothing: rapids are checked against the nominal only
   std::vector<curves::HeightField> nominal = {};  // may be empty
@@ -28,6 +33,8 @@ struct MillingSettings {
   // rapids are taken as lines.
   std::array<double, 3> rapid_mm_min = {};
   double step_mm = 0.0;  // between the places of the height map; 0: as fine as its memory allows
+  CompRadius comp_radius = CompRadius::of_tool;
+  OuterCorner outer_corner = OuterCorner::arc;
 };
 
 class Milling final : public ir::MotionSink {
@@ -42,6 +49,9 @@ class Milling final : public ir::MotionSink {
  private:
   void follow_tool(const ir::Motion& motion);
   void follow_offset(const ir::Motion& motion);
+  void lead(const ir::Motion& motion);
+  void check_led();
+  [[nodiscard]] double comp_radius_of(const ir::Motion& motion);
   void check_move(const ir::Motion& motion);
   void check_rapid(const ir::Motion& motion, const Point3& from, const Point3& to);
   void check_cut(const ir::Motion& motion, const Point3& from, const Point3& to);
@@ -51,6 +61,8 @@ class Milling final : public ir::MotionSink {
   Report report_;
   std::optional<HeightMap> map_;
   std::optional<Cutter> cutter_;
+  std::int32_t tool_ = 0;
+  Compensation compensation_;
   bool knows_speeds_ = false;
   bool has_cut_ = false;
   std::optional<std::int32_t> offset_;

@@ -28,6 +28,12 @@ ir::CompSide comp_of(const Modes& modes) {
   return modes.comp == ir::CompSide::left ? ir::CompSide::right : ir::CompSide::left;
 }
 
+// Of an offset; 0 where it is none.
+std::int32_t number_of(double value) {
+  constexpr double kMost = 1e6;
+  return value >= 0.0 && value <= kMost ? static_cast<std::int32_t>(value) : 0;
+}
+
 }  // namespace
 
 void fill_common(ir::Motion& motion, const ModalState& state) {
@@ -39,6 +45,7 @@ void fill_common(ir::Motion& motion, const ModalState& state) {
   motion.spindle_rpm = state.modes.surface_speed ? state.spindle_limit_rpm : state.rpm;
   motion.surface_speed_m_min = state.modes.surface_speed ? state.surface_speed_m_min : 0.0;
   motion.comp = comp_of(state.modes);
+  if (motion.comp != ir::CompSide::off) motion.tool_offset = number_of(state.comp_number);
   motion.coolant = state.coolant;
 }
 

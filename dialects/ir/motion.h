@@ -64,7 +64,7 @@ struct Motion {
   CompSide comp = CompSide::off;
   CoolantState coolant = CoolantState::off;
   std::int32_t number = 0;           // offset: 0 none, 1 G54 …; tool: its number; stop: 0 program, 1 optional
-  std::int32_t tool_offset = 0;      // tool: D or offset number
+  std::int32_t tool_offset = 0;      // tool: D or offset number; with `comp`: the D in effect
   std::uint32_t text = 0xFFFFFFFFU;  // message, tool by name: index into the run's strings
   ComputeCounts compute;             // work since the motion before
   // Bit per Axis: where the move starts is not known (never commanded, after a reference return, a move in machine

@@ -80,6 +80,12 @@ gouge::MillingSettings milling_gouge(const Examination& e) {
   settings.nominal = e.geometry->surfaces;
   settings.tools = tools_of(e);
   settings.rapid_mm_min = {rapid_of(e, ir::Axis::x), rapid_of(e, ir::Axis::y), rapid_of(e, ir::Axis::z)};
+  // SINUMERIK's D is an edge of the tool; Mazak takes its tool data where no D is programmed.
+  const bool has_edges = e.control.semantics.d_selects_edge;
+  settings.outer_corner = has_edges ? gouge::OuterCorner::arc : gouge::OuterCorner::straight;
+  settings.comp_radius = has_edges                      ? gouge::CompRadius::of_tool
+                         : e.control.dialect == "mazak" ? gouge::CompRadius::of_number_or_tool
+                                                        : gouge::CompRadius::of_number;
   return settings;
 }
 

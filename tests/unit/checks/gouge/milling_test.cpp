@@ -213,7 +213,15 @@ TEST(Milling, WhatIsNotKnownIsSaid) {
   EXPECT_TRUE(says(run(block(), {rapid({0, 0, 10}, {0, 0, -6})}, 7), "diameter of tool 7"));
   ir::Motion compensated = cut({0, 0, -5}, {1, 0, -5});
   compensated.comp = ir::CompSide::left;
-  EXPECT_TRUE(says(run(block(), {compensated}), "compensation"));
+  compensated.plane = ir::Plane::zx;
+  EXPECT_TRUE(says(run(block(), {compensated}), "compensation in another plane"));
+  compensated.plane = ir::Plane::xy;
+  MillingSettings by_number = block();
+  by_number.comp_radius = CompRadius::of_number;
+  EXPECT_TRUE(says(run(by_number, {compensated}), "D0"));
+  compensated.tool_offset = 77;
+  EXPECT_TRUE(says(run(by_number, {compensated}), "D77 is the offset of no tool"));
+  EXPECT_TRUE(run(block(), {compensated}).not_checked.list().size() == run(block(), {}).not_checked.list().size());
   ir::Motion turned = cut({0, 0, -5}, {1, 0, -5});
   turned.end[3] = 10;
   EXPECT_TRUE(says(run(block(), {turned}), "rotary"));
