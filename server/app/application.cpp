@@ -60,7 +60,7 @@ Application::Application(const Environment& environment)
       keeper_(store_, lines_, events_, clock_, environment.ballast),
       catalog_(store_, lines_, events_, clock_, documents_),
       programs_(store_, clock_, documents_, environment.ballast),
-      checking_(store_, catalog_, events_, clock_, documents_),
+      checking_(store_, events_, clock_, documents_),
       jobs_(store_, lines_, keeper_, events_, clock_, documents_),
       receiving_({store_, lines_, jobs_, programs_, events_, clock_, documents_}) {}
 

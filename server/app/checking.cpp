@@ -6,11 +6,13 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 namespace dripfeed::app {
 
 namespace {
+
+// Longest text that is checked whole.
+constexpr std::uint64_t kTextLimit = std::uint64_t{256} << 20U;
 
 store::Outcome outcome_of(checks::Verdict verdict) {
   switch (verdict) {
@@ -24,51 +26,80 @@ store::Outcome outcome_of(checks::Verdict verdict) {
 
 // "profile 12-60,70-71", as programs.cpp writes it.
 std::vector<family::LineRange> read_profile_lines(std::string_view facts) {
-  std::vector<family::LineRange> ranges;
   constexpr std::string_view kHead = "profile ";
-  if (!facts.starts_with(kHead)) return ranges;
-  const char* at = facts.data() + kHead.size();
-  const char* const end = facts.data() + facts.size();
-  while (at < end) {
-    family::LineRange range;
-    const auto first = std::from_chars(at, end, range.first);
-    if (first.ec != std::errc{} || first.ptr == end || *first.ptr != '-') break;
-    const auto last = std::from_chars(first.ptr + 1, end, range.last);
-    if (last.ec != std::errc{}) break;
-    ranges.push_back(range);
-    at = last.ptr < end && *last.ptr == ',' ? last.ptr + 1 : end;
-  }
-  return ranges;
+  if (!facts.starts_with(kHead)) return {};
+  return read_line_ranges(facts.substr(kHead.size())).value_or(std::vector<family::LineRange>{});
+}
+
+Result<void> add_rendered(store::Store& store, const Documents& documents, StoredCase& one) {
+  const store::Origin& origin = one.revision.origin;
+  const auto family = lift(store.families().get(origin.family, origin.family_revision));
+  if (!family) return std::unexpected(family.error());
+  const auto values = documents.read_values(origin.values);
+  if (!values) return std::unexpected(values.error());
+  one.examination.geometry =
+      compile::family_geometry(text::Source(family->name, family->text), overrides_of(*values)).geometry;
+  one.examination.profile_lines = read_profile_lines(one.revision.facts);
+  return {};
+}
+
+Result<void> add_nominal(store::Store& store, const CheckOrder& order, StoredCase& one) {
+  const auto family = lift(store.families().get(order.nominal->family));
+  if (!family) return std::unexpected(family.error());
+  const text::Source source(family->name, family->text);
+  auto made = compile::family_geometry(source, overrides_of(order.nominal->values));
+  if (auto fine = refuse_errors(made.diagnostics, source, fmt::format("family {}", family->name)); !fine)
+    return std::unexpected(fine.error());
+  one.examination.geometry = std::move(made.geometry);
+  one.examination.profile_lines = order.profile_lines;
+  std::string values;
+  for (const auto& [name, value] : order.nominal->values) values += fmt::format(" {}={}", name, value);
+  one.examination.assumed = fmt::format("whether the part is that of family {}, revision {}{}: it was said to be",
+                                        family->name, family->revision, values);
+  return {};
+}
+
+Result<void> add_geometry(store::Store& store, const Documents& documents, const CheckOrder& order, StoredCase& one) {
+  const bool rendered = one.revision.origin.kind == store::OriginKind::rendered;
+  const auto refuse = [](const char* pointer, const char* text) {
+    return fail(ErrorCode::invalid, text, {{.pointer = pointer, .text = text}});
+  };
+  if (rendered && order.nominal) return refuse("/nominal", "a rendered program has the nominal of its family");
+  if (!order.nominal && !order.profile_lines.empty()) return refuse("/profile", "lines make a profile of a nominal");
+  if (rendered) return add_rendered(store, documents, one);
+  return order.nominal ? add_nominal(store, order, one) : Result<void>{};
 }
 
 }  // namespace
 
-Checking::Checking(store::Store& store, Catalog& catalog, Events& events, const Clock& clock,
-                   const Documents& documents)
-    : store_(store), catalog_(catalog), events_(events), clock_(clock), documents_(documents) {}
-
-Result<void> Checking::add_geometry(const store::ProgramRevision& revision, Examination& examination) {
-  const store::Origin& origin = revision.origin;
-  if (origin.kind != store::OriginKind::rendered) return {};
-  const auto family = lift(store_.families().get(origin.family, origin.family_revision));
-  if (!family) return std::unexpected(family.error());
-  const auto values = documents_.read_values(origin.values);
-  if (!values) return std::unexpected(values.error());
-  examination.geometry =
-      compile::family_geometry(text::Source(family->name, family->text), overrides_of(*values)).geometry;
-  examination.profile_lines = read_profile_lines(revision.facts);
-  return {};
+std::optional<std::vector<family::LineRange>> read_line_ranges(std::string_view text) {
+  std::vector<family::LineRange> ranges;
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  while (at < end) {
+    family::LineRange range;
+    const auto first = std::from_chars(at, end, range.first);
+    if (first.ec != std::errc{} || first.ptr == end || *first.ptr != '-') return std::nullopt;
+    const auto last = std::from_chars(first.ptr + 1, end, range.last);
+    if (last.ec != std::errc{} || range.first == 0 || range.last < range.first) return std::nullopt;
+    ranges.push_back(range);
+    at = last.ptr;
+    if (at == end) break;
+    if (*at != ',' || ++at == end) return std::nullopt;
+  }
+  return ranges;
 }
 
-Result<store::Verdict> Checking::check(const CheckOrder& order, std::string_view actor) {
-  const auto program = lift(store_.programs().get(order.program));
+Result<std::unique_ptr<StoredCase>> load_case(store::Store& store, const Documents& documents,
+                                              const CheckOrder& order) {
+  auto program = lift(store.programs().get(order.program));
   if (!program) return std::unexpected(program.error());
   auto revision = order.revision == 0 ? Result<store::ProgramRevision>(program->newest)
-                                      : lift(store_.programs().get_revision(order.program, order.revision));
+                                      : lift(store.programs().get_revision(order.program, order.revision));
   if (!revision) return std::unexpected(revision.error());
-  const auto machine = lift(store_.machines().get(order.machine));
+  auto machine = lift(store.machines().get(order.machine));
   if (!machine) return std::unexpected(machine.error());
-  const auto profile = documents_.read_profile(machine->profile);
+  auto profile = documents.read_profile(machine->profile);
   if (!profile) return std::unexpected(profile.error());
   if (profile->control.dialect != program->dialect) {
     return fail(ErrorCode::invalid, fmt::format("program {} is {}, machine {} is {}", program->name, program->dialect,
@@ -76,27 +107,37 @@ Result<store::Verdict> Checking::check(const CheckOrder& order, std::string_view
   }
   const auto control = control_of(*profile);
   if (!control) return std::unexpected(control.error());
-  auto text = lift(store::read_whole(store_.contents(), revision->sha256, kTextLimit));
+  auto text = lift(store::read_whole(store.contents(), revision->sha256, kTextLimit));
   if (!text) return std::unexpected(text.error());
 
-  Examination examination{
-      .source = text::Source(program->name, std::move(*text)),
-      .dialect = compile::find_dialect(program->dialect),
-      .control = *control,
-      .inferred = false,
-      .profile = &*profile,
-      .delivery = order.delivery == store::Delivery::drip ? ir::Delivery::drip : ir::Delivery::memory,
-      .find_called = {},
-      .geometry = {},
-      .profile_lines = {}};
-  const auto known = add_geometry(*revision, examination);
-  if (!known) return std::unexpected(known.error());
-  const CheckReport report = examine(examination);
+  auto one = std::make_unique<StoredCase>(StoredCase{.program = std::move(*program),
+                                                     .revision = std::move(*revision),
+                                                     .machine = std::move(*machine),
+                                                     .profile = std::move(*profile),
+                                                     .examination = {}});
+  Examination& e = one->examination;
+  e.source = text::Source(one->program.name, std::move(*text));
+  e.dialect = compile::find_dialect(one->program.dialect);
+  e.control = *control;
+  e.profile = &one->profile;
+  e.delivery = order.delivery == store::Delivery::drip ? ir::Delivery::drip : ir::Delivery::memory;
+  if (auto known = add_geometry(store, documents, order, *one); !known) return std::unexpected(known.error());
+  return one;
+}
 
-  const store::NewVerdict row{.program = program->id,
-                              .revision = revision->revision,
-                              .machine = machine->name,
-                              .machine_revision = machine->revision,
+Checking::Checking(store::Store& store, Events& events, const Clock& clock, const Documents& documents)
+    : store_(store), events_(events), clock_(clock), documents_(documents) {}
+
+Result<store::Verdict> Checking::check(const CheckOrder& order, std::string_view actor) {
+  const auto one = load_case(store_, documents_, order);
+  if (!one) return std::unexpected(one.error());
+  const StoredCase& stored = **one;
+  const CheckReport report = examine(stored.examination);
+
+  const store::NewVerdict row{.program = stored.program.id,
+                              .revision = stored.revision.revision,
+                              .machine = stored.machine.name,
+                              .machine_revision = stored.machine.revision,
                               .delivery = order.delivery,
                               .outcome = outcome_of(report.verdict),
                               .report = documents_.write_report(report)};
@@ -104,11 +145,11 @@ Result<store::Verdict> Checking::check(const CheckOrder& order, std::string_view
   if (!verdict) return std::unexpected(verdict.error());
   events_.publish({.id = 0,
                    .kind = EventKind::verdict,
-                   .machine = machine->name,
+                   .machine = stored.machine.name,
                    .job = {},
                    .verdict = verdict->id,
                    .outcome = verdict->of.outcome,
-                   .text = program->name});
+                   .text = stored.program.name});
   return verdict;
 }
 

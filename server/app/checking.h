@@ -1,8 +1,11 @@
 // Checking a stored program for a stored machine: examine it, store the verdict, tell who watches.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "server/app/catalog.h"
 #include "server/app/documents.h"
@@ -13,27 +16,44 @@
 
 namespace dripfeed::app {
 
+// Stock, nominal and tools of a family with these values, for a text that was not rendered from one.
+struct NominalOrder {
+  std::string family;
+  Values values;
+};
+
 struct CheckOrder {
   store::Id program = 0;
   store::Revision revision = 0;  // 0: the newest
   std::string machine;
   store::Delivery delivery = store::Delivery::drip;
+  std::optional<NominalOrder> nominal = {};
+  std::vector<family::LineRange> profile_lines = {};  // with a nominal: the lines that make it; empty: every cut
 };
+
+// A stored program and machine, ready to be examined: what the order names, read from the store.
+struct StoredCase {
+  store::Program program;
+  store::ProgramRevision revision;
+  store::Machine machine;
+  machine::Profile profile;
+  Examination examination;  // refers to `profile`
+};
+// Errors: not_found; invalid: another dialect than the machine's, a nominal that does not bind, or one for a text that
+// has its own.
+Result<std::unique_ptr<StoredCase>> load_case(store::Store& store, const Documents& documents, const CheckOrder& order);
+
+// "12-60,70-71", as commands and requests name lines; nothing where it is none.
+std::optional<std::vector<family::LineRange>> read_line_ranges(std::string_view text);
 
 class Checking {
  public:
-  // Longest text that is checked whole.
-  static constexpr std::uint64_t kTextLimit = std::uint64_t{256} << 20U;
-
-  Checking(store::Store& store, Catalog& catalog, Events& events, const Clock& clock, const Documents& documents);
-  // Errors: not_found, invalid.
+  Checking(store::Store& store, Events& events, const Clock& clock, const Documents& documents);
+  // Errors: as load_case.
   Result<store::Verdict> check(const CheckOrder& order, std::string_view actor);
 
  private:
-  Result<void> add_geometry(const store::ProgramRevision& revision, Examination& examination);
-
   store::Store& store_;
-  Catalog& catalog_;
   Events& events_;
   const Clock& clock_;
   const Documents& documents_;

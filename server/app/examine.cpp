@@ -208,6 +208,7 @@ CheckReport examine(const Examination& e) {
   } else {
     report.checks.not_checked.add("what the program does: it has errors that keep it from being run");
   }
+  if (!e.assumed.empty()) report.checks.not_checked.add(e.assumed);
   sort_and_join(report.checks.diagnostics);
   report.verdict = checks::verdict_of(report.checks);
   return report;

@@ -34,6 +34,7 @@ struct Examination {
   std::optional<family::Geometry> geometry;      // stock and nominal, of a rendered program
   std::vector<family::LineRange> profile_lines;  // the moves that make the nominal; empty: every cut
   TimingWishes timing = {};
+  std::string assumed = {};  // what was taken on somebody's word, told among what was not checked; may be empty
 };
 
 CheckReport examine(const Examination& examination);

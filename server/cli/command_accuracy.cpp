@@ -52,18 +52,9 @@ std::string cmm_text(const accuracy::CmmReport& report) {
 app::Result<accuracy::CmmReport> cmm_of(const AccuracyOptions& options, const Measured& measured) {
   const auto source = read_source(options.cmm);
   if (!source) return std::unexpected(source.error());
-  const bool turns = measured.kind != ir::MachineKind::mill;
-  const auto table = accuracy::read_cmm(source->text(), turns ? accuracy::CmmKind::turning : accuracy::CmmKind::milling,
-                                        measured.x_is_diameter);
-  if (!table) return app::fail(app::ErrorCode::invalid, fmt::format("{}: {}", options.cmm, table.error()));
-  std::vector<curves::ParametricCurve> curves;
-  for (const family::PlaneCurve& one : measured.geometry.curves) curves.push_back(one.curve);
-  const bool has_nominal = turns ? !measured.geometry.nominal.empty() : !curves.empty();
-  if (table->has_points && !has_nominal)
-    return app::fail(app::ErrorCode::invalid, fmt::format("{}: points need a nominal", options.cmm));
-  const accuracy::Nearest nearest =
-      turns ? accuracy::nearest_on(measured.geometry.nominal) : accuracy::nearest_on(curves);
-  return accuracy::measure_cmm(*table, nearest, options.best_fit);
+  auto found = app::measure_points(source->text(), options.best_fit, measured);
+  if (!found) found.error().text.insert(0, options.cmm + ": ");
+  return found;
 }
 
 int accuracy_of(const AccuracyOptions& options) {

@@ -6,6 +6,7 @@
 #include "server/app/examine.h"
 #include "server/cli/cli.h"
 #include "server/cli/inputs.h"
+#include "server/cli/measured.h"
 #include "server/cli/output.h"
 #include "server/json/reports.h"
 
@@ -16,6 +17,8 @@ namespace {
 struct Options {
   TextOptions text;
   std::vector<std::string> files;
+  NominalOptions nominal;
+  std::vector<std::string> values;
   bool drip = false;
 };
 
@@ -40,7 +43,8 @@ void print_report(const app::CheckReport& report) {
              report.control_title.empty() ? report.dialect : report.control_title, why);
 }
 
-app::Result<app::CheckReport> check_file(const Options& options, const std::string& path) {
+app::Result<app::CheckReport> check_file(const Options& options, const std::string& path,
+                                         const std::optional<Nominal>& nominal) {
   auto source = read_source(path);
   if (!source) return std::unexpected(source.error());
   const auto chosen = choose_control(options.text, *source);
@@ -52,14 +56,23 @@ app::Result<app::CheckReport> check_file(const Options& options, const std::stri
                        .profile = chosen->profile ? &*chosen->profile : nullptr,
                        .delivery = options.drip ? ir::Delivery::drip : ir::Delivery::memory,
                        .find_called = find_in(folders_for(options.text, path)),
-                       .geometry = {},
-                       .profile_lines = {}});
+                       .geometry = nominal ? std::optional(nominal->geometry) : std::nullopt,
+                       .profile_lines = nominal ? nominal->profile_lines : std::vector<family::LineRange>{}});
 }
 
 int check(const Options& options) {
   std::vector<app::CheckReport> reports;
+  std::optional<Nominal> nominal;
+  if (!options.nominal.family.empty()) {
+    auto read = read_nominal(options.nominal, options.values);
+    if (!read) {
+      print_error(read.error());
+      return kWrongUse;
+    }
+    nominal = std::move(*read);
+  }
   for (const std::string& file : options.files) {
-    auto report = check_file(options, file);
+    auto report = check_file(options, file, nominal);
     if (!report) {
       print_error(report.error());
       return kWrongUse;
@@ -80,6 +93,9 @@ void add_check(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Options>();
   command->add_option("FILE", options->files, "programs, - for standard input")->required();
   add_text_options(*command, options->text);
+  add_nominal_options(*command, options->nominal,
+                      "this family has stock, nominal and tools: gouges and accuracy are checked, too");
+  command->add_option("--set", options->values, "with --nominal, its parameter: roll_length=\"200 mm\"");
   command->add_flag("--drip", options->drip, "as fed block by block while it runs (tape, DNC, remote mode)");
   command->callback([options, &exit_code] { exit_code = check(*options); });
 }

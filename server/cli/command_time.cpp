@@ -5,6 +5,7 @@
 
 #include "dialects/text/number.h"
 #include "server/app/examine.h"
+#include "server/app/timing_pictures.h"
 #include "server/cli/cli.h"
 #include "server/cli/inputs.h"
 #include "server/cli/output.h"
@@ -28,9 +29,9 @@ int time_program(const TimeOptions& options) {
     print_diagnostics(timed->diagnostics, timed->source, timed->control_title);
     return kFailed;
   }
-  for (const auto& [path, plot] :
-       {std::pair(options.plot_feed, &feed_plot), std::pair(options.plot_buffer, &buffer_plot)}) {
-    if (!path.empty() && !write_output(path, plot(*timed->report, options.file))) return kWrongUse;
+  for (const auto& [path, draw] :
+       {std::pair(options.plot_feed, &app::feed_plot), std::pair(options.plot_buffer, &app::buffer_plot)}) {
+    if (!path.empty() && !write_output(path, plot::svg(draw(*timed->report, options.file)))) return kWrongUse;
   }
   const std::string text = options.text.json ? json::time_figures(*timed->report) : timing_text(*timed->report);
   return write_output(options.text.output, text) ? kDone : kWrongUse;

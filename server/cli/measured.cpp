@@ -7,18 +7,12 @@
 
 #include "dialects/compile/execute.h"
 #include "dialects/compile/stream.h"
-#include "server/app/machine_facts.h"
 #include "server/cli/output.h"
 #include "server/cli/program_file.h"
 
 namespace dripfeed::cli {
 
 namespace {
-
-Measured measured_of(app::CheckReport report, const app::Examination& e) {
-  return {std::move(report), e.geometry.value_or(family::Geometry{}), e.control.kind,
-          app::x_is_diameter(e.control, e.profile)};
-}
 
 app::Result<Measured> measure_family(const MeasureOptions& options) {
   const auto rendered = render_family(options.family);
@@ -34,18 +28,7 @@ app::Result<Measured> measure_family(const MeasureOptions& options) {
                            .find_called = {},
                            .geometry = rendered->result.geometry,
                            .profile_lines = rendered->result.profile_lines};
-  return measured_of(app::examine(e), e);
-}
-
-app::Result<family::Geometry> geometry_of(const MeasureOptions& options) {
-  auto source = read_source(find_family(options.nominal));
-  if (!source) return std::unexpected(source.error());
-  auto values = overrides_of(options.family);
-  if (!values) return std::unexpected(values.error());
-  auto geometry = compile::family_geometry(*source, *values);
-  print_diagnostics(geometry.diagnostics, *source, "family");
-  if (text::has_error(geometry.diagnostics)) return app::fail(app::ErrorCode::refused, "the nominal has errors");
-  return std::move(geometry.geometry);
+  return app::measured_of(app::examine(e), e);
 }
 
 // While it is read: its text is not validated.
@@ -68,13 +51,13 @@ app::Result<Measured> measure_stream(const MeasureOptions& options, app::Examina
   report.ran = ran.result.ended == interpreter::Ended::end;
   report.blocks = ran.result.blocks;
   checks.finish(report.checks, report.pictures);
-  return measured_of(std::move(report), e);
+  return app::measured_of(std::move(report), e);
 }
 
 app::Result<Measured> measure_file(const MeasureOptions& options, app::SurfaceScope scope) {
   const std::string& path = options.family.file;
-  auto geometry = geometry_of(options);
-  if (!geometry) return std::unexpected(geometry.error());
+  auto nominal = read_nominal(options.nominal, options.family.values);
+  if (!nominal) return std::unexpected(nominal.error());
   std::unique_ptr<ProgramFile> file;
   if (path != "-") {
     auto opened = ProgramFile::open(path);
@@ -93,23 +76,45 @@ app::Result<Measured> measure_file(const MeasureOptions& options, app::SurfaceSc
                      .profile = chosen->profile ? &*chosen->profile : nullptr,
                      .delivery = ir::Delivery::memory,
                      .find_called = find_in(folders_for(options.family.text, path)),
-                     .geometry = std::move(*geometry),
-                     .profile_lines = {}};
+                     .geometry = std::move(nominal->geometry),
+                     .profile_lines = std::move(nominal->profile_lines)};
   if (streams) return measure_stream(options, std::move(e), *file, scope);
-  return measured_of(app::examine(e), e);
+  return app::measured_of(app::examine(e), e);
 }
 
 }  // namespace
 
+void add_nominal_options(CLI::App& command, NominalOptions& options, const std::string& help) {
+  CLI::Option* nominal = command.add_option("--nominal", options.family, help);
+  command
+      .add_option("--profile", options.profile, "with --nominal: lines that make it, 12-60,70-71; otherwise every cut")
+      ->needs(nominal);
+}
+
+app::Result<Nominal> read_nominal(const NominalOptions& options, const std::vector<std::string>& values) {
+  auto source = read_source(find_family(options.family));
+  if (!source) return std::unexpected(source.error());
+  FamilyOptions set;
+  set.values = values;
+  const auto overrides = overrides_of(set);
+  if (!overrides) return std::unexpected(overrides.error());
+  auto made = compile::family_geometry(*source, *overrides);
+  print_diagnostics(made.diagnostics, *source, "family");
+  if (text::has_error(made.diagnostics)) return app::fail(app::ErrorCode::refused, "the nominal has errors");
+  auto lines = app::read_line_ranges(options.profile);
+  if (!lines) return app::fail(app::ErrorCode::invalid, "--profile names lines as 12-60,70-71");
+  return Nominal{std::move(made.geometry), std::move(*lines)};
+}
+
 void add_measure_options(CLI::App& command, MeasureOptions& options) {
   add_family_options(command, options.family);
-  command.add_option("--nominal", options.nominal,
-                     "FAMILY is a program, this family (with the values of --set) has its stock and nominal");
+  add_nominal_options(command, options.nominal,
+                      "FAMILY is a program, this family (with the values of --set) has its stock and nominal");
   command.add_option("--plot", options.plot, "writes a picture as SVG");
 }
 
 app::Result<Measured> measure(const MeasureOptions& options, app::SurfaceScope scope) {
-  return options.nominal.empty() ? measure_family(options) : measure_file(options, scope);
+  return options.nominal.family.empty() ? measure_family(options) : measure_file(options, scope);
 }
 
 void print_not_measured(const app::CheckReport& report) {

@@ -3,24 +3,34 @@
 
 #include <string>
 
+#include "server/app/measured.h"
 #include "server/app/surface_checks.h"
 #include "server/cli/family_options.h"
 
 namespace dripfeed::cli {
 
+// Of a program that was not rendered: the family that has its stock and nominal, and its lines that make the profile.
+struct NominalOptions {
+  std::string family;
+  std::string profile;  // "12-60,70-71"
+};
+void add_nominal_options(CLI::App& command, NominalOptions& options, const std::string& help);
+
+struct Nominal {
+  family::Geometry geometry;
+  std::vector<family::LineRange> profile_lines;
+};
+// With values as --set gives them. Errors: what cannot be read or bound; faults of the family are printed.
+app::Result<Nominal> read_nominal(const NominalOptions& options, const std::vector<std::string>& values);
+
 struct MeasureOptions {
   FamilyOptions family;
-  std::string nominal;  // then FAMILY is a program, and this family has stock and nominal
-  std::string plot;     // path of an SVG
+  NominalOptions nominal;  // then FAMILY is a program
+  std::string plot;        // path of an SVG
 };
 void add_measure_options(CLI::App& command, MeasureOptions& options);
 
-struct Measured {
-  app::CheckReport report;
-  family::Geometry geometry;
-  ir::MachineKind kind = ir::MachineKind::mill;
-  bool x_is_diameter = false;
-};
+using app::Measured;
 // A family is rendered and examined; a large program's file is run while it is read, and `scope` says for which checks.
 // Errors: what cannot be read, rendered or run.
 app::Result<Measured> measure(const MeasureOptions& options, app::SurfaceScope scope);

@@ -1,4 +1,4 @@
-// A timing report for people: as text, and as plots over the time.
+// A timing report for people.
 #pragma once
 
 #include <string>
@@ -8,8 +8,5 @@
 namespace dripfeed::cli {
 
 std::string timing_text(const timing::Report& report);
-// SVG; of the report's curve, with what limited each stretch behind it.
-std::string feed_plot(const timing::Report& report, const std::string& title);
-std::string buffer_plot(const timing::Report& report, const std::string& title);
 
 }  // namespace dripfeed::cli

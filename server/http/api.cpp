@@ -216,9 +216,13 @@ Response Api::answer_route(const Request& request, const Match& match) {
 
 namespace {
 
-// Headers of a kept answer: one a line.
+constexpr std::string_view kJson = "application/json";
+constexpr std::string_view kContentType = "Content-Type";
+
+// Headers of a kept answer: one a line, its type among them where it is no JSON.
 std::string write_headers(const Response& response) {
   std::string lines;
+  if (response.content_type != kJson) lines = fmt::format("{}: {}\n", kContentType, response.content_type);
   for (const auto& [name, value] : response.headers) lines += fmt::format("{}: {}\n", name, value);
   return lines;
 }
@@ -228,7 +232,14 @@ void read_headers(std::string_view lines, Response& response) {
     const std::string_view line = lines.substr(0, lines.find('\n'));
     lines.remove_prefix(std::min(lines.size(), line.size() + 1));
     const std::size_t colon = line.find(": ");
-    if (colon != std::string_view::npos) response.headers.emplace_back(line.substr(0, colon), line.substr(colon + 2));
+    if (colon == std::string_view::npos) continue;
+    const std::string_view name = line.substr(0, colon);
+    const std::string_view value = line.substr(colon + 2);
+    if (name == kContentType) {
+      response.content_type = value;
+    } else {
+      response.headers.emplace_back(name, value);
+    }
   }
 }
 

@@ -45,6 +45,12 @@ Response add_check(const Call& call);
 Response get_check(const Call& call);
 Response waive_check(const Call& call);
 
+// handlers_measures.cpp
+Response measure_accuracy(const Call& call);
+Response measure_gouge(const Call& call);
+Response measure_timing(const Call& call);
+Response sweep_family(const Call& call);
+
 // This revision of a program, or the newest one for 0.
 store::Result<store::ProgramRevision> find_revision(store::Store& store, store::Id program, store::Revision revision);
 

@@ -47,7 +47,7 @@ Response list_releases(const Call& call) {
 }
 
 Response add_release(const Call& call) {
-  const auto body = json::read_check_body(call.request.body);
+  const auto body = json::read_release_body(call.request.body);
   if (!body) return problem_response(body.error());
   app::Application& app = call.api.application();
   const auto text = find_revision(app.store(), body->program, body->revision);

@@ -130,11 +130,9 @@ Response list_checks(const Call& call) {
 }
 
 Response add_check(const Call& call) {
-  const auto body = json::read_check_body(call.request.body);
-  if (!body) return problem_response(body.error());
-  const auto verdict = call.api.application().checking().check(
-      {.program = body->program, .revision = body->revision, .machine = body->machine, .delivery = body->delivery},
-      call.user);
+  const auto order = json::read_check_body(call.request.body);
+  if (!order) return problem_response(order.error());
+  const auto verdict = call.api.application().checking().check(*order, call.user);
   if (!verdict) return problem_response(verdict.error());
   return created(fmt::format("/api/v1/checks/{}", verdict->id), json::verdict(*verdict));
 }

@@ -29,6 +29,13 @@ Document findings_document(const checks::FindingList& findings) {
 
 Document number_or_null(double value) { return std::isfinite(value) ? Document(value) : Document(nullptr); }
 
+Document not_checked_document(const std::vector<checks::NotChecked>& list) {
+  Document sentences = Document::array();
+  for (const checks::NotChecked& one : list)
+    sentences.push_back(one.line == 0 ? one.text : one.text + " (line " + std::to_string(one.line) + ")");
+  return sentences;
+}
+
 Document envelope_document(const envelope::Report& report) {
   constexpr std::string_view kAxes = "XYZABCUVW";
   Document document = findings_document(report.findings);
@@ -169,11 +176,7 @@ Document report_document(const app::CheckReport& report) {
                        {"accuracy", checks.accuracy ? accuracy_document(*checks.accuracy) : Document(nullptr)},
                        {"envelope", checks.envelope ? envelope_document(*checks.envelope) : Document(nullptr)},
                        {"gouge", checks.gouge ? gouge_document(*checks.gouge) : Document(nullptr)}};
-  Document not_checked = Document::array();
-  for (const checks::NotChecked& one : checks::not_checked_of(checks)) {
-    not_checked.push_back(one.line == 0 ? one.text : one.text + " (line " + std::to_string(one.line) + ")");
-  }
-  document["not_checked"] = std::move(not_checked);
+  document["not_checked"] = not_checked_document(checks::not_checked_of(checks));
   return document;
 }
 
@@ -195,9 +198,14 @@ std::string time_figures(const timing::Report& report) { return dump(timing_docu
 std::string accuracy_figures(const accuracy::Report& report, const std::optional<accuracy::CmmReport>& cmm) {
   Document document = accuracy_document(report);
   if (cmm) document["cmm"] = cmm_document(*cmm);
+  document["not_checked"] = not_checked_document(report.not_checked.list());
   return dump(document) + "\n";
 }
 
-std::string gouge_figures(const gouge::Report& report) { return dump(gouge_document(report)) + "\n"; }
+std::string gouge_figures(const gouge::Report& report) {
+  Document document = gouge_document(report);
+  document["not_checked"] = not_checked_document(report.not_checked.list());
+  return dump(document) + "\n";
+}
 
 }  // namespace dripfeed::json

@@ -41,6 +41,16 @@ void read_values_of(ObjectReader& object, std::string_view name, app::Values& in
   }
 }
 
+void read_mode(ObjectReader& o, compile::RenderMode& into) {
+  std::string mode = "auto";
+  o.text("mode", mode);
+  if (const auto found = compile::find_render_mode(mode)) {
+    into = *found;
+  } else {
+    o.fault("mode", "must be \"auto\", \"macro\" or \"explicit\"");
+  }
+}
+
 }  // namespace
 
 app::Result<TextBody> read_text_body(std::string_view body) {
@@ -83,26 +93,84 @@ app::Result<app::RenderOrder> read_render_body(std::string_view body) {
     o.text("machine", order.machine, true);
     o.text("name", order.name);
     read_delivery(o, order.delivery);
-    std::string mode = "auto";
-    o.text("mode", mode);
-    if (const auto found = compile::find_render_mode(mode)) {
-      order.mode = *found;
-    } else {
-      o.fault("mode", "must be \"auto\", \"macro\" or \"explicit\"");
-    }
+    read_mode(o, order.mode);
   });
   if (!done) return std::unexpected(done.error());
   return order;
 }
 
-app::Result<CheckBody> read_check_body(std::string_view body) {
-  CheckBody read;
+namespace {
+
+// What a check and a release both name.
+template <class Body>
+void read_subject(ObjectReader& o, Body& into) {
+  read_id(o, "program", into.program);
+  o.integer("revision", into.revision, 1, kMaxId);
+  o.text("machine", into.machine, true);
+  read_delivery(o, into.delivery);
+}
+
+void read_order(ObjectReader& o, app::CheckOrder& into) {
+  read_subject(o, into);
+  if (o.has("nominal")) {
+    into.nominal.emplace();
+    o.object("nominal", [&](ObjectReader& nominal) {
+      nominal.text("family", into.nominal->family, true);
+      read_values_of(nominal, "values", into.nominal->values);
+    });
+  }
+  std::string profile;
+  o.text("profile", profile);
+  if (const auto lines = app::read_line_ranges(profile)) {
+    into.profile_lines = *lines;
+  } else {
+    o.fault("profile", "must name lines as \"12-60,70-71\"");
+  }
+}
+
+}  // namespace
+
+app::Result<app::CheckOrder> read_check_body(std::string_view body) {
+  app::CheckOrder order;
+  const auto done = read_object(body, "request", [&](ObjectReader& o) { read_order(o, order); });
+  if (!done) return std::unexpected(done.error());
+  return order;
+}
+
+app::Result<MeasureBody> read_measure_body(std::string_view body, Measure what) {
+  constexpr std::int64_t kLeastBaud = 50;
+  constexpr std::int64_t kMostBaud = 4'000'000;
+  MeasureBody read;
   const auto done = read_object(body, "request", [&](ObjectReader& o) {
-    read_id(o, "program", read.program);
-    o.integer("revision", read.revision, 1, kMaxId);
-    o.text("machine", read.machine, true);
-    read_delivery(o, read.delivery);
+    read_order(o, read.order.of);
+    if (what == Measure::timing) o.integer("baud", read.order.baud, kLeastBaud, kMostBaud);
+    if (what != Measure::accuracy) return;
+    o.text("cmm", read.cmm);
+    o.flag("best_fit", read.best_fit);
   });
+  if (!done) return std::unexpected(done.error());
+  return read;
+}
+
+app::Result<app::SweepOrder> read_sweep_body(std::string_view body) {
+  constexpr std::int64_t kMostSamples = 1000;  // a pool thread is busy as long
+  app::SweepOrder order;
+  const auto done = read_object(body, "request", [&](ObjectReader& o) {
+    o.text("family", order.family, true);
+    read_values_of(o, "values", order.values);
+    o.text("machine", order.machine, true);
+    read_mode(o, order.mode);
+    read_delivery(o, order.delivery);
+    o.integer("seed", order.settings.seed, 0, UINT32_MAX);
+    o.integer("samples", order.settings.samples, 0, kMostSamples);
+  });
+  if (!done) return std::unexpected(done.error());
+  return order;
+}
+
+app::Result<ReleaseBody> read_release_body(std::string_view body) {
+  ReleaseBody read;
+  const auto done = read_object(body, "request", [&](ObjectReader& o) { read_subject(o, read); });
   if (!done) return std::unexpected(done.error());
   return read;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "server/app/measured.h"
 #include "server/app/programs.h"
 #include "server/app/receiving.h"
 
@@ -32,14 +33,27 @@ app::Result<PartBody> read_part_body(std::string_view body, bool is_new);
 
 app::Result<app::RenderOrder> read_render_body(std::string_view body);
 
-struct CheckBody {
+// {"program","revision","machine","delivery","nominal":{"family","values"},"profile":"12-60,70-71"}
+app::Result<app::CheckOrder> read_check_body(std::string_view body);
+
+// A check's members, and of accuracy "cmm" (the text of a CSV) and "best_fit", of timing "baud".
+struct MeasureBody {
+  app::MeasureOrder order;
+  std::string cmm;
+  bool best_fit = false;
+};
+enum class Measure : std::uint8_t { accuracy, gouge, timing };
+app::Result<MeasureBody> read_measure_body(std::string_view body, Measure what);
+
+app::Result<app::SweepOrder> read_sweep_body(std::string_view body);
+
+struct ReleaseBody {
   store::Id program = 0;
   store::Revision revision = 0;  // 0: the newest
   std::string machine;
   store::Delivery delivery = store::Delivery::drip;
 };
-// Also the body of a new release.
-app::Result<CheckBody> read_check_body(std::string_view body);
+app::Result<ReleaseBody> read_release_body(std::string_view body);
 
 struct ReasonBody {
   std::string reason;

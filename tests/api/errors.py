@@ -13,6 +13,9 @@ NOT_THERE = [
     ("POST", "/programs/99/revisions", {"text": "M30"}), ("POST", "/render", {"family": "nobody", "machine": "lathe"}), ("POST", "/render", {"part": "nobody", "machine": "lathe"}),
     ("POST", "/render", {"family": "hyperbolic-roll", "machine": "nobody"}), ("POST", "/checks", {"program": 99, "machine": "lathe"}),
     ("POST", "/checks", {"program": 1, "machine": "nobody"}), ("POST", "/checks", {"program": 1, "revision": 9, "machine": "lathe"}),
+    ("POST", "/checks", {"program": 1, "machine": "lathe", "nominal": {"family": "nobody"}}), ("POST", "/accuracy", {"program": 99, "machine": "lathe"}),
+    ("POST", "/gouge", {"program": 1, "machine": "nobody"}), ("POST", "/timing", {"program": 1, "revision": 9, "machine": "lathe"}),
+    ("POST", "/sweep", {"family": "nobody", "machine": "lathe"}), ("POST", "/sweep", {"family": "hyperbolic-roll", "machine": "nobody"}),
     ("GET", "/checks/99", None), ("POST", "/checks/99/waivers", {"reason": "x"}), ("POST", "/releases", {"program": 99, "machine": "lathe"}),
     ("POST", "/releases", {"program": 1, "machine": "nobody"}), ("POST", "/releases", {"program": 1, "revision": 9, "machine": "lathe"}),
     ("GET", "/releases/99", None), ("POST", "/releases/99/transitions", {"to": "in_review"}), ("POST", "/jobs", {"release": 99}), ("GET", "/jobs/99", None),
@@ -23,7 +26,7 @@ NOT_THERE = [
     ("GET", "/assets/..%2findex.html", None), ("GET", "/assets/%2e%2e%2f%2e%2e%2fetc%2fpasswd", None),
 ]
 NO_SUCH_METHOD = [  # and the methods that the path has
-    ("DELETE", "/machines", "GET, POST"), ("POST", "/machines/lathe", "GET, PUT"), ("PATCH", "/parts/x", "GET, PUT"), ("GET", "/render", "POST"),
+    ("DELETE", "/machines", "GET, POST"), ("POST", "/machines/lathe", "GET, PUT"), ("PATCH", "/parts/x", "GET, PUT"), ("GET", "/render", "POST"), ("GET", "/sweep", "POST"),
     ("PUT", "/jobs/1", "GET"), ("GET", "/jobs/1/arm", "POST"), ("POST", "/events", "GET"), ("OPTIONS", "/programs", "GET, POST"), ("TRACE", "/healthz", "GET"),
     ("PUT", "/session", "POST, GET, DELETE"),
 ]
@@ -52,6 +55,10 @@ BODIES = [  # the route, a body that is fine but for one thing, the place that t
     ("POST", "/checks", {"program": 0, "machine": "lathe"}, "/program"), ("POST", "/checks", {"program": -1, "machine": "lathe"}, "/program"),
     ("POST", "/checks", {"program": 2**64, "machine": "lathe"}, "/program"), ("POST", "/checks", {"program": 1}, "/machine"), ("POST", "/checks", {"program": 1, "machine": 1}, "/machine"),
     ("POST", "/checks", {"program": 1, "machine": "lathe", "revision": 0}, "/revision"), ("POST", "/checks", {"program": 1, "machine": "lathe", "delivery": 1}, "/delivery"),
+    ("POST", "/checks", {"program": 1, "machine": "lathe", "nominal": {"values": {}}}, "/nominal/family"), ("POST", "/checks", {"program": 1, "machine": "lathe", "profile": "2-9"}, "/profile"),
+    ("POST", "/accuracy", {"machine": "lathe"}, "/program"), ("POST", "/accuracy", {"program": 1, "machine": "lathe", "cmm": 5}, "/cmm"), ("POST", "/gouge", {"program": 1, "machine": "lathe", "cmm": "x"}, "/cmm"),
+    ("POST", "/timing", {"program": 1, "machine": "lathe", "baud": 1}, "/baud"), ("POST", "/sweep", {"machine": "lathe"}, "/family"),
+    ("POST", "/sweep", {"family": "hyperbolic-roll", "machine": "lathe", "samples": 1001}, "/samples"), ("POST", "/releases", {"program": 1, "machine": "lathe", "nominal": {"family": "hyperbolic-roll"}}, "/nominal"),
     ("POST", "/checks/1/waivers", {}, "/reason"), ("POST", "/checks/1/waivers", {"reason": ""}, "/reason"), ("POST", "/checks/1/waivers", {"reason": 1}, "/reason"),
     ("POST", "/releases", {"machine": "lathe"}, "/program"), ("POST", "/releases", {"program": 1}, "/machine"), ("POST", "/releases", {"program": 1, "machine": "lathe", "delivery": "tape"}, "/delivery"),
     ("POST", "/releases/1/transitions", {}, "/to"), ("POST", "/releases/1/transitions", {"to": "done"}, "/to"), ("POST", "/releases/1/transitions", {"to": 2}, "/to"),

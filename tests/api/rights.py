@@ -9,6 +9,7 @@ from client import DC1, ROLES, ROLL, Client, HandControl, expect, expect_problem
 from openapi_shape import differences, shape_faults
 
 MATCH_1 = {"If-Match": '"1"'}
+ROLL_VALUES = {"half_axis_x": "100 mm", "half_axis_z": "202.4 mm", "roll_length": "196 mm", "angle_step": "2 deg", "clearance": "25 mm", "cut_feed": "0.15 mm/rev"}
 ROLL_2 = ROLL.replace("in 10..3000", "in 10..2500")
 
 
@@ -47,6 +48,10 @@ def rows(made):
         ("GET", "/api/v1/checks", "viewer", {}, None, {}),
         ("GET", "/api/v1/checks/{id}", "viewer", {"id": "check"}, None, {}),
         ("POST", "/api/v1/checks/{id}/waivers", "approver", {"id": "check"}, {"reason": "seen"}, {}),
+        ("POST", "/api/v1/accuracy", "programmer", {}, lambda: {"program": made["program"], "machine": "lathe", "nominal": {"family": "hyperbolic-roll"}}, {}),
+        ("POST", "/api/v1/gouge", "programmer", {}, lambda: {"program": made["program"], "machine": "lathe", "nominal": {"family": "hyperbolic-roll"}}, {}),
+        ("POST", "/api/v1/timing", "programmer", {}, lambda: {"program": made["program"], "machine": "lathe"}, {}),
+        ("POST", "/api/v1/sweep", "programmer", {}, {"family": "hyperbolic-roll", "machine": "lathe", "samples": 0, "values": ROLL_VALUES}, {}),
         ("POST", "/api/v1/releases", "programmer", {}, lambda: {"program": made["program"], "machine": "lathe"}, {"keep": "release"}),
         ("GET", "/api/v1/releases", "viewer", {}, None, {}),
         ("GET", "/api/v1/releases/{id}", "viewer", {"id": "release"}, None, {}),

@@ -28,6 +28,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require_told(json::read_part_body(body, false));
   require_told(json::read_render_body(body));
   require_told(json::read_check_body(body));
+  require_told(json::read_measure_body(body, json::Measure::accuracy));
+  require_told(json::read_sweep_body(body));
+  require_told(json::read_release_body(body));
   require_told(json::read_reason_body(body, true));
   require_told(json::read_reason_body(body, false));
   require_told(json::read_transition_body(body));

@@ -105,6 +105,7 @@ TEST(Requests, RenderOrders) {
 
 TEST(Requests, ChecksReleasesAndJobs) {
   const auto checks = [](std::string_view body) { return error_of(read_check_body(body)); };
+  const auto releases = [](std::string_view body) { return error_of(read_release_body(body)); };
   const auto moves = [](std::string_view body) { return error_of(read_transition_body(body)); };
   const auto jobs = [](std::string_view body) { return error_of(read_job_body(body)); };
   const Row rows[] = {
@@ -116,6 +117,13 @@ TEST(Requests, ChecksReleasesAndJobs) {
       {checks, R"({"program":9007199254740993,"machine":"m"})", "/program"},
       {checks, R"({"program":18446744073709551615,"machine":"m"})", "/program"},
       {checks, R"({"program":3,"revision":0,"machine":"m"})", "/revision"},
+      {checks, R"({"program":3,"machine":"m","nominal":{"family":"f","values":{"a":"1 mm"}},"profile":"2-9"})", "ok"},
+      {checks, R"({"program":3,"machine":"m","nominal":{}})", "/nominal/family"},
+      {checks, R"({"program":3,"machine":"m","nominal":"f"})", "/nominal"},
+      {checks, R"({"program":3,"machine":"m","nominal":{"family":"f"},"profile":"9-2"})", "/profile"},
+      {checks, R"({"program":3,"machine":"m","cmm":"x"})", "/cmm"},
+      {releases, R"({"program":3,"machine":"m","delivery":"memory"})", "ok"},
+      {releases, R"({"program":3,"machine":"m","nominal":{"family":"f"}})", "/nominal"},
       {moves, R"({"to":"approved","note":"measured"})", "ok"},
       {moves, R"({"note":"measured"})", "/to"},
       {moves, R"({"to":"sold"})", "/to"},
@@ -130,6 +138,34 @@ TEST(Requests, ChecksReleasesAndJobs) {
   EXPECT_EQ(read_check_body(R"({"program":9007199254740992,"machine":"m"})")->program, 9007199254740992U);
   EXPECT_EQ(read_transition_body(R"({"to":"proving","transfers":3})")->transfers, 3U);
   EXPECT_EQ(read_transition_body(R"({"to":"obsolete"})")->to, store::ReleaseState::obsolete);
+}
+
+TEST(Requests, Measures) {
+  const auto accuracy = [](std::string_view body) { return error_of(read_measure_body(body, Measure::accuracy)); };
+  const auto gouge = [](std::string_view body) { return error_of(read_measure_body(body, Measure::gouge)); };
+  const auto timing = [](std::string_view body) { return error_of(read_measure_body(body, Measure::timing)); };
+  const auto sweeps = [](std::string_view body) { return error_of(read_sweep_body(body)); };
+  const Row rows[] = {
+      {accuracy, R"({"program":3,"machine":"m","cmm":"x,z\n1,2\n","best_fit":true})", "ok"},
+      {accuracy, R"({"program":3,"machine":"m","best_fit":1})", "/best_fit"},
+      {accuracy, R"({"program":3,"machine":"m","baud":9600})", "/baud"},
+      {gouge, R"({"program":3,"machine":"m","cmm":""})", "/cmm"},
+      {timing, R"({"program":3,"machine":"m","delivery":"drip","baud":9600})", "ok"},
+      {timing, R"({"program":3,"machine":"m","baud":9})", "/baud"},
+      {sweeps, R"({"family":"f","machine":"m","samples":0,"seed":7,"mode":"macro","values":{"a":1}})", "ok"},
+      {sweeps, R"({"machine":"m"})", "/family"},
+      {sweeps, R"({"family":"f","machine":"m","samples":1001})", "/samples"},
+      {sweeps, R"({"family":"f","machine":"m","mode":"both"})", "/mode"},
+  };
+  check(rows);
+  const auto read = read_measure_body(
+      R"({"program":3,"machine":"m","nominal":{"family":"f","values":{"a":"1 mm"}},"profile":"2-9,12-12"})",
+      Measure::gouge);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->order.of.nominal->family, "f");
+  EXPECT_EQ(read->order.of.nominal->values.at("a"), "1 mm");
+  ASSERT_EQ(read->order.of.profile_lines.size(), 2U);
+  EXPECT_EQ(read->order.of.profile_lines[1].first, 12U);
 }
 
 TEST(Requests, WhatAPersonSaysAtTheMachine) {

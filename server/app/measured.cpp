@@ -1,0 +1,99 @@
+// The same examination as for a verdict; nothing is written.
+#include "server/app/measured.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "server/app/family_sweep.h"
+#include "server/app/machine_facts.h"
+#include "server/app/timing_pictures.h"
+
+namespace dripfeed::app {
+
+Measured measured_of(CheckReport report, const Examination& e) {
+  return {std::move(report), e.geometry.value_or(family::Geometry{}), e.control.kind,
+          x_is_diameter(e.control, e.profile)};
+}
+
+Result<Measured> measure_stored(store::Store& store, const Documents& documents, const MeasureOrder& order) {
+  const auto one = load_case(store, documents, order.of);
+  if (!one) return std::unexpected(one.error());
+  StoredCase& stored = **one;
+  if (order.baud != 0) {
+    stored.profile.line.baud = order.baud;
+    stored.profile.line.link.options.erase("baud");
+  }
+  stored.examination.timing = order.timing;
+  CheckReport report = examine(stored.examination);
+  if (!report.ran) {
+    const std::string what = fmt::format("program {}", stored.program.name);
+    if (auto fine = refuse_errors(report.checks.diagnostics, report.source, what); !fine)
+      return std::unexpected(fine.error());
+    return fail(ErrorCode::refused, fmt::format("{} does not run to its end", what));
+  }
+  return measured_of(std::move(report), stored.examination);
+}
+
+std::optional<std::string> picture_of(const Measured& measured, PictureKind kind) {
+  const CheckReport& report = measured.report;
+  const auto drawn = [](const std::optional<plot::Plot>& plot) {
+    return plot ? std::optional(plot::svg(*plot)) : std::nullopt;
+  };
+  switch (kind) {
+    case PictureKind::deviation: return drawn(report.pictures.accuracy);
+    case PictureKind::stock: return drawn(report.pictures.gouge);
+    case PictureKind::feed:
+    case PictureKind::buffer: break;
+  }
+  if (!report.checks.timing) return std::nullopt;
+  const auto draw = kind == PictureKind::feed ? feed_plot : buffer_plot;
+  return plot::svg(draw(*report.checks.timing, report.source.name()));
+}
+
+std::string picture_of(const sweep::Report& report) { return plot::svg(sweep::region_plot(report)); }
+
+std::string why_not_measured(const Measured& measured) {
+  std::string why;
+  for (const checks::NotChecked& one : checks::not_checked_of(measured.report.checks))
+    why += fmt::format("{}{}", why.empty() ? "" : "; ", one.text);
+  return why.empty() ? "nothing is known to measure by" : why;
+}
+
+Result<accuracy::CmmReport> measure_points(std::string_view csv, bool best_fit, const Measured& measured) {
+  const bool turns = measured.kind != ir::MachineKind::mill;
+  const auto table =
+      accuracy::read_cmm(csv, turns ? accuracy::CmmKind::turning : accuracy::CmmKind::milling, measured.x_is_diameter);
+  if (!table) return fail(ErrorCode::invalid, table.error());
+  std::vector<curves::ParametricCurve> curves;
+  for (const family::PlaneCurve& one : measured.geometry.curves) curves.push_back(one.curve);
+  const bool has_nominal = turns ? !measured.geometry.nominal.empty() : !curves.empty();
+  if (table->has_points && !has_nominal) return fail(ErrorCode::invalid, "points need a nominal");
+  const accuracy::Nearest nearest =
+      turns ? accuracy::nearest_on(measured.geometry.nominal) : accuracy::nearest_on(curves);
+  return accuracy::measure_cmm(*table, nearest, best_fit);
+}
+
+Result<sweep::Report> sweep_stored(store::Store& store, const Documents& documents, const SweepOrder& order) {
+  const auto family = lift(store.families().get(order.family));
+  if (!family) return std::unexpected(family.error());
+  const text::Source source(family->name, family->text);
+  auto fixed = overrides_of(order.values);
+  const auto machine = lift(store.machines().get(order.machine));
+  if (!machine) return std::unexpected(machine.error());
+  const auto profile = documents.read_profile(machine->profile);
+  if (!profile) return std::unexpected(profile.error());
+  const auto control = control_of(*profile);
+  if (!control) return std::unexpected(control.error());
+  const auto fine = refuse_errors(compile::check_values(source, fixed), source, fmt::format("family {}", family->name));
+  if (!fine) return std::unexpected(fine.error());
+  return sweep_family({.family = source,
+                       .fixed = std::move(fixed),
+                       .control = *control,
+                       .profile = &*profile,
+                       .mode = order.mode,
+                       .delivery = order.delivery == store::Delivery::drip ? ir::Delivery::drip : ir::Delivery::memory,
+                       .settings = order.settings});
+}
+
+}  // namespace dripfeed::app

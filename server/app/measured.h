@@ -1,0 +1,57 @@
+// Measuring what a program cuts and how long it takes, without keeping a verdict; and what a measuring machine found,
+// held against the same nominal.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "checks/accuracy/cmm.h"
+#include "checks/sweep/sweep.h"
+#include "server/app/checking.h"
+#include "server/app/report.h"
+
+namespace dripfeed::app {
+
+struct Measured {
+  CheckReport report;
+  family::Geometry geometry;  // what it was held against
+  ir::MachineKind kind = ir::MachineKind::mill;
+  bool x_is_diameter = false;
+};
+Measured measured_of(CheckReport report, const Examination& examination);
+
+// A stored program. `baud`: another speed of the machine's line; 0: its own. Errors: as load_case; refused: it has
+// faults or does not run to its end.
+struct MeasureOrder {
+  CheckOrder of;
+  std::uint32_t baud = 0;
+  TimingWishes timing = {};
+};
+Result<Measured> measure_stored(store::Store& store, const Documents& documents, const MeasureOrder& order);
+
+// As SVG; nothing where the check did not run. Feed and buffer need the timing's curve (see TimingWishes).
+enum class PictureKind : std::uint8_t { deviation, stock, feed, buffer };
+std::optional<std::string> picture_of(const Measured& measured, PictureKind kind);
+std::string picture_of(const sweep::Report& report);
+
+// Why a check did not run, in sentences.
+std::string why_not_measured(const Measured& measured);
+
+// Points as CSV (see read_cmm) against the nominal. Errors: invalid: no table of points, or points without a nominal.
+Result<accuracy::CmmReport> measure_points(std::string_view csv, bool best_fit, const Measured& measured);
+
+// The parameter space of a stored family (its newest revision) on a stored machine; `values` are not swept. Errors:
+// not_found; invalid: values that do not bind.
+struct SweepOrder {
+  std::string family;
+  Values values;
+  std::string machine;
+  compile::RenderMode mode = compile::RenderMode::automatic;
+  store::Delivery delivery = store::Delivery::drip;
+  sweep::Settings settings;
+};
+Result<sweep::Report> sweep_stored(store::Store& store, const Documents& documents, const SweepOrder& order);
+
+}  // namespace dripfeed::app
