@@ -32,6 +32,8 @@ class Api {
   Sessions& sessions() { return sessions_; }
   [[nodiscard]] const std::filesystem::path& web_root() const { return web_root_; }
   [[nodiscard]] const std::string& version() const { return version_; }
+  // Set while a sweep runs: it may take minutes, and one at a time leaves the pool to checks.
+  std::atomic_flag& sweeping() { return sweeping_; }
 
  private:
   std::expected<Caller, Response> admit(const Request& request, const Route& route);
@@ -48,6 +50,7 @@ class Api {
   std::mutex keys_mutex_;
   std::set<std::string> keys_in_use_;
   std::atomic<std::int64_t> forgot_at_ms_ = 0;
+  std::atomic_flag sweeping_;
 };
 
 // All routes, in the order of openapi.json.

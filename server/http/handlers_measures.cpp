@@ -1,6 +1,7 @@
 // Measuring without keeping: accuracy, gouges, time and sweeps, as figures or as a picture. All of it is heavy work for
 // the pool.
 #include <algorithm>
+#include <atomic>
 #include <expected>
 #include <initializer_list>
 #include <string>
@@ -46,6 +47,22 @@ Response picture(const app::Measured& measured, app::PictureKind kind) {
   auto svg = app::picture_of(measured, kind);
   return svg ? svg_response(std::move(*svg)) : problem_response(422, app::why_not_measured(measured));
 }
+
+// Holds the only place for a sweep while it lives, if that was free.
+class SweepPlace {
+ public:
+  explicit SweepPlace(std::atomic_flag& flag) : flag_(flag), is_ours_(!flag.test_and_set()) {}
+  SweepPlace(const SweepPlace&) = delete;
+  SweepPlace& operator=(const SweepPlace&) = delete;
+  ~SweepPlace() {
+    if (is_ours_) flag_.clear();
+  }
+  [[nodiscard]] bool is_ours() const { return is_ours_; }
+
+ private:
+  std::atomic_flag& flag_;
+  bool is_ours_;
+};
 
 }  // namespace
 
@@ -98,6 +115,8 @@ Response sweep_family(const Call& call) {
   if (!plot) return plot.error();
   const auto order = json::read_sweep_body(call.request.body);
   if (!order) return problem_response(order.error());
+  const SweepPlace place(call.api.sweeping());
+  if (!place.is_ours()) return problem_response(409, "another sweep is running: ask again when it is done");
   app::Application& app = call.api.application();
   const auto report = app::sweep_stored(app.store(), app.documents(), *order);
   if (!report) return problem_response(report.error());

@@ -27,7 +27,8 @@ using tcp = asio::ip::tcp;
 
 constexpr std::chrono::milliseconds kAcceptAgain{100};
 
-std::size_t pool_size() { return std::max(1U, std::thread::hardware_concurrency() - 1U); }
+// Two at least: a sweep, of which there is one at a time, keeps no check waiting.
+std::size_t pool_size() { return std::max(2U, std::thread::hardware_concurrency() - 1U); }
 
 class ListeningServer final : public Server {
  public:

@@ -6,6 +6,7 @@ import math
 import subprocess
 import sys
 import threading
+import time
 import xml.dom.minidom
 
 from client import ROLL, Client, binary, expect, in_folder, shop
@@ -109,15 +110,18 @@ def times(s, order):
     s.svg("/timing?plot=buffer", order | {"delivery": "drip"}, ["bytes"])
 
 
-def sweeps(s):
+def sweeps(s, timed):
     order = {"family": "hyperbolic-roll", "machine": "lathe", "values": FIXED, "samples": 20, "seed": 3, "mode": "explicit", "delivery": "memory"}
-    answers, others = [], 0
+    answers, others, refused = [], 0, 0
     worker = threading.Thread(target=lambda: answers.append(s.call("POST", "/sweep", order, "programmer")))
     worker.start()
-    while worker.is_alive():  # the pool works, the server answers
-        s.get("/machines")
-        others += 1
-    expect(answers[0].status == 200 and others > 1, f"{others} other answers; {answers[0]}")
+    time.sleep(0.2)  # its request is the first
+    while worker.is_alive():  # the pool works, the server answers: lists, checks, and that one sweep is enough
+        s.post("/timing", timed)
+        second = s.call("POST", "/sweep", order | {"samples": 0}, "programmer")
+        refused += second.status == 409
+        others += worker.is_alive()
+    expect(answers[0].status == 200 and others > 0 and refused > 0, f"{others} other answers, {refused} refusals; {answers[0]}")
     report = answers[0].document
     told = s.by_command("sweep", "hyperbolic-roll", "--machine", s.profiles["lathe"], "--samples", 20, "--seed", 3, "--mode", "explicit",
                         *[word for name, value in FIXED.items() for word in ("--set", f"{name}={value}")])
@@ -133,8 +137,9 @@ def sweeps(s):
 def all_of_it(folder):
     s = Shop(folder)
     checks_with_nominal(s, gouges(s))
-    times(s, accuracy_of_a_roll(s))
-    sweeps(s)
+    roll = accuracy_of_a_roll(s)
+    times(s, roll)
+    sweeps(s, roll)
     expect(s.server.alive(), "the server is gone")
     s.server.stop()
 
