@@ -1,7 +1,9 @@
 // 200 seeded faults in plain programs as people write them, turning and milling, for all four controls: a word of the
 // text is changed, and the fault must be found at the line where the harm is done, with its depth. Which line and how
 // deep is written down in the table by hand, from the part's drawing. The programs as they are must be clean.
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <map>
@@ -10,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "checks/gouge/gouge.h"
@@ -24,13 +27,14 @@ namespace {
 
 constexpr const char* kFolder = DRIPFEED_SOURCE_DIR "/tests/samples/gouge/";
 
-std::string read(const std::string& name) {
-  std::ifstream file(kFolder + name);
-  EXPECT_TRUE(file) << name;
+std::string read_file(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  EXPECT_TRUE(file) << path;
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
 }
+std::string read(const std::string& name) { return read_file(kFolder + name); }
 
 struct Program {
   std::string file;
@@ -190,6 +194,36 @@ TEST(GougePrograms, TheGoodOnesAreClean) {
           << program.file << ": " << one.text;
     }
   }
+}
+
+// The samples that have no drawing, in a block or a bar around all that they do: their rapids touch nothing.
+TEST(GougePrograms, NoRapidOfTheOtherSamplesTouchesTheirStock) {
+  const std::map<std::string, bool> turned = {{"grooves.nc", true}, {"shaft.mpf", true}};
+  int found = 0;
+  for (const compile::Dialect& dialect : compile::dialects()) {
+    for (const auto& entry : std::filesystem::directory_iterator(fmt::format("{}/../{}", kFolder, dialect.name))) {
+      const std::string name = entry.path().filename();
+      const bool turns = turned.contains(name);
+      const ir::Control control = dialect.control(turns ? ir::MachineKind::lathe : ir::MachineKind::mill, {});
+      const ir::ReadResult read = dialect.read(text::Source(name, read_file(entry.path())), control);
+      gouge::Settings bar;
+      bar.stock = gouge::Cylinder{60, -70, 0};
+      bar.tools = {{.number = 3, .offset = 3, .nose_radius_mm = 0.4, .tip = 3}};
+      gouge::MillingSettings block;
+      block.stock = gouge::Blank{{-70, 110}, {-70, 70}, {-40, 0}};
+      for (int tool = 1; tool <= 12; ++tool) block.tools.push_back({.number = tool, .diameter_mm = 8});
+      gouge::Gouge turning(bar);
+      gouge::Milling milling(block);
+      ir::MotionSink& sink = turns ? static_cast<ir::MotionSink&>(turning) : milling;
+      EXPECT_EQ(compile::execute(read.program, control, nullptr, sink, {}).ended, interpreter::Ended::end) << name;
+      const gouge::Report report = turns ? turning.finish() : milling.finish();
+      EXPECT_TRUE(report.findings.empty()) << name << ": " << report.findings.kept().front().text;
+      EXPECT_GT(report.rapids, 1U) << name;
+      EXPECT_GT(report.cuts, 3U) << name;
+      ++found;
+    }
+  }
+  EXPECT_GE(found, 15);
 }
 
 TEST(GougePrograms, TwoHundredSeededFaultsAreFoundAtTheirLineWithTheirDepth) {
