@@ -20,7 +20,7 @@ class ProgramsTest : public ShopTest {
   ProgramsTest()
       : shop_(database()),
         programs_(shop_.store, shop_.links.clock(), shop_.documents),
-        checking_(shop_.store, shop_.catalog, shop_.events, shop_.links.clock(), shop_.documents) {
+        checking_(shop_.store, shop_.events, shop_.links.clock(), shop_.documents) {
     shop_.add_machine("mill");
   }
   store::Family add_roll() {
