@@ -16,6 +16,7 @@ using ir::DrillCycle;
 using ir::ExpressionId;
 using ir::Operator;
 
+constexpr std::size_t kNowhere = 99;
 constexpr double kNotGiven = 1e29;  // a default of the cycles' own texts
 
 // Which modal cycle a called one is, and where DTB stands.
@@ -23,15 +24,19 @@ struct CycleRow {
   std::string_view name;
   DrillCycle cycle;
   std::size_t dwell;
+  std::size_t spindle = 0;  // where SDIR stands, 0: it has none
 };
 constexpr auto kCycles = std::to_array<CycleRow>({
     {"CYCLE81", DrillCycle::drill, 5},
     {"CYCLE82", DrillCycle::drill_dwell, 5},
     {"CYCLE83", DrillCycle::deep_hole, 8},
     {"CYCLE85", DrillCycle::feed_out, 5},
+    {"CYCLE86", DrillCycle::stop_out, 5, 6},
+    {"CYCLE87", DrillCycle::manual_out, kNowhere, 5},
+    {"CYCLE88", DrillCycle::manual_out, 5, 6},
     {"CYCLE89", DrillCycle::feed_out_dwell, 5},
 });
-constexpr auto kOthers = std::to_array<std::string_view>({"CYCLE84", "CYCLE840", "CYCLE86", "CYCLE87", "CYCLE88"});
+constexpr auto kOthers = std::to_array<std::string_view>({"CYCLE84", "CYCLE840"});
 
 class HoleReader {
  public:
@@ -45,6 +50,7 @@ class HoleReader {
     Hole hole{.name = name_, .cycle = row->cycle};
     std::string fault = levels(hole);
     if (fault.empty()) fault = details(hole, row->dwell);
+    if (fault.empty() && row->spindle != 0) fault = spindle(hole, row->spindle);
     if (!fault.empty()) return std::unexpected(name_ + fault);
     return hole;
   }
@@ -92,6 +98,19 @@ class HoleReader {
       hole.feed_out = *out;
     }
     return hole.cycle == DrillCycle::deep_hole ? set_pecks(hole) : std::string();
+  }
+
+  // CYCLE86(…, SDIR, RPA, RPO, RPAP, POSS): without a shift the tool goes straight out.
+  std::string spindle(Hole& hole, std::size_t place) {
+    const std::optional<double> direction = number_at(place, 0.0);
+    if (!direction || (*direction != 3.0 && *direction != 4.0)) return " without the direction of its spindle";
+    hole.spindle = static_cast<int>(*direction);
+    hole.holds = hole.cycle == DrillCycle::manual_out;
+    hole.orients = hole.cycle == DrillCycle::stop_out;
+    if (!hole.orients) return {};
+    for (std::size_t shift = place + 1; shift <= place + 4; ++shift)
+      if (number_at(shift, 0.0) != 0.0) return " with a shift or an angle of its spindle";
+    return {};
   }
 
   // Equal pecks only: FDEP or FDPR is each of them, DAM takes nothing off.

@@ -23,6 +23,9 @@ struct Hole {
   bool breaks_chips = false;
   double feed_in = 0.0;  // CYCLE85; 0: the one in effect
   double feed_out = 0.0;
+  int spindle = 0;        // CYCLE86 to CYCLE88: 3 or 4, as its M function; stopped at the bottom
+  bool orients = false;   // … to an angle
+  bool holds = false;     // … and the program waits
   bool constant = false;  // all levels are numbers
 };
 

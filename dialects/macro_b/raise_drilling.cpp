@@ -127,7 +127,7 @@ class Drilling {
 
   [[nodiscard]] bool fits_modal_cycle(const Hole& hole) const {
     if (!hole.constant || to_.kind != ir::MachineKind::mill || plane_ != Function::plane_xy) return false;
-    if (hole.feed_in != 0.0 || hole.feed_out != 0.0) return false;
+    if (hole.feed_in != 0.0 || hole.feed_out != 0.0 || hole.spindle != 0) return false;
     const double back = *number(hole.back);
     const double level = *number(hole.level);
     if (*number(hole.depth) >= level) return false;
@@ -191,11 +191,16 @@ class Drilling {
     const Address axis = plane_ == Function::plane_zx   ? Address::y
                          : plane_ == Function::plane_yz ? Address::x
                                                         : Address::z;
+    if (hole.spindle != 0)
+      out_.emit_block({code(hole.spindle == 3 ? Function::spindle_cw : Function::spindle_ccw)}, {});
     out_.emit_block({code(Function::rapid)}, {absolute(axis, hole.level)});
     std::vector<ir::Word> in = {absolute(axis, hole.depth)};
     if (hole.feed_in > 0.0) in.push_back(word(Address::f, constant(hole.feed_in)));
     out_.emit_block({code(Function::linear)}, in);
     if (hole.dwell_s > 0.0) out_.emit_block({code(Function::dwell)}, {word(Address::f, constant(hole.dwell_s))});
+    if (hole.spindle != 0)
+      out_.emit_block({code(hole.orients ? Function::spindle_orient : Function::spindle_stop)}, {});
+    if (hole.holds) out_.emit_block({code(Function::program_stop)}, {});
     const bool by_feed = hole.cycle == DrillCycle::feed_out || hole.cycle == DrillCycle::feed_out_dwell;
     if (by_feed) {
       std::vector<ir::Word> out = {absolute(axis, hole.level)};

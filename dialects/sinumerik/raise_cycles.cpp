@@ -109,6 +109,7 @@ class CycleRaiser {
   // The motion that was in effect before the cycle is again.
   void end(const DrillState& before, const ir::Block& block) {
     end_modal();
+    if (leaves_spindle_stopped(before.cycle)) start_again(before);
     std::vector<ir::Code> codes;
     bool motion = false;
     for (const ir::Code& c : program_.codes_of(block)) {
@@ -143,6 +144,7 @@ class CycleRaiser {
       // A modal call would follow the blocks of a call in place, too.
       const bool in_place = parts.drills && parts.positions.empty();
       if (in_place && !before.cycle.is(DrillState::kNone)) end_modal();
+      if (leaves_spindle_stopped(before.cycle) && before.cycle.value != after.cycle.value) start_again(before);
       for (double n = 0.0; in_place && n < parts.repeats; ++n) out_.emit(StatementKind::call, *call);
       out_.emit(StatementKind::modal_call, *call);
     }
@@ -197,12 +199,14 @@ class CycleRaiser {
       {DrillCycle::tap_left, "CYCLE84"},
       {DrillCycle::feed_out, "CYCLE85"},
       {DrillCycle::feed_out_dwell, "CYCLE85"},
+      {DrillCycle::stop_out, "CYCLE86"},
+      {DrillCycle::manual_out, "CYCLE88"},
   });
 
   std::optional<std::uint32_t> call_of(const DrillState& before, const DrillState& after, const ir::Block& block) {
     const auto cycle = static_cast<DrillCycle>(after.cycle.value);
     const auto row = std::ranges::find(kRows, cycle, &Row::cycle);
-    if (row == kRows.end()) return refuse("a boring cycle that stops or shifts the spindle");
+    if (row == kRows.end()) return refuse("a boring cycle that shifts the tool at the bottom");
     own_ = program_.words_of(block);
     inch_ = after.inch.value;
     const std::optional<Levels> levels = levels_of(before, after);
@@ -219,10 +223,12 @@ class CycleRaiser {
         if (!tap(after, cycle)) return std::nullopt;
         break;
       case DrillCycle::feed_out_dwell: put(5, seconds(after)); break;
-      case DrillCycle::drill:
-      case DrillCycle::feed_out:
       case DrillCycle::stop_out:
       case DrillCycle::manual_out:
+        if (!stops(after, cycle)) return std::nullopt;
+        break;
+      case DrillCycle::drill:
+      case DrillCycle::feed_out:
       case DrillCycle::fine_bore:
       case DrillCycle::back_bore:
       case DrillCycle::count_: break;
@@ -277,6 +283,29 @@ class CycleRaiser {
     put(8, constant(cycle == DrillCycle::tap_left ? -lead : lead));
     put(10, constant(speed));
     return true;
+  }
+
+  // CYCLE86 and CYCLE88 start the spindle themselves and leave it stopped.
+  bool stops(const DrillState& after, DrillCycle cycle) {
+    if (!after.spindle.known || !turns(after.spindle.value))
+      return refuse("a boring cycle whose spindle does not turn, as far as is known here,"), false;
+    if (cycle == DrillCycle::manual_out) put(5, seconds(after));
+    put(6, constant(after.spindle.value == Function::spindle_cw ? 3.0 : 4.0));
+    return true;
+  }
+  static bool turns(Function spindle) { return spindle == Function::spindle_cw || spindle == Function::spindle_ccw; }
+  static bool leaves_spindle_stopped(const Fact<std::int16_t>& cycle) {
+    return cycle.is(static_cast<std::int16_t>(DrillCycle::stop_out)) ||
+           cycle.is(static_cast<std::int16_t>(DrillCycle::manual_out));
+  }
+  // … where the other control starts it again.
+  void start_again(const DrillState& state) {
+    if (!state.spindle.known || !turns(state.spindle.value)) return;
+    ir::Code code;
+    code.function = state.spindle.value;
+    code.group = ir::ModalGroup::spindle;
+    code.letter = 'M';
+    out_.emit_block({code}, {});
   }
 
   void put(std::size_t place, ExpressionId value) {

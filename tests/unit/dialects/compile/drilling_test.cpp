@@ -81,7 +81,7 @@ TEST(DrillingToSinumerik, TheMotionBehindTheCycleIsSaid) {
 }
 
 TEST(DrillingToSinumerik, WhatHasNoEqualIsAnErrorWithItsPlace) {
-  expect_refused(kHead + "G98 G86 X1. Y1. Z-5. R2. F50.\nG80\nM30\n", "fanuc", kTo, "program:5");
+  expect_refused(kHead + "G98 G76 X1. Y1. Z-5. R2. Q1. F50.\nG80\nM30\n", "fanuc", kTo, "program:5");
   expect_refused(kHead + "G98 G76 X1. Y1. Z-5. R2. Q1. F50.\nG80\nM30\n", "fanuc", kTo, "boring");
   // The initial level is lost behind G99.
   expect_refused("#5=33.\n" + kHead + "G00 Z#5\nG99 G81 X10. Z-8. R3. F120.\nG98 X20.\nG80\nM30\n", "fanuc", kTo,
