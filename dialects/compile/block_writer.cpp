@@ -20,6 +20,7 @@ struct KindRow {
 constexpr auto kMoves = std::to_array<KindRow>({
     {MotionKind::rapid, Function::rapid},
     {MotionKind::linear, Function::linear},
+    {MotionKind::spline, Function::linear},  // a piece of a curve: its chord
     {MotionKind::arc_cw, Function::arc_cw},
     {MotionKind::arc_ccw, Function::arc_ccw},
     {MotionKind::thread, Function::thread},
@@ -130,8 +131,8 @@ void BlockWriter::write(const ir::Motion& motion, std::uint32_t line) {
     case MotionKind::linear:
     case MotionKind::arc_cw:
     case MotionKind::arc_ccw:
+    case MotionKind::spline:  // of curves that are not interpreted the run tells
     case MotionKind::thread: return move(motion);
-    case MotionKind::spline: return;  // no motion of this build: the interpreter reports curves as not interpreted
     case MotionKind::dwell:
       add(Function::dwell);
       add(Address::f, motion.feed);

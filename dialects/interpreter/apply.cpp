@@ -8,9 +8,11 @@
 #include "dialects/interpreter/drilling.h"
 #include "dialects/interpreter/frame_change.h"
 #include "dialects/interpreter/move.h"
+#include "dialects/interpreter/nurbs_block.h"
 #include "dialects/interpreter/point_frame.h"
 #include "dialects/interpreter/polar.h"
 #include "dialects/interpreter/repetitive.h"
+#include "dialects/interpreter/transformed.h"
 #include "dialects/interpreter/turning.h"
 #include "dialects/ir/frame_use.h"
 
@@ -150,6 +152,8 @@ void act_once(const PlainBlock& block, const BlockRules& rules, const Effects& e
     repetitive_block(block, rules, effects.argument, state, out, result);
   } else if (effects.one_shot == Function::data_input) {
     result.sets_data = true;
+  } else if (effects.one_shot == Function::transformation) {
+    begin_transformation(block, rules, effects.argument, state);
   } else {
     forget_positions(block, rules, state);  // what the code does is not modelled
   }
@@ -228,12 +232,23 @@ void act(const PlainBlock& block, const BlockRules& rules, const Effects& effect
     drill_holes(block, rules, state, out, result);
   } else if (state.turning.active) {
     turn_once(block, rules, state, out, result);
+  } else if (state.modes.motion == Function::nurbs && state.modes.motion_modelled) {
+    add_to_curve(block, rules, state, out, result);
   } else if (has_move(block, rules, state)) {
     move(block, rules, {effects.machine_coordinates, effects.exact_stop, effects.move_once}, state, out, result);
   } else {
     return;
   }
   result.moved = true;
+}
+
+// On a face or cylinder: the block moves in that plane, and what comes out is brought to the axes. Apart, so that plain
+// blocks do not pay for its copies.
+[[gnu::noinline]] void act_transformed(const PlainBlock& block, const BlockRules& rules, const Effects& effects,
+                                       ModalState& state, MotionBuffer& out, BlockResult& result) {
+  TransformedBlock plane(block, rules, state, out, result);
+  act(plane.block(), plane.rules(), effects, state, out, result);
+  plane.finish();
 }
 
 // Whether the plane's letters of this block are a radius and an angle.
@@ -265,9 +280,13 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
     act_once(block, rules, effects, state, out, result);
   } else if (names_polar(block, effects, state)) {
     act(with_coordinates_of_letters(block, rules, state), rules, effects, state, out, result);
+  } else if (state.transformation.shape != Transformation::Shape::none && !effects.machine_coordinates) [[unlikely]] {
+    act_transformed(block, rules, effects, state, out, result);
   } else {
     act(block, rules, effects, state, out, result);
   }
+  if (state.curve.open) [[unlikely]]
+    if (state.modes.motion != Function::nurbs || effects.flow != Flow::next) break_curve(state, result);
   if (result.fault != text::DiagnosticId::count_) return result;
 
   finish(effects, state, out);

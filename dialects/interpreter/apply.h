@@ -4,11 +4,13 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "dialects/interpreter/block_rules.h"
 #include "dialects/interpreter/modal_state.h"
 #include "dialects/interpreter/motion_buffer.h"
 #include "dialects/interpreter/plain_block.h"
+#include "dialects/ir/control.h"
 #include "dialects/text/diagnostic_id.h"
 
 namespace dripfeed::interpreter {
@@ -35,6 +37,7 @@ inline constexpr std::uint32_t kNoteCycleInFrame = 1U << 22;  // the frame turns
 inline constexpr std::uint32_t kNoteScaleUnit = 1U << 23;     // a parameter decides what a factor counts
 inline constexpr std::uint32_t kNoteFrameValue = 1U << 24;    // a factor or angle that is left to a parameter
 inline constexpr std::uint32_t kNoteDirectAngle = 1U << 25;   // an angle (,A) of which no line came
+inline constexpr std::uint32_t kNoteTransformed = 1U << 26;   // a plane of X and C that its place is not known in
 
 struct BlockResult {
   Flow flow = Flow::next;
@@ -46,6 +49,8 @@ struct BlockResult {
   text::DiagnosticId fault = text::DiagnosticId::count_;
   double first = 0.0;
   double second = 0.0;
+  std::string_view reason = {};  // … and in words, of a text that outlives the run
+  ir::AlarmDetail detail = ir::AlarmDetail::none;
 };
 
 BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out);

@@ -129,7 +129,9 @@ bool BlockCompiler::is_interpreted(const ir::Word& word) const {
   if ((bit_of(word.address) & kGeometryNotModelled) != 0) return false;
   // A second spindle; the first may be written with its number.
   if (word.extension > 1 && (kAxisLetters64 & bit_of(word.address)) == 0) return false;
-  const bool on_axis = (builder_.context().rules.foreign_axes & bit_of(word.address)) == 0;
+  // Y may be a coordinate of a face or cylinder, which only the run knows.
+  const bool on_axis =
+      (builder_.context().rules.foreign_axes & bit_of(word.address)) == 0 || word.address == Address::y;
   return on_axis || words_belong_to_code_;
 }
 

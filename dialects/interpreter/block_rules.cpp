@@ -3,6 +3,9 @@
 
 #include <cmath>
 #include <string_view>
+#include <vector>
+
+#include "dialects/interpreter/code_effects.h"
 
 namespace dripfeed::interpreter {
 
@@ -70,6 +73,19 @@ BlockRules::BlockRules(const ir::Control& control)
   if (semantics.decimal_mode == ir::DecimalMode::least_increment) counting |= letters | axis_addresses | kLengths;
 }
 
+namespace {
+
+void take_caller_modes(const ir::Control& control, ModalState& state) {
+  std::vector<PlainCode> codes;
+  for (const ir::CodeRow& row : control.caller_modes) codes.push_back({row.function, row.argument, row.group});
+  PlainBlock block;
+  block.codes = codes;
+  Effects effects;
+  apply_codes(block, BlockRules(control), state, effects);
+}
+
+}  // namespace
+
 ModalState initial_state(const ir::Control& control) {
   const ir::Semantics& s = control.semantics;
   ModalState state;
@@ -89,6 +105,7 @@ ModalState initial_state(const ir::Control& control) {
   state.repetitive.passes = s.cycle_passes;
   state.repetitive.first_cut_mm = s.thread_first_cut_mm;
   state.repetitive.least_cut_mm = s.thread_least_cut_mm;
+  if (!control.caller_modes.empty()) take_caller_modes(control, state);
   return state;
 }
 

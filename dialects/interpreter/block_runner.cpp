@@ -26,8 +26,8 @@ struct NoteRow {
   Report report;
 };
 // Notes that are counted like a code that is not interpreted.
-const std::array<NoteRow, 16>& counted_notes() {
-  static const std::array<NoteRow, 16> rows = {{
+const std::array<NoteRow, 17>& counted_notes() {
+  static const std::array<NoteRow, 17> rows = {{
       {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
       {kNoteReferenceUnknown, {"the way to the reference point", ir::Function::reference_return}},
       {kNoteArcNotComputed, {"arcs from or to a place that is not known"}},
@@ -45,6 +45,7 @@ const std::array<NoteRow, 16>& counted_notes() {
       {kNoteFrameValue, {"a scaling factor or angle that is left to a parameter", ir::Function::scale}},
       {kNoteDirectAngle, {"the angle of a line (,A) whose ends do not follow from it", ir::Function::linear}},
       {kNoteHoleWithoutDepth, {"a drilling cycle without a depth", ir::Function::drill}},
+      {kNoteTransformed, {"moves on a face or cylinder from a place that is not known", ir::Function::transformation}},
   }};
   return rows;
 }
@@ -59,6 +60,8 @@ std::optional<Flow> BlockRunner::run(const Instruction& i, const CompiledProgram
   const BlockTemplate& made = program.blocks[i.a];
   fill(made, program);
   if (made.extra != kNoExtra && !fill_computed(i, made, program)) return std::nullopt;
+  if ((block_.present & rules_.foreign_axes) != 0) [[unlikely]]
+    drop_foreign_axes();
   return apply_block(i);
 }
 
@@ -76,19 +79,23 @@ std::optional<Flow> BlockRunner::run_plain(const Instruction& i, const ir::Plain
     block_.in_increments = counts ? block_.in_increments | bit : block_.in_increments & ~bit;
   }
   if ((block_.present & rules_.foreign_axes) != 0) [[unlikely]]
-    drop_foreign_axes({batch.words.data() + row.first_word, row.word_count});
+    drop_foreign_axes();
   return apply_block(i);
 }
 
 // Axes that the control does not have are named in the report, unless a code takes the letters for something else.
-void BlockRunner::drop_foreign_axes(std::span<const ir::PlainWord> words) {
+void BlockRunner::drop_foreign_axes() {
   const auto takes_letters = [](const PlainCode& code) {
-    return code.function == ir::Function::dwell || code.function == ir::Function::set_coordinates;
+    return code.function == ir::Function::dwell || code.function == ir::Function::set_coordinates ||
+           code.function == ir::Function::data_input || code.group == ir::ModalGroup::frame;
   };
   if (std::ranges::any_of(block_.codes, takes_letters)) return;
-  for (const ir::PlainWord& word : words)
-    if ((rules_.foreign_axes & bit_of(word.address)) != 0) report_.count({letter_of(word.address)});
-  block_.present &= ~rules_.foreign_axes;
+  // On a face or cylinder Y is no axis of the machine.
+  const bool has_y = state_.transformation.shape != Transformation::Shape::none && !state_.transformation.by_rotary;
+  const std::uint64_t foreign = rules_.foreign_axes & ~(has_y ? bit_of(ir::Address::y) : 0);
+  for (std::uint64_t rest = block_.present & foreign; rest != 0; rest &= rest - 1)
+    report_.count({letter_of(static_cast<ir::Address>(std::countr_zero(rest)))});
+  block_.present &= ~foreign;
 }
 
 std::optional<Flow> BlockRunner::apply_block(const Instruction& i) {
@@ -234,10 +241,12 @@ void BlockRunner::take_notes(const Instruction& i, std::uint32_t notes) {
 
 bool BlockRunner::fail(const Instruction& i, const BlockResult& result) {
   if (result.fault == DiagnosticId::limit_reached) return report_.fail_limit(i, "steps of one cycle");
-  if (result.fault == DiagnosticId::cycle_shape_invalid)
-    return report_.fail(i, result.fault, {"a thread without a height"});
-  if (result.fault != DiagnosticId::arc_radius_mismatch) return report_.fail(i, result.fault);
-  return report_.fail(i, result.fault, {text::format_fixed(result.first, 4), text::format_fixed(result.second, 4)});
+  if (result.fault == DiagnosticId::cycle_shape_invalid && result.reason.empty())
+    return report_.fail(i, result.fault, {"a thread without a height"}, ir::AlarmDetail::depth_of_pass);
+  if (!result.reason.empty()) return report_.fail(i, result.fault, {std::string(result.reason)}, result.detail);
+  if (result.fault != DiagnosticId::arc_radius_mismatch) return report_.fail(i, result.fault, {}, result.detail);
+  return report_.fail(i, result.fault, {text::format_fixed(result.first, 4), text::format_fixed(result.second, 4)},
+                      result.detail);
 }
 
 }  // namespace dripfeed::interpreter

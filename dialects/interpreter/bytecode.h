@@ -116,8 +116,8 @@ enum class Opcode : std::uint8_t {
   modal_call,      // from here on call site a behind each block that moves, number b times
   modal_end,
   skip_given,  // to b when parameter a was given
-  back,        // of a subprogram
-  back_to,     // … to the block with number a in the caller
+  back,        // of a subprogram, and of a further ones
+  back_to,     // … to the block with number a in the caller, and of b further ones
   program_end,
   text_end,
   message,  // string a, or none: clear

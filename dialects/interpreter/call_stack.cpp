@@ -47,6 +47,15 @@ bool CallStack::enter_text(const Instruction& i, CompiledProgram& text, std::uin
   return true;
 }
 
+namespace {
+
+// O1234, and no name of a file.
+bool is_number_name(std::string_view name) {
+  return name.size() > 1 && name.front() == 'O' && name.find_first_not_of("0123456789", 1) == std::string_view::npos;
+}
+
+}  // namespace
+
 CompiledProgram* CallStack::find_program(const Instruction& i, CallSite& site) {
   if (site.itself) return program_;
   if (site.text != Operand::none) {
@@ -59,7 +68,9 @@ CompiledProgram* CallStack::find_program(const Instruction& i, CallSite& site) {
   }
   if (site.number == Operand::none) {
     if (site.target == nullptr) site.target = programs_.find(site.name, *program_);
-    if (site.target == nullptr) report_.fail(i, DiagnosticId::call_target_missing, {site.name});
+    if (site.target == nullptr)
+      report_.fail(i, DiagnosticId::call_target_missing, {site.name},
+                   is_number_name(site.name) ? ir::AlarmDetail::none : ir::AlarmDetail::by_name);
     return site.target;
   }
   const double number = context_.arithmetic.round(value_or_zero(storage_.reg(raw_of(site.number))));
@@ -121,7 +132,8 @@ std::optional<std::uint32_t> CallStack::call(const Instruction& i, std::uint32_t
                 ? kNoTarget
                 : find_number(*target, static_cast<std::uint32_t>(whole), 0, ir::JumpSearch::both);
     if (begin == kNoTarget) {
-      report_.fail(i, DiagnosticId::jump_target_missing, {"N" + text::format_shortest(value_or_zero(number))});
+      report_.fail(i, DiagnosticId::jump_target_missing, {"N" + text::format_shortest(value_or_zero(number))},
+                   ir::AlarmDetail::block_of_call);
       return std::nullopt;
     }
   }

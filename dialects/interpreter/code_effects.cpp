@@ -5,6 +5,7 @@
 
 #include "dialects/interpreter/drilling.h"
 #include "dialects/interpreter/turning.h"
+#include "dialects/ir/transformation_use.h"
 
 namespace dripfeed::interpreter {
 
@@ -131,6 +132,11 @@ constexpr CodeRow kCodeRows[] = {
        c.state.polar = {};
      }},
     {Function::polar_words_off, [](CodeContext& c) { c.state.modes.polar_words = false; }},
+    {Function::transformation,
+     [](CodeContext& c) {
+       if (c.code.argument != ir::kTransformationEnds) return one_shot(c);
+       c.state.transformation = {};
+     }},
     {Function::reference_return, one_shot},
     {Function::leave_reference, one_shot},
     {Function::approach, [](CodeContext& c) { c.effects.move_once = Function::rapid; }},

@@ -183,12 +183,17 @@ void FlowCompiler::compile_section_end(std::uint32_t repeat, std::uint32_t secti
 }
 
 void FlowCompiler::compile_return_jump(const ir::Jump& jump, text::Span span) {
+  const std::uint32_t further = jump.levels - 1U;
   if (jump.computed == ir::ExpressionId::none) {
-    builder_.emit(Opcode::back_to, span, raw_of(builder_.constant(jump.number)));
+    if (jump.number == ir::kNoIndex)
+      builder_.emit(Opcode::back, span, further);
+    else
+      builder_.emit(Opcode::back_to, span, raw_of(builder_.constant(jump.number)), further);
     return;
   }
   const Value to = expressions_.compile(jump.computed);
-  builder_.emit(Opcode::back_to, span, raw_of(to.operand), 0, 0, to.is_string() ? std::uint8_t{1} : std::uint8_t{0});
+  builder_.emit(Opcode::back_to, span, raw_of(to.operand), further, 0,
+                to.is_string() ? std::uint8_t{1} : std::uint8_t{0});
 }
 
 void FlowCompiler::settle(const std::vector<StatementCode>& code, std::uint32_t first, std::uint32_t last) {

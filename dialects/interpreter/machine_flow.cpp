@@ -203,6 +203,8 @@ bool Machine::leave_program(std::uint32_t& next) {
 
 // The end of a subprogram in the main program ends it; or it starts again without end, of which one pass is enough.
 bool Machine::go_back(const Instruction& i, std::uint32_t& next) {
+  for (std::uint32_t further = i.a; further > 0 && !stack_.in_main(); --further)
+    if (!leave_program(next)) return false;
   if (!stack_.in_main()) return leave_program(next);
   if (control_.semantics.return_in_main_restarts)
     report_.say(i, DiagnosticId::endless_loop);
@@ -216,7 +218,7 @@ bool Machine::go_back_to(const Instruction& i, std::uint32_t& next) {
   if (by_text && stack_.in_main()) return go_back(i, next);
   const double value = by_text ? 0.0 : storage_.reg(i.a);
   const std::string text = by_text ? storage_.text(i.a) : std::string();
-  if (!stack_.in_main()) next = stack_.go_back();
+  for (std::uint32_t level = 0; level <= i.b && !stack_.in_main(); ++level) next = stack_.go_back();
   if (by_text && is_unknown(text)) {
     report_.count({.name = "a return to a label that is not known"});
     return true;
@@ -227,7 +229,8 @@ bool Machine::go_back_to(const Instruction& i, std::uint32_t& next) {
                                    : find_number(stack_.program(), access_.whole_number(value, kLastBlockNumber),
                                                  next - 1, ir::JumpSearch::both);
   if (to == kNoTarget)
-    return report_.fail(from, DiagnosticId::jump_target_missing, {by_text ? text : block_number_name(value)});
+    return report_.fail(from, DiagnosticId::jump_target_missing, {by_text ? text : block_number_name(value)},
+                        ir::AlarmDetail::block_of_call);
   if (++passes_ > options_.limits.loop_passes) return report_.fail_limit(from, "loop passes");
   next = to;
   return true;

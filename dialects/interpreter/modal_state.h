@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "dialects/interpreter/frame_value.h"
 #include "dialects/interpreter/plain_block.h"
@@ -157,8 +158,35 @@ struct PendingLine {
   double corner_value = 0.0;
 };
 
+// Polar and cylindrical interpolation: two coordinates that a linear and a rotary axis make together.
+struct Transformation {
+  enum class Shape : std::uint8_t { none, face, cylinder };
+  Shape shape = Shape::none;
+  bool by_rotary = false;   // the letter across is the rotary axis's own; otherwise Y
+  std::uint8_t rotary = 5;  // index of the axis that turns
+  double radius_mm = 0.0;   // of the cylinder
+  double along_mm = 0.0;    // face: the coordinate of X, a radius value
+  double across_mm = 0.0;   // face: the one that stands on it; cylinder: on its circumference
+  bool along_known = false;
+  bool across_known = false;
+  bool rotary_known = false;  // where the rotary axis stands in its own degrees
+  double zero_deg = 0.0;      // face: the rotary axis where `along` points away from the centre
+};
+
+// G06.2: what was said of a curve that is not complete.
+struct CurveInput {
+  bool open = false;
+  std::size_t order = 4;
+  std::vector<AxisValues> points;  // as ModalState::position
+  std::vector<double> weights;
+  std::vector<double> knots;
+  std::vector<std::uint32_t> lines;  // of the points
+  std::uint16_t commanded = 0;       // bit per axis
+};
+
 struct ModalState {
   Modes modes;
+
   Drilling drilling;
   Turning turning;
   Repetitive repetitive;
@@ -190,6 +218,8 @@ struct ModalState {
   Tool selected;  // T, before M6
   Tool tool;
   Announced announced;
+  Transformation transformation;
+  CurveInput curve;
 };
 
 }  // namespace dripfeed::interpreter

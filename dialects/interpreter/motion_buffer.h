@@ -26,6 +26,7 @@ class MotionBuffer {
   ir::Motion& add(ir::MotionKind kind);
   // From here on motions are kept there instead, until nullptr is given; the place must outlive it.
   void capture(std::vector<ir::Motion>* into) { captured_ = into; }
+  [[nodiscard]] std::vector<ir::Motion>* captured() const { return captured_; }
   // Keeps everything until it is let go: a move that is in the buffer may still be changed by the one that follows.
   void hold(bool on) { held_ = on; }
   [[nodiscard]] std::size_t used() const { return used_; }

@@ -109,6 +109,7 @@ std::optional<PlanePoint> Mover::find_center(PlaneAxes axes, Turn turn, Target& 
   }
   if (radius.has_value()) {
     const auto center = center_by_radius(to_end, *radius, turn, tolerance);
+    if (!center.has_value()) result_.detail = ir::AlarmDetail::small_radius;
     return center.has_value() ? center
                               : fail_center(text::DiagnosticId::arc_radius_mismatch, std::abs(*radius),
                                             length_of(to_end) - std::abs(*radius));

@@ -273,6 +273,7 @@ void StatementCompiler::compile_native(const ir::Statement& statement) {
   const std::string_view name = builder_.source().strings.at(native.name);
   builder_.emit(Opcode::report, statement.span,
                 builder_.add_report(name, ir::Function::not_modelled, native.effects_known), native.moves ? 1 : 0);
+  if (name == "RET") builder_.emit(Opcode::back, statement.span);  // whatever else it does
 }
 
 }  // namespace dripfeed::interpreter

@@ -79,11 +79,32 @@ enum class AlarmDetail : std::uint8_t {
   macro_call,          // nesting of macros, not of subprograms
   macro_program,       // a macro call without its program
   if_nesting,
-  inverse_time,     // no feed in a block of G93
-  second_call,      // M98 twice in a block
-  reference_check,  // G27
-  axis_moves,       // between a rigid tap's M29 and its cycle
-  plane_changes,    // … or in it
+  inverse_time,      // no feed in a block of G93
+  second_call,       // M98 twice in a block
+  reference_check,   // G27
+  axis_moves,        // between a rigid tap's M29 and its cycle
+  plane_changes,     // … or in it
+  ends,              // compensation, not its start
+  by_name,           // a call by a file's name
+  block_of_call,     // the block number that M98 Q, M98 H or M99 P names
+  second_type,       // arguments I J K of more than ten sets
+  name_statement,    // SETVN
+  output_statement,  // DPRNT, BPRNT
+  unknown_word,      // a name that no function has
+  axis_letter,       // the letter of an axis that the machine lacks
+  tap,               // a tapping cycle's feed
+  thread,            // the lead of a thread; a corner in one
+  no_shape,          // G70 to G73 without P or Q
+  depth_of_pass,     // … with none
+  call_in_shape,     // … a code that may not stand in the shape
+  two_corners,       // ,C and ,R in one block
+  value_of_data,     // G10 with a value that no offset takes
+  small_radius,      // of an arc: less than half its chord
+  order_of_curve,
+  in_face,        // a code in polar interpolation, not in cylindrical
+  first_point,    // of a curve: not where the tool is
+  whole_numbers,  // too large for an integer
+  write_only,     // a variable that only takes values
 };
 struct AlarmRow {
   text::DiagnosticId id;
@@ -127,7 +148,12 @@ struct Control {
   std::span<const SystemVariableRow> system_variables;
   std::span<const AlarmRow> alarms;
   std::vector<VariableRange> variables;
-  std::vector<CodeCall> code_calls;           // machine
+  std::vector<CodeCall> code_calls;  // machine
+  // M functions of the machine, by number, beside those of the table; empty: any may be.
+  std::vector<std::uint16_t> machine_functions;
+  // Codes that are in effect where a program starts: for subprograms that are taken without their caller. They stand
+  // before power-on; rows of `g_codes`.
+  std::vector<CodeRow> caller_modes;
   std::vector<std::string> definition_files;  // programs that declare global data, by name; read before a run
   bool from_profile = false;                  // a named machine: what it leaves unconfirmed is an error, not a warning
   // Why the control was taken for this one, when no machine was named: the line that decided, 0 for the default.

@@ -165,6 +165,7 @@ struct Jump {
   StringId label = StringId::none;             // a name
   std::uint32_t number = kNoIndex;             // a block number (N10), when `label` is none
   ExpressionId computed = ExpressionId::none;  // GOTO#1, when neither
+  std::uint8_t levels = 1;                     // of a return: how many programs it leaves
 };
 
 // Openers and closers of structures: each knows its partner, so that nothing is searched while running.

@@ -19,6 +19,8 @@ void check_jumps(const ir::Program& program, const Section& section, Findings& f
 void check_variables(const ir::Program& program, const ir::Control& control, Findings& findings);
 // Words: decimal points missing or not allowed, addresses that are unknown or stand twice, codes of one group.
 void check_words(const ir::Program& program, const ir::Control& control, Findings& findings);
+// Values that are refused wherever they stand, and M functions that the machine's list does not have.
+void check_values(const ir::Program& program, const ir::Control& control, Findings& findings);
 // What a program must state before it relies on it: unit, distance, plane and feed mode, motion code, feed.
 void check_modes(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings);
 

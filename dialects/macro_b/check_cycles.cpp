@@ -88,6 +88,11 @@ class CycleCheck {
 
   // G70 to G73 P(first block) Q(last block).
   void shape(std::uint32_t at, const ir::Code& code, std::span<const ir::Word> words) {
+    pass(code, words);
+    if ((find_word(words, Address::p) == nullptr) != (find_word(words, Address::q) == nullptr) ||
+        (code.argument == 0 && find_word(words, Address::p) == nullptr))
+      findings_.add(cycle_shape_invalid, code.span, {"its first (P) or its last block (Q) is not named"},
+                    ir::AlarmDetail::no_shape);
     const auto first = number_of(find_word(words, Address::p));
     const auto last = number_of(find_word(words, Address::q));
     if (!first || !last) return;
@@ -100,6 +105,18 @@ class CycleCheck {
     if (!begins_straight(begin->statement))
       findings_.add(cycle_shape_invalid, code.span, {fmt::format("N{} is no G00 or G01 move", *first)});
     blocks_of(code, *begin, *end);
+  }
+
+  // The first of two blocks: G71 U(depth), G72 W(depth), G73 R(passes).
+  void pass(const ir::Code& code, std::span<const ir::Word> words) {
+    constexpr Address kPass[] = {Address::other, Address::u, Address::w, Address::r};
+    const ir::Word* depth = code.argument == 0 ? nullptr : find_word(words, kPass[code.argument]);
+    if (depth == nullptr || find_word(words, Address::p) != nullptr || depth->value == ir::ExpressionId::none) return;
+    const ir::Expression& value = program_.at(depth->value);
+    if (value.op == ir::Operator::constant && value.value <= 0.0)
+      findings_.add(cycle_shape_invalid, code.span,
+                    {fmt::format("{} takes nothing off", text_of(program_, depth->span))},
+                    ir::AlarmDetail::depth_of_pass);
   }
 
   [[nodiscard]] bool begins_straight(std::uint32_t at) const {
@@ -116,7 +133,8 @@ class CycleCheck {
       const StatementKind kind = program_.statements[i].kind;
       if (kind == StatementKind::call || kind == StatementKind::subprogram_return || kind == StatementKind::return_to) {
         findings_.add(cycle_shape_invalid, code.span,
-                      {fmt::format("{} stands in it", text_of(program_, program_.statements[i].span))});
+                      {fmt::format("{} stands in it", text_of(program_, program_.statements[i].span))},
+                      ir::AlarmDetail::call_in_shape);
       }
       blocks += kind == StatementKind::block ? 1 : 0;
     }

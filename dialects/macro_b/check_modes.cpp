@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "dialects/ir/cycle.h"
 #include "dialects/macro_b/check.h"
 #include "dialects/text/number.h"
 
@@ -18,7 +19,16 @@ using enum text::DiagnosticId;
 
 bool is_cut(Function f) {
   return f == Function::linear || f == Function::arc_cw || f == Function::arc_ccw || f == Function::thread ||
-         f == Function::drill;
+         f == Function::nurbs || f == Function::drill;
+}
+
+// Controls that have alarms of their own for the feed of a tap and the lead of a thread.
+ir::AlarmDetail detail_of(const ir::Code& code) {
+  if (code.function == Function::thread) return ir::AlarmDetail::thread;
+  if (code.function != Function::drill) return ir::AlarmDetail::none;
+  const auto cycle = static_cast<ir::DrillCycle>(code.argument % ir::kDrillAlongZ);
+  const bool taps = cycle == ir::DrillCycle::tap_right || cycle == ir::DrillCycle::tap_left;
+  return taps ? ir::AlarmDetail::tap : ir::AlarmDetail::none;
 }
 
 class ModeCheck {
@@ -75,7 +85,7 @@ class ModeCheck {
     if (cutting_ && inverse_time_ && !has_word(block, Address::f))
       findings_.add(no_feed, span, {}, ir::AlarmDetail::inverse_time);
     if (cutting_ && !feed_ && !jumped_) {
-      findings_.add(no_feed, span);
+      findings_.add(no_feed, span, {}, cut_);
       feed_ = true;
     }
   }
@@ -84,6 +94,7 @@ class ModeCheck {
     if (code.group == ModalGroup::motion || code.group == ModalGroup::cycle) {
       motion_ |= code.function != Function::cycle_off;
       cutting_ = is_cut(code.function);
+      cut_ = detail_of(code);
     }
     unit_ |= code.group == ModalGroup::unit;
     distance_ |= code.group == ModalGroup::distance;
@@ -129,8 +140,9 @@ class ModeCheck {
   bool motion_ = false;
   bool feed_ = false;
   bool cutting_ = false;
-  bool inverse_time_ = false;  // F counts in its own block only
-  bool jumped_ = false;        // what stands further up may not have been run
+  ir::AlarmDetail cut_ = ir::AlarmDetail::none;  // what it is that cuts
+  bool inverse_time_ = false;                    // F counts in its own block only
+  bool jumped_ = false;                          // what stands further up may not have been run
 };
 
 }  // namespace

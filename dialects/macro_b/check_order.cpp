@@ -6,6 +6,7 @@
 
 #include "dialects/ir/cycle.h"
 #include "dialects/ir/frame_use.h"
+#include "dialects/ir/transformation_use.h"
 #include "dialects/macro_b/check.h"
 #include "dialects/macro_b/lower.h"
 
@@ -57,6 +58,7 @@ class OrderCheck {
     arc_ = starting_ = cuts_ = false;
     moves_known_ = false;
     extended_ = false;
+    transformed_ = ir::kTransformationEnds;
     number_known_ = true;
     corner_span_ = {};
   }
@@ -79,6 +81,7 @@ class OrderCheck {
       plane(code);
       own_words |= code.group == ir::ModalGroup::non_modal;
       const Function f = code.function;
+      transformation(code, block);
       if (f == Function::reference_return && cycle_ == State::on) add(reference_in_cycle, code.span, written(code));
       if (f == Function::skip_move && comp_ == State::on) add(skip_in_comp, code.span, written(code));
       if (f == Function::drill && comp_ == State::on && cycle_ != State::on)
@@ -103,10 +106,42 @@ class OrderCheck {
     if (code.group == ir::ModalGroup::motion) {
       arc_ = f == Function::arc_cw || f == Function::arc_ccw;
       cuts_ = arc_ || f == Function::linear;
+      threads_ = f == Function::thread;
       moves_known_ = true;
     }
     if (code.group == ir::ModalGroup::motion || f == Function::cycle_off) cycle_ = State::off;
     if (f == Function::rotate) rotation_ = code.argument == ir::kFrameAboutPoint ? State::on : State::off;
+  }
+
+  // Polar and cylindrical interpolation take moves along a contour, dwells and compensation.
+  void transformation(const ir::Code& code, const ir::Block& block) {
+    const Function f = code.function;
+    if (f == Function::transformation) {
+      transformed_ = names_radius_zero(block) ? ir::kTransformationEnds : code.argument;
+      transformed_by_ = written(code);
+      return;
+    }
+    if (transformed_ == ir::kTransformationEnds) return;
+    const auto detail = transformed_ == ir::kFaceByRotary ? ir::AlarmDetail::in_face : ir::AlarmDetail::none;
+    constexpr Function kRefused[] = {
+        Function::reference_return, Function::leave_reference, Function::work_offset, Function::machine_coordinates,
+        Function::local_shift,      Function::set_coordinates, Function::drill};
+    // By rapid moves only where the control has an alarm of its own for each of the two.
+    const bool rapid = f == Function::rapid && ir::alarm_of(control_, code_not_in_mode, ir::AlarmDetail::in_face) !=
+                                                   ir::alarm_of(control_, code_not_in_mode);
+    if (!rapid && std::ranges::find(kRefused, f) == std::end(kRefused)) return;
+    text::Diagnostic* finding =
+        findings_.add(code_not_in_mode, code.span, {std::string(written(code)), std::string(transformed_by_)}, detail);
+    if (finding != nullptr && finding->alarm.empty()) finding->severity = text::Severity::warning;
+  }
+
+  // G07.1 C0.
+  [[nodiscard]] bool names_radius_zero(const ir::Block& block) const {
+    return std::ranges::any_of(program_.words_of(block), [&](const ir::Word& w) {
+      const bool rotary = w.address == ir::Address::a || w.address == ir::Address::b || w.address == ir::Address::c;
+      return rotary && w.value != ir::ExpressionId::none && program_.at(w.value).op == ir::Operator::constant &&
+             program_.at(w.value).value == 0.0;
+    });
   }
 
   void plane(const ir::Code& code) {
@@ -210,7 +245,8 @@ class OrderCheck {
   }
   void add_corner(text::Span span, std::string_view where) {
     text::Diagnostic* finding =
-        findings_.add(corner_without_move, span, {std::string(text_of(program_, span)), std::string(where)});
+        findings_.add(corner_without_move, span, {std::string(text_of(program_, span)), std::string(where)},
+                      threads_ ? ir::AlarmDetail::thread : ir::AlarmDetail::none);
     if (finding != nullptr && finding->alarm.empty()) finding->severity = text::Severity::warning;
   }
 
@@ -233,8 +269,11 @@ class OrderCheck {
   State comp_ = State::off;
   State cycle_ = State::off;
   State rotation_ = State::off;
-  bool cuts_ = false;          // the motion code is G01, G02 or G03
-  bool moves_known_ = false;   // one was read
+  bool threads_ = false;      // the motion code is that of a thread
+  bool cuts_ = false;         // the motion code is G01, G02 or G03
+  bool moves_known_ = false;  // one was read
+  std::int16_t transformed_ = ir::kTransformationEnds;
+  std::string_view transformed_by_;
   bool extended_ = false;      // G54.1 is in effect
   bool number_known_ = false;  // D was given
   text::Span corner_span_;     // a corner that waits for the move behind it

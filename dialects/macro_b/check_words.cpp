@@ -178,7 +178,8 @@ class WordCheck {
   // Without a named machine its axes are not known, and C is a chamfer on old lathes.
   void unknown(const ir::Word& word, const BlockUse& use) {
     if (!control_.from_profile || use.other_words || !holds("ABUVWXYZ", word.address)) return;
-    if (!is_axis(control_, word.address)) findings_.add(unknown_address, word.span, {address_name(program_, word)});
+    if (!is_axis(control_, word.address))
+      findings_.add(unknown_address, word.span, {address_name(program_, word)}, ir::AlarmDetail::axis_letter);
   }
 
   void point_not_allowed(const ir::Word& word, const BlockUse& use) {

@@ -25,7 +25,7 @@ constexpr auto kMill = std::to_array<CodeRow>({
     {"G03.2", 32, Function::not_modelled, 0, ModalGroup::motion, kList},
     {"G03.3", 33, Function::not_modelled, 0, ModalGroup::motion, kList},
     {"G03.4", 34, Function::not_modelled, 0, ModalGroup::motion, kList},
-    {"G06.2", 62, Function::not_modelled, 0, ModalGroup::motion, kList},
+    {"G06.2", 62, Function::nurbs, 0, ModalGroup::motion, kList},
     {"G07", 70, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G15", 150, Function::polar_words_off, 0, ModalGroup::other, kList},
     {"G16", 160, Function::polar_words_on, 0, ModalGroup::other, kList},

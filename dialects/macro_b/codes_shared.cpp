@@ -3,6 +3,7 @@
 #include <array>
 
 #include "dialects/ir/frame_use.h"
+#include "dialects/ir/transformation_use.h"
 #include "dialects/macro_b/codes.h"
 
 namespace dripfeed::macro_b {
@@ -28,15 +29,15 @@ constexpr auto kShared = std::to_array<CodeRow>({
     {"G05", 50, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G05.1", 51, Function::no_effect, 0, ModalGroup::non_modal, kList},
     {"G05.4", 54, Function::no_effect, 0, ModalGroup::non_modal, kList},
-    {"G07.1", 71, Function::not_modelled, 0, ModalGroup::other, kList},
+    {"G07.1", 71, Function::transformation, ir::kCylinderByRotary, ModalGroup::other, kList},
     {"G08", 80, Function::no_effect, 0, ModalGroup::non_modal, kList},
     {"G09", 90, Function::exact_stop_once, 0, ModalGroup::non_modal, kList},
     {"G10", 100, Function::data_input, 0, ModalGroup::non_modal, kList},
     {"G10.6", 106, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G10.9", 109, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G11", 110, Function::no_effect, 0, ModalGroup::non_modal, kList},
-    {"G12.1", 121, Function::not_modelled, 0, ModalGroup::other, kList},
-    {"G13.1", 131, Function::no_effect, 0, ModalGroup::other, kList},
+    {"G12.1", 121, Function::transformation, ir::kFaceByRotary, ModalGroup::other, kList},
+    {"G13.1", 131, Function::transformation, ir::kTransformationEnds, ModalGroup::other, kList},
     {"G17", 170, Function::plane_xy, 0, ModalGroup::plane, kList},
     {"G18", 180, Function::plane_zx, 0, ModalGroup::plane, kList},
     {"G19", 190, Function::plane_yz, 0, ModalGroup::plane, kList},
@@ -88,9 +89,9 @@ constexpr auto kShared = std::to_array<CodeRow>({
     {"G92.1", 921, Function::set_coordinates, 1, ModalGroup::non_modal, kList},
     {"G96", 960, Function::surface_speed_on, 0, ModalGroup::surface_speed, kList},
     {"G97", 970, Function::surface_speed_off, 0, ModalGroup::surface_speed, kList},
-    {"G107", 1070, Function::not_modelled, 0, ModalGroup::other, kList},
-    {"G112", 1120, Function::not_modelled, 0, ModalGroup::other, kList},
-    {"G113", 1130, Function::no_effect, 0, ModalGroup::other, kList},
+    {"G107", 1070, Function::transformation, ir::kCylinderByRotary, ModalGroup::other, kList},
+    {"G112", 1120, Function::transformation, ir::kFaceByRotary, ModalGroup::other, kList},
+    {"G113", 1130, Function::transformation, ir::kTransformationEnds, ModalGroup::other, kList},
 });
 constexpr auto kM = std::to_array<CodeRow>({
     {"M00", 0, Function::program_stop, 0, ModalGroup::flow, kMiscellaneous},

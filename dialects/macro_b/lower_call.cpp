@@ -132,6 +132,10 @@ void BlockLowering::set_called_program(ir::Call& call, const RawWord& word) {
   const std::string_view written = word.span.in(program_.source.text());
   if (word.letter == '<') {
     const std::string_view name = written.substr(1, written.size() - 2);
+    constexpr std::size_t kMost = 32;
+    if (name.size() > kMost)
+      faults_.report(name_too_long, word.span, {std::string(name), std::to_string(name.size()), std::to_string(kMost)},
+                     ir::AlarmDetail::by_name);
     const bool is_number =
         name.size() > 1 && name.front() == 'O' && name.find_first_not_of("0123456789", 1) == std::string_view::npos;
     const auto number = is_number ? text::parse_number(name.substr(1)) : std::nullopt;

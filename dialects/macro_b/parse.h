@@ -50,6 +50,7 @@ class Parser {
   void output_statement(const Keyword& keyword);
   bool output_parts(std::string_view text, std::uint32_t begin);
   void set_names();
+  void check_variable_name(std::string_view name);
   void open_section(std::uint32_t first_statement);
   void words();
   void word();

@@ -125,7 +125,12 @@ ExpressionId ExpressionReader::factor(std::string_view after) {
       word != nullptr && (word->role == KeywordRole::function || word->role == KeywordRole::unmodelled_function)) {
     return function(*word);
   }
-  faults_.fail(missing_operand, cursor_.span(), {std::string(after)});
+  // #1=FOO[2]: letters that are no function.
+  const TokenKind next = cursor_.peek().kind;
+  const bool unknown = cursor_.kind() == TokenKind::name || (cursor_.kind() == TokenKind::address &&
+                                                             (next == TokenKind::address || next == TokenKind::name));
+  faults_.fail(missing_operand, cursor_.span(), {std::string(after)},
+               unknown ? ir::AlarmDetail::unknown_word : ir::AlarmDetail::none);
   return ExpressionId::none;
 }
 

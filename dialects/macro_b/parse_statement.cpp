@@ -56,6 +56,20 @@ void Parser::text_statement(const Keyword& keyword) {
   lowering_.emit_native(keyword.spelling, keyword.role == KeywordRole::output, place());
 }
 
+namespace {
+
+// #100 and neither [53] nor a further index behind it.
+bool has_field_missing(std::string_view text) {
+  for (std::size_t at = text.find('#'); at != std::string_view::npos; at = text.find('#', at + 1)) {
+    const std::size_t end = text.find_first_not_of("0123456789", at + 1);
+    const bool is_index = at > 1 && text[at - 1] == '[';  // #[#1]
+    if (!is_index && end != at + 1 && (end == std::string_view::npos || text[end] != '[')) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 // POPEN, PCLOS, DPRNT[TEXT #1[53]]; other forms stay text.
 void Parser::output_statement(const Keyword& keyword) {
   const std::string_view word = keyword.spelling;
@@ -72,6 +86,9 @@ void Parser::output_statement(const Keyword& keyword) {
       if (opened && std::ranges::count(text, '[') > std::ranges::count(text, ']'))
         return void(faults_.fail(missing_bracket, cursor_.span(), {fmt::format("] of {}", word)},
                                  ir::AlarmDetail::closing_bracket));
+      if (opened && has_field_missing(text))
+        return void(faults_.fail(syntax_error, cursor_.span(), {"a variable without its field, as in #100[53]"},
+                                 ir::AlarmDetail::output_statement));
       return text_statement(keyword);
     }
     cursor_.advance();
@@ -113,14 +130,29 @@ bool Parser::output_parts(std::string_view text, std::uint32_t begin) {
   return i + 1 == text.size();  // otherwise the last field took the bracket that closes all
 }
 
+// Of eight letters and digits at most, a letter first (0i-F B-64604EN, "Setting of a name"); some controls take seven.
+void Parser::check_variable_name(std::string_view name) {
+  constexpr std::size_t kMost = 8;
+  const auto begin = static_cast<std::uint32_t>(name.data() - cursor_.whole_text().data());
+  const text::Span span{begin, begin + static_cast<std::uint32_t>(name.size())};
+  const auto is_letter = [](char c) { return c >= 'A' && c <= 'Z'; };
+  const bool plain =
+      std::ranges::all_of(name, [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; });
+  if (name.empty() || !plain || !is_letter(name.front()))
+    faults_.report(syntax_error, span, {fmt::format("{} is no name of a variable", name)},
+                   ir::AlarmDetail::name_statement);
+  else if (name.size() > kMost)
+    faults_.report(name_too_long, span, {std::string(name), std::to_string(name.size()), std::to_string(kMost)});
+}
+
 // SETVN 101[NAME1,NAME2]: from here on [#NAME1] is #101.
 void Parser::set_names() {
   cursor_.advance();
   const auto first = cursor_.kind() == TokenKind::number ? text::parse_integer(cursor_.text()) : std::nullopt;
   if (first) cursor_.advance();
   if (!first || cursor_.kind() != TokenKind::string) {
-    faults_.fail(syntax_error, {begin_, std::max(begin_, cursor_.previous_end())},
-                 {"SETVN needs a number and [NAMES]"});
+    faults_.fail(syntax_error, {begin_, std::max(begin_, cursor_.previous_end())}, {"SETVN needs a number and [NAMES]"},
+                 ir::AlarmDetail::name_statement);
     return;
   }
   std::string_view names = cursor_.text();
@@ -129,6 +161,7 @@ void Parser::set_names() {
   auto number = static_cast<std::uint32_t>(std::clamp<std::int64_t>(*first, 0, 99'999'999));
   while (!names.empty()) {
     const std::string_view name = names.substr(0, names.find(','));
+    check_variable_name(name);
     names.remove_prefix(std::min(names.size(), name.size() + 1));
     expressions_.name_variable(name, number++);
   }

@@ -42,10 +42,11 @@ std::string_view string_of(const ir::Program& program, ExpressionId id) {
 
 const ir::CodeRow* find_function(const ir::Control& control, Function function, std::int16_t argument) {
   // Other arguments are shades of meaning that the tables do not tell apart.
-  const bool numbered =
-      function == Function::work_offset || function == Function::reference_return || function == Function::drill ||
-      function == Function::turning_cycle || function == Function::repetitive_cycle || function == Function::rotate ||
-      function == Function::scale || function == Function::mirror || function == Function::set_coordinates;
+  const bool numbered = function == Function::work_offset || function == Function::reference_return ||
+                        function == Function::drill || function == Function::turning_cycle ||
+                        function == Function::repetitive_cycle || function == Function::rotate ||
+                        function == Function::scale || function == Function::mirror ||
+                        function == Function::set_coordinates || function == Function::transformation;
   for (const auto table : {control.g_codes, control.m_codes}) {
     const auto row = std::ranges::find_if(
         table, [&](const ir::CodeRow& r) { return r.function == function && (!numbered || r.argument == argument); });

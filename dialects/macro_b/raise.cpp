@@ -100,6 +100,7 @@ class StatementRaiser {
   void return_to_caller(const ir::Statement& s) {
     const ir::Jump& jump = program_.jumps[s.payload];
     if (jump.label != ir::StringId::none) return blocks_.cannot(s, "a return to a label of the caller");
+    if (jump.levels != 1) return blocks_.cannot(s, "a return over several levels");
     if (jump.computed != ExpressionId::none && !same_dialect_)
       return blocks_.cannot(s, "a return to a calculated block");
     out_.keep();

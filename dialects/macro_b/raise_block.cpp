@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "dialects/ir/frame_use.h"
+#include "dialects/ir/transformation_use.h"
 #include "dialects/macro_b/findings.h"
 #include "dialects/macro_b/lower.h"
 #include "dialects/macro_b/print.h"
@@ -167,6 +168,7 @@ void BlockRaiser::code(const ir::Code& code) {
                             : static_cast<std::int16_t>(kExtendedOffset + code.argument - kLastPlainOffset);
     return draft_.codes.push_back(extended);
   }
+  if (f == Function::transformation && code.argument == ir::kTransformationEnds && !begins_transformation()) return;
   if (is_said_by_table(f) && find_function(to_, f, code.argument) != nullptr) {
     ir::Code raised = code_of(f, code.argument);
     raised.span = code.span;
@@ -175,6 +177,14 @@ void BlockRaiser::code(const ir::Code& code) {
   if (goes_without_saying(f) || ir::ends_frame(f, code.argument)) return;
   const std::string_view name = program_.strings.at(code.name);
   cannot(*statement_, name.empty() ? std::string(ir::name_of(f)) : std::string(name));
+}
+
+// Only one that these controls have themselves: others are refused, and their end by itself ends nothing.
+bool BlockRaiser::begins_transformation() const {
+  return std::ranges::any_of(program_.codes, [](const ir::Code& c) {
+    return c.function == Function::transformation &&
+           (c.argument == ir::kFaceByRotary || c.argument == ir::kCylinderByRotary);
+  });
 }
 
 void BlockRaiser::word(const ir::Word& word, const Traits& traits) {

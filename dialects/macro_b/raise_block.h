@@ -45,6 +45,7 @@ class BlockRaiser {
 
   Traits traits_of(const std::vector<ir::Code>& codes, const std::vector<ir::Word>& words) const;
   void code(const ir::Code& code);
+  [[nodiscard]] bool begins_transformation() const;
   void word(const ir::Word& word, const Traits& traits);
   void axis_word(ir::Word word);
   void dwell_word(const ir::Word& word);

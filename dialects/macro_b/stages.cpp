@@ -28,6 +28,7 @@ std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Con
   check_frame(program, control, sections, findings);
   check_variables(program, control, findings);
   check_words(program, control, findings);
+  check_values(program, control, findings);
   for (const Section& section : sections) {
     check_loops(program, control, section, findings);
     check_jumps(program, section, findings);

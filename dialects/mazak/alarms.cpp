@@ -79,6 +79,13 @@ constexpr auto kAlarms = std::to_array<AlarmRow>({
     {syntax_error, "843", jump_number},
     {call_nesting_too_deep, "855", macro_call},
     {address_without_value, "893", macro_program},
+    {curve_invalid, "807"},
+    {curve_invalid, "955", first_point},
+    {unknown_address, "802", axis_letter},
+    {syntax_error, "866", name_statement},
+    {no_feed, "908", tap},
+    {no_feed, "909", thread},
+    {result_overflow, "862", whole_numbers},
 });
 
 }  // namespace

@@ -81,6 +81,16 @@ constexpr auto kAlarms = std::to_array<AlarmRow>({
     {syntax_error, "P231", jump_number},
     {call_nesting_too_deep, "P273", macro_call},
     {nesting_too_deep, "P288", if_nesting},
+    {curve_invalid, "P551"},
+    {curve_invalid, "P552", first_point},
+    {unknown_address, "P11", axis_letter},
+    {syntax_error, "P292", name_statement},
+    {no_feed, "P183", tap},
+    {no_feed, "P93", thread},
+    {result_overflow, "P284", whole_numbers},
+    {cycle_shape_too_long, "P202"},
+    {corner_without_move, "P385", thread},
+    {code_not_in_mode, "P481"},
 });
 
 }  // namespace

@@ -17,7 +17,7 @@ constexpr std::string_view kList = "M800/M80 series programming manual, G code l
 
 // clang-format off
 constexpr auto kOwn = std::to_array<CodeRow>({
-    {"G06.2", 62, Function::not_modelled, 0, ModalGroup::motion, kList},  // lathes, too
+    {"G06.2", 62, Function::nurbs, 0, ModalGroup::motion, kList},  // lathes, too
     {"G31.1", 311, Function::skip_move, 0, ModalGroup::non_modal, kList},
     {"G31.2", 312, Function::skip_move, 0, ModalGroup::non_modal, kList},
     {"G31.3", 313, Function::skip_move, 0, ModalGroup::non_modal, kList},

@@ -187,6 +187,11 @@ ModeFacts ModeFlow::start_of(const Part& part) const {
   for (std::size_t m = 0; m < kModes; ++m) {
     if (sub && !ends) {
       facts[m].inherited = true;
+      for (const ir::CodeRow& row : control_.caller_modes) {
+        const FunctionRow* mode = row_of(row.function);
+        if (mode != nullptr && index_of(mode->mode) == m)
+          facts[m] = {.function = row.function, .origin = ModeFact::kCaller};
+      }
     } else {
       facts[m].function = power_on(static_cast<Mode>(m), control_.semantics);
       facts[m].origin = ModeFact::kPowerOn;
@@ -295,6 +300,7 @@ std::string ModeFlow::way(Function function, std::uint32_t origin) const {
   const FunctionRow* row = row_of(function);
   const std::string_view said = row == nullptr ? ir::name_of(function) : row->said;
   if (origin == ModeFact::kPowerOn) return fmt::format("{} as the control wakes up", said);
+  if (origin == ModeFact::kCaller) return fmt::format("{} as was said of its caller", said);
   const std::string name = program_at(origin);
   return fmt::format("{} from line {}{}", said, program_.statements[origin].line, name.empty() ? "" : " of " + name);
 }

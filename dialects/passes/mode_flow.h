@@ -26,6 +26,7 @@ ir::Function power_on(Mode mode, const ir::Semantics& semantics);
 
 struct ModeFact {
   static constexpr std::uint32_t kPowerOn = ir::kNoIndex - 1;  // as an origin
+  static constexpr std::uint32_t kCaller = ir::kNoIndex - 2;   // … named beside the program
 
   ir::Function function = ir::Function::none;  // none: no way sets it
   std::uint32_t origin = ir::kNoIndex;         // the statement that set it

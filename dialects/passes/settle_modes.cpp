@@ -211,12 +211,17 @@ class Settling {
 class Assuming {
  public:
   Assuming(const ir::Program& program, const ir::Control& control)
-      : program_(program), control_(control), flow_(program, control) {}
+      : program_(program), control_(control), flow_(program, control) {
+    turns_ = std::ranges::any_of(control.caller_modes, [](const ir::CodeRow& row) {
+      return row.function == Function::spindle_cw || row.function == Function::spindle_ccw;
+    });
+  }
 
   std::vector<text::Diagnostic> run() {
     const StatementRange main = section_of(program_, 0);
     const ModeFacts* start = main.first < main.last ? flow_.before(main.first) : nullptr;
-    if (start == nullptr || !start->front().inherited) return {};
+    const auto inherited = [](const ModeFact& fact) { return fact.inherited; };
+    if (start == nullptr || std::ranges::none_of(*start, inherited)) return {};
     for (std::uint32_t i = main.first; i < main.last; ++i) {
       const ir::Statement& s = program_.statements[i];
       if (s.kind != StatementKind::block) continue;

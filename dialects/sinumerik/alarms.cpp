@@ -58,6 +58,10 @@ constexpr ir::AlarmRow kAlarms[] = {
   {result_overflow, "14051"},
   {arc_radius_mismatch, "14040"},
   {arc_without_center, "14040"},
+  {arc_radius_mismatch, "14095", ir::AlarmDetail::small_radius},
+  {comp_started_by_arc, "10753"},
+  {comp_started_by_arc, "10754", ir::AlarmDetail::ends},
+  {plane_changed_in_comp, "10757"},
 };
 // clang-format on
 

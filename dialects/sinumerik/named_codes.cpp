@@ -177,7 +177,7 @@ constexpr auto kNamed = std::to_array<GCode>({
   {{"CORROF", -1, no_effect, 0, Group::other, "PGA, commands"}, 0, usual},
   {{"ICYCON", -1, no_effect, 0, Group::other, "PGA, commands"}, 0, usual},
   {{"ICYCOF", -1, no_effect, 0, Group::other, "PGA, commands"}, 0, usual},
-  {{"TRAFOOF", -1, no_effect, 0, Group::other, "PGA, transformations"}, 0, usual},
+  {{"TRAFOOF", -1, transformation, 0, Group::other, "PGA, transformations"}, 0, usual},
   {{"RTCPON", -1, not_modelled, 0, Group::other, "PGA, commands"}, 0, usual},
   {{"RTCPOF", -1, not_modelled, 0, Group::other, "PGA, commands"}, 0, usual},
   {{"MEAFRAME", -1, not_modelled, 0, Group::other, "PGA, commands"}, 0, usual},

@@ -128,7 +128,8 @@ class Parser {
   void message(text::Span head);
   void alarm(text::Span head);
   void return_statement(text::Span head);
-  [[nodiscard]] bool returns_usually() const;
+  [[nodiscard]] bool returns_usually(std::uint8_t& levels, bool& has_target) const;
+  void transformation(std::string_view name, text::Span head);
   void native(std::string_view name, bool effects_known, text::Span head);
   void missing_target();
 

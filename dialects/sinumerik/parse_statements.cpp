@@ -2,8 +2,10 @@
 // transformations. Those lose no verdict silently: a Native names itself, and only a few are known to do nothing.
 #include <algorithm>
 
+#include "dialects/ir/transformation_use.h"
 #include "dialects/sinumerik/name_index.h"
 #include "dialects/sinumerik/parse.h"
+#include "dialects/text/number.h"
 
 namespace dripfeed::sinumerik {
 
@@ -15,10 +17,10 @@ using text::DiagnosticId;
 
 // Statements that are kept as written and after which axes may be anywhere: cycles, approach and return moves, texts.
 bool may_move(std::string_view name) {
-  constexpr std::string_view kNames[] = {
-      "G5",       "G7",     "G74",    "G75",    "G147",    "G148",    "G247",     "G248",   "G347",    "G348",
-      "REPOSL",   "REPOSQ", "REPOSH", "REPOSA", "REPOSQA", "REPOSHA", "ISOCALL",  "CALL",   "EXECTAB", "RET",
-      "LONGHOLE", "POLFA",  "G291",   "ROTS",   "AROTS",   "CROTS",   "TRANSMIT", "TRACYL", "TRAANG",  "TRAORI"};
+  constexpr std::string_view kNames[] = {"G5",      "G7",      "G74",     "G75",    "G147",    "G148",   "G247",
+                                         "G248",    "G347",    "G348",    "REPOSL", "REPOSQ",  "REPOSH", "REPOSA",
+                                         "REPOSQA", "REPOSHA", "ISOCALL", "CALL",   "EXECTAB", "RET",    "LONGHOLE",
+                                         "POLFA",   "G291",    "ROTS",    "AROTS",  "CROTS",   "TRAANG", "TRAORI"};
   return name.starts_with("CYCLE") || name.starts_with("POCKET") || name.starts_with("SLOT") ||
          name.starts_with("HOLES") || std::ranges::find(kNames, name) != std::end(kNames);
 }
@@ -26,6 +28,7 @@ bool may_move(std::string_view name) {
 }  // namespace
 
 void Parser::statement_of(const Keyword& keyword, text::Span head) {
+  if (keyword.name == "TRANSMIT" || keyword.name == "TRACYL") return transformation(keyword.name, head);
   switch (keyword.role) {
     case Role::address: return named_word(keyword);
     case Role::native:
@@ -81,6 +84,38 @@ void Parser::statement_of(const Keyword& keyword, text::Span head) {
 void Parser::native(std::string_view name, bool effects_known, text::Span head) {
   skip_block();
   lower_.keep_as_native(name, effects_known, to_here(head), may_move(name));
+}
+
+// TRANSMIT, TRANSMIT(n); TRACYL(diameter), TRACYL(diameter, n, k): the number is that of one of the machine's data
+// sets.
+void Parser::transformation(std::string_view name, text::Span head) {
+  static constexpr GCode kFace = {
+      {"TRANSMIT", -1, ir::Function::transformation, ir::kFaceByY, ir::ModalGroup::other, "PGA, TRANSMIT"},
+      0,
+      WordUse::usual};
+  static constexpr GCode kCylinder = {
+      {"TRACYL", -1, ir::Function::transformation, ir::kCylinderByY, ir::ModalGroup::other, "PGA, TRACYL"},
+      0,
+      WordUse::usual};
+  cursor_.advance();
+  const bool face = name == "TRANSMIT";
+  ir::ExpressionId diameter = ir::ExpressionId::none;
+  if (cursor_.take('(')) {
+    ++brackets_;
+    for (bool first = true; !cursor_.is_symbol(')') && !cursor_.at_block_end(); first = false) {
+      if (cursor_.take(',')) continue;
+      const ir::ExpressionId value = binary(kWeakestRank);
+      if (first) diameter = value;
+      if (faulty_) break;
+    }
+    --brackets_;
+    expect(')');
+  }
+  const text::Span span = to_here(head);
+  if (!face && diameter == ir::ExpressionId::none)
+    return give_up(DiagnosticId::missing_operand, head, {std::string(name)});
+  lower_.add_code(face ? kFace : kCylinder, span);
+  if (!face) lower_.add_word({.address = ir::Address::r, .value = diameter, .span = span});
 }
 
 // `head` is the variable's first token; the cursor stands after the variable.
@@ -308,32 +343,34 @@ void Parser::alarm(text::Span head) {
   lower_.add_message(StatementKind::alarm, alarm, to_here(head));
 }
 
-// RET alone, or RET("LABEL") to a block of the caller (PGA, "Parameterizable subprogram return"); with more arguments
-// it is kept as written.
-// RET("LABEL",0,1,0): into the block itself, one level up, not to the start are what RET("LABEL") does as well.
-bool Parser::returns_usually() const {
-  constexpr std::string_view kUsual[] = {"0", "1", "0"};
+// RET alone, RET("LABEL") to a block of the caller, RET(,,2) to the caller's caller (PGA, "Parameterizable subprogram
+// return"). What goes to a block behind the target or to the start of the program is kept as written.
+bool Parser::returns_usually(std::uint8_t& levels, bool& has_target) const {
+  constexpr int kLevels = 1;
+  constexpr std::uint8_t kMostLevels = 16;
   TokenCursor probe = cursor_.after();
-  const bool has_target = !probe.is_symbol(',') && !probe.is_symbol(')');
+  has_target = !probe.is_symbol(',') && !probe.is_symbol(')');
   while (!probe.at_block_end() && !probe.is_symbol(',') && !probe.is_symbol(')')) probe.advance();
-  for (const std::string_view usual : kUsual) {
-    if (!probe.is_symbol(',')) break;
+  for (int place = 0; place < 3 && probe.is_symbol(','); ++place) {
     probe.advance();
     if (probe.is_symbol(',') || probe.is_symbol(')')) continue;
-    if (probe.text() != usual) return false;
+    const auto number = text::parse_integer(probe.text());
+    if (!number || *number < 0 || (place != kLevels && *number != 0) || *number > kMostLevels) return false;
+    if (place == kLevels) levels = static_cast<std::uint8_t>(*number);
     probe.advance();
   }
-  return has_target && probe.is_symbol(')');
+  return levels != 0 && probe.is_symbol(')');
 }
 
 void Parser::return_statement(text::Span head) {
   if (!cursor_.is_symbol('(')) return lower_.add_plain(StatementKind::subprogram_return, head);
-  if (!returns_usually()) return native("RET", false, head);
+  ir::Jump jump;
+  bool has_target = false;
+  if (!returns_usually(jump.levels, has_target)) return native("RET", false, head);
   operator_ = head;
   expect('(');
   ++brackets_;
-  ir::Jump jump;
-  jump.computed = binary(kWeakestRank);
+  if (has_target) jump.computed = binary(kWeakestRank);
   --brackets_;
   while (!cursor_.at_block_end() && !cursor_.is_symbol(')')) cursor_.advance();
   expect(')');

@@ -147,7 +147,9 @@ class Printer {
         return call(program_.calls[s.payload], out);
       case StatementKind::return_to:
         out += "RET(";
-        value(out, program_.jumps[s.payload].computed);
+        if (program_.jumps[s.payload].computed != ir::ExpressionId::none)
+          value(out, program_.jumps[s.payload].computed);
+        if (program_.jumps[s.payload].levels != 1) out += ",," + std::to_string(program_.jumps[s.payload].levels);
         out += ')';
         return;
       case StatementKind::modal_call: out += "MCALL "; return call(program_.calls[s.payload], out);

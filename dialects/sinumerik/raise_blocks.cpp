@@ -6,6 +6,7 @@
 #include <string>
 
 #include "dialects/ir/frame_use.h"
+#include "dialects/ir/transformation_use.h"
 #include "dialects/sinumerik/codes.h"
 #include "dialects/sinumerik/name_index.h"
 #include "dialects/sinumerik/raise.h"
@@ -164,6 +165,8 @@ class BlockRaiser {
       add(c, row->row.name);
     } else if (is_m && c.function != Function::machine_function) {
       add(c, name_of(c));
+    } else if (c.function == Function::transformation) {
+      raising_.cannot(written, c.span);  // its arguments are no words
     } else if (c.function == Function::not_modelled || c.function == Function::no_effect) {
       program_.codes.push_back(c);
     } else {
@@ -211,6 +214,8 @@ class BlockRaiser {
       return raising_.cannot("a computed G code", c.span);
     }
     if (raising_.is_own()) return own_code(c);
+    // What would begin it is refused: by itself it ends nothing.
+    if (c.function == Function::transformation && c.argument == ir::kTransformationEnds) return;
     if (std::ranges::find(kNeedless, c.function) != std::end(kNeedless)) return;
     if (ir::ends_frame(c.function, c.argument)) return;
     if (c.function == Function::length_offset_plus) return length_offset(c);

@@ -47,6 +47,8 @@ void check_calls(const Check& check);        // validate_calls.cpp
 void check_tools(const Check& check);        // validate_tools.cpp
 void check_ranges(const Check& check);       // validate_ranges.cpp
 void check_definitions(const Check& check);  // validate_definitions.cpp
+void check_order(const Check& check);        // validate_modes.cpp
+void check_symbols(const Check& check);      // validate_symbols.cpp
 void check_interpreted(const Check& check);  // validate_interpreted.cpp
 
 }  // namespace dripfeed::sinumerik

@@ -88,7 +88,7 @@ void check_indices(const Check& check) {
     for (std::size_t i = 0; i < std::size(sizes); ++i) {
       const ir::Expression* index = sizes[i] == 0 ? nullptr : constant_of(program, indices[i]);
       if (index == nullptr || (index->value > -0.5 && index->value < sizes[i] - 0.5)) continue;
-      check.report(DiagnosticId::variable_out_of_range, v.span, {std::string(check.text_of(v.span))}).alarm = "17020";
+      check.report(DiagnosticId::variable_out_of_range, v.span, {std::string(check.text_of(v.span))}).alarm = "12430";
       break;
     }
   }

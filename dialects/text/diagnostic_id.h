@@ -40,6 +40,7 @@ enum class DiagnosticId : std::uint16_t {
   addresses_exclude,
   value_out_of_range,
   not_interpreted,
+  unknown_machine_function,
   // expressions and variables
   syntax_error,
   missing_operand,
@@ -114,6 +115,8 @@ enum class DiagnosticId : std::uint16_t {
   cycle_shape_invalid,
   cycle_shape_not_monotonic,
   cycle_shape_too_long,
+  curve_invalid,
+  code_not_in_mode,
   vacant_value,
   limit_reached,
   user_alarm,

@@ -71,7 +71,7 @@ TEST(SinumerikGeometry, TangentialArc) {
 TEST(SinumerikGeometry, ArcsFromAnUnknownPlaceAreNoAlarm) {
   const Result ran = run("G17 G90 G1 F100\nG2 X10 Y0 I3 J0\nG2 X10 Y20 CR=10\nG2 X10 Y0 CR=3\nM30\n");
   EXPECT_TRUE(ran.names("arcs from or to a place that is not known"));
-  EXPECT_EQ(alarm_of(ran), "14040");  // the last one: both ends are known, and it does not fit
+  EXPECT_EQ(alarm_of(ran), "14095");  // the last one: both ends are known, and it does not fit
   EXPECT_EQ(ran.result.diagnostics.back().line, 4U);
 }
 

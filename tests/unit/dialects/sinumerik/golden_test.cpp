@@ -110,7 +110,7 @@ TEST(Golden, EachNamesItsOracle) {
 TEST(Golden, EveryAlarmOfTheTableIsOfARuleThatExists) {
   for (const ir::AlarmRow& row : control(ir::MachineKind::mill).alarms) {
     EXPECT_FALSE(row.alarm.empty());
-    EXPECT_EQ(row.alarm, alarm_of(control(ir::MachineKind::mill), row.id));
+    EXPECT_EQ(row.alarm, alarm_of(control(ir::MachineKind::mill), row.id, row.detail));
   }
 }
 

@@ -1,0 +1,201 @@
+// Fanuc 30i B-64484EN, "NURBS interpolation": the control points P0 … Pn come with the knots K0 … Kn, then the
+// remaining `order` knots alone. The curve starts where the tool is, so the first `order` knots are one value, and so
+// are the last.
+#include "dialects/interpreter/nurbs_block.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "dialects/interpreter/move.h"
+
+namespace dripfeed::interpreter {
+
+namespace {
+
+using ir::Address;
+using ir::AlarmDetail;
+
+constexpr std::size_t kLeastOrder = 2;
+constexpr std::size_t kMostOrder = 4;
+constexpr double kSamePlace_mm = 0.0015;  // one and a half least increments
+constexpr int kDeepest = 12;              // halvings of one knot span
+
+void fail(BlockResult& result, std::string_view reason, AlarmDetail detail = AlarmDetail::none) {
+  result.fault = text::DiagnosticId::curve_invalid;
+  result.reason = reason;
+  result.detail = detail;
+}
+
+bool same_knot(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(a)); }
+
+class Curve {
+ public:
+  Curve(const CurveInput& input, ModalState& state, MotionBuffer& out, BlockResult& result)
+      : input_(input), state_(state), out_(out), result_(result) {}
+
+  void emit() {
+    const std::size_t order = input_.order;
+    for (std::size_t span = order - 1; span < input_.points.size(); ++span) {
+      const double first = input_.knots[span];
+      const double last = input_.knots[span + 1];
+      if (same_knot(first, last)) continue;
+      span_ = span;
+      line_ = input_.lines[span];
+      pieces(first, point_at(first), last, point_at(last), 0);
+    }
+  }
+
+ private:
+  // De Boor's algorithm on weighted points (The NURBS Book, A3.1 with A4.1), within the span.
+  [[nodiscard]] AxisValues point_at(double u) const {
+    const std::size_t degree = input_.order - 1;
+    std::array<AxisValues, kMostOrder> points{};
+    std::array<double, kMostOrder> weights{};
+    for (std::size_t j = 0; j <= degree; ++j) {
+      const std::size_t i = span_ - degree + j;
+      weights[j] = input_.weights[i];
+      for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) points[j][axis] = input_.points[i][axis] * weights[j];
+    }
+    for (std::size_t r = 1; r <= degree; ++r) {
+      for (std::size_t j = degree; j >= r; --j) {
+        const std::size_t i = span_ - degree + j;
+        const double width = input_.knots[i + degree + 1 - r] - input_.knots[i];
+        const double share = width > 0.0 ? (u - input_.knots[i]) / width : 0.0;
+        weights[j] = (1.0 - share) * weights[j - 1] + share * weights[j];
+        for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis)
+          points[j][axis] = (1.0 - share) * points[j - 1][axis] + share * points[j][axis];
+      }
+    }
+    AxisValues at{};
+    for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) at[axis] = points[degree][axis] / weights[degree];
+    return at;
+  }
+
+  // How far a point lies from the chord; a diameter counts as it is kept, which is the stricter.
+  static double aside(const AxisValues& a, const AxisValues& b, const AxisValues& p) {
+    double along = 0.0;
+    double length = 0.0;
+    for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
+      along += (b[axis] - a[axis]) * (p[axis] - a[axis]);
+      length += (b[axis] - a[axis]) * (b[axis] - a[axis]);
+    }
+    const double share = length > 0.0 ? std::clamp(along / length, 0.0, 1.0) : 0.0;
+    double sum = 0.0;
+    for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
+      const double d = p[axis] - a[axis] - share * (b[axis] - a[axis]);
+      sum += d * d;
+    }
+    return std::sqrt(sum);
+  }
+
+  // At three places, so that a curve that crosses its chord in the middle is seen.
+  void pieces(double u0, const AxisValues& a, double u1, const AxisValues& b, int depth) {
+    const double middle = 0.5 * (u0 + u1);
+    const AxisValues m = point_at(middle);
+    bool flat = depth >= 2 && aside(a, b, m) <= kCurveChord_mm;
+    for (const double share : {0.25, 0.75})
+      flat = flat && aside(a, b, point_at(u0 + share * (u1 - u0))) <= kCurveChord_mm;
+    if (!flat && depth < kDeepest) {
+      pieces(u0, a, middle, m, depth + 1);
+      pieces(middle, m, u1, b, depth + 1);
+      return;
+    }
+    const Target target{.end = b, .commanded = input_.commanded};
+    ir::Motion& motion = emit_move(ir::MotionKind::spline, target, state_.feed, {}, state_, out_, result_);
+    motion.place.line = line_;
+  }
+
+  const CurveInput& input_;
+  ModalState& state_;
+  MotionBuffer& out_;
+  BlockResult& result_;
+  std::size_t span_ = 0;
+  std::uint32_t line_ = 0;
+};
+
+bool starts_where_the_tool_is(const ModalState& state, const AxisValues& point, std::uint16_t commanded) {
+  for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
+    if ((commanded >> axis & 1U) == 0 || (state.unknown >> axis & 1U) != 0) continue;
+    if (std::abs(point[axis] - state.position[axis]) > kSamePlace_mm) return false;
+  }
+  return true;
+}
+
+bool begin_curve(const PlainBlock& block, CurveInput& curve, BlockResult& result) {
+  const std::size_t kept = curve.order;
+  curve = {};
+  curve.open = true;
+  curve.order = kept;
+  if (!block.has(Address::p)) return true;
+  const double order = block.at(Address::p);
+  if (!(order >= kLeastOrder && order <= kMostOrder && order == std::floor(order))) {
+    fail(result, "its order (P) is not 2, 3 or 4", AlarmDetail::order_of_curve);
+    return false;
+  }
+  curve.order = static_cast<std::size_t>(order);
+  return true;
+}
+
+bool add_point(const PlainBlock& block, const BlockRules& rules, ModalState& state, const MotionBuffer& out,
+               BlockResult& result) {
+  CurveInput& curve = state.curve;
+  // What is not named stays as in the point before.
+  const AxisValues tool = state.position;
+  if (!curve.points.empty()) state.position = curve.points.back();
+  const Target target = find_any_target(block, rules, state, false);
+  state.position = tool;
+  if (target.unknown != 0) {
+    result.notes |= kNoteIncrementalFromUnknown;
+    state.unknown |= target.unknown;
+  }
+  if (curve.points.empty() && !starts_where_the_tool_is(state, target.end, target.commanded)) {
+    fail(result, "its first control point is not where the tool is", AlarmDetail::first_point);
+    return false;
+  }
+  curve.commanded |= target.commanded;
+  curve.points.push_back(target.end);
+  curve.weights.push_back(block.has(Address::r) ? block.at(Address::r) : 1.0);
+  curve.lines.push_back(out.place.line);
+  if (curve.weights.back() > 0.0) return true;
+  fail(result, "a weight (R) is not greater than 0");
+  return false;
+}
+
+// The first and the last `order` knots are one value each: it begins and ends in a control point.
+bool is_clamped(const CurveInput& curve) {
+  const std::size_t n = curve.points.size();
+  return same_knot(curve.knots.front(), curve.knots[curve.order - 1]) && same_knot(curve.knots[n], curve.knots.back());
+}
+
+}  // namespace
+
+void add_to_curve(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out,
+                  BlockResult& result) {
+  const bool names_point = ((block.present | block.unknown) & rules.axis_addresses) != 0;
+  if (!names_point && !block.has(Address::k)) return;
+  CurveInput& curve = state.curve;
+  if (!curve.open && !begin_curve(block, curve, result)) return;
+  if (names_point) {
+    if (curve.points.size() != curve.knots.size()) return fail(result, "a control point behind the knots that end it");
+    if (!add_point(block, rules, state, out, result)) return;
+  }
+  if (!block.has(Address::k)) return fail(result, "a control point has no knot (K)");
+  const double knot = block.at(Address::k);
+  if (!curve.knots.empty() && knot < curve.knots.back()) return fail(result, "its knots (K) fall");
+  curve.knots.push_back(knot);
+  if (curve.knots.size() < curve.points.size() + curve.order) return;
+  const std::size_t order = curve.order;
+  const CurveInput complete = std::exchange(curve, {});
+  curve.order = order;
+  if (complete.points.size() < complete.order) return fail(result, "it has fewer control points than its order (P)");
+  if (!is_clamped(complete)) return fail(result, "its first or last knots are not all alike");
+  Curve(complete, state, out, result).emit();
+}
+
+void break_curve(ModalState& state, BlockResult& result) {
+  state.curve = {};
+  if (result.fault == text::DiagnosticId::count_) fail(result, "it ends before its last knots (K)");
+}
+
+}  // namespace dripfeed::interpreter

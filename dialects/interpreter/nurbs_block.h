@@ -1,0 +1,18 @@
+// G06.2: control points and knots come block by block; when the curve is complete it is one chain of spline motions.
+// Points of the curve, no chord of them farther from it than kCurveChord_mm.
+#pragma once
+
+#include "dialects/interpreter/apply.h"
+
+namespace dripfeed::interpreter {
+
+inline constexpr double kCurveChord_mm = 0.001;
+
+// A block while G06.2 is in effect: P the order (first block), K the knot, axis words and R the control point.
+// Fault curve_invalid: a knot that falls, a first point where the tool is not, an order that no control has.
+void add_to_curve(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out,
+                  BlockResult& result);
+// The mode ends before the curve is complete: fault curve_invalid.
+void break_curve(ModalState& state, BlockResult& result);
+
+}  // namespace dripfeed::interpreter

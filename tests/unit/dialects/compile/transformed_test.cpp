@@ -1,0 +1,167 @@
+// Polar and cylindrical interpolation. Oracle: the plane that the program is written in: the axes' way between the ends
+// of each piece, brought back to the face or the circumference, must lie on the line or circle, and the pieces' times
+// must add up to its length over the feed.
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/dialects/compile/harness.h"
+
+namespace dripfeed::compile::test {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr std::size_t kX = 0;
+constexpr std::size_t kZ = 2;
+constexpr std::size_t kC = 5;
+
+struct Place {
+  double along = 0.0;
+  double across = 0.0;
+};
+// On the face: X is a diameter.
+Place on_face(double x, double c_deg) {
+  return {x / 2.0 * std::cos(c_deg / kDegrees), x / 2.0 * std::sin(c_deg / kDegrees)};
+}
+
+std::vector<ir::Motion> lathe(const std::string& blocks, const std::string& dialect = "fanuc") {
+  ir::Control machine = control(dialect, ir::MachineKind::lathe);
+  machine.axes = "XZC";
+  const bool siemens = dialect == "sinumerik-840d";
+  const std::string head =
+      siemens ? "G18 G90 G71 G94 DIAMON\nG0 X50 Z5 C0\n" : "%\nO1\nG21 G98 G97 G40\nG00 X50. Z5. C0.\n";
+  return moves_of(run_text(head + blocks + (siemens ? "M30\n" : "M30\n%\n"), machine).motions);
+}
+
+// The greatest distance of the axes' way from where it should be, at places of each piece.
+double farthest(const std::vector<ir::Motion>& moves, std::uint32_t line,
+                const std::function<double(Place)>& distance) {
+  double most = 0.0;
+  for (const ir::Motion& m : moves) {
+    if (m.place.line != line) continue;
+    for (int i = 0; i <= 10; ++i) {
+      const double t = i / 10.0;
+      const auto at = [&](std::size_t axis) { return m.start[axis] + t * (m.end[axis] - m.start[axis]); };
+      most = std::max(most, distance(on_face(at(kX), at(kC))));
+    }
+  }
+  return most;
+}
+
+double minutes(const std::vector<ir::Motion>& moves, std::uint32_t line) {
+  double sum = 0.0;
+  for (const ir::Motion& m : moves) {
+    if (m.place.line != line || m.kind == ir::MotionKind::rapid) continue;
+    EXPECT_EQ(m.feed_mode, ir::FeedMode::inverse_time);
+    sum += 1.0 / m.feed;
+  }
+  return sum;
+}
+
+TEST(PolarInterpolation, LinesOnTheFace) {
+  const auto moves = lathe("G12.1\nG01 X20. C10. F100.\nG13.1\n");
+  ASSERT_GT(moves.size(), 4U);
+  const ir::Motion& last = moves.back();
+  EXPECT_NEAR(last.end[kX], 2.0 * std::hypot(10.0, 10.0), 1e-9);
+  EXPECT_NEAR(last.end[kC], 45.0, 1e-9);
+  // From (25, 0) to (10, 10).
+  const double length = std::hypot(15.0, 10.0);
+  const auto aside = [&](Place p) { return std::abs((p.along - 25.0) * 10.0 + p.across * 15.0) / length; };
+  EXPECT_LT(farthest(moves, 6, aside), 1.1e-3);
+  EXPECT_NEAR(minutes(moves, 6), length / 100.0, 1e-4 * length / 100.0);
+}
+
+TEST(PolarInterpolation, ArcsOnTheFace) {
+  const auto moves = lathe("G12.1\nG01 X20. C0. F100.\nG03 X-20. C0. I-10. J0.\nG13.1\n");
+  EXPECT_LT(farthest(moves, 7, [](Place p) { return std::abs(std::hypot(p.along, p.across) - 10.0); }), 1.1e-3);
+  EXPECT_NEAR(moves.back().end[kC], 180.0, 1e-9);
+  EXPECT_NEAR(moves.back().end[kX], 20.0, 1e-9);
+  const auto eccentric = lathe("G12.1\nG01 X20. C0. F100.\nG02 X20. C0. I4. J0.\nG13.1\n");
+  EXPECT_LT(farthest(eccentric, 7, [](Place p) { return std::abs(std::hypot(p.along - 14.0, p.across) - 4.0); }),
+            1.1e-3);
+  EXPECT_NEAR(minutes(eccentric, 7), 8.0 * std::numbers::pi / 100.0, 1e-4);
+}
+
+TEST(PolarInterpolation, TheRotaryAxisGoesOnTurning) {
+  const auto moves = lathe("G12.1\nG01 X20. C-10. F100.\nC10.\nX-20.\nC-10.\nX20.\nG13.1\nG01 C90.\n");
+  const ir::Motion& after = moves.back();
+  EXPECT_NEAR(after.start[kC], 315.0, 1e-9);  // -45 and once round
+  EXPECT_NEAR(after.end[kC], 90.0, 1e-9);     // degrees again
+  EXPECT_NEAR(after.end[kX], 2.0 * std::hypot(10.0, 10.0), 1e-9);
+}
+
+TEST(PolarInterpolation, ThroughTheCenterTheAxisTurnsAtAStand) {
+  const auto moves = lathe("G12.1\nG01 X20. C0. F100.\nX-20.\nG13.1\n");
+  EXPECT_NEAR(std::abs(moves.back().end[kC]), 180.0, 1e-9);
+  EXPECT_NEAR(moves.back().end[kX], 20.0, 1e-9);
+  const auto turn = std::ranges::find_if(moves, [](const ir::Motion& m) { return m.start[kC] != m.end[kC]; });
+  ASSERT_NE(turn, moves.end());
+  EXPECT_NEAR(turn->end[kX], 0.0, 1e-9);
+}
+
+TEST(CylindricalInterpolation, LinesAndArcsOnTheCircumference) {
+  const auto moves = lathe("G07.1 C20.\nG01 Z-5. C90. F100.\nG02 Z-15. C118.6479 R10.\nG07.1 C0.\n");
+  const double quarter = 20.0 * std::numbers::pi / 2.0;
+  EXPECT_NEAR(minutes(moves, 6), std::hypot(10.0, quarter) / 100.0, 1e-9);
+  // Clockwise from Z to the circumference: about (-5, quarter + 10).
+  double most = 0.0;
+  std::size_t pieces = 0;
+  for (const ir::Motion& m : moves) {
+    if (m.place.line != 7) continue;
+    ++pieces;
+    for (const double t : {0.0, 0.3, 0.5, 0.8}) {
+      const double z = m.start[kZ] + t * (m.end[kZ] - m.start[kZ]);
+      const double c = (m.start[kC] + t * (m.end[kC] - m.start[kC])) / kDegrees * 20.0;
+      most = std::max(most, std::abs(std::hypot(z + 5.0, c - quarter - 10.0) - 10.0));
+    }
+  }
+  EXPECT_GT(pieces, 4U);
+  EXPECT_LT(most, 1.2e-3);
+  EXPECT_NEAR(moves.back().end[kC], 118.6479, 1e-9);
+}
+
+TEST(Transmit, IsTheFaceInXAndY) {
+  const auto moves = lathe("TRANSMIT\nG17 G1 X20 Y10 F100\nX-20\nTRAFOOF\n", "sinumerik-840d");
+  const auto same = lathe("G12.1\nG01 X20. C10. F100.\nX-20.\nG13.1\n");
+  ASSERT_EQ(moves.size(), same.size());
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    EXPECT_NEAR(moves[i].end[kX], same[i].end[kX], 1e-9) << i;
+    EXPECT_NEAR(moves[i].end[kC], same[i].end[kC], 1e-9) << i;
+  }
+}
+
+TEST(Tracyl, IsTheCircumference) {
+  const auto moves = lathe("TRACYL(40)\nG19 G1 Z-5 Y=10*3.14159265358979 F100\nTRAFOOF\nG1 C10\n", "sinumerik-840d");
+  ASSERT_EQ(moves.size(), 3U);
+  EXPECT_NEAR(moves[1].end[kC], 90.0, 1e-9);
+  EXPECT_NEAR(moves[1].end[kZ], -5.0, 1e-9);
+  EXPECT_NEAR(moves[2].end[kC], 10.0, 1e-9);
+}
+
+// Between controls with the same codes they stay; an end alone is left out, a beginning without counterpart refused.
+TEST(PolarInterpolation, BetweenControls) {
+  const std::string ends = "%\nO1\nG21 G17 G90 G94 G40\nG13.1\nG00 X0. Y0. Z5.\nM30\n%\n";
+  const ConvertResult ended = translated(ends, "fanuc", "sinumerik-840d");
+  EXPECT_FALSE(text::has_error(ended.diagnostics)) << said(ended.diagnostics, text::Source("program", ends));
+  const std::string face = "%\nO1\nG21 G17 G90 G94 G40\nG12.1\nG01 X5. F100.\nG13.1\nM30\n%\n";
+  EXPECT_TRUE(translated(face, "fanuc", "mitsubishi-m80").text.contains("G12.1"));
+  EXPECT_TRUE(text::has_error(translated(face, "fanuc", "sinumerik-840d").diagnostics));
+  EXPECT_FALSE(
+      text::has_error(translated("G17 G71 G90 G94\nTRAFOOF\nG0 X0\nM30\n", "sinumerik-840d", "fanuc").diagnostics));
+  EXPECT_TRUE(
+      text::has_error(translated("G17 G71 G90 G94\nTRANSMIT\nG0 X0\nM30\n", "sinumerik-840d", "fanuc").diagnostics));
+}
+
+TEST(Transmit, FromAnUnknownPlaceIsTold) {
+  ir::Control machine = control("sinumerik-840d", ir::MachineKind::lathe);
+  machine.axes = "XZC";
+  const Played played = run_text("G18 G90 G71 G94\nTRANSMIT\nG17 G1 X20 F100\nTRAFOOF\nM30\n", machine);
+  EXPECT_TRUE(std::ranges::any_of(played.result.not_interpreted,
+                                  [](const auto& n) { return n.name.contains("face or cylinder"); }));
+}
+
+}  // namespace
+}  // namespace dripfeed::compile::test
