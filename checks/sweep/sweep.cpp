@@ -51,6 +51,7 @@ class Sweeper {
 
  private:
   Trial tried(const Values& values) {
+    if (settings_.stop.stop_requested()) return {false, "stopped", "the sweep was stopped"};
     ++trials_;
     return attempt_(values);
   }

@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct Settings {
   std::size_t samples = 100;
   std::size_t most_corners = 64;  // all of them where there are no more; else a seeded choice
   unsigned threads = 1;           // the result is the same for any
+  std::stop_token stop = {};      // once asked to stop nothing more is tried: the report is of no use then
 };
 
 // From the standard value towards one end of the range, all others as usual.

@@ -143,7 +143,7 @@ int run_server(const Options& options, const http::ListenAddress& address, store
     }
     plcs = std::move(*listening);
   }
-  http::Api api(application, web_root(options), kVersion);
+  http::Api api(application, web_root(options), kVersion, stop);
   auto server = http::Server::start(address, {.refuse_long = [&](const http::Request& r) { return api.refuse_long(r); },
                                               .is_heavy = [&](const http::Request& r) { return api.is_heavy(r); },
                                               .answer = [&](const http::Request& r) { return api.answer(r); }});

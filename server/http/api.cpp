@@ -43,6 +43,7 @@ constexpr std::array kTitles = {
     TitleRow{404, "not found"},      TitleRow{405, "method not allowed"}, TitleRow{409, "refused"},
     TitleRow{412, "stale revision"}, TitleRow{413, "too large"},          TitleRow{415, "no JSON"},
     TitleRow{422, "invalid"},        TitleRow{428, "revision missing"},   TitleRow{500, "internal error"},
+    TitleRow{503, "unavailable"},
 };
 
 // A client that repeats a request does so within minutes.
@@ -134,10 +135,11 @@ std::expected<store::Id, Response> id_of(std::string_view text) {
   return id;
 }
 
-Api::Api(app::Application& application, std::filesystem::path web_root, std::string version)
+Api::Api(app::Application& application, std::filesystem::path web_root, std::string version, std::stop_token stop)
     : application_(application),
       web_root_(std::move(web_root)),
       version_(std::move(version)),
+      stop_(std::move(stop)),
       sessions_(application.store().tokens()) {}
 
 bool Api::is_heavy(const Request& request) const {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <stop_token>
 #include <string>
 
 #include "server/app/application.h"
@@ -19,8 +20,8 @@ namespace dripfeed::http {
 
 class Api {
  public:
-  // `web_root`: the built page (web/dist); empty: no page is served.
-  Api(app::Application& application, std::filesystem::path web_root, std::string version);
+  // `web_root`: the built page (web/dist); empty: no page is served. `stop`: the server ends, and long work gives up.
+  Api(app::Application& application, std::filesystem::path web_root, std::string version, std::stop_token stop = {});
 
   [[nodiscard]] bool is_heavy(const Request& request) const;
   Response answer(const Request& request);
@@ -34,6 +35,7 @@ class Api {
   [[nodiscard]] const std::string& version() const { return version_; }
   // Set while a sweep runs: it may take minutes, and one at a time leaves the pool to checks.
   std::atomic_flag& sweeping() { return sweeping_; }
+  [[nodiscard]] const std::stop_token& stop() const { return stop_; }
 
  private:
   std::expected<Caller, Response> admit(const Request& request, const Route& route);
@@ -46,6 +48,7 @@ class Api {
   app::Application& application_;
   std::filesystem::path web_root_;
   std::string version_;
+  std::stop_token stop_;
   Sessions sessions_;
   std::mutex keys_mutex_;
   std::set<std::string> keys_in_use_;

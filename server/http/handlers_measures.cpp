@@ -113,13 +113,15 @@ Response measure_timing(const Call& call) {
 Response sweep_family(const Call& call) {
   const auto plot = plot_of(call.request, {"region"});
   if (!plot) return plot.error();
-  const auto order = json::read_sweep_body(call.request.body);
+  auto order = json::read_sweep_body(call.request.body);
   if (!order) return problem_response(order.error());
   const SweepPlace place(call.api.sweeping());
   if (!place.is_ours()) return problem_response(409, "another sweep is running: ask again when it is done");
   app::Application& app = call.api.application();
+  order->settings.stop = call.api.stop();
   const auto report = app::sweep_stored(app.store(), app.documents(), *order);
   if (!report) return problem_response(report.error());
+  if (call.api.stop().stop_requested()) return problem_response(503, "the server is stopping");
   if (!plot->empty()) return svg_response(app::picture_of(*report));
   return json_response(200, json::sweep_report(*report));
 }

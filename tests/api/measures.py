@@ -25,7 +25,7 @@ class Shop(Client):
         self.folder = folder
         self.start()
         self.profiles = {}
-        for name, preset in (("mill", "fanuc-0i-mill"), ("lathe", "fanuc-0i-lathe")):
+        for name, preset in (("mill", "fanuc-0i-mill"), ("other-mill", "fanuc-0i-mill"), ("lathe", "fanuc-0i-lathe")):
             profile = shop.preset(preset, url=f"pty:{folder}/{name}") | {"name": name}
             if name == "mill":
                 profile["tools"] = [{"number": 4, "offset": 4, "diameter_mm": 12, "length_mm": 100}]
@@ -134,6 +134,22 @@ def sweeps(s, timed):
     s.svg("/sweep?plot=region", order, ["angle_step", smallest["check"]])
 
 
+def long_work_ends_with_the_server(s):
+    def sweep():
+        try:
+            s.call("POST", "/sweep", {"family": "round-pocket", "machine": "other-mill", "samples": 1000})
+        except OSError:
+            pass  # the server went first
+    s.post("/families", {"text": (shop.ROOT / "deploy/families/round-pocket.family").read_text()})
+    worker = threading.Thread(target=sweep)
+    worker.start()
+    time.sleep(0.3)
+    expect(worker.is_alive(), "the sweep is too short for this test")
+    s.server.stop()
+    worker.join(30)
+    expect(not worker.is_alive(), "the sweep's caller still waits")
+
+
 def all_of_it(folder):
     s = Shop(folder)
     checks_with_nominal(s, gouges(s))
@@ -141,7 +157,7 @@ def all_of_it(folder):
     times(s, roll)
     sweeps(s, roll)
     expect(s.server.alive(), "the server is gone")
-    s.server.stop()
+    long_work_ends_with_the_server(s)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 #include "checks/sweep/sweep.h"
 
 #include <cmath>
+#include <stop_token>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -90,6 +91,18 @@ TEST(Sweep, IsBounded) {
   const Report stuck =
       sweep({{"fixed", "", 3, 3, 3, false}}, [](std::span<const double>) { return Trial{true, {}, {}}; }, {});
   EXPECT_FALSE(stuck.ranges[0].high.is_bounded);
+}
+
+TEST(Sweep, StopsWhenAsked) {
+  std::stop_source source;
+  int tries = 0;
+  const auto attempt = [&](std::span<const double> values) {
+    if (++tries == 5) source.request_stop();
+    return simple(values);
+  };
+  const Report report = sweep(three(), attempt, {.samples = 1000, .stop = source.get_token()});
+  EXPECT_EQ(tries, 5);
+  EXPECT_EQ(report.trials, 5U);
 }
 
 TEST(Sweep, ThePlotNamesWhatBounds) {
