@@ -44,6 +44,7 @@ int convert(const Options& options) {
     return kWrongUse;
   }
   Options target = options;
+  target.text.modes.clear();  // they are the source's
   // A lathe's program goes to a lathe: what was found out about the source holds for the other side.
   if (target.text.control.empty() && from->control.kind != ir::MachineKind::mill) target.text.control = "kind=lathe";
   const auto to = options.to == options.from ? from : control_for(target, options.to, nullptr);

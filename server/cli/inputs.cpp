@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/compile/caller_modes.h"
 #include "server/app/catalog.h"
 #include "server/json/profile_document.h"
 
@@ -99,6 +100,8 @@ void add_text_options(CLI::App& command, TextOptions& options) {
   command.add_option("--machine", options.machine, "machine profile: a file or the name of a preset");
   command.add_option("--dialect", options.dialect, "control language, when no machine is named");
   command.add_option("--control", options.control, "what the machine decides: kind=lathe,g_system=A");
+  command.add_option("--modes", options.modes,
+                     "of a subprogram by itself: the codes that its caller has in effect, as \"G97 G18 G95\"");
   command.add_option("--path", options.paths, "folder with called programs (may be repeated)");
   command.add_option("--output", options.output, "write the text there instead of to standard output");
   command.add_flag("--json", options.json, "one JSON object on standard output");
@@ -166,7 +169,17 @@ app::Result<machine::Profile> read_machine_at(const std::string& link, const std
   return profile;
 }
 
-app::Result<ChosenControl> choose_control(const TextOptions& options) {
+namespace {
+
+app::Result<ChosenControl> with_modes(const TextOptions& options, app::Result<ChosenControl> chosen) {
+  if (!chosen || options.modes.empty()) return chosen;
+  auto modes = compile::read_caller_modes(*chosen->dialect, chosen->control, options.modes);
+  if (!modes) return app::fail(app::ErrorCode::invalid, "--modes: " + modes.error());
+  chosen->control.caller_modes = std::move(*modes);
+  return chosen;
+}
+
+app::Result<ChosenControl> plain_control(const TextOptions& options) {
   if (!options.machine.empty()) return control_of_machine(options.machine);
   if (options.dialect.empty())
     return app::fail(app::ErrorCode::invalid, "name the control with --machine or --dialect");
@@ -180,7 +193,7 @@ app::Result<ChosenControl> choose_control(const TextOptions& options) {
                        .inferred = false};
 }
 
-app::Result<ChosenControl> choose_control(const TextOptions& options, const text::Source& source) {
+app::Result<ChosenControl> plain_control(const TextOptions& options, const text::Source& source) {
   if (!options.machine.empty()) return control_of_machine(options.machine);
   const compile::Dialect* dialect = &compile::infer_dialect(source);
   if (!options.dialect.empty()) {
@@ -197,6 +210,16 @@ app::Result<ChosenControl> choose_control(const TextOptions& options, const text
                          .inferred = false};
   }
   return ChosenControl{.dialect = dialect, .control = dialect->infer_control(source), .profile = {}, .inferred = true};
+}
+
+}  // namespace
+
+app::Result<ChosenControl> choose_control(const TextOptions& options) {
+  return with_modes(options, plain_control(options));
+}
+
+app::Result<ChosenControl> choose_control(const TextOptions& options, const text::Source& source) {
+  return with_modes(options, plain_control(options, source));
 }
 
 std::vector<std::string> folders_for(const TextOptions& options, const std::string& file) {

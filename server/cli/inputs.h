@@ -21,6 +21,7 @@ struct TextOptions {
   std::string machine;             // --machine
   std::string dialect;             // --dialect
   std::string control;             // --control kind=lathe,g_system=A
+  std::string modes;               // --modes "G97 G18 G95"
   std::vector<std::string> paths;  // --path
   std::string output;              // --output
   bool json = false;               // --json

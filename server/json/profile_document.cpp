@@ -131,6 +131,26 @@ void read_code_call(ObjectReader& object, machine::ControlSettings& control) {
   control.code_calls.push_back(call);
 }
 
+// "10-19, 25, 130": M functions of the machine.
+void read_machine_functions(ObjectReader& object, machine::ControlSettings& control) {
+  constexpr std::int64_t kLast = 9999;
+  constexpr std::string_view kMember = "machine_functions";
+  std::string written;
+  object.text(kMember, written);
+  std::erase(written, ' ');
+  for (std::string_view rest = written; !rest.empty();) {
+    const std::string_view item = rest.substr(0, rest.find(','));
+    rest.remove_prefix(std::min(rest.size(), item.size() + 1));
+    const std::size_t dash = item.find('-');
+    const auto first = text::parse_integer(item.substr(0, dash));
+    const auto last = dash == std::string_view::npos ? first : text::parse_integer(item.substr(dash + 1));
+    if (!first || !last || *first < 0 || *last > kLast || *first > *last)
+      return object.fault(kMember, "must be numbers and ranges up to 9999, as \"10-19, 25\"");
+    for (std::int64_t number = *first; number <= *last; ++number)
+      control.machine_functions.push_back(static_cast<std::uint16_t>(number));
+  }
+}
+
 void read_control(ObjectReader& object, machine::ControlSettings& control) {
   object.text("title", control.title);
   if (const auto system = object.choice("g_system", kGSystems)) control.g_system = static_cast<ir::GSystem>(*system);
@@ -139,6 +159,7 @@ void read_control(ObjectReader& object, machine::ControlSettings& control) {
   object.flag("decimal_mode_confirmed", control.decimal_mode_confirmed);
   object.number("increment_mm", control.increment_mm, 0.0, 1.0);
   object.integer("block_length_bytes", control.block_length_bytes, 1, 65'536);
+  read_machine_functions(object, control);
   object.objects("code_calls", [&](ObjectReader& o) { read_code_call(o, control); });
   object.object("nesting", [&](ObjectReader& o) {
     o.integer("calls", control.call_nesting, 1, 100);

@@ -238,6 +238,7 @@ ir::Control control_of(const Profile& profile, ir::Control control) {
   if (!settings.variables.empty()) control.variables = settings.variables;
   if (settings.block_length_bytes) control.limits.block_length_bytes = *settings.block_length_bytes;
   control.code_calls = settings.code_calls;
+  control.machine_functions = settings.machine_functions;
   if (settings.call_nesting) control.limits.call_nesting = *settings.call_nesting;
   if (settings.macro_nesting) control.limits.macro_nesting = *settings.macro_nesting;
   if (settings.loop_nesting) control.limits.loop_nesting = *settings.loop_nesting;

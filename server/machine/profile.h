@@ -39,7 +39,8 @@ struct ControlSettings {
   bool power_on_confirmed = false;
   std::vector<ir::VariableRange> variables;  // empty: the control's usual ranges
   std::optional<std::uint32_t> block_length_bytes;
-  std::vector<ir::CodeCall> code_calls;  // G and M codes that parameters turn into calls
+  std::vector<std::uint16_t> machine_functions;  // M numbers of the machine; empty: any may be
+  std::vector<ir::CodeCall> code_calls;          // G and M codes that parameters turn into calls
   // Nesting that the control takes; not given: its usual one.
   std::optional<std::uint32_t> call_nesting;
   std::optional<std::uint32_t> macro_nesting;

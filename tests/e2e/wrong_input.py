@@ -36,6 +36,20 @@ def at_the_command(folder):
     expect_command(2, ["port"], "send", "-", "--unreleased", "--link", "tcp://host:99999", stdin="%\nM30\n%\n")
     expect_command(1, [":"], "send", "-", "--unreleased", "--link", "pty:/nowhere", stdin="%\nO1\nG00 X1.\n%\n")
     expect_command(2, ["frequency"], "simulate", "--link", "pty:/tmp/x?frequency=3", "--machine", "fanuc-0i-lathe")
+    subprogram = "%\nO0010\nG98\nG01 X20. Z-5. F100.\nM99\n%\n"
+    to_sinumerik = ("convert", "-", "--from", "fanuc", "--to", "sinumerik-840d", "--control", "kind=lathe")
+    expect_command(1, ["surface speed", "caller"], *to_sinumerik, stdin=subprogram)
+    expect_command(0, [], *to_sinumerik, "--modes", "G97 G18 G99", stdin=subprogram)
+    expect_command(2, ["--modes", "X10."], *to_sinumerik, "--modes", "G97 X10.", stdin=subprogram)
+    profile = json.loads((shop.ROOT / "deploy/machines/fanuc-0i-mill.json").read_text())
+    machine = folder / "listed.json"
+    program = "%\nO1\nG21 G17 G90 G94\nG00 X0. Y0. Z5.\nM15\nM55\nM30\n%\n"
+    for functions, said in [("10-19, 25", "M55 is not in the machine's list"), ("10-55", ""), ("10-", "machine_functions")]:
+        profile["control"]["machine_functions"] = functions
+        machine.write_text(json.dumps(profile))
+        _, _, errors = command("check", "-", "--machine", machine, stdin=program)
+        expect(said in errors and (bool(said) or "list" not in errors), f"{functions}: {errors}")
+        expect("M15 is not" not in errors, errors)
     family = folder / "roll.family"
     for wrong, words in [
         (ROLL.replace("length 100 mm ", "length 100 "), ["family", ":"]),
