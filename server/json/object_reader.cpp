@@ -56,7 +56,8 @@ std::optional<double> ObjectReader::number_at(std::string_view name, double low,
   }
   const double number = value->get<double>();
   if (std::isfinite(number) && low <= number && number <= high) return number;
-  fault(name, fmt::format("must be from {} to {}", text::format_shortest(low), text::format_shortest(high)));
+  fault(name, fmt::format("must be from {} to {}, and is {}", text::format_shortest(low), text::format_shortest(high),
+                          text::format_shortest(number)));
   return std::nullopt;
 }
 
@@ -76,7 +77,7 @@ std::optional<std::int64_t> ObjectReader::integer_at(std::string_view name, std:
   }
   const auto number = value->get<std::int64_t>();
   if (low <= number && number <= high) return number;
-  fault(name, fmt::format("must be from {} to {}", low, high));
+  fault(name, fmt::format("must be from {} to {}, and is {}", low, high, number));
   return std::nullopt;
 }
 

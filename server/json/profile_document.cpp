@@ -19,6 +19,8 @@ namespace {
 
 constexpr double kLongest_mm = 1e6;
 constexpr double kHuge = 1e9;
+// Of feeds, speeds and accelerations: below, a machine stands.
+constexpr double kLeast = 0.001;
 constexpr std::string_view kAxisNames = "XYZABCUVW";
 constexpr std::array<std::string_view, 3> kKinds = {"mill", "lathe", "mill-turn"};
 constexpr std::array<std::string_view, 3> kGSystems = {"A", "B", "C"};
@@ -42,15 +44,17 @@ void read_axis(ObjectReader& object, machine::Profile& profile) {
   object.number("min_mm", axis.min, -kLongest_mm, kLongest_mm);
   object.number("max_mm", axis.max, -kLongest_mm, kLongest_mm);
   object.flag("diameter", axis.is_diameter);
-  object.number("rapid_mm_min", axis.rapid_mm_min, 0.001, kHuge, true);
-  object.number("feed_limit_mm_min", axis.feed_limit_mm_min, 0.0, kHuge);
-  object.number("acceleration_mm_s2", axis.acceleration_mm_s2, 0.001, kHuge, true);
+  object.number("rapid_mm_min", axis.rapid_mm_min, kLeast, kHuge, true);
+  object.number("feed_limit_mm_min", axis.feed_limit_mm_min, kLeast, kHuge);
+  object.number("acceleration_mm_s2", axis.acceleration_mm_s2, kLeast, kHuge, true);
   object.number("jerk_mm_s3", axis.jerk_mm_s3, 0.0, 1e12);
   const auto letter = axis_named(name);
   if (!letter) return object.fault("name", "must be one of X Y Z A B C U V W");
   axis.axis = *letter;
   if (checks::find_axis(profile.machine, axis.axis) != nullptr) object.fault("name", "is given twice");
-  if (axis.min && axis.max && *axis.min >= *axis.max) object.fault("max_mm", "must be above min_mm");
+  if (axis.min && axis.max && *axis.min >= *axis.max)
+    object.fault("max_mm", fmt::format("must be above min_mm {}, and is {}", text::format_shortest(*axis.min),
+                                       text::format_shortest(*axis.max)));
   profile.machine.axes.push_back(axis);
 }
 
@@ -64,6 +68,14 @@ void read_tool(ObjectReader& object, machine::Profile& profile) {
   object.number("length_mm", tool.length_mm, 0.0, 10'000.0);
   object.number("corner_radius_mm", tool.corner_radius_mm, 0.0, 5000.0);
   if (tool.number == 0) object.fault("number", "is missing");
+  if (tool.diameter_mm > 0.0 && tool.corner_radius_mm > 0.5 * tool.diameter_mm)
+    object.fault("corner_radius_mm", fmt::format("must not be above half the diameter, and is {}",
+                                                 text::format_shortest(tool.corner_radius_mm)));
+  // One tool may have several offsets: the edges of a turning tool.
+  const bool twice = std::ranges::any_of(profile.machine.tools, [&](const checks::Tool& one) {
+    return one.number == tool.number && one.offset == tool.offset;
+  });
+  if (twice && tool.number != 0) object.fault("number", fmt::format("{} is given twice with one offset", tool.number));
   profile.machine.tools.push_back(tool);
 }
 
@@ -293,17 +305,21 @@ void read_machine(ObjectReader& object, machine::Profile& profile) {
   checks::Machine& machine = profile.machine;
   object.objects("axes", [&](ObjectReader& o) { read_axis(o, profile); });
   if (machine.axes.empty()) object.fault("axes", "must name at least one axis");
-  object.number("feed_limit_mm_min", machine.feed_limit_mm_min, 0.0, kHuge);
+  object.number("feed_limit_mm_min", machine.feed_limit_mm_min, kLeast, kHuge);
   object.object("spindle", [&](ObjectReader& o) {
     o.number("min_rpm", machine.spindle_min_rpm, 0.0, 1e6);
-    o.number("max_rpm", machine.spindle_max_rpm, 0.0, 1e6, true);
-    if (machine.spindle_max_rpm < machine.spindle_min_rpm) o.fault("max_rpm", "must not be below min_rpm");
+    o.number("max_rpm", machine.spindle_max_rpm, kLeast, 1e6, true);
+    if (machine.spindle_max_rpm < machine.spindle_min_rpm)
+      o.fault("max_rpm",
+              fmt::format("must not be below min_rpm, and is {}", text::format_shortest(machine.spindle_max_rpm)));
   });
   object.objects("tools", [&](ObjectReader& o) { read_tool(o, profile); });
   object.objects("work_offsets", [&](ObjectReader& o) { read_work_offset(o, profile); });
   object.object("buffer", [&](ObjectReader& o) {
     o.integer("bytes", machine.buffer.bytes, 0, 1'000'000'000);
     o.integer("blocks", machine.buffer.blocks, 0, 1'000'000);
+    if (machine.buffer.bytes == 0 && machine.buffer.blocks == 0)
+      o.fault("bytes", "must be above 0 where blocks are 0; a buffer that is not known is left out");
   });
   object.object("timing", [&](ObjectReader& o) { read_timing(o, profile); });
 }

@@ -26,7 +26,16 @@ Applied set_number(std::string_view name, std::string_view value, std::uint32_t&
   return std::unexpected(fmt::format("{} \"{}\" is not a whole number", name, value));
 }
 
-Applied set_baud(std::string_view value, LineSettings& line) { return set_number("baud", value, line.baud); }
+constexpr std::uint32_t kLeastBaud = 50;
+constexpr std::uint32_t kMostBaud = 4'000'000;
+Applied set_baud(std::string_view value, LineSettings& line) {
+  std::uint32_t baud = 0;
+  if (auto read = set_number("baud", value, baud); !read) return read;
+  if (baud < kLeastBaud || baud > kMostBaud)
+    return std::unexpected(fmt::format("baud {} is not from {} to {}", baud, kLeastBaud, kMostBaud));
+  line.baud = baud;
+  return {};
+}
 Applied set_budget(std::string_view value, LineSettings& line) {
   return set_number("budget", value, line.overrun_budget);
 }

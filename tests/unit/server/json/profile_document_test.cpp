@@ -208,6 +208,27 @@ TEST(ProfileDocument, EveryWrongMemberHasItsPlace) {
       {R"("arming_minutes": 5)", R"("arming_minutes": 5, "character_set": "klingon")", "/link/character_set"},
       {R"("name": "mill-1")", R"("name": "..")", "/name"},
       {R"("name": "mill-1")", R"("name": "a\u0000b")", "/name"},
+      // absurd, and each by its own name
+      {R"("acceleration_mm_s2": 2000)", R"("acceleration_mm_s2": 0)", "/axes/0/acceleration_mm_s2"},
+      {R"("acceleration_mm_s2": 2000)", R"("acceleration_mm_s2": -2000)", "/axes/0/acceleration_mm_s2"},
+      {R"("acceleration_mm_s2": 2000)", R"("acceleration_mm_s2": 1e300)", "/axes/0/acceleration_mm_s2"},
+      {R"("acceleration_mm_s2": 2000)", R"("acceleration_mm_s2": 2000, "jerk_mm_s3": -1)", "/axes/0/jerk_mm_s3"},
+      {R"("acceleration_mm_s2": 2000)", R"("acceleration_mm_s2": 2000, "feed_limit_mm_min": 0)",
+       "/axes/0/feed_limit_mm_min"},
+      {R"("min_mm": -10)", R"("min_mm": 500)", "/axes/0/max_mm"},
+      {R"("min_mm": -10)", R"("min_mm": -1e300)", "/axes/0/min_mm"},
+      {R"("feed_limit_mm_min": 5000)", R"("feed_limit_mm_min": 0)", "/feed_limit_mm_min"},
+      {R"("feed_limit_mm_min": 5000)", R"("feed_limit_mm_min": -5000)", "/feed_limit_mm_min"},
+      {R"("max_rpm": 4000)", R"("max_rpm": 0)", "/spindle/max_rpm"},
+      {R"("min_rpm": 10)", R"("min_rpm": -10)", "/spindle/min_rpm"},
+      {R"("bytes": 2048, "blocks": 10)", R"("bytes": 0, "blocks": 0)", "/buffer/bytes"},
+      {R"("bytes": 2048)", R"("bytes": -1)", "/buffer/bytes"},
+      {R"("block_ms": 1.5)", R"("block_ms": -1.5)", "/timing/cost/block_ms"},
+      {R"("sample_time_ms": 8)", R"("sample_time_ms": -8)", "/timing/sample_time_ms"},
+      {R"("look_ahead_blocks": 20)", R"("look_ahead_blocks": -1)", "/timing/look_ahead_blocks"},
+      {R"("tip": 3)", R"("tip": 3, "length_mm": -1)", "/tools/0/length_mm"},
+      {R"("tip": 3)", R"("tip": 3, "diameter_mm": 4, "corner_radius_mm": 3)", "/tools/0/corner_radius_mm"},
+      {R"("tip": 3})", R"("tip": 3}, {"number": 1, "offset": 1})", "/tools/1/number"},
       // unknown
       {R"("title": "Mill")", R"("titel": "Mill")", "/titel"},
       {R"("unsent": 3)", R"("unset": 3)", "/link/unset"},
@@ -226,6 +247,21 @@ TEST(ProfileDocument, EveryWrongMemberHasItsPlace) {
                                            [&](const app::ErrorPlace& place) { return place.pointer == row.pointer; });
     EXPECT_TRUE(found) << row.to << ": " << read.error().text;
   }
+}
+
+TEST(ProfileDocument, AFaultNamesTheValue) {
+  const auto read = read_profile(with(R"("acceleration_mm_s2": 2000)", R"("acceleration_mm_s2": -2.5)"));
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().text,
+            "machine profile: /axes/0/acceleration_mm_s2 must be from 0.001 to 1000000000, and is -2.5");
+  const auto narrow = read_profile(with(R"("max_mm": 500)", R"("max_mm": -11)"));
+  ASSERT_FALSE(narrow);
+  EXPECT_EQ(narrow.error().text, "machine profile: /axes/0/max_mm must be above min_mm -10, and is -11");
+  const auto baud = read_profile(with(R"("baud": 4800)", R"("baud": 0)"));
+  ASSERT_FALSE(baud);
+  EXPECT_EQ(baud.error().text, "machine profile: /link/baud must be from 50 to 4000000, and is 0");
+  EXPECT_FALSE(read_profile(with(R"("rapid_mm_min": 10000)", R"("rapid_mm_min": 1e999)")));
+  EXPECT_FALSE(read_profile(with(R"("rapid_mm_min": 10000)", R"("rapid_mm_min": NaN)")));
 }
 
 TEST(ProfileDocument, AllFaultsAreToldAtOnce) {

@@ -102,6 +102,22 @@ TEST(Line, NamesTheOptionThatIsWrong) {
   EXPECT_NE(feed_settings_of(line_at("serial:/dev/ttyS0?baud=0")).error().find("baud"), std::string::npos);
 }
 
+// A rate of 0 would divide by it, in packets and where a flow line is looked at, before anything else is asked.
+TEST(Line, ABaudRateOfTheUrlIsWithinReason) {
+  for (const char* url :
+       {"serial:/dev/ttyS0?baud=0", "serial:/dev/ttyS0?baud=49", "serial:/dev/ttyS0?baud=4000001",
+        "serial:/dev/ttyS0?protocol=xmodem&baud=0", "serial:/dev/ttyS0?flow=dtrdsr&baud=0", "tcp://host:1?baud=0"}) {
+    const auto effective = effective_line(line_at(url));
+    ASSERT_FALSE(effective) << url;
+    EXPECT_TRUE(effective.error().starts_with("baud ")) << effective.error();
+    EXPECT_TRUE(effective.error().ends_with(" is not from 50 to 4000000")) << effective.error();
+    EXPECT_FALSE(feed_settings_of(line_at(url))) << url;
+    EXPECT_FALSE(packet_settings_of(line_at(url))) << url;
+  }
+  EXPECT_TRUE(effective_line(line_at("serial:/dev/ttyS0?baud=50")));
+  EXPECT_TRUE(effective_line(line_at("serial:/dev/ttyS0?baud=4000000")));
+}
+
 TEST(Line, AFlowIsAnOptionOfTheUrl) {
   const std::array<std::pair<std::string_view, feed::Flow>, 5> flows = {{{"none", feed::Flow::none},
                                                                          {"xonxoff", feed::Flow::xonxoff},
