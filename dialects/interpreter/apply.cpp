@@ -2,6 +2,7 @@
 // coolant, compensation), then the one motion, dwell or shift, then what ends (coolant, spindle, stop).
 #include "dialects/interpreter/apply.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "dialects/interpreter/code_effects.h"
@@ -70,6 +71,19 @@ Tool tool_of_number(double value) {
   return {.number = number / base, .offset = number % base};
 }
 
+std::uint16_t offset_number(double value) {
+  return static_cast<std::uint16_t>(std::clamp(std::abs(value), 0.0, 65535.0));
+}
+
+// The tool in the spindle has changed: where T or D name the lengths, theirs count from here on.
+void take_length(const BlockRules& rules, ModalState& state) {
+  const bool pairs = rules.semantics.tool_word == ir::ToolWord::number_and_offset;
+  if (!pairs && !rules.semantics.d_selects_edge) return;
+  const bool none = pairs ? state.tool.offset == 0 : state.tool.number == 0 && state.tool.name == kNoText;
+  state.length_offset = none ? ir::LengthOffset::off : ir::LengthOffset::plus;
+  state.length_offset_number = offset_number(state.tool.offset);
+}
+
 void set_tool(const PlainBlock& block, const BlockRules& rules, ModalState& state, Effects& effects) {
   effects.announces = true;
   if (block.has(Address::t) || block.tool_name != kNoText) {
@@ -80,13 +94,21 @@ void set_tool(const PlainBlock& block, const BlockRules& rules, ModalState& stat
       state.selected = tool_of_number(value);
     else
       state.selected = {.number = static_cast<std::int32_t>(std::min(std::abs(value), 99999999.0))};
-    if (rules.tool_at_once) state.tool = state.selected;
+    if (rules.tool_at_once) {
+      state.tool = state.selected;
+      take_length(rules, state);
+    }
   }
-  if (effects.tool_change) state.tool = state.selected;
+  if (effects.tool_change) {
+    state.tool = state.selected;
+    take_length(rules, state);
+  }
   if (rules.semantics.d_selects_edge && block.has(Address::d)) {
     const auto edge = static_cast<std::int32_t>(std::min(std::abs(block.at(Address::d)), 99999999.0));
     state.selected.offset = edge;
     if (state.tool != Tool{}) state.tool.offset = edge;
+    state.length_offset = edge == 0 ? ir::LengthOffset::off : ir::LengthOffset::plus;
+    state.length_offset_number = offset_number(edge);
   }
 }
 
@@ -102,9 +124,13 @@ double dwell_s(const PlainBlock& block, const BlockRules& rules, const ModalStat
   return 0.0;
 }
 
-void set_numbers(const PlainBlock& block, ModalState& state) {
+// On lathes of G-code system A H is an increment of C.
+void set_numbers(const PlainBlock& block, const BlockRules& rules, ModalState& state) {
   if (block.has(Address::d)) state.comp_number = block.at(Address::d);
-  if (block.has(Address::h)) state.length_number = block.at(Address::h);
+  if (!block.has(Address::h)) return;
+  state.length_number = block.at(Address::h);
+  if ((rules.axis_addresses & bit_of(Address::h)) == 0 && !rules.semantics.d_selects_edge)
+    state.length_offset_number = offset_number(block.at(Address::h));
 }
 
 // --- the block's one action
@@ -271,7 +297,7 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
     set_tool(block, rules, state, effects);
   if ((block.present & kSpindleWords) != 0 && !times) set_speed(block, state, effects);
   if (((block.present | block.unknown) & kFeedWord) != 0 && !times) set_feed(block, state);
-  if ((block.present & kNumberWords) != 0) set_numbers(block, state);
+  if ((block.present & kNumberWords) != 0) set_numbers(block, rules, state);
   if (block.has(Address::modal_rounding))
     state.modal_rounding_mm = rules.length_mm(block, Address::modal_rounding, state.modes.inch);
   if (effects.announces) announce(state, out);

@@ -94,7 +94,7 @@ struct CodeRow {
   Function function;
   void (*apply)(CodeContext&);
 };
-// Functions without a row change nothing here: tool lengths are the control's.
+// Functions without a row change nothing here.
 constexpr CodeRow kCodeRows[] = {
     {Function::dwell, one_shot},
     {Function::exact_stop_once, [](CodeContext& c) { c.effects.exact_stop = true; }},
@@ -148,6 +148,10 @@ constexpr CodeRow kCodeRows[] = {
     {Function::comp_off, [](CodeContext& c) { comp(c, ir::CompSide::off); }},
     {Function::comp_left, [](CodeContext& c) { comp(c, ir::CompSide::left); }},
     {Function::comp_right, [](CodeContext& c) { comp(c, ir::CompSide::right); }},
+    // Positions stay the tip's: how long the tool is, the control knows.
+    {Function::length_offset_plus, [](CodeContext& c) { c.state.length_offset = ir::LengthOffset::plus; }},
+    {Function::length_offset_minus, [](CodeContext& c) { c.state.length_offset = ir::LengthOffset::minus; }},
+    {Function::length_offset_off, [](CodeContext& c) { c.state.length_offset = ir::LengthOffset::off; }},
     {Function::tool_change, [](CodeContext& c) { c.effects.tool_change = true; }},
     {Function::surface_speed_on, [](CodeContext& c) { surface_speed(c, true); }},
     {Function::surface_speed_off, [](CodeContext& c) { surface_speed(c, false); }},

@@ -103,6 +103,7 @@ bool FrameAccess::store(const Instruction& i) {
   const auto kind = static_cast<SystemValue>(i.extra);
   const FrameValue* value = values_.find(storage_.reg(i.a));
   if (value == nullptr) report_.count({.name = std::string(kUnknownFrame)});
+  if (kind != SystemValue::programmable_frame) state_.gaps |= ir::kZerosChanged;
   if (kind == SystemValue::programmable_frame) {
     set_programmable(value != nullptr ? *value : FrameValue{});
     if (value == nullptr) state_.unknown = kAllAxes;
@@ -131,6 +132,7 @@ std::optional<double> FrameAccess::settable_part(const Indices& indices) const {
 }
 
 void FrameAccess::set_settable_part(const Indices& indices, double value) {
+  state_.gaps |= ir::kZerosChanged;
   const auto known = settable_.find(indices[0]);
   if (known == settable_.end()) {
     half_known_.insert(indices[0]);

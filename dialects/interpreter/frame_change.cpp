@@ -107,6 +107,7 @@ void set_coordinates(const PlainBlock& block, const BlockRules& rules, bool take
       state.position[axis] = value + state.modes.shift[axis];
       state.coordinate_shift[axis] = 0.0;
       state.unknown &= static_cast<std::uint16_t>(~bit);
+      state.gaps |= ir::kZerosChanged;
     } else {
       state.coordinate_shift[axis] = state.position[axis] - value - state.modes.shift[axis];
     }

@@ -200,9 +200,12 @@ struct ModalState {
   double clock_ms = 0.0;  // of what was executed: blocks by the control's cost, and dwells
   double comp_number = 0.0;
   double length_number = 0.0;  // D, H
-  double feed = 0.0;           // as Motion::feed
-  bool feed_unknown = false;   // given by a value that is not known, or by a caller that is not run
-  double rpm = 0.0;            // S as written, by what it means
+  ir::LengthOffset length_offset = ir::LengthOffset::off;
+  std::uint16_t length_offset_number = 0;  // as Motion::length_offset_number
+  std::uint8_t gaps = 0;                   // kZerosChanged, kLengthsChanged
+  double feed = 0.0;                       // as Motion::feed
+  bool feed_unknown = false;               // given by a value that is not known, or by a caller that is not run
+  double rpm = 0.0;                        // S as written, by what it means
   double surface_speed_m_min = 0.0;
   double spindle_limit_rpm = 0.0;
   ir::SpindleState spindle = ir::SpindleState::stopped;

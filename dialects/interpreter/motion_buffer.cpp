@@ -19,6 +19,7 @@ void make_blank(ir::Motion& motion) {
   static constexpr ir::Motion kBlank;
   motion.plane = kBlank.plane;
   motion.feed_mode = kBlank.feed_mode;
+  motion.length_offset = kBlank.length_offset;
   motion.axes_commanded = kBlank.axes_commanded;
   motion.machine_coordinates = kBlank.machine_coordinates;
   motion.exact_stop = kBlank.exact_stop;
@@ -31,10 +32,12 @@ void make_blank(ir::Motion& motion) {
   motion.spindle = kBlank.spindle;
   motion.comp = kBlank.comp;
   motion.coolant = kBlank.coolant;
+  motion.gaps = kBlank.gaps;
   motion.number = kBlank.number;
   motion.tool_offset = kBlank.tool_offset;
   motion.text = kBlank.text;
   motion.axes_unknown = kBlank.axes_unknown;
+  motion.length_offset_number = kBlank.length_offset_number;
 }
 
 }  // namespace

@@ -47,6 +47,9 @@ void fill_common(ir::Motion& motion, const ModalState& state) {
   motion.comp = comp_of(state.modes);
   if (motion.comp != ir::CompSide::off) motion.tool_offset = number_of(state.comp_number);
   motion.coolant = state.coolant;
+  motion.length_offset = state.length_offset;
+  motion.length_offset_number = state.length_offset_number;
+  motion.gaps = state.gaps;
 }
 
 ir::Motion& emit_move(MotionKind kind, const Target& target, double feed, const MoveOptions& options, ModalState& state,
@@ -58,6 +61,7 @@ ir::Motion& emit_move(MotionKind kind, const Target& target, double feed, const 
   if (kind == MotionKind::thread) motion.feed_mode = ir::FeedMode::per_rev;
   motion.axes_commanded = target.commanded;
   motion.axes_unknown = state.unknown | target.unknown;
+  if (((state.unknown & target.incremental) | target.unknown) != 0) motion.gaps |= ir::kEndUnknown;
   motion.machine_coordinates = options.machine_coordinates;
   motion.exact_stop = options.exact_stop || state.modes.exact_stop;
   if (kind != MotionKind::rapid && feed == 0.0 && !state.feed_unknown) result.notes |= kNoteNoFeed;

@@ -187,6 +187,16 @@ std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number
   return std::nullopt;
 }
 
+namespace {
+
+// #2001 and #10001 and what follows them; their rows have no names.
+bool entry_is_tool_offset(const ir::Control& control, std::uint32_t row, std::uint32_t number) {
+  if (row < control.system_variables.size() && !control.system_variables[row].name.empty()) return false;
+  return (number >= 2001 && number <= 2999) || (number >= 10001 && number <= 13999);
+}
+
+}  // namespace
+
 void SystemValues::write(std::uint32_t row, std::uint32_t number, double value, ModalState& state) {
   const SystemValue kind =
       row < control_.system_variables.size() ? control_.system_variables[row].kind : SystemValue::not_modelled;
@@ -195,7 +205,11 @@ void SystemValues::write(std::uint32_t row, std::uint32_t number, double value, 
   } else if (kind == SystemValue::clock_hours) {
     hours_from_ = value - state.clock_ms / kMsPerHour;
   } else {
-    if (kind == SystemValue::work_offset_value) move_offset(number, value, state);
+    if (kind == SystemValue::work_offset_value) {
+      move_offset(number, value, state);
+      state.gaps |= ir::kZerosChanged;
+    }
+    if (entry_is_tool_offset(control_, row, number)) state.gaps |= ir::kLengthsChanged;
     written_[key_of(row, number)] = value;
   }
 }

@@ -44,6 +44,13 @@ inline constexpr std::size_t kAxisCount = 9;
 
 enum class SpindleState : std::uint8_t { stopped, clockwise, counterclockwise };
 enum class CompSide : std::uint8_t { off, left, right };
+// Of the tool's length: added to the position of the programmed tip (G43, T0606, D1) or subtracted from it (G44).
+enum class LengthOffset : std::uint8_t { off, plus, minus };
+// Bits of Motion::gaps, what is not known of a motion. The first two stay once the program has changed the control's
+// memory: what a machine's profile says of it counts no longer.
+inline constexpr std::uint8_t kZerosChanged = 1;    // work offsets (G10 L2), or coordinates at an unknown place (G92)
+inline constexpr std::uint8_t kLengthsChanged = 2;  // tool offsets
+inline constexpr std::uint8_t kEndUnknown = 4;      // of the axes in axes_unknown `end` is a guess, too: an increment
 enum class CoolantState : std::uint8_t { off, mist, flood };
 
 struct Motion {
@@ -51,8 +58,9 @@ struct Motion {
   MotionKind kind = MotionKind::rapid;
   Plane plane = Plane::xy;
   FeedMode feed_mode = FeedMode::per_min;
-  std::uint16_t axes_commanded = 0;  // bit per Axis: named in the block
-  bool machine_coordinates = false;  // G53: `end` is in machine coordinates
+  LengthOffset length_offset = LengthOffset::off;  // in effect
+  std::uint16_t axes_commanded = 0;                // bit per Axis: named in the block
+  bool machine_coordinates = false;                // G53: `end` is in machine coordinates
   bool exact_stop = false;
   std::array<double, kAxisCount> start{};  // moves: where it begins, same frame as `end`
   std::array<double, kAxisCount> end{};
@@ -63,6 +71,7 @@ struct Motion {
   SpindleState spindle = SpindleState::stopped;
   CompSide comp = CompSide::off;
   CoolantState coolant = CoolantState::off;
+  std::uint8_t gaps = 0;
   std::int32_t number = 0;           // offset: 0 none, 1 G54 …; tool: its number; stop: 0 program, 1 optional
   std::int32_t tool_offset = 0;      // tool: D or offset number; with `comp`: the D in effect
   std::uint32_t text = 0xFFFFFFFFU;  // message, tool by name: index into the run's strings
@@ -70,6 +79,7 @@ struct Motion {
   // Bit per Axis: where the move starts is not known (never commanded, after a reference return, a move in machine
   // coordinates or another work offset); `start` then holds the last value that was.
   std::uint16_t axes_unknown = 0;
+  std::uint16_t length_offset_number = 0;  // H, of T0606 the offset, D; 0 beside D controls: the tool's usual edge
 };
 
 class MotionSink {
