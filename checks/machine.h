@@ -1,9 +1,10 @@
 // checks/machine.h: what the checks need to know of one machine: axes, limits, tools, work offsets, buffer, timing.
-// Plain data. What is 0 or empty is not known: a check that needs it says "not checked" and guesses nothing. The
-// control and the line are elsewhere; reading it from a profile is left to others.
+// Plain data. What is 0 or empty (a length: not given) is not known: a check that needs it says "not checked" and
+// guesses nothing. The control and the line are elsewhere; reading it from a profile is left to others.
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -37,10 +38,13 @@ struct Tool {
   std::int32_t number = 0;
   std::int32_t offset = 0;  // the offset or D number that holds its figures
   double nose_radius_mm = 0.0;
-  std::int32_t tip = 0;      // 0..9
-  double diameter_mm = 0.0;  // mills and drills
-  double length_mm = 0.0;
-  double corner_radius_mm = 0.0;  // mills: 0 flat, half the diameter a ball, between both a bull nose
+  std::int32_t tip = 0;                  // 0..9
+  double diameter_mm = 0.0;              // mills and drills
+  std::optional<double> length_mm = {};  // mills: from the spindle's gauge line to the tip, along the spindle
+  double corner_radius_mm = 0.0;         // mills: 0 flat, half the diameter a ball, between both a bull nose
+  // Lathes: how far the slide's position lies beyond that of the tip, as radius in X.
+  std::optional<double> length_x_mm = {};
+  std::optional<double> length_z_mm = {};
 };
 
 // Where a work offset puts its zero, in machine coordinates: slide positions, halved already where programs give
@@ -71,6 +75,8 @@ struct Machine {
   double spindle_max_rpm = 0.0;
   std::vector<Tool> tools;
   std::vector<WorkOffset> work_offsets;
+  // Where the work zero lies for offsets and axes that `work_offsets` says nothing of; as WorkOffset::zero.
+  std::array<std::optional<double>, ir::kAxisCount> origin{};
   BufferSize buffer;
   TimingData timing;
 };
@@ -93,6 +99,17 @@ inline const WorkOffset* find_work_offset(const Machine& machine, std::int32_t n
     if (one.number == number) return &one;
   }
   return nullptr;
+}
+
+// Whether a move's figures are numbers of places that there can be: a calculation that ran away gives infinities, and
+// differences of those are no numbers at all. mm, degrees.
+inline constexpr double kFarthest = 1e9;
+inline bool has_places(const ir::Motion& motion) {
+  bool all = std::fabs(motion.feed) <= kFarthest;
+  for (std::size_t i = 0; i < ir::kAxisCount; ++i)
+    all = all && std::fabs(motion.end[i]) <= kFarthest && std::fabs(motion.start[i]) <= kFarthest;
+  for (const double one : motion.center) all = all && std::fabs(one) <= kFarthest;
+  return all;
 }
 
 }  // namespace dripfeed::checks

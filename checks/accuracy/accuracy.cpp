@@ -44,7 +44,9 @@ void Accuracy::consume(std::span<const ir::Motion> motions) {
     if (motion.kind == ir::MotionKind::tool) follow_tool(motion);
     if (settings_.nominal.empty() || !is_profile(motion, settings_.lines)) continue;
     constexpr std::uint16_t kBoth = 1U << kX | 1U << kZ;
-    if ((motion.axes_unknown & kBoth) != 0) {
+    if (!checks::has_places(motion)) {
+      report_.not_checked.add("a cutting move goes beyond all places", motion.place.line);
+    } else if ((motion.axes_unknown & kBoth) != 0) {
       report_.not_checked.add("a cutting move starts at a place that is not known", motion.place.line);
     } else if (is_arc(motion) && motion.plane != ir::Plane::zx) {
       report_.not_checked.add("an arc lies in another plane than z-x", motion.place.line);

@@ -76,7 +76,9 @@ void PlaneAccuracy::consume(std::span<const ir::Motion> motions) {
       radius_ = radius_known_ ? 0.5 * tool->diameter_mm : 0.0;
     }
     if (settings_.nominal.empty() || !is_profile(motion, settings_.lines)) continue;
-    if ((motion.axes_unknown & 3U) != 0) {
+    if (!checks::has_places(motion)) {
+      report_.not_checked.add("a cutting move goes beyond all places", motion.place.line);
+    } else if ((motion.axes_unknown & 3U) != 0) {
       report_.not_checked.add("a cutting move starts at a place that is not known", motion.place.line);
     } else if (is_arc(motion) && motion.plane != ir::Plane::xy) {
       report_.not_checked.add("an arc lies in another plane than x-y", motion.place.line);

@@ -1,5 +1,6 @@
 // Each move is looked at once: its end, the extremes of an arc, its speeds. What a missing figure would be needed for
-// is said once and not guessed.
+// is said once and not guessed. The limits of a machine are a box: a rapid whose axes run one by one instead of in a
+// line stays in the box of its ends, so that their check holds for it, too.
 #include "checks/envelope/envelope.h"
 
 #include <algorithm>
@@ -12,16 +13,12 @@
 
 #include <fmt/format.h>
 
-#include "dialects/text/number.h"
-
 namespace dripfeed::envelope {
 
 namespace {
 
-constexpr std::string_view kLetters = "XYZABCUVW";
-constexpr double kTravelSlack = 1e-6;  // mm or degrees: rounding, not a limit
-constexpr double kSpeedSlack = 1e-9;   // relative
 constexpr double kSamePoint_mm = 1e-9;
+constexpr double kSameAngle = 1e-9;
 constexpr double kInch_mm = 25.4;
 
 struct PlaneAxes {
@@ -31,34 +28,38 @@ struct PlaneAxes {
 // Indexed by ir::Plane: xy, zx, yz.
 constexpr std::array<PlaneAxes, 3> kPlanes = {PlaneAxes{0, 1}, {2, 0}, {1, 2}};
 
-bool is_rotary(std::size_t axis) { return axis >= 3 && axis <= 5; }
 bool is_arc(const ir::Motion& motion) {
   return motion.kind == ir::MotionKind::arc_cw || motion.kind == ir::MotionKind::arc_ccw;
 }
-std::string figure(double value) {
-  std::string out;
-  text::append_word_number(out, value, 4, true);
-  return out;
+
+// Which of the move's figures is none; empty: all are numbers.
+std::string_view no_number_in(const ir::Motion& motion) {
+  const auto finite = [](double value) { return std::isfinite(value); };
+  if (!std::ranges::all_of(motion.end, finite)) return "where it ends";
+  if (!std::ranges::all_of(motion.start, finite)) return "where it begins";
+  if (!std::ranges::all_of(motion.center, finite)) return "its centre";
+  if (!finite(motion.feed)) return "its feed";
+  return finite(motion.spindle_rpm) && finite(motion.surface_speed_m_min) ? "" : "its speed";
 }
 
 }  // namespace
 
-Envelope::Envelope(Settings settings) : settings_(std::move(settings)), offset_number_(settings_.work_offset) {
-  for (const checks::MachineAxis& axis : settings_.machine.axes) axes_[static_cast<std::size_t>(axis.axis)] = &axis;
-  offset_ = checks::find_work_offset(settings_.machine, offset_number_);
-  if (settings_.machine.axes.empty())
-    report_.not_checked.add("the machine's axes are not known: no travel was checked");
-  if (settings_.machine.tools.empty()) report_.not_checked.add("the machine's tools are not known");
-  if (!(settings_.machine.feed_limit_mm_min > 0.0)) report_.not_checked.add("the machine's highest feed is not known");
-  if (!(settings_.machine.spindle_max_rpm > 0.0)) {
-    report_.not_checked.add("the machine's highest spindle speed is not known");
-  }
-  for (const checks::MachineAxis& axis : settings_.machine.axes) {
+Envelope::Envelope(Settings settings)
+    : settings_(std::move(settings)), travel_(settings_, report_), speeds_(settings_, travel_, report_) {
+  say_what_is_not_known();
+}
+
+void Envelope::say_what_is_not_known() {
+  const checks::Machine& machine = settings_.machine;
+  if (machine.axes.empty()) report_.not_checked.add("the machine's axes are not known: no travel was checked");
+  if (machine.tools.empty()) report_.not_checked.add("the machine's tools are not known");
+  if (!(machine.feed_limit_mm_min > 0.0)) report_.not_checked.add("the machine's highest feed is not known");
+  if (!(machine.spindle_max_rpm > 0.0)) report_.not_checked.add("the machine's highest spindle speed is not known");
+  for (const checks::MachineAxis& axis : machine.axes) {
     if (axis.min || axis.max) continue;
     const char letter = kLetters[static_cast<std::size_t>(axis.axis)];
     report_.not_checked.add(fmt::format("the travel of {} is not known", letter));
   }
-  report_.not_checked.add("tool lengths are not counted in the travel");
 }
 
 void Envelope::consume(std::span<const ir::Motion> motions) {
@@ -66,85 +67,98 @@ void Envelope::consume(std::span<const ir::Motion> motions) {
     if (ir::is_move(motion.kind)) {
       check_move(motion);
     } else if (motion.kind == ir::MotionKind::offset) {
-      offset_number_ = motion.number;
-      said_ = 0;
-      offset_ = checks::find_work_offset(settings_.machine, offset_number_);
-    } else if (motion.kind == ir::MotionKind::tool && !settings_.machine.tools.empty() && motion.number > 0 &&
-               checks::find_tool(settings_.machine, motion.number) == nullptr) {
-      report_.findings.add(text::DiagnosticId::tool_missing, motion.place, motion.number, 0.0,
-                           [&] { return std::vector<std::string>{fmt::format("{}", motion.number)}; });
-    } else if (motion.kind == ir::MotionKind::spindle && !(motion.surface_speed_m_min > 0.0)) {
-      check_spindle(motion, 0.0);
+      travel_.select_offset(motion.number);
+    } else if (motion.kind == ir::MotionKind::tool) {
+      take_tool(motion);
+    } else if (motion.kind == ir::MotionKind::spindle) {
+      spindle_ran_ = spindle_ran_ || motion.spindle != ir::SpindleState::stopped;
+      speeds_.check_spindle_event(motion);
     }
   }
 }
 
-double Envelope::slide(ir::Axis axis, double programmed) const {
-  const checks::MachineAxis* known = axes_[static_cast<std::size_t>(axis)];
-  return known != nullptr && known->is_diameter ? 0.5 * programmed : programmed;
-}
-
-// One coordinate in the frame of the motion: travel in machine coordinates, and what was reached.
-void Envelope::check_place(const ir::Motion& motion, ir::Axis axis, double value) {
-  const auto i = static_cast<std::size_t>(axis);
-  const checks::MachineAxis* known = axes_[i];
-  double at = value;
-  if (!motion.machine_coordinates) {
-    report_.work[i].include(value);
-    if (known == nullptr) return;
-    const bool has_zero = offset_number_ == 0 || (offset_ != nullptr && offset_->zero[i]);
-    if (!has_zero) {
-      if ((known->min || known->max) && (said_ >> i & 1U) == 0) {
-        said_ = static_cast<std::uint16_t>(said_ | 1U << i);
-        report_.not_checked.add(
-            fmt::format("work offset {} is not known for {}: its travel was not checked", offset_number_, kLetters[i]),
-            motion.place.line);
-      }
-      return;
-    }
-    if (offset_number_ != 0) at += *offset_->zero[i];
-  } else if (known == nullptr) {
-    return;
+void Envelope::take_tool(const ir::Motion& motion) {
+  constexpr std::uint32_t kNoName = 0xFFFFFFFFU;
+  has_tool_ = motion.number > 0 || motion.text != kNoName;
+  travel_.select_tool(motion);
+  if (settings_.machine.tools.empty()) return;
+  if (motion.text != kNoName) {
+    report_.not_checked.add("a tool is called by its name: whether the machine has it was not checked",
+                            motion.place.line);
+  } else if (motion.number > 0 && checks::find_tool(settings_.machine, motion.number) == nullptr) {
+    report_.findings.add(text::DiagnosticId::tool_missing, motion.place, motion.number, 0.0,
+                         [&] { return std::vector<std::string>{fmt::format("{}", motion.number)}; });
   }
-  report_.machine[i].include(at);
-  if (!known->min && !known->max) return;
-  const bool below = known->min && at < *known->min - kTravelSlack;
-  const bool above = known->max && at > *known->max + kTravelSlack;
-  if (!below && !above) return;
-  const double limit = below ? *known->min : *known->max;
-  report_.findings.add(text::DiagnosticId::travel_exceeded, motion.place, at, limit, [&] {
-    const auto bound = [](const std::optional<double>& end) { return end ? figure(*end) : std::string("anything"); };
-    return std::vector<std::string>{std::string(1, kLetters[i]), figure(at),
-                                    fmt::format("{} to {}", bound(known->min), bound(known->max))};
-  });
 }
 
 void Envelope::check_move(const ir::Motion& motion) {
   ++report_.moves;
+  if (const std::string_view what = no_number_in(motion); !what.empty()) {
+    report_.findings.add(text::DiagnosticId::value_not_finite, motion.place, 0.0, 0.0,
+                         [&] { return std::vector<std::string>{std::string(what)}; });
+    return;
+  }
   const bool cuts = motion.kind != ir::MotionKind::rapid;
+  travel_.begin(motion);
   for (std::size_t i = 0; i < ir::kAxisCount; ++i) {
     const bool moves = (motion.axes_commanded >> i & 1U) != 0 || motion.end[i] != motion.start[i];
     if (!moves) continue;
-    const auto axis = static_cast<ir::Axis>(i);
-    const double value = slide(axis, motion.end[i]);
-    check_place(motion, axis, value);
-    if (cuts && !is_rotary(i) && !motion.machine_coordinates) cut_.include(value);
+    const double value = travel_.slide(i, motion.end[i]);
+    travel_.check(motion, static_cast<ir::Axis>(i), value);
+    if (motion.machine_coordinates || is_rotary(i)) continue;
+    if (i < spans_.size()) {
+      spans_[i].include(value);
+      if ((motion.axes_unknown >> i & 1U) == 0) spans_[i].include(travel_.slide(i, motion.start[i]));
+    }
+    if (cuts) include_cut(motion, value);
   }
   if (is_arc(motion)) check_arc(motion);
-  if (!cuts) return;
-  cut_place_ = motion.place;
-  check_speeds(motion);
+  if (motion.kind == ir::MotionKind::spline)
+    report_.not_checked.add("a spline was checked at its points only", motion.place.line);
+  if (cuts) check_cut(motion);
 }
 
-// The radius at both ends, and the places where the arc reaches farther than its ends.
+void Envelope::include_cut(const ir::Motion& motion, double value) {
+  const double before = cut_.empty() ? -1.0 : std::max(std::fabs(cut_.low), std::fabs(cut_.high));
+  cut_.include(value);
+  if (std::fabs(value) > before) cut_place_ = motion.place;
+}
+
+void Envelope::check_cut(const ir::Motion& motion) {
+  speeds_.check_cut(motion);
+  if (motion.comp != ir::CompSide::off)
+    report_.not_checked.add("with tool radius compensation the travel is that of the programmed path",
+                            motion.place.line);
+  if (!has_tool_ && !told_no_tool_) {
+    told_no_tool_ = true;
+    report_.findings.add(text::DiagnosticId::tool_not_called, motion.place, 0.0, 0.0,
+                         [] { return std::vector<std::string>{}; });
+  }
+  // A tap turns with its feed, also from a spindle that stands; driven tools have codes of the machine's builder.
+  const bool turns = motion.spindle != ir::SpindleState::stopped || motion.kind == ir::MotionKind::thread;
+  const bool may_be_driven = settings_.machine.kind != ir::MachineKind::mill && travel_.axis(5) != nullptr;
+  if (turns || may_be_driven) {
+    told_standing_ = told_standing_ && motion.spindle == ir::SpindleState::stopped;
+  } else if (!spindle_ran_) {
+    report_.not_checked.add("no spindle is started before the first cut: whether it turns is not known",
+                            motion.place.line);
+  } else if (!told_standing_) {
+    told_standing_ = true;  // until it turns again
+    report_.findings.add(text::DiagnosticId::spindle_not_turning, motion.place, 0.0, 0.0,
+                         [] { return std::vector<std::string>{}; });
+  }
+}
+
+// The radius at both ends, and the places where the arc reaches farther than its ends. A helix moves along its axis
+// between its ends only.
 void Envelope::check_arc(const ir::Motion& motion) {
   const PlaneAxes plane = kPlanes[static_cast<std::size_t>(motion.plane)];
   const auto a = static_cast<ir::Axis>(plane.abscissa);
   const auto o = static_cast<ir::Axis>(plane.ordinate);
-  const double start_a = slide(a, motion.start[plane.abscissa]);
-  const double start_o = slide(o, motion.start[plane.ordinate]);
-  const double end_a = slide(a, motion.end[plane.abscissa]);
-  const double end_o = slide(o, motion.end[plane.ordinate]);
+  const double start_a = travel_.slide(plane.abscissa, motion.start[plane.abscissa]);
+  const double start_o = travel_.slide(plane.ordinate, motion.start[plane.ordinate]);
+  const double end_a = travel_.slide(plane.abscissa, motion.end[plane.abscissa]);
+  const double end_o = travel_.slide(plane.ordinate, motion.end[plane.ordinate]);
   const double center_a = start_a + motion.center[plane.abscissa];
   const double center_o = start_o + motion.center[plane.ordinate];
   const double start_radius = std::hypot(start_a - center_a, start_o - center_o);
@@ -162,85 +176,20 @@ void Envelope::check_arc(const ir::Motion& motion) {
   };
   const bool full_circle = std::hypot(end_a - start_a, end_o - start_o) < kSamePoint_mm;
   const double sweep = full_circle ? 2.0 * std::numbers::pi : behind(std::atan2(end_o - center_o, end_a - center_a));
+  const auto reach = [&](std::size_t i, ir::Axis axis, double value) {
+    travel_.check(motion, axis, value);
+    if (!motion.machine_coordinates && i < spans_.size()) spans_[i].include(value);
+  };
   for (int quarter = 0; quarter < 4; ++quarter) {
-    if (behind(quarter * 0.5 * std::numbers::pi) > sweep) continue;
+    const double reached = behind(quarter * 0.5 * std::numbers::pi);
+    if (reached < kSameAngle || reached > sweep - kSameAngle) continue;  // the ends are looked at already
     const double sign = quarter < 2 ? 1.0 : -1.0;
     if (quarter % 2 == 0) {
-      check_place(motion, a, center_a + sign * start_radius);
+      reach(plane.abscissa, a, center_a + sign * start_radius);
     } else {
-      check_place(motion, o, center_o + sign * start_radius);
+      reach(plane.ordinate, o, center_o + sign * start_radius);
     }
   }
-}
-
-void Envelope::check_spindle(const ir::Motion& motion, double diameter_mm) {
-  const double highest = settings_.machine.spindle_max_rpm;
-  double rpm = motion.spindle_rpm;
-  if (motion.surface_speed_m_min > 0.0) {
-    if (!(diameter_mm > 0.0)) return;
-    const double asked = 1000.0 * motion.surface_speed_m_min / (std::numbers::pi * diameter_mm);
-    if (!(motion.spindle_rpm > 0.0)) {
-      report_.spindle_max_rpm = std::max(report_.spindle_max_rpm, asked);
-      if (!(highest > 0.0) || asked <= highest * (1.0 + kSpeedSlack)) return;
-      report_.findings.add(text::DiagnosticId::surface_speed_unlimited, motion.place, asked, highest, [&] {
-        return std::vector<std::string>{text::format_fixed(asked, 0), figure(diameter_mm), figure(highest)};
-      });
-      return;
-    }
-    rpm = std::min(asked, motion.spindle_rpm);
-  }
-  report_.spindle_max_rpm = std::max(report_.spindle_max_rpm, rpm);
-  if (!(highest > 0.0) || rpm <= highest * (1.0 + kSpeedSlack)) return;
-  report_.findings.add(text::DiagnosticId::spindle_too_fast, motion.place, rpm, highest,
-                       [&] { return std::vector<std::string>{text::format_fixed(rpm, 0), figure(highest)}; });
-}
-
-void Envelope::check_speeds(const ir::Motion& motion) {
-  const checks::MachineAxis* x = axes_[0];
-  const double factor = x != nullptr && x->is_diameter ? 1.0 : 2.0;
-  // The smallest diameter of the move, where constant surface speed turns fastest.
-  const bool from_known = (motion.axes_unknown & 1U) == 0;
-  const double start_mm = factor * (from_known ? motion.start[0] : motion.end[0]);
-  const double end_mm = factor * motion.end[0];
-  const double diameter_mm = start_mm * end_mm <= 0.0 ? 0.01 : std::min(std::fabs(start_mm), std::fabs(end_mm));
-  if (motion.spindle != ir::SpindleState::stopped) check_spindle(motion, diameter_mm);
-
-  double feed_mm_min = 0.0;
-  switch (motion.feed_mode) {
-    case ir::FeedMode::per_min:
-      feed_mm_min = motion.feed;
-      cut_feed_ = std::max(cut_feed_, motion.feed);
-      break;
-    case ir::FeedMode::per_rev: {
-      double rpm = motion.spindle_rpm;
-      if (motion.surface_speed_m_min > 0.0) {
-        const double asked = 1000.0 * motion.surface_speed_m_min / (std::numbers::pi * diameter_mm);
-        rpm = rpm > 0.0 ? std::min(asked, rpm) : asked;
-        if (settings_.machine.spindle_max_rpm > 0.0) rpm = std::min(rpm, settings_.machine.spindle_max_rpm);
-      }
-      if (!(rpm > 0.0)) {
-        report_.not_checked.add("a feed per revolution has no spindle speed: its feed was not checked",
-                                motion.place.line);
-      }
-      feed_mm_min = motion.feed * rpm;
-      break;
-    }
-    case ir::FeedMode::inverse_time: {
-      double square = 0.0;
-      for (std::size_t i = 0; i < ir::kAxisCount; ++i) {
-        if ((motion.axes_unknown >> i & 1U) != 0) continue;
-        const double way = slide(static_cast<ir::Axis>(i), motion.end[i] - motion.start[i]);
-        square += way * way;
-      }
-      feed_mm_min = std::sqrt(square) * motion.feed;
-      break;
-    }
-  }
-  report_.feed_max_mm_min = std::max(report_.feed_max_mm_min, feed_mm_min);
-  const double limit = settings_.machine.feed_limit_mm_min;
-  if (!(limit > 0.0) || feed_mm_min <= limit * (1.0 + kSpeedSlack)) return;
-  report_.findings.add(text::DiagnosticId::feed_too_high, motion.place, feed_mm_min, limit,
-                       [&] { return std::vector<std::string>{text::format_fixed(feed_mm_min, 0), figure(limit)}; });
 }
 
 // A factor of 25.4 between the cuts' reach and the part's size, or a travel that would fit if the reach were inches.
@@ -263,9 +212,22 @@ void Envelope::check_units() {
     }
   }
   const double limit = settings_.machine.feed_limit_mm_min;
-  if (limit > 0.0 && cut_feed_ > limit && cut_feed_ <= limit * kInch_mm &&
+  const double feed = speeds_.highest_per_min();
+  if (limit > 0.0 && feed > limit && feed <= limit * kInch_mm &&
       report_.findings.count(text::DiagnosticId::travel_exceeded) > 0) {
-    add(cut_feed_, limit, "feed and travel", "both are beyond the machine, and neither would be if divided by 25.4");
+    add(feed, limit, "feed and travel", "both are beyond the machine, and neither would be if divided by 25.4");
+  }
+  // Far longer than the whole travel of an axis: no work offset can make it fit.
+  constexpr double kFar = 2.0;
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    const checks::MachineAxis* axis = travel_.axis(i);
+    if (axis == nullptr || !axis->min || !axis->max) continue;
+    const double travel = *axis->max - *axis->min;
+    const double span = spans_[i].span();
+    if (span <= kFar * travel || span / kInch_mm > travel) continue;
+    add(span, travel, fmt::format("way along {}", kLetters[i]),
+        fmt::format("it is {} mm long, the machine's {} mm, and it would fit if divided by 25.4", figure(span),
+                    figure(travel)));
   }
 }
 

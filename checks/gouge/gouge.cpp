@@ -73,6 +73,10 @@ void Gouge::consume(std::span<const ir::Motion> motions) {
     const std::uint32_t line = motion.place.line;
     if (motion.kind == ir::MotionKind::tool) follow_tool(motion);
     if (!ir::is_move(motion.kind)) continue;
+    if (!checks::has_places(motion)) {
+      report_.not_checked.add("a move beyond all places was not checked", line);
+      continue;
+    }
     if (motion.machine_coordinates) {
       report_.not_checked.add("a move in machine coordinates was not checked", line);
       continue;

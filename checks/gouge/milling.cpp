@@ -168,6 +168,7 @@ void Milling::check_led() {
 void Milling::check_move(const ir::Motion& motion) {
   const std::uint32_t line = motion.place.line;
   constexpr std::uint16_t kLinear = 7U;
+  if (!checks::has_places(motion)) return report_.not_checked.add("a move beyond all places was not checked", line);
   if (motion.machine_coordinates) return report_.not_checked.add("a move in machine coordinates was not checked", line);
   if (!map_) return;
   if (!cutter_) return report_.not_checked.add("a move without a known tool was not checked", line);

@@ -53,6 +53,7 @@ class Timing::Work final : public RanSink {
   }
 
   void add(const ir::Motion& motion);
+  void leave_out(const ir::Motion& motion);
   Report finish();
 
  private:
@@ -100,6 +101,10 @@ void Timing::Work::add(const ir::Motion& motion) {
     limit_mm_s_ = {};
   }
   if (!keeps_whole_ && rows_.size() >= wanted_) run_window();
+}
+
+void Timing::Work::leave_out(const ir::Motion& motion) {
+  report_.not_checked.add("a move beyond all places was not timed", motion.place.line);
 }
 
 void Timing::Work::run_window() {
@@ -236,7 +241,12 @@ Timing::Timing(Settings settings) : work_(std::make_unique<Work>(std::move(setti
 Timing::~Timing() = default;
 
 void Timing::consume(std::span<const ir::Motion> motions) {
-  for (const ir::Motion& motion : motions) work_->add(motion);
+  for (const ir::Motion& motion : motions) {
+    if (checks::has_places(motion)) [[likely]]
+      work_->add(motion);
+    else
+      work_->leave_out(motion);
+  }
 }
 
 Report Timing::finish() { return work_->finish(); }

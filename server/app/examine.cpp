@@ -59,7 +59,8 @@ class Checks {
         envelope::Settings{.machine = e_.profile->machine,
                            .arc_tolerance_mm = e_.control.semantics.arc_tolerance_mm,
                            .work_offset = 1,
-                           .part_size_mm = part_size(e_.geometry)});
+                           .part_size_mm = part_size(e_.geometry),
+                           .d_selects_edge = e_.control.semantics.d_selects_edge});
   }
 
   void make_timing() {
@@ -93,6 +94,7 @@ void take_run(const interpreter::RunResult& run, CheckReport& report) {
     report.checks.not_checked.add(fmt::format("{}: {}", one.name, one.is_input ? "input not known" : "not interpreted"),
                                   one.first_line);
   }
+  report.programs = run.programs;
   report.blocks = run.blocks;
   report.ran = run.ended == interpreter::Ended::end;
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "checks/plot/plot.h"
 #include "checks/verdict.h"
@@ -28,10 +29,12 @@ struct CheckReport {
   std::uint32_t because_line = 0;  // the line by which the control was inferred; 0: named, or the default
   bool inferred = false;
   checks::CheckReport checks;
+  std::vector<std::string> programs;  // by ir::Place::program: what a finding's line is of; the main one first
   Pictures pictures;
   checks::Verdict verdict = checks::Verdict::unknown;
   std::uint64_t blocks = 0;  // executed
   bool ran = false;          // to its end
+  bool validated = true;     // before it ran; a large program is run while it is read
 };
 
 }  // namespace dripfeed::app

@@ -28,7 +28,7 @@ std::vector<checks::Tool> tools_of(const Examination& e) {
                        .nose_radius_mm = shape.nose_radius_mm,
                        .tip = shape.tip,
                        .diameter_mm = shape.diameter_mm,
-                       .length_mm = 0.0,
+                       .length_mm = {},
                        .corner_radius_mm = shape.corner_radius_mm});
     } else if (known->diameter_mm == 0.0) {
       known->diameter_mm = shape.diameter_mm;

@@ -66,6 +66,8 @@ void read_tool(ObjectReader& object, machine::Profile& profile) {
   object.integer("tip", tool.tip, 0, 9);
   object.number("diameter_mm", tool.diameter_mm, 0.0, 10'000.0);
   object.number("length_mm", tool.length_mm, 0.0, 10'000.0);
+  object.number("length_x_mm", tool.length_x_mm, -10'000.0, 10'000.0);
+  object.number("length_z_mm", tool.length_z_mm, -10'000.0, 10'000.0);
   object.number("corner_radius_mm", tool.corner_radius_mm, 0.0, 5000.0);
   if (tool.number == 0) object.fault("number", "is missing");
   if (tool.diameter_mm > 0.0 && tool.corner_radius_mm > 0.5 * tool.diameter_mm)
@@ -79,12 +81,17 @@ void read_tool(ObjectReader& object, machine::Profile& profile) {
   profile.machine.tools.push_back(tool);
 }
 
+// {"X_mm": 200, "Z_mm": -300}: where a work zero lies in machine coordinates; an axis that is not named is not known.
+void read_zero(ObjectReader& object, std::array<std::optional<double>, ir::kAxisCount>& zero) {
+  for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
+    object.number(fmt::format("{}_mm", kAxisNames[i]), zero[i], -kLongest_mm, kLongest_mm);
+  }
+}
+
 void read_work_offset(ObjectReader& object, machine::Profile& profile) {
   checks::WorkOffset offset;
   object.integer("number", offset.number, 1, 300);
-  for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
-    object.number(fmt::format("{}_mm", kAxisNames[i]), offset.zero[i], -kLongest_mm, kLongest_mm);
-  }
+  read_zero(object, offset.zero);
   if (offset.number == 0) object.fault("number", "is missing");
   const auto known = std::ranges::find(profile.machine.work_offsets, offset.number, &checks::WorkOffset::number);
   if (known != profile.machine.work_offsets.end()) object.fault("number", "is given twice");
@@ -272,7 +279,7 @@ void read_link(ObjectReader& object, machine::LineSettings& line) {
     line.code = tape_code::Code::ascii;
     line.flow = feed::Flow::none;
   }
-  object.integer("baud", line.baud, 50, 4'000'000);
+  object.integer("baud", line.baud, machine::kLeastBaud, machine::kMostBaud);
   read_framing(object, line);
   if (const auto code = object.choice("code", kCodes)) line.code = static_cast<tape_code::Code>(*code);
   object.object("eia_specials", [&](ObjectReader& o) { read_eia_specials(o, line); });
@@ -314,6 +321,7 @@ void read_machine(ObjectReader& object, machine::Profile& profile) {
               fmt::format("must not be below min_rpm, and is {}", text::format_shortest(machine.spindle_max_rpm)));
   });
   object.objects("tools", [&](ObjectReader& o) { read_tool(o, profile); });
+  object.object("origin", [&](ObjectReader& o) { read_zero(o, machine.origin); });
   object.objects("work_offsets", [&](ObjectReader& o) { read_work_offset(o, profile); });
   object.object("buffer", [&](ObjectReader& o) {
     o.integer("bytes", machine.buffer.bytes, 0, 1'000'000'000);

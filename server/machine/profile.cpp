@@ -26,8 +26,6 @@ Applied set_number(std::string_view name, std::string_view value, std::uint32_t&
   return std::unexpected(fmt::format("{} \"{}\" is not a whole number", name, value));
 }
 
-constexpr std::uint32_t kLeastBaud = 50;
-constexpr std::uint32_t kMostBaud = 4'000'000;
 Applied set_baud(std::string_view value, LineSettings& line) {
   std::uint32_t baud = 0;
   if (auto read = set_number("baud", value, baud); !read) return read;

@@ -52,6 +52,9 @@ struct ControlSettings {
   std::optional<double> turning_retract_mm;
 };
 
+inline constexpr std::uint32_t kLeastBaud = 50;
+inline constexpr std::uint32_t kMostBaud = 4'000'000;
+
 // How the line is spoken to; becomes feed::Settings together with the URL's options, which win.
 struct LineSettings {
   LinkUrl link;

@@ -1,50 +1,18 @@
 // One fault a test, beside a near miss that must not be one.
 #include "checks/envelope/envelope.h"
 
+#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "tests/unit/checks/envelope/machines.h"
 
 namespace dripfeed::envelope {
 namespace {
 
 using enum ir::MotionKind;
 using text::DiagnosticId;
-
-checks::Machine lathe() {
-  checks::Machine machine;
-  machine.kind = ir::MachineKind::lathe;
-  machine.axes.push_back({.axis = ir::Axis::x, .is_diameter = true, .min = -5, .max = 150});
-  machine.axes.push_back({.axis = ir::Axis::z, .min = -20, .max = 400});
-  machine.feed_limit_mm_min = 5000;
-  machine.spindle_max_rpm = 3000;
-  machine.tools.push_back({.number = 6, .nose_radius_mm = 0.8, .tip = 3});
-  checks::WorkOffset g55{.number = 2};
-  g55.zero[0] = 0;
-  g55.zero[2] = 200;
-  machine.work_offsets.push_back(g55);
-  return machine;
-}
-
-ir::Motion move(ir::MotionKind kind, double from_x, double from_z, double x, double z) {
-  ir::Motion motion;
-  motion.kind = kind;
-  motion.place = {0, 7, 6};
-  motion.plane = ir::Plane::zx;
-  motion.axes_commanded = 0b101;
-  motion.start[0] = from_x;
-  motion.start[2] = from_z;
-  motion.end[0] = x;
-  motion.end[2] = z;
-  motion.feed = kind == rapid ? 0 : 100;
-  return motion;
-}
-
-Report run(const std::vector<ir::Motion>& motions, std::int32_t work_offset = 2, double part_size_mm = 0) {
-  Envelope check({.machine = lathe(), .work_offset = work_offset, .part_size_mm = part_size_mm});
-  check.consume(motions);
-  return check.finish();
-}
 
 TEST(Envelope, HalvesDiametersAndAddsTheWorkOffset) {
   const Report good = run({move(rapid, 0, 0, 300, 200)});  // 150 and 400: just there
@@ -63,11 +31,7 @@ TEST(Envelope, SaysWhatItDoesNotKnowOfAnOffset) {
   const Report report = run({move(rapid, 0, 0, 9000, 9000)}, 1);
   EXPECT_TRUE(report.findings.empty());
   EXPECT_TRUE(report.machine[0].empty());
-  bool said = false;
-  for (const auto& one : report.not_checked.list()) {
-    said = said || one.text == "work offset 1 is not known for X: its travel was not checked";
-  }
-  EXPECT_TRUE(said);
+  EXPECT_TRUE(says(report, "work offset 1 is not known for X: its travel was not checked"));
 }
 
 TEST(Envelope, FollowsTheOffsetAndMachineCoordinates) {
@@ -92,6 +56,57 @@ TEST(Envelope, LooksAtTheTopOfAnArc) {
   EXPECT_TRUE(run({arc}).findings.empty());
 }
 
+TEST(Envelope, AHelixReachesItsSidesAndItsEnds) {
+  ir::Motion helix = move(arc_ccw, 10, 0, -10, -60);
+  helix.plane = ir::Plane::xy;
+  helix.center = {-10, 0, 0};
+  const Settings settings{.machine = mill()};
+  const Report good = run({helix}, settings);
+  EXPECT_TRUE(good.findings.has(text::Severity::error)) << "Z ends at -510";
+  EXPECT_EQ(good.findings.count(DiagnosticId::travel_exceeded), 1U);
+  EXPECT_DOUBLE_EQ(good.machine[1].high, 210) << "the side of the half circle";
+  EXPECT_DOUBLE_EQ(good.machine[2].low, -510);
+  helix.end[2] = -50;
+  EXPECT_TRUE(run({helix}, settings).findings.empty());
+  helix.start[0] = 310;  // radius 310: from y 0 up to 310, which is 510 in machine coordinates
+  helix.end[0] = -310;
+  helix.center = {-310, 0, 0};
+  const Report wide = run({helix}, settings);
+  EXPECT_EQ(wide.findings.count(DiagnosticId::travel_exceeded), 2U) << "x ends at -110, y reaches 510 on the way";
+  EXPECT_DOUBLE_EQ(wide.machine[1].high, 510);
+  helix.kind = arc_cw;
+  EXPECT_DOUBLE_EQ(run({helix}, settings).machine[1].low, -110);
+}
+
+TEST(Envelope, AFullCircleReachesAllItsSides) {
+  ir::Motion circle = move(arc_cw, 0, 0, 0, 0);
+  circle.plane = ir::Plane::xy;
+  circle.center = {50, 0, 0};
+  const Report report = run({circle}, Settings{.machine = mill()});
+  EXPECT_DOUBLE_EQ(report.machine[0].low, 200);
+  EXPECT_DOUBLE_EQ(report.machine[0].high, 300);
+  EXPECT_DOUBLE_EQ(report.machine[1].low, 150);
+  EXPECT_DOUBLE_EQ(report.machine[1].high, 250);
+  circle.center = {0, 0, 0};  // no circle at all
+  EXPECT_EQ(run({circle}, Settings{.machine = mill()}).moves, 1U);
+}
+
+// Axes that run one by one bend off the line, and stay between the ends along each axis.
+TEST(Envelope, ABentRapidStaysInTheBoxOfItsEnds) {
+  const Settings settings{.machine = mill()};
+  EXPECT_TRUE(run({move(rapid, 0, 0, 600, 450)}, settings).findings.empty());
+  EXPECT_EQ(run({move(rapid, 0, 0, 600.001, 450)}, settings).findings.count(DiagnosticId::travel_exceeded), 1U);
+}
+
+TEST(Envelope, SaysWhatTheProfileHasNoAxisFor) {
+  ir::Motion turn = move(rapid, 0, 0, 0, 0);
+  turn.axes_commanded |= 1U << 3U;
+  turn.end[3] = 90;
+  const Report report = run({turn});
+  EXPECT_TRUE(says(report, "the machine's profile has no axis A: its moves were not checked"));
+  EXPECT_FALSE(says(run({move(rapid, 0, 0, 0, 0)}), "the machine's profile has no axis A: its moves were not checked"));
+}
+
 TEST(Envelope, AsksForEqualRadii) {
   ir::Motion arc = move(arc_cw, 100, 0, 100, 40);
   arc.center = {0, 0, 20.005};
@@ -100,56 +115,99 @@ TEST(Envelope, AsksForEqualRadii) {
   EXPECT_EQ(run({arc}).findings.count(DiagnosticId::arc_radius_mismatch), 1U);
 }
 
-TEST(Envelope, ChecksFeedsOfEachMode) {
-  ir::Motion cut = move(linear, 100, 0, 100, -10);
-  cut.feed = 5000;
-  EXPECT_TRUE(run({cut}).findings.empty());
-  cut.feed = 5001;
-  EXPECT_EQ(run({cut}).findings.count(DiagnosticId::feed_too_high), 1U);
-  cut.feed_mode = ir::FeedMode::per_rev;
-  cut.spindle_rpm = 2000;
-  cut.feed = 2.5;
-  EXPECT_TRUE(run({cut}).findings.empty());
-  cut.feed = 150;  // per minute was meant
-  const Report wrong = run({cut});
-  EXPECT_EQ(wrong.findings.count(DiagnosticId::feed_too_high), 1U);
-  EXPECT_DOUBLE_EQ(wrong.feed_max_mm_min, 300000);
-  cut.feed_mode = ir::FeedMode::inverse_time;
-  cut.feed = 500;  // 10 mm in 1/500 min
-  EXPECT_TRUE(run({cut}).findings.empty());
-  cut.feed = 501;
-  EXPECT_EQ(run({cut}).findings.count(DiagnosticId::feed_too_high), 1U);
-}
-
-TEST(Envelope, ChecksTheSpindleAndSurfaceSpeed) {
-  ir::Motion cut = move(linear, 100, 0, 20, 0);
-  cut.spindle = ir::SpindleState::clockwise;
-  cut.spindle_rpm = 3001;
-  EXPECT_EQ(run({cut}).findings.count(DiagnosticId::spindle_too_fast), 1U);
-  cut.surface_speed_m_min = 180;  // 2865 rpm at diameter 20
-  cut.spindle_rpm = 0;
-  EXPECT_TRUE(run({cut}).findings.empty());
-  cut.end[0] = 0;  // towards the centre
-  EXPECT_EQ(run({cut}).findings.count(DiagnosticId::surface_speed_unlimited), 1U);
-  cut.spindle_rpm = 2500;  // with a limit
-  EXPECT_TRUE(run({cut}).findings.empty());
-  cut.spindle_rpm = 3500;  // beyond the machine's
-  EXPECT_EQ(run({cut}).findings.count(DiagnosticId::spindle_too_fast), 1U);
-}
-
 TEST(Envelope, MissesTools) {
-  ir::Motion tool;
-  tool.kind = ir::MotionKind::tool;
-  tool.number = 6;
-  EXPECT_TRUE(run({tool}).findings.empty());
-  tool.number = 7;
-  EXPECT_EQ(run({tool}).findings.count(DiagnosticId::tool_missing), 1U);
+  EXPECT_TRUE(run({event(tool, 6)}).findings.empty());
+  EXPECT_EQ(run({event(tool, 8)}).findings.count(DiagnosticId::tool_missing), 1U);
+  ir::Motion named = event(tool);
+  named.text = 0;
+  const Report report = run({named});
+  EXPECT_TRUE(report.findings.empty());
+  EXPECT_TRUE(says(report, "a tool is called by its name: whether the machine has it was not checked"));
+}
+
+TEST(Envelope, ACutNeedsATool) {
+  const ir::Motion cut = move(linear, 100, 0, 100, -10);
+  const auto notes = [](const std::vector<ir::Motion>& motions) {
+    Envelope check({.machine = lathe(), .work_offset = 2});
+    check.consume(motions);
+    return check.finish().findings.count(DiagnosticId::tool_not_called);
+  };
+  EXPECT_EQ(notes({cut, cut}), 1U) << "said once";
+  EXPECT_EQ(notes({event(tool, 0), cut}), 1U) << "T0 takes the tool away";
+  EXPECT_EQ(notes({event(tool, 6), cut}), 0U);
+  EXPECT_EQ(notes({move(rapid, 100, 0, 100, -10)}), 0U);
+  ir::Motion named = event(tool);
+  named.text = 0;
+  EXPECT_EQ(notes({named, cut}), 0U);
+}
+
+TEST(Envelope, ACutNeedsASpindleThatTurns) {
+  const auto standing = [](const std::vector<ir::Motion>& motions) {
+    return run(motions).findings.count(DiagnosticId::spindle_not_turning);
+  };
+  ir::Motion on = event(spindle);
+  on.spindle = ir::SpindleState::clockwise;
+  on.spindle_rpm = 500;
+  ir::Motion turning = move(linear, 100, 0, 100, -10);
+  turning.spindle = ir::SpindleState::clockwise;
+  const ir::Motion still = move(linear, 100, -10, 100, -20);
+  EXPECT_EQ(standing({on, turning}), 0U);
+  EXPECT_EQ(standing({on, turning, event(spindle), still, still}), 1U) << "said once until it turns again";
+  EXPECT_EQ(standing({on, turning, event(spindle), still, on, turning, event(spindle), still}), 2U);
+  EXPECT_EQ(standing({on, turning, event(spindle), move(rapid, 100, -10, 120, 0)}), 0U);
+  EXPECT_EQ(standing({on, turning, event(spindle), move(thread, 100, -10, 100, -20)}), 0U) << "a tap brings its turns";
+  const Report never = run({still});
+  EXPECT_EQ(never.findings.count(DiagnosticId::spindle_not_turning), 0U);
+  EXPECT_TRUE(says(never, "no spindle is started before the first cut: whether it turns is not known"));
+}
+
+TEST(Envelope, MovesThatAreNoNumbersAreFindings) {
+  const double inf = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto bad = [](const ir::Motion& motion) {
+    return run({motion}).findings.count(DiagnosticId::value_not_finite);
+  };
+  ir::Motion cut = move(linear, 100, 0, 100, -10);
+  EXPECT_EQ(bad(cut), 0U);
+  cut.end[2] = nan;
+  EXPECT_EQ(bad(cut), 1U);
+  cut = move(linear, 100, inf, 100, -10);
+  EXPECT_EQ(bad(cut), 1U);
+  cut = move(linear, 100, 0, 100, -10);
+  cut.feed = inf;
+  EXPECT_EQ(bad(cut), 1U);
+  cut = move(arc_cw, 100, 0, 100, -10);
+  cut.center[0] = nan;
+  EXPECT_EQ(bad(cut), 1U);
+  cut = move(linear, 100, 0, 1e308, 1e308);  // a number, if a large one
+  EXPECT_EQ(bad(cut), 0U);
+  EXPECT_GT(run({cut}).findings.count(DiagnosticId::travel_exceeded), 0U);
 }
 
 TEST(Envelope, SuspectsInchesWhereAFactorStands) {
   EXPECT_TRUE(run({move(linear, 100, 0, 100, -98)}, 2, 100).findings.empty());
   EXPECT_EQ(run({move(linear, 4, 0, 4, -3.9)}, 2, 100).findings.count(DiagnosticId::unit_suspicion), 1U);
   EXPECT_EQ(run({move(linear, 4, 0, 4, -3.9)}, 2, 0).findings.count(DiagnosticId::unit_suspicion), 0U);
+}
+
+// Millimetres that are read as inches are too long for any place on the table; what is too long by little is not.
+TEST(Envelope, SuspectsAWayThatNoOffsetCanMakeFit) {
+  const Settings settings{.machine = mill()};
+  const auto suspects = [&](double length) {
+    return run({move(linear, 0, 0, length, -1)}, settings).findings.count(DiagnosticId::unit_suspicion);
+  };
+  EXPECT_EQ(suspects(100 * 25.4), 1U);
+  EXPECT_EQ(suspects(1000), 0U) << "beyond the travel, and not by inches";
+  EXPECT_EQ(suspects(800 * 25.4 + 1), 0U) << "in inches it would not fit either";
+  EXPECT_EQ(run({move(linear, 0, 0, 100 * 25.4, -1)}).findings.count(DiagnosticId::unit_suspicion), 1U);
+}
+
+TEST(Envelope, SuspectsInchesAtTheFarthestCut) {
+  ir::Motion far = move(linear, 4, 0, 4, -2540);
+  far.place.line = 12;
+  const Report report = run({move(linear, 4, 0, 4, -3), far, move(linear, 4, -2540, 4, -1)}, 2, 100);
+  ASSERT_EQ(report.findings.count(DiagnosticId::unit_suspicion) > 0, true);
+  EXPECT_EQ(report.findings.kind(DiagnosticId::unit_suspicion)->worst.place.line, 12U);
 }
 
 TEST(Envelope, KeepsFewFindingsAndCountsAll) {

@@ -64,6 +64,41 @@ TEST(Examine, WhatTheReaderSaidIsNotSaidAgain) {
   EXPECT_EQ(characters_in(report_of("%\nO1\nG0X1.\n\xC3\xA4\nM30\n%\n", &profile)).size(), 1U);
 }
 
+// Lines at which the travel of Z, 0 at the top of a spindle with its zero at -400, is exceeded.
+std::vector<std::uint32_t> lines_exceeded(const std::string& text, const std::string& name) {
+  machine::Profile profile = profile_of("serial:/dev/ttyS0", "ascii");
+  profile.control.dialect = name;
+  profile.machine.axes = {{.axis = ir::Axis::z, .min = -500, .max = 0}};
+  profile.machine.tools = {{.number = 7, .offset = 1, .length_mm = 100}};
+  profile.machine.origin[2] = -400;
+  const compile::Dialect* dialect = compile::find_dialect(name);
+  const CheckReport report = examine({.source = text::Source("x.nc", text),
+                                      .dialect = dialect,
+                                      .control = dialect->control(ir::MachineKind::mill, ir::GSystem::a),
+                                      .inferred = false,
+                                      .profile = &profile,
+                                      .delivery = ir::Delivery::memory,
+                                      .find_called = {},
+                                      .geometry = {},
+                                      .profile_lines = {}});
+  std::vector<std::uint32_t> lines;
+  for (const checks::Finding& one : report.checks.envelope.value().findings.kept())
+    if (one.id == text::DiagnosticId::travel_exceeded) lines.push_back(one.place.line);
+  return lines;
+}
+
+// By the codes of each control: H of an offset, D of an edge of the tool in the spindle.
+TEST(Examine, TheTravelCountsTheToolsLength) {
+  using Lines = std::vector<std::uint32_t>;
+  const std::string head = "%\nO1\nG21G17G90G94G54T7M6\n";
+  const std::string tail = "G0Z300.\nZ300.01\nZ400.\nZ400.01\nM30\n";
+  EXPECT_EQ(lines_exceeded(head + "G43H1\n" + tail + "%\n", "fanuc"), (Lines{6, 7, 8}));
+  EXPECT_EQ(lines_exceeded(head + "G49\n" + tail + "%\n", "fanuc"), (Lines{8}));
+  EXPECT_EQ(lines_exceeded("G71 G17 G90 G94 G54 T7 M6\nD1\n" + tail, "sinumerik-840d"), (Lines{4, 5, 6}));
+  EXPECT_EQ(lines_exceeded("G71 G17 G90 G94 G54 T7 M6\n\n" + tail, "sinumerik-840d"), (Lines{4, 5, 6}));
+  EXPECT_EQ(lines_exceeded("G71 G17 G90 G94 G54 T7 M6\nD0\n" + tail, "sinumerik-840d"), (Lines{6}));
+}
+
 TEST(Examine, LinesTakeTheirEobAndTheBlankOfATvCheck) {
   tape_code::WireFormat format;
   EXPECT_EQ(bytes_of_lines("%\r\nG0X1\r\nG0X10\r\n", format), (std::vector<std::uint32_t>{2, 5, 6}));

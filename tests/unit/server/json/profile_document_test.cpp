@@ -227,8 +227,12 @@ TEST(ProfileDocument, EveryWrongMemberHasItsPlace) {
       {R"("sample_time_ms": 8)", R"("sample_time_ms": -8)", "/timing/sample_time_ms"},
       {R"("look_ahead_blocks": 20)", R"("look_ahead_blocks": -1)", "/timing/look_ahead_blocks"},
       {R"("tip": 3)", R"("tip": 3, "length_mm": -1)", "/tools/0/length_mm"},
+      {R"("tip": 3)", R"("tip": 3, "length_x_mm": 1e9)", "/tools/0/length_x_mm"},
       {R"("tip": 3)", R"("tip": 3, "diameter_mm": 4, "corner_radius_mm": 3)", "/tools/0/corner_radius_mm"},
       {R"("tip": 3})", R"("tip": 3}, {"number": 1, "offset": 1})", "/tools/1/number"},
+      {R"("title": "Mill")", R"("origin": {"X_mm": 1e9})", "/origin/X_mm"},
+      {R"("title": "Mill")", R"("origin": {"Q_mm": 1})", "/origin/Q_mm"},
+      {R"("title": "Mill")", R"("origin": [1, 2, 3])", "/origin"},
       // unknown
       {R"("title": "Mill")", R"("titel": "Mill")", "/titel"},
       {R"("unsent": 3)", R"("unset": 3)", "/link/unset"},
@@ -262,6 +266,20 @@ TEST(ProfileDocument, AFaultNamesTheValue) {
   EXPECT_EQ(baud.error().text, "machine profile: /link/baud must be from 50 to 4000000, and is 0");
   EXPECT_FALSE(read_profile(with(R"("rapid_mm_min": 10000)", R"("rapid_mm_min": 1e999)")));
   EXPECT_FALSE(read_profile(with(R"("rapid_mm_min": 10000)", R"("rapid_mm_min": NaN)")));
+}
+
+TEST(ProfileDocument, OriginAndToolLengthsArrive) {
+  std::string text = with(R"("title": "Mill")", R"("origin": {"X_mm": 100, "Z_mm": -350.5})");
+  text.replace(text.find(R"("tip": 3)"), 8, R"("tip": 3, "length_mm": 0, "length_x_mm": -12.5)");
+  const auto read = read_profile(text);
+  ASSERT_TRUE(read) << read.error().text;
+  const checks::Machine& machine = read->machine;
+  EXPECT_EQ(machine.origin[0], 100.0);
+  EXPECT_FALSE(machine.origin[1]);
+  EXPECT_EQ(machine.origin[2], -350.5);
+  EXPECT_EQ(machine.tools[0].length_mm, 0.0) << "said to be nothing, which is not unknown";
+  EXPECT_EQ(machine.tools[0].length_x_mm, -12.5);
+  EXPECT_FALSE(machine.tools[0].length_z_mm);
 }
 
 TEST(ProfileDocument, AllFaultsAreToldAtOnce) {
