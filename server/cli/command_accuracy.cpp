@@ -81,7 +81,7 @@ int accuracy_of(const AccuracyOptions& options) {
       !write_output(options.measure.plot, plot::svg(*report.pictures.accuracy)))
     return kWrongUse;
   const TextOptions& out = options.measure.family.text;
-  const std::string text = out.json ? json::accuracy_figures(*report.checks.accuracy, cmm)
+  const std::string text = out.json ? json::accuracy_figures(*report.checks.accuracy, cmm, report.validated)
                                     : figures_text(*report.checks.accuracy) + (cmm ? cmm_text(*cmm) : "");
   return write_output(out.output, text) ? kDone : kWrongUse;
 }

@@ -26,7 +26,9 @@ void print_report(const app::CheckReport& report) {
   print_diagnostics(report.checks.diagnostics, report.source, report.control_title);
   const auto print_findings = [&](const checks::FindingList& findings) {
     for (const checks::Finding& one : findings.kept()) {
-      fmt::print(stderr, "{}:{}: {}[{}]: {}\n", report.source.name(), one.place.line, text::name_of(one.severity),
+      const bool is_called = one.place.program != 0 && one.place.program < report.programs.size();
+      const std::string& name = is_called ? report.programs[one.place.program] : report.source.name();
+      fmt::print(stderr, "{}:{}: {}[{}]: {}\n", name, one.place.line, text::name_of(one.severity),
                  text::row_of(one.id).name, one.text);
     }
   };

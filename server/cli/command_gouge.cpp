@@ -35,7 +35,7 @@ int gouge_of(const MeasureOptions& options) {
   const auto mm = [](double value) { return text::format_fixed(value, 3); };
   const std::string text =
       options.family.text.json
-          ? json::gouge_figures(g)
+          ? json::gouge_figures(g, report.validated)
           : fmt::format("rapids   {}, deepest into stock or part {} mm\ncuts     {}, deepest below the nominal {} mm\n",
                         g.rapids, mm(g.deepest_rapid_mm), g.cuts, mm(g.deepest_cut_mm));
   if (!write_output(options.family.text.output, text)) return kWrongUse;

@@ -25,6 +25,7 @@ int fail_with(const app::Error& error) {
 int time_program(const TimeOptions& options) {
   const auto timed = run_timing(options);
   if (!timed) return fail_with(timed.error());
+  if (!timed->validated) print_not_validated(options.file);
   if (!timed->report) {
     print_diagnostics(timed->diagnostics, timed->source, timed->control_title);
     return kFailed;
@@ -33,7 +34,8 @@ int time_program(const TimeOptions& options) {
        {std::pair(options.plot_feed, &app::feed_plot), std::pair(options.plot_buffer, &app::buffer_plot)}) {
     if (!path.empty() && !write_output(path, plot::svg(draw(*timed->report, options.file)))) return kWrongUse;
   }
-  const std::string text = options.text.json ? json::time_figures(*timed->report) : timing_text(*timed->report);
+  const std::string text =
+      options.text.json ? json::time_figures(*timed->report, timed->validated) : timing_text(*timed->report);
   return write_output(options.text.output, text) ? kDone : kWrongUse;
 }
 

@@ -31,10 +31,12 @@ app::Result<Measured> measure_family(const MeasureOptions& options) {
   return app::measured_of(app::examine(e), e);
 }
 
-// While it is read: its text is not validated.
+// While it is read: its text is not validated, and that is said.
 app::Result<Measured> measure_stream(const MeasureOptions& options, app::Examination e, ProgramFile& file,
                                      app::SurfaceScope scope) {
   app::CheckReport report;
+  report.validated = false;
+  print_not_validated(options.family.file);
   app::SurfaceChecks checks(e, scope, report.checks.not_checked);
   compile::FanOut sinks(checks.sinks());
   compile::ProgramLibrary library(e.control, e.find_called);

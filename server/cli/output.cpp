@@ -41,6 +41,11 @@ void print_diagnostics(const std::vector<text::Diagnostic>& diagnostics, const t
     fmt::print(stderr, "{}", text::format_diagnostic(diagnostic, source, control));
 }
 
+void print_not_validated(std::string_view file) {
+  fmt::print(stderr,
+             "{}: not validated: it is so long that it was run while it was read; dripfeed check looks at all\n", file);
+}
+
 bool write_output(const std::string& path, std::string_view text) {
   if (path.empty() || path == "-") {
     if (write_all(stdout, text)) return true;

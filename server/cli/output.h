@@ -17,6 +17,9 @@ void print_error(const app::Error& error);
 void print_diagnostics(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source,
                        std::string_view control);
 
+// That a large program was run while it was read, and that what check says of its text was not looked at.
+void print_not_validated(std::string_view file);
+
 // Writes the whole text to `path` ("" or "-": standard output). False, with a message, when it cannot.
 bool write_output(const std::string& path, std::string_view text);
 

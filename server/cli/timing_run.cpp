@@ -92,7 +92,8 @@ app::Result<TimedProgram> time_stream(const Order& order, ProgramFile& file) {
   TimedProgram timed{.report = {},
                      .diagnostics = std::move(ran.diagnostics),
                      .source = ran.source ? std::move(*ran.source) : std::move(*head),
-                     .control_title = chosen->control.title};
+                     .control_title = chosen->control.title,
+                     .validated = false};
   if (ran.result.ended == interpreter::Ended::end) {
     timed.report = timing.finish();
     return timed;

@@ -28,6 +28,7 @@ struct TimedProgram {
   std::vector<text::Diagnostic> diagnostics;
   text::Source source;
   std::string control_title;
+  bool validated = true;  // before it ran; a large program is run while it is read
 };
 // With the machine's accelerations and computing times by those factors, and another cost model than its own. Errors:
 // what cannot be read, no machine named.

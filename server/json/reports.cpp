@@ -17,6 +17,7 @@ Document findings_document(const checks::FindingList& findings) {
     list.push_back({{"id", text::row_of(one.id).name},
                     {"severity", text::name_of(one.severity)},
                     {"line", one.place.line},
+                    {"program", one.place.program},  // an index into the report's programs; 0: the main one
                     {"value", one.value},
                     {"limit", one.limit},
                     {"text", one.text}});
@@ -177,6 +178,7 @@ Document report_document(const app::CheckReport& report) {
                        {"envelope", checks.envelope ? envelope_document(*checks.envelope) : Document(nullptr)},
                        {"gouge", checks.gouge ? gouge_document(*checks.gouge) : Document(nullptr)}};
   document["not_checked"] = not_checked_document(checks::not_checked_of(checks));
+  document["programs"] = report.programs;
   return document;
 }
 
@@ -194,16 +196,23 @@ std::string check_files(std::span<const app::CheckReport> reports) {
   return dump({{"files", std::move(files)}}) + "\n";
 }
 
-std::string time_figures(const timing::Report& report) { return dump(timing_document(report)) + "\n"; }
-std::string accuracy_figures(const accuracy::Report& report, const std::optional<accuracy::CmmReport>& cmm) {
+std::string time_figures(const timing::Report& report, bool validated) {
+  Document document = timing_document(report);
+  document["validated"] = validated;
+  return dump(document) + "\n";
+}
+std::string accuracy_figures(const accuracy::Report& report, const std::optional<accuracy::CmmReport>& cmm,
+                             bool validated) {
   Document document = accuracy_document(report);
+  document["validated"] = validated;
   if (cmm) document["cmm"] = cmm_document(*cmm);
   document["not_checked"] = not_checked_document(report.not_checked.list());
   return dump(document) + "\n";
 }
 
-std::string gouge_figures(const gouge::Report& report) {
+std::string gouge_figures(const gouge::Report& report, bool validated) {
   Document document = gouge_document(report);
+  document["validated"] = validated;
   document["not_checked"] = not_checked_document(report.not_checked.list());
   return dump(document) + "\n";
 }

@@ -17,10 +17,11 @@ std::string check_report(const app::CheckReport& report);
 // {"files":[…]}: one entry a report, under the name of its source.
 std::string check_files(std::span<const app::CheckReport> reports);
 
-// Figures alone; null-free: the check must have run.
-std::string time_figures(const timing::Report& report);
+// Figures alone; null-free: the check must have run. `validated`: the text itself was looked at before it was run.
+std::string time_figures(const timing::Report& report, bool validated = true);
 // `cmm`: with what a measuring machine found, as "cmm".
-std::string accuracy_figures(const accuracy::Report& report, const std::optional<accuracy::CmmReport>& cmm = {});
-std::string gouge_figures(const gouge::Report& report);
+std::string accuracy_figures(const accuracy::Report& report, const std::optional<accuracy::CmmReport>& cmm = {},
+                             bool validated = true);
+std::string gouge_figures(const gouge::Report& report, bool validated = true);
 
 }  // namespace dripfeed::json

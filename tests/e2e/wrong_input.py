@@ -66,6 +66,59 @@ def at_the_command(folder):
     expect_command(1, ["roll_lenght"], "render", family, "--dialect", "fanuc", "--set", "roll_lenght=200 mm")
 
 
+# What no machine is, where in its profile, and the value that the message repeats.
+ABSURD = [
+    (["axes", 0, "acceleration_mm_s2"], 0, "/axes/0/acceleration_mm_s2", "is 0"),
+    (["axes", 0, "acceleration_mm_s2"], -2500, "/axes/0/acceleration_mm_s2", "is -2500"),
+    (["axes", 1, "rapid_mm_min"], 1e300, "/axes/1/rapid_mm_min", "is 1"),
+    (["axes", 0, "max_mm"], -999, "/axes/0/max_mm", "is -999"),
+    (["feed_limit_mm_min"], -1, "/feed_limit_mm_min", "is -1"),
+    (["spindle", "max_rpm"], 0, "/spindle/max_rpm", "is 0"),
+    (["buffer"], {"bytes": 0, "blocks": 0}, "/buffer/bytes", "above 0"),
+    (["timing", "cost"], {"block_ms": -3}, "/timing/cost/block_ms", "is -3"),
+    (["link", "baud"], 0, "/link/baud", "is 0"),
+    (["link", "url"], "serial:/dev/ttyS0?protocol=xmodem&baud=0", "/link", "baud 0"),
+]
+
+
+def absurd_profiles(profile):
+    for path, value, pointer, said in ABSURD:
+        wrong = json.loads(json.dumps(profile))
+        wrong["name"] = "other"
+        place = wrong
+        for step in path[:-1]:
+            place = place[step]
+        place[path[-1]] = value
+        yield wrong, [pointer, said]
+
+
+def machines_at_the_command(folder):
+    profile = shop.preset("fanuc-0i-mill", url="serial:/dev/ttyS0")
+    machine = folder / "mill.json"
+    program = folder / "hole.nc"
+    head = "%\nO1\nG21 G17 G90 G94 G54\nT1 M6\nS500 M3\nG0 X0. Y0.\n"
+    program.write_text(head + "G43 H1 Z200.\nG1 Z-5. F100.\nG0 Z200.\nM5\nM30\n%\n")
+    for wrong, words in absurd_profiles(profile):
+        machine.write_text(json.dumps(wrong))
+        for verb in ("check", "time"):
+            expect_command(2, words, verb, program, "--machine", machine)
+    # Tool 1 is 100 mm long, and the work zero lies 300 mm below the top.
+    machine.write_text(json.dumps(profile))
+    expect_command(0, [], "check", program, "--machine", machine)
+    program.write_text(head + "G43 H1 Z200.\nZ200.001\nM5\nM30\n%\n")
+    expect_command(1, [":8: error[travel-exceeded]: Z goes to 0.001"], "check", program, "--machine", machine)
+    program.write_text(head + "G43 H9 Z200.001\nM5\nM30\n%\n")
+    expect_command(0, ["the tool length of offset 9 is not known"], "check", program, "--machine", machine)
+    # What is long is run while it is read, and says so.
+    moves = "".join(f"G1 X{i % 90}. Y{i % 70}.\n" for i in range(30000))
+    program.write_text(head + "G43 H1 Z200.\nG1 Z100. F1000.\n" + moves + "M5\nM30\n%\n")
+    code, out, errors = command("time", program, "--machine", machine, "--json")
+    expect(code == 0 and json.loads(out)["validated"] is False and "not validated" in errors, f"{code} {out[:300]} {errors}")
+    program.write_text(head + "G1 Z100. F1000.\n" + moves[:1000].rsplit("\n", 1)[0] + "\nM5\nM30\n%\n")
+    code, out, errors = command("time", program, "--machine", machine, "--json")
+    expect(code == 0 and json.loads(out)["validated"] is True and "not validated" not in errors, f"{code} {out[:300]} {errors}")
+
+
 def refused(status, words, call, *arguments, **more):
     try:
         call(*arguments, **more)
@@ -94,6 +147,8 @@ def at_the_api(folder):
         profile["name"] = "other"
         profile["link"][member] = value
         refused(422, [word], server.add_machine, profile)
+    for profile, words in absurd_profiles(rig.profile):
+        refused(422, words, server.add_machine, profile)
     refused(422, ["/dialect"], server.add_machine, dict(rig.profile, name="other", dialect="klingon"))
     refused(422, ["axes"], server.add_machine, dict(rig.profile, name="other", axes=[]))
     refused(409, [], server.add_machine, rig.profile)
@@ -119,5 +174,6 @@ def at_the_api(folder):
 
 if __name__ == "__main__":
     in_folder(at_the_command)
+    in_folder(machines_at_the_command)
     in_folder(at_the_api)
     sys.exit(0)
