@@ -64,6 +64,7 @@ struct TimingData {
   double sample_time_ms = 0.0;          // of the interpolator; 0: not known
   std::uint32_t look_ahead_blocks = 0;  // 0: not limited
   double tool_change_s = 0.0;
+  double contour_tolerance_mm = 0.0;  // the control rounds corners within it (G64 with a tolerance, CYCLE832); 0: not
   std::optional<ir::CostModel> cost;  // measured at this machine; otherwise the control's usual one counts
 };
 

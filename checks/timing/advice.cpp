@@ -49,7 +49,7 @@ class Advisor {
     SupplySettings supply = supply_;
     supply.char_s = char_s;
     Watch watch((plan_.total_s + events_s_) * (1.0 + kSlack));
-    Execution(supply).run({program_.rows, pieces_, plan_.speed2, sums_, pieces_.size(), true}, watch);
+    Execution(supply).run({program_.rows, pieces_, plan_.speed2, plan_.duration_s, sums_, pieces_.size(), true}, watch);
     return watch.starves();
   }
   bool starves_at(double share) {
@@ -73,7 +73,7 @@ class Advisor {
 };
 
 std::optional<double> least_baud(Advisor& advisor, const Line& line) {
-  const auto starves = [&](double baud) { return advisor.starves(line.bits_per_char / baud); };
+  const auto starves = [&](double baud) { return advisor.starves(line.char_s(baud)); };
   if (starves(kBauds.back())) return std::nullopt;
   double low = line.baud;
   double high = kBauds.back();

@@ -30,15 +30,22 @@ Limiter Execution::limiter_of(std::size_t row) const {
 void Execution::run_piece(const Window& window, Ran& how) {
   const PieceArrays& p = window.pieces;
   const std::size_t i = piece_;
-  const Piece piece{p.length[i], p.speed2[i], p.start2[i], p.acceleration[i]};
+  const Piece piece = p.at(i);
   const double free2 = std::min(window.speed2[i + 1], speed2_ + change2(p, i));
+  how.piece = i;
+  how.start2 = speed2_;
+  // The rule where everything comes in time: as planned, to the last bit.
+  if (speed2_ == window.speed2[i] && free2 == window.speed2[i + 1] &&
+      free2 <= window.sums[std::max(known_pieces_, i + 1)] - window.sums[i + 1]) {
+    how.duration_s = window.duration_s[i];
+    how.end2 = speed2_ = free2;
+    return;
+  }
   for (;;) {
     const std::size_t known = std::max(known_pieces_, i + 1);
     const double end2 = std::min(free2, window.sums[known] - window.sums[i + 1]);
     const Trapezoid shape = trapezoid_of(piece, speed2_, end2);
     how.duration_s = shape.duration_s;
-    how.peak_mm_s = shape.peak;
-    how.end_mm_s = std::sqrt(end2);
     const bool is_limited = end2 < free2;
     if (is_limited && learn(window.rows, how.start_s + shape.duration_s - shape.brake_s)) continue;
     if (is_limited) {
@@ -48,8 +55,7 @@ void Execution::run_piece(const Window& window, Ran& how) {
         how.late_row = std::min(known_rows_, window.rows.size() - 1);
       }
     }
-    how.start_mm_s = std::sqrt(speed2_);
-    speed2_ = end2;
+    how.end2 = speed2_ = end2;
     return;
   }
 }

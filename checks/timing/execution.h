@@ -21,9 +21,9 @@ struct Ran {
   double start_s = 0.0;
   double waited_s = 0.0;  // before it, standing still
   double duration_s = 0.0;
-  double start_mm_s = 0.0;
-  double peak_mm_s = 0.0;
-  double end_mm_s = 0.0;
+  std::size_t piece = 0;  // of rows that are one
+  double start2 = 0.0;    // (mm/s)²
+  double end2 = 0.0;
   Limiter limiter = Limiter::motion;
   double lost_s = 0.0;               // of duration_s, by braking for what was not known yet
   std::size_t late_row = 0;          // the one that was missing, where limiter is not motion
@@ -47,12 +47,13 @@ class Execution {
   explicit Execution(const SupplySettings& settings) : supply_(settings) {}
 
   // `speed2`: squares at the starts of the pieces (and behind the last) by the plan of the whole path, certain up to
-  // index `certain`; `sums`: change_sums of the pieces. Runs rows as far as that goes; all when `is_last`. Returns how
-  // many rows ran.
+  // index `certain`; `duration_s`: of the pieces before that, by the plan; `sums`: change_sums of the pieces. Runs rows
+  // as far as that goes; all when `is_last`. Returns how many rows ran.
   struct Window {
     const Rows& rows;
     const PieceArrays& pieces;
     const std::vector<double>& speed2;
+    const std::vector<double>& duration_s;
     const std::vector<double>& sums;
     std::size_t certain = 0;
     bool is_last = true;

@@ -49,13 +49,15 @@ void Intake::say_what_is_missing() {
     say("the line has no baud rate: it takes no time");
 }
 
-// Bytes that went over the line for this block: its own line, and those before it that no motion came from.
-std::uint32_t Intake::bytes_of(const ir::Place& place) {
-  if (!settings_.line || place.program != 0 || place.line <= line_sent_) return 0;
+// What went over the line for this block: its own line, and those before it that no motion came from.
+void Intake::take_line(const ir::Place& place, Row& row) {
+  if (!settings_.line || place.program != 0 || place.line <= line_sent_) return;
   const auto last = std::min<std::size_t>(place.line, bytes_through_.size() - 1);
   const std::size_t before = std::min<std::size_t>(line_sent_, last);
   line_sent_ = place.line;
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>(bytes_through_[last] - bytes_through_[before], UINT32_MAX));
+  row.lines = static_cast<std::uint32_t>(last - before);
+  row.bytes =
+      static_cast<std::uint32_t>(std::min<std::uint64_t>(bytes_through_[last] - bytes_through_[before], UINT32_MAX));
 }
 
 double Intake::event_seconds(const ir::Motion& motion) {
@@ -91,6 +93,14 @@ double Intake::event_seconds(const ir::Motion& motion) {
   return 0.0;
 }
 
+// As the control takes the corner itself, or rounds it.
+double Intake::corner_to(const PathShape& shape) const {
+  const double sharp2 = corner_speed2(direction_, shape.start_direction, rates_);
+  if (!(rates_.contour_tolerance_mm > 0.0)) return sharp2;
+  const double room_mm = 0.5 * std::min(length_, shape.length);
+  return std::max(sharp2, rounded_corner_speed2(direction_, shape.start_direction, rates_, room_mm));
+}
+
 void Intake::take_move(const ir::Motion& motion, Intaken& taken) {
   const std::uint32_t line = motion.place.line;
   if (motion.axes_unknown != 0) {
@@ -122,12 +132,13 @@ void Intake::take_move(const ir::Motion& motion, Intaken& taken) {
   // Rapids are ended before anything else begins, threads begin in step with the spindle.
   const bool is_thread = motion.kind == ir::MotionKind::thread;
   const bool from_rest = rests_ || taken.row.is_rapid || was_rapid_ || is_thread;
-  const double corner2 = from_rest ? 0.0 : corner_speed2(direction_, shape.start_direction, rates_);
+  const double corner2 = from_rest ? 0.0 : corner_to(shape);
   double acceleration = path_acceleration(shape, rates_);
   if (settings_.limit_jerk) acceleration = mean_acceleration(acceleration, path_jerk(shape, rates_), speed);
   taken.row.is_piece = true;
   report_.path_mm += shape.length;
   direction_ = shape.end_direction;
+  length_ = shape.length;
   was_rapid_ = taken.row.is_rapid;
   rests_ = motion.exact_stop || is_thread;
   taken.piece = {shape.length, std::min(speed * speed, kNoLimit), corner2, acceleration};
@@ -138,7 +149,7 @@ Intaken Intake::take(const ir::Motion& motion) {
   Row& row = taken.row;
   row.line = motion.place.line;
   row.is_new = first_ || motion.place.ordinal != last_ordinal_ || motion.place.program != last_program_;
-  row.bytes = bytes_of(motion.place);
+  take_line(motion.place, row);
   row.compute_s = cost_s(cost_, motion.compute);
   first_ = false;
   last_ordinal_ = motion.place.ordinal;

@@ -30,8 +30,9 @@ class Intake {
 
  private:
   void say_what_is_missing();
-  std::uint32_t bytes_of(const ir::Place& place);
+  void take_line(const ir::Place& place, Row& row);
   void take_move(const ir::Motion& motion, Intaken& taken);
+  [[nodiscard]] double corner_to(const PathShape& shape) const;
   double event_seconds(const ir::Motion& motion);
 
   const Settings& settings_;
@@ -44,6 +45,7 @@ class Intake {
   std::uint32_t last_program_ = 0;
   bool first_ = true;
   AxisVector direction_{};  // at the end of the last move
+  double length_ = 0.0;     // of it
   bool rests_ = true;       // the next move starts from rest
   bool was_rapid_ = false;
   std::int32_t tool_ = -1;

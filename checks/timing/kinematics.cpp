@@ -132,6 +132,7 @@ AxisRates rates_of(const checks::Machine& machine) {
   }
   if (machine.feed_limit_mm_min > 0.0) rates.feed_limit = limit_of(machine.feed_limit_mm_min * kPerSecond);
   rates.sample_s = machine.timing.sample_time_ms * 1e-3;
+  rates.contour_tolerance_mm = machine.timing.contour_tolerance_mm;
   return rates;
 }
 
@@ -185,6 +186,25 @@ double corner_speed2(const AxisVector& before, const AxisVector& after, const Ax
     }
   }
   return std::min(speed * speed, kNoLimit);
+}
+
+// With the turn θ: the arc of radius r leaves the corner by r·(1/cos(θ/2) - 1) and touches at r·tan(θ/2) from it.
+double rounded_corner_speed2(const AxisVector& before, const AxisVector& after, const AxisRates& rates,
+                             double room_mm) {
+  if (!(rates.contour_tolerance_mm > 0.0)) return 0.0;
+  double cosine = 0.0;
+  double acceleration = kNoLimit;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    cosine += before[i] * after[i];
+    if (before[i] != after[i]) acceleration = std::min(acceleration, rates.acceleration[i]);
+  }
+  const double half_cosine = std::sqrt(std::max(0.0, 0.5 * (1.0 + cosine)));
+  const double half_sine = std::sqrt(std::max(0.0, 0.5 * (1.0 - cosine)));
+  if (half_sine <= 0.0) return kNoLimit;
+  const double by_room = room_mm * half_cosine / half_sine;
+  // 1 - cos by the sine, which keeps its digits where the turn is small.
+  const double by_tolerance = rates.contour_tolerance_mm * half_cosine * (1.0 + half_cosine) / (half_sine * half_sine);
+  return std::min(acceleration * std::min(by_room, by_tolerance), kNoLimit);
 }
 
 double feed_speed(const ir::Motion& motion, const PathShape& shape, bool x_is_diameter, double spindle_max_rpm) {

@@ -26,6 +26,7 @@ struct PieceArrays {
   std::vector<double> acceleration;
 
   [[nodiscard]] std::size_t size() const { return length.size(); }
+  [[nodiscard]] Piece at(std::size_t i) const { return {length[i], speed2[i], start2[i], acceleration[i]}; }
   void push_back(const Piece& piece) {
     length.push_back(piece.length);
     speed2.push_back(piece.speed2);

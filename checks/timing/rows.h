@@ -12,6 +12,7 @@ struct Row {
   bool is_new = true;       // begins another block; otherwise goes on with the one before (its second motion)
   bool is_piece = false;    // the plan gives its time; otherwise event_s is it
   bool is_rapid = false;
+  std::uint32_t lines = 0;  // of the text, on the wire
   double compute_s = 0.0;
   double event_s = 0.0;  // dwell, tool change
 };

@@ -17,7 +17,10 @@ std::uint32_t place_of(const Row& row) { return std::max(row.bytes, 1U); }
 }  // namespace
 
 Supply::Supply(const SupplySettings& settings)
-    : buffer_(settings.buffer), char_s_(settings.char_s), line_s_(settings.latency_s) {
+    : buffer_(settings.buffer),
+      char_s_(settings.char_s),
+      line_delay_s_(settings.line_delay_s),
+      line_s_(settings.latency_s) {
   if (char_s_ <= 0.0) buffer_.bytes = 0;  // bytes count on the line only
 }
 
@@ -37,8 +40,11 @@ void Supply::let_in(const Rows& rows) {
       buffered_bytes_ += place_of(row);
     }
     const bool wants_room = room_s_ > (char_s_ > 0.0 ? line_s_ : computed_s_);
-    if (row.is_new && char_s_ > 0.0) line_s_ = std::max(line_s_, room_s_) + row.bytes * char_s_;
-    const double arrived_s = char_s_ > 0.0 ? line_s_ : room_s_;
+    if (row.is_new && char_s_ > 0.0) {
+      line_s_ = std::max(line_s_, room_s_) + row.bytes * char_s_ + row.lines * line_delay_s_;
+      block_s_ = line_s_ - (row.lines > 0 ? line_delay_s_ : 0.0);
+    }
+    const double arrived_s = char_s_ > 0.0 ? block_s_ : room_s_;
     const Limiter late = wants_room ? Limiter::buffer : Limiter::line;
     reasons_.push_back(arrived_s > computed_s_ ? late : Limiter::compute);
     computed_s_ = std::max(arrived_s, computed_s_) + row.compute_s;

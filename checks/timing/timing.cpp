@@ -25,16 +25,22 @@ namespace {
 
 constexpr std::size_t kWindow = 16'384;
 
+// What no line can be is not counted: sums of it would be no numbers.
+double seconds_or_0(double s) {
+  constexpr double kLongest_s = 1e9;
+  return s > 0.0 && s < kLongest_s ? s : 0.0;
+}
+
 SupplySettings supply_of(const Settings& settings) {
   SupplySettings supply;
   supply.buffer = settings.machine.buffer;
   // In the memory nothing but the look-ahead limits how far computing runs ahead of motion.
   if (!settings.line && supply.buffer.blocks == 0) supply.buffer.blocks = settings.machine.timing.look_ahead_blocks;
   if (!settings.line) return supply;
-  const double char_s = settings.line->char_s();
-  if (char_s > 0.0 && std::isfinite(char_s)) supply.char_s = char_s;
-  if (settings.line->latency_s > 0.0 && std::isfinite(settings.line->latency_s))
-    supply.latency_s = settings.line->latency_s;
+  const Line& line = *settings.line;
+  supply.char_s = seconds_or_0(line.char_s(line.baud));
+  supply.latency_s = seconds_or_0(line.latency_s);
+  supply.line_delay_s = seconds_or_0(line.line_delay_s);
   return supply;
 }
 
@@ -128,7 +134,10 @@ void Timing::Work::run_window() {
     plan_.speed2[0] = speed2_;
     sweep_ahead(pieces_, {0, certain + 1}, plan_.speed2.data());
   }
-  const std::size_t ran = execution_.run({rows_, pieces_, plan_.speed2, sums_, certain, false}, *this);
+  plan_.duration_s.resize(count);
+  durations(pieces_, {0, certain}, plan_.speed2.data(), plan_.duration_s.data());
+  const std::size_t ran =
+      execution_.run({rows_, pieces_, plan_.speed2, plan_.duration_s, sums_, certain, false}, *this);
   const std::size_t pieces = execution_.pieces_run();
   count_motion(ran);
   speed2_ = count > 0 ? plan_.speed2[pieces] : 0.0;
@@ -144,12 +153,7 @@ void Timing::Work::count_motion(std::size_t rows) {
   std::size_t piece = 0;
   for (std::size_t i = 0; i < rows; ++i) {
     const Row& row = rows_[i];
-    double duration_s = row.event_s;
-    if (row.is_piece) {
-      const Piece p{pieces_.length[piece], pieces_.speed2[piece], 0.0, pieces_.acceleration[piece]};
-      duration_s = trapezoid_of(p, plan_.speed2[piece], plan_.speed2[piece + 1]).duration_s;
-      ++piece;
-    }
+    const double duration_s = row.is_piece ? plan_.duration_s[piece++] : row.event_s;
     if (row.is_rapid) report_.rapid_s += duration_s;
     report_.motion_s += duration_s;
   }
@@ -169,10 +173,12 @@ void Timing::Work::run_rest() {
     sweep_back(pieces_, all, 0.0, plan_.speed2.data());
     plan_.speed2[0] = speed2_;
     sweep_ahead(pieces_, all, plan_.speed2.data());
+    plan_.duration_s.resize(pieces_.size());
+    durations(pieces_, all, plan_.speed2.data(), plan_.duration_s.data());
   } else {
     plan_path(pieces_, look_ahead, plan_);
   }
-  execution_.run({rows_, pieces_, plan_.speed2, sums_, pieces_.size(), true}, *this);
+  execution_.run({rows_, pieces_, plan_.speed2, plan_.duration_s, sums_, pieces_.size(), true}, *this);
   count_motion(rows_.size());
 }
 
@@ -196,10 +202,12 @@ bool Timing::Work::ran(const Row& row, const Ran& how) {
     const auto point = [&](double time_s, double speed_mm_s) {
       report_.curve.push_back({time_s, speed_mm_s, how.buffered_bytes, how.buffered_blocks});
     };
-    point(how.start_s, how.start_mm_s);
-    if (how.peak_mm_s > std::max(how.start_mm_s, how.end_mm_s))
-      point(how.start_s + 0.5 * how.duration_s, how.peak_mm_s);
-    if (!(how.end_mm_s > 0.0)) point(how.start_s + how.duration_s, 0.0);
+    point(how.start_s, std::sqrt(how.start2));
+    if (row.is_piece) {
+      const double peak = trapezoid_of(pieces_.at(how.piece), how.start2, how.end2).peak;
+      if (peak * peak > std::max(how.start2, how.end2)) point(how.start_s + 0.5 * how.duration_s, peak);
+    }
+    if (!(how.end2 > 0.0)) point(how.start_s + how.duration_s, 0.0);
   }
   return true;
 }
@@ -222,7 +230,8 @@ void Timing::Work::count_stall(const Row& row, const Ran& how) {
 Report Timing::Work::finish() {
   run_rest();
   if (report_.is_fed) {
-    report_.line_s = supply_.latency_s + static_cast<double>(intake_.all_bytes()) * supply_.char_s;
+    report_.line_s = supply_.latency_s + static_cast<double>(intake_.all_bytes()) * supply_.char_s +
+                     static_cast<double>(settings_.line_bytes.size()) * supply_.line_delay_s;
   }
   stretches_.finish();
   report_.stretches = stretches_.list();

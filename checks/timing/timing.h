@@ -25,9 +25,12 @@ namespace dripfeed::timing {
 struct Line {
   double baud = 0.0;            // bits/s
   double bits_per_char = 11.0;  // start, data, parity and stop bits: 7E2 has 11
+  double pace = 1.0;            // share of the line's rate that the sender uses
   double latency_s = 0.0;       // once, before the first byte
+  double char_delay_s = 0.0;    // additional, for each character
+  double line_delay_s = 0.0;    // additional, behind each EOB
 
-  [[nodiscard]] double char_s() const { return bits_per_char / baud; }
+  [[nodiscard]] double char_s(double at_baud) const { return bits_per_char / (at_baud * pace) + char_delay_s; }
 };
 
 struct Settings {

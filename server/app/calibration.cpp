@@ -59,12 +59,18 @@ std::string body_of(std::string_view statement) {
   return body;
 }
 
-std::string hash_program(const std::vector<Part>& parts) {
+std::string hash_program(const std::vector<Part>& parts, bool prints) {
   std::string text =
       "%\nO7110(DRIPFEED TIMING)\n(MOVES NOTHING; RESULTS IN MS FROM #500 ON)\n#102=1.5\n#103=2.5\nG04 P100\n";
   for (std::size_t i = 0; i < parts.size(); ++i) {
     text += fmt::format("#100=0\n#3001=0\nWHILE[#100 LT {}]DO1\n{}#100=#100+1\nEND1\n#{}=#3001\nG04 P100\n", kPasses,
                         body_of(parts[i].hash), kFirstHash + i);
+  }
+  if (prints) {
+    text += "POPEN\n";
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      text += fmt::format("DPRNT[V{}*#{}[63]]\n", kFirstHash + i, kFirstHash + i);
+    text += "PCLOS\n";
   }
   return text + "M30\n%\n";
 }
@@ -93,21 +99,12 @@ class DwellCounts final : public ir::MotionSink {
   std::vector<ir::ComputeCounts> counts;
 };
 
-// The next number of a line, from `at` on, which moves behind it.
-std::optional<double> next_number(std::string_view line, std::size_t& at) {
-  at = std::min(line.find_first_of("0123456789.-", at), line.size());
-  const bool minus = at < line.size() && line[at] == '-';
-  const auto number = text::read_decimal(line.substr(std::min(at + (minus ? 1 : 0), line.size())));
-  if (!number) return std::nullopt;
-  at += number->length + (minus ? 1 : 0);
-  return minus ? -number->value : number->value;
-}
-
 }  // namespace
 
-Result<std::string> calibration_program(const ir::Control& control) {
+Result<std::string> calibration_program(const ir::Control& control, bool prints) {
   const std::vector<Part> parts = parts_of(control);
   const bool sinumerik = is_sinumerik(control);
+  if (sinumerik && prints) return fail(ErrorCode::refused, "the control has no DPRNT: read its R parameters out");
   const std::uint32_t first = sinumerik ? kFirstR : kFirstHash;
   const ir::Bank bank = sinumerik ? ir::Bank::r : ir::Bank::hash;
   for (std::uint32_t i = 0; i < parts.size(); ++i) {
@@ -115,24 +112,7 @@ Result<std::string> calibration_program(const ir::Control& control) {
       return fail(ErrorCode::refused,
                   fmt::format("the control has no {}{} to leave a time in", sinumerik ? "R" : "#", first + i));
   }
-  return sinumerik ? sinumerik_program(parts) : hash_program(parts);
-}
-
-Result<std::map<std::uint32_t, double>> read_variables(std::string_view text) {
-  std::map<std::uint32_t, double> values;
-  while (!text.empty()) {
-    const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
-    text.remove_prefix(std::min(text.size(), line.size() + 1));
-    std::size_t at = 0;
-    const auto number = next_number(line, at);
-    const auto value = number ? next_number(line, at) : std::nullopt;
-    if (!value || *number < 0.0 || *number > 99'999.0) continue;
-    const auto name = static_cast<std::uint32_t>(*number);
-    if (!values.emplace(name, *value).second)
-      return fail(ErrorCode::invalid, fmt::format("variable {} is given twice", name));
-  }
-  if (values.empty()) return fail(ErrorCode::invalid, "no line has a variable's number and its value");
-  return values;
+  return sinumerik ? sinumerik_program(parts) : hash_program(parts, prints);
 }
 
 Result<std::vector<CalibrationRow>> calibration_rows(const compile::Dialect& dialect, const ir::Control& control,

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "checks/timing/cost_fit.h"
@@ -16,12 +15,9 @@
 namespace dripfeed::app {
 
 // Runs some hundred statements of each kind between two readings of the control's timer (#3001 in ms, $AC_TIMER in s)
-// and leaves the times in #500 … or R20 …. Moves nothing. Errors: the control has no such variables.
-Result<std::string> calibration_program(const ir::Control& control);
-
-// Values by variable number from a dump of them, or from what was written down: a line each, "#500=412.", "R20=0.412",
-// "500 412". Lines without two numbers are left out. Errors: none found, one given twice.
-Result<std::map<std::uint32_t, double>> read_variables(std::string_view text);
+// and leaves the times in #500 … or R20 …; with `prints` it sends them by DPRNT, too, as "V500 412.000". Moves nothing.
+// Errors: the control has no such variables, or no DPRNT.
+Result<std::string> calibration_program(const ir::Control& control, bool prints = false);
 
 struct CalibrationRow {
   std::string what;
@@ -29,7 +25,7 @@ struct CalibrationRow {
   timing::CostRow row;
 };
 // What the control was asked to do in each part of its program, by running that here, and how long it took. Errors: a
-// value is missing or not above zero.
+// value is missing or not above zero. `values`: as read_variables gives them.
 Result<std::vector<CalibrationRow>> calibration_rows(const compile::Dialect& dialect, const ir::Control& control,
                                                      const std::map<std::uint32_t, double>& values);
 

@@ -166,7 +166,10 @@ std::expected<timing::Settings, std::string> timing_settings(const Examination& 
   const double bits = line.framing.bits_per_char();
   settings.line = timing::Line{.baud = static_cast<double>(line.baud),
                                .bits_per_char = bits,
-                               .latency_s = line.latency_chars * bits / line.baud};
+                               .pace = machine::is_blind(line.link.kind) ? feed::kBlindRate : 1.0,
+                               .latency_s = line.latency_chars * bits / line.baud,
+                               .char_delay_s = line.char_delay_ms * 1e-3,
+                               .line_delay_s = line.line_delay_ms * 1e-3};
   settings.line_bytes = bytes_of_lines(text, machine::wire_format_of(line));
   return settings;
 }
@@ -175,14 +178,18 @@ std::vector<std::uint32_t> bytes_of_lines(std::string_view text, const tape_code
   std::vector<std::uint32_t> bytes;
   tape_code::WireFormat blocks = format;
   blocks.leader_chars = blocks.trailer_chars = 0;
-  while (!text.empty()) {
-    const std::size_t end = text.find_first_of("\r\n");
-    const std::string_view line = text.substr(0, end);
+  // The next of each is looked for when it has been passed: one of the two is often in the whole text not once.
+  std::size_t line_feed = text.find('\n');
+  std::size_t carriage_return = text.find('\r');
+  for (std::size_t begin = 0; begin < text.size();) {
+    if (line_feed < begin) line_feed = text.find('\n', begin);
+    if (carriage_return < begin) carriage_return = text.find('\r', begin);
+    const std::size_t end = std::min({line_feed, carriage_return, text.size()});
     // A block with an even number of characters has an odd one with its EOB.
-    const std::uint64_t odd_blocks = line.size() % 2 == 0 ? 1 : 0;
-    bytes.push_back(static_cast<std::uint32_t>(tape_code::wire_length(blocks, line.size() + 1, 1, odd_blocks)));
-    if (end == std::string_view::npos) break;
-    text.remove_prefix(end + text::eob_length(text, end));
+    const std::uint64_t odd_blocks = (end - begin) % 2 == 0 ? 1 : 0;
+    bytes.push_back(static_cast<std::uint32_t>(tape_code::wire_length(blocks, end - begin + 1, 1, odd_blocks)));
+    if (end == text.size()) break;
+    begin = end + text::eob_length(text, end);
   }
   return bytes;
 }

@@ -7,6 +7,7 @@
 #include "checks/timing/machine_fit.h"
 #include "dialects/text/number.h"
 #include "server/app/calibration.h"
+#include "server/app/variable_dump.h"
 #include "server/cli/cli.h"
 #include "server/cli/output.h"
 #include "server/cli/timing_run.h"
@@ -19,6 +20,7 @@ namespace {
 struct Options {
   TextOptions text;
   std::string write;
+  bool prints = false;
   std::string results;
   std::vector<std::string> runs;  // FILE=SECONDS
 };
@@ -33,7 +35,7 @@ std::string fixed(double value, int places) { return text::format_fixed(value, p
 int write_program(const Options& options) {
   const auto chosen = choose_control(options.text);
   if (!chosen) return fail_with(chosen.error());
-  const auto program = app::calibration_program(chosen->control);
+  const auto program = app::calibration_program(chosen->control, options.prints);
   if (!program) return fail_with(program.error());
   return write_output(options.write, *program) ? kDone : kWrongUse;
 }
@@ -42,7 +44,7 @@ int write_program(const Options& options) {
 app::Result<ir::CostModel> cost_of(const Options& options, const ChosenControl& chosen, std::string& text) {
   const auto results = read_source(options.results);
   if (!results) return std::unexpected(results.error());
-  const auto values = app::read_variables(results->text());
+  const auto values = app::read_variables(results->text(), *chosen.dialect, chosen.control);
   if (!values) return std::unexpected(values.error());
   const auto rows = app::calibration_rows(*chosen.dialect, chosen.control, *values);
   if (!rows) return std::unexpected(rows.error());
@@ -158,7 +160,9 @@ void add_calibrate(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Options>();
   add_text_options(*command, options->text);
   command->add_option("--write", options->write, "write the timing program there");
-  command->add_option("--results", options->results, "variables that it left: lines as #500=412. or R20=0.412");
+  command->add_flag("--dprnt", options->prints, "with --write: the program sends its results over the line, too");
+  command->add_option("--results", options->results,
+                      "variables that it left or sent: lines as #500=412., R20=0.412 or V500 412.000");
   command->add_option("--run", options->runs, "FILE=SECONDS: a program's measured cycle time, run from the memory");
   command->callback([options, &exit_code] { exit_code = calibrate(*options); });
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <thread>
+#include <utility>
 
 #include <signal.h>
 #include <unistd.h>
@@ -18,9 +19,10 @@ std::array<std::stop_token, 2> wait_for_signals(std::size_t count) {
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGTERM);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  // It lives as long as the process: there is no end to wait for.
-  static std::array<std::stop_source, 2> sources;
-  std::thread([signals, count] {
+  // It lives as long as the process, and longer than what main destroys: it has sources of its own.
+  std::array<std::stop_source, 2> sources;
+  std::array<std::stop_token, 2> tokens = {sources[0].get_token(), sources[1].get_token()};
+  std::thread([signals, count, sources = std::move(sources)]() mutable {
     for (std::size_t i = 0; i < count; ++i) {
       int which = 0;
       sigwait(&signals, &which);
@@ -30,7 +32,7 @@ std::array<std::stop_token, 2> wait_for_signals(std::size_t count) {
     pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
     for (;;) ::pause();
   }).detach();
-  return {sources[0].get_token(), sources[1].get_token()};
+  return tokens;
 }
 
 }  // namespace

@@ -200,6 +200,7 @@ void read_timing(ObjectReader& object, machine::Profile& profile) {
   object.number("sample_time_ms", timing.sample_time_ms, 0.0, 1000.0);
   object.integer("look_ahead_blocks", timing.look_ahead_blocks, 0, 1'000'000);
   object.number("tool_change_s", timing.tool_change_s, 0.0, 3600.0);
+  object.number("contour_tolerance_mm", timing.contour_tolerance_mm, 0.0, 10.0);
   object.object("cost", [&](ObjectReader& o) {
     ir::CostModel cost;
     cost.measured = true;

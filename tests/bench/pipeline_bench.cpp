@@ -1,7 +1,8 @@
 // The stages between a program's text and its plan, as figure 8 of A. Keinert, A. Verl shows them: when each ran on
 // which thread. One thread interprets, because a block means what those before it made of the modes; the shapes of the
-// moves need their neighbour alone and are made batch by batch by all; the look-ahead cuts the whole path into parts.
-// Tool compensation and smoothing are no stages here: times are of the programmed path. By hand:
+// moves, and the rounding of the corners between them (smoothing), need their neighbours alone and are made batch by
+// batch by all; the look-ahead cuts the whole path into parts. Tool compensation is no stage here: times are of the
+// programmed path. By hand:
 // build/dev/pipeline_bench [blocks] [threads]
 #include <algorithm>
 #include <chrono>
@@ -26,8 +27,8 @@ namespace {
 using namespace dripfeed;
 using Clock = std::chrono::steady_clock;
 
-enum class Stage : std::uint8_t { interpret, shape, look_ahead };
-constexpr std::array kStageNames = {"interpret", "shape", "look-ahead"};
+enum class Stage : std::uint8_t { interpret, shape, smooth, look_ahead };
+constexpr std::array kStageNames = {"interpret", "shape", "smooth", "look-ahead"};
 
 struct Span {
   Stage stage;
@@ -68,6 +69,7 @@ class Pipeline final : public ir::MotionSink {
     rates_.acceleration.fill(2000);
     rates_.jerk.fill(timing::kNoLimit);
     rates_.sample_s = 0.004;
+    rates_.contour_tolerance_mm = 0.01;
   }
 
   void run(const std::string& text) {
@@ -147,6 +149,7 @@ class Pipeline final : public ir::MotionSink {
   }
 
   void shape_batches(unsigned thread) {
+    std::vector<timing::PathShape> shapes;
     for (;;) {
       Batch batch;
       {
@@ -157,20 +160,30 @@ class Pipeline final : public ir::MotionSink {
         waiting_.pop_front();
       }
       const double from = now_s();
-      timing::AxisVector before = timing::shape_of(batch.motions.front(), false).end_direction;
+      shapes.clear();
+      for (const ir::Motion& motion : batch.motions) shapes.push_back(timing::shape_of(motion, false));
       for (std::size_t i = 1; i < batch.motions.size(); ++i) {
-        const timing::PathShape shape = timing::shape_of(batch.motions[i], false);
+        const timing::PathShape& shape = shapes[i];
         const double feed = timing::feed_speed(batch.motions[i], shape, false, 0);
         const double speed = std::min(feed, timing::speed_limit(shape, rates_, false));
         const std::size_t piece = batch.first_piece + i - 1;
         pieces_.length[piece] = shape.length;
         pieces_.speed2[piece] = speed * speed;
-        pieces_.start2[piece] = piece == 0 ? 0.0 : timing::corner_speed2(before, shape.start_direction, rates_);
         pieces_.acceleration[piece] = timing::path_acceleration(shape, rates_);
-        before = shape.end_direction;
       }
-      note({Stage::shape, thread, from, now_s()});
+      const double shaped = now_s();
+      note({Stage::shape, thread, from, shaped});
+      for (std::size_t i = 1; i < batch.motions.size(); ++i) {
+        const std::size_t piece = batch.first_piece + i - 1;
+        pieces_.start2[piece] = piece == 0 ? 0.0 : corner(shapes[i - 1], shapes[i]);
+      }
+      note({Stage::smooth, thread, shaped, now_s()});
     }
+  }
+  [[nodiscard]] double corner(const timing::PathShape& a, const timing::PathShape& b) const {
+    return std::max(
+        timing::corner_speed2(a.end_direction, b.start_direction, rates_),
+        timing::rounded_corner_speed2(a.end_direction, b.start_direction, rates_, 0.5 * std::min(a.length, b.length)));
   }
 
   unsigned threads_;

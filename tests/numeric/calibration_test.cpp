@@ -9,6 +9,7 @@
 
 #include "dialects/compile/execute.h"
 #include "dialects/text/number.h"
+#include "server/app/variable_dump.h"
 
 namespace dripfeed::app {
 namespace {
@@ -49,7 +50,7 @@ TEST(Calibration, GivesAKnownModelBack) {
       const double ms = ir::compute_ms(truth, row.row.counts);
       dump += fmt::format("{}={}\n", row.variable, text::format_fixed(sinumerik ? ms / 1000 : ms, 6));
     }
-    const auto values = read_variables(dump);
+    const auto values = read_variables(dump, *dialect, control);
     ASSERT_TRUE(values) << dump;
     rows = calibration_rows(*dialect, control, *values);
     ASSERT_TRUE(rows);
@@ -79,7 +80,7 @@ TEST(Calibration, TheInterpretersOwnClockIsMeasuredLikeAControls) {
   for (const auto& variable : run.variables) {
     if (variable.value) dump += fmt::format("{} = {}\n", variable.name, text::format_fixed(*variable.value, 3));
   }
-  const auto values = read_variables(dump);
+  const auto values = read_variables(dump, dialect, control);
   ASSERT_TRUE(values) << dump;
   const auto rows = calibration_rows(dialect, control, *values);
   ASSERT_TRUE(rows) << rows.error().text;
@@ -92,16 +93,75 @@ TEST(Calibration, TheInterpretersOwnClockIsMeasuredLikeAControls) {
   EXPECT_LT(fit->worst_share, 0.02);
 }
 
+// What a program sends by DPRNT: the texts of its messages, in order.
+class Printed final : public ir::MotionSink {
+ public:
+  void consume(std::span<const ir::Motion> motions) override {
+    for (const ir::Motion& motion : motions) {
+      if (motion.kind == ir::MotionKind::message) texts.push_back(motion.text);
+    }
+  }
+  std::vector<std::uint32_t> texts;
+};
+
+TEST(Calibration, WhatTheProgramPrintsIsReadBack) {
+  for (const auto& [dialect, control] : controls()) {
+    const auto text = calibration_program(control, true);
+    if (dialect->name.starts_with("sinumerik")) {
+      EXPECT_FALSE(text);
+      continue;
+    }
+    ASSERT_TRUE(text) << text.error().text;
+    const auto read = dialect->read(text::Source("timing", *text), control);
+    EXPECT_FALSE(text::has_error(read.diagnostics)) << dialect->name;
+    Printed printed;
+    const auto run = compile::execute(read.program, control, nullptr, printed, {});
+    ASSERT_EQ(run.ended, interpreter::Ended::end) << dialect->name;
+    std::string received = "%\r\n";
+    for (const std::uint32_t i : printed.texts) received += run.strings[i] + "\r\n";
+    const auto values = read_variables(received + "%\r\n", *dialect, control);
+    ASSERT_TRUE(values) << received << values.error().text;
+    EXPECT_TRUE(calibration_rows(*dialect, control, *values)) << received;
+  }
+}
+
+struct Fanuc {
+  const compile::Dialect& dialect = *compile::find_dialect("fanuc");
+  ir::Control control = dialect.control(ir::MachineKind::mill, ir::GSystem::a);
+  Result<std::map<std::uint32_t, double>> read(std::string_view text) const {
+    return read_variables(text, dialect, control);
+  }
+};
+
 TEST(Calibration, ReadsWhatPeopleWriteDown) {
-  const auto values = read_variables("#500 = 412.\r\nR20=0.412\n  501 -3\nnothing\n%\n");
-  ASSERT_TRUE(values);
-  EXPECT_EQ(*values, (std::map<std::uint32_t, double>{{20, 0.412}, {500, 412}, {501, -3}}));
-  EXPECT_FALSE(read_variables("no number\n"));
-  EXPECT_FALSE(read_variables("#500=1\n#500=2\n"));
-  const compile::Dialect& fanuc = *compile::find_dialect("fanuc");
-  const ir::Control control = fanuc.control(ir::MachineKind::mill, ir::GSystem::a);
-  EXPECT_FALSE(calibration_rows(fanuc, control, {{500, 1.0}}));
-  EXPECT_FALSE(calibration_rows(fanuc, control, {{500, -1.0}, {501, 1}, {502, 1}, {503, 1}, {504, 1}}));
+  const Fanuc fanuc;
+  const auto values = fanuc.read("O1(12 34)\r\n#500 = 412.\r\nV502 -0.5\n  501 -3\nnothing\nN7#503=1\n%\n");
+  ASSERT_TRUE(values) << values.error().text;
+  EXPECT_EQ(*values, (std::map<std::uint32_t, double>{{500, 412}, {501, -3}, {502, -0.5}, {503, 1}}));
+  EXPECT_FALSE(fanuc.read("no number\n"));
+  EXPECT_FALSE(fanuc.read("#500=1\n#500=2\n"));
+  EXPECT_FALSE(calibration_rows(fanuc.dialect, fanuc.control, {{500, 1.0}}));
+  EXPECT_FALSE(calibration_rows(fanuc.dialect, fanuc.control, {{500, -1.0}, {501, 1}, {502, 1}, {503, 1}, {504, 1}}));
+}
+
+TEST(Calibration, ReadsWhatControlsPunch) {
+  const Fanuc fanuc;
+  const auto punched = fanuc.read("%\n#500=[25283*65536+65536]/134217728\n#501=12.5\nM02\n%\n");
+  ASSERT_TRUE(punched) << punched.error().text;
+  EXPECT_NEAR(punched->at(500), 12.3458, 1e-4);
+  EXPECT_EQ(punched->at(501), 12.5);
+  // A vacant variable is no value, and an assignment that is none is an error with its line.
+  for (const char* wrong : {"#500=1\n#501=#0\n", "#500=1\n#501=[1\n", "#500=1\n#501=\n"}) {
+    const auto values = fanuc.read(wrong);
+    ASSERT_FALSE(values) << wrong;
+    EXPECT_TRUE(values.error().text.starts_with("line 2: \"#501=")) << values.error().text;
+  }
+  const compile::Dialect& siemens = *compile::find_dialect("sinumerik-840d");
+  const ir::Control control = siemens.control(ir::MachineKind::mill, ir::GSystem::a);
+  const auto archive =
+      read_variables("%_N_RPA_INI\n;$PATH=/_N_INITIAL\nR[20]=0.412\nN10 R21 = 2\n$R[22]=-1\nM17\n", siemens, control);
+  ASSERT_TRUE(archive) << archive.error().text;
+  EXPECT_EQ(*archive, (std::map<std::uint32_t, double>{{20, 0.412}, {21, 2}, {22, -1}}));
 }
 
 }  // namespace

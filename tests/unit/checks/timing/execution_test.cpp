@@ -33,7 +33,7 @@ std::vector<Ran> run(const Rows& rows, const SupplySettings& supply, const Piece
   change_sums(pieces, sums);
   Collect collect;
   Execution execution(supply);
-  execution.run({rows, pieces, plan.speed2, sums, pieces.size(), true}, collect);
+  execution.run({rows, pieces, plan.speed2, plan.duration_s, sums, pieces.size(), true}, collect);
   return collect.all;
 }
 
@@ -102,7 +102,7 @@ TEST(Execution, BrakesAtTheEndOfWhatItKnows) {
   EXPECT_EQ(in_time[0].limiter, Limiter::motion);
   const auto too_late = run({piece_row(10), piece_row(55)}, {{}, 0.01, 0.0}, pieces);
   EXPECT_NEAR(too_late[0].duration_s, 0.6, 1e-12);
-  EXPECT_EQ(too_late[0].end_mm_s, 0.0);
+  EXPECT_EQ(too_late[0].end2, 0.0);
   EXPECT_EQ(too_late[0].limiter, Limiter::line);
   EXPECT_EQ(too_late[1].waited_s, 0.0);  // it came while the machine braked
   const auto stalls = run({piece_row(10), piece_row(80)}, {{}, 0.01, 0.0}, pieces);
@@ -116,7 +116,7 @@ TEST(Execution, ABufferTooShortForTheFeedIsTold) {
   const Rows rows(500, piece_row(1));
   const auto ran = run(rows, {{0, 3}, 1e-6, 0.0}, pieces);
   for (std::size_t i = 200; i < 300; ++i) {
-    ASSERT_LE(ran[i].end_mm_s * ran[i].end_mm_s, 600 + 1e-6);
+    ASSERT_LE(ran[i].end2, 600 + 1e-6);
     ASSERT_TRUE(ran[i].limiter == Limiter::buffer || ran[i + 1].limiter == Limiter::buffer) << i;
   }
 }

@@ -83,6 +83,32 @@ TEST(Timing, ARightAngleIsTakenAtAccelerationTimesSampleTime) {
   EXPECT_NEAR(program.run({.machine = mill()}).cycle_s, 2 * leg, 1e-12);
 }
 
+TEST(Timing, ACornerIsRoundedWithinTheContourTolerance) {
+  // A right angle with 0.05 mm: r = 0.05/(sqrt(2) - 1) = 0.1207 mm, v² = 1000·r, 10.99 mm/s; sharp: 10 mm/s.
+  Program program;
+  program.move(linear, 100, 0, 0, 6000);
+  program.move(linear, 100, 100, 0, 6000);
+  const auto ramps = [](double corner) {  // of one leg of 100 mm between rest and the corner, to 100 mm/s
+    return 0.1 + (100 - corner) / 1000 + (100 - 5 - (1e4 - corner * corner) / 2000) / 100;
+  };
+  Settings settings{.machine = mill()};
+  EXPECT_NEAR(program.run(settings).cycle_s, 2 * ramps(10), 1e-9);
+  settings.machine.timing.contour_tolerance_mm = 0.05;
+  EXPECT_NEAR(program.run(settings).cycle_s, 2 * ramps(std::sqrt(1000 * 0.05 / (std::numbers::sqrt2 - 1))), 1e-9);
+  // Half of a short move is the room that the arc has: of 0.1 mm, r = 0.05 mm, which is slower than the sharp corner.
+  Program steps;
+  for (int i = 1; i <= 50; ++i) steps.move(linear, 0.1 * ((i + 1) / 2), 0.1 * (i / 2), 0, 6000);
+  Settings sharp{.machine = mill()};
+  settings.machine.timing.contour_tolerance_mm = 5;
+  EXPECT_EQ(steps.run(settings).cycle_s, steps.run(sharp).cycle_s);
+  // An exact stop and a reversal stay what they are.
+  Program there;
+  there.move(linear, 100, 0, 0, 6000).exact_stop = true;
+  there.move(linear, 100, 100, 0, 6000);
+  there.move(linear, 100, 0, 0, 6000);
+  EXPECT_GE(there.run(settings).cycle_s, 3.2);
+}
+
 TEST(Timing, ExactStopsAndRapidsEndAtRest) {
   Program exact;
   exact.move(linear, 50, 0, 0, 6000).exact_stop = true;
@@ -174,7 +200,7 @@ TEST(Timing, TheLineStarvesShortMovesAndTheFirstIsNamed) {
   program.move(linear, 100, 0, 0, 6000);  // 1 s: two more blocks come meanwhile
   for (int i = 1; i <= 60; ++i) program.move(linear, 100 + i, 0, 0, 6000);
   Settings settings{.machine = mill()};
-  settings.line = Line{9600, 11, 0};
+  settings.line = Line{.baud = 9600, .bits_per_char = 11};
   settings.line_bytes.assign(61, 24);
   settings.machine.buffer = {0, 30};
   const Report report = program.run(settings);
@@ -196,7 +222,7 @@ TEST(Timing, SaysWhatWouldNotStarve) {
   Program program;
   for (int i = 1; i <= 400; ++i) program.move(linear, i, 0, 0, 6000);
   Settings settings{.machine = mill(), .keep_whole = true, .wants_curve = true};
-  settings.line = Line{9600, 11, 0};
+  settings.line = Line{.baud = 9600, .bits_per_char = 11};
   settings.line_bytes.assign(400, 24);
   settings.machine.buffer = {0, 100};
   const Report starved = program.run(settings);
@@ -238,7 +264,7 @@ TEST(Timing, AWindowGivesWhatTheWholeProgramGives) {
     Settings settings{.machine = mill()};
     settings.machine.buffer = one.buffer;
     settings.machine.timing.look_ahead_blocks = one.look_ahead;
-    if (one.baud > 0) settings.line = Line{one.baud, 11, 0.01};
+    if (one.baud > 0) settings.line = Line{.baud = one.baud, .bits_per_char = 11, .latency_s = 0.01};
     if (one.baud > 0) settings.line_bytes.assign(60'000, 22);
     const Report window = program.run(settings);
     settings.keep_whole = true;
@@ -298,7 +324,7 @@ TEST(Timing, AbsurdNumbersEndInSentencesAndFiniteTimes) {
       settings.machine.timing.sample_time_ms = a;
       settings.machine.timing.tool_change_s = b;
       settings.machine.feed_limit_mm_min = b;
-      settings.line = Line{a, b, a};
+      settings.line = Line{.baud = a, .bits_per_char = b, .latency_s = a, .char_delay_s = b, .line_delay_s = a};
       settings.line_bytes.assign(8, 20);
       for (const bool whole : {false, true}) {
         settings.keep_whole = whole;
@@ -316,12 +342,25 @@ TEST(Timing, LinesWithoutMotionTakeTheirTimeOnTheLine) {
   program.move(linear, 10, 0, 0, 6000).place.line = 1;
   program.move(linear, 20, 0, 0, 6000).place.line = 5;
   Settings settings{.machine = mill()};
-  settings.line = Line{1000, 10, 0};
+  settings.line = Line{.baud = 1000, .bits_per_char = 10};
   settings.line_bytes = {10, 100, 100, 100, 10, 50};
   const Report report = program.run(settings);
   EXPECT_NEAR(report.line_s, 3.7, 1e-12);
   EXPECT_EQ(report.first_stall_line, 5U);
   EXPECT_GT(report.cycle_s, 3.2);
+}
+
+TEST(Timing, DelaysAndAnUnhurriedSenderMakeTheLineSlower) {
+  Program program;
+  program.move(linear, 10, 0, 0, 6000).place.line = 1;
+  program.move(linear, 20, 0, 0, 6000).place.line = 3;
+  Settings settings{.machine = mill()};
+  settings.line = Line{.baud = 1000, .bits_per_char = 10, .pace = 0.5, .char_delay_s = 0.005, .line_delay_s = 0.25};
+  settings.line_bytes = {10, 20, 10};
+  const Report report = program.run(settings);
+  EXPECT_NEAR(report.line_s, 40 * 0.025 + 3 * 0.25, 1e-12);
+  EXPECT_NEAR(report.first_move_s, 10 * 0.025, 1e-12);            // the line rests behind what the control has by then
+  EXPECT_NEAR(report.cycle_s, report.line_s - 0.25 + 0.2, 1e-9);  // the second move, from rest to rest
 }
 
 TEST(Timing, ComputingSlowsALoopInTheMemory) {

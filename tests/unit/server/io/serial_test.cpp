@@ -198,8 +198,8 @@ TEST_F(SerialLinkTest, AHangUpIsToldOnceAndTheLineCanBeOpenedAgain) {
 
 // As a line does: the link goes from inside its own last callback.
 TEST_F(SerialLinkTest, MayBeDestroyedWhenItIsLost) {
-  open_pty();
   heard_.when_lost = [this] { link_.reset(); };
+  open_pty();
   pty_.hang_up();
   ASSERT_TRUE(heard_.await_losses(1));
 }
