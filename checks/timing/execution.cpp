@@ -9,10 +9,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "checks/timing/sweep.h"
 
 namespace dripfeed::timing {
+
+void Execution::restart(const SupplySettings& settings) {
+  Supply supply = std::move(supply_);
+  supply.restart(settings);
+  *this = Execution(std::move(supply));
+}
 
 // Counts the rows that are ready; true when there were more.
 bool Execution::learn(const Rows& rows, double now_s) {
@@ -77,6 +84,7 @@ void Execution::count_buffered(const Rows& rows, Ran& how) {
 std::size_t Execution::run(const Window& window, RanSink& sink) {
   const Rows& rows = window.rows;
   const std::size_t first = row_;
+  Ran how;
   for (; row_ < rows.size(); ++row_) {
     const Row& row = rows[row_];
     supply_.let_in(rows);
@@ -85,10 +93,12 @@ std::size_t Execution::run(const Window& window, RanSink& sink) {
       if (supply_.has_limit() && supply_.count() == rows.size()) break;
       if (row.is_piece && piece_ + 1 > window.certain) break;
     }
-    Ran how;
+    // Field by field: to clear the whole costs more than the rest of this loop.
     how.row = row_;
     how.start_s = std::max(end_s_, supply_.ready_s(row_));
-    if (moved_) how.waited_s = how.start_s - end_s_;
+    how.waited_s = moved_ ? how.start_s - end_s_ : 0.0;
+    how.start2 = how.end2 = how.lost_s = 0.0;
+    how.limiter = Limiter::motion;
     if (how.waited_s > kStall_s) {
       how.limiter = limiter_of(row_);
       how.late_row = row_;

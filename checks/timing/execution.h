@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "checks/timing/limiters.h"
@@ -21,7 +22,7 @@ struct Ran {
   double start_s = 0.0;
   double waited_s = 0.0;  // before it, standing still
   double duration_s = 0.0;
-  std::size_t piece = 0;  // of rows that are one
+  std::size_t piece = 0;  // where the row is one
   double start2 = 0.0;    // (mm/s)²
   double end2 = 0.0;
   Limiter limiter = Limiter::motion;
@@ -45,6 +46,8 @@ class RanSink {
 class Execution {
  public:
   explicit Execution(const SupplySettings& settings) : supply_(settings) {}
+  // From the first row again; its memory is used again.
+  void restart(const SupplySettings& settings);
 
   // `speed2`: squares at the starts of the pieces (and behind the last) by the plan of the whole path, certain up to
   // index `certain`; `duration_s`: of the pieces before that, by the plan; `sums`: change_sums of the pieces. Runs rows
@@ -66,6 +69,7 @@ class Execution {
   [[nodiscard]] std::size_t pieces_run() const { return piece_; }
 
  private:
+  explicit Execution(Supply supply) : supply_(std::move(supply)) {}
   bool learn(const Rows& rows, double now_s);
   void run_piece(const Window& window, Ran& how);
   void count_buffered(const Rows& rows, Ran& how);

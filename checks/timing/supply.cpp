@@ -16,12 +16,19 @@ std::uint32_t place_of(const Row& row) { return std::max(row.bytes, 1U); }
 
 }  // namespace
 
-Supply::Supply(const SupplySettings& settings)
-    : buffer_(settings.buffer),
-      char_s_(settings.char_s),
-      line_delay_s_(settings.line_delay_s),
-      line_s_(settings.latency_s) {
+void Supply::restart(const SupplySettings& settings) {
+  buffer_ = settings.buffer;
+  char_s_ = settings.char_s;
+  line_delay_s_ = settings.line_delay_s;
+  line_s_ = settings.latency_s;
   if (char_s_ <= 0.0) buffer_.bytes = 0;  // bytes count on the line only
+  buffered_.clear();
+  buffered_bytes_ = 0;
+  blocked_ = false;
+  room_s_ = block_s_ = computed_s_ = 0.0;
+  ready_s_.clear();
+  arrived_s_.clear();
+  reasons_.clear();
 }
 
 bool Supply::is_full(std::uint64_t bytes) const {

@@ -22,7 +22,9 @@ struct SupplySettings {
 
 class Supply {
  public:
-  explicit Supply(const SupplySettings& settings);
+  explicit Supply(const SupplySettings& settings) { restart(settings); }
+  // From the first row again; its memory is used again.
+  void restart(const SupplySettings& settings);
 
   // Lets in what there is room for. Rows once let in must not change.
   void let_in(const Rows& rows);
@@ -43,13 +45,13 @@ class Supply {
   [[nodiscard]] bool is_full(std::uint64_t bytes) const;
 
   checks::BufferSize buffer_;
-  double char_s_;
-  double line_delay_s_;
+  double char_s_ = 0.0;
+  double line_delay_s_ = 0.0;
   Ring<std::uint32_t> buffered_;  // bytes of each; bounded by the buffer's size
   std::uint64_t buffered_bytes_ = 0;
   bool blocked_ = false;  // the next block waits for room
   double room_s_ = 0.0;   // when there was room for the newest block
-  double line_s_;         // when the line is free again
+  double line_s_ = 0.0;   // when the line is free again
   double block_s_ = 0.0;  // when the newest block was there, before the rest behind its EOB
   double computed_s_ = 0.0;
   std::vector<double> ready_s_;
