@@ -3,9 +3,9 @@
 // part to the first with the true square: at the first junction whose own limit is below both, speculation and truth
 // are equal bit for bit, and so they are at all before it (a rest is such a junction, too). The same forward.
 //
-//   thread 0   |<-- b, from no limit --|     |-- v -->|           |-- seconds --|
-//   thread 1   |<-- b, from rest ------|     |-- v -->|           |-- seconds --|
-//                                      settle         settle
+//   thread 0   |<-- b, from no limit --|     |-- v, seconds -->|
+//   thread 1   |<-- b, from rest ------|     |-- v, seconds -->|
+//                                      settle                  settle
 //
 // Where a path is limited by its acceleration alone, nothing meets and settling is a serial sweep: still the same bits,
 // and still one addition and one minimum a piece.
@@ -27,6 +27,8 @@ namespace {
 
 // Pieces whose limits stay in the first-level cache until they are swept.
 constexpr std::size_t kStretch = 1024;
+// Pieces whose seconds are summed by themselves: parts begin where one does, so that the sum is the same for any parts.
+constexpr std::size_t kSummed = 64;
 constexpr double kSpeed2Cap = 1e9;  // no machine comes near: keeps sums exact where an acceleration is not known
 
 class PathPlan {
@@ -44,6 +46,7 @@ class PathPlan {
     plan_.duration_s.resize(pieces.size());
     plan_.settled = 0;
     plan_.speed2.back() = 0.0;
+    sums_s_.resize((pieces.size() + kSummed - 1) / kSummed);
   }
 
   void run() {
@@ -52,21 +55,20 @@ class PathPlan {
       if (blocks_ > 0) change_sums(pieces_, sums_);
     });
     std::barrier limited(count, [this]() noexcept { settle_backward(); });
-    std::barrier planned(count, [this]() noexcept { settle_forward(); });
     const auto work = [&](const Range& part) {
       if (prepare_) prepare_(part);
       prepared.arrive_and_wait();
       look_back(part);
       limited.arrive_and_wait();
-      sweep_ahead(pieces_, part, plan_.speed2.data());
-      planned.arrive_and_wait();
-      durations(pieces_, part, plan_.speed2.data(), plan_.duration_s.data());
+      go_ahead(part);
     };
     std::vector<std::jthread> others;
     for (const Range& part : std::span(parts_).subspan(1)) others.emplace_back([&work, &part] { work(part); });
     work(parts_.front());
     others.clear();  // joins
-    plan_.total_s = sum_of(plan_.duration_s);
+    settle_forward();
+    plan_.total_s = 0.0;
+    for (const double sum_s : sums_s_) plan_.total_s += sum_s;
   }
 
  private:
@@ -75,7 +77,8 @@ class PathPlan {
     const std::size_t grains = size / grain;
     const std::size_t count = std::clamp<std::size_t>(look_ahead.threads, 1, std::max<std::size_t>(grains, 1));
     std::vector<Range> parts(count);
-    for (std::size_t k = 0; k < count; ++k) parts[k] = {size * k / count, size * (k + 1) / count};
+    const auto border = [&](std::size_t k) { return k == count ? size : size * k / count / kSummed * kSummed; };
+    for (std::size_t k = 0; k < count; ++k) parts[k] = {border(k), border(k + 1)};
     return parts;
   }
 
@@ -91,6 +94,21 @@ class PathPlan {
     }
   }
 
+  // Speeds, and the seconds that come of them. The last piece of a part is wrong as long as the part behind it is.
+  void go_ahead(const Range& part) {
+    for (std::size_t begin = part.begin; begin < part.end; begin += kStretch) {
+      const std::size_t end = std::min(begin + kStretch, part.end);
+      sweep_ahead(pieces_, {begin, std::min(end + 1, part.end)}, plan_.speed2.data());
+      take_time({begin, end});
+    }
+  }
+  // Of whole sums: `range` begins where one does, and ends so or with the path.
+  void take_time(const Range& range) {
+    durations(pieces_, range, plan_.speed2.data(), plan_.duration_s.data());
+    for (std::size_t i = range.begin; i < range.end; i += kSummed)
+      sums_s_[i / kSummed] = sum_of(std::span(plan_.duration_s).subspan(i, std::min(kSummed, range.end - i)));
+  }
+
   void settle_backward() {
     for (std::size_t k = parts_.size() - 1; k-- > 0;) {
       plan_.settled += settle_back(pieces_, parts_[k], plan_.speed2[parts_[k].end], plan_.speed2.data());
@@ -99,13 +117,17 @@ class PathPlan {
   void settle_forward() {
     for (std::size_t k = 1; k < parts_.size(); ++k) {
       const std::size_t i = parts_[k].begin;
+      if (i == 0 || i == parts_[k].end) continue;
       const double first = std::min(plan_.speed2[i], plan_.speed2[i - 1] + change2(pieces_, i - 1));
-      plan_.settled += settle_ahead(pieces_, parts_[k], first, plan_.speed2.data());
+      const std::size_t changed = settle_ahead(pieces_, parts_[k], first, plan_.speed2.data());
+      plan_.settled += changed;
+      const std::size_t last = std::min(i + changed + 1, pieces_.size());
+      take_time({(i - 1) / kSummed * kSummed, std::min((last + kSummed - 1) / kSummed * kSummed, pieces_.size())});
     }
   }
 
-  // Eight sums side by side: the same for any parts.
-  static double sum_of(const std::vector<double>& values) {
+  // Eight sums side by side.
+  static double sum_of(std::span<const double> values) {
     std::array<double, 8> sums{};
     for (std::size_t i = 0; i < values.size(); ++i) sums[i % 8] += values[i];
     double sum = 0.0;
@@ -118,7 +140,8 @@ class PathPlan {
   std::size_t blocks_;
   SpeedPlan& plan_;
   std::vector<Range> parts_;
-  std::vector<double> sums_;
+  std::vector<double> sums_;    // change_sums
+  std::vector<double> sums_s_;  // of the seconds of kSummed pieces each
 };
 
 }  // namespace
