@@ -49,14 +49,23 @@ class Gap {
     const Point point = curve_.at(t).point;
     return radius_ > 0.0 ? sign_ * (distance(point, center_) - radius_) : dot(normal_, point - from_);
   }
-  // Of |g''| between two places; infinite where it is not known.
-  [[nodiscard]] double second(double low, double high) const {
-    const Box box = curve_.second_derivatives(low, high);
-    if (radius_ == 0.0) return largest(sum(scaled(normal_.z, box.z), scaled(normal_.x, box.x)));
-    return second_of_circle(box, low, high);
+  // How far g can leave its values at the ends between them; infinite where that is not known. A long program has many
+  // short chords, and of most of them it is enough to know little: no more is asked for what is below `fine_mm`.
+  [[nodiscard]] double bulge(double low, double high, double fine_mm) const {
+    const double share = (high - low) * (high - low) / 8.0;
+    if (curve_.wide_second_derivatives) {
+      const double wide = share * second(curve_.wide_second_derivatives(low, high), low, high);
+      if (wide <= fine_mm) return wide;
+    }
+    return share * second(curve_.second_derivatives(low, high), low, high);
   }
 
  private:
+  // Of |g''| between two places, given all second derivatives of the curve there.
+  [[nodiscard]] double second(const Box& box, double low, double high) const {
+    if (radius_ == 0.0) return largest(sum(scaled(normal_.z, box.z), scaled(normal_.x, box.x)));
+    return second_of_circle(box, low, high);
+  }
   // The direction from the centre turns by at most the angle under which the part is seen.
   [[nodiscard]] double second_of_circle(const Box& box, double low, double high) const {
     const double half = 0.5 * (high - low);
@@ -128,9 +137,9 @@ std::optional<Range> gap_range(const ParametricCurve& curve, Range t, const Path
     known = {std::min(known.low, value), std::max(known.high, value)};
     return value;
   };
-  const auto bounded = [&gap](Part part) {
-    const double width = part.high - part.low;
-    const double more = width > 0.0 ? gap.second(part.low, part.high) * width * width / 8.0 : 0.0;
+  const double exact_mm = std::holds_alternative<Arc>(piece) ? kExactOfArc_mm : kExact_mm;
+  const auto bounded = [&](Part part) {
+    const double more = part.high > part.low ? gap.bulge(part.low, part.high, exact_mm) : 0.0;
     part.bound = {std::min(part.gap_low, part.gap_high) - more, std::max(part.gap_low, part.gap_high) + more};
     return part;
   };
@@ -154,7 +163,6 @@ std::optional<Range> gap_range(const ParametricCurve& curve, Range t, const Path
     at_once = {std::min(at_once.low, open[i].bound.low), std::max(at_once.high, open[i].bound.high)};
   }
   Range proved = known;
-  const double exact_mm = std::holds_alternative<Arc>(piece) ? kExactOfArc_mm : kExact_mm;
   for (std::size_t next = 0; next < open.size(); ++next) {  // all of one width before the narrower ones
     const Part part = open[next];
     const double allowed = exact_mm + relative * largest(known);

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <vector>
 
 namespace dripfeed::curves {
 
@@ -42,6 +44,32 @@ struct Spline {
 const BezierPiece& piece_at(const std::vector<BezierPiece>& pieces, double t) {
   const auto found = std::ranges::lower_bound(pieces, t, {}, [](const BezierPiece& piece) { return piece.t.high; });
   return found == pieces.end() ? pieces.back() : *found;
+}
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr Box kAnything{{-kInfinity, kInfinity}, {-kInfinity, kInfinity}};
+constexpr int kCells = 16;  // of a piece
+
+// All second derivatives up to `high`, from where the cell before ends.
+struct Cell {
+  double high = 0.0;
+  Box box;
+};
+std::vector<Cell> cells_of(const std::vector<BezierPiece>& pieces) {
+  std::vector<Cell> cells;
+  for (const BezierPiece& piece : pieces) {
+    for (int i = 0; i < kCells; ++i) {
+      const double low = piece.t.low + piece.t.width() * i / kCells;
+      const double high = i + 1 == kCells ? piece.t.high : piece.t.low + piece.t.width() * (i + 1) / kCells;
+      cells.push_back({high, piece.second_derivatives(low, high)});
+    }
+  }
+  return cells;
+}
+
+Box around(const Box& a, const Box& b) {
+  return {{std::min(a.z.low, b.z.low), std::max(a.z.high, b.z.high)},
+          {std::min(a.x.low, b.x.low), std::max(a.x.high, b.x.high)}};
 }
 
 bool all_finite(const std::vector<double>& values) {
@@ -120,6 +148,16 @@ ParametricCurve curve_of(const Nurbs& nurbs) {
   curve.at = [pieces](double t) { return piece_at(*pieces, t).at(t); };
   curve.second_derivatives = [pieces](double low, double high) {
     return piece_at(*pieces, 0.5 * (low + high)).second_derivatives(low, high);
+  };
+  curve.wide_second_derivatives = [cells = cells_of(*pieces)](double low, double high) {
+    const auto first = std::ranges::upper_bound(cells, low, {}, &Cell::high);
+    Box box = kAnything;
+    if (first == cells.end()) return box;
+    box = first->box;
+    for (auto cell = first; cell->high < high; box = around(box, cell->box)) {
+      if (++cell == cells.end()) return kAnything;
+    }
+    return box;
   };
   for (std::size_t i = 1; i < pieces->size(); ++i) curve.breaks.push_back((*pieces)[i].t.low);
   return curve;

@@ -156,7 +156,7 @@ TEST(LookAhead, NoJunctionBecomesSlowerWhereALimitIsRaised) {
 TEST(LookAhead, GivesTheSameBitsForAnyNumberOfThreads) {
   std::size_t settled = 0;
   for (unsigned seed = 0; seed < 1500; ++seed) {
-    auto pieces = random_path(seed, seed % 400, seed % 3 == 0 ? 0.0 : 0.02);
+    auto pieces = random_path(seed, seed % 500, seed % 3 == 0 ? 0.0 : 0.02);
     if (seed % 5 == 0) {  // limited by acceleration alone: what was speculated is never true
       for (Piece& piece : pieces) {
         piece.length *= 0.01;
