@@ -103,23 +103,27 @@ void Travel::find_length(std::uint32_t line) {
   if (length_.unknown != 0) length_.name = name_of_length();
 }
 
-void Travel::say_once(std::uint16_t& said, std::size_t axis, std::uint32_t line, const std::string& sentence) {
+// The sentence is made when it is said: of most of a million blocks it has been.
+template <class Sentence>
+void Travel::say_once(std::uint16_t& said, std::size_t axis, std::uint32_t line, Sentence&& sentence) {
   if ((said >> axis & 1U) != 0) return;
   said = static_cast<std::uint16_t>(said | 1U << axis);
-  report_.not_checked.add(sentence, line);
+  report_.not_checked.add(sentence(), line);
 }
 
 bool Travel::knows_zero(const ir::Motion& move, std::size_t axis) {
   const std::uint32_t line = move.place.line;
   if ((move.gaps & ir::kZerosChanged) != 0) {
-    say_once(said_changed_, axis, line,
-             fmt::format("the program changes coordinates or work offsets: the travel of {} was not checked from there",
-                         kLetters[axis]));
+    say_once(said_changed_, axis, line, [&] {
+      return fmt::format("the program changes coordinates or work offsets: the travel of {} was not checked from there",
+                         kLetters[axis]);
+    });
     return false;
   }
   if ((zero_unknown_ >> axis & 1U) != 0) {
-    say_once(said_zero_, axis, line,
-             fmt::format("work offset {} is not known for {}: its travel was not checked", offset_, kLetters[axis]));
+    say_once(said_zero_, axis, line, [&] {
+      return fmt::format("work offset {} is not known for {}: its travel was not checked", offset_, kLetters[axis]);
+    });
     return false;
   }
   if (!offset_named_) {
@@ -133,16 +137,18 @@ void Travel::check(const ir::Motion& move, ir::Axis axis, double value) {
   const auto i = static_cast<std::size_t>(axis);
   const checks::MachineAxis* known = axes_[i];
   if ((move.gaps & ir::kEndUnknown) != 0 && (move.axes_unknown >> i & 1U) != 0) {
-    say_once(said_end_, i, move.place.line,
-             fmt::format("where {} is is not known, and an increment moves it: its travel was not checked there",
-                         kLetters[i]));
+    say_once(said_end_, i, move.place.line, [&] {
+      return fmt::format("{} is at a place that is not known, and an increment moves it: its travel was not checked there",
+                         kLetters[i]);
+    });
     return;
   }
   if (!move.machine_coordinates) report_.work[i].include(value);
   if (known == nullptr) {
     if (!settings_.machine.axes.empty())
-      say_once(said_no_axis_, i, move.place.line,
-               fmt::format("the machine's profile has no axis {}: its moves were not checked", kLetters[i]));
+      say_once(said_no_axis_, i, move.place.line, [&] {
+        return fmt::format("the machine's profile has no axis {}: its moves were not checked", kLetters[i]);
+      });
     return;
   }
   const bool has_limits = known->min || known->max;
@@ -158,8 +164,9 @@ void Travel::check(const ir::Motion& move, ir::Axis axis, double value) {
   if (is_sure) {
     report_.machine[i].include(at);
   } else if (has_limits) {
-    say_once(said_length_, i, move.place.line,
-             fmt::format("{} is not known: the travel of {} was checked without it", length_.name, kLetters[i]));
+    say_once(said_length_, i, move.place.line, [&] {
+      return fmt::format("{} is not known: the travel of {} was checked without it", length_.name, kLetters[i]);
+    });
   }
   const bool below = known->min && at < *known->min - kTravelSlack;
   const bool above = known->max && at > *known->max + kTravelSlack;
@@ -170,18 +177,18 @@ void Travel::exceed(const ir::Motion& move, std::size_t axis, double at, bool is
   const checks::MachineAxis& known = *axes_[axis];
   const double limit = is_below ? *known.min : *known.max;
   const auto bound = [](const std::optional<double>& end) { return end ? figure(*end) : std::string("anything"); };
-  const std::string travel = fmt::format("{} to {}", bound(known.min), bound(known.max));
+  const auto travel = [&] { return fmt::format("{} to {}", bound(known.min), bound(known.max)); };
   const bool has_length = !move.machine_coordinates || settings_.d_selects_edge;
   const bool is_unknown = has_length && (length_.unknown >> axis & 1U) != 0;
   // A length that lifts the slide makes what is above the travel already only worse.
   if (is_unknown && (is_below || !length_.lengthens)) {
     report_.findings.add(text::DiagnosticId::travel_uncertain, move.place, at, limit, [&] {
-      return std::vector<std::string>{std::string(1, kLetters[axis]), figure(at), length_.name, travel};
+      return std::vector<std::string>{std::string(1, kLetters[axis]), figure(at), length_.name, travel()};
     });
     return;
   }
   report_.findings.add(text::DiagnosticId::travel_exceeded, move.place, at, limit,
-                       [&] { return std::vector<std::string>{std::string(1, kLetters[axis]), figure(at), travel}; });
+                       [&] { return std::vector<std::string>{std::string(1, kLetters[axis]), figure(at), travel()}; });
 }
 
 }  // namespace dripfeed::envelope

@@ -50,7 +50,8 @@ class Travel {
   void find_length(std::uint32_t line);
   [[nodiscard]] const checks::Tool* tool_of_length() const;
   [[nodiscard]] std::string name_of_length() const;
-  void say_once(std::uint16_t& said, std::size_t axis, std::uint32_t line, const std::string& sentence);
+  template <class Sentence>
+  void say_once(std::uint16_t& said, std::size_t axis, std::uint32_t line, Sentence&& sentence);
   [[nodiscard]] bool knows_zero(const ir::Motion& move, std::size_t axis);
   void exceed(const ir::Motion& move, std::size_t axis, double at, bool is_below);
 

@@ -61,7 +61,7 @@ std::optional<Flow> BlockRunner::run(const Instruction& i, const CompiledProgram
   fill(made, program);
   if (made.extra != kNoExtra && !fill_computed(i, made, program)) return std::nullopt;
   if ((block_.present & rules_.foreign_axes) != 0) [[unlikely]]
-    drop_foreign_axes();
+    drop_foreign_axes({});
   return apply_block(i);
 }
 
@@ -79,12 +79,13 @@ std::optional<Flow> BlockRunner::run_plain(const Instruction& i, const ir::Plain
     block_.in_increments = counts ? block_.in_increments | bit : block_.in_increments & ~bit;
   }
   if ((block_.present & rules_.foreign_axes) != 0) [[unlikely]]
-    drop_foreign_axes();
+    drop_foreign_axes({batch.words.data() + row.first_word, row.word_count});
   return apply_block(i);
 }
 
-// Axes that the control does not have are named in the report, unless a code takes the letters for something else.
-void BlockRunner::drop_foreign_axes() {
+// Axes that the control does not have are named in the report, unless a code takes the letters for something else. Each
+// word of a plain block counts; of other blocks all but Y were told when they were compiled.
+void BlockRunner::drop_foreign_axes(std::span<const ir::PlainWord> words) {
   const auto takes_letters = [](const PlainCode& code) {
     return code.function == ir::Function::dwell || code.function == ir::Function::set_coordinates ||
            code.function == ir::Function::data_input || code.group == ir::ModalGroup::frame;
@@ -93,8 +94,11 @@ void BlockRunner::drop_foreign_axes() {
   // On a face or cylinder Y is no axis of the machine.
   const bool has_y = state_.transformation.shape != Transformation::Shape::none && !state_.transformation.by_rotary;
   const std::uint64_t foreign = rules_.foreign_axes & ~(has_y ? bit_of(ir::Address::y) : 0);
-  for (std::uint64_t rest = block_.present & foreign; rest != 0; rest &= rest - 1)
-    report_.count({letter_of(static_cast<ir::Address>(std::countr_zero(rest)))});
+  for (const ir::PlainWord& word : words) {
+    if (word.address != ir::Address::y && (foreign & bit_of(word.address)) != 0)
+      report_.count({letter_of(word.address)});
+  }
+  if ((block_.present & foreign & bit_of(ir::Address::y)) != 0) report_.count({letter_of(ir::Address::y)});
   block_.present &= ~foreign;
 }
 

@@ -43,7 +43,7 @@ class BlockRunner {
 
  private:
   std::optional<Flow> apply_block(const Instruction& i);
-  void drop_foreign_axes();
+  void drop_foreign_axes(std::span<const ir::PlainWord> words);
   void set_data();
   void fill(const BlockTemplate& made, const CompiledProgram& program);
   bool fill_computed(const Instruction& i, const BlockTemplate& made, const CompiledProgram& program);

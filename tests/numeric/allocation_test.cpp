@@ -79,7 +79,8 @@ checks::Machine lathe() {
 }
 
 TEST(Allocations, TimingIsFlat) {
-  timing::Settings settings{.machine = lathe(), .x_is_diameter = true, .line = timing::Line{.baud = 2000000, .bits_per_char = 11}};
+  timing::Settings settings{
+      .machine = lathe(), .x_is_diameter = true, .line = timing::Line{.baud = 2000000, .bits_per_char = 11}};
   settings.line_bytes.assign(60000, 20);
   timing::Timing few(settings), many(settings);
   const std::uint64_t base = requests_of(few, 10000);
