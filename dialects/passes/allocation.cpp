@@ -28,6 +28,7 @@ struct Wanted {
   AllocatedVariable place;
   LiveRange live;
   bool given = false;
+  bool told = false;  // that it cannot be placed
 };
 
 class Allocator {
@@ -125,7 +126,19 @@ class Allocator {
       wanted.place.from_number = v.number;
       if (named) take_symbol(wanted, v.symbol);
     }
+    if (named && v.index != ExpressionId::none) check_array(wanted, v);
     live_.extend(wanted.live, statement);
+  }
+
+  // Two arrays whose sizes nobody knows would lie in each other.
+  void check_array(Wanted& wanted, const ir::Variable& v) {
+    const ir::Symbol& symbol = program_.at(v.symbol);
+    if (symbol.dimension1 != 0 || wanted.told) return;
+    wanted.told = true;
+    report_.diagnostics.push_back(text::make_diagnostic(
+        text::DiagnosticId::cannot_translate, v.span,
+        {"the array " + std::string(program_.strings.at(symbol.name)) + ", whose size the program does not say,",
+         to_.title}));
   }
 
   void take_symbol(Wanted& wanted, ir::SymbolId id) {

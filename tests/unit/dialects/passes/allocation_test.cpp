@@ -53,6 +53,24 @@ TEST(Allocation, TakesLocalsLastAndThenReportsHowManyAreMissing) {
   EXPECT_EQ(report.diagnostics[0].arguments, (std::vector<std::string>{"6", "5"}));
 }
 
+TEST(Allocation, RefusesAnArrayWhoseSizeTheProgramDoesNotSay) {
+  // Declared in the control alone: A[5] and B[3] would share a number.
+  Building b;
+  for (const ir::SymbolId array : {b.symbol("a"), b.symbol("b")}) {
+    for (const double at : {3.0, 5.0}) {
+      ir::Variable element = Building::named(array);
+      element.index = b.value(at);
+      b.assign(element, b.value(1));
+    }
+  }
+  b.end();
+  const ir::Control c = control_with(50);
+  const AllocationReport report = allocate_variables(b.program, c, c, Bank::hash);
+  ASSERT_EQ(report.diagnostics.size(), 2U);  // one for each array
+  EXPECT_EQ(report.diagnostics[0].id, text::DiagnosticId::cannot_translate);
+  EXPECT_EQ(report.diagnostics[0].arguments[0], "the array a, whose size the program does not say,");
+}
+
 TEST(Allocation, SharesOnlyWhenItMustAndOnlyWhatIsNotAlive) {
   Building b;
   const ir::SymbolId kept = b.symbol("kept");
