@@ -103,6 +103,7 @@ class Converter {
       explicit_blocks(read.program);
     }
     refuse_long_blocks();
+    proofread();
     return std::move(result_);
   }
 
@@ -163,12 +164,33 @@ class Converter {
 
   // `line`: of the translation, from 0.
   void refuse_long_block(std::size_t line, std::size_t bytes) {
+    result_.diagnostics.push_back(
+        ir::diagnose(request_.to, text::DiagnosticId::block_too_long, span_of_origin(line),
+                     {std::to_string(bytes), std::to_string(request_.to.limits.block_length_bytes)}));
+  }
+
+  // The line of the source that a line of the translation, from 0, came from; empty where none did.
+  [[nodiscard]] text::Span span_of_origin(std::size_t line) const {
     const std::uint32_t origin = line < result_.origin_lines.size() ? result_.origin_lines[line] : 0;
     const std::string_view written = request_.source.line(origin);
     const auto at = static_cast<std::uint32_t>(written.empty() ? 0 : written.data() - request_.source.text().data());
-    result_.diagnostics.push_back(ir::diagnose(
-        request_.to, text::DiagnosticId::block_too_long, {at, at + static_cast<std::uint32_t>(written.size())},
-        {std::to_string(bytes), std::to_string(request_.to.limits.block_length_bytes)}));
+    return {at, at + static_cast<std::uint32_t>(written.size())};
+  }
+
+  // What the other control would alarm on is no translation either.
+  void proofread() {
+    if (result_.text.empty() || text::has_error(result_.diagnostics)) return;
+    const text::Source written("translation", result_.text);
+    ir::ReadResult read = to_.read(written, request_.to);
+    append(read.diagnostics, to_.validate(read.program, request_.to, ir::Delivery::memory));
+    for (text::Diagnostic& one : read.diagnostics) {
+      if (one.severity != text::Severity::error) continue;
+      const std::uint32_t line = written.position(one.span.begin).line;
+      one.span = span_of_origin(line - 1);
+      one.notes = {{.span = {}, .text = "translated to \"" + std::string(written.line(line)) + "\""}};
+      result_.diagnostics.push_back(std::move(one));
+    }
+    if (text::has_error(result_.diagnostics)) result_.text.clear();
   }
 
   void say_skip_decided(const ir::Program& program) {

@@ -68,6 +68,7 @@ class ModeCheck {
                         code.function != Function::exact_stop_once && code.function != Function::no_effect;
       by_reference |= code.function == Function::reference_return;
       own_words |= once && code.function != Function::reference_return;
+      own_words |= code.group == ModalGroup::frame;  // G68 X0 Y0 R30 names a centre
       computed |= code.number != ir::ExpressionId::none;
       needs_plane |= code.function == Function::arc_cw || code.function == Function::arc_ccw ||
                      code.function == Function::comp_left || code.function == Function::comp_right;
