@@ -138,8 +138,9 @@ void Travel::check(const ir::Motion& move, ir::Axis axis, double value) {
   const checks::MachineAxis* known = axes_[i];
   if ((move.gaps & ir::kEndUnknown) != 0 && (move.axes_unknown >> i & 1U) != 0) {
     say_once(said_end_, i, move.place.line, [&] {
-      return fmt::format("{} is at a place that is not known, and an increment moves it: its travel was not checked there",
-                         kLetters[i]);
+      return fmt::format(
+          "{} is at a place that is not known, and an increment moves it: its travel was not checked there",
+          kLetters[i]);
     });
     return;
   }
