@@ -20,7 +20,7 @@ struct TransformedPlane {
 class TransformedPieces {
  public:
   TransformedPieces(const TransformedPlane& plane, ModalState& state, MotionBuffer& out)
-      : plane_(plane), t_(plane.made), state_(state), out_(out), real_(plane.real) {}
+      : plane_(plane), t_(plane_.made), state_(state), out_(out), real_(plane.real) {}
 
   // The state's axes stand at its end then. False where it starts at a place that is not known: the axes then go there
   // in one.
