@@ -213,11 +213,12 @@ class Pipeline final : public ir::MotionSink {
   timing::PieceArrays shape(const Batch& batch, const std::vector<ir::Motion>& led,
                             std::vector<timing::PathShape>& shapes) const {
     const std::uint64_t first = batch.motions[batch.lead].place.ordinal;
+    const std::uint64_t behind = batch.is_last ? UINT64_MAX : batch.motions.back().place.ordinal;
     timing::PieceArrays part;
     shapes.assign(1, {});
     for (const ir::Motion& motion : led) {
       const timing::PathShape shape = timing::shape_of(motion, false);
-      if (!(shape.length > 0.0)) continue;
+      if (!(shape.length > 0.0) || motion.place.ordinal >= behind) continue;
       if (motion.place.ordinal < first) {
         shapes.front() = shape;
         continue;
@@ -261,7 +262,7 @@ std::string program(std::size_t blocks) {
   std::string text = "%\nO1\nG21 G90 G94\nG0 X-10. Y0. Z0.\nG1 G41 D1 X0. F3000.\n";
   for (std::size_t i = 1; i <= blocks; ++i) {
     const double t = 0.01 * static_cast<double>(i);
-    text += fmt::format("X{} Y{} Z{}\n", text::format_fixed(0.1 * static_cast<double>(i), 4),
+    text += fmt::format("X{} Y{} Z{}\n", text::format_fixed(0.1 * static_cast<double>(i), 1),
                         text::format_fixed(10 * std::sin(t), 4), text::format_fixed(std::cos(3 * t), 4));
   }
   return text + "G40 Y100.\nM30\n%\n";
