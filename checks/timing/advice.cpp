@@ -94,6 +94,7 @@ class Advisor {
 // too. From `guess` on in growing steps, because a run takes as long as the program is; then by halves.
 template <class Starves>
 std::optional<double> least(double low, double high, double guess, double within, Starves&& starves) {
+  if (!(low < high)) return std::nullopt;  // it is beyond what can be tried already
   double at = std::clamp(guess, low, high);
   const bool first = starves(at);
   (first ? low : high) = at;

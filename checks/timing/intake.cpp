@@ -93,14 +93,6 @@ double Intake::event_seconds(const ir::Motion& motion) {
   return 0.0;
 }
 
-// As the control takes the corner itself, or rounds it.
-double Intake::corner_to(const PathShape& shape) const {
-  const double sharp2 = corner_speed2(direction_, shape.start_direction, rates_);
-  if (!(rates_.contour_tolerance_mm > 0.0)) return sharp2;
-  const double room_mm = 0.5 * std::min(length_, shape.length);
-  return std::max(sharp2, rounded_corner_speed2(direction_, shape.start_direction, rates_, room_mm));
-}
-
 void Intake::take_move(const ir::Motion& motion, Intaken& taken) {
   const std::uint32_t line = motion.place.line;
   if (motion.axes_unknown != 0) {
@@ -132,7 +124,8 @@ void Intake::take_move(const ir::Motion& motion, Intaken& taken) {
   // Rapids are ended before anything else begins, threads begin in step with the spindle.
   const bool is_thread = motion.kind == ir::MotionKind::thread;
   const bool from_rest = rests_ || taken.row.is_rapid || was_rapid_ || is_thread;
-  const double corner2 = from_rest ? 0.0 : corner_to(shape);
+  const double room_mm = 0.5 * std::min(length_, shape.length);
+  const double corner2 = from_rest ? 0.0 : corner_speed2(direction_, shape.start_direction, rates_, room_mm);
   double acceleration = path_acceleration(shape, rates_);
   if (settings_.limit_jerk) acceleration = mean_acceleration(acceleration, path_jerk(shape, rates_), speed);
   taken.row.is_piece = true;

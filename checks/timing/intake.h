@@ -32,7 +32,6 @@ class Intake {
   void say_what_is_missing();
   void take_line(const ir::Place& place, Row& row);
   void take_move(const ir::Motion& motion, Intaken& taken);
-  [[nodiscard]] double corner_to(const PathShape& shape) const;
   double event_seconds(const ir::Motion& motion);
 
   const Settings& settings_;

@@ -111,6 +111,25 @@ double limit_of(double value) {
   return std::clamp(value, kLeast, kNoLimit);
 }
 
+// Of a corner that the control rounds; kNoLimit where nothing turns. With the turn θ: the arc of radius r leaves the
+// corner by r·(1/cos(θ/2) - 1) and touches at r·tan(θ/2) from it.
+double rounded_corner_speed2(const AxisVector& before, const AxisVector& after, const AxisRates& rates,
+                             double room_mm) {
+  double cosine = 0.0;
+  double acceleration = kNoLimit;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    cosine += before[i] * after[i];
+    if (before[i] != after[i]) acceleration = std::min(acceleration, rates.acceleration[i]);
+  }
+  const double half_cosine = std::sqrt(std::max(0.0, 0.5 * (1.0 + cosine)));
+  const double half_sine = std::sqrt(std::max(0.0, 0.5 * (1.0 - cosine)));
+  if (half_sine <= 0.0) return kNoLimit;
+  const double by_room = room_mm * half_cosine / half_sine;
+  // 1 - cos by the sine, which keeps its digits where the turn is small.
+  const double by_tolerance = rates.contour_tolerance_mm * half_cosine * (1.0 + half_cosine) / (half_sine * half_sine);
+  return std::min(acceleration * std::min(by_room, by_tolerance), kNoLimit);
+}
+
 }  // namespace
 
 AxisRates rates_of(const checks::Machine& machine) {
@@ -176,7 +195,7 @@ double mean_acceleration(double acceleration, double jerk, double speed) {
   return speed / ramp_s;
 }
 
-double corner_speed2(const AxisVector& before, const AxisVector& after, const AxisRates& rates) {
+double corner_speed2(const AxisVector& before, const AxisVector& after, const AxisRates& rates, double room_mm) {
   if (!(rates.sample_s > 0.0)) return kNoLimit;
   double speed = kNoLimit;
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -185,26 +204,9 @@ double corner_speed2(const AxisVector& before, const AxisVector& after, const Ax
       speed = std::min(speed, rates.acceleration[i] * rates.sample_s / turned);
     }
   }
-  return std::min(speed * speed, kNoLimit);
-}
-
-// With the turn θ: the arc of radius r leaves the corner by r·(1/cos(θ/2) - 1) and touches at r·tan(θ/2) from it.
-double rounded_corner_speed2(const AxisVector& before, const AxisVector& after, const AxisRates& rates,
-                             double room_mm) {
-  if (!(rates.contour_tolerance_mm > 0.0)) return 0.0;
-  double cosine = 0.0;
-  double acceleration = kNoLimit;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    cosine += before[i] * after[i];
-    if (before[i] != after[i]) acceleration = std::min(acceleration, rates.acceleration[i]);
-  }
-  const double half_cosine = std::sqrt(std::max(0.0, 0.5 * (1.0 + cosine)));
-  const double half_sine = std::sqrt(std::max(0.0, 0.5 * (1.0 - cosine)));
-  if (half_sine <= 0.0) return kNoLimit;
-  const double by_room = room_mm * half_cosine / half_sine;
-  // 1 - cos by the sine, which keeps its digits where the turn is small.
-  const double by_tolerance = rates.contour_tolerance_mm * half_cosine * (1.0 + half_cosine) / (half_sine * half_sine);
-  return std::min(acceleration * std::min(by_room, by_tolerance), kNoLimit);
+  const double sharp2 = std::min(speed * speed, kNoLimit);
+  if (!(rates.contour_tolerance_mm > 0.0)) return sharp2;
+  return std::max(sharp2, rounded_corner_speed2(before, after, rates, room_mm));
 }
 
 double feed_speed(const ir::Motion& motion, const PathShape& shape, bool x_is_diameter, double spindle_max_rpm) {

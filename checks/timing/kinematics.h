@@ -53,14 +53,11 @@ double mean_acceleration(double acceleration, double jerk, double speed);
 double path_jerk(const PathShape& shape, const AxisRates& rates);
 
 // Square of the highest speed at a corner, mm²/s²: within one sample time each axis can change its speed by its
-// acceleration times that time (V1 of the look-ahead in A. Keinert, A. Verl). kNoLimit when a figure is missing.
-double corner_speed2(const AxisVector& before, const AxisVector& after, const AxisRates& rates);
-
-// Square of the speed at which the control rounds a corner, mm²/s²: on the arc that touches both moves, leaves the
-// corner by the contour tolerance at most, and begins no farther than `room_mm` before it (half of the shorter move),
-// with the centripetal acceleration that each axis that turns can do. kNoLimit where nothing turns; 0 without a
-// tolerance.
-double rounded_corner_speed2(const AxisVector& before, const AxisVector& after, const AxisRates& rates, double room_mm);
+// acceleration times that time (V1 of the look-ahead in A. Keinert, A. Verl). kNoLimit when a figure is missing. With a
+// contour tolerance the control may round it: on the arc that touches both moves, leaves the corner by the tolerance at
+// most, and begins no farther than `room_mm` before it (half of the shorter move), with the centripetal acceleration
+// that each axis that turns can do.
+double corner_speed2(const AxisVector& before, const AxisVector& after, const AxisRates& rates, double room_mm);
 
 // mm/s of a cutting feed along the path; 0 where it cannot be known (no feed, or per revolution without a speed).
 // With constant surface speed the time is exact: the mean of 1/rpm over the diameters that the move passes.

@@ -236,9 +236,8 @@ class Pipeline final : public ir::MotionSink {
       const timing::PathShape& a = shapes[i];
       const timing::PathShape& b = shapes[i + 1];
       if (!(a.length > 0.0)) continue;  // the first of all
-      part.start2[i] = std::max(timing::corner_speed2(a.end_direction, b.start_direction, rates_),
-                                timing::rounded_corner_speed2(a.end_direction, b.start_direction, rates_,
-                                                              0.5 * std::min(a.length, b.length)));
+      part.start2[i] =
+          timing::corner_speed2(a.end_direction, b.start_direction, rates_, 0.5 * std::min(a.length, b.length));
     }
   }
 

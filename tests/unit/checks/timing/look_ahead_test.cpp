@@ -257,7 +257,7 @@ TEST(LookAhead, LinesAreTheMotionsTheyStandFor) {
     ASSERT_NEAR(pieces.speed2[i], speed * speed, 1e-9);
     ASSERT_NEAR(pieces.acceleration[i], path_acceleration(shape, rates), 1e-9);
     if (i > 0) {
-      ASSERT_NEAR(pieces.start2[i], corner_speed2(before, shape.start_direction, rates), 1e-9 * pieces.start2[i]);
+      ASSERT_NEAR(pieces.start2[i], corner_speed2(before, shape.start_direction, rates, 0.0), 1e-9 * pieces.start2[i]);
     }
     before = shape.end_direction;
   }
