@@ -16,6 +16,7 @@
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/structure_parts.h"
 #include "dialects/passes/structures.h"
+#include "dialects/passes/value_facts.h"
 #include "dialects/passes/walk.h"
 
 namespace dripfeed::macro_b {
@@ -72,20 +73,51 @@ class Flattener {
       program_.variables[static_cast<std::uint32_t>(old.target)].index = index;
     }
     if (is_truth(old.value)) return assign_truth(old);
-    const ExpressionId value = legal(old.value, deepest(), false);
+    if (is_of(target, ir::ValueType::boolean) && !is_switch(old.value)) {
+      const ExpressionId value = legal(old.value, deepest() - 1, false);
+      return assign_truth({old.target, program_.add_operator(Operator::not_equal, value, program_.add_constant(0.0))});
+    }
+    const ExpressionId value = legal(whole_for(target, old.value), deepest(), false);
     program_.assigns[s.payload].value = value;
     out_.keep();
+  }
+
+  [[nodiscard]] bool is_of(const ir::Variable& v, ir::ValueType type) const {
+    return v.bank == ir::Bank::named && v.symbol != ir::SymbolId::none && program_.at(v.symbol).type == type;
+  }
+  // Already one of a BOOL's two values.
+  [[nodiscard]] bool is_switch(ExpressionId id) const {
+    const ir::Expression& e = program_.at(id);
+    if (e.op == Operator::constant) return e.value == 0.0 || e.value == 1.0;
+    return e.op == Operator::variable && is_of(program_.at(e.variable), ir::ValueType::boolean);
+  }
+  // What an INT takes is rounded on its way in; variables here have no types.
+  ExpressionId whole_for(const ir::Variable& target, ExpressionId value) {
+    if (!is_of(target, ir::ValueType::integer) || passes::is_whole(program_, value)) return value;
+    return program_.add_operator(Operator::round, value);
   }
 
   // The truth of a condition as a value: 0, and 1 when it holds.
   void assign_truth(const ir::Assign& old) {
     const ExpressionId condition = legal(old.value, deepest() - 1, false);
-    out_.emit_assign(copy(old.target), program_.add_constant(0.0));
-    ir::Structure head;
-    head.condition = condition;
-    out_.emit_structure(StatementKind::if_begin, head);
-    out_.emit_assign(copy(old.target), program_.add_constant(1.0));
-    out_.emit_structure(StatementKind::if_end, {});
+    // B=NOT B: the old value is needed until the new one is known.
+    const bool reads_itself = reads(condition, program_.at(old.target));
+    const ir::Variable truth = reads_itself ? new_variable() : ir::Variable(program_.at(old.target));
+    out_.emit_assign(program_.add(truth), program_.add_constant(0.0));
+    assign_if(condition, truth, program_.add_constant(1.0));
+    if (reads_itself) out_.emit_assign(copy(old.target), program_.add_variable(truth));
+  }
+  // Any element counts as all of its array or bank.
+  [[nodiscard]] bool reads(ExpressionId id, const ir::Variable& target) const {
+    bool found = false;
+    passes::for_each_node(program_, id, [&](ExpressionId node) {
+      const ir::Expression& e = program_.at(node);
+      if (e.op != Operator::variable) return;
+      const ir::Variable& v = program_.at(e.variable);
+      const bool plain = v.index == ExpressionId::none && target.index == ExpressionId::none;
+      found |= v.bank == target.bank && v.symbol == target.symbol && (!plain || v.number == target.number);
+    });
+    return found;
   }
   ir::VariableId copy(ir::VariableId id) { return program_.add(ir::Variable(program_.at(id))); }
 
@@ -129,7 +161,8 @@ class Flattener {
       const bool holds_truth =
           ir::operand_count(op) > 0 && takes_values(op) &&
           (is_truth(program_.at(node).a) || (ir::operand_count(op) > 1 && is_truth(program_.at(node).b)));
-      needs |= holds_truth || op == Operator::minimum || op == Operator::maximum || op == Operator::bound || turns(op);
+      needs |= holds_truth || op == Operator::minimum || op == Operator::maximum || op == Operator::bound ||
+               turns(op) || rounds_otherwise(program_.at(node));
     });
     return needs;
   }
@@ -138,6 +171,15 @@ class Flattener {
   [[nodiscard]] bool turns(Operator op) const {
     if (op == Operator::atan2) return from_.semantics.atan_full_circle != to_.semantics.atan_full_circle;
     return op == Operator::asin && from_.semantics.asin_from_90_to_270 != to_.semantics.asin_from_90_to_270;
+  }
+
+  // Negative numbers, which one control takes away from zero and the other toward the larger.
+  [[nodiscard]] bool rounds_otherwise(const ir::Expression& e) const {
+    const ir::Semantics& from = from_.semantics;
+    const ir::Semantics& to = to_.semantics;
+    const bool differs = (e.op == Operator::round && from.round_half != to.round_half) ||
+                         (e.op == Operator::round_up && from.round_up != to.round_up);
+    return differs && !passes::never_negative(program_, e.a) && !passes::is_whole(program_, e.a);
   }
 
   ExpressionId legal(ExpressionId id, std::uint32_t budget, bool in_word) {
@@ -232,6 +274,7 @@ class Flattener {
     if (e.op == Operator::minimum || e.op == Operator::maximum) return chosen(e.op, e.a, e.b);
     if (e.op == Operator::bound) return chosen(Operator::maximum, e.a, chosen(Operator::minimum, e.b, e.c));
     if (turns(e.op)) return turned(program_.add(e));
+    if (rounds_otherwise(e)) return rounded(e);
     if (e.op == Operator::round && in_word) return held(program_.add(e));
     const bool tolerance_lost = from_.semantics.comparison == ir::ComparisonMode::relative &&
                                 to_.semantics.comparison == ir::ComparisonMode::exact;
@@ -286,6 +329,25 @@ class Flattener {
     const Operator compare = op == Operator::minimum ? Operator::less : Operator::greater;
     assign_if(program_.add_operator(compare, other, program_.add_variable(best)), best, other);
     return program_.add_variable(best);
+  }
+
+  // Toward the larger number where ROUND and FUP go away from zero:
+  //   ROUND(-2.5) is -2:  #2=ROUND[#1]  IF[[#2-#1]EQ-0.5]THEN #2=#2+1
+  //   ROUNDUP(-2.3) is -2:  #2=FUP[#1]  IF[#1LT0]THEN #2=FIX[#1]
+  ExpressionId rounded(const ir::Expression& e) {
+    const ExpressionId value = is_leaf(e.a) ? e.a : held(e.a);
+    const ir::Variable result = new_variable();
+    out_.emit_assign(program_.add(result), program_.add_operator(e.op, value, ExpressionId::none, e.span));
+    const auto again = [&] { return program_.add_variable(result); };
+    if (e.op == Operator::round) {
+      const ExpressionId moved = program_.add_operator(Operator::subtract, again(), value);
+      assign_if(program_.add_operator(Operator::equal, moved, program_.add_constant(-0.5)), result,
+                program_.add_operator(Operator::add, again(), program_.add_constant(1.0)));
+    } else {
+      assign_if(program_.add_operator(Operator::less, value, program_.add_constant(0.0)), result,
+                program_.add_operator(Operator::truncate, value));
+    }
+    return again();
   }
 
   // -180…180 out of 0…360, or the other way.

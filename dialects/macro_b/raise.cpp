@@ -8,6 +8,7 @@
 
 #include "dialects/macro_b/complete.h"
 #include "dialects/macro_b/flatten.h"
+#include "dialects/macro_b/global_data.h"
 #include "dialects/macro_b/print.h"
 #include "dialects/macro_b/raise_block.h"
 #include "dialects/macro_b/raise_drilling.h"
@@ -184,14 +185,8 @@ void check_system_variables(const ir::Program& program, const ir::Control& to,
   for (const ir::Statement& statement : program.statements) {
     for (const passes::VariableUseAt& use : passes::variables_of(program, statement)) {
       const ir::Variable& v = program.at(use.variable);
-      const bool global = v.bank == ir::Bank::named && v.symbol != ir::SymbolId::none && program.at(v.symbol).is_global;
-      if (v.bank != ir::Bank::system && !global) continue;
+      if (v.bank != ir::Bank::system) continue;
       const std::string written(v.span.in(program.source.text()));
-      if (global) {
-        diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, v.span,
-                                                    {"the global data " + written, to.title}));
-        continue;
-      }
       diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, v.span,
                                                   {"the system variable " + written, to.title}));
     }
@@ -227,6 +222,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   append(result.diagnostics, complete_statements(p, to.title));
   if (from.dialect != to.dialect) append(result.diagnostics, raise_drilling(p, from, to));
   if (from.dialect != to.dialect) append(result.diagnostics, raise_frames(p, to));
+  if (from.dialect != to.dialect) append(result.diagnostics, refuse_global_data(p, to));
   passes::FreeNumbers numbers(p, grammar.highest_block_number);
   append(result.diagnostics, passes::number_labels(p, numbers));
   append(result.diagnostics, passes::lower_counted_loops(p, numbers).diagnostics);

@@ -1,7 +1,7 @@
 // Equality becomes nearness; the others move their bound.
 #include "dialects/macro_b/tolerance.h"
 
-#include <cmath>
+#include "dialects/passes/value_facts.h"
 
 namespace dripfeed::macro_b {
 
@@ -14,24 +14,12 @@ using ir::Operator;
 // what any axis resolves.
 constexpr double kEqualWithin = 1e-7;
 
-// Whole numbers compare alike everywhere.
-bool is_whole(const ir::Program& program, ExpressionId id) {
-  const ir::Expression& e = program.at(id);
-  if (e.op == Operator::constant) return e.value == std::floor(e.value);
-  if (e.op == Operator::truncate || e.op == Operator::round || e.op == Operator::round_up) return true;
-  if (e.op == Operator::variable) {
-    const ir::SymbolId symbol = program.at(e.variable).symbol;
-    return symbol != ir::SymbolId::none && program.at(symbol).type == ir::ValueType::integer;
-  }
-  const bool keeps = e.op == Operator::add || e.op == Operator::subtract || e.op == Operator::multiply ||
-                     e.op == Operator::negate || e.op == Operator::modulo;
-  return keeps && is_whole(program, e.a) && (e.b == ExpressionId::none || is_whole(program, e.b));
-}
-
 }  // namespace
 
 ir::ExpressionId tolerant_comparison(ir::Program& program, const ir::Expression& e) {
-  if (is_whole(program, e.a) && is_whole(program, e.b)) return program.add(e);
+  // An empty value equals only itself, and whole numbers compare alike everywhere.
+  const bool empty = program.at(e.a).op == Operator::vacant || program.at(e.b).op == Operator::vacant;
+  if (empty || (passes::is_whole(program, e.a) && passes::is_whole(program, e.b))) return program.add(e);
   const ExpressionId within_this = program.add_constant(kEqualWithin);
   const auto moved = [&](Operator op, Operator by) {
     const ir::Expression& bound = program.at(e.b);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <set>
 #include <span>
@@ -81,9 +82,18 @@ class Allocator {
       element.span = symbol.span;
       if (symbol.dimension1 != 0) element.index = program_.add_constant(k);
       flat_.insert(static_cast<std::uint32_t>(program_.variables.size()));
-      const ExpressionId value = symbol.initial != ExpressionId::none ? symbol.initial : program_.add_constant(0.0);
-      out.emit_assign(program_.add(element), value);
+      out.emit_assign(program_.add(element), initial_value(symbol));
     }
+  }
+
+  // A constant as its type takes it.
+  ExpressionId initial_value(const ir::Symbol& symbol) {
+    if (symbol.initial == ExpressionId::none) return program_.add_constant(0.0);
+    const ir::Expression& e = program_.at(symbol.initial);
+    if (e.op != ir::Operator::constant) return symbol.initial;
+    if (symbol.type == ir::ValueType::integer) return program_.add_constant(std::floor(e.value + 0.5), e.span);
+    if (symbol.type == ir::ValueType::boolean) return program_.add_constant(e.value != 0.0 ? 1.0 : 0.0, e.span);
+    return symbol.initial;
   }
 
   static bool is_number(const ir::Symbol& symbol) {

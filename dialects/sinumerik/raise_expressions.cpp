@@ -9,6 +9,7 @@
 #include <span>
 
 #include "dialects/passes/foreign_variables.h"
+#include "dialects/passes/value_facts.h"
 #include "dialects/passes/walk.h"
 #include "dialects/sinumerik/keywords.h"
 #include "dialects/sinumerik/raise.h"
@@ -58,14 +59,7 @@ class ExpressionRaiser {
     program_.expressions[id].span = span;
   }
 
-  [[nodiscard]] bool never_negative(ExpressionId id) const {
-    const ir::Expression& e = program_.at(id);
-    if (e.op == Operator::constant) return e.value >= 0.0;
-    if (e.op == Operator::abs || e.op == Operator::sqrt || e.op == Operator::square || e.op == Operator::exp)
-      return true;
-    const bool keeps = e.op == Operator::add || e.op == Operator::multiply || e.op == Operator::divide;
-    return keeps && never_negative(e.a) && never_negative(e.b);
-  }
+  [[nodiscard]] bool never_negative(ExpressionId id) const { return passes::never_negative(program_, id); }
 
   // Operators without a row are the same here.
   using Step = void (ExpressionRaiser::*)(std::uint32_t, const ir::Expression&);
