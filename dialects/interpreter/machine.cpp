@@ -73,7 +73,10 @@ RunResult Machine::finish(const CompiledProgram& main) {
   if (options_.observer != nullptr && executed_ > 0) tell_block();
   out_.flush();
   if (control_.semantics.unset_is_unknown) name_unset_inputs(main);
-  if (report_.result().ended == Ended::alarm) name_missing_arguments();
+  if (report_.result().ended == Ended::alarm) {
+    note_values_at_alarm();
+    name_missing_arguments();
+  }
   if (!takes_feed_from_caller(main)) report_.say_no_feed();
   RunResult& result = report_.result();
   result.blocks = executed_;

@@ -2,9 +2,11 @@
 // there; and which inputs it lacked.
 #include <algorithm>
 #include <bitset>
+#include <set>
 
 #include "dialects/interpreter/machine.h"
 #include "dialects/interpreter/unknown.h"
+#include "dialects/text/number.h"
 
 namespace dripfeed::interpreter {
 
@@ -66,6 +68,35 @@ void Machine::name_missing_arguments() {
     if (slot.kind != SlotKind::local || !is_vacant(storage_.local_at(storage_.bases().local + slot.index))) continue;
     name_input(*source, variable);
   }
+}
+
+// What the block of the alarm read: "GOTO#149" says little until one knows that #149 has no value.
+void Machine::note_values_at_alarm() {
+  const ir::Program* const source = stack_.program().source;
+  std::vector<RunDiagnostic>& said = report_.result().diagnostics;
+  if (source == nullptr || said.empty() || said.back().program != stack_.program().index) return;
+  text::Diagnostic& alarm = said.back().diagnostic;
+  const std::uint32_t line = source->source.position(alarm.span.begin).line;
+  const auto is_target = [source](const ir::Variable& variable) {
+    return std::ranges::any_of(source->assigns, [&](const ir::Assign& assign) {
+      return &source->variables[static_cast<std::uint32_t>(assign.target)] == &variable;
+    });
+  };
+  constexpr std::size_t kMostNamed = 8;
+  std::set<std::string> named;
+  text::DiagnosticNote note;
+  for (const ir::Variable& variable : source->variables) {
+    if (variable.bank != ir::Bank::hash && variable.bank != ir::Bank::r) continue;
+    if (variable.index != ir::ExpressionId::none || source->source.position(variable.span.begin).line != line) continue;
+    const std::optional<double> value = access_.peek(variable.bank, variable.number);
+    const std::string name = variable_name(variable.bank, variable.number);
+    if (!value.has_value() || is_target(variable) || named.size() == kMostNamed || !named.insert(name).second) continue;
+    const std::string_view none = control_.semantics.unset_is_unknown ? "not known" : "vacant";
+    if (named.size() == 1) note.span = variable.span;
+    note.text += named.size() == 1 ? "here " : ", ";
+    note.text += name + " is " + (is_vacant(*value) ? std::string(none) : text::format_shortest(*value));
+  }
+  if (!named.empty()) alarm.notes.push_back(std::move(note));
 }
 
 void Machine::name_input(const ir::Program& source, const ir::Variable& variable) {

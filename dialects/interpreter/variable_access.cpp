@@ -27,7 +27,7 @@ std::optional<VariableAccess::Found> VariableAccess::find(const Instruction& i, 
   const auto number = whole_number(value, kLastNumber);
   const Slot slot = number.has_value() ? variables_.find(bank, *number) : Slot{};
   if (slot.kind != SlotKind::none) return Found{slot, *number};
-  const std::string shown = is_vacant(value) ? "of no number" : text::format_shortest(value);
+  const std::string shown = is_vacant(value) ? "[vacant]" : text::format_shortest(value);
   report_.fail(i, DiagnosticId::variable_out_of_range, {(bank == ir::Bank::r ? "R" : "#") + shown});
   return std::nullopt;
 }
@@ -35,6 +35,14 @@ std::optional<VariableAccess::Found> VariableAccess::find(const Instruction& i, 
 double& VariableAccess::at(const Slot& slot) {
   return slot.kind == SlotKind::global ? storage_.global_at(slot.index)
                                        : storage_.local_at(storage_.bases().local + slot.index);
+}
+
+std::optional<double> VariableAccess::peek(ir::Bank bank, std::uint32_t number) const {
+  const Slot slot = variables_.find(bank, number);
+  if (slot.kind == SlotKind::global) return storage_.global_at(slot.index);
+  if (slot.kind == SlotKind::local) return storage_.local_at(storage_.bases().local + slot.index);
+  if (slot.kind == SlotKind::system) return system_.read(slot.index, number, state_);
+  return std::nullopt;
 }
 
 bool VariableAccess::load_number(const Instruction& i) {

@@ -44,6 +44,8 @@ class VariableAccess {
   // One of three registers in a row holds an index that is not known.
   bool has_unknown_index(std::uint32_t indices);
   [[nodiscard]] std::string name_of_element(const CompiledProgram& program, std::uint32_t array, std::uint32_t indices);
+  // The value of a numbered variable, for a message; nothing where the control has none or does not say it.
+  [[nodiscard]] std::optional<double> peek(ir::Bank bank, std::uint32_t number) const;
   // A whole number from 0 to `last`, rounded as the control does.
   [[nodiscard]] std::optional<std::uint32_t> whole_number(double value, double last) const;
 

@@ -55,9 +55,12 @@ app::Result<interpreter::Limits> read_limits(const std::vector<std::string>& giv
 
 // One of a called program: its text is not at hand here.
 void print_elsewhere(const interpreter::RunDiagnostic& one, const std::vector<std::string>& programs) {
-  fmt::print(stderr, "{}:{}: {}[{}]: {}{}\n", programs[one.program], one.line, text::name_of(one.diagnostic.severity),
+  const std::string& name = programs[one.program];
+  fmt::print(stderr, "{}:{}: {}[{}]: {}{}\n", name, one.line, text::name_of(one.diagnostic.severity),
              text::row_of(one.diagnostic.id).name, text::message_of(one.diagnostic),
              one.diagnostic.alarm.empty() ? "" : fmt::format(" (alarm {})", one.diagnostic.alarm));
+  for (const text::DiagnosticNote& note : one.diagnostic.notes)
+    fmt::print(stderr, "{}:{}: note: {}\n", name, one.line, note.text);
 }
 
 // `print_main` prints a diagnostic of the main program.
@@ -71,8 +74,8 @@ int report_run(const interpreter::RunResult& result, std::string_view name, Prin
   }
   for (const interpreter::NotInterpreted& one : result.not_interpreted)
     if (!one.effects_known)
-      fmt::print(stderr, "{}:{}: {}: {}\n", name, one.first_line, one.is_input ? "input not known" : "not interpreted",
-                 one.name);
+      fmt::print(stderr, "{}:{}: {}: {}\n", one.program == 0 ? name : result.programs[one.program], one.first_line,
+                 one.is_input ? "input not known" : "not interpreted", one.name);
   return result.ended == interpreter::Ended::end ? kDone : kFailed;
 }
 
@@ -161,6 +164,7 @@ int interpret_stream(const Options& options, interpreter::RunOptions run, Progra
     return kWrongUse;
   }
   if (ran.source) print_diagnostics(ran.diagnostics, *ran.source, chosen.control.title);
+  if (text::has_error(ran.diagnostics)) return kFailed;
   const bool written = output.finish(ran.result);
   const int code = report_run(ran.result, options.file, [&](const interpreter::RunDiagnostic& one) {
     print_from_file(one, file, options.file, chosen.control.title);

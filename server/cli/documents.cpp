@@ -15,6 +15,11 @@ std::string dump(const Document& document) {
   return document.dump(-1, ' ', false, Document::error_handler_t::replace) + "\n";
 }
 
+// The called program that is meant; null for the one that was given.
+Document program_of(const interpreter::RunResult& result, std::uint32_t index) {
+  return index == 0 ? Document(nullptr) : Document(result.programs[index]);
+}
+
 }  // namespace
 
 std::string run_document(const interpreter::RunResult& result) {
@@ -29,6 +34,7 @@ std::string run_document(const interpreter::RunResult& result) {
   Document skipped = Document::array();
   for (const interpreter::NotInterpreted& one : result.not_interpreted) {
     skipped.push_back({{"name", one.name},
+                       {"program", program_of(result, one.program)},
                        {"line", one.first_line},
                        {"count", one.count},
                        {"effects_known", one.effects_known},
@@ -37,7 +43,11 @@ std::string run_document(const interpreter::RunResult& result) {
   Document alarm = nullptr;
   if (result.ended != interpreter::Ended::end && !result.diagnostics.empty()) {
     const interpreter::RunDiagnostic& last = result.diagnostics.back();
-    alarm = {{"line", last.line}, {"alarm", last.diagnostic.alarm}, {"text", text::message_of(last.diagnostic)}};
+    alarm = {{"program", program_of(result, last.program)},
+             {"line", last.line},
+             {"alarm", last.diagnostic.alarm},
+             {"text", text::message_of(last.diagnostic)}};
+    if (!last.diagnostic.notes.empty()) alarm["note"] = last.diagnostic.notes.front().text;
   }
   return dump({{"blocks", result.blocks},
                {"motions", result.motions},

@@ -294,5 +294,19 @@ TEST(MacroLanguage, TapersStartBesideTheEnd) {
       "6 rapid X60.0000 Z2.0000\n7 end\n");
 }
 
+// What a block read when it raised an alarm is noted; what it was to write is not.
+TEST(MacroLanguage, AnAlarmNotesWhatItsBlockRead) {
+  const auto notes_of = [](const std::string& block) {
+    const Result r = run("%\nO1\nG21 G90 G94\n#100=7\n" + block + "\nM30\n%\n");
+    EXPECT_EQ(r.result.ended, interpreter::Ended::alarm) << block;
+    std::string out;
+    for (const text::DiagnosticNote& note : r.result.diagnostics.back().diagnostic.notes) out += note.text + "; ";
+    return out;
+  };
+  EXPECT_EQ(notes_of("GOTO#149"), "here #149 is vacant; ");
+  EXPECT_EQ(notes_of("#101=#100/[#100-7.+#3]"), "here #100 is 7, #3 is vacant; ");
+  EXPECT_EQ(notes_of("#101=#[2900000+#4111]"), "here #4111 is 0; ");
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test
