@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "dialects/ir/alarm_details.h"
+
 namespace dripfeed::interpreter {
 
 namespace {
@@ -73,7 +75,9 @@ void BlockCompiler::compile_codes(const ir::Block& block) {
 }
 
 void BlockCompiler::compile_word(const ir::Word& word) {
-  if (!is_interpreted(word)) return report(name_of(word), Function::not_modelled, false);
+  // A named word with an extension is carried out by a code of its line: it neither moves nor changes anything itself.
+  const bool carried_out = word.address == Address::other && word.extension != 0;
+  if (!is_interpreted(word)) return report(name_of(word), Function::not_modelled, carried_out);
   if (word.address == Address::named_axis) return put_named_axis(word);
   // MEAW measures and goes on to its end: only what it measured is not known.
   if (word.address == Address::measuring && word.name != ir::StringId::none)
@@ -96,8 +100,13 @@ void BlockCompiler::put_word(const ir::Word& word, const Value& value, std::uint
     if (is_vacant(*value.constant)) return;  // X#0: as if it was not there
     if (counts_increments(word)) flags |= kWordInIncrements;
     out.words.push_back({*value.constant, word.address, flags});
+  } else if (value.type == ir::ValueType::frame || value.type == ir::ValueType::axis) {
+    const bool frame = value.type == ir::ValueType::frame;
+    builder_.emit_failure(word.span, text::DiagnosticId::wrong_type,
+                          {"the value of the word", frame ? "FRAME" : "AXIS", "REAL"}, ir::kValueOfWord);
   } else if (value.is_string() && word.address != Address::t) {
-    builder_.emit_failure(word.span, text::DiagnosticId::wrong_type, {"the value of the word", "STRING", "REAL"});
+    builder_.emit_failure(word.span, text::DiagnosticId::wrong_type, {"the value of the word", "STRING", "REAL"},
+                          ir::kValueOfWord);
   } else {
     out.computed_words.push_back({value.operand, Operand::none, word.address, flags, value.is_string()});
   }

@@ -10,6 +10,7 @@
 #include "dialects/interpreter/data_setting.h"
 #include "dialects/interpreter/trace.h"
 #include "dialects/interpreter/unknown.h"
+#include "dialects/ir/alarm_details.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::interpreter {
@@ -239,7 +240,7 @@ void BlockRunner::take_notes(const Instruction& i, std::uint32_t notes) {
   }
   if ((notes & kNoteNoFeed) != 0 && !said_no_feed_) {
     said_no_feed_ = true;
-    report_.keep_no_feed(i);
+    report_.keep_no_feed(i, state_.feed < 0.0 ? ir::kNegative : ir::AlarmDetail::none);
   }
 }
 

@@ -14,6 +14,7 @@
 
 #include "dialects/interpreter/motion_buffer.h"
 #include "dialects/interpreter/plain_block.h"
+#include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
 #include "dialects/text/diagnostic_id.h"
 #include "dialects/text/span.h"
@@ -84,6 +85,7 @@ enum class Opcode : std::uint8_t {
   string_to_number,    // number a
   string_is_number,    // number a
   string_to_axis,      // number a: the axis of a name
+  string_to_value,     // number a as extra: ir::ValueType, of CHAR or BOOL
   string_length,       // number a
   string_upper,
   string_lower,
@@ -115,6 +117,7 @@ enum class Opcode : std::uint8_t {
   call,            // call site a
   modal_call,      // from here on call site a behind each block that moves, number b times
   modal_end,
+  passes,      // an alarm unless number a is one that a program can run
   skip_given,  // to b when parameter a was given
   back,        // of a subprogram, and of a further ones
   back_to,     // … to the block with number a in the caller, and of b further ones
@@ -232,6 +235,7 @@ struct SymbolSlot {
 struct Failure {
   text::DiagnosticId id = text::DiagnosticId::count_;
   std::vector<std::string> arguments;
+  ir::AlarmDetail detail = ir::AlarmDetail::none;
 };
 struct Report {
   std::string name;

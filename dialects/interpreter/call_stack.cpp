@@ -7,6 +7,7 @@
 #include "dialects/interpreter/axis_names.h"
 #include "dialects/interpreter/jump_target.h"
 #include "dialects/interpreter/unknown.h"
+#include "dialects/ir/alarm_details.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::interpreter {
@@ -227,15 +228,16 @@ void CallStack::read_values(const CallSite& site, std::vector<PassedValue>& valu
 
 bool CallStack::has_parameters(const Instruction& i, const CallSite& site, const CompiledProgram& target) {
   const std::vector<Parameter>& parameters = target.parameters;
-  const auto fail = [&](std::uint32_t given) {
+  const auto fail = [&](std::uint32_t given, ir::AlarmDetail detail) {
     return report_.fail(i, DiagnosticId::wrong_argument_count,
-                        {site.name, std::to_string(parameters.size()), std::to_string(given)});
+                        {site.name, std::to_string(parameters.size()), std::to_string(given)}, detail);
   };
   if (site.argument_count > parameters.size() || site.argument_count > kParametersAtMost)
-    return fail(site.argument_count);
+    return fail(site.argument_count, ir::kTooManyPassed);
   for (std::uint32_t n = 0; n < parameters.size(); ++n) {
     const bool given = n < site.argument_count && program_->arguments[site.first_argument + n].value != Operand::none;
-    if (!given && parameters[n].by_reference) return fail(n);
+    const bool has_default = !parameters[n].by_reference && parameters[n].type != ir::ValueType::axis;
+    if (!given && !has_default) return fail(n, ir::kLeftOut);
   }
   return true;
 }
@@ -264,7 +266,8 @@ bool CallStack::pass_parameter(const Instruction& i, const PassedValue& value, c
   }
   if (value.is_string != wants_string)
     return report_.fail(i, DiagnosticId::wrong_type,
-                        {"an argument", value.is_string ? "STRING" : "REAL", wants_string ? "STRING" : "REAL"});
+                        {"an argument", value.is_string ? "STRING" : "REAL", wants_string ? "STRING" : "REAL"},
+                        ir::kPassedValue);
   if (wants_string) {
     storage_.string_at(bases.string + parameter.slot) = value.text;
     return true;
@@ -272,12 +275,14 @@ bool CallStack::pass_parameter(const Instruction& i, const PassedValue& value, c
   double& to = storage_.frame_at(bases.frame + parameter.slot);
   if (parameter.by_reference) {
     if (!value.reference.has_value())
-      return report_.fail(i, DiagnosticId::wrong_type, {"an argument", "a value", "a variable (VAR)"});
+      return report_.fail(i, DiagnosticId::wrong_type, {"an argument", "a value", "a variable (VAR)"},
+                          ir::kPassedReference);
     to = *value.reference;
     return true;
   }
   const Outcome converted = context_.arithmetic.convert(parameter.type, value.number);
-  if (converted.fault != Fault::none) return report_.fail(i, DiagnosticId::result_overflow);
+  if (converted.fault != Fault::none)
+    return report_.fail(i, DiagnosticId::result_overflow, {}, ir::AlarmDetail::whole_numbers);
   to = converted.value;
   return true;
 }

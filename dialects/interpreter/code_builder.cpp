@@ -57,13 +57,15 @@ Operand CodeBuilder::take_string() {
   return make_operand(Space::frame, slot);
 }
 
-std::uint32_t CodeBuilder::add_failure(text::DiagnosticId id, std::vector<std::string> arguments) {
-  out_.failures.push_back({id, std::move(arguments)});
+std::uint32_t CodeBuilder::add_failure(text::DiagnosticId id, std::vector<std::string> arguments,
+                                       ir::AlarmDetail detail) {
+  out_.failures.push_back({id, std::move(arguments), detail});
   return static_cast<std::uint32_t>(out_.failures.size() - 1);
 }
 
-std::uint32_t CodeBuilder::emit_failure(text::Span span, text::DiagnosticId id, std::vector<std::string> arguments) {
-  return emit(Opcode::fail, span, add_failure(id, std::move(arguments)));
+std::uint32_t CodeBuilder::emit_failure(text::Span span, text::DiagnosticId id, std::vector<std::string> arguments,
+                                        ir::AlarmDetail detail) {
+  return emit(Opcode::fail, span, add_failure(id, std::move(arguments), detail));
 }
 
 std::uint32_t CodeBuilder::add_report(std::string_view name, ir::Function function, bool effects_known) {

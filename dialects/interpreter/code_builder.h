@@ -66,8 +66,10 @@ class CodeBuilder {
   void release(Mark mark) { next_number_ = mark.numbers, next_string_ = mark.strings; }
 
   // An instruction that raises that alarm when it is reached.
-  std::uint32_t emit_failure(text::Span span, text::DiagnosticId id, std::vector<std::string> arguments = {});
-  std::uint32_t add_failure(text::DiagnosticId id, std::vector<std::string> arguments);
+  std::uint32_t emit_failure(text::Span span, text::DiagnosticId id, std::vector<std::string> arguments = {},
+                             ir::AlarmDetail detail = ir::AlarmDetail::none);
+  std::uint32_t add_failure(text::DiagnosticId id, std::vector<std::string> arguments,
+                            ir::AlarmDetail detail = ir::AlarmDetail::none);
   // Index of a report, once a name.
   std::uint32_t add_report(std::string_view name, ir::Function function, bool effects_known);
   // Index in RunNames::variables.

@@ -56,7 +56,7 @@ bool FlowCompiler::compile(std::uint32_t index) {
   if (row == nullptr) return false;
   if (row->partner != row->kind && structure(index).partner == ir::kNoIndex) {
     const bool opens = is_opener(row->kind);
-    const std::string partner(find_row(row->partner)->name);
+    const std::string partner = opens ? "end" : std::string(find_row(row->partner)->name);
     builder_.emit_failure(statement(index).span, opens ? DiagnosticId::missing_end : DiagnosticId::end_without_begin,
                           {std::string(row->name), partner});
   } else {

@@ -189,6 +189,7 @@ void Machine::execute(std::uint32_t next) {
       case Opcode::string_to_number:
       case Opcode::string_is_number:
       case Opcode::string_to_axis:
+      case Opcode::string_to_value:
       case Opcode::string_find:
       case Opcode::string_part:
       case Opcode::axis_name:
@@ -213,6 +214,7 @@ void Machine::execute(std::uint32_t next) {
       case Opcode::call:
       case Opcode::modal_call:
       case Opcode::modal_end:
+      case Opcode::passes:
       case Opcode::output:
       case Opcode::skip_given:
       case Opcode::back:
@@ -256,6 +258,7 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
   }
   if (i.op == Opcode::call) return call(i, next);
   if (i.op == Opcode::modal_call) return stack_.begin_modal(i, value_or_zero(reg(i.b)));
+  if (i.op == Opcode::passes) return check_passes(i);
   if (i.op == Opcode::output) return output(i);
   if (i.op == Opcode::repeat_section) return repeat_section(i, next);
   if (i.op == Opcode::execute_text) return execute_text(i, next);
@@ -269,7 +272,8 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
   if (i.op == Opcode::text_end) return end_text(i);
   if (i.op == Opcode::message) return message(i);
   if (i.op == Opcode::alarm) return user_alarm(i);
-  if (i.op == Opcode::fail) return report_.fail(i, program.failures[i.a].id, program.failures[i.a].arguments);
+  if (i.op == Opcode::fail)
+    return report_.fail(i, program.failures[i.a].id, program.failures[i.a].arguments, program.failures[i.a].detail);
 
   if (i.op == Opcode::negate_word)
     reg(i.a) = is_vacant(reg(i.b)) ? kVacant : -reg(i.b);
@@ -322,7 +326,10 @@ bool Machine::settle(const Instruction& i, Outcome outcome, std::string_view fun
 
 bool Machine::convert(const Instruction& i) {
   const double value = storage_.reg(i.b);
-  return settle(i, arithmetic_.convert(static_cast<ir::ValueType>(i.extra), value), "the type", value);
+  const Outcome outcome = arithmetic_.convert(static_cast<ir::ValueType>(i.extra), value);
+  if (outcome.fault == Fault::result_overflow)
+    return report_.fail(i, DiagnosticId::result_overflow, {}, ir::AlarmDetail::whole_numbers);
+  return settle(i, outcome, "the type", value);
 }
 
 // --- flow

@@ -53,6 +53,7 @@ class Machine {
   bool follow(Flow flow, const Instruction& i, std::uint32_t& next);
   bool jump(const Instruction& i, std::uint32_t& next);
   bool call(const Instruction& i, std::uint32_t& next);
+  bool check_passes(const Instruction& i);
   bool count_steps(const Instruction& i, std::uint64_t steps);
   bool begin_shape(const Instruction& i, std::uint32_t& next);
   bool shape_block(const Instruction& i, std::uint32_t& next);

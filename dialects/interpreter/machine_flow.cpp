@@ -7,6 +7,7 @@
 #include "dialects/interpreter/machine.h"
 #include "dialects/interpreter/repetitive.h"
 #include "dialects/interpreter/unknown.h"
+#include "dialects/ir/alarm_details.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::interpreter {
@@ -32,7 +33,10 @@ bool Machine::decide_unknown(const Instruction& i) {
   constexpr std::uint32_t kPatience = 100;
   constexpr std::uint32_t kMostUndecided = 100'000;
   // So long a way by guesses says nothing more: the next pass of a loop is the last.
-  if (++undecided_count_ == kMostUndecided) passes_ = options_.limits.loop_passes;
+  if (++undecided_count_ == kMostUndecided) {
+    passes_ = options_.limits.loop_passes;
+    report_.end_guesses();
+  }
   report_.count({.name = "a condition on a value that is not known"});
   report_.take_uncertain_way();
   if (i.extra == 1) return true;
@@ -118,6 +122,15 @@ bool Machine::end_endless(const Instruction& i) {
 bool Machine::count_steps(const Instruction& i, std::uint64_t steps) {
   passes_ += steps;
   return passes_ <= options_.limits.loop_passes || report_.fail_limit(i, "loop passes");
+}
+
+// P of a call: 1 to 9999 (PGA, "Number of program repetitions").
+bool Machine::check_passes(const Instruction& i) {
+  constexpr double kMostPasses = 9999.0;
+  const double times = storage_.reg(i.a);
+  if (is_vacant(times) || (times >= 1.0 && times <= kMostPasses)) return true;
+  return report_.fail(i, DiagnosticId::argument_out_of_domain, {"the number of passes", text::format_shortest(times)},
+                      ir::kPasses);
 }
 
 bool Machine::call(const Instruction& i, std::uint32_t& next) {

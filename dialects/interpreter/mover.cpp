@@ -64,7 +64,8 @@ ir::Motion& emit_move(MotionKind kind, const Target& target, double feed, const 
   if (((state.unknown & target.incremental) | target.unknown) != 0) motion.gaps |= ir::kEndUnknown;
   motion.machine_coordinates = options.machine_coordinates;
   motion.exact_stop = options.exact_stop || state.modes.exact_stop;
-  if (kind != MotionKind::rapid && feed == 0.0 && !state.feed_unknown) result.notes |= kNoteNoFeed;
+  const bool stands = kind == MotionKind::thread ? feed == 0.0 : feed <= 0.0;
+  if (kind != MotionKind::rapid && stands && !state.feed_unknown) result.notes |= kNoteNoFeed;
   settle(target, options, state, result);
   return motion;
 }

@@ -28,7 +28,8 @@ bool RunReport::fail(const Instruction& at, DiagnosticId id, std::vector<std::st
 }
 
 bool RunReport::fail_limit(const Instruction& at, std::string_view limit) {
-  return fail(at, DiagnosticId::limit_reached, {std::string(limit)});
+  constexpr std::string_view kGuesses = "guesses at conditions on values that are not known, which a state can give";
+  return fail(at, DiagnosticId::limit_reached, {std::string(guesses_end_ ? kGuesses : limit)});
 }
 
 bool RunReport::fail_user(const Instruction& at, std::uint32_t number, std::string_view message) {
@@ -50,8 +51,8 @@ void RunReport::say(const Instruction& at, DiagnosticId id, std::vector<std::str
   add(at, id, std::move(arguments));
 }
 
-void RunReport::keep_no_feed(const Instruction& at) {
-  add(at, DiagnosticId::no_feed, {});
+void RunReport::keep_no_feed(const Instruction& at, ir::AlarmDetail detail) {
+  add(at, DiagnosticId::no_feed, {}, detail);
   no_feed_ = std::move(result_.diagnostics.back());
   result_.diagnostics.pop_back();
   no_feed_place_ = result_.diagnostics.size();

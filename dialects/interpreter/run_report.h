@@ -32,10 +32,12 @@ class RunReport {
   // A diagnostic that does not end the run.
   void say(const Instruction& at, text::DiagnosticId id, std::vector<std::string> arguments = {});
   // A cut without a feed: said at the end of the run, unless the program turns out to be a subprogram by then.
-  void keep_no_feed(const Instruction& at);
+  void keep_no_feed(const Instruction& at, ir::AlarmDetail detail);
   void say_no_feed();
   // From here on the program goes a way that a value decides which is not known: its alarms are possible, not certain.
   void take_uncertain_way() { uncertain_ = true; }
+  // The passes that are left are none, because too many ways were guessed: the limit says so.
+  void end_guesses() { guesses_end_ = true; }
   void count(const Report& report);
   void note_computed(const std::string& name, ir::Function function);
   // Motion::text of that text; kNoText when there are too many.
@@ -57,6 +59,7 @@ class RunReport {
   std::optional<RunDiagnostic> no_feed_;
   std::size_t no_feed_place_ = 0;  // among the diagnostics
   bool uncertain_ = false;
+  bool guesses_end_ = false;
   std::unordered_map<std::string, std::size_t> counted_;
   std::unordered_map<std::string, std::uint32_t> texts_;
 };

@@ -4,6 +4,7 @@
 
 #include "dialects/interpreter/system_values.h"
 #include "dialects/interpreter/unknown.h"
+#include "dialects/ir/alarm_details.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::interpreter {
@@ -37,7 +38,8 @@ SharedAccess::IndexState SharedAccess::find_indices(const Instruction& i, std::u
     const auto index = access_.whole_number(value, size > 0 ? size - 1.0 : kLastIndex);
     if (!index.has_value()) {
       report_.fail(i, DiagnosticId::variable_out_of_range,
-                   {shared_.name_of(id) + '[' + text::format_shortest(value) + ']'});
+                   {shared_.name_of(id) + '[' + text::format_shortest(value) + ']'},
+                   n == 0 ? ir::kFirstIndex : ir::kSecondIndex);
       return IndexState::failed;
     }
     indices[n] = *index;

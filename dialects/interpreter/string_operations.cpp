@@ -5,6 +5,7 @@
 
 #include "dialects/interpreter/axis_names.h"
 #include "dialects/interpreter/unknown.h"
+#include "dialects/ir/alarm_details.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::interpreter {
@@ -15,12 +16,15 @@ using text::DiagnosticId;
 
 // ASCII only: the names of controls have no other letters.
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+constexpr std::size_t kLongestText = 200;  // PGA, STRING
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 }  // namespace
 
 bool StringOperations::execute(const Instruction& i, const CompiledProgram& program) {
   if (i.op == Opcode::string_to_number) return to_number(i);
+  if (i.op == Opcode::string_to_axis) return to_axis(i);
+  if (i.op == Opcode::string_to_value) return to_value(i);
   if (i.op == Opcode::string_load_element) return load_element(i, program);
   if (i.op == Opcode::string_store_element) return store_element(i, program);
   if (i.op == Opcode::string_fit) return fit(i);
@@ -36,9 +40,6 @@ bool StringOperations::execute(const Instruction& i, const CompiledProgram& prog
   } else if (i.op == Opcode::string_is_number) {
     const std::string& text = storage_.text(i.b);
     storage_.reg(i.a) = is_unknown(text) ? kVacant : text::parse_number(text).has_value() ? 1.0 : 0.0;
-  } else if (i.op == Opcode::string_to_axis) {
-    const std::string& text = storage_.text(i.b);
-    storage_.reg(i.a) = is_unknown(text) ? kVacant : axis_number(shared_, text);
   } else if (i.op == Opcode::axis_name) {
     storage_.string(i.a) = axis_name(shared_, storage_.reg(i.b));
   } else if (i.op == Opcode::string_copy) {
@@ -47,6 +48,7 @@ bool StringOperations::execute(const Instruction& i, const CompiledProgram& prog
     // The result may be one of the operands.
     scratch_ = storage_.text(i.b);
     scratch_ += storage_.text(i.c);
+    if (scratch_.size() > kLongestText && unset_is_unknown_) return join_fails(i);
     storage_.string(i.a) = scratch_;
   } else if (i.op == Opcode::string_from_number) {
     scratch_.clear();
@@ -78,8 +80,39 @@ bool StringOperations::to_number(const Instruction& i) {
   }
   const auto value = text::parse_number(storage_.text(i.b));
   if (!value.has_value())
-    return report_.fail(i, DiagnosticId::argument_out_of_domain, {"NUMBER", '"' + storage_.text(i.b) + '"'});
+    return report_.fail(i, DiagnosticId::argument_out_of_domain, {"NUMBER", '"' + storage_.text(i.b) + '"'},
+                        ir::kToNumber);
   storage_.reg(i.a) = *value;
+  return true;
+}
+
+// Which axes the machine has is its own; a text that no axis can be called is an alarm.
+bool StringOperations::to_axis(const Instruction& i) {
+  const std::string& text = storage_.text(i.b);
+  if (is_unknown(text)) {
+    storage_.reg(i.a) = kVacant;
+    return true;
+  }
+  const auto usual = [](char c) { return (upper(c) >= 'A' && upper(c) <= 'Z') || (c >= '0' && c <= '9') || c == '_'; };
+  if (text.empty() || (text.front() >= '0' && text.front() <= '9') || !std::ranges::all_of(text, usual))
+    return report_.fail(i, DiagnosticId::wrong_type, {'"' + text + '"', "STRING", "AXIS"}, ir::kToAxis);
+  storage_.reg(i.a) = axis_number(shared_, text);
+  return true;
+}
+
+// A text of one character is that CHAR, and a BOOL is whether there is any (PGA, "Type conversion").
+bool StringOperations::to_value(const Instruction& i) {
+  const std::string& text = storage_.text(i.b);
+  const bool character = static_cast<ir::ValueType>(i.extra) == ir::ValueType::character;
+  if (is_unknown(text)) {
+    storage_.reg(i.a) = kVacant;
+    return true;
+  }
+  if (character && text.size() != 1)
+    return report_.fail(i, DiagnosticId::wrong_type, {'"' + text + '"', "STRING", "CHAR"}, ir::kToCharacter);
+  storage_.reg(i.a) = character      ? static_cast<double>(static_cast<unsigned char>(text.front()))
+                      : text.empty() ? 0.0
+                                     : 1.0;
   return true;
 }
 
@@ -137,8 +170,20 @@ bool StringOperations::part(const Instruction& i) {
   return true;
 }
 
+// 14099 of a control that knows STRING variables; the texts of messages are longer nowhere.
+bool StringOperations::join_fails(const Instruction& i) {
+  if (is_unknown(scratch_)) {
+    storage_.string(i.a) = kUnknownText;
+    return true;
+  }
+  return report_.fail(i, DiagnosticId::string_too_long, {std::to_string(scratch_.size()), std::to_string(kLongestText)},
+                      ir::kJoined);
+}
+
 bool StringOperations::fit(const Instruction& i) {
-  if (storage_.text(i.b).size() > i.c) return report_.fail(i, DiagnosticId::result_overflow);
+  const std::size_t size = storage_.text(i.b).size();
+  if (size > i.c && !is_unknown(storage_.text(i.b)))
+    return report_.fail(i, DiagnosticId::string_too_long, {std::to_string(size), std::to_string(i.c)});
   storage_.string(i.a) = storage_.text(i.b);
   return true;
 }

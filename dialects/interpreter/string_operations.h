@@ -23,6 +23,9 @@ class StringOperations {
   bool load_element(const Instruction& i, const CompiledProgram& program);
   bool store_element(const Instruction& i, const CompiledProgram& program);
   bool fit(const Instruction& i);
+  bool join_fails(const Instruction& i);
+  bool to_axis(const Instruction& i);
+  bool to_value(const Instruction& i);
   bool find(const Instruction& i);
   bool part(const Instruction& i);
   void append_number(std::string& to, double value, ir::ValueType type);

@@ -1,6 +1,7 @@
 // Look-ups while running.
 #include "dialects/interpreter/variable_access.h"
 
+#include "dialects/ir/alarm_details.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::interpreter {
@@ -28,7 +29,7 @@ std::optional<VariableAccess::Found> VariableAccess::find(const Instruction& i, 
   const Slot slot = number.has_value() ? variables_.find(bank, *number) : Slot{};
   if (slot.kind != SlotKind::none) return Found{slot, *number};
   const std::string shown = is_vacant(value) ? "[vacant]" : text::format_shortest(value);
-  report_.fail(i, DiagnosticId::variable_out_of_range, {(bank == ir::Bank::r ? "R" : "#") + shown});
+  report_.fail(i, DiagnosticId::variable_out_of_range, {(bank == ir::Bank::r ? "R" : "#") + shown}, ir::kFirstIndex);
   return std::nullopt;
 }
 
@@ -100,7 +101,8 @@ std::optional<std::uint32_t> VariableAccess::find_element(const Instruction& i, 
   const auto column = whole_number(storage_.reg(next_register(indices)), a.dimension2 - 1.0);
   const auto layer = whole_number(storage_.reg(next_register(next_register(indices))), a.dimension3 - 1.0);
   if (!row.has_value() || !column.has_value() || !layer.has_value()) {
-    report_.fail(i, DiagnosticId::variable_out_of_range, {name_of_element(program, array, indices)});
+    report_.fail(i, DiagnosticId::variable_out_of_range, {name_of_element(program, array, indices)},
+                 row.has_value() ? ir::kSecondIndex : ir::kFirstIndex);
     return std::nullopt;
   }
   return a.first_slot + (*row * a.dimension2 + *column) * a.dimension3 + *layer;

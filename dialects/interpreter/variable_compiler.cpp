@@ -264,6 +264,11 @@ void VariableCompiler::store(const ir::Variable& target, const Value& value, tex
 
 Value VariableCompiler::convert(ValueType type, const Value& value, Operand target, text::Span span) {
   if (type == ValueType::axis && value.is_string()) return expressions_.as_axis(value, span);
+  if (value.is_string()) {
+    const Operand to = target == Operand::none ? builder_.take() : target;
+    builder_.emit(Opcode::string_to_value, span, raw_of(to), raw_of(value.operand), 0, static_cast<std::uint8_t>(type));
+    return {to, type, std::nullopt};
+  }
   if (type == ValueType::real || type == ValueType::axis || type == ValueType::frame) return value;
   // A sum of INTs may be out of range; BOOL and CHAR come from where they were checked.
   if (type == value.type && type != ValueType::integer) return value;
@@ -280,7 +285,9 @@ void VariableCompiler::store_symbol(const ir::Variable& target, const Value& val
   const ir::Symbol& symbol = builder_.source().at(target.symbol);
   const std::string_view name = builder_.source().strings.at(symbol.name);
   if (symbol.type == ValueType::string) return store_string(target, value, span);
-  if (value.is_string() && symbol.type != ValueType::axis) {
+  const bool takes_text =
+      symbol.type == ValueType::axis || symbol.type == ValueType::character || symbol.type == ValueType::boolean;
+  if (value.is_string() && !takes_text) {
     failure(span, DiagnosticId::wrong_type, {"the value for " + std::string(name), "STRING", "a number"});
     return;
   }

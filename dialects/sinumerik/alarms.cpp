@@ -2,6 +2,8 @@
 // control: it runs, and only a reader sees what is wrong.
 #include "dialects/sinumerik/alarms.h"
 
+#include "dialects/ir/alarm_details.h"
+
 namespace dripfeed::sinumerik {
 
 namespace {
@@ -62,6 +64,22 @@ constexpr ir::AlarmRow kAlarms[] = {
   {comp_started_by_arc, "10753"},
   {comp_started_by_arc, "10754", ir::AlarmDetail::ends},
   {plane_changed_in_comp, "10757"},
+  {travel_exceeded, "10720"},
+  {wrong_type, "12030", ir::kValueOfWord},
+  {wrong_type, "12330", ir::kPassedValue},
+  {wrong_type, "12320", ir::kPassedReference},
+  {wrong_type, "14096", ir::kToCharacter},
+  {wrong_type, "14097", ir::kToAxis},
+  {argument_out_of_domain, "14098", ir::kToNumber},
+  {argument_out_of_domain, "14013", ir::kPasses},
+  {wrong_argument_count, "12340", ir::kTooManyPassed},
+  {wrong_argument_count, "14010", ir::kLeftOut},
+  {variable_out_of_range, "17020", ir::kFirstIndex},
+  {variable_out_of_range, "17030", ir::kSecondIndex},
+  {result_overflow, "12160", ir::AlarmDetail::whole_numbers},
+  {string_too_long, "12210"},
+  {string_too_long, "14099", ir::kJoined},
+  {no_feed, "14800", ir::kNegative},
 };
 // clang-format on
 

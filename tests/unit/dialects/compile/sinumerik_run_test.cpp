@@ -48,6 +48,7 @@ TEST(SinumerikInputs, AWayByGuessesEndsInTime) {
   const Result result = run("MARK: R3=R0\nMORE: R3=R3-1\nIF R3>0 GOTOB MORE\nGOTOB MARK\nM30\n", {},
                             ir::MachineKind::mill, {}, 10'000'000);
   EXPECT_EQ(result.result.ended, interpreter::Ended::limit);
+  EXPECT_TRUE(text::message_of(result.result.diagnostics.back().diagnostic).contains("guesses at conditions"));
   EXPECT_LT(result.result.blocks, 1'000'000U);
 }
 
