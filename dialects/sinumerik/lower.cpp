@@ -20,6 +20,13 @@ bool is_control_flow(StatementKind kind) {
 
 }  // namespace
 
+bool is_aside(const ir::Program& program, const ir::Block& block) {
+  constexpr ir::Function kFunctions[] = {ir::Function::rapid, ir::Function::not_modelled, ir::Function::spindle_orient};
+  const auto codes = program.codes_of(block);
+  return codes.size() == 1 && codes.front().group == ir::ModalGroup::non_modal &&
+         std::ranges::find(kFunctions, codes.front().function) != std::end(kFunctions);
+}
+
 Lowering::Lowering(ir::Program& program) : program_(program) {}
 
 void Lowering::begin_line(std::uint32_t line, std::uint32_t first_token) {
@@ -33,6 +40,7 @@ void Lowering::begin_line(std::uint32_t line, std::uint32_t first_token) {
   block_span_ = {};
   block_flushed_early_ = false;
   native_ = false;
+  asides_.clear();
   ending_ = StatementKind::empty;
 }
 
@@ -50,6 +58,7 @@ void Lowering::add_block_number(std::uint32_t number, text::Span span) {
 
 void Lowering::end_line(std::uint32_t token_after, text::Span span) {
   if (!native_) flush_block();
+  if (!native_) flush_asides();
   if (ending_ != StatementKind::empty) push(ending_, ir::kNoIndex, ending_span_);
   if (program_.statements.size() == first_statement_) push(StatementKind::empty, ir::kNoIndex, span);
   ir::Statement& first = program_.statements[first_statement_];
@@ -71,13 +80,24 @@ bool Lowering::pending_words_are_constant() const {
 }
 
 void Lowering::flush_block() {
-  if (!has_pending_block()) return;
+  if (has_pending_block()) flush_block_of(block_span_);
+}
+
+void Lowering::flush_block_of(text::Span span) {
   const auto codes = static_cast<std::uint32_t>(program_.codes.size());
   const auto words = static_cast<std::uint32_t>(program_.words.size());
   push(StatementKind::block, program_.blocks,
-       ir::Block{first_code_, codes - first_code_, first_word_, words - first_word_}, block_span_);
+       ir::Block{first_code_, codes - first_code_, first_word_, words - first_word_}, span);
   first_code_ = codes;
   first_word_ = words;
+}
+
+void Lowering::flush_asides() {
+  for (const Aside& aside : asides_) {
+    program_.codes.push_back(aside.code);
+    if (aside.word) program_.words.push_back(*aside.word);
+    flush_block_of(aside.code.span);
+  }
 }
 
 void Lowering::push(StatementKind kind, std::uint32_t payload, text::Span span) {
@@ -153,6 +173,14 @@ void Lowering::add_word(const ir::Word& word) {
   if (block_flushed_early_) return keep_as_native("assignment between words", false, word.span);
   program_.words.push_back(word);
   block_span_ = block_span_.empty() ? word.span : join(block_span_, word.span);
+}
+
+void Lowering::add_aside(const ir::Code& code, const std::optional<ir::Word>& word) {
+  if (!native_) asides_.push_back({code, word});
+}
+
+void Lowering::last_word_is_carried_out() {
+  if (program_.words.size() > first_word_) program_.words.back().extension = 1;
 }
 
 void Lowering::add_assign(ir::VariableId target, ir::ExpressionId value, text::Span span) {

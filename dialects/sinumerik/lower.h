@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -13,6 +14,9 @@
 #include "dialects/text/span.h"
 
 namespace dripfeed::sinumerik {
+
+// A block that Lowering::add_aside made: nothing of the text is its own.
+bool is_aside(const ir::Program& program, const ir::Block& block);
 
 class Lowering {
  public:
@@ -30,6 +34,11 @@ class Lowering {
   void add_m_code(std::uint32_t number, std::uint32_t extension, text::Span span);
   void add_computed_m_code(ir::ExpressionId number, text::Span span);
   void add_word(const ir::Word& word);
+  // A move of an axis by itself, whatever the block's motion code: a block of its own behind the line's. The word that
+  // was written stays in the line's block, with extension 1: what it does is carried out elsewhere.
+  void add_aside(const ir::Code& code, const std::optional<ir::Word>& word);
+  // The last word of the line is carried out by a block that is added behind it.
+  void last_word_is_carried_out();
 
   // Statements. The span is the statement's own.
   void add_assign(ir::VariableId target, ir::ExpressionId value, text::Span span);
@@ -55,6 +64,8 @@ class Lowering {
 
  private:
   void flush_block();
+  void flush_block_of(text::Span span);
+  void flush_asides();
   void push(ir::StatementKind kind, std::uint32_t payload, text::Span span);
   template <class T>
   void push(ir::StatementKind kind, std::vector<T>& arena, const T& item, text::Span span);
@@ -71,6 +82,11 @@ class Lowering {
   std::uint8_t skip_level_ = 0;
   std::uint32_t first_code_ = 0;
   std::uint32_t first_word_ = 0;
+  struct Aside {
+    ir::Code code;
+    std::optional<ir::Word> word;
+  };
+  std::vector<Aside> asides_;
   text::Span block_span_;
   bool block_flushed_early_ = false;
   bool native_ = false;

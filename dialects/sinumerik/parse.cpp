@@ -38,6 +38,7 @@ void Parser::line() {
   operator_ = {};
   const text::Span start = cursor_.span();
   lower_.begin_line(line_, cursor_.index());
+  if (in_iso_ && iso_line(start)) return;
   if (has_invalid_) unreadable_tokens();
   cursor_.skip_blanks();
   if (cursor_.kind() == TokenKind::tape_mark) tape_head();
@@ -48,6 +49,26 @@ void Parser::line() {
     if (cursor_.index() == before) stray_symbol();
   }
   finish_line(start);
+}
+
+// Behind G291 the blocks are those of another language, and are kept as written until G290; only their end is seen.
+bool Parser::iso_line(text::Span start) {
+  cursor_.skip_blanks();
+  if (cursor_.at_block_end()) return false;
+  const text::Span head = cursor_.span();
+  std::uint32_t end = kNoNumber;
+  for (TokenCursor probe = cursor_; !probe.at_block_end(); probe.advance()) {
+    const TokenCursor next = probe.after();
+    if (probe.kind() != TokenKind::address || next.kind() != TokenKind::number) continue;
+    const std::uint32_t number = whole_number(next.text());
+    if (to_upper(probe.first()) == 'G' && number == 290) return false;
+    if (to_upper(probe.first()) == 'M' && (number == 2 || number == 30)) end = 30;
+    if (to_upper(probe.first()) == 'M' && number == 99) end = 17;
+  }
+  if (end != kNoNumber) lower_.add_m_code(end, 0, head);
+  native("G291", false, head);
+  finish_line(start);
+  return true;
 }
 
 void Parser::finish_line(text::Span start) {
@@ -218,6 +239,7 @@ void Parser::name_statement() {
   if (!variable_here && !assigned) {
     if (const GCode* code = find_named_code(name)) {
       cursor_.advance();
+      if (cursor_.is_symbol('(')) no_parameters(head, code->group == 0);
       return lower_.add_code(*code, head);
     }
     cursor_.advance();
@@ -225,6 +247,21 @@ void Parser::name_statement() {
   }
   const ir::VariableId target = variable();
   assignment(target, head);
+}
+
+// STOPRE(1), G functions in brackets: what is predefined without parameters takes none (12090).
+void Parser::no_parameters(text::Span head, bool may_be_empty) {
+  cursor_.advance();
+  int given = cursor_.is_symbol(')') ? 0 : 1;
+  for (int open = 0; !cursor_.at_block_end() && (open > 0 || !cursor_.is_symbol(')')); cursor_.advance()) {
+    open += cursor_.is_symbol('(') ? 1 : cursor_.is_symbol(')') ? -1 : 0;
+    given += open == 0 && cursor_.is_symbol(',') ? 1 : 0;
+  }
+  expect(')');
+  if (given == 0 && may_be_empty) return;
+  report(DiagnosticId::wrong_argument_count, to_here(head),
+         {std::string(head.in(cursor_.whole())), "no", std::to_string(given)});
+  if (!faulty_) diagnostics_.back().alarm = "12090";
 }
 
 void Parser::report(DiagnosticId id, text::Span span, std::vector<std::string> arguments) {

@@ -28,12 +28,14 @@ class Parser {
  private:
   // lines: parse.cpp
   void line();
+  bool iso_line(text::Span start);
   void block_head();
   bool label_here();
   [[nodiscard]] text::Span short_label() const;
   void statement();
   void variable_statement();
   void name_statement();
+  void no_parameters(text::Span head, bool may_be_empty);
   void stray_symbol();
   void tape_head();
   void open_section(const std::string& name);
@@ -51,6 +53,10 @@ class Parser {
             ir::ExpressionId axis = ir::ExpressionId::none);
   void named_word(const Keyword& keyword);
   void named_axis_word(text::Span head);
+  void positioning(const Keyword& keyword, ir::StringId name, ir::ExpressionId axis, text::Span head);
+  void orientation(ir::StringId name, text::Span head);
+  [[nodiscard]] bool is_list_here() const;
+  bool group_by_number(text::Span head);
   bool signed_constant(ir::ExpressionId& value);
   ir::ExpressionId word_value(ir::Word& word);
   ir::ExpressionId moded_value(ir::Word& word);
@@ -77,6 +83,7 @@ class Parser {
   ir::ExpressionId frame_chain(ir::ExpressionId first);
   ir::ExpressionId frame_of_axes(const Keyword& keyword, text::Span name);
   static bool is_frame_of_axes(ir::Operator op);
+  void frame_elsewhere(ir::VariableId target, text::Span span);
 
   // variables: parse_variable.cpp
   ir::VariableId variable();
@@ -131,6 +138,7 @@ class Parser {
   [[nodiscard]] bool returns_usually(std::uint8_t& levels, bool& has_target) const;
   void transformation(std::string_view name, text::Span head);
   void native(std::string_view name, bool effects_known, text::Span head);
+  [[nodiscard]] bool acts_on_axes() const;
   void missing_target();
 
   // faults
@@ -174,6 +182,7 @@ class Parser {
   };
   std::vector<Macro> macros_;  // DEFINE … AS
   bool in_macro_ = false;
+  bool in_iso_ = false;  // behind G291
 };
 
 }  // namespace dripfeed::sinumerik

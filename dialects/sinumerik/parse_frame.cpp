@@ -80,4 +80,24 @@ ir::ExpressionId Parser::frame_of_axes(const Keyword& keyword, text::Span name) 
   return value;
 }
 
+// Base and system frames move the zero that positions count from, and are not chained here: where the axes are is not
+// known behind them. (PGA, "Base frames".)
+void Parser::frame_elsewhere(ir::VariableId target, text::Span span) {
+  static constexpr std::string_view kFrames[] = {"$P_BFRAME",    "$P_CHBFRAME", "$P_NCBFRAME", "$P_CHBFR",
+                                                 "$P_NCBFR",     "$P_UBFR",     "$P_SETFRAME", "$P_PARTFRAME",
+                                                 "$P_TOOLFRAME", "$P_WPFRAME",  "$P_CYCFRAME", "$P_TRAFRAME"};
+  const ir::Variable& v = program_.at(target);
+  if (v.bank != ir::Bank::system || v.name == ir::StringId::none) return;
+  if (std::ranges::find(kFrames, program_.strings.at(v.name)) == std::end(kFrames)) return;
+  const ir::Code code{
+      .function = ir::Function::not_modelled, .group = ir::ModalGroup::non_modal, .name = v.name, .span = span};
+  for (const ir::Address address : {ir::Address::x, ir::Address::y, ir::Address::z}) {
+    ir::Word word;
+    word.address = address;
+    word.value = constant(0.0, span);
+    word.span = span;
+    lower_.add_aside(code, word);
+  }
+}
+
 }  // namespace dripfeed::sinumerik

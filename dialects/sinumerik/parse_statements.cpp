@@ -15,12 +15,18 @@ using ir::StatementKind;
 using ir::TokenKind;
 using text::DiagnosticId;
 
+// Diagnostics Manual, alarm 12280.
+constexpr std::uint32_t kLongestMacro_bytes = 256;
+
 // Statements that are kept as written and after which axes may be anywhere: cycles, approach and return moves, texts.
 bool may_move(std::string_view name) {
-  constexpr std::string_view kNames[] = {"G5",      "G7",      "G74",     "G75",    "G147",    "G148",   "G247",
-                                         "G248",    "G347",    "G348",    "REPOSL", "REPOSQ",  "REPOSH", "REPOSA",
-                                         "REPOSQA", "REPOSHA", "ISOCALL", "CALL",   "EXECTAB", "RET",    "LONGHOLE",
-                                         "POLFA",   "G291",    "ROTS",    "AROTS",  "CROTS",   "TRAANG", "TRAORI"};
+  constexpr std::string_view kNames[] = {
+      "G5",      "G7",     "G74",      "G75",    "G147",   "G148",    "G247",     "G248",      "G347",
+      "G348",    "REPOSL", "REPOSQ",   "REPOSH", "REPOSA", "REPOSQA", "REPOSHA",  "ISOCALL",   "CALL",
+      "EXECTAB", "RET",    "LONGHOLE", "POLFA",  "G291",   "ROTS",    "AROTS",    "CROTS",     "TRAANG",
+      "TRAORI",  "PO",     "MEASA",    "MEAWA",  "MEAC",   "POSP",    "PRESETON", "PRESETONS", "GEOAX"};
+  // Settings of the path, and a contour that is only named.
+  if (name == "CYCLE832" || name == "CYCLE62") return false;
   return name.starts_with("CYCLE") || name.starts_with("POCKET") || name.starts_with("SLOT") ||
          name.starts_with("HOLES") || std::ranges::find(kNames, name) != std::end(kNames);
 }
@@ -82,8 +88,18 @@ void Parser::statement_of(const Keyword& keyword, text::Span head) {
 
 // The rest of the block belongs to what stands at its head and is not read.
 void Parser::native(std::string_view name, bool effects_known, text::Span head) {
+  const bool moves = may_move(name) || acts_on_axes();
   skip_block();
-  lower_.keep_as_native(name, effects_known, to_here(head), may_move(name));
+  lower_.keep_as_native(name, effects_known, to_here(head), moves);
+}
+
+// Synchronized actions may move axes while the program goes on: … DO POS[Z]=100.
+bool Parser::acts_on_axes() const {
+  static constexpr std::string_view kActions[] = {"POS", "POSA", "MOV", "DELDTG", "$AA_OFF"};
+  for (TokenCursor probe = cursor_; !probe.at_block_end(); probe.advance())
+    if (std::ranges::any_of(kActions, [&](std::string_view action) { return same_name(probe.text(), action); }))
+      return true;
+  return false;
 }
 
 // TRANSMIT, TRANSMIT(n); TRACYL(diameter), TRACYL(diameter, n, k): the number is that of one of the machine's data
@@ -141,6 +157,7 @@ void Parser::assignment(ir::VariableId target, text::Span head) {
   const bool main_run = variable_span.in(cursor_.whole()).starts_with("$$");
   if (main_run) return lower_.keep_as_native(variable_span.in(cursor_.whole()), false, to_here(head));
   lower_.add_assign(target, value, to_here(head));
+  frame_elsewhere(target, to_here(head));
 }
 
 void Parser::missing_target() {
@@ -262,7 +279,14 @@ void Parser::macro_definition(text::Span head) {
   }
   if (!cursor_.take_name("AS")) return give_up(DiagnosticId::syntax_error, head, {"DEFINE has no AS"});
   const std::uint32_t first = cursor_.index();
+  text::Span body = cursor_.span();
   skip_block();
+  body.end = cursor_.previous_end();
+  if (body.end > body.begin + kLongestMacro_bytes) {
+    report(DiagnosticId::syntax_error, name,
+           {"a macro of more than " + std::to_string(kLongestMacro_bytes) + " bytes"});
+    if (!faulty_) diagnostics_.back().alarm = "12280";
+  }
   std::string written(UpperName(name.in(cursor_.whole())).view());
   if (std::ranges::find(macros_, written, &Macro::name) != macros_.end()) {
     report(DiagnosticId::name_defined_twice, name, {written});

@@ -1,4 +1,6 @@
 // Addresses with their values: words, G codes, M functions, how often a call runs.
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "dialects/sinumerik/codes.h"
@@ -9,6 +11,7 @@ namespace dripfeed::sinumerik {
 
 namespace {
 
+using ir::Address;
 using ir::TokenKind;
 using text::DiagnosticId;
 
@@ -99,6 +102,15 @@ void Parser::word(ir::Address address, std::uint8_t extension, ir::StringId name
   }
   w.span = to_here(head);
   lower_.add_word(w);
+  const bool is_axis = address <= Address::c || (address >= Address::u && address <= Address::z);
+  if (w.address != Address::other || !is_axis) return;
+  // X=CAC(2), X=DAC(10): where the axis is then only the machine knows.
+  lower_.last_word_is_carried_out();
+  ir::Code code{
+      .function = ir::Function::not_modelled, .group = ir::ModalGroup::non_modal, .name = w.name, .span = w.span};
+  w.address = address;
+  w.name = ir::StringId::none;
+  lower_.add_aside(code, w);
 }
 
 ir::ExpressionId Parser::word_value(ir::Word& w) {
@@ -141,10 +153,65 @@ void Parser::named_word(const Keyword& keyword) {
     index_list(index, false);
     const std::string_view written = to_here(head).in(cursor_.whole());
     name = lower_.name(written);
+    if (is_list_here()) return native(keyword.name, false, head);  // MEASA[X]=(1,2), POSP[Z]=(10,2,0)
+    if (keyword.name == "POS" || keyword.name == "POSA") return positioning(keyword, name, index.index, head);
+    if (same_name(written, "SPOS[1]") || same_name(written, "SPOSA[1]")) return orientation(name, head);
     const bool usual = keyword.address == ir::Address::spindle_limit && same_name(written, "LIMS[1]");
     return word(usual ? keyword.address : ir::Address::other, 0, name, head);
   }
+  if (keyword.name == "SPOS" || keyword.name == "SPOSA") return orientation(name, head);
   word(keyword.address, 0, name, head);
+}
+
+bool Parser::is_list_here() const {
+  if (!cursor_.is_symbol('=') || !cursor_.after().is_symbol('(')) return false;
+  TokenCursor probe = cursor_.after().after();
+  for (int open = 1; open > 0 && !probe.at_block_end(); probe.advance()) {
+    if (open == 1 && probe.is_symbol(',')) return true;
+    open += probe.is_symbol('(') ? 1 : probe.is_symbol(')') ? -1 : 0;
+  }
+  return false;
+}
+
+// POS[X]=10: the axis goes there by itself, at its own feed (FA), which is said; the block ends when it has arrived.
+// After POSA the next blocks do not wait for it, and that is said as well. (PG, "Positioning axes".)
+void Parser::positioning(const Keyword& keyword, ir::StringId name, ir::ExpressionId axis, text::Span head) {
+  constexpr std::string_view kAxes = "XYZABCUVW";
+  const ir::Expression* named = axis == ir::ExpressionId::none ? nullptr : &program_.at(axis);
+  if (named == nullptr || !cursor_.is_symbol('=')) return word(Address::other, 0, name, head);
+  const std::string written(named->op == ir::Operator::string ? program_.strings.at(named->string) : "");
+  if (!written.empty() && (written.size() != 1 || !kAxes.contains(written.front())))
+    return word(Address::other, 0, name, head);
+  const bool letter = !written.empty();
+  cursor_.advance();
+  operator_ = {head.begin, cursor_.previous_end()};
+  const Address address = letter ? letter_address(written.front()) : Address::named_axis;
+  ir::Word w;
+  w.address = address;
+  if (!letter) w.axis = axis;
+  w.value = word_value(w);
+  w.span = to_here(head);
+  const bool coded = w.address == Address::other;
+  ir::Word said = w;
+  said.address = Address::other;
+  said.axis = ir::ExpressionId::none;
+  if (!coded) said.name = name;
+  lower_.add_word(said);
+  if (coded || keyword.name == "POS") lower_.last_word_is_carried_out();
+  ir::Code code{.function = ir::Function::rapid, .group = ir::ModalGroup::non_modal, .span = w.span};
+  if (coded) code = {.function = ir::Function::not_modelled, .group = code.group, .name = w.name, .span = w.span};
+  w.address = address;
+  w.name = ir::StringId::none;
+  lower_.add_aside(code, w);
+}
+
+// SPOS=90 stops the main spindle, as M19 does. The angle is said.
+void Parser::orientation(ir::StringId name, text::Span head) {
+  word(Address::other, 0, name, head);
+  if (faulty_ || lower_.is_native()) return;
+  const ir::Code code{
+      .function = ir::Function::spindle_orient, .group = ir::ModalGroup::non_modal, .span = to_here(head)};
+  lower_.add_aside(code, std::nullopt);
 }
 
 // AX[A1]=…: the axis is computed.
@@ -157,6 +224,7 @@ void Parser::named_axis_word(text::Span head) {
 }
 
 void Parser::g_code(text::Span head) {
+  if (group_by_number(head)) return;
   if (cursor_.is_symbol('[') || cursor_.is_symbol('=')) return native("G[]", false, head);
   if (cursor_.kind() != TokenKind::number) {
     return give_up(DiagnosticId::address_without_value, head, {"G"});
@@ -173,8 +241,45 @@ void Parser::g_code(text::Span head) {
     return lower_.keep_as_native(may_be_macro ? UpperName(span.in(cursor_.whole())).view() : "unknown code", false,
                                  span, may_be_macro);
   }
-  if (code->row.name == "G291") return native(code->row.name, false, span);
+  in_iso_ = code->row.name == "G291";
+  if (in_iso_) return native(code->row.name, false, span);
   lower_.add_code(*code, span);
+}
+
+// G[6]=1 is G17: the codes of the usual groups in the order of the list of G functions (PG). Others are said.
+bool Parser::group_by_number(text::Span head) {
+  struct Group {
+    std::uint32_t number;
+    std::array<std::string_view, 7> codes;
+  };
+  static constexpr Group kGroups[] = {
+      {1, {"G0", "G1", "G2", "G3", "CIP"}},
+      {6, {"G17", "G18", "G19"}},
+      {7, {"G40", "G41", "G42"}},
+      {8, {"G500", "G54", "G55", "G56", "G57"}},
+      {10, {"G60", "G64", "G641", "G642", "G643", "G644", "G645"}},
+      {13, {"G70", "G71", "G700", "G710"}},
+      {14, {"G90", "G91"}},
+      {15, {"G93", "G94", "G95", "G96", "G97"}},
+      {29, {"DIAMOF", "DIAMON", "DIAM90"}},
+  };
+  if (!cursor_.is_symbol('[')) return false;
+  TokenCursor probe = cursor_.after();
+  const std::uint32_t group = probe.kind() == TokenKind::number ? whole_number(probe.text()) : kNoNumber;
+  probe.advance();
+  if (!probe.is_symbol(']') || !probe.after().is_symbol('=')) return false;
+  probe.advance();
+  probe.advance();
+  const std::uint32_t number = probe.kind() == TokenKind::number ? whole_number(probe.text()) : kNoNumber;
+  probe.advance();
+  const auto* const row = std::ranges::find(kGroups, group, &Group::number);
+  const bool goes_on = probe.kind() == TokenKind::symbol;  // G[6]=1+R1
+  if (row == std::end(kGroups) || goes_on || number == 0 || number > row->codes.size()) return false;
+  const GCode* code = row->codes[number - 1].empty() ? nullptr : find_code_as_written(row->codes[number - 1]);
+  if (code == nullptr) return false;
+  cursor_.go_to(probe.index());
+  lower_.add_code(*code, to_here(head));
+  return true;
 }
 
 void Parser::m_function(std::uint32_t extension, text::Span head) {

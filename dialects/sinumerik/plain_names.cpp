@@ -31,28 +31,26 @@ constexpr std::string_view kAddress[] = {
 
 // Statements that are kept as they are written, effects unknown.
 constexpr std::string_view kNative[] = {
-    "ISOCALL",   "CALLPATH",  "EXECTAB",  "REDEF",    "UNDEF",      "ID",        "IDS",      "WHEN",
-    "WHENEVER",  "FROM",      "EVERY",    "DO",       "CANCEL",     "CANCELSUB", "LOCK",     "UNLOCK",
-    "SETINT",    "DISABLE",   "ENABLE",   "CLRINT",   "INIT",       "START",     "WAITM",    "WAITMC",
-    "WAITE",     "SETM",      "CLEARM",   "WAITP",    "WAITS",      "WAITENC",   "WAITV",    "SETMS",
-    "SPCON",     "SPCOF",     "FGROUP",   "FCTDEF",   "FTOC",       "FTOCON",    "FTOCOF",   "PUTFTOC",
-    "PUTFTOCF",  "SYNFCT",    "GEOAX",    "GET",      "GETD",       "RELEASE",   "AXTOCHAN", "TRANSMIT",
-    "TRACYL",    "TRAANG",    "TRAORI",   "TRACON",   "TRACOOF",    "TRAFOON",   "PRESETON", "PRESETONS",
-    "DELDTG",    "COUPDEF",   "COUPDEL",  "COUPON",   "COUPONC",    "COUPOF",    "COUPOFS",  "COUPRES",
-    "TRAILON",   "TRAILOF",   "LEADON",   "LEADOF",   "EGDEF",      "EGON",      "EGONSYN",  "EGONSYNE",
-    "EGOFS",     "EGOFC",     "EGDEL",    "TANG",     "TANGON",     "TANGOF",    "TANGDEL",  "TLIFT",
-    "CTABDEF",   "CTABEND",   "CTABDEL",  "CTABLOCK", "CTABUNLOCK", "MASLON",    "MASLOF",   "MASLDEF",
-    "MASLDEL",   "PUNCHACC",  "PON",      "PONS",     "SON",        "SONS",      "SPOF",     "PDELAYON",
-    "PDELAYOF",  "SPP",       "SPN",      "CONTPRON", "CONTDCON",   "EXECUTE",   "DIAMONA",  "DIAM90A",
-    "DIAMOFA",   "DIAMCHANA", "DIAMCHAN", "DACA",     "NEWT",       "DELT",      "SETPIECE", "SETTA",
-    "RESETMON",  "DELDL",     "SETDNO",   "DZERO",    "DELTOOLENV", "TOOLENV",   "TCARR",    "TCOABS",
-    "TCOFR",     "TCOFRX",    "TCOFRY",   "TCOFRZ",   "TCI",        "TCA",       "MVTOOL",   "NEWCONF",
-    "CUTMOD",    "CUTMODK",   "PREC",     "STOPREOF", "RDISABLE",   "DELETE",    "INITIAL",  "OVERSTORE",
-    "LIFTFAST",  "POLFA",     "POLF",     "POLFMASK", "POLFMLIN",   "POLFMIN",   "FXSOF",    "IPOBRKA",
-    "ADISPOSA",  "COARSEA",   "FINEA",    "IPOENDA",  "AXCTSWE",    "AXCTSWED",  "PROTA",    "PROTD",
-    "PROTSET",   "NPROT",     "NPROTDEF", "CPROT",    "CPROTDEF",   "CPDEF",     "CPDEL",    "CPLDEF",
-    "CPLDEL",    "CPON",      "CPOF",     "CPLON",    "CPLOF",      "TML",       "AUXFUDEL", "AUXFUDELG",
-    "AUXFUMSEQ", "AUXFUSYNC", "ORIROTA",  "ORIROTR",  "ORIROTT",    "ORIROTC",   "ORIRESET"};
+    "ISOCALL",  "CALLPATH",   "EXECTAB",   "REDEF",     "UNDEF",     "ID",       "IDS",        "WHEN",     "WHENEVER",
+    "FROM",     "EVERY",      "DO",        "CANCEL",    "CANCELSUB", "LOCK",     "UNLOCK",     "SETINT",   "DISABLE",
+    "ENABLE",   "CLRINT",     "INIT",      "START",     "WAITM",     "WAITMC",   "WAITE",      "SETM",     "CLEARM",
+    "WAITENC",  "WAITV",      "SETMS",     "SPCON",     "SPCOF",     "FGROUP",   "FCTDEF",     "FTOC",     "FTOCON",
+    "FTOCOF",   "PUTFTOC",    "PUTFTOCF",  "SYNFCT",    "GEOAX",     "GET",      "GETD",       "RELEASE",  "AXTOCHAN",
+    "TRANSMIT", "TRACYL",     "TRAANG",    "TRAORI",    "TRACON",    "TRACOOF",  "TRAFOON",    "PRESETON", "PRESETONS",
+    "DELDTG",   "COUPDEF",    "COUPDEL",   "COUPON",    "COUPONC",   "COUPOF",   "COUPOFS",    "COUPRES",  "TRAILON",
+    "TRAILOF",  "LEADON",     "LEADOF",    "EGDEF",     "EGON",      "EGONSYN",  "EGONSYNE",   "EGOFS",    "EGOFC",
+    "EGDEL",    "TANG",       "TANGON",    "TANGOF",    "TANGDEL",   "TLIFT",    "CTABDEF",    "CTABEND",  "CTABDEL",
+    "CTABLOCK", "CTABUNLOCK", "MASLON",    "MASLOF",    "MASLDEF",   "MASLDEL",  "PUNCHACC",   "PON",      "PONS",
+    "SON",      "SONS",       "SPOF",      "PDELAYON",  "PDELAYOF",  "SPP",      "SPN",        "CONTPRON", "CONTDCON",
+    "EXECUTE",  "DIAMONA",    "DIAM90A",   "DIAMOFA",   "DIAMCHANA", "DIAMCHAN", "DACA",       "NEWT",     "DELT",
+    "SETPIECE", "SETTA",      "RESETMON",  "DELDL",     "SETDNO",    "DZERO",    "DELTOOLENV", "TOOLENV",  "TCARR",
+    "TCOABS",   "TCOFR",      "TCOFRX",    "TCOFRY",    "TCOFRZ",    "TCI",      "TCA",        "MVTOOL",   "NEWCONF",
+    "CUTMOD",   "CUTMODK",    "PREC",      "STOPREOF",  "RDISABLE",  "INITIAL",  "OVERSTORE",  "LIFTFAST", "POLFA",
+    "POLF",     "POLFMASK",   "POLFMLIN",  "POLFMIN",   "FXSOF",     "IPOBRKA",  "ADISPOSA",   "COARSEA",  "FINEA",
+    "IPOENDA",  "AXCTSWE",    "AXCTSWED",  "PROTA",     "PROTD",     "PROTSET",  "NPROT",      "NPROTDEF", "CPROT",
+    "CPROTDEF", "CPDEF",      "CPDEL",     "CPLDEF",    "CPLDEL",    "CPON",     "CPOF",       "CPLON",    "CPLOF",
+    "TML",      "AUXFUDEL",   "AUXFUDELG", "AUXFUMSEQ", "AUXFUSYNC", "ORIROTA",  "ORIROTR",    "ORIROTT",  "ORIROTC",
+    "ORIRESET"};
 
 // Standard cycles: they move and are not read.
 constexpr std::string_view kCycle[] = {
@@ -65,7 +63,8 @@ constexpr std::string_view kCycle[] = {
     "POCKET1",  "POCKET2",   "POCKET3",   "POCKET4",   "SLOT1",     "SLOT2",     "LONGHOLE"};
 
 // Kept as they are written; they neither move nor change state: displays, files, blank declarations.
-constexpr std::string_view kDisplay[] = {"WORKPIECE", "WRITE", "READ", "MMC", "EXTOPEN", "EXTCLOSE"};
+constexpr std::string_view kDisplay[] = {"WORKPIECE", "WRITE",  "READ",  "MMC",  "EXTOPEN",
+                                         "EXTCLOSE",  "DELETE", "WAITP", "WAITS"};
 
 // Words inside other statements and definitions.
 constexpr std::string_view kAttribute[] = {

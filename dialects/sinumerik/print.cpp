@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "dialects/sinumerik/lower.h"
 #include "dialects/sinumerik/name_index.h"
 #include "dialects/sinumerik/print_block.h"
 #include "dialects/sinumerik/print_expression.h"
@@ -124,7 +125,10 @@ class Printer {
     switch (s.kind) {
       case StatementKind::empty:
       case StatementKind::output: return;  // of other controls: raising refuses them
-      case StatementKind::block: return blocks_.append(out, program_.blocks[s.payload]);
+      case StatementKind::block:
+        // The word that it carries out stands in the block before it.
+        if (is_aside(program_, program_.blocks[s.payload])) return;
+        return blocks_.append(out, program_.blocks[s.payload]);
       case StatementKind::assign: return assign(program_.assigns[s.payload], out);
       case StatementKind::go_to: return jump(program_.jumps[s.payload], out);
       case StatementKind::if_begin: return opener("IF ", s, out);

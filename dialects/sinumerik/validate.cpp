@@ -56,6 +56,8 @@ std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Con
   check_definitions(check);
   check_order(check);
   check_symbols(check);
+  check_words(check);
+  check_cycles(check);
   check_interpreted(check);
   std::ranges::sort(found, {}, [](const text::Diagnostic& d) { return std::tuple(d.span.begin, d.id, d.span.end); });
   return found;

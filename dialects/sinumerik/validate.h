@@ -49,6 +49,8 @@ void check_ranges(const Check& check);       // validate_ranges.cpp
 void check_definitions(const Check& check);  // validate_definitions.cpp
 void check_order(const Check& check);        // validate_modes.cpp
 void check_symbols(const Check& check);      // validate_symbols.cpp
+void check_cycles(const Check& check);       // validate_cycles.cpp
+void check_words(const Check& check);        // validate_words.cpp
 void check_interpreted(const Check& check);  // validate_interpreted.cpp
 
 }  // namespace dripfeed::sinumerik

@@ -17,6 +17,10 @@ using text::DiagnosticId;
 struct Declared {
   bool by_reference = false;
   bool is_string = false;
+  bool is_axis = false;
+  std::uint32_t dimensions = 0;
+
+  friend bool operator==(const Declared&, const Declared&) = default;
 };
 struct Procedure {
   std::string name;  // upper case
@@ -29,11 +33,15 @@ std::optional<Procedure> read_declaration(const Check& check, const ir::Statemen
   bool open = false;
   Declared parameter;
   bool any = false;
+  bool bracket = false;  // [10,5] of an array, or the length of a STRING
   for (std::uint32_t t = s.tokens.first; t < s.tokens.last; ++t) {
     const ir::Token& token = check.program.tokens[t];
     const std::string_view text = check.text_of(token.span);
     if (token.kind == TokenKind::comment || token.kind == TokenKind::eob) break;
     if (token.kind == TokenKind::symbol && text == "(") open = true;
+    if (text == "[" || text == "]") bracket = text == "[";
+    if (text == "[" || (bracket && text == ",")) ++parameter.dimensions;
+    if (bracket) continue;
     if (token.kind == TokenKind::symbol && open && (text == "," || text == ")")) {
       if (any) procedure.parameters.push_back(parameter);
       parameter = {};
@@ -46,6 +54,7 @@ std::optional<Procedure> read_declaration(const Check& check, const ir::Statemen
     any = true;
     parameter.by_reference = parameter.by_reference || same_name(text, "VAR");
     parameter.is_string = parameter.is_string || same_name(text, "STRING");
+    parameter.is_axis = parameter.is_axis || same_name(text, "AXIS");
   }
   return std::nullopt;  // without a list nothing is declared
 }
@@ -57,7 +66,7 @@ class Calls {
   void run() {
     for (const ir::Statement& s : check_.program.statements)
       if (s.kind == StatementKind::declaration)
-        if (auto procedure = read_declaration(check_, s)) procedures_.push_back(std::move(*procedure));
+        if (auto procedure = read_declaration(check_, s)) declare(std::move(*procedure), s.span);
     if (procedures_.empty()) return;
     for (const ir::Statement& s : check_.program.statements)
       if (s.kind == StatementKind::call || s.kind == StatementKind::modal_call)
@@ -65,6 +74,14 @@ class Calls {
   }
 
  private:
+  // The same list once more says nothing new.
+  void declare(Procedure procedure, text::Span span) {
+    const auto found = std::ranges::find(procedures_, procedure.name, &Procedure::name);
+    if (found == procedures_.end()) return procedures_.push_back(std::move(procedure));
+    if (found->parameters != procedure.parameters)
+      check_.report(DiagnosticId::name_defined_twice, span, {procedure.name}).alarm = "12480";
+  }
+
   void call(const ir::Call& call, text::Span span) {
     if (call.name == ir::StringId::none) return;
     const std::string name(check_.program.strings.at(call.name));
@@ -75,7 +92,10 @@ class Calls {
     if (given.size() > wanted.size()) return count(name, wanted.size(), given.size(), span, "12340");
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       const bool left_out = i >= given.size() || given[i].value == ir::ExpressionId::none;
-      if (left_out && wanted[i].by_reference) return count(name, wanted.size(), i, span, "12300");
+      const auto has_value = [](const ir::Argument& a) { return a.value != ir::ExpressionId::none; };
+      const auto values = static_cast<std::size_t>(std::ranges::count_if(given, has_value));
+      if (left_out && wanted[i].by_reference) return count(name, wanted.size(), values, span, "12300");
+      if (left_out && wanted[i].is_axis) return count(name, wanted.size(), values, span, "12310");
       if (!left_out) argument(wanted[i], given[i].value);
     }
   }
@@ -90,10 +110,29 @@ class Calls {
     const std::string written(check_.text_of(e.span));
     if (wanted.by_reference && e.op != ir::Operator::variable)
       check_.report(DiagnosticId::wrong_type, e.span, {written, "a value", "a variable (VAR)"}).alarm = "12320";
+    else if (wanted.by_reference && !wanted.is_string)
+      dimensions(wanted, e, written);
     else if (!wanted.is_string && e.op == ir::Operator::string && written.starts_with('"'))
       check_.report(DiagnosticId::wrong_type, e.span, {written, "STRING", "a number"}).alarm = "12330";
     else if (wanted.is_string && e.op == ir::Operator::constant)
       check_.report(DiagnosticId::wrong_type, e.span, {written, "REAL", "STRING"}).alarm = "12330";
+  }
+
+  // VAR REAL[10] takes a whole array of as many dimensions, VAR REAL one variable.
+  void dimensions(const Declared& wanted, const ir::Expression& e, const std::string& written) {
+    const ir::Variable& v = check_.program.at(e.variable);
+    if (v.bank != ir::Bank::named || v.symbol == ir::SymbolId::none) return;
+    const ir::Symbol& symbol = check_.program.at(v.symbol);
+    if (symbol.span.empty() || symbol.is_parameter) return;
+    std::uint32_t given = 0;
+    if (v.index == ir::ExpressionId::none)
+      for (const std::uint16_t size : {symbol.dimension1, symbol.dimension2, symbol.dimension3})
+        given += size > 0 ? 1 : 0;
+    if (given == wanted.dimensions) return;
+    const auto shape = [](std::uint32_t n) {
+      return n == 0 ? std::string("one variable") : std::to_string(n) + "-dimensional";
+    };
+    check_.report(DiagnosticId::wrong_type, e.span, {written, shape(given), shape(wanted.dimensions)}).alarm = "12360";
   }
 
   const Check& check_;

@@ -48,7 +48,8 @@ class Unread {
     for (const ir::Code& code : check_.program.codes_of(block))
       if (code.function == ir::Function::not_modelled) say(check_.program.strings.at(code.name), code.span);
     for (const ir::Word& word : check_.program.words_of(block))
-      if (word.address == ir::Address::other) say(check_.program.strings.at(word.name), word.span);
+      if (word.address == ir::Address::other && word.extension == 0)
+        say(check_.program.strings.at(word.name), word.span);
   }
 
   const Check& check_;

@@ -24,7 +24,9 @@ class Compensation {
                           s.kind == StatementKind::go_to || ir::is_structure(s.kind) ||
                           (s.kind == StatementKind::native && !check_.program.natives[s.payload].effects_known);
       if (others || s.is_label) forget();
-      if (s.kind == StatementKind::block) block(check_.block_of(s));
+      const bool still = s.kind == StatementKind::assign || s.kind == StatementKind::message ||
+                         (s.kind == StatementKind::block && !block(check_.block_of(s)));
+      if (still) without_move(s);
     }
   }
 
@@ -35,19 +37,27 @@ class Compensation {
     state_ = State::uncertain;
     changes_ = {};
     arc_known_ = false;
+    without_moves_ = 0;
+    moved_ = true;
   }
 
-  void block(const ir::Block& block) {
+  // Whether it moves an axis.
+  bool block(const ir::Block& block) {
     bool own_words = false;
     for (const ir::Code& code : check_.program.codes_of(block)) {
-      if (code.number != ir::ExpressionId::none) return forget();
+      if (code.number != ir::ExpressionId::none) {
+        forget();
+        return true;
+      }
       own_words |= code.group == ir::ModalGroup::non_modal || code.group == ir::ModalGroup::frame;
       take(code);
     }
     const bool moves = !own_words && std::ranges::any_of(check_.program.words_of(block), [](const ir::Word& w) {
       return w.address >= ir::Address::x && w.address <= ir::Address::z;
     });
-    if (!moves || changes_.empty()) return;
+    tangent(block, moves);
+    if (moves) without_moves_ = 0;
+    if (!moves || changes_.empty()) return moves;
     if (arc_ && arc_known_) {
       const bool ends = state_ == State::off;
       const auto detail = ends ? ir::AlarmDetail::ends : ir::AlarmDetail::none;
@@ -55,6 +65,32 @@ class Compensation {
           ir::alarm_of(check_.control, DiagnosticId::comp_started_by_arc, detail);
     }
     changes_ = {};
+    return true;
+  }
+
+  // CT before anything has moved has no direction to go on in (14045).
+  void tangent(const ir::Block& block, bool moves) {
+    const auto codes = check_.program.codes_of(block);
+    const auto arc = std::ranges::find(codes, Function::arc_tangent, &ir::Code::function);
+    if (arc != codes.end() && moves && !moved_)
+      check_
+          .report(DiagnosticId::curve_invalid, arc->span,
+                  {std::string(check_.text_of(arc->span)) + " has no move before it whose direction it goes on in"})
+          .alarm = "14045";
+    moved_ |= moves;
+  }
+
+  // How many blocks without a move it looks over is a machine datum (MD20250), 3 as delivered; so a warning.
+  void without_move(const ir::Statement& s) {
+    constexpr std::uint32_t kMostWithoutMove = 3;
+    if (state_ != State::on || s.line == without_line_) return;
+    without_line_ = s.line;
+    if (++without_moves_ != kMostWithoutMove + 1) return;
+    text::Diagnostic& d = check_.report(
+        DiagnosticId::code_not_in_mode, s.span,
+        {"block " + std::to_string(without_moves_) + " in a row without a move in the plane", "compensation"});
+    d.severity = text::Severity::warning;
+    d.alarm = "10762";
   }
 
   void take(const ir::Code& code) {
@@ -83,6 +119,9 @@ class Compensation {
   bool arc_ = false;    // the motion code
   bool arc_known_ = false;
   Function plane_ = Function::none;
+  bool moved_ = false;
+  std::uint32_t without_moves_ = 0;  // blocks since the last one that moves
+  std::uint32_t without_line_ = 0;
 };
 
 void check_machine_functions(const Check& check) {

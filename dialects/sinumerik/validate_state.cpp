@@ -35,7 +35,10 @@ class ModalState {
   void block(const ir::Block& block, const ir::Statement& s) {
     machine_coordinates_ = false;
     words_are_no_move_ = false;
-    for (const ir::Code& code : check_.program.codes_of(block)) take(code);
+    for (const ir::Code& code : check_.program.codes_of(block)) {
+      if (code.function == Function::rapid && code.group == ir::ModalGroup::non_modal) return;  // POS
+      take(code);
+    }
     for (const ir::Word& word : check_.program.words_of(block))
       if (word.address == ir::Address::f && !words_are_no_move_)
         feed_span_ = feed_span_.empty() ? word.span : feed_span_;
@@ -64,6 +67,7 @@ class ModalState {
   void unread(const ir::Code& code) {
     if (code.group == ir::ModalGroup::motion) move(false);
     if (code.group == ir::ModalGroup::feed) feed_mode_ = true;
+    if (code.group == ir::ModalGroup::non_modal) words_are_no_move_ = true;  // an axis that is somewhere
   }
 
   void moves(const ir::Block& block, const ir::Statement& s) {

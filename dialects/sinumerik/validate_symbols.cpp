@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "dialects/sinumerik/codes.h"
 #include "dialects/sinumerik/keywords.h"
@@ -95,7 +96,11 @@ class GroupByNumber {
     if (!group || text_of(next()) != "]" || text_of(next()) != "=") return;
     if (*group < 1.0 || *group > kGroups) return say(DiagnosticId::value_out_of_range, "the G group", *group, "12530");
     const auto number = constant();
-    if (number && *number < 1.0) say(DiagnosticId::value_out_of_range, "the number in a G group", *number, "12475");
+    constexpr std::pair<double, double> kSizes[] = {{6.0, 3.0}, {7.0, 3.0}, {14.0, 2.0}};
+    const auto* const size = std::ranges::find(kSizes, *group, &std::pair<double, double>::first);
+    const double last = size == std::end(kSizes) ? kGroups : size->second;
+    if (number && (*number < 1.0 || *number > last))
+      say(DiagnosticId::value_out_of_range, "the number in a G group", *number, "12475", last);
   }
 
  private:
@@ -113,8 +118,8 @@ class GroupByNumber {
     last_ = token->span;
     return text::parse_number(text_of(token));
   }
-  void say(DiagnosticId id, std::string_view what, double value, std::string_view alarm) {
-    check_.report(id, last_, {std::string(what), text::format_shortest(value), "1", text::format_shortest(kGroups)})
+  void say(DiagnosticId id, std::string_view what, double value, std::string_view alarm, double last = kGroups) {
+    check_.report(id, last_, {std::string(what), text::format_shortest(value), "1", text::format_shortest(last)})
         .alarm = alarm;
   }
 

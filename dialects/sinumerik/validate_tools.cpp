@@ -25,6 +25,7 @@ class Tools {
       const bool others = s.kind == StatementKind::call || s.kind == StatementKind::modal_call ||
                           (s.kind == StatementKind::native && !check_.program.natives[s.payload].effects_known);
       if (others) return;
+      if (s.kind == StatementKind::assign) offset_data(s);
       if (s.kind == StatementKind::block) block(check_.block_of(s));
     }
   }
@@ -50,6 +51,20 @@ class Tools {
     if (!moves || surface_speed_.empty()) return;
     check_.report(DiagnosticId::surface_speed_missing, surface_speed_);
     surface_speed_ = {};
+  }
+
+  // $P_AD[n] is the data of the active edge.
+  void offset_data(const ir::Statement& s) {
+    if (off_.empty()) return;
+    const auto data = std::ranges::find_if(check_.program.variables, [&](const ir::Variable& v) {
+      return v.bank == ir::Bank::system && v.name != ir::StringId::none && s.span.begin <= v.span.begin &&
+             v.span.end <= s.span.end && check_.program.strings.at(v.name) == "$P_AD";
+    });
+    if (data == check_.program.variables.end()) return;
+    check_
+        .report(DiagnosticId::comp_without_tool, data->span,
+                {std::string(check_.text_of(data->span)), std::string(check_.text_of(off_))})
+        .alarm = "17160";
   }
 
   void take(const ir::Code& code) {
