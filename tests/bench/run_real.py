@@ -4,8 +4,9 @@
   tests/bench/run_real.py FOLDER --dialect D [--machine FILE] [--binary build/release/dripfeed] [--skip TEXT] [--state F] [--list F] [--jobs 2]
 
 FOLDER holds one folder a repository. A folder NAME.d holds the programs cut from one memory dump, as NUMBER_O1234…: they call each other by the O number.
-Counted apart: programs that call what is not in their repository (they cannot run here), and those that stop by an alarm of their own (a macro without its
-arguments, mostly), which is how they end on the control, too. --state gives each run the values of a state file (a probing macro that asks for the
+Counted apart: programs that call what is not in their repository (they cannot run here), those that stop by an alarm of their own (a macro without its
+arguments, mostly), which is how they end on the control, too, those that go round for ever as they are written ("endless": until somebody resets the
+control), and those that are not read (errors of the text). --state gives each run the values of a state file (a probing macro that asks for the
 active length offset needs one). --list writes one line a file that did not end: how, which, and what was missing.
 """
 
@@ -43,6 +44,8 @@ def call_folders(repository, links):
 
 def kind_of(report):
     text = (report["alarm"] or {}).get("text", "")
+    if report["ended"] == "limit" and "has no way out" in text:
+        return "endless"
     if report["ended"] != "alarm":
         return str(report["ended"])
     if "its own alarm" in text:
@@ -105,6 +108,8 @@ def main():
     print(f"{given.dialect}: {len(results)} files, " + ", ".join(f"{n} {kind}" for kind, n in counts.most_common()))
     print(f"of {able} whose calls are found {ended} run to their end ({100 * ended / able:.1f} %), "
           f"{ended + counts['own alarm']} with those that end by an alarm of their own ({100 * (ended + counts['own alarm']) / able:.1f} %)")
+    finite = able - counts["not read"] - counts["endless"]
+    print(f"of {finite} that are read and do not go round for ever as written {ended} run to their end ({100 * ended / finite:.1f} %)")
 
 
 if __name__ == "__main__":
