@@ -30,7 +30,9 @@ class OrderCheck {
         control_(control),
         findings_(findings),
         ways_in_(program, section),
-        has_rigid_taps_(!ir::alarm_of(control, rigid_tap_invalid).empty()) {}
+        has_rigid_taps_(!ir::alarm_of(control, rigid_tap_invalid).empty()) {
+    if (section.is_subprogram) forget();  // what is in effect is its caller's
+  }
 
   void statement(std::uint32_t at) {
     const ir::Statement& s = program_.statements[at];
@@ -58,6 +60,7 @@ class OrderCheck {
     arc_ = starting_ = cuts_ = false;
     moves_known_ = false;
     extended_ = false;
+    plane_ = Function::none;
     transformed_ = ir::kTransformationEnds;
     number_known_ = true;
     corner_span_ = {};
@@ -287,7 +290,6 @@ class OrderCheck {
 }  // namespace
 
 void check_order(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings) {
-  if (section.is_subprogram) return;  // what is in effect is its caller's
   OrderCheck check(program, control, section, findings);
   for (std::uint32_t i = section.first; i < section.last; ++i) check.statement(i);
 }

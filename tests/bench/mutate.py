@@ -31,17 +31,36 @@ def code_of(line, dialect):
 
 class Fault:
     """`pattern` finds places in the code of a line, `change` gives the new text of a match. `at`: "line"; "any" where the line at which a control
-    notices is not the line of the fault (an end that is missing); "only": the same, and a fault only where the program has one such place."""
+    notices is not the line of the fault (an end that is missing); "only": the same, and a fault only where the program has one such place. `offset`:
+    how many lines behind the place the fault stands. `head`: definitions that it needs at the program's start. `when`, `unless`: only in programs
+    whose code has, or has not, this. `drip`: seen when the program is fed block by block."""
 
-    def __init__(self, name, ids, pattern, change, at="line"):
-        self.name, self.ids, self.at = name, set(ids.split()), at
+    def __init__(self, name, ids, pattern, change, at="line", offset=0, head="", when="", unless="", drip=False):
+        self.name, self.ids, self.at, self.offset, self.head, self.drip = name, set(ids.split()), at, offset, head, drip
         self.pattern, self.change = re.compile(pattern), change
+        self.when, self.unless = re.compile(when), re.compile(unless) if unless else None
+
+    def suits(self, code):
+        return bool(self.when.search(code)) and not (self.unless and self.unless.search(code))
+
+
+def before_a_move(name, ids, lines, offset=0, **more):
+    """The lines are put in before a straight move; the fault stands in line `offset` of them."""
+    return Fault(name, ids, r"^(?=\s*(?:N\d+)?\s*G0?[01](?![\d.])\s*[XYZ])", replace("\n".join(lines) + "\n"), offset=offset, **more)
+
+
+def at_head(name, ids, lines, offset=0, **more):
+    """The lines become the program's first."""
+    return Fault(name, ids, "", replace("\n".join(lines) + "\n"), at="head", offset=offset, **more)
 
 
 def replace(text):
     return lambda match: text
 
 
+# What only a mill, or only a program that nobody calls, tells.
+LATHE = r"G50\s*S|G9[67]\s*S|G28\s*U|(?<![A-Z])[UW][-\d.#]"
+CALLED = r"M99|G65|G66|M98"
 MOVE = r"(?<![A-Z#\[(=$_\"])([XYZ])([-+]?\d+\.\d*|[-+]?\d+)(?![\d.])"
 COMMON = [
     Fault("letter of another alphabet", "homoglyph", MOVE, lambda m: {"X": "Х", "Y": "У", "Z": "Ζ"}[m[1]] + m[2]),
@@ -65,6 +84,57 @@ MACRO = [
     Fault("NC word without brackets", "expression-without-brackets syntax-error", r"([XYZ])#(\d+)\s*$", lambda m: f"{m[1]}#{m[2]}+5."),
     Fault("program end is missing", "missing-program-end", r"M30|M02|M99", replace(""), "only"),
     Fault("comment without end", "unterminated-comment", r"^(?=\s*(?:N\d+)?\s*G0?[01](?![\d.]))", replace("(ROUGH\n")),
+    Fault("axis word twice", "duplicate-address", r"(?<=[ \d])([XYZ])[-+]?\d+\.\d*(?=\s*$)", lambda m: f"{m[0]} {m[1]}1.5", when=r"^\s*(?:N\d+)?\s*G0?1\s"),
+    Fault("decimal point is missing", "missing-decimal-point", r"(?<=[XYZ])([-+]?[1-9]\d*)\.(?![\d])", lambda m: m[1]),
+    Fault("unit is not stated", "unit-not-stated", r"G2[01](?![\d.])", replace(""), "only", unless=r"G65|G66|M98"),
+    Fault("plane is not stated", "plane-not-stated", r"G1[789](?![\d.])", replace(""), "only", when=r"G0?[23]\s*[XYIJR]"),
+    before_a_move("two codes of a group", "codes-of-one-group", ["G00 G01 X1. F100."]),
+    before_a_move("corner both ways", "addresses-exclude", ["G01 X5. ,R1. ,C1. F100."]),
+    before_a_move("brackets too deep", "bracket-nesting-too-deep", ["#100=[[[[[[#101]]]]]]"]),
+    before_a_move("reference in polar mode", "code-not-in-mode", ["G12.1", "G28 U0.", "G13.1"], 1, when=r"G50\s*S|G9[67]\s*S"),
+    before_a_move("compensation begins on an arc", "comp-started-by-arc", ["G40", "G41 G02 X10. Y0. R5. D1 F100.", "G40"], 1),
+    before_a_move("compensation without a number", "comp-without-number", ["G40", "G01 G41 X5. Y0. F100.", "G40"], 1, when=r"Y\s*[-\d.#\[]", unless=LATHE + "|" + CALLED + r"|D\s*[\d#\[]"),
+    before_a_move("comparison beside AND", "comparison-beside-logic", ["IF[#101EQ1AND#102EQ2]THEN#100=1"]),
+    before_a_move("corner on a rapid", "corner-without-move", ["G00 X5. ,C1."]),
+    before_a_move("hole under compensation", "cycle-in-comp", ["G40 G80", "G01 G41 D1 X5. Y0. F100.", "G81 X9. Y9. Z-5. R1.", "G80", "G40"], 2, when=r"Y\s*[-\d.#\[]", unless=LATHE),
+    before_a_move("work offset that is not there", "data-setting-invalid", ["G10 L2 P7 X0."]),
+    before_a_move("tool with a point", "decimal-point-not-allowed", ["T1."]),
+    before_a_move("loop without a way out", "endless-loop loop-number-invalid nesting-too-deep", ["DO1", "#100=1", "END1"]),
+    before_a_move("jump into a loop", "jump-into-loop", ["GOTO98765", "WHILE[#100LT5]DO3", "N98765#100=#100+1", "END3"]),
+    before_a_move("block number twice", "label-defined-twice", ["IF[#100EQ1]GOTO98765", "N98765", "N98765"], 2),
+    before_a_move("= is missing", "missing-equals syntax-error", ["#100 5."]),
+    before_a_move("nothing before =", "missing-target syntax-error", ["=5."]),
+    before_a_move("end of a modal call", "modal-call-not-open", ["G67"], unless=CALLED),
+    before_a_move("name of a variable too long", "name-too-long", ["SETVN 101[CLEARANCE]"]),
+    before_a_move("no name of a variable", "syntax-error", ["SETVN 101[A-B]"]),
+    before_a_move("comment in a comment", "nested-comment", ["(OUTER (INNER) REST)"]),
+    before_a_move("inverse time without F", "no-feed", ["G93", "G01 X5. F2.", "G01 Y5.", "G94"], 2, when=r"Y\s*[-\d.#\[]", unless=LATHE + "|" + CALLED),
+    before_a_move("block number 0", "number-zero", ["N0 G90"]),
+    before_a_move("pecks without Q", "peck-without-depth", ["G80", "G83 X2. Y1. Z-5. R1. F100.", "G80"], 1, when=r"Y\s*[-\d.#\[]", unless=LATHE),
+    before_a_move("plane changed in compensation", "plane-changed-in-comp", ["G40 G17", "G41 G01 X10. D1 F100.", "G19", "G40 X0.", "G17"], 2),
+    before_a_move("plane changed in a rotation", "plane-changed-in-rotation", ["G69 G17", "G68 X0. Y0. R30.", "G19", "G69", "G17"], 2, when=r"Y\s*[-\d.#\[]", unless=LATHE),
+    before_a_move("reference in a cycle", "reference-in-cycle", ["G40 G80", "G81 X1. Z-1. R1. F100.", "G28 Z5.", "G80"], 2, when=r"Y\s*[-\d.#\[]", unless=LATHE),
+    before_a_move("skip move in compensation", "skip-in-comp", ["G40", "G01 G41 D1 X5. Y0. F100.", "G31 X9. F100.", "G40 X0."], 2),
+    before_a_move("tap without a speed", "tap-without-speed", ["G80", "G84 X1. Y1. Z-5. R1. F100.", "G80"], 1, when=r"Y\s*[-\d.#\[]", unless=LATHE + "|" + CALLED + r"|S\s*[\d#\[]"),
+    before_a_move("tape mark in a comment", "tape-mark-in-comment", ["(50% OF IT)"]),
+    before_a_move("bracket without a partner", "unbalanced-bracket", ["#100=#101+3.]"]),
+    before_a_move("block that is never reached", "unreachable", ["GOTO98765", "#100=1.", "N98765"], 1),
+    before_a_move("offset number too high", "value-out-of-range", ["G43 H1000 Z5."], when=r"Y\s*[-\d.#\[]", unless=LATHE),
+    before_a_move("computed variable that is not there", "variable-out-of-range", ["#100=#[90000+9]"]),
+    before_a_move("computed variable that is read only", "variable-write-protected", ["#[5040+1]=1."]),
+    before_a_move("two arguments of SIN", "wrong-argument-count syntax-error", ["#100=SIN[1,2]"]),
+    before_a_move("loops that cross", "wrong-nesting end-without-begin loop-number-invalid", ["WHILE[#100LT5]DO2", "WHILE[#100LT3]DO3", "END2", "END3"], at="any"),
+    before_a_move("G as an argument", "wrong-type", ["G65 P9010 A1. G5."]),
+    before_a_move("IF without GOTO", "syntax-error", ["IF[#100EQ1] #101=3."]),
+    before_a_move("WHILE without DO", "syntax-error", ["WHILE[#100LT5]"]),
+    before_a_move("two # in a row", "syntax-error", ["#100=##101"]),
+    before_a_move("two calls in a block", "statement-not-alone", ["M98 P100 M98 P200"]),
+    before_a_move("eleven groups of I J K", "wrong-argument-count", ["G65 P9010" + " I1. J1. K1." * 11]),
+    before_a_move("file name too long", "name-too-long", ["M98 <ABCDEFGHIJKLMNOPQRSTUVWXYZABCDEFG>"]),
+    before_a_move("character that is not read", "invalid-character", ["G00 X1. ~"]),
+    before_a_move("shape of a cycle is missing", "cycle-shape-missing", ["G40", "G71 U1. R0.5", "G71 P9750 Q9760 U0.2 W0.1 F0.2"], 2, when=r"G50\s*S|G96\s*S"),
+    before_a_move("loop while fed", "not-in-drip-mode", ["WHILE[#100LT5]DO3", "#100=#100+1", "END3"], drip=True),
+    before_a_move("jump while fed", "not-in-drip-mode", ["IF[#100EQ1]GOTO98765", "N98765"], drip=True),
     Fault("arc that does not close", "arc-radius-mismatch arc-without-center", r"(?<=[IJK])[-+]?\d+\.\d*", lambda m: "8765.4321"),
 ]
 SIEMENS = [
@@ -79,6 +149,58 @@ SIEMENS = [
     Fault("= is missing", "missing-equals syntax-error", r"^(\s*(?:N\d+\s*)?R\d+)\s*=\s*(?=[\d(])", lambda m: m[1] + " "),
     Fault("two codes of a group", "codes-of-one-group", r"(?<![A-Z])G0?1\s", replace("G1 G2 ")),
     Fault("division by nothing", "division-by-zero", r"^(\s*(?:N\d+\s*)?R\d+)=[\d.]+\s*$", lambda m: f"{m[1]}=1/0"),
+    Fault("unit is not stated", "unit-not-stated", r"(?<![A-Z])G7[01]0?(?!\d)", replace(""), "only"),
+    Fault("plane is not stated", "plane-not-stated", r"(?<![A-Z])G1[789](?!\d)", replace(""), "only", when=r"(?<![A-Z])G0?[23]\s"),
+    Fault("parameter twice", "parameter-defined-twice name-defined-twice", r"(PROC\s+\w+\s*\(\s*(?:REAL|INT)\s+(\w+))", lambda m: f"{m[1]}, REAL {m[2]}", "any"),
+    before_a_move("six M in a block", "address-too-often", ["M10 M11 M12 M13 M14 M15"]),
+    before_a_move("corner both ways", "addresses-exclude", ["G1 X10 CHF=2 RND=3 F100"]),
+    before_a_move("no passes", "argument-out-of-domain", ["LABX98:", "REPEAT LABX98 P=0"], 1),
+    before_a_move("array without an index", "array-element-missing", ["ARRX98=5"], head="DEF REAL ARRX98[3]"),
+    before_a_move("block too long", "block-too-long", ["R1=1;" + "x" * 520]),
+    before_a_move("two codes that want a block", "statement-not-alone code-beside-function", ["G4 TRANS X10"]),
+    before_a_move("compensation begins on an arc", "comp-started-by-arc comp-without-tool", ["G40", "G41 G2 X10 Y0 I5 J0 F100", "G40"], 1),
+    before_a_move("compensation ends on an arc", "comp-started-by-arc", ["T1 D1", "G40", "G41 G1 X10 Y0 F100", "G40 G3 X0 Y0 I-5 J0"], 3),
+    before_a_move("compensation with D0", "comp-without-tool", ["D0", "G1 G41 X10 F100", "G40"], 1),
+    before_a_move("comparison beside AND", "comparison-beside-logic", ["IF R1==10 AND R2==20 GOTOF LABX98", "LABX98:"]),
+    before_a_move("definition behind a block", "definition-not-at-start", ["R1=1", "DEF REAL DEFX98=1"], 1),
+    before_a_move("axis word twice", "duplicate-address", ["G0 X1 X2"]),
+    before_a_move("loop without a way out", "endless-loop", ["LOOP", "R1=R1+1", "ENDLOOP"]),
+    before_a_move("character that is not read", "invalid-character", ["G0 X1 # Y2"]),
+    before_a_move("jump into a loop", "jump-into-loop", ["GOTOF LABX98", "WHILE R1<3", "LABX98: R1=R1+1", "ENDWHILE"]),
+    before_a_move("section without an end", "jump-target-missing", ["LABX98:", "R1=1", "REPEAT LABX98 LABX99 P=2"], 2),
+    before_a_move("binary number with a 2", "malformed-number", ["R1='B1012'"]),
+    before_a_move("hexadecimal number too long", "malformed-number", ["R1='H123456789'"]),
+    before_a_move("nothing before =", "missing-target syntax-error", ["=5"]),
+    before_a_move("structures too deep", "nesting-too-deep", ["IF R1==1"] * 17 + ["R2=1"] + ["ENDIF"] * 17, at="any"),
+    before_a_move("feed 0", "no-feed", ["G1 X1 F0"]),
+    before_a_move("frames and numbers chained", "operators-do-not-chain", ["FRX98=CTRANS(X,10):CROT(Z,45)+1"], head="DEF FRAME FRX98"),
+    before_a_move("plane changed in compensation", "plane-changed-in-comp", ["T1 D1", "G40 G17", "G41 G1 X10 F100", "G19", "G40 G1 X30", "G17"], 3),
+    before_a_move("skip level 10", "skip-level-invalid", ["/10 R1=1"]),
+    before_a_move("IF beside a statement", "statement-not-alone", ["IF R1==1 R2=5", "ENDIF"]),
+    before_a_move("dwell beside a move", "statement-not-alone", ["G4 F2 X10"]),
+    before_a_move("frame beside a code", "statement-not-alone", ["G0 TRANS X10"]),
+    before_a_move("message too long", "string-too-long", ['MSG("' + "x" * 130 + '")']),
+    before_a_move("= as a comparison", "syntax-error", ["IF R1=5 GOTOF LABX98", "LABX98:"]),
+    before_a_move("address that is not there", "unknown-address", ["G0 X1 Q5"]),
+    before_a_move("tool number too high", "value-out-of-range", ["T40000"]),
+    before_a_move("alarm that is not the user's", "value-out-of-range", ["SETAL(70001)"]),
+    before_a_move("one argument of ATAN2", "wrong-argument-count", ["R1=ATAN2(1)"]),
+    before_a_move("text as a number", "wrong-type", ['DEFX98="five"'], head="DEF REAL DEFX98"),
+    before_a_move("number as an axis", "wrong-type", ["G1 AX[1.5]=10"]),
+    before_a_move("system variable written", "variable-write-protected", ["$P_TOOLNO=5"]),
+    before_a_move("block that is never reached", "unreachable", ["GOTOF LABX98", "G0 X1", "LABX98:"], 1),
+    before_a_move("structures that cross", "wrong-nesting", ["WHILE R1<3", "IF R1==2", "ENDWHILE", "ENDIF"], at="any"),
+    before_a_move("bracket without a partner", "unbalanced-bracket", ["R1=(1+2))"]),
+    at_head("name defined twice", "name-defined-twice", ["DEF REAL DEFX98=1", "DEF INT DEFX98=2"], 1),
+    at_head("name of the control defined", "name-defined-twice", ["DEF REAL SIN"]),
+    at_head("name too long", "name-too-long", ["DEF REAL A23456789_123456789_123456789_12=1"]),
+    at_head("frame with a value", "initial-value-not-allowed", ["DEF FRAME FRX98=CTRANS(X,10)"]),
+    at_head("text too long", "string-too-long", ['DEF STRING[4] TEXTX98="12345"']),
+    at_head("four dimensions", "too-many-dimensions", ["DEF REAL ARRX98[2,2,2,2]"]),
+    at_head("too many initial values", "too-many-initial-values", ["DEF REAL ARRX98[2,2]=SET(1,2,3,4,5)"]),
+    at_head("macro in a macro", "syntax-error", ["DEFINE UPX98 AS G0 Z100", "DEFINE OUTX98 AS UPX98"], 1),
+    before_a_move("loop while fed", "not-in-drip-mode", ["FOR R1=1 TO 5", "R2=R1", "ENDFOR"], drip=True),
+    before_a_move("jump while fed", "not-in-drip-mode", ["LABX98: R1=R1+1", "IF R1<9 GOTOB LABX98"], 1, drip=True),
     Fault("string without end", "unterminated-string", r'"\s*(?=\)\s*$)', replace("")),
     Fault("program end is missing", "missing-program-end", r"(?<!\w)(M30|M17|RET|M2|M02)(?![\w(])", replace(""), "only"),
 ]
@@ -88,12 +210,12 @@ def faults_of(dialect):
     return COMMON + (SIEMENS if dialect.startswith("sinumerik") else MACRO)
 
 
-def check(binary, dialect, paths):
+def check(binary, dialect, paths, options=()):
     """Diagnostics by file."""
     out = {}
     for begin in range(0, len(paths), 40):
         part = [str(path) for path in paths[begin: begin + 40]]
-        said = subprocess.run([binary, "check", "--json", "--dialect", dialect, *part], capture_output=True, timeout=300)
+        said = subprocess.run([binary, "check", "--json", "--dialect", dialect, *options, *part], capture_output=True, timeout=300)
         for file in json.loads(said.stdout)["files"]:
             out[file["file"]] = file["diagnostics"]
     return out
@@ -103,18 +225,52 @@ def line_of(text, offset):
     return text[:offset].count("\n") + 1
 
 
+def head_of(text, dialect):
+    """Offset of the first line that may define something, None where the text is not one program."""
+    if not dialect.startswith("sinumerik") or text.count("%_N_") > 1:
+        return None
+    begin = 0
+    for line in text.split("\n"):
+        code = code_of(line, dialect).strip().upper()
+        if code and not code.startswith("%") and not re.match(r"(N\d+\s*)?PROC\b", code):
+            return begin
+        begin += len(line) + 1
+    return None
+
+
 def places(text, fault, dialect):
     """(begin, end, new text) of every place that the fault can have."""
+    if not fault.suits("\n".join(code_of(line, dialect) for line in text.split("\n"))):
+        return []
+    head = head_of(text, dialect)
+    if (fault.head or fault.at == "head") and head is None:
+        return []
+    if fault.at == "head":
+        return [(head, head, fault.change(None))]
     found = []
     begin = 0
     for line in text.split("\n"):
         code = code_of(line.rstrip("\r"), dialect)
         for match in fault.pattern.finditer(code):
             new = fault.change(match)
-            if new != match[0]:
+            if new != match[0] and (not fault.head or begin > head):
                 found.append((begin + match.start(), begin + match.end(), new))
         begin += len(line) + 1
     return found
+
+
+def mutated(text, fault, dialect, chance):
+    """The text with the fault at a place of chance and the line at which it stands; nothing where it has no place."""
+    choice = places(text, fault, dialect)
+    if not choice or (fault.at == "only" and len(choice) > 1):
+        return None
+    begin, end, new = chance.choice(choice)
+    line = line_of(text, begin) + fault.offset
+    text = text[:begin].encode("latin-1") + new.encode() + text[end:].encode("latin-1")
+    if not fault.head:
+        return text, line
+    head = head_of(text.decode("latin-1"), dialect)
+    return text[:head] + fault.head.encode() + b"\n" + text[head:], line + 1
 
 
 def main():
@@ -139,18 +295,18 @@ def main():
             text = path.read_bytes().decode("latin-1")
             before = {(d["id"], d["line"]) for d in said[str(path)]}
             for number, fault in enumerate(faults_of(given.dialect)):
-                choice = places(text, fault, given.dialect)
-                if not choice or (fault.at == "only" and len(choice) > 1):
+                made = mutated(text, fault, given.dialect, chance)
+                if made is None:
                     continue
-                begin, end, new = chance.choice(choice)
                 mutant = pathlib.Path(name) / f"{index}_{number}.nc"
-                mutant.write_bytes(text[:begin].encode("latin-1") + new.encode() + text[end:].encode("latin-1"))
-                changed[str(mutant)] = (fault, path, line_of(text, begin), before)
-        after = check(binary, given.dialect, [pathlib.Path(path) for path in changed])
+                mutant.write_bytes(made[0])
+                changed[str(mutant)] = (fault, path, made[1], before)
+        after = check(binary, given.dialect, [pathlib.Path(path) for path, (fault, *_) in changed.items() if not fault.drip])
+        after |= check(binary, given.dialect, [pathlib.Path(path) for path, (fault, *_) in changed.items() if fault.drip], ["--drip"])
         for mutant, (fault, path, line, before) in changed.items():
             tried[fault.name] += 1
             hits = [d for d in after[mutant] if d["id"] in fault.ids and (d["id"], d["line"]) not in before]
-            if any(fault.at != "line" or d["line"] == line for d in hits):
+            if any(fault.at not in ("line", "head") or d["line"] == line for d in hits):
                 found[fault.name] += 1
             else:
                 missed.append(f"{path}:{line}: {fault.name}: said {[(d['id'], d['line']) for d in after[mutant] if d['severity'] == 'error'][:3]}")
