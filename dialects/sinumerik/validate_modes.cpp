@@ -1,6 +1,6 @@
-// Compensation in the order of the text: it starts and ends on a straight move and keeps its plane. A main program
-// only; behind a label, a jump, a call or a native statement of unknown effect nothing is taken for certain. And M
-// functions that the machine's list does not have.
+// Compensation in the order of the text: it starts and ends on a straight move and keeps its plane. At the start of a
+// subprogram, behind a label, a jump, a call or a native statement of unknown effect nothing is taken for certain. And
+// M functions that the machine's list does not have.
 #include <algorithm>
 
 #include "dialects/sinumerik/validate.h"
@@ -18,7 +18,7 @@ class Compensation {
   explicit Compensation(const Check& check) : check_(check) {}
 
   void run() {
-    if (is_subprogram(check_.program)) return;
+    if (is_subprogram(check_.program)) forget();
     for (const ir::Statement& s : check_.program.statements) {
       const bool others = s.kind == StatementKind::call || s.kind == StatementKind::modal_call ||
                           s.kind == StatementKind::go_to || ir::is_structure(s.kind) ||
@@ -39,6 +39,7 @@ class Compensation {
     arc_known_ = false;
     without_moves_ = 0;
     moved_ = true;
+    plane_ = Function::none;
   }
 
   // Whether it moves an axis.

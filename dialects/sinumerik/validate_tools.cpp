@@ -1,5 +1,6 @@
-// Compensation where no tool edge is active, and constant surface speed without a speed: what a main program can be
-// seen to lack in the order of its text. After a call or a native statement of unknown effect nothing more is said.
+// Compensation where no tool edge is active, and constant surface speed without a speed: what a program can be seen to
+// lack in the order of its text; a subprogram may have them from its caller. After a call or a native statement of
+// unknown effect nothing more is said.
 #include <algorithm>
 
 #include "dialects/sinumerik/validate.h"
@@ -18,7 +19,7 @@ class Tools {
   explicit Tools(const Check& check) : check_(check) {}
 
   void run() {
-    if (is_subprogram(check_.program)) return;
+    had_speed_ = is_subprogram(check_.program);
     for (const ir::Statement& s : check_.program.statements) {
       // A jump back may come from where the tool is another.
       if (s.is_label) off_ = surface_speed_ = {};

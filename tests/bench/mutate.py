@@ -46,7 +46,7 @@ class Fault:
 
 def before_a_move(name, ids, lines, offset=0, **more):
     """The lines are put in before a straight move; the fault stands in line `offset` of them."""
-    return Fault(name, ids, r"^(?=\s*(?:N\d+)?\s*G0?[01](?![\d.])\s*[XYZ])", replace("\n".join(lines) + "\n"), offset=offset, **more)
+    return Fault(name, ids, r"^(?=\s*(?:N\d+)?\s*G0?[01](?![\d.])\s*[A-Z])", replace("\n".join(lines) + "\n"), offset=offset, **more)
 
 
 def at_head(name, ids, lines, offset=0, **more):
@@ -179,7 +179,7 @@ SIEMENS = [
     before_a_move("IF beside a statement", "statement-not-alone", ["IF R1==1 R2=5", "ENDIF"]),
     before_a_move("dwell beside a move", "statement-not-alone", ["G4 F2 X10"]),
     before_a_move("frame beside a code", "statement-not-alone", ["G0 TRANS X10"]),
-    before_a_move("message too long", "string-too-long", ['MSG("' + "x" * 130 + '")']),
+    before_a_move("message too long", "string-too-long", ['MSG("' + "x" * 210 + '")']),
     before_a_move("= as a comparison", "syntax-error", ["IF R1=5 GOTOF LABX98", "LABX98:"]),
     before_a_move("address that is not there", "unknown-address", ["G0 X1 Q5"]),
     before_a_move("tool number too high", "value-out-of-range", ["T40000"]),
@@ -198,7 +198,7 @@ SIEMENS = [
     at_head("text too long", "string-too-long", ['DEF STRING[4] TEXTX98="12345"']),
     at_head("four dimensions", "too-many-dimensions", ["DEF REAL ARRX98[2,2,2,2]"]),
     at_head("too many initial values", "too-many-initial-values", ["DEF REAL ARRX98[2,2]=SET(1,2,3,4,5)"]),
-    at_head("macro in a macro", "syntax-error", ["DEFINE UPX98 AS G0 Z100", "DEFINE OUTX98 AS UPX98"], 1),
+    before_a_move("macro in a macro", "syntax-error", ["OUTX98"], at="any", head="DEFINE UPX98 AS G0 Z100\nDEFINE OUTX98 AS UPX98"),
     before_a_move("loop while fed", "not-in-drip-mode", ["FOR R1=1 TO 5", "R2=R1", "ENDFOR"], drip=True),
     before_a_move("jump while fed", "not-in-drip-mode", ["LABX98: R1=R1+1", "IF R1<9 GOTOB LABX98"], 1, drip=True),
     Fault("string without end", "unterminated-string", r'"\s*(?=\)\s*$)', replace("")),
@@ -270,7 +270,7 @@ def mutated(text, fault, dialect, chance):
     if not fault.head:
         return text, line
     head = head_of(text.decode("latin-1"), dialect)
-    return text[:head] + fault.head.encode() + b"\n" + text[head:], line + 1
+    return text[:head] + fault.head.encode() + b"\n" + text[head:], line + fault.head.count("\n") + 1
 
 
 def main():
