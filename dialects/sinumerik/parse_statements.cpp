@@ -86,10 +86,16 @@ void Parser::statement_of(const Keyword& keyword, text::Span head) {
   }
 }
 
-// The rest of the block belongs to what stands at its head and is not read.
+// The rest of the block belongs to what stands at its head and is not read, but for its brackets.
 void Parser::native(std::string_view name, bool effects_known, text::Span head) {
   const bool moves = may_move(name) || acts_on_axes();
-  skip_block();
+  std::string open;  // what would close them, the innermost last
+  for (; !cursor_.at_block_end(); cursor_.advance()) {
+    if (cursor_.is_symbol('(')) open += ')';
+    if (cursor_.is_symbol('[')) open += ']';
+    if (!open.empty() && cursor_.is_symbol(open.back())) open.pop_back();
+  }
+  if (!open.empty()) report(DiagnosticId::missing_bracket, cursor_.span(), {std::string(1, open.back())});
   lower_.keep_as_native(name, effects_known, to_here(head), moves);
 }
 
