@@ -86,10 +86,20 @@ class Converter {
       result_.text = request_.source.text();
       return std::move(result_);
     }
+    translate();
+    refuse_long_blocks();
+    proofread();
+    return std::move(result_);
+  }
+
+ private:
+  // The program that was read is gone before its translation is: each takes some hundred bytes a block.
+  void translate() {
     ir::ReadResult read = from_.read(request_.source, request_.from);
     append(result_.diagnostics, std::move(read.diagnostics));
     append(result_.diagnostics, unmatched_structures(read.program, request_.from));
-    if (text::has_error(result_.diagnostics)) return std::move(result_);
+    if (!text::has_error(result_.diagnostics)) refuse_faulty(read.program);
+    if (text::has_error(result_.diagnostics)) return;
     append(result_.diagnostics, passes::foreign_machine_functions(read.program, request_.from, request_.to));
     if (request_.mode == ConvertMode::macro) {
       settle(read.program);
@@ -102,12 +112,18 @@ class Converter {
     } else {
       explicit_blocks(read.program);
     }
-    refuse_long_blocks();
-    proofread();
-    return std::move(result_);
   }
 
- private:
+  // What its own control would alarm on has no meaning that could be translated. A name that is not defined may be the
+  // control's global data: raising tells where that matters.
+  void refuse_faulty(const ir::Program& program) {
+    std::vector<text::Diagnostic> found = from_.validate(program, request_.from, ir::Delivery::memory);
+    std::erase_if(found, [](const text::Diagnostic& one) {
+      return one.severity != text::Severity::error || one.id == text::DiagnosticId::unknown_name;
+    });
+    append(result_.diagnostics, std::move(found));
+  }
+
   void print(const ir::Program& program, const ir::Control& from) {
     append(result_.diagnostics, foreign_axis_words(program, from, request_.to));
     ir::RaiseResult raised = to_.raise(program, from, request_.to);

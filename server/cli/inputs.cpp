@@ -33,7 +33,16 @@ app::Result<std::string> read_file(const std::string& path) {
     return app::fail(app::ErrorCode::unavailable, fmt::format("{}: is a folder", path));
   std::ifstream file(path, std::ios::binary);
   if (!file) return app::fail(app::ErrorCode::unavailable, fmt::format("{}: {}", path, std::strerror(errno)));
-  std::string text(std::istreambuf_iterator<char>(file), {});
+  // In large pieces: an iterator over the stream takes as long for a long program as reading its blocks.
+  constexpr std::size_t kPieceBytes = std::size_t{1} << 20U;
+  std::string text;
+  for (std::size_t read = kPieceBytes; read == kPieceBytes;) {
+    const std::size_t size = text.size();
+    text.resize(size + kPieceBytes);
+    file.read(text.data() + size, static_cast<std::streamsize>(kPieceBytes));
+    read = static_cast<std::size_t>(file.gcount());
+    text.resize(size + read);
+  }
   if (file.bad()) return app::fail(app::ErrorCode::unavailable, fmt::format("{}: cannot be read to its end", path));
   return text;
 }

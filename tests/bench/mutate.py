@@ -33,10 +33,10 @@ class Fault:
     """`pattern` finds places in the code of a line, `change` gives the new text of a match. `at`: "line"; "any" where the line at which a control
     notices is not the line of the fault (an end that is missing); "only": the same, and a fault only where the program has one such place. `offset`:
     how many lines behind the place the fault stands. `head`: definitions that it needs at the program's start. `when`, `unless`: only in programs
-    whose code has, or has not, this. `drip`: seen when the program is fed block by block."""
+    whose code has, or has not, this. `drip`: seen when the program is fed block by block. `only`: the control that has an alarm for it."""
 
-    def __init__(self, name, ids, pattern, change, at="line", offset=0, head="", when="", unless="", drip=False):
-        self.name, self.ids, self.at, self.offset, self.head, self.drip = name, set(ids.split()), at, offset, head, drip
+    def __init__(self, name, ids, pattern, change, at="line", offset=0, head="", when="", unless="", drip=False, only=""):
+        self.name, self.ids, self.at, self.offset, self.head, self.drip, self.only = name, set(ids.split()), at, offset, head, drip, only
         self.pattern, self.change = re.compile(pattern), change
         self.when, self.unless = re.compile(when), re.compile(unless) if unless else None
 
@@ -110,7 +110,7 @@ MACRO = [
     before_a_move("comment in a comment", "nested-comment", ["(OUTER (INNER) REST)"]),
     before_a_move("inverse time without F", "no-feed", ["G93", "G01 X5. F2.", "G01 Y5.", "G94"], 2, when=r"Y\s*[-\d.#\[]", unless=LATHE + "|" + CALLED),
     before_a_move("block number 0", "number-zero", ["N0 G90"]),
-    before_a_move("pecks without Q", "peck-without-depth", ["G80", "G83 X2. Y1. Z-5. R1. F100.", "G80"], 1, when=r"Y\s*[-\d.#\[]", unless=LATHE),
+    before_a_move("pecks without Q", "peck-without-depth", ["G80", "G83 X2. Y1. Z-5. R1. F100.", "G80"], 1, when=r"Y\s*[-\d.#\[]", unless=LATHE, only="fanuc"),
     before_a_move("plane changed in compensation", "plane-changed-in-comp", ["G40 G17", "G41 G01 X10. D1 F100.", "G19", "G40 X0.", "G17"], 2),
     before_a_move("plane changed in a rotation", "plane-changed-in-rotation", ["G69 G17", "G68 X0. Y0. R30.", "G19", "G69", "G17"], 2, when=r"Y\s*[-\d.#\[]", unless=LATHE),
     before_a_move("reference in a cycle", "reference-in-cycle", ["G40 G80", "G81 X1. Z-1. R1. F100.", "G28 Z5.", "G80"], 2, when=r"Y\s*[-\d.#\[]", unless=LATHE),
@@ -207,7 +207,8 @@ SIEMENS = [
 
 
 def faults_of(dialect):
-    return COMMON + (SIEMENS if dialect.startswith("sinumerik") else MACRO)
+    faults = COMMON + (SIEMENS if dialect.startswith("sinumerik") else MACRO)
+    return [fault for fault in faults if fault.only in ("", dialect)]
 
 
 def check(binary, dialect, paths, options=()):

@@ -313,7 +313,7 @@ TEST(Convert, LeastIncrementsCountInTheUnitInEffect) {
 // No control has words for half a structure: it is refused in both modes, and the whole one is not.
 TEST(Convert, RefusesHalfAStructure) {
   const ir::Control from = control("sinumerik-840d", ir::MachineKind::mill);
-  const std::string head = "G17 G90 G94 G710\nDEF INT N\n";
+  const std::string head = "DEF INT N\nG17 G90 G94 G710\n";
   for (const ConvertMode mode : {ConvertMode::macro, ConvertMode::explicit_blocks}) {
     const auto refused = [&](const std::string& body) {
       ConvertRequest request;
@@ -328,6 +328,18 @@ TEST(Convert, RefusesHalfAStructure) {
     EXPECT_TRUE(refused("G1 X1 F100\nENDWHILE\nM30\n"));
     EXPECT_TRUE(refused("ELSE\nG1 X1 F100\nM30\n"));
     EXPECT_FALSE(refused("FOR N=1 TO 3\nG1 X=N F100\nENDFOR\nM30\n"));
+  }
+}
+
+// An index that is a text: a fault that only the validator of its own control tells.
+TEST(Convert, RefusesWhatItsOwnControlRefuses) {
+  const std::string text = "DEF REAL ROW[3]\nG17 G710 G90 G94\nROW[\"two\"]=1\nM30\n";
+  for (const std::string& to : dialect_names()) {
+    if (to == "sinumerik-840d") continue;
+    const ConvertResult result = translated(text, "sinumerik-840d", to);
+    EXPECT_TRUE(result.text.empty()) << result.text;
+    EXPECT_NE(said(result.diagnostics, text::Source("program", text)).find("program:3:5: error[wrong-type]"),
+              std::string::npos);
   }
 }
 
