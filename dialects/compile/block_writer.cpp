@@ -169,7 +169,8 @@ void BlockWriter::feed(const ir::Motion& motion) {
   if (same_mode && motion.feed == feed_ && !every_block) return;
   if (!same_mode) add(function_of(motion.feed_mode));
   if (!thread) feed_mode_ = motion.feed_mode;
-  feed_ = motion.feed;
+  // The lead of a thread is no feed on a control that has a word of its own for it.
+  feed_ = thread ? 0.0 : motion.feed;
   add(Address::f, motion.feed);
 }
 

@@ -10,6 +10,7 @@
 #include "dialects/compile/explicit_program.h"
 #include "dialects/compile/several_programs.h"
 #include "dialects/compile/target_axes.h"
+#include "dialects/passes/absolute_centers.h"
 #include "dialects/passes/arc_words.h"
 #include "dialects/passes/machine_functions.h"
 #include "dialects/passes/settle_modes.h"
@@ -103,6 +104,8 @@ class Converter {
     append(result_.diagnostics, passes::foreign_machine_functions(read.program, request_.from, request_.to));
     if (request_.mode == ConvertMode::macro) {
       settle(read.program);
+      // One program is the whole text, however many statements it gets.
+      if (read.program.sections.size() == 1) read.program.sections.clear();
       if (read.program.sections.size() > 1) {
         several(read.program);
       } else {
@@ -138,6 +141,7 @@ class Converter {
   void settle(ir::Program& program) {
     append(result_.diagnostics, passes::settle_modes(program, request_.from, request_.to));
     append(result_.diagnostics, passes::settle_arcs(program, request_.from, request_.to));
+    append(result_.diagnostics, passes::settle_centers(program, request_.from, request_.to));
   }
 
   void several(const ir::Program& text) {

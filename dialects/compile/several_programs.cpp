@@ -67,7 +67,9 @@ std::string JoinedPrograms::name_there(const ir::Program& program) {
   if (tape_of_files && is_numbered(name, 'O') && (called || !has(program, StatementKind::program_end)))
     name = "L" + name.substr(1);
   if (!tape_of_files && is_numbered(name, 'L')) name = fmt::format("O{:0>4}", name.substr(1));
-  const bool findable = tape_of_files || is_numbered(name, 'O') || names_.empty();
+  // A subprogram can be called by a file's name; two main programs would both be O0001.
+  const bool by_name = has(program, StatementKind::subprogram_return) && !has(program, StatementKind::program_end);
+  const bool findable = tape_of_files || is_numbered(name, 'O') || by_name || names_.empty();
   if (!findable) cannot("the name of the program " + name, span_of(program));
   // An end of the program in a called one ends all; SINUMERIK's goes back to the caller.
   if (tape_of_files && called && has(program, StatementKind::program_end))

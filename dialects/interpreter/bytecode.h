@@ -119,6 +119,7 @@ enum class Opcode : std::uint8_t {
   modal_end,
   passes,      // an alarm unless number a is one that a program can run
   skip_given,  // to b when parameter a was given
+  load_given,  // a: whether parameter b was given; not known where the program runs by itself
   back,        // of a subprogram, and of a further ones
   back_to,     // … to the block with number a in the caller, and of b further ones
   program_end,

@@ -43,6 +43,7 @@ class CallStack {
   std::optional<std::uint32_t> call_modal(const Instruction& i, std::uint32_t next);
   // Leaves a called program; gives where the caller goes on. A modal call may be due again: it is then entered anew.
   std::uint32_t go_back();
+  [[nodiscard]] bool is_main() const { return frames_.size() == 1; }
   [[nodiscard]] bool was_given(std::uint32_t parameter) const {
     return parameter < kParametersAtMost && frames_.back().given[parameter];
   }

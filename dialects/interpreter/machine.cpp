@@ -217,6 +217,7 @@ void Machine::execute(std::uint32_t next) {
       case Opcode::passes:
       case Opcode::output:
       case Opcode::skip_given:
+      case Opcode::load_given:
       case Opcode::back:
       case Opcode::back_to:
       case Opcode::program_end:
@@ -289,6 +290,8 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
     reg(i.a) = storage_.refer(space_of(static_cast<Operand>(i.b)), index_of(static_cast<Operand>(i.b)));
   else if (i.op == Opcode::skip_given)
     next = stack_.was_given(i.a) ? i.b : next;
+  else if (i.op == Opcode::load_given)
+    reg(i.a) = stack_.is_main() ? kVacant : static_cast<double>(stack_.was_given(i.b));
   else if (i.op == Opcode::modal_end)
     stack_.end_modal();
   else if (i.op == Opcode::section_end)

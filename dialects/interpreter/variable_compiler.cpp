@@ -3,6 +3,7 @@
 #include "dialects/interpreter/variable_compiler.h"
 
 #include <array>
+#include <cmath>
 
 #include "dialects/interpreter/expression_compiler.h"
 #include "dialects/interpreter/unknown.h"
@@ -156,6 +157,7 @@ Value VariableCompiler::load(const ir::Variable& variable, Operand target) {
   const bool numbered = variable.bank == Bank::hash || variable.bank == Bank::r;
   ++(numbered ? builder_.work.number_reads : builder_.work.named_reads);
   if (const auto frame = frame_kind(variable)) return load_frame(variable, *frame, target);
+  if (const auto given = load_given(variable, target)) return *given;
   if (is_shared(variable)) return load_shared(variable, target);
   if (is_part_of_frame(variable))
     return load_part(make_operand(Space::frame, slot_of(variable.symbol).slot), variable.index, variable.index2,
@@ -166,6 +168,18 @@ Value VariableCompiler::load(const ir::Variable& variable, Operand target) {
   const Operand to = target == Operand::none ? builder_.take() : target;
   builder_.emit(Opcode::load_system, variable.span, raw_of(to), variable.number, raw_of(index));
   return {to, ValueType::real, std::nullopt};
+}
+
+// $P_SUBPAR[n]: whether the n-th parameter of this program was given.
+std::optional<Value> VariableCompiler::load_given(const ir::Variable& variable, Operand target) {
+  if (variable.bank != Bank::system || variable.name == ir::StringId::none) return std::nullopt;
+  if (builder_.source().strings.at(variable.name) != "$P_SUBPAR") return std::nullopt;
+  const ir::Expression* number = builder_.find(variable.index);
+  if (number == nullptr || number->op != ir::Operator::constant || number->value < 1.0) return std::nullopt;
+  const Operand to = target == Operand::none ? builder_.take() : target;
+  const auto parameter = static_cast<std::uint32_t>(std::fmin(number->value, 1e6)) - 1;
+  builder_.emit(Opcode::load_given, variable.span, raw_of(to), parameter);
+  return Value{to, ValueType::boolean, std::nullopt};
 }
 
 Value VariableCompiler::load_symbol(const ir::Variable& variable, Operand target) {

@@ -38,6 +38,7 @@ class VariableCompiler {
   Value load_shared_text(const ir::Variable& variable);
 
  private:
+  std::optional<Value> load_given(const ir::Variable& variable, Operand target);
   Value load_symbol(const ir::Variable& variable, Operand target);
   Value load_numbered(const ir::Variable& variable, Operand target);
   void store_symbol(const ir::Variable& target, const Value& value, text::Span span);

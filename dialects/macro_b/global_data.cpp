@@ -1,11 +1,11 @@
 // A name is told once, where it is used first.
 #include "dialects/macro_b/global_data.h"
 
-#include <algorithm>
 #include <optional>
 #include <set>
 #include <string>
 
+#include "dialects/macro_b/raise_parameters.h"
 #include "dialects/passes/set_on_all_ways.h"
 #include "dialects/passes/walk.h"
 
@@ -13,19 +13,10 @@ namespace dripfeed::macro_b {
 
 namespace {
 
-using ir::StatementKind;
-
 std::optional<std::uint32_t> global_of(const ir::Program& program, const ir::Variable& v) {
   if (v.bank != ir::Bank::named || v.symbol == ir::SymbolId::none) return std::nullopt;
   if (!program.at(v.symbol).is_global) return std::nullopt;
   return static_cast<std::uint32_t>(v.symbol);
-}
-
-bool has_company(const ir::Program& program) {
-  return std::ranges::any_of(program.statements, [](const ir::Statement& s) {
-    return s.kind == StatementKind::call || s.kind == StatementKind::modal_call || s.kind == StatementKind::procedure ||
-           s.kind == StatementKind::subprogram_return || s.kind == StatementKind::return_to;
-  });
 }
 
 class Refusal {

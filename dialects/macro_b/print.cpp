@@ -69,12 +69,33 @@ std::string comment_text(std::string_view text) {
   return out;
 }
 
-std::string program_head(std::string_view name) {
+namespace {
+
+// As it may stand between < and > (0i-F operator's manual, program name).
+bool is_file_name(std::string_view name) {
+  constexpr std::size_t kLongest = 32;
+  return !name.empty() && name.size() <= kLongest && std::ranges::all_of(name, [](char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '_' || c == '.';
+  });
+}
+
+bool comes_back(const ir::Program& program) {
+  const auto has = [&](StatementKind kind) {
+    return std::ranges::find(program.statements, kind, &ir::Statement::kind) != program.statements.end();
+  };
+  return has(StatementKind::subprogram_return) && !has(StatementKind::program_end);
+}
+
+}  // namespace
+
+std::string program_head(const ir::Program& program) {
+  const std::string_view name = program.name;
   const bool is_number = name.size() > 1 && name.size() <= 9 && name.front() == 'O' &&
                          name.find_first_not_of("0123456789", 1) == std::string_view::npos;
   // No control stores a program under the number 0.
   const bool is_zero = is_number && name.find_first_not_of('0', 1) == std::string_view::npos;
   if (is_number && !is_zero) return std::string(name);
+  if (!is_number && is_file_name(name) && comes_back(program)) return fmt::format("<{}>", name);
   return name.empty() ? "O0001" : fmt::format("O0001({})", comment_text(name));
 }
 

@@ -55,7 +55,8 @@ class ProgramPrinter {
 // Upper case without brackets and tape marks: what may stand in a comment.
 std::string comment_text(std::string_view text);
 // "O0012" for a name of that form, otherwise "O0001(NAME)".
-std::string program_head(std::string_view name);
+// O1234; <NAME> of a subprogram, which calls name so; O0001(NAME).
+std::string program_head(const ir::Program& program);
 // The row that does this on the control: G codes first. nullptr when it has none.
 const ir::CodeRow* find_function(const ir::Control& control, ir::Function function, std::int16_t argument);
 

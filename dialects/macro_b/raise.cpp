@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "dialects/macro_b/complete.h"
 #include "dialects/macro_b/flatten.h"
 #include "dialects/macro_b/global_data.h"
@@ -13,6 +15,7 @@
 #include "dialects/macro_b/raise_block.h"
 #include "dialects/macro_b/raise_drilling.h"
 #include "dialects/macro_b/raise_frames.h"
+#include "dialects/macro_b/raise_parameters.h"
 #include "dialects/passes/allocation.h"
 #include "dialects/passes/foreign_variables.h"
 #include "dialects/passes/labels.h"
@@ -30,6 +33,11 @@ using ir::StatementKind;
 
 constexpr double kHighestAlarm = 200.0;      // of #3000 = n
 constexpr double kForeignAlarms = 65'000.0;  // user alarms of controls that count from there
+
+// L100
+bool is_l_number(std::string_view name) {
+  return name.size() > 1 && name.front() == 'L' && name.find_first_not_of("0123456789", 1) == std::string_view::npos;
+}
 
 class StatementRaiser {
  public:
@@ -62,11 +70,9 @@ class StatementRaiser {
       case StatementKind::modal_call: return call(s);
       case StatementKind::repeat_section: return blocks_.cannot(s, "a section that is repeated");
       case StatementKind::execute_text: return blocks_.cannot(s, "a text that is executed as a block");
-      case StatementKind::procedure:
-        if (program_.structures[s.payload].symbol_count != 0) blocks_.cannot(s, "a program with parameters");
-        return;
       case StatementKind::go_to: return jump(s);
       case StatementKind::program_end: return end(s);
+      case StatementKind::procedure:  // its parameters are raised
       case StatementKind::declaration: return;
       case StatementKind::subprogram_return:
       case StatementKind::modal_call_end:
@@ -109,16 +115,11 @@ class StatementRaiser {
 
   void call(const ir::Statement& s) {
     const ir::Call& call = program_.calls[s.payload];
-    const auto arguments = program_.arguments_of(call);
-    const bool by_position = std::ranges::any_of(arguments, [](const ir::Argument& a) { return a.letter == 0; });
-    if (by_position) return blocks_.cannot(s, "a call with arguments by position");
     if (call.computed != ExpressionId::none) return blocks_.cannot(s, "a call of a program whose name is computed");
     // Numbered subprograms of other controls keep their number: L100 is O0100.
-    const std::string name(program_.strings.at(call.name));
-    if (!same_dialect_ && name.size() > 1 && name.front() == 'L' &&
-        name.find_first_not_of("0123456789", 1) == std::string::npos) {
-      program_.calls[s.payload].name = program_.strings.add("O" + name.substr(1));
-    }
+    const std::string_view name = program_.strings.at(call.name);
+    if (!same_dialect_ && is_l_number(name))
+      program_.calls[s.payload].name = program_.strings.add("O" + std::string(name.substr(1)));
     out_.keep();
   }
 
@@ -223,6 +224,17 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   if (from.dialect != to.dialect) append(result.diagnostics, raise_drilling(p, from, to));
   if (from.dialect != to.dialect) append(result.diagnostics, raise_frames(p, to));
   if (from.dialect != to.dialect) append(result.diagnostics, refuse_global_data(p, to));
+  const bool by_number =
+      std::ranges::any_of(from.variables, [](const ir::VariableRange& range) { return range.bank == ir::Bank::hash; });
+  passes::AllocationRules rules;
+  if (from.dialect != to.dialect && !by_number) {
+    if (is_l_number(p.name)) p.name = fmt::format("O{:0>4}", p.name.substr(1));
+    rules.shares = has_company(p);
+    append(result.diagnostics, raise_calls(p, to));
+    RaisedParameters parameters = raise_parameters(p, to);
+    rules.fixed = std::move(parameters.numbers);
+    append(result.diagnostics, std::move(parameters.diagnostics));
+  }
   passes::FreeNumbers numbers(p, grammar.highest_block_number);
   append(result.diagnostics, passes::number_labels(p, numbers));
   append(result.diagnostics, passes::lower_counted_loops(p, numbers).diagnostics);
@@ -231,10 +243,8 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   append(result.diagnostics, passes::lower_conditions(p, numbers).diagnostics);
   append(result.diagnostics, passes::lower_logic(p, numbers).diagnostics);
   append(result.diagnostics, passes::limit_loop_nesting(p, numbers, to.limits.loop_nesting).diagnostics);
-  const bool by_number =
-      std::ranges::any_of(from.variables, [](const ir::VariableRange& range) { return range.bank == ir::Bank::hash; });
   if (from.dialect != to.dialect && by_number) append(result.diagnostics, passes::settle_variables(p, from, to));
-  append(result.diagnostics, passes::allocate_variables(p, from, to, ir::Bank::hash).diagnostics);
+  append(result.diagnostics, passes::allocate_variables(p, from, to, ir::Bank::hash, rules).diagnostics);
   check_system_variables(p, to, result.diagnostics);
   for (text::Diagnostic& d : result.diagnostics) d.alarm = ir::alarm_of(to, d.id);
   return result;

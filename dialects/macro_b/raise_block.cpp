@@ -252,6 +252,10 @@ void BlockRaiser::distance_frame(const Traits& traits) {
     return cannot(*statement_, "absolute and incremental words in one block");
   const bool incremental = traits.any_incremental;
   if ((!traits.any_incremental && !traits.any_absolute) || incremental == incremental_) return;
+  // G90 X=IC(5): the block's own code is the one behind it.
+  std::erase_if(draft_.codes, [](const ir::Code& c) {
+    return c.function == Function::absolute || c.function == Function::incremental;
+  });
   before_.push_back({{code_of(incremental ? Function::incremental : Function::absolute)}, {}});
   after_.push_back({{code_of(incremental ? Function::absolute : Function::incremental)}, {}});
 }

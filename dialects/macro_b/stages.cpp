@@ -44,7 +44,7 @@ std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Con
 ir::PrintResult print(const ir::Program& program, const ir::Control& control, const Grammar& grammar) {
   ProgramPrinter printer(program, control, grammar);
   printer.frame_line("%");
-  printer.frame_line(program_head(program.name));
+  printer.frame_line(program_head(program));
   printer.statements();
   printer.frame_line("%");
   return printer.take();

@@ -34,8 +34,9 @@ struct Wanted {
 
 class Allocator {
  public:
-  Allocator(ir::Program& program, const ir::Control& from, const ir::Control& to, Bank bank)
-      : program_(program), from_(from), to_(to), bank_(bank), live_(program) {}
+  Allocator(ir::Program& program, const ir::Control& from, const ir::Control& to, Bank bank,
+            const AllocationRules& rules)
+      : program_(program), from_(from), to_(to), bank_(bank), rules_(rules), live_(program) {}
 
   AllocationReport run() {
     define_to_assign();
@@ -60,7 +61,9 @@ class Allocator {
     for (std::uint32_t i = 0; i < count; ++i) {
       out.at(i);
       const ir::Statement& s = program_.statements[i];
-      if (s.kind != ir::StatementKind::define) {
+      const bool kept = s.kind == ir::StatementKind::define &&
+                        rules_.kept.contains(static_cast<ir::SymbolId>(program_.structures[s.payload].first_symbol));
+      if (s.kind != ir::StatementKind::define || kept) {
         out.keep();
         continue;
       }
@@ -114,7 +117,7 @@ class Allocator {
   void note(const VariableUseAt& use, std::uint32_t statement) {
     const ir::Variable& v = program_.at(use.variable);
     used_.insert(static_cast<std::uint32_t>(use.variable));
-    if (v.bank == Bank::system) return;
+    if (v.bank == Bank::system || is_kept(v)) return;
     if (v.bank == bank_) {
       if (v.index == ExpressionId::none) {
         taken_.insert(v.number);
@@ -124,6 +127,7 @@ class Allocator {
       return;
     }
     if (v.bank != Bank::named && v.index != ExpressionId::none) {
+      if (rules_.shares && !whole_bank_) refuse_whole_bank(v);
       whole_bank_ = true;
       whole_from_ = v.bank;
       return;
@@ -138,6 +142,17 @@ class Allocator {
     }
     if (named && v.index != ExpressionId::none) check_array(wanted, v);
     live_.extend(wanted.live, statement);
+  }
+
+  [[nodiscard]] bool is_kept(const ir::Variable& v) const {
+    return v.bank == Bank::named && rules_.kept.contains(v.symbol);
+  }
+
+  // A called program and its caller may need other places for theirs.
+  void refuse_whole_bank(const ir::Variable& v) {
+    report_.diagnostics.push_back(
+        text::make_diagnostic(text::DiagnosticId::cannot_translate, v.span,
+                              {"a variable of computed number, which called programs and callers share,", to_.title}));
   }
 
   // Two arrays whose sizes nobody knows would lie in each other.
@@ -192,12 +207,22 @@ class Allocator {
     if (pinned_ && !wanted_.empty()) return false;
     // Arrays first: they need their numbers in a row. Then those that can keep their own number, or one like it: R1 is
     // #101.
-    for (auto& [key, wanted] : wanted_) wanted.given = false;
     for (auto& [key, wanted] : wanted_) {
-      if (wanted.place.count > 1 && !place(wanted, false)) return false;
+      wanted.given = false;
+      const auto fixed = rules_.fixed.find(wanted.place.symbol);
+      if (key.first == Bank::named && fixed != rules_.fixed.end()) give(wanted, fixed->second);
+    }
+    for (auto& [key, wanted] : wanted_) {
+      if (!wanted.given && wanted.place.count > 1 && !place(wanted, false)) return false;
     }
     for (auto& [key, wanted] : wanted_) {
       if (wanted.given || key.first == Bank::named) continue;
+      if (rules_.shares) {
+        const std::uint32_t number = agreed_number(key.second);
+        if (!is_shared_by_calls(number) || !is_free(number, 1, wanted.live, false)) return false;
+        give(wanted, number);
+        continue;
+      }
       for (const std::uint32_t number : {key.second, first_common() + key.second}) {
         if (!wanted.given && is_shared_by_calls(number) && is_free(number, 1, wanted.live, false)) give(wanted, number);
       }
@@ -205,8 +230,20 @@ class Allocator {
     return std::ranges::all_of(wanted_, [&](auto& row) { return row.second.given || place(row.second, share); });
   }
 
+  // 0 where there is none.
+  [[nodiscard]] std::uint32_t agreed_number(std::uint32_t number) const {
+    for (const ir::VariableRange& range : user_ranges()) {
+      if (range.use == VariableUse::local) continue;
+      const std::uint32_t count = range.last - range.first + 1;
+      if (number < count) return range.first + number;
+      number -= count;
+    }
+    return 0;
+  }
+
   bool place(Wanted& wanted, bool share) {
     for (const ir::VariableRange& range : user_ranges()) {
+      if (rules_.shares && range.use != VariableUse::local) continue;
       const std::uint32_t count = wanted.place.count;
       for (std::uint32_t n = range.first; n + count <= range.last + 1; ++n) {
         if (!is_free(n, count, wanted.live, share)) continue;
@@ -261,7 +298,7 @@ class Allocator {
   void rewrite() {
     for (const std::uint32_t index : used_) {
       ir::Variable v = program_.variables[index];
-      if (v.bank == bank_ || v.bank == Bank::system) continue;
+      if (v.bank == bank_ || v.bank == Bank::system || is_kept(v)) continue;
       const bool whole = whole_bank_ && v.bank == whole_from_;
       const std::uint32_t key = v.bank == Bank::named ? static_cast<std::uint32_t>(v.symbol) : v.number;
       const AllocatedVariable& place = wanted_.at({v.bank, whole ? 0 : key}).place;
@@ -301,6 +338,7 @@ class Allocator {
   const ir::Control& from_;
   const ir::Control& to_;
   Bank bank_;
+  const AllocationRules& rules_;
   LiveRanges live_;
   AllocationReport report_;
   std::map<Key, Wanted> wanted_;
@@ -315,8 +353,9 @@ class Allocator {
 
 }  // namespace
 
-AllocationReport allocate_variables(ir::Program& program, const ir::Control& from, const ir::Control& to, Bank bank) {
-  return Allocator(program, from, to, bank).run();
+AllocationReport allocate_variables(ir::Program& program, const ir::Control& from, const ir::Control& to, Bank bank,
+                                    const AllocationRules& rules) {
+  return Allocator(program, from, to, bank, rules).run();
 }
 
 }  // namespace dripfeed::passes

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,13 +28,24 @@ struct AllocationReport {
   std::vector<text::Diagnostic> diagnostics;  // not_enough_variables, cannot_translate (strings, frames)
 };
 
+// What the program's surroundings ask for.
+struct AllocationRules {
+  // Numbers that symbols must get: those of parameters.
+  std::map<ir::SymbolId, std::uint32_t> fixed;
+  // Symbols that stay names.
+  std::set<ir::SymbolId> kept;
+  // The program calls others or is called. Names get local variables only, and a number of another bank is the same in
+  // each program: counted through the common and permanent variables (R0 is #100, R100 is #500).
+  bool shares = false;
+};
+
 // Rewrites every variable that is not of `bank` (system ones excepted) to a number of `bank` that `to` has and may
 // write, common ones before permanent ones before local ones. Each gets a number of its own; only when there are too
 // few, scalars whose live ranges do not meet share one. A number of another bank keeps its own, or one as far from the
 // first common one, where that is free. With a computed number of another bank (R[R1]) all of that bank's user
 // variables in `from` move as one range. DEF statements become assignments of their initial values (0 without one); the
 // symbols stay for messages.
-AllocationReport allocate_variables(ir::Program& program, const ir::Control& from, const ir::Control& to,
-                                    ir::Bank bank);
+AllocationReport allocate_variables(ir::Program& program, const ir::Control& from, const ir::Control& to, ir::Bank bank,
+                                    const AllocationRules& rules = {});
 
 }  // namespace dripfeed::passes

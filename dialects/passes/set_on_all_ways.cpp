@@ -1,9 +1,11 @@
 // Forward dataflow, "set on all ways": at each statement the variables that are surely set, as a bit each; where ways
-// meet, the bits of all of them.
+// meet, the bits of all of them. A way on which an equality with an empty value has failed is one on which the variable
+// is not empty: behind IF[#1EQ#0]THEN #1=5 it is set either way.
 #include "dialects/passes/set_on_all_ways.h"
 
 #include <deque>
 #include <map>
+#include <utility>
 
 #include "dialects/passes/flow_graph.h"
 #include "dialects/passes/walk.h"
@@ -23,7 +25,7 @@ struct Use {
 class SetOnAllWays {
  public:
   SetOnAllWays(const ir::Program& program, const WatchedVariable& watched)
-      : program_(program), in_(program.statements.size() + 1), uses_(program.statements.size()) {
+      : program_(program), watched_(watched), in_(program.statements.size() + 1), uses_(program.statements.size()) {
     for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
       for (const VariableUseAt& use : variables_of(program, program.statements[i])) {
         const std::optional<std::uint32_t> key = watched(program.at(use.variable));
@@ -65,9 +67,39 @@ class SetOnAllWays {
       Bits out = in_[i];
       for (const Use& use : uses_[i])
         if (use.at.set) out[use.bit / 64] |= std::uint64_t{1} << (use.bit % 64);
-      for (const std::uint32_t next : graph.after(i)) {
-        if (meet(in_[next], out)) work.push_back(next);
+      const std::vector<std::uint32_t> ways = graph.after(i);
+      for (const std::uint32_t next : ways) {
+        Bits there = out;
+        if (ways.size() == 2 && ways[0] != ways[1]) note_asked(i, next, there);
+        if (meet(in_[next], there)) work.push_back(next);
       }
+    }
+  }
+
+  // The condition of a statement with two ways: a jump's goes on when it fails, a structure's when it holds.
+  void note_asked(std::uint32_t i, std::uint32_t next, Bits& bits) const {
+    const ir::Statement& s = program_.statements[i];
+    if (s.kind == ir::StatementKind::go_to) return surely(program_.jumps[s.payload].condition, next != i + 1, bits);
+    if (s.kind == ir::StatementKind::if_begin || s.kind == ir::StatementKind::while_begin)
+      surely(program_.structures[s.payload].condition, next == i + 1, bits);
+  }
+
+  // What is not empty where `condition` is `holds`.
+  void surely(ir::ExpressionId condition, bool holds, Bits& bits) const {
+    if (condition == ir::ExpressionId::none) return;
+    const ir::Expression& e = program_.at(condition);
+    const ir::Operator both = holds ? ir::Operator::logic_and : ir::Operator::logic_or;
+    if (e.op == ir::Operator::logic_not) return surely(e.a, !holds, bits);
+    if (e.op == both) {
+      surely(e.a, holds, bits);
+      return surely(e.b, holds, bits);
+    }
+    if (e.op != (holds ? ir::Operator::not_equal : ir::Operator::equal)) return;
+    for (const auto& [one, other] : {std::pair(e.a, e.b), std::pair(e.b, e.a)}) {
+      if (program_.at(one).op != ir::Operator::variable || program_.at(other).op != ir::Operator::vacant) continue;
+      const auto key = watched_(program_.at(program_.at(one).variable));
+      const auto bit = key ? bit_of_.find(*key) : bit_of_.end();
+      if (bit != bit_of_.end()) bits[bit->second / 64] |= std::uint64_t{1} << (bit->second % 64);
     }
   }
 
@@ -87,6 +119,7 @@ class SetOnAllWays {
   }
 
   const ir::Program& program_;
+  const WatchedVariable& watched_;
   std::vector<Bits> in_;
   std::vector<std::vector<Use>> uses_;
   std::map<std::uint32_t, std::uint32_t> bit_of_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -43,6 +44,22 @@ bool is_length(Address a) {
          a == Address::r;
 }
 
+bool is_counted_feed(const ir::Program& program, const ir::Word& w) {
+  if (w.address != Address::f || w.value == ir::ExpressionId::none) return false;
+  const ir::Expression& e = program.at(w.value);
+  return e.op == ir::Operator::constant && !e.has_point && e.value != 0.0;
+}
+
+// F20 without a point is 0.2 mm per revolution and 20 mm per minute on a control that counts increments.
+constexpr double kFeedsPerUnit = 100.0;
+bool reads_feeds_otherwise(const ir::Control& from, const ir::Control& to) {
+  return from.semantics.decimal_mode == ir::DecimalMode::least_increment &&
+         to.semantics.decimal_mode != ir::DecimalMode::least_increment;
+}
+bool has_counted_feed(const ir::Program& program) {
+  return std::ranges::any_of(program.words, [&](const ir::Word& w) { return is_counted_feed(program, w); });
+}
+
 // What a block holds, as far as the rules ask.
 struct Traits {
   bool feed_code = false;
@@ -55,6 +72,7 @@ struct Traits {
   bool explicit_word = false;  // says by itself whether it is an increment
   bool x_word = false;
   bool counted_length = false;  // in increments of the control, without a point
+  bool counted_feed = false;
 };
 
 Traits traits_of(const ir::Program& program, const ir::Block& block) {
@@ -70,6 +88,7 @@ Traits traits_of(const ir::Program& program, const ir::Block& block) {
   for (const ir::Word& w : program.words_of(block)) {
     if (t.dwells || w.value == ir::ExpressionId::none) continue;
     const ir::Expression& e = program.at(w.value);
+    t.counted_feed |= is_counted_feed(program, w);
     t.counted_length |= is_length(w.address) && e.op == ir::Operator::constant && !e.has_point && e.value != 0.0;
     if (!is_axis(w.address)) continue;
     t.axis_word = true;
@@ -148,6 +167,7 @@ class Settling {
   void block(std::uint32_t i, const ModeFacts& facts) {
     const Traits traits = traits_of(program_, program_.blocks[program_.statements[i].payload]);
     end_surface_speed(program_.blocks[program_.statements[i].payload], traits, facts[index_of(Mode::surface_speed)]);
+    if (traits.counted_feed && reads_feeds_otherwise(from_, to_)) count_feed(i, facts);
     Needs needs = needs_of(traits);
     for (const ir::Code& code : program_.codes_of(program_.blocks[program_.statements[i].payload]))
       if (const auto mode = mode_of(code)) needs[index_of(*mode)] = false;
@@ -163,15 +183,54 @@ class Settling {
     if (!is_off) say(block, index_of(Mode::surface_speed), Function::surface_speed_off);
   }
 
+  // A hundredth of a millimetre per revolution, and of all that in inch.
+  void count_feed(std::uint32_t i, const ModeFacts& facts) {
+    const ir::Block& block = program_.blocks[program_.statements[i].payload];
+    const std::optional<Function> feed = mode_in(i, Mode::feed, facts);
+    const std::optional<Function> unit = mode_in(i, Mode::unit, facts);
+    if (!feed || !unit) return;
+    double factor = 1.0;
+    if (*feed == Function::feed_per_rev) factor /= kFeedsPerUnit;
+    if (*unit == Function::unit_inch) factor /= kFeedsPerUnit;
+    if (factor == 1.0) return;
+    const auto inverse = std::ranges::find(program_.codes, Function::feed_inverse_time, &ir::Code::function);
+    if (inverse != program_.codes.end()) {
+      diagnostics_.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, program_.statements[i].span,
+                                                   {"a feed without a point beside inverse time feed", to_.title}));
+      return;
+    }
+    for (std::uint32_t k = block.first_word; k < block.first_word + block.word_count; ++k) {
+      if (!is_counted_feed(program_, program_.words[k])) continue;
+      const ir::Expression e = program_.at(program_.words[k].value);
+      program_.words[k].value = program_.add_constant(e.value * factor, e.span);
+    }
+  }
+
+  // The block's own code, or what holds before it; nothing where that is not known, which is told.
+  std::optional<Function> mode_in(std::uint32_t i, Mode mode, const ModeFacts& facts) {
+    std::optional<Function> own;
+    for (const ir::Code& code : program_.codes_of(program_.blocks[program_.statements[i].payload]))
+      if (mode_of(code) == mode) own = code.function;
+    if (own) return own;
+    const ModeFact& fact = facts[index_of(mode)];
+    return is_known(i, index_of(mode), fact) ? std::optional(fact.function) : std::nullopt;
+  }
+
   void settle(std::uint32_t i, std::size_t mode, const ModeFact& fact) {
+    if (!is_known(i, mode, fact)) return;
+    if (fact.function != by_text_[mode]) say(program_.blocks[program_.statements[i].payload], mode, fact.function);
+  }
+
+  // Tells where it is not, or may not be.
+  bool is_known(std::uint32_t i, std::size_t mode, const ModeFact& fact) {
     const text::Span span = program_.statements[i].span;
     if (!fact.agrees()) {
       const bool is_new = said_.insert({mode, section_of(program_, i).first}).second;
-      if (!is_new) return;
+      if (!is_new) return false;
       diagnostics_.push_back(text::make_diagnostic(
           text::DiagnosticId::unknown_modal_state, span,
           {std::string(row_of(mode).name), fmt::format("{}", fmt::join(flow_.ways(fact), ", or "))}));
-      return;
+      return false;
     }
     if (fact.changer != ir::kNoIndex && said_.insert({mode, fact.changer + (std::uint64_t{1} << 32)}).second) {
       diagnostics_.push_back(
@@ -181,7 +240,7 @@ class Settling {
                                              flow_.ways(fact).front(), program_.statements[fact.changer].line)}));
       diagnostics_.back().severity = text::Severity::warning;
     }
-    if (fact.function != by_text_[mode]) say(program_.blocks[program_.statements[i].payload], mode, fact.function);
+    return true;
   }
 
   // The code in front of the block's own.
@@ -298,7 +357,8 @@ class Assuming {
 std::vector<text::Diagnostic> settle_modes(ir::Program& program, const ir::Control& from, const ir::Control& to) {
   if (from.dialect == to.dialect) return {};
   const bool may_end_speed = splits_pair(from, to) && uses_surface_speed(program);
-  if (runs_as_written(program) && !may_end_speed) return {};
+  const bool counts_feeds = reads_feeds_otherwise(from, to) && has_counted_feed(program);
+  if (runs_as_written(program) && !may_end_speed && !counts_feeds) return {};
   return Settling(program, from, to).run();
 }
 

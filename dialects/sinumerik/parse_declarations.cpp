@@ -54,7 +54,8 @@ void Parser::procedure(text::Span head) {
   join_short_name();
   if (cursor_.kind() != TokenKind::name)
     return give_up(DiagnosticId::syntax_error, cursor_.span(), {"PROC has no name"});
-  program_.name = UpperName(cursor_.text()).view();
+  // A further program of the text is named by its head.
+  if (program_.sections.empty()) program_.name = UpperName(cursor_.text()).view();
   cursor_.advance();
   ir::Structure structure;
   std::vector<ir::Symbol> parameters;

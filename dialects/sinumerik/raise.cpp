@@ -46,9 +46,10 @@ void tell_shared(const Raising& raising, const passes::AllocatedVariable& v) {
 
 }  // namespace
 
-void raise_variables(const Raising& raising) {
+void raise_variables(const Raising& raising, std::set<ir::SymbolId> kept) {
   ir::Program& program = raising.program;
-  passes::AllocationReport report = passes::allocate_variables(program, raising.from, raising.to, ir::Bank::r);
+  passes::AllocationReport report = passes::allocate_variables(program, raising.from, raising.to, ir::Bank::r,
+                                                               {.fixed = {}, .kept = std::move(kept)});
   for (text::Diagnostic& d : report.diagnostics) raising.diagnostics.push_back(std::move(d));
   // A number that one name has to itself keeps the name for the printer's comment.
   for (const passes::AllocatedVariable& v : report.variables) tell_shared(raising, v);
@@ -80,9 +81,11 @@ void check_natives(const Raising& raising) {
 ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const ir::Control& to) {
   ir::RaiseResult result{program, {}};
   const Raising raising{result.program, from, to, result.diagnostics};
+  std::set<ir::SymbolId> kept;
   if (raising.is_own()) {
     check_natives(raising);
   } else {
+    kept = raise_arguments(raising);
     raise_vacant(raising);
     raise_expressions(raising);
     raise_flow(raising);
@@ -92,7 +95,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   raise_blocks(raising);
   if (!raising.is_own()) {
     raise_modes(raising);
-    raise_variables(raising);
+    raise_variables(raising, std::move(kept));
   }
   return result;
 }

@@ -2,6 +2,7 @@
 // changes the program in place and says what cannot be kept. Programs of SINUMERIK itself are only named anew.
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,8 @@ struct Raising {
   [[nodiscard]] bool is_own() const { return from.dialect == to.dialect; }
 };
 
+// raise_arguments.cpp: macros and their calls. Returns the names that stay names.
+std::set<ir::SymbolId> raise_arguments(const Raising& raising);
 void raise_vacant(const Raising& raising);       // raise_vacant.cpp: variables that are empty until they are set
 void raise_expressions(const Raising& raising);  // raise_expressions.cpp: operators and system variables
 void raise_flow(const Raising& raising);         // raise_flow.cpp: jumps, calls, alarms, natives
@@ -34,6 +37,7 @@ void raise_cycles(const Raising& raising);       // raise_cycles.cpp: modal dril
 void raise_frames(const Raising& raising);       // raise_frames.cpp: G68, G51, G51.1 become chains of frames
 void raise_blocks(const Raising& raising);       // raise_blocks.cpp: codes and words
 void raise_modes(const Raising& raising);        // raise_modes.cpp: feed and surface speed in one group; the safe start
-void raise_variables(const Raising& raising);    // raise.cpp: numbers and names become R parameters
+// raise.cpp: numbers and names become R parameters, except those in `kept`
+void raise_variables(const Raising& raising, std::set<ir::SymbolId> kept);
 
 }  // namespace dripfeed::sinumerik

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "dialects/passes/flow_graph.h"
+#include "dialects/passes/walk.h"
 #include "dialects/sinumerik/name_index.h"
 #include "dialects/sinumerik/raise.h"
 
@@ -37,8 +38,11 @@ void raise_jump(const Raising& raising, std::uint32_t i) {
 constexpr std::uint32_t kLastLocal = 33;
 
 bool uses_locals(const ir::Program& program) {
-  return std::ranges::any_of(program.variables, [](const ir::Variable& v) {
-    return v.bank == ir::Bank::hash && v.number >= 1 && v.number <= kLastLocal;
+  return std::ranges::any_of(program.statements, [&](const ir::Statement& s) {
+    return std::ranges::any_of(passes::variables_of(program, s), [&](const passes::VariableUseAt& use) {
+      const ir::Variable& v = program.at(use.variable);
+      return v.bank == ir::Bank::hash && v.number >= 1 && v.number <= kLastLocal;
+    });
   });
 }
 
@@ -48,11 +52,10 @@ void raise_call(const Raising& raising, const ir::Statement& s, bool locals) {
   ir::Call& call = program.calls[s.payload];
   if (call.number != ir::ExpressionId::none) return raising.cannot("a call of a computed program number", s.span);
   if (call.start != ir::ExpressionId::none) return raising.cannot("a call from a block of the program on", s.span);
-  const bool by_letter =
-      std::ranges::any_of(program.arguments_of(call), [](const ir::Argument& a) { return a.letter != 0; });
-  if (by_letter) return raising.cannot("a macro call with arguments by letter", s.span);
   if (call.kind == ir::CallKind::macro && locals)
     return raising.cannot("a macro call beside local variables (#1 to #33), which it would overwrite here,", s.span);
+  if (s.kind == StatementKind::modal_call && call.repeats != ir::ExpressionId::none)
+    return raising.cannot("a modal call that is repeated", s.span);
   const std::string name(program.strings.at(call.name));
   if (name.size() > 1 && to_upper(name.front()) == 'O' && is_digit(name[1]))
     call.name = program.strings.add("L" + name.substr(1));
@@ -80,8 +83,6 @@ struct ForeignRow {
 };
 constexpr ForeignRow kForeign[] = {
     {StatementKind::return_to, "a return to another block of the caller", false},
-    {StatementKind::modal_call, "a modal call", false},
-    {StatementKind::modal_call_end, "the end of a modal call", false},
     {StatementKind::output, "output to a device", true},
 };
 
@@ -105,9 +106,11 @@ void raise_flow(const Raising& raising) {
   for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
     const ir::Statement s = program.statements[i];
     if (s.kind == StatementKind::go_to) raise_jump(raising, i);
-    if (s.kind == StatementKind::call) raise_call(raising, s, locals);
+    if (s.kind == StatementKind::call || s.kind == StatementKind::modal_call) raise_call(raising, s, locals);
     if (s.kind == StatementKind::alarm) raise_alarm(raising, s);
     if (s.kind == StatementKind::subprogram_return) raise_return(raising, i);
+    // Printed as its own word, not as what was written for it.
+    if (s.kind == StatementKind::modal_call_end) program.statements[i].span = {};
     refuse_foreign(raising, i);
     if (s.kind == StatementKind::repeat_section || s.kind == StatementKind::execute_text)
       raising.cannot("this block", s.span);

@@ -190,7 +190,10 @@ class Names {
   // PROC first, then DEF and EXTERN, then the program.
   void places_of_definitions() const {
     std::uint32_t acts_from_line = 0;  // the first line that does something
-    for (const ir::Statement& s : program_.statements) {
+    for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
+      const ir::Statement& s = program_.statements[i];
+      // Each program of the text has a start of its own.
+      if (std::ranges::find(program_.sections, i, &ir::Section::first) != program_.sections.end()) acts_from_line = 0;
       if (s.kind == StatementKind::define && acts_from_line != 0 && s.line > acts_from_line)
         check_.report(DiagnosticId::definition_not_at_start, s.span);
       const bool inert = s.kind == StatementKind::empty || s.kind == StatementKind::procedure ||

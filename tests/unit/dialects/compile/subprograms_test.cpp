@@ -196,6 +196,44 @@ TEST(Modes, AFeedCodeThatEndsSurfaceSpeedSaysSoElsewhere) {
   EXPECT_NE(fanuc.text.find("\nG98 F90"), std::string::npos) << fanuc.text;
 }
 
+// F0.06 behind a thread of that lead is a feed that must be said.
+TEST(Modes, TheLeadOfAThreadIsNoFeed) {
+  const std::string text =
+      "O0001\nG21 G18 G99 G97\nG00 X35. Z3.\nG01 Z1. F0.04\nG92 X28.5 Z-10. F0.06\nX26.\nG00 X40.\nG01 Z-5. F0.06\n"
+      "X41.\nM30\n";
+  const std::vector<ir::Motion> original = real_moves(run_text(text, control("fanuc", ir::MachineKind::lathe)).motions);
+  for (const std::string& to : dialect_names()) {
+    const ConvertResult result = turned(text, "fanuc", to, ConvertMode::explicit_blocks);
+    ASSERT_FALSE(text::has_error(result.diagnostics)) << to << complaints(result);
+    const std::vector<ir::Motion> there =
+        real_moves(run_text(result.text, control(to, ir::MachineKind::lathe)).motions);
+    ASSERT_FALSE(there.empty());
+    EXPECT_NEAR(there.back().feed, original.back().feed, 1e-9) << to << "\n" << result.text;
+    EXPECT_NEAR(there.back().feed, 0.06, 1e-9);
+  }
+}
+
+// Hundredths per revolution, whole ones per minute; a subprogram of unknown mode cannot be said.
+TEST(Modes, AFeedWithoutAPointCountsAsItsModeSays) {
+  ConvertRequest request;
+  request.from = control("fanuc", ir::MachineKind::lathe);
+  request.from.semantics.decimal_mode = ir::DecimalMode::least_increment;
+  request.to = control("sinumerik-840d", ir::MachineKind::lathe);
+  const auto said_as = [&](const std::string& text) {
+    request.source = text::Source("program", text);
+    return convert(request);
+  };
+  const ConvertResult main =
+      said_as("O0001\nG21 G18 G97 G99\nG00 X35. Z3.\nG01 Z1. F20\nG98 Z2. F200\nG99 Z3. F.3\nM30\n");
+  ASSERT_FALSE(text::has_error(main.diagnostics)) << complaints(main);
+  EXPECT_NE(main.text.find("Z1. F0.2\n"), std::string::npos) << main.text;
+  EXPECT_NE(main.text.find("Z2. F200\n"), std::string::npos) << main.text;
+  EXPECT_NE(main.text.find("Z3. F0.3\n"), std::string::npos) << main.text;
+  const ConvertResult sub = said_as("O0100\nG01 Z1. F20\nM99\n");
+  EXPECT_TRUE(text::has_error(sub.diagnostics)) << sub.text;
+  EXPECT_NE(complaints(sub).find("the feed mode is not known here"), std::string::npos) << complaints(sub);
+}
+
 // One number in one program and another in the next would be two variables.
 TEST(Subprograms, ShareTheirVariables) {
   const std::string text =
@@ -216,7 +254,13 @@ TEST(Subprograms, OfOtherTextsAreToldOfNumbersThatChange) {
 // #1 of a macro is not #1 of its caller.
 TEST(Subprograms, OfMacrosHaveLocalVariablesOfTheirOwn) {
   const std::string beside = "O0001\nG97 G99\n#1=2.\nG65 P9100\nG00 X#1\nM30\n";
-  EXPECT_TRUE(text::has_error(turned(beside, "fanuc", "sinumerik-840d").diagnostics));
+  const ConvertResult own = turned(beside, "fanuc", "sinumerik-840d");
+  EXPECT_FALSE(text::has_error(own.diagnostics)) << complaints(own);
+  EXPECT_NE(own.text.find("DEF REAL LOCAL_1\n"), std::string::npos) << own.text;
+  EXPECT_EQ(own.text.find("R1"), std::string::npos) << own.text;
+  // A subprogram has those of its caller: both would be needed.
+  const std::string both = "O0001\nG97 G99\n#1=2.\nG65 P9100\nM98 P9200\nG00 X#1\nM30\n";
+  EXPECT_TRUE(text::has_error(turned(both, "fanuc", "sinumerik-840d").diagnostics));
   const std::string common = "O0001\nG97 G99\n#101=2.\nG65 P9100\nG00 X#101\nM30\n";
   EXPECT_FALSE(text::has_error(turned(common, "fanuc", "sinumerik-840d").diagnostics));
 }

@@ -247,10 +247,10 @@ TEST(Raise, WhatHasNoCounterpartIsRefused) {
     Builder b;
     b.program.calls.push_back({});
     b.program.calls[0].kind = ir::CallKind::macro;
-    b.program.arguments.push_back({'A', b.number(1)});
+    b.program.arguments.push_back({'G', b.number(1)});
     b.program.calls[0].argument_count = 1;
     b.statement(StatementKind::call, 0);
-    EXPECT_EQ(refusal(b, mill), "a macro call with arguments by letter has no counterpart on SINUMERIK 840D sl");
+    EXPECT_EQ(refusal(b, mill), "the argument G has no counterpart on SINUMERIK 840D sl");
   }
 }
 
