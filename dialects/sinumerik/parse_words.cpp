@@ -105,7 +105,6 @@ void Parser::word(ir::Address address, std::uint8_t extension, ir::StringId name
   const bool is_axis = address <= Address::c || (address >= Address::u && address <= Address::z);
   if (w.address != Address::other || !is_axis) return;
   // X=CAC(2), X=DAC(10): where the axis is then only the machine knows.
-  lower_.last_word_is_carried_out();
   ir::Code code{
       .function = ir::Function::not_modelled, .group = ir::ModalGroup::non_modal, .name = w.name, .span = w.span};
   w.address = address;
@@ -197,7 +196,7 @@ void Parser::positioning(const Keyword& keyword, ir::StringId name, ir::Expressi
   said.axis = ir::ExpressionId::none;
   if (!coded) said.name = name;
   lower_.add_word(said);
-  if (coded || keyword.name == "POS") lower_.last_word_is_carried_out();
+  if (!coded && keyword.name == "POS") lower_.last_word_is_carried_out();
   ir::Code code{.function = ir::Function::rapid, .group = ir::ModalGroup::non_modal, .span = w.span};
   if (coded) code = {.function = ir::Function::not_modelled, .group = code.group, .name = w.name, .span = w.span};
   w.address = address;

@@ -54,13 +54,13 @@ constexpr std::string_view kNative[] = {
 
 // Standard cycles: they move and are not read.
 constexpr std::string_view kCycle[] = {
-    "CYCLE60",  "CYCLE61",   "CYCLE62",   "CYCLE63",   "CYCLE64",   "CYCLE70",   "CYCLE71",   "CYCLE72",   "CYCLE76",
-    "CYCLE77",  "CYCLE78",   "CYCLE79",   "CYCLE90",   "CYCLE92",   "CYCLE93",   "CYCLE94",   "CYCLE96",   "CYCLE98",
-    "CYCLE99",  "CYCLE435",  "CYCLE495",  "CYCLE800",  "CYCLE801",  "CYCLE802",  "CYCLE832",  "CYCLE840",  "CYCLE899",
-    "CYCLE930", "CYCLE940",  "CYCLE950",  "CYCLE951",  "CYCLE952",  "CYCLE961",  "CYCLE971",  "CYCLE973",  "CYCLE974",
-    "CYCLE976", "CYCLE977",  "CYCLE978",  "CYCLE979",  "CYCLE982",  "CYCLE994",  "CYCLE995",  "CYCLE996",  "CYCLE997",
-    "CYCLE998", "CYCLE4071", "CYCLE4072", "CYCLE4073", "CYCLE4074", "CYCLE4075", "CYCLE4077", "CYCLE4078", "CYCLE4079",
-    "POCKET1",  "POCKET2",   "POCKET3",   "POCKET4",   "SLOT1",     "SLOT2",     "LONGHOLE"};
+    "CYCLE60",   "CYCLE61",   "CYCLE62",   "CYCLE63",   "CYCLE64",   "CYCLE70",   "CYCLE71",   "CYCLE72",   "CYCLE76",
+    "CYCLE77",   "CYCLE78",   "CYCLE79",   "CYCLE90",   "CYCLE92",   "CYCLE93",   "CYCLE94",   "CYCLE96",   "CYCLE98",
+    "CYCLE99",   "CYCLE435",  "CYCLE495",  "CYCLE800",  "CYCLE801",  "CYCLE802",  "CYCLE832",  "CYCLE899",  "CYCLE930",
+    "CYCLE940",  "CYCLE950",  "CYCLE951",  "CYCLE952",  "CYCLE961",  "CYCLE971",  "CYCLE973",  "CYCLE974",  "CYCLE976",
+    "CYCLE977",  "CYCLE978",  "CYCLE979",  "CYCLE982",  "CYCLE994",  "CYCLE995",  "CYCLE996",  "CYCLE997",  "CYCLE998",
+    "CYCLE4071", "CYCLE4072", "CYCLE4073", "CYCLE4074", "CYCLE4075", "CYCLE4077", "CYCLE4078", "CYCLE4079", "POCKET1",
+    "POCKET2",   "POCKET3",   "POCKET4",   "SLOT1",     "SLOT2",     "LONGHOLE"};
 
 // Kept as they are written; they neither move nor change state: displays, files, blank declarations.
 constexpr std::string_view kDisplay[] = {"WORKPIECE", "WRITE",  "READ",  "MMC",  "EXTOPEN",

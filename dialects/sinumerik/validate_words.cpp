@@ -118,7 +118,7 @@ struct DataRow {
   std::string_view name;
   double last;
 };
-constexpr DataRow kData[] = {{"$TC_DP1", 999.0}, {"$TC_DP2", 9.0}};
+constexpr DataRow kData[] = {{"$TC_DP1", 9999.0}, {"$TC_DP2", 9.0}};
 
 void check_data(const Check& check, const ir::Statement& s) {
   const ir::Assign& assign = check.program.assigns[s.payload];

@@ -39,6 +39,7 @@ TEST(SinumerikAxes, WhereAnAxisMayBeAnywhereItIsNotKnown) {
     const Result ran = after_head(text + "G0 Y1\n");
     ASSERT_FALSE(ran.motions.empty()) << text;
     EXPECT_NE(ran.motions.back().axes_unknown & 1U, 0U) << text;
+    EXPECT_FALSE(std::ranges::all_of(ran.result.not_interpreted, &interpreter::NotInterpreted::effects_known)) << text;
   }
   // Settings of the path move nothing.
   EXPECT_EQ(after_head("CYCLE832(0.01,1,1)\nG0 Y1\n").motions.back().axes_unknown & 1U, 0U);

@@ -35,6 +35,19 @@ TEST(SinumerikCycles, TappingByLeadAndBySize) {
   EXPECT_TRUE(size.trace.contains("thread X0.0000 Y0.0000 Z-12.0000 F1.2500/rev")) << size.trace;
 }
 
+// PGZ, "Tapping with compensating chuck": G33 with an encoder, G63 without, the spindle turned round between.
+TEST(SinumerikCycles, TappingWithACompensatingChuck) {
+  const Result ran = run("G17 G90 G94 G0 X0 Y0 Z50\nS400 M3\nCYCLE840(20,0,3,-12,,0,4,3,0,,1.5)\nM30\n");
+  EXPECT_TRUE(
+      ran.trace.contains("3 rapid X0.0000 Y0.0000 Z3.0000\n3 thread X0.0000 Y0.0000 Z-12.0000 F1.5000/rev\n"
+                         "3 spindle ccw S400.0000/rpm\n3 thread X0.0000 Y0.0000 Z3.0000 F1.5000/rev\n"
+                         "3 rapid X0.0000 Y0.0000 Z20.0000\n3 spindle cw S400.0000/rpm\n"))
+      << ran.trace;
+  const Result feed = run("G17 G90 G94 G0 X0 Y0 Z50\nS400 M3\nF600\nCYCLE840(20,0,3,-12,,0,0,5,1)\nM30\n");
+  EXPECT_TRUE(feed.trace.contains("linear X0.0000 Y0.0000 Z-12.0000 F600.0000/min\n4 spindle ccw")) << feed.trace;
+  EXPECT_EQ(alarm_of(run("G17 G90 G0 X0 Y0 Z50\nS400 M3\nCYCLE840(20,0,3,-12,,0,4,3,0)\nM30\n")), "61001");
+}
+
 TEST(SinumerikCycles, BoringCycles) {
   // CYCLE85: in by FFR, out by RFF; CYCLE86: lifted off by RPA, RPO, RPAP before it goes out, and back beside the hole.
   const Result ream = run("G17 G90 G94 G0 X0 Y0 Z50\nF100\nCYCLE85(20,0,2,-10,,0,60,120)\nG0 X1\nM30\n");
