@@ -4,8 +4,10 @@
 //   X10 Y10                      X10. Y10.                 or RTP is the level RFP+SDIS itself (G99)
 //   MCALL                        G80
 //
-// Otherwise each position is followed by its moves: rapid to RFP+SDIS, feed to DP, dwell, back. Pecks and boring that
-// only a modal cycle has, and levels whose side is not known, are told as errors.
+// Otherwise each position is followed by its moves: rapid to RFP+SDIS, feed to DP, dwell, back. Pecks are left to G83
+// and G73, behind a rapid to RTP, which is then their initial level: from above it lies on the way, and from below the
+// tool leaves the hole to there anyway. Boring that only a modal cycle has, and levels whose side is not known, are
+// told as errors.
 #include "dialects/macro_b/raise_drilling.h"
 
 #include <algorithm>
@@ -168,7 +170,8 @@ class Drilling {
     if (hole.breaks_chips) cycle = DrillCycle::chip_break;
     ir::Code drill = code(Function::drill);
     drill.argument = ir::drill_argument(cycle);
-    const bool to_level = *number(hole.back) == *number(hole.level);
+    const std::optional<double> back = number(hole.back);
+    const bool to_level = back && back == number(hole.level);
     std::vector<ir::Word> words = {absolute(Address::z, hole.depth), absolute(Address::r, hole.level)};
     if (hole.peck > 0.0) words.push_back(word(Address::q, constant(hole.peck)));
     if (hole.dwell_s > 0.0) words.push_back(word(Address::p, program_.add_constant(hole.dwell_s * 1000.0, {}, false)));
@@ -180,14 +183,25 @@ class Drilling {
 
   // Whether a hole is what these few moves make.
   bool has_moves(const Hole& hole) {
-    if (hole.cycle == DrillCycle::deep_hole) {
-      cannot(hole.name + " away from a known retraction plane");
+    const bool pecks = hole.cycle == DrillCycle::deep_hole;
+    if (pecks && (to_.kind != ir::MachineKind::mill || plane_ != Function::plane_xy)) {
+      cannot(hole.name + " on a lathe or in another plane than G17");
       return false;
     }
     return true;
   }
 
+  void pecks(const Hole& hole) {
+    out_.emit_block({code(Function::rapid)}, {absolute(Address::z, hole.back)});
+    define(hole, false);
+    out_.emit_block({code(Function::cycle_off)}, {});
+    if (!motion_) return cannot("the motion code in effect behind a cycle, which is not known here,");
+    out_.emit_block({code(*motion_)}, {});
+    height_ = number(hole.back);
+  }
+
   void moves(const Hole& hole) {
+    if (hole.cycle == DrillCycle::deep_hole) return pecks(hole);
     const Address axis = plane_ == Function::plane_zx   ? Address::y
                          : plane_ == Function::plane_yz ? Address::x
                                                         : Address::z;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "dialects/sinumerik/name_index.h"
 #include "dialects/sinumerik/validate.h"
@@ -79,11 +80,19 @@ class Names {
 
   [[nodiscard]] bool in_native(const ir::Symbol& symbol) const { return natives_.contains(name(symbol)); }
 
+  // Which program of the text defines it: each has names of its own.
+  [[nodiscard]] std::ptrdiff_t section_of(const ir::Symbol& symbol) const {
+    return std::ranges::count_if(program_.sections, [&](const ir::Section& section) {
+      return section.first < program_.statements.size() &&
+             program_.statements[section.first].span.begin <= symbol.span.begin;
+    });
+  }
+
   void definitions() const {
-    std::map<ir::StringId, const ir::Symbol*> first;
+    std::map<std::pair<std::ptrdiff_t, ir::StringId>, const ir::Symbol*> first;
     for (const ir::Symbol& symbol : program_.symbols) {
       if (!is_declared(symbol)) continue;
-      const auto [entry, is_new] = first.emplace(symbol.name, &symbol);
+      const auto [entry, is_new] = first.emplace(std::pair(section_of(symbol), symbol.name), &symbol);
       if (is_new) continue;
       const bool parameters = symbol.is_parameter && entry->second->is_parameter;
       text::Diagnostic& d =

@@ -124,6 +124,32 @@ TEST(DrillingFromSinumerik, PecksBoresAndPatterns) {
                     kPrinted);
 }
 
+// Away from RTP the initial level of G98 would be another: the tool goes to RTP first, which lies on its way.
+TEST(DrillingFromSinumerik, PecksFromAboveTheRetractionPlane) {
+  const std::string holes = "MCALL CYCLE83(10,2,0,-20,,,8,0,,,1,1,,,,,1)\nX10 Y10\nX20\nMCALL\nM30\n";
+  for (const std::string to : {"fanuc", "mazak", "mitsubishi-m80"}) {
+    const ConvertResult result = translated(kOwnHead + holes, kTo, to);
+    ASSERT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("p", kOwnHead + holes));
+    EXPECT_TRUE(result.text.contains("X10. Y10.\nG00 Z10.\nG98 G83 Z-20. R2. Q8.\nG80\n")) << result.text;
+    const auto before = real_moves(run_text(kOwnHead + holes, control(kTo, ir::MachineKind::mill)).motions);
+    auto after = real_moves(run_text(result.text, control(to, ir::MachineKind::mill)).motions);
+    // The stop on the way down from Z40 to R is all that is more.
+    const auto stop = std::ranges::find_if(after, [](const ir::Motion& m) { return m.end[2] == 10.0; });
+    ASSERT_NE(stop, after.end());
+    EXPECT_EQ(stop->start[2], 40.0);
+    EXPECT_EQ(std::next(stop)->end[2], 2.0);
+    std::next(stop)->start = stop->start;
+    after.erase(stop);
+    expect_same(before, after, 1e-6, result.text);
+  }
+}
+
+TEST(DrillingFromSinumerik, PecksToAComputedDepth) {
+  const std::string text = "DEF REAL DEPTH=-9\n" + kOwnHead + "Z10\nCYCLE83(10,2,0,DEPTH,,,4,0,,,1,1,,,,,1)\nX20\nM30\n";
+  const std::string to = expect_same_holes(text, kTo, "fanuc");
+  EXPECT_TRUE(to.contains("G98 G83 Z#100 R2. Q4.")) << to;
+}
+
 TEST(DrillingFromSinumerik, ASingleCallIsOneHole) {
   const std::string text = expect_same_holes(
       kOwnHead + "CYCLE81(40,2,1,-8)\nG1 X20 F100\nCYCLE81(40,2,1,-8)\nX30\nG0 Z60\nM30\n", kTo, "fanuc");
@@ -139,7 +165,7 @@ TEST(DrillingFromSinumerik, LevelsThatAreComputedWithoutAClearance) {
 TEST(DrillingFromSinumerik, WhatHasNoEqualIsAnErrorWithItsPlace) {
   expect_refused("DEF REAL TOP=10\n" + kOwnHead + "MCALL CYCLE81(TOP,2,1,-8)\nX1\nMCALL\nM30\n", kTo, "fanuc",
                  "which side");
-  expect_refused(kOwnHead + "MCALL CYCLE83(10,2,1,-20,,,8,0,,,1,1)\nX1\nMCALL\nM30\n", kTo, "fanuc", "program:6");
+  expect_refused(kOwnHead + "MCALL CYCLE83(TOP,2,1,-20,,,8,0,,,1,1)\nX1\nMCALL\nM30\n", kTo, "fanuc", "program:6");
   expect_refused(kOwnHead + "MCALL CYCLE83(40,2,1,-20,,,8,2,,,1,1)\nX1\nMCALL\nM30\n", kTo, "fanuc", "grow less");
   expect_refused(kOwnHead + "CYCLE86(40,2,1,-20,,0,3,1,1,1,0)\nM30\n", kTo, "fanuc", "CYCLE86");
 }
