@@ -145,7 +145,8 @@ TEST(DrillingFromSinumerik, PecksFromAboveTheRetractionPlane) {
 }
 
 TEST(DrillingFromSinumerik, PecksToAComputedDepth) {
-  const std::string text = "DEF REAL DEPTH=-9\n" + kOwnHead + "Z10\nCYCLE83(10,2,0,DEPTH,,,4,0,,,1,1,,,,,1)\nX20\nM30\n";
+  const std::string text =
+      "DEF REAL DEPTH=-9\n" + kOwnHead + "Z10\nCYCLE83(10,2,0,DEPTH,,,4,0,,,1,1,,,,,1)\nX20\nM30\n";
   const std::string to = expect_same_holes(text, kTo, "fanuc");
   EXPECT_TRUE(to.contains("G98 G83 Z#100 R2. Q4.")) << to;
 }
