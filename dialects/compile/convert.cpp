@@ -13,6 +13,7 @@
 #include "dialects/passes/absolute_centers.h"
 #include "dialects/passes/arc_words.h"
 #include "dialects/passes/machine_functions.h"
+#include "dialects/passes/rigid_taps.h"
 #include "dialects/passes/settle_modes.h"
 
 namespace dripfeed::compile {
@@ -101,6 +102,8 @@ class Converter {
     append(result_.diagnostics, unmatched_structures(read.program, request_.from));
     if (!text::has_error(result_.diagnostics)) refuse_faulty(read.program);
     if (text::has_error(result_.diagnostics)) return;
+    if (request_.mode == ConvertMode::macro)
+      append(result_.diagnostics, passes::settle_taps(read.program, request_.from, request_.to));
     append(result_.diagnostics, passes::foreign_machine_functions(read.program, request_.from, request_.to));
     if (request_.mode == ConvertMode::macro) {
       settle(read.program);

@@ -100,8 +100,20 @@ void JoinedPrograms::compare_variables(const ir::Program& program, const ir::Pro
   }
 }
 
+// A macro has its arguments from G65; M98 would hand on the caller's own local variables.
+void JoinedPrograms::refuse_sharing(const ir::Program& program, const ir::Program& raised) {
+  if (!has(raised, StatementKind::procedure) || has(program, StatementKind::procedure)) return;
+  const ir::StringId name = text_.strings.find(program.name);
+  for (const ir::Statement& s : text_.statements) {
+    if (s.kind != StatementKind::call || text_.calls[s.payload].name != name) continue;
+    if (text_.calls[s.payload].kind != ir::CallKind::macro)
+      cannot("a subprogram (M98) that reads the local variables of its caller", s.span);
+  }
+}
+
 void JoinedPrograms::add(const ir::Program& program, const ir::Program& raised, ir::PrintResult printed) {
   compare_variables(program, raised);
+  refuse_sharing(program, raised);
   std::string_view text = printed.text;
   auto first = printed.origin_lines.begin();
   auto last = printed.origin_lines.end();

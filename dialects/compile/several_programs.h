@@ -31,6 +31,7 @@ class JoinedPrograms {
 
  private:
   using Place = std::pair<ir::Bank, std::uint32_t>;
+  void refuse_sharing(const ir::Program& program, const ir::Program& raised);
   void compare_variables(const ir::Program& program, const ir::Program& raised);
   void cannot(std::string what, text::Span span);
   [[nodiscard]] text::Span span_of(const ir::Program& program) const;

@@ -232,6 +232,8 @@ std::string ProgramPrinter::code(const ir::Code& code) const {
   if (code.function == Function::work_offset && code.argument > kLastPlainOffset) {
     return fmt::format("G54.1 P{}", code.argument - kExtendedOffset);
   }
+  if (code.function == Function::drill && code.name != ir::StringId::none)
+    return std::string(program_.strings.at(code.name));
   const ir::CodeRow* row = find_function(control_, code.function, code.argument);
   return row == nullptr ? std::string() : std::string(row->name);
 }

@@ -107,6 +107,7 @@ BlockRaiser::Traits BlockRaiser::traits_of(const std::vector<ir::Code>& codes,
   for (const ir::Code& c : codes) {
     traits.dwell |= c.function == Function::dwell;
     traits.tool_change |= c.function == Function::tool_change;
+    traits.drills |= c.function == Function::drill;
     traits.comp |= c.function == Function::comp_left || c.function == Function::comp_right;
   }
   for (const ir::Word& w : words) {
@@ -172,6 +173,7 @@ void BlockRaiser::code(const ir::Code& code) {
   if (is_said_by_table(f) && find_function(to_, f, code.argument) != nullptr) {
     ir::Code raised = code_of(f, code.argument);
     raised.span = code.span;
+    if (f == Function::drill) raised.name = code.name;
     return draft_.codes.push_back(raised);
   }
   if (goes_without_saying(f) || ir::ends_frame(f, code.argument)) return;
@@ -209,7 +211,8 @@ void BlockRaiser::word(const ir::Word& word, const Traits& traits) {
     return draft_.words.push_back(raised);
   }
   if (word.address == Address::rounding || word.address == Address::chamfer) {
-    raised.value = with_point(raised.value, false);
+    // ,R1 of a tap is a choice, no length.
+    if (!traits.drills) raised.value = with_point(raised.value, false);
     return draft_.words.push_back(raised);
   }
   const bool length = is_center(word) || holds(kAxisLetters, word.address) || raised.address == Address::r;

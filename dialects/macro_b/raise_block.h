@@ -37,6 +37,7 @@ class BlockRaiser {
     bool dwell = false;
     bool tool_change = false;
     bool comp = false;
+    bool drills = false;
     const ir::Word* tool = nullptr;
     const ir::Word* edge = nullptr;
     bool any_incremental = false;  // words that say so themselves, or by their letter

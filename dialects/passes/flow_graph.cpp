@@ -147,6 +147,9 @@ const std::vector<std::uint32_t>& FlowGraph::after(std::uint32_t i) {
     case StatementKind::repeat_section:
     case StatementKind::execute_text: after_.push_back(i + 1); break;
   }
+  // The operator's switch leaves a jump or an end out.
+  if (s.skip_level != 0 && !ir::is_structure(s.kind) && std::ranges::find(after_, i + 1) == after_.end())
+    after_.push_back(i + 1);
   const std::uint32_t end = section_of(program_, i).last;
   if (end < program_.statements.size()) std::erase(after_, end);
   return after_;

@@ -66,7 +66,8 @@ class SetOnAllWays {
       if (i >= program_.statements.size()) continue;
       Bits out = in_[i];
       for (const Use& use : uses_[i])
-        if (use.at.set) out[use.bit / 64] |= std::uint64_t{1} << (use.bit % 64);
+        if (use.at.set && program_.statements[i].skip_level == 0)
+          out[use.bit / 64] |= std::uint64_t{1} << (use.bit % 64);
       const std::vector<std::uint32_t> ways = graph.after(i);
       for (const std::uint32_t next : ways) {
         Bits there = out;
@@ -79,6 +80,7 @@ class SetOnAllWays {
   // The condition of a statement with two ways: a jump's goes on when it fails, a structure's when it holds.
   void note_asked(std::uint32_t i, std::uint32_t next, Bits& bits) const {
     const ir::Statement& s = program_.statements[i];
+    if (s.skip_level != 0) return;
     if (s.kind == ir::StatementKind::go_to) return surely(program_.jumps[s.payload].condition, next != i + 1, bits);
     if (s.kind == ir::StatementKind::if_begin || s.kind == ir::StatementKind::while_begin)
       surely(program_.structures[s.payload].condition, next == i + 1, bits);

@@ -85,6 +85,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   if (raising.is_own()) {
     check_natives(raising);
   } else {
+    raise_rest(raising);
     kept = raise_arguments(raising);
     raise_vacant(raising);
     raise_expressions(raising);

@@ -28,6 +28,7 @@ struct Raising {
   [[nodiscard]] bool is_own() const { return from.dialect == to.dialect; }
 };
 
+void raise_rest(const Raising& raising);  // raise_rest.cpp: block skip inside of blocks
 // raise_arguments.cpp: macros and their calls. Returns the names that stay names.
 std::set<ir::SymbolId> raise_arguments(const Raising& raising);
 void raise_vacant(const Raising& raising);       // raise_vacant.cpp: variables that are empty until they are set

@@ -223,6 +223,10 @@ class Macro {
       procedure.first_symbol = first_parameter_;
       procedure.symbol_count = first_local_ - first_parameter_;
       out_.emit_structure(StatementKind::procedure, procedure);
+      // M98 shares them, G65 does not: this text does not say which calls it.
+      raising_.cannot("what a caller by M98 has in the local variables that are taken as arguments here",
+                      program_.statements.front().span);
+      raising_.diagnostics.back().severity = text::Severity::warning;
       if (program_.name.size() > 1 && program_.name.front() == 'O')
         program_.name.front() = 'L';
       else

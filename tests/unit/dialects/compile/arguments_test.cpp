@@ -169,6 +169,33 @@ TEST(Arguments, ThatMayBeEmptyAreNotHandedOn) {
   EXPECT_NE(told("G00 X#1\nM98 P9011\n").find("a subprogram (M98), which would share"), std::string::npos);
 }
 
+// 6: X#107 moves nothing while #107 is empty; R107 is always a number.
+TEST(Arguments, InCommonVariablesAreToldWhereTheyMayBeEmpty) {
+  const auto told = [](const std::string& body) {
+    const std::string text = "%\nO9010\n" + body + "M99\n%\n";
+    const ConvertResult result = file_as("O9010", text, "fanuc", kSinumerik);
+    EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("O9010", text));
+    return said(result.diagnostics, text::Source("O9010", text));
+  };
+  EXPECT_NE(
+      told("G00 X#107\n").find("O9010:3:6: warning[cannot-translate]: a word that is left out while #107 is empty"),
+      std::string::npos)
+      << told("G00 X#107\n");
+  EXPECT_EQ(told("#107=5.\nG00 X#107\n").find("while #107"), std::string::npos);
+  EXPECT_EQ(told("G00 X[#107+1.]\n").find("while #107"), std::string::npos);
+}
+
+// 10: M98 shares the caller's local variables, G65 does not.
+TEST(Arguments, AreNotTheLocalVariablesOfACallerByM98) {
+  const std::string sub = "O9010\nG00 X#1\nM99\n%\n";
+  const std::string head = "%\nO0001\nG21 G17 G90 G94\n";
+  EXPECT_NE(refusal(head + "#1=5.\nM98 P9010\nM30\n" + sub, "fanuc", kSinumerik)
+                .find("O9010:5:1: error[cannot-translate]: a subprogram (M98) that reads the local variables"),
+            std::string::npos);
+  const std::string macro = head + "G65 P9010 A5.\nM30\n" + sub;
+  EXPECT_FALSE(text::has_error(file_as("O9010", macro, "fanuc", kSinumerik).diagnostics));
+}
+
 TEST(Arguments, OfModalCallsAreKept) {
   expect_files_kept("%\nO0001\nG21 G17 G90 G94\nG00 X0 Y0 Z5.\nG66 P9010 A4.\nX10.\nY10.\nG67\nX0\nM30\n%\n",
                     {{"O9010", "%\nO9010\nG00 Z-#1\nZ5.\nM99\n%\n"}}, "fanuc", kSinumerik);

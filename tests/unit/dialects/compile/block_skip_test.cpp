@@ -54,8 +54,30 @@ TEST(BlockSkip, IsKeptByAMacroTranslation) {
   EXPECT_NE(mazak.text.find("G01 Z2. F100. / M08\nX1. /2 Y2. Z3.\n"), std::string::npos) << mazak.text;
 }
 
-TEST(BlockSkip, InsideABlockHasNoWordOnSinumerik) {
-  const ConvertResult made = converted(std::string(kProgram), "sinumerik-840d", ConvertMode::macro);
+std::vector<ir::Motion> moves_with(const std::string& text, const std::string& dialect, std::uint32_t switches) {
+  const ir::Control machine = control(dialect, ir::MachineKind::mill);
+  const ir::ReadResult read = find_dialect(dialect)->read(text::Source("skip.nc", text), machine);
+  EXPECT_FALSE(text::has_error(read.diagnostics)) << text;
+  Motions motions;
+  interpreter::RunOptions options;
+  options.skip_switches = switches;
+  EXPECT_EQ(execute(read.program, machine, nullptr, motions, options).ended, interpreter::Ended::end);
+  return real_moves(motions.all);
+}
+
+TEST(BlockSkip, InsideABlockIsAChoiceOnSinumerik) {
+  const std::string text(kProgram);
+  const ConvertResult made = converted(text, "sinumerik-840d", ConvertMode::macro);
+  ASSERT_FALSE(text::has_error(made.diagnostics)) << text::message_of(made.diagnostics.front());
+  EXPECT_NE(made.text.find("GOTOF N"), std::string::npos) << made.text;
+  for (const std::uint32_t switches : {0U, 1U << 1, 1U << 2, 3U << 1})
+    expect_same(moves_with(text, "fanuc", switches), moves_with(made.text, "sinumerik-840d", switches), 1e-9,
+                made.text);
+}
+
+TEST(BlockSkip, OfAModeInsideABlockHasNoWordOnSinumerik) {
+  const ConvertResult made =
+      converted("%\nO1\nG21 G90 G94 G17\nG00 X0. /G91 Y5.\nM30\n%\n", "sinumerik-840d", ConvertMode::macro);
   EXPECT_EQ(made.text, "");
   ASSERT_FALSE(made.diagnostics.empty());
   EXPECT_EQ(text::message_of(made.diagnostics.front()),

@@ -111,7 +111,7 @@ TEST(ForeignWords, OfACentreAndARadiusTheRadiusCounts) {
 }
 
 TEST(ForeignWords, ABlockSkipInsideABlockIsNotMovedToItsStart) {
-  const ConvertResult result = translated(kHead + "G00 X1. /2 Y3.\nM30\n", "fanuc", "sinumerik-840d");
+  const ConvertResult result = translated(kHead + "G00 X1. /2 G01 Y3. F9.\nM30\n", "fanuc", "sinumerik-840d");
   EXPECT_TRUE(text::has_error(result.diagnostics)) << result.text;
   EXPECT_TRUE(result.text.empty()) << result.text;
   EXPECT_NE(complaints(result).find("block skip inside a block"), std::string::npos) << complaints(result);

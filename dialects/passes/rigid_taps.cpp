@@ -1,0 +1,140 @@
+// Blocks are taken in the order of the text: M29 belongs to the tapping cycle of the next block.
+#include "dialects/passes/rigid_taps.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "dialects/ir/cycle.h"
+#include "dialects/passes/rewrite.h"
+
+namespace dripfeed::passes {
+
+namespace {
+
+using ir::Address;
+using ir::DrillCycle;
+using ir::Function;
+using ir::StatementKind;
+
+constexpr std::int16_t kRigidFunction = 29;
+
+enum class Form : std::uint8_t { usual, m29, comma_r, own_code };
+struct FormRow {
+  std::string_view dialect;
+  Form form;
+};
+constexpr std::array kForms = {FormRow{"fanuc", Form::m29}, FormRow{"mitsubishi-m80", Form::comma_r},
+                               FormRow{"mazak", Form::own_code}};
+
+Form form_of(const ir::Control& control) {
+  const auto* const row = std::ranges::find(kForms, control.dialect, &FormRow::dialect);
+  return row == kForms.end() ? Form::usual : row->form;
+}
+
+bool is_m29(const ir::Code& c) { return c.function == Function::machine_function && c.argument == kRigidFunction; }
+
+DrillCycle cycle_of(const ir::Code& c) { return static_cast<DrillCycle>(c.argument % ir::kDrillAlongZ); }
+bool is_tap(const ir::Code& c) {
+  return c.function == Function::drill && (cycle_of(c) == DrillCycle::tap_right || cycle_of(c) == DrillCycle::tap_left);
+}
+
+class Taps {
+ public:
+  Taps(ir::Program& program, const ir::Control& from, const ir::Control& to)
+      : program_(program), to_(to), said_(form_of(from)), wanted_(form_of(to)), out_(program) {}
+
+  std::vector<text::Diagnostic> run() {
+    const auto count = static_cast<std::uint32_t>(program_.statements.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+      out_.at(i);
+      const ir::Statement s = program_.statements[i];
+      if (s.kind == StatementKind::block && program_.blocks[s.payload].rest_level == 0)
+        block(i, s);
+      else
+        out_.keep();
+    }
+    out_.finish();
+    return std::move(diagnostics_);
+  }
+
+ private:
+  void block(std::uint32_t i, const ir::Statement& s) {
+    const ir::Block block = program_.blocks[s.payload];
+    std::vector<ir::Code> codes(program_.codes_of(block).begin(), program_.codes_of(block).end());
+    std::vector<ir::Word> words(program_.words_of(block).begin(), program_.words_of(block).end());
+    const auto tap = std::ranges::find_if(codes, is_tap);
+    if (tap == codes.end()) {
+      rigid_ = said_ == Form::m29 && std::ranges::any_of(codes, is_m29) && tap_follows(i);
+      if (!rigid_) return out_.keep();
+      std::erase_if(codes, is_m29);
+      if (!codes.empty() || !words.empty()) out_.emit_block(codes, words);
+      return;
+    }
+    const bool rigid = takes_rigid(*tap, words, s);
+    if (rigid && wanted_ == Form::own_code)
+      tap->name = program_.strings.add(cycle_of(*tap) == DrillCycle::tap_left ? "G84.3" : "G84.2");
+    if (rigid && wanted_ == Form::comma_r) {
+      ir::Word one;
+      one.address = Address::rounding;
+      one.value = program_.add_constant(1.0, {}, false);
+      words.push_back(one);
+    }
+    if (rigid && wanted_ == Form::m29) {
+      ir::Code m29;
+      m29.function = Function::machine_function;
+      m29.argument = kRigidFunction;
+      m29.letter = 'M';
+      out_.emit_block({m29}, {});
+    }
+    out_.emit_block(codes, words);
+  }
+
+  // Takes the source's word for it away.
+  bool takes_rigid(const ir::Code& tap, std::vector<ir::Word>& words, const ir::Statement& s) {
+    bool rigid = std::exchange(rigid_, false);
+    const std::string_view written = tap.span.in(program_.source.text());
+    if (said_ == Form::own_code) rigid = written.ends_with("84.2") || written.ends_with("84.3");
+    if (said_ != Form::comma_r) return rigid;
+    for (const ir::Word& w : words) {
+      if (w.address != Address::rounding) continue;
+      const ir::Expression& e = program_.at(w.value);
+      if (e.op != ir::Operator::constant)
+        diagnostics_.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, s.span,
+                                                     {"a tap whose ,R is computed", to_.title}));
+      rigid = e.value == 1.0;
+    }
+    std::erase_if(words, [](const ir::Word& w) { return w.address == Address::rounding; });
+    return rigid;
+  }
+
+  [[nodiscard]] bool tap_follows(std::uint32_t i) const {
+    for (++i; i < program_.statements.size(); ++i) {
+      const ir::Statement& s = program_.statements[i];
+      if (s.kind == StatementKind::empty && !s.is_label) continue;
+      return s.kind == StatementKind::block && !s.is_label &&
+             std::ranges::any_of(program_.codes_of(program_.blocks[s.payload]), is_tap);
+    }
+    return false;
+  }
+
+  ir::Program& program_;
+  const ir::Control& to_;
+  Form said_;
+  Form wanted_;
+  Rewrite out_;
+  bool rigid_ = false;
+  std::vector<text::Diagnostic> diagnostics_;
+};
+
+}  // namespace
+
+std::vector<text::Diagnostic> settle_taps(ir::Program& program, const ir::Control& from, const ir::Control& to) {
+  if (from.dialect == to.dialect) return {};
+  const bool any = std::ranges::any_of(program.codes, is_tap);
+  return any ? Taps(program, from, to).run() : std::vector<text::Diagnostic>();
+}
+
+}  // namespace dripfeed::passes
