@@ -131,15 +131,31 @@ class StatementRaiser {
       const double own = value >= kForeignAlarms ? std::fmod(value - kForeignAlarms, kHighestAlarm) : value;
       message.number = program_.add_constant(own > kHighestAlarm ? 1.0 : own, {}, false);
     }
+    keep_written_text(s, message);
     out_.keep();
   }
 
-  // What is put together while running has no place in a comment.
   void message(const ir::Statement& s) {
-    const ir::Message& message = program_.messages[s.payload];
+    ir::Message& message = program_.messages[s.payload];
     if (message.text == ExpressionId::none && message.number == ExpressionId::none) return;  // clears the line
-    if (message.text != ExpressionId::none && program_.at(message.text).op != ir::Operator::string) return;
+    keep_written_text(s, message);
     out_.keep();
+  }
+
+  // A comment shows no values: of a text that is put together while running the written parts stay.
+  void keep_written_text(const ir::Statement& s, ir::Message& message) {
+    if (message.text == ExpressionId::none || program_.at(message.text).op == ir::Operator::string) return;
+    ir::Expression written;
+    written.op = ir::Operator::string;
+    written.string = program_.strings.add(written_parts(message.text));
+    message.text = program_.add(written);
+    blocks_.leave_out(s, "a value in a message");
+  }
+  [[nodiscard]] std::string written_parts(ExpressionId id) const {
+    const ir::Expression& e = program_.at(id);
+    if (e.op == ir::Operator::string) return std::string(program_.strings.at(e.string));
+    if (e.op == ir::Operator::concatenate) return written_parts(e.a) + written_parts(e.b);
+    return "...";
   }
 
   void native(const ir::Statement& s) {

@@ -70,6 +70,11 @@ void BlockRaiser::cannot(const ir::Statement& statement, std::string what) {
       text::make_diagnostic(text::DiagnosticId::cannot_translate, statement.span, {std::move(what), to_.title}));
 }
 
+void BlockRaiser::leave_out(const ir::Statement& statement, std::string what) {
+  cannot(statement, std::move(what));
+  diagnostics_.back().severity = text::Severity::warning;
+}
+
 void BlockRaiser::block(const ir::Statement& statement) {
   statement_ = &statement;
   const ir::Block old = program_.blocks[statement.payload];

@@ -22,6 +22,8 @@ class BlockRaiser {
   void block(const ir::Statement& statement);
   // Something of the statement that the target cannot say.
   void cannot(const ir::Statement& statement, std::string what);
+  // … which changes neither a move nor a value: a warning.
+  void leave_out(const ir::Statement& statement, std::string what);
 
  private:
   // A block in the making.

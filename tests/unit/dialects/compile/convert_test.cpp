@@ -331,6 +331,17 @@ TEST(Convert, RefusesHalfAStructure) {
   }
 }
 
+// A comment is the nearest to a message; the values in it are told as left out.
+TEST(Convert, MessagesBecomeCommentsOfTheirWrittenParts) {
+  const std::string text = "DEF INT N=3\nG17 G710 G90 G94\nMSG(\"layer \"<<N<<\" of \"<<N+1)\nMSG(\"done\")\nM30\n";
+  const ConvertResult result = translated(text, "sinumerik-840d", "fanuc");
+  EXPECT_TRUE(result.text.contains("(LAYER ... OF ...)\n(DONE)\n")) << result.text;
+  ASSERT_EQ(result.diagnostics.size(), 1U);
+  EXPECT_EQ(result.diagnostics[0].severity, text::Severity::warning);
+  EXPECT_EQ(said(result.diagnostics, text::Source("program", text)).rfind("program:3:1: warning[cannot-translate]", 0),
+            0U);
+}
+
 // An index that is a text: a fault that only the validator of its own control tells.
 TEST(Convert, RefusesWhatItsOwnControlRefuses) {
   const std::string text = "DEF REAL ROW[3]\nG17 G710 G90 G94\nROW[\"two\"]=1\nM30\n";
