@@ -176,6 +176,25 @@ std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made) {
   return out;
 }
 
+namespace {
+
+// G331 and G332 turn the spindle with the axis, one way in and the other out. A thread of plain blocks follows a
+// spindle that goes on turning: the tap would be torn out.
+bool taps(const ir::Program& program) {
+  return std::ranges::any_of(program.codes, [](const ir::Code& code) {
+    return code.function == ir::Function::tap || code.function == ir::Function::tap_retract;
+  });
+}
+
+bool any_taps(const ir::Program& main, const std::vector<std::string>& called, interpreter::ProgramFinder& finder) {
+  if (taps(main)) return true;
+  for (std::size_t i = 1; i < called.size(); ++i)
+    if (const ir::Program* program = finder.find(called[i]); program != nullptr && taps(*program)) return true;
+  return false;
+}
+
+}  // namespace
+
 ExplicitProgram explicit_program(const ir::Program& program, const ir::Control& control,
                                  interpreter::ProgramFinder& finder, const ExplicitOptions& options) {
   ExplicitProgram out;
@@ -191,6 +210,8 @@ ExplicitProgram explicit_program(const ir::Program& program, const ir::Control& 
   run.names = &names;
   out.run = interpreter::run(program, control, finder, recorder, run);
   recorder.finish(out.run);
+  if (any_taps(program, out.run.programs, finder))
+    out.lost.push_back(cannot_say("a tap that the axis turns the spindle for (G331, G332)"));
   out.variable_names = std::move(names.variables);
   return out;
 }

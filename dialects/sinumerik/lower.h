@@ -54,6 +54,9 @@ class Lowering {
   void keep_as_native(std::string_view name, bool effects_known, text::Span span, bool moves = false);
   [[nodiscard]] bool is_native() const { return native_; }
 
+  // Another program of the same text begins, with names of its own.
+  void begin_program() { symbols_.clear(); }
+
   // Names, upper case whatever their case in the text.
   ir::StringId name(std::string_view text);
   ir::SymbolId find_symbol(std::string_view name) const;  // none: neither declared nor used before

@@ -118,6 +118,8 @@ void Parser::tape_head() {
   const std::string name(UpperName(head).view());
   if (std::exchange(has_head_, true)) {
     open_section(name);
+    lower_.begin_program();
+    macros_.clear();
   } else {
     program_.name = name;
   }

@@ -139,6 +139,7 @@ class Parser {
   void transformation(std::string_view name, text::Span head);
   void native(std::string_view name, bool effects_known, text::Span head);
   [[nodiscard]] bool acts_on_axes() const;
+  [[nodiscard]] bool positions_are_absolute() const;
   void missing_target();
 
   // faults

@@ -35,6 +35,10 @@ bool may_move(std::string_view name) {
 
 void Parser::statement_of(const Keyword& keyword, text::Span head) {
   if (keyword.name == "TRANSMIT" || keyword.name == "TRACYL") return transformation(keyword.name, head);
+  if (keyword.name == "CYCLE802" && positions_are_absolute()) {
+    cursor_.advance();
+    return call_by_name(lower_.name(keyword.name), head);
+  }
   switch (keyword.role) {
     case Role::address: return named_word(keyword);
     case Role::native:
@@ -97,6 +101,18 @@ void Parser::native(std::string_view name, bool effects_known, text::Span head) 
   }
   if (!open.empty()) report(DiagnosticId::missing_bracket, cursor_.span(), {std::string(1, open.back())});
   lower_.keep_as_native(name, effects_known, to_here(head), moves);
+}
+
+// CYCLE802(111111111,111111111,…): a digit a position, 1 absolute. Of mixed ones the cycle is said (PGZ, CYCLE802).
+bool Parser::positions_are_absolute() const {
+  TokenCursor probe = cursor_.after();
+  const auto all_ones = [&] {
+    probe.advance();
+    return probe.kind() == TokenKind::number && std::ranges::all_of(probe.text(), [](char c) { return c == '1'; });
+  };
+  if (!probe.is_symbol('(') || !all_ones()) return false;
+  probe.advance();
+  return probe.is_symbol(',') && all_ones();
 }
 
 // Synchronized actions may move axes while the program goes on: … DO POS[Z]=100.

@@ -30,6 +30,14 @@ bool is_subprogram_file(std::string_view name) {
 
 }  // namespace
 
+std::size_t section_of(const ir::Program& program, std::uint32_t begin) {
+  const auto starts_before = [&](const ir::Section& section) {
+    return section.first < program.statements.size() && program.statements[section.first].span.begin <= begin;
+  };
+  const auto sections = std::ranges::count_if(program.sections, starts_before);
+  return sections == 0 ? 0 : static_cast<std::size_t>(sections) - 1;
+}
+
 bool is_subprogram(const ir::Program& program) {
   for (const ir::Statement& s : program.statements) {
     if (s.kind == ir::StatementKind::procedure) return true;

@@ -30,6 +30,9 @@ struct Check {
   }
 };
 
+// Which of the programs of the text the place lies in, counted from 0.
+std::size_t section_of(const ir::Program& program, std::uint32_t begin);
+
 // A subprogram takes its modal state and its R parameters from who calls it: it has a PROC head, or nothing in it ends
 // a program.
 bool is_subprogram(const ir::Program& program);

@@ -1,6 +1,7 @@
 // Labels and jumps; blocks that are never reached; the program's end.
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "dialects/passes/flow_graph.h"
 #include "dialects/sinumerik/validate.h"
@@ -69,10 +70,11 @@ class Reachability {
 
 void check_labels(const Check& check) {
   const ir::Program& program = check.program;
-  std::map<ir::StringId, text::Span> names;
+  std::map<std::pair<std::size_t, ir::StringId>, text::Span> names;
   for (const ir::Label& label : program.labels) {
     if (label.name == ir::StringId::none) continue;
-    const auto [first, is_new] = names.emplace(label.name, label.span);
+    const std::pair name(section_of(program, label.span.begin), label.name);
+    const auto [first, is_new] = names.emplace(name, label.span);
     if (is_new) continue;
     text::Diagnostic& d =
         check.report(DiagnosticId::label_defined_twice, label.span, {std::string(program.strings.at(label.name))});

@@ -80,19 +80,12 @@ class Names {
 
   [[nodiscard]] bool in_native(const ir::Symbol& symbol) const { return natives_.contains(name(symbol)); }
 
-  // Which program of the text defines it: each has names of its own.
-  [[nodiscard]] std::ptrdiff_t section_of(const ir::Symbol& symbol) const {
-    return std::ranges::count_if(program_.sections, [&](const ir::Section& section) {
-      return section.first < program_.statements.size() &&
-             program_.statements[section.first].span.begin <= symbol.span.begin;
-    });
-  }
-
   void definitions() const {
-    std::map<std::pair<std::ptrdiff_t, ir::StringId>, const ir::Symbol*> first;
+    std::map<std::pair<std::size_t, ir::StringId>, const ir::Symbol*> first;
     for (const ir::Symbol& symbol : program_.symbols) {
       if (!is_declared(symbol)) continue;
-      const auto [entry, is_new] = first.emplace(std::pair(section_of(symbol), symbol.name), &symbol);
+      const std::size_t section = section_of(program_, symbol.span.begin);
+      const auto [entry, is_new] = first.emplace(std::pair(section, symbol.name), &symbol);
       if (is_new) continue;
       const bool parameters = symbol.is_parameter && entry->second->is_parameter;
       text::Diagnostic& d =

@@ -47,6 +47,21 @@ TEST(Explicit, SinumerikLatheKeepsItsMotions) {
       control("sinumerik-840d", ir::MachineKind::lathe));
 }
 
+// The spindle goes in one way and out the other; a thread of plain blocks would go on turning it (PG, "Rigid tapping").
+TEST(Explicit, ATapThatTurnsTheSpindleIsRefused) {
+  ConvertRequest request;
+  request.from = control("sinumerik-840d", ir::MachineKind::mill);
+  request.to = control("fanuc", ir::MachineKind::mill);
+  request.mode = ConvertMode::explicit_blocks;
+  const std::string head = "G17 G90 G94 G710 G40 G54\nT4 D1 M6\nS400 M3\nG0 X0 Y0 Z5\n";
+  for (const std::string tap : {"G331 Z-10 K1\nG332 Z5 K1\n", "CYCLE84(20,0,3,-12,,0,3,,1.5,0,400,400)\n"}) {
+    request.source = text::Source("program", head + tap + "M30\n");
+    EXPECT_TRUE(text::has_error(convert(request).diagnostics)) << tap;
+  }
+  request.source = text::Source("program", head + "G33 Z-10 K1\nM4\nG33 Z5 K1\nM30\n");
+  EXPECT_FALSE(text::has_error(convert(request).diagnostics));
+}
+
 TEST(Explicit, FanucMillKeepsItsMotions) {
   expect_kept(
       "%\nO1\nG21 G17 G90 G94 G40\nG54\nT4 M06\nS1000 M03\nM08\nG00 X0 Y0\nG43 H4 Z5.\nG01 Z-1. F100.\n"

@@ -68,6 +68,15 @@ TEST(SinumerikAxes, AnotherLanguageIsNotRead) {
   EXPECT_NE(ran.motions.back().axes_unknown & 1U, 0U);
 }
 
+// Each program of a stream has names of its own: the caller's INT is not the called program's REAL.
+TEST(SinumerikCalls, ProgramsOfOneTextHaveTheirOwnNames) {
+  const Result ran =
+      run("%_N_FIRST_MPF\nDEF INT XA\nG17 G90 G71 G94\nXA=1\nSECOND\nG0 Y=XA\nM30\n"
+          "%_N_SECOND_SPF\nDEF REAL XA=1.5\nG0 X=XA\nXA=2.5\nG0 X=XA\nM17\n");
+  EXPECT_TRUE(ran.trace.contains("rapid X1.5000")) << ran.trace;
+  EXPECT_TRUE(ran.trace.contains("rapid X2.5000 Y1.0000")) << ran.trace;
+}
+
 TEST(SinumerikCalls, ArgumentsThatDoNotFitAreAlarms) {
   const Texts called = {{"PART", "PROC PART(VAR REAL A, REAL B, AXIS C)\nA=B\nM17\n"}};
   EXPECT_EQ(after_head("PART(R1,1,X)\n", called).result.ended, interpreter::Ended::end);

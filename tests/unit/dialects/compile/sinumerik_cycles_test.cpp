@@ -118,6 +118,17 @@ TEST(SinumerikModalCalls, PatternsAreDrilled) {
   EXPECT_EQ(holes, "10 20 30 ");
 }
 
+// PGZ, CYCLE802: up to nine positions, each with its digit for absolute (1) or incremental (2).
+TEST(SinumerikModalCalls, FreePositionsAreDrilled) {
+  const std::string head = "G17 G90 G0 X0 Y0 Z50\nF100\nMCALL CYCLE81(20,0,2,-5)\n";
+  const Result ran = run(head + "CYCLE802(111111111,111111111,10,20,30,40,,,,,,,,,,,,,,,0,0,1)\nMCALL\nG1 X1\nM30\n");
+  EXPECT_TRUE(ran.trace.contains("rapid X10.0000 Y20.0000 Z50.0000\n")) << ran.trace;
+  EXPECT_TRUE(ran.trace.contains("linear X10.0000 Y20.0000 Z-5.0000 F100.0000/min\n")) << ran.trace;
+  EXPECT_TRUE(ran.trace.contains("linear X30.0000 Y40.0000 Z-5.0000 F100.0000/min\n")) << ran.trace;
+  EXPECT_EQ(std::ranges::count(ran.motions, ir::MotionKind::linear, &ir::Motion::kind), 3);
+  EXPECT_TRUE(run(head + "CYCLE802(211111111,111111111,10,20,30,40)\nMCALL\nM30\n").names("CYCLE802"));
+}
+
 TEST(SinumerikModalCalls, ArgumentsAreThoseOfTheModalCall) {
   const Texts called = {{"UP", "PROC UP(REAL A, STRING[9] B)\nR5=R5+A\nMSG(B)\nG0 Z=A\nRET\n"}};
   const Result result = run("R1=3 R5=0\nMCALL UP(R1,\"first\")\nR1=100\nG0 X1\nX2\nMCALL\nX3\nM30\n", called);
