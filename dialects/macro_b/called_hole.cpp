@@ -30,13 +30,14 @@ constexpr auto kCycles = std::to_array<CycleRow>({
     {"CYCLE81", DrillCycle::drill, 5},
     {"CYCLE82", DrillCycle::drill_dwell, 5},
     {"CYCLE83", DrillCycle::deep_hole, 8},
+    {"CYCLE84", DrillCycle::tap_right, 5},
     {"CYCLE85", DrillCycle::feed_out, 5},
     {"CYCLE86", DrillCycle::stop_out, 5, 6},
     {"CYCLE87", DrillCycle::manual_out, kNowhere, 5},
     {"CYCLE88", DrillCycle::manual_out, 5, 6},
     {"CYCLE89", DrillCycle::feed_out_dwell, 5},
 });
-constexpr auto kOthers = std::to_array<std::string_view>({"CYCLE84", "CYCLE840"});
+constexpr auto kOthers = std::to_array<std::string_view>({"CYCLE840"});
 
 class HoleReader {
  public:
@@ -51,6 +52,7 @@ class HoleReader {
     std::string fault = levels(hole);
     if (fault.empty()) fault = details(hole, row->dwell);
     if (fault.empty() && row->spindle != 0) fault = spindle(hole, row->spindle);
+    if (fault.empty() && hole.cycle == DrillCycle::tap_right) fault = tap(hole);
     if (!fault.empty()) return std::unexpected(name_ + fault);
     return hole;
   }
@@ -110,6 +112,28 @@ class HoleReader {
     if (!hole.orients) return {};
     for (std::size_t shift = place + 1; shift <= place + 4; ++shift)
       if (number_at(shift, 0.0) != 0.0) return " with a shift or an angle of its spindle";
+    return {};
+  }
+
+  // CYCLE84(…, SDAC, MPIT, PIT, POSS, SST, SST1, …): one way in and out, at one speed.
+  std::string tap(Hole& hole) {
+    const std::optional<double> after = number_at(6, 0.0);
+    const std::optional<double> nominal = number_at(7, 0.0);
+    const std::optional<double> lead = number_at(8, 0.0);
+    const std::optional<double> angle = number_at(9, 0.0);
+    const std::optional<double> speed = number_at(10, 0.0);
+    const std::optional<double> out = number_at(11, 0.0);
+    if (!after || !nominal || !lead || !angle || !speed || !out) return " with computed values of its thread";
+    if (*after != 3.0 && *after != 4.0 && *after != 5.0) return " without what its spindle does behind it (SDAC)";
+    if (*nominal != 0.0 || *lead == 0.0) return " without the lead of its thread (PIT)";
+    if (*angle != 0.0) return " with an angle of its spindle";
+    if (*speed <= 0.0 || (*out != 0.0 && *out != *speed)) return " without one speed for both ways";
+    for (std::size_t further = 12; further < arguments_.size(); ++further)
+      if (number_at(further, 0.0) != 0.0) return " with pecks, an axis or a unit of its own";
+    hole.cycle = *lead < 0.0 ? DrillCycle::tap_left : DrillCycle::tap_right;
+    hole.lead = std::abs(*lead);
+    hole.speed = *speed;
+    hole.after = static_cast<int>(*after);
     return {};
   }
 

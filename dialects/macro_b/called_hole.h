@@ -26,6 +26,9 @@ struct Hole {
   int spindle = 0;        // CYCLE86 to CYCLE88: 3 or 4, as its M function; stopped at the bottom
   bool orients = false;   // … to an angle
   bool holds = false;     // … and the program waits
+  double lead = 0.0;      // of a tap, per turn
+  double speed = 0.0;     // … in turns a minute
+  int after = 0;          // … 3, 4 or 5: what the spindle does behind it
   bool constant = false;  // all levels are numbers
 };
 

@@ -21,6 +21,7 @@
 #include "dialects/ir/cycle.h"
 #include "dialects/macro_b/called_hole.h"
 #include "dialects/passes/rewrite.h"
+#include "dialects/passes/rigid_taps.h"
 
 namespace dripfeed::macro_b {
 
@@ -41,6 +42,7 @@ class Drilling {
   Drilling(ir::Program& program, const ir::Control& from, const ir::Control& to)
       : program_(program), to_(to), out_(program), plane_(from.semantics.power_on_plane) {
     incremental_ = from.semantics.power_on_distance == Function::incremental;
+    turning_.feed_mode = from.semantics.power_on_feed;
   }
 
   std::vector<text::Diagnostic> run() {
@@ -51,7 +53,7 @@ class Drilling {
       statement_ = program_.statements[i];
       if (statement_.is_label ||
           (statement_.kind >= StatementKind::if_begin && statement_.kind <= StatementKind::loop_end))
-        height_.reset();
+        forget();
       statement();
     }
     out_.finish();
@@ -64,8 +66,14 @@ class Drilling {
     if (statement_.kind == StatementKind::modal_call_end) return end();
     if (statement_.kind == StatementKind::call) return call();
     if (statement_.kind == StatementKind::block) return block();
-    if (statement_.kind == StatementKind::native) height_.reset();
+    if (statement_.kind == StatementKind::native) forget();
     out_.keep();
+  }
+
+  // What is not known where ways meet.
+  void forget() {
+    height_.reset();
+    turning_ = {};
   }
 
   // --- calls
@@ -75,7 +83,7 @@ class Drilling {
     const std::optional<Hole> hole = hole_of(program_.calls[statement_.payload]);
     if (!hole) return;  // told
     modal_ = hole;
-    native_ = fits_modal_cycle(*hole) && region_fits();
+    native_ = fits_modal_cycle(*hole) && region_fits(hole->lead != 0.0);
     if (native_) return define(*hole, true);
     if (!has_moves(*hole)) return;
     if (region_is_entered()) cannot("a modal call into which jumps lead");
@@ -93,6 +101,7 @@ class Drilling {
     if (native_) {
       out_.emit_block({code(Function::cycle_off)}, {});
       out_.emit_block({code(Function::rapid)}, {});
+      turn_again(*modal_);
     }
     modal_.reset();
     native_ = false;
@@ -103,7 +112,7 @@ class Drilling {
     const std::string name(program_.strings.at(call.name));
     if (name == "HOLES1" || name == "HOLES2") return holes(name, call);
     if (!is_drilling_cycle(name)) {
-      height_.reset();
+      forget();
       return out_.keep();
     }
     const std::optional<Hole> hole = hole_of(call);
@@ -111,6 +120,7 @@ class Drilling {
     if (fits_modal_cycle(*hole)) {
       define(*hole, false);
       out_.emit_block({code(Function::cycle_off)}, {});
+      turn_again(*hole);
       if (motion_) out_.emit_block({code(*motion_)}, {});
     } else if (has_moves(*hole)) {
       moves(*hole);
@@ -129,6 +139,7 @@ class Drilling {
 
   [[nodiscard]] bool fits_modal_cycle(const Hole& hole) const {
     if (!hole.constant || to_.kind != ir::MachineKind::mill || plane_ != Function::plane_xy) return false;
+    if (hole.lead != 0.0 && !turning_known()) return false;
     if (hole.feed_in != 0.0 || hole.feed_out != 0.0 || hole.spindle != 0) return false;
     const double back = *number(hole.back);
     const double level = *number(hole.level);
@@ -137,7 +148,7 @@ class Drilling {
   }
 
   // All blocks up to the next MCALL only position, in rapid.
-  [[nodiscard]] bool region_fits() const {
+  [[nodiscard]] bool region_fits(bool taps) const {
     if (motion_ != Function::rapid) return false;
     for (std::uint32_t i = index_ + 1; i < program_.statements.size(); ++i) {
       const ir::Statement& s = program_.statements[i];
@@ -147,10 +158,12 @@ class Drilling {
       for (const ir::Code& c : program_.codes_of(block)) {
         if (c.group == ir::ModalGroup::motion && c.function != Function::rapid) return false;
         if (c.group == ir::ModalGroup::plane || c.group == ir::ModalGroup::frame) return false;
+        if (taps && (c.group == ir::ModalGroup::feed || c.group == ir::ModalGroup::spindle)) return false;
       }
       for (const ir::Word& w : program_.words_of(block)) {
         if (w.address == Address::z || w.address == Address::r || w.address == Address::q || w.address == Address::l)
           return false;
+        if (taps && (w.address == Address::f || w.address == Address::s)) return false;
       }
     }
     return true;
@@ -176,15 +189,37 @@ class Drilling {
     if (hole.peck > 0.0) words.push_back(word(Address::q, constant(hole.peck)));
     if (hole.dwell_s > 0.0) words.push_back(word(Address::p, program_.add_constant(hole.dwell_s * 1000.0, {}, false)));
     if (modal) words.push_back(word(Address::k, program_.add_constant(0.0, {}, false)));
+    if (hole.lead != 0.0) {
+      out_.emit_block({}, {word(Address::s, program_.add_constant(hole.speed, {}, false))});
+      words.push_back(word(Address::f, constant(hole.lead * hole.speed)));
+      passes::add_rigid(program_, to_, drill, words, out_);
+    }
     out_.emit_block({code(to_level ? Function::return_to_r : Function::return_to_initial), drill}, words);
+  }
+
+  [[nodiscard]] bool turning_known() const {
+    return turning_.feed_mode == Function::feed_per_min && turning_.feed && turning_.speed;
+  }
+  // Speed and feed were the tap's own there; they are modal here.
+  void turn_again(const Hole& hole) {
+    if (hole.lead == 0.0) return;
+    const Function spindle = hole.after == 3   ? Function::spindle_cw
+                             : hole.after == 4 ? Function::spindle_ccw
+                                               : Function::spindle_stop;
+    out_.emit_block({code(spindle)}, {word(Address::s, program_.add_constant(*turning_.speed, {}, false)),
+                                      word(Address::f, constant(*turning_.feed))});
   }
 
   // --- moves
 
   // Whether a hole is what these few moves make.
   bool has_moves(const Hole& hole) {
-    const bool pecks = hole.cycle == DrillCycle::deep_hole;
-    if (pecks && (to_.kind != ir::MachineKind::mill || plane_ != Function::plane_xy)) {
+    const bool by_cycle = hole.cycle == DrillCycle::deep_hole || hole.lead != 0.0;
+    if (hole.lead != 0.0 && !turning_known()) {
+      cannot(hole.name + " behind a feed or speed that is not known");
+      return false;
+    }
+    if (by_cycle && (to_.kind != ir::MachineKind::mill || plane_ != Function::plane_xy)) {
       cannot(hole.name + " on a lathe or in another plane than G17");
       return false;
     }
@@ -195,13 +230,14 @@ class Drilling {
     out_.emit_block({code(Function::rapid)}, {absolute(Address::z, hole.back)});
     define(hole, false);
     out_.emit_block({code(Function::cycle_off)}, {});
+    turn_again(hole);
     if (!motion_) return cannot("the motion code in effect behind a cycle, which is not known here,");
     out_.emit_block({code(*motion_)}, {});
     height_ = number(hole.back);
   }
 
   void moves(const Hole& hole) {
-    if (hole.cycle == DrillCycle::deep_hole) return pecks(hole);
+    if (hole.cycle == DrillCycle::deep_hole || hole.lead != 0.0) return pecks(hole);
     const Address axis = plane_ == Function::plane_zx   ? Address::y
                          : plane_ == Function::plane_yz ? Address::x
                                                         : Address::z;
@@ -272,6 +308,7 @@ class Drilling {
     const bool moves_axes =
         !own_words && std::ranges::any_of(words, [](const ir::Word& w) { return is_axis(w.address); });
     if (!own_words) take_height(words);
+    take_turning(codes, words);
     if (native_) {
       std::vector<ir::Code> others;
       std::ranges::copy_if(codes, std::back_inserter(others),
@@ -280,6 +317,18 @@ class Drilling {
     }
     out_.keep();
     if (modal_ && moves_axes) moves(*modal_);
+  }
+
+  void take_turning(std::span<const ir::Code> codes, std::span<const ir::Word> words) {
+    for (const ir::Code& c : codes) {
+      if (c.function == Function::dwell) return;
+      if (c.group == ir::ModalGroup::feed) turning_.feed_mode = c.function;
+      if (c.group == ir::ModalGroup::surface_speed) turning_ = {};
+    }
+    for (const ir::Word& w : words) {
+      if (w.address == Address::f) turning_.feed = number(w.value);
+      if (w.address == Address::s) turning_.speed = w.extension > 1 ? std::nullopt : number(w.value);
+    }
   }
 
   void take_height(std::span<const ir::Word> words) {
@@ -337,6 +386,12 @@ class Drilling {
   Function plane_;
   bool incremental_ = false;
   std::optional<double> height_;
+  struct Turning {
+    std::optional<Function> feed_mode;
+    std::optional<double> feed;
+    std::optional<double> speed;
+  };
+  Turning turning_;
 };
 
 }  // namespace

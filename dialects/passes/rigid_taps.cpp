@@ -44,7 +44,7 @@ bool is_tap(const ir::Code& c) {
 class Taps {
  public:
   Taps(ir::Program& program, const ir::Control& from, const ir::Control& to)
-      : program_(program), to_(to), said_(form_of(from)), wanted_(form_of(to)), out_(program) {}
+      : program_(program), to_(to), said_(form_of(from)), out_(program) {}
 
   std::vector<text::Diagnostic> run() {
     const auto count = static_cast<std::uint32_t>(program_.statements.size());
@@ -74,21 +74,7 @@ class Taps {
       return;
     }
     const bool rigid = takes_rigid(*tap, words, s);
-    if (rigid && wanted_ == Form::own_code)
-      tap->name = program_.strings.add(cycle_of(*tap) == DrillCycle::tap_left ? "G84.3" : "G84.2");
-    if (rigid && wanted_ == Form::comma_r) {
-      ir::Word one;
-      one.address = Address::rounding;
-      one.value = program_.add_constant(1.0, {}, false);
-      words.push_back(one);
-    }
-    if (rigid && wanted_ == Form::m29) {
-      ir::Code m29;
-      m29.function = Function::machine_function;
-      m29.argument = kRigidFunction;
-      m29.letter = 'M';
-      out_.emit_block({m29}, {});
-    }
+    if (rigid) add_rigid(program_, to_, *tap, words, out_);
     out_.emit_block(codes, words);
   }
 
@@ -123,13 +109,29 @@ class Taps {
   ir::Program& program_;
   const ir::Control& to_;
   Form said_;
-  Form wanted_;
   Rewrite out_;
   bool rigid_ = false;
   std::vector<text::Diagnostic> diagnostics_;
 };
 
 }  // namespace
+
+void add_rigid(ir::Program& program, const ir::Control& to, ir::Code& tap, std::vector<ir::Word>& words, Rewrite& out) {
+  const Form form = form_of(to);
+  if (form == Form::own_code) tap.name = program.strings.add(cycle_of(tap) == DrillCycle::tap_left ? "G84.3" : "G84.2");
+  if (form == Form::comma_r) {
+    ir::Word one;
+    one.address = Address::rounding;
+    one.value = program.add_constant(1.0, {}, false);
+    words.push_back(one);
+  }
+  if (form != Form::m29) return;
+  ir::Code m29;
+  m29.function = Function::machine_function;
+  m29.argument = kRigidFunction;
+  m29.letter = 'M';
+  out.emit_block({m29}, {});
+}
 
 std::vector<text::Diagnostic> settle_taps(ir::Program& program, const ir::Control& from, const ir::Control& to) {
   if (from.dialect == to.dialect) return {};

@@ -6,11 +6,15 @@
 
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
+#include "dialects/passes/rewrite.h"
 #include "dialects/text/diagnostic.h"
 
 namespace dripfeed::passes {
 
 // Says rigid taps as `to` says them. Between controls of one dialect nothing changes.
 std::vector<text::Diagnostic> settle_taps(ir::Program& program, const ir::Control& from, const ir::Control& to);
+
+// A tapping cycle's code and words as `to` says that it is rigid; a block that must come before it goes to `out`.
+void add_rigid(ir::Program& program, const ir::Control& to, ir::Code& tap, std::vector<ir::Word>& words, Rewrite& out);
 
 }  // namespace dripfeed::passes
