@@ -55,7 +55,8 @@ class Flattener {
     const bool in_word = s.kind == StatementKind::block;
     std::vector<ExpressionId> roots;
     passes::for_each_root(program_, s, [&](ExpressionId id) { roots.push_back(id); }, [](ir::VariableId) {});
-    for (ExpressionId& root : roots) root = legal(root, deepest() - 1, in_word);
+    for (ExpressionId& root : roots)
+      if (!is_text(root)) root = legal(root, deepest() - 1, in_word);
     auto next = roots.begin();
     passes::for_each_root(program_, s, [&](ExpressionId& id) { id = *next++; }, [](ir::VariableId) {});
     out_.keep();
@@ -183,8 +184,11 @@ class Flattener {
   }
 
   ExpressionId legal(ExpressionId id, std::uint32_t budget, bool in_word) {
-    if (id == ExpressionId::none || program_.at(id).op == Operator::string) return id;
-    return parts_within(rewritten(id, in_word), budget);
+    return id == ExpressionId::none ? id : parts_within(rewritten(id, in_word), budget);
+  }
+  // Of a message or the name of a tool; what calculates with one is told.
+  [[nodiscard]] bool is_text(ExpressionId id) const {
+    return id != ExpressionId::none && program_.at(id).op == Operator::string;
   }
 
   // AND and OR will be several jumps: each comparison is looked at by itself.

@@ -57,6 +57,13 @@ TEST(ValueTypes, GlobalDataThatIsOnlyReadIsRefused) {
   expect_moves_kept("", "FIXTURE_HEIGHT=5\nG0 X=FIXTURE_HEIGHT\n");
 }
 
+// Variables there hold numbers only.
+TEST(ValueTypes, ATextAsAValueIsRefusedAtItsPlace) {
+  const std::string told = refused("G17 G710 G90 G94\nNAME_OF=\"five\"\nG0 X=NAME_OF\nM30\n");
+  EXPECT_NE(told.find("program:2:"), std::string::npos) << told;
+  EXPECT_NE(told.find("\"five\" has no counterpart"), std::string::npos) << told;
+}
+
 TEST(ValueTypes, GlobalDataOfSeveralProgramsIsRefused) {
   const std::string told = refused("G17 G710 G90 G94\nDEPTH_OF=3\nL100\nG0 X1\nM30\n");
   EXPECT_NE(told.find("the global data DEPTH_OF, which other programs share,"), std::string::npos) << told;
