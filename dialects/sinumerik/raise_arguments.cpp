@@ -1,7 +1,7 @@
 // Macros and their calls. A subprogram that reads local variables before it sets them has them from its call, and a
 // macro has local variables of its own: parameters and definitions here.
 //
-//   O9010                           PROC L9010(REAL ARG_A, REAL ARG_B)
+//   O9010                           PROC L9010(REAL ARG_A, REAL ARG_B, …, REAL ARG_Z)
 //                                   DEF BOOL NO_B
 //                                   NO_B=NOT $P_SUBPAR[2]
 //   IF[#2EQ#0]THEN #2=5.            IF NO_B / ARG_B=5 / NO_B=0 / ENDIF
@@ -123,15 +123,11 @@ class Macro {
     return id;
   }
 
-  // All letters up to the last that is used; symbols of one kind stand together.
+  // All letters, because a caller may give more than are used; symbols of one kind stand together.
   void declare(bool takes) {
     first_parameter_ = static_cast<std::uint32_t>(program_.symbols.size());
     if (takes) {
-      std::size_t last = 0;
-      for (const auto& [number, local] : locals_)
-        if (const auto position = passes::position_of_local(number)) last = std::max(last, *position);
-      for (std::size_t i = 0; i <= last; ++i) {
-        const passes::ArgumentLetter& letter = passes::kArgumentLetters[i];
+      for (const passes::ArgumentLetter& letter : passes::kArgumentLetters) {
         const ir::SymbolId id = add_symbol(std::string("ARG_") + letter.letter, ir::ValueType::real);
         program_.symbols[static_cast<std::uint32_t>(id)].is_parameter = true;
         if (const auto local = locals_.find(letter.number); local != locals_.end())

@@ -124,6 +124,11 @@ TEST(Arguments, ByLetterBecomeParametersInEachFile) {
   EXPECT_NE(sub.text.find("NO_B=NOT $P_SUBPAR[2]"), std::string::npos) << sub.text;
 }
 
+TEST(Arguments, ThatAreNotTakenDoNoHarm) {
+  expect_files_kept("%\nO0001\nG21 G17 G90 G94\nG00 Z1.\nG65 P9010 A2. Z5. T3.\nG65 P9010 A3.\nM30\n%\n",
+                    {{"O9010", "%\nO9010\nG00 X#1\nM99\n%\n"}}, "fanuc", kSinumerik);
+}
+
 TEST(Arguments, ByLetterBecomeParametersInOneText) {
   const std::string text = kMacroMain.substr(0, kMacroMain.size() - 2) + kMacro.substr(2);
   const std::vector<ir::Motion> original = played(text, {}, "fanuc");
