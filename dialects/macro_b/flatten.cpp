@@ -273,6 +273,10 @@ class Flattener {
       const ExpressionId value = is_leaf(e.a) ? e.a : held(e.a);
       return op(Operator::multiply, value, value);
     }
+    // One of the two and not the other: not every one of these controls joins conditions by XOR.
+    if (e.op == Operator::logic_xor && from_.dialect != to_.dialect)
+      return op(Operator::logic_or, op(Operator::logic_and, e.a, passes::negated(program_, e.b)),
+                op(Operator::logic_and, passes::negated(program_, e.a), e.b));
     if (e.op == Operator::integer_divide) return op(Operator::truncate, op(Operator::divide, e.a, e.b));
     if (e.op == Operator::bit_not) return op(Operator::subtract, program_.add_constant(-1.0, e.span), e.a);
     if (e.op == Operator::minimum || e.op == Operator::maximum) return chosen(e.op, e.a, e.b);

@@ -47,6 +47,12 @@ TEST(ValueTypes, ATruthIsOneOrZero) {
   expect_moves_kept("DEF BOOL B\n", "R1=7 B=R1\nG0 X=B+1\nB=NOT B\nG0 X=B+3\nB=NOT B\nG0 X=B+3\nB=R1>3 G0 Y=B+1\n");
 }
 
+TEST(ValueTypes, OneOfTwoAndNotTheOther) {
+  expect_moves_kept("DEF BOOL B\n",
+                    "R1=7 R2=1 B=R2\nIF (R1>3) XOR (R2>3)\nG0 X4\nENDIF\nIF NOT ((R1>3) XOR (R2<3))\nG0 X5\nENDIF\n"
+                    "B=(R1>3) XOR B G0 X=B+6\nIF B XOR (R2==1)\nG0 X8\nELSE\nG0 X9\nENDIF\n");
+}
+
 TEST(ValueTypes, GlobalDataThatIsOnlyReadIsRefused) {
   const std::string told = refused("G17 G710 G90 G94\nG0 X=FIXTURE_HEIGHT\nM30\n");
   EXPECT_NE(told.find("program:2:"), std::string::npos) << told;
