@@ -172,7 +172,7 @@ struct Arithmetic::Rules {
   }
   static Outcome bit_not(const Arithmetic& m, double a) {
     const double whole = m.round(a);
-    if (!fits_bits(whole)) return fault(Fault::result_overflow);
+    if (!fits_bits(whole)) return fault(Fault::integer_overflow);
     return {static_cast<double>(static_cast<std::int32_t>(~bits_of(whole)))};
   }
   // A sign in, a sign out: a control without negative operands has 32 bits without sign.
@@ -180,7 +180,7 @@ struct Arithmetic::Rules {
   static Outcome bits(const Arithmetic& m, double a, double b, Combine combine) {
     const double x = m.round(a);
     const double y = m.round(b);
-    if (!fits_bits(x) || !fits_bits(y)) return fault(Fault::result_overflow);
+    if (!fits_bits(x) || !fits_bits(y)) return fault(Fault::integer_overflow);
     const std::uint32_t result = combine(bits_of(x), bits_of(y));
     return {x < 0.0 || y < 0.0 ? static_cast<double>(static_cast<std::int32_t>(result)) : static_cast<double>(result)};
   }

@@ -22,7 +22,7 @@ inline double value_or_zero(double value) { return is_vacant(value) ? 0.0 : valu
 // What a condition takes a value for: not zero; vacant is false, and one that is not known as well.
 inline bool is_true(double value) { return value != 0.0 && !is_vacant(value); }
 
-enum class Fault : std::uint8_t { none, division_by_zero, argument_out_of_domain, result_overflow };
+enum class Fault : std::uint8_t { none, division_by_zero, argument_out_of_domain, result_overflow, integer_overflow };
 
 struct Outcome {
   double value = 0.0;

@@ -69,6 +69,15 @@ BlockRules::BlockRules(const ir::Control& control)
       add(kIncrementalRows[i], true);
   foreign_axes = letters & ~axis_addresses;
   corner_letters = control.kind == ir::MachineKind::lathe && semantics.arc_radius_is_r;
+  using text::DiagnosticId;
+  corner_alarm = !ir::alarm_of(control, DiagnosticId::corner_too_large).empty();
+  angle_alarm = !ir::alarm_of(control, DiagnosticId::angle_unsolved).empty();
+  taper_alarm = ir::alarm_of(control, DiagnosticId::cycle_shape_invalid, ir::AlarmDetail::tapered) !=
+                ir::alarm_of(control, DiagnosticId::cycle_shape_invalid);
+  coordinate_alarm = ir::alarm_of(control, DiagnosticId::result_overflow, ir::AlarmDetail::position) !=
+                     ir::alarm_of(control, DiagnosticId::result_overflow);
+  end_of_angle_alarm = ir::alarm_of(control, DiagnosticId::angle_unsolved, ir::AlarmDetail::not_an_end) !=
+                       ir::alarm_of(control, DiagnosticId::angle_unsolved);
   counting = bit_of(Address::p);  // a scaling factor counts the control's unit, whatever lengths do
   if (semantics.decimal_mode == ir::DecimalMode::least_increment) counting |= letters | axis_addresses | kLengths;
 }

@@ -11,6 +11,9 @@
 
 namespace dripfeed::interpreter {
 
+// The largest coordinate that eight or nine digits of thousandths count, mm.
+inline constexpr double kMostCounted = 999'999.999;
+
 struct AxisWord {
   ir::Axis axis = ir::Axis::x;
   bool incremental = false;  // U of a lathe
@@ -28,7 +31,13 @@ class BlockRules {
   std::uint64_t counting = 0;      // addresses whose constants without a point count least increments
   bool x_is_diameter = false;      // the control's X is a diameter, whatever mode is programmed
   bool corner_letters = false;     // R, I and K of a straight block are its corner (lathes)
-  bool tool_at_once = false;       // T takes effect without M6
+  // What the control stops at with an alarm; the others go on in a way that is not known.
+  bool corner_alarm = false;        // a chamfer or rounding that is longer than a move beside it
+  bool angle_alarm = false;         // two lines by their angles that do not meet, or no end of the second
+  bool end_of_angle_alarm = false;  // an end that the angle does not lead to
+  bool taper_alarm = false;         // a turning cycle whose taper is longer than its move
+  bool coordinate_alarm = false;    // a computed coordinate of more than kMostCounted
+  bool tool_at_once = false;        // T takes effect without M6
   double increments_per_mm = 1000.0;
   double increments_per_degree = 1000.0;
 

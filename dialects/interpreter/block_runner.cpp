@@ -165,6 +165,9 @@ bool BlockRunner::fill_computed(const Instruction& i, const BlockTemplate& made,
     const double value = storage_.reg(raw_of(word.operand));
     const ir::Address address = word.axis == Operand::none ? word.address : find_axis(word);
     if (address == ir::Address::other) continue;
+    const bool is_axis = (rules_.axis_addresses & bit_of(address)) != 0;
+    if (rules_.coordinate_alarm && is_axis && std::abs(value) > kMostCounted)
+      return report_.fail(i, DiagnosticId::result_overflow, {}, ir::AlarmDetail::position);
     if (is_vacant(value) && control_.semantics.unset_is_unknown) {
       block_.unknown |= bit_of(address);
       report_.count({.name = letter_of(address) + " from a value that is not known"});

@@ -123,6 +123,11 @@ std::optional<std::uint32_t> CallStack::call(const Instruction& i, std::uint32_t
   CallSite& site = program_->calls[i.a];
   const bool macro = site.kind == ir::CallKind::macro;
   if (!has_room(i, macro)) return std::nullopt;
+  const bool external = site.kind == ir::CallKind::external;
+  if (external && std::ranges::any_of(frames_, &Frame::is_external)) {
+    report_.fail(i, DiagnosticId::call_nesting_too_deep, {"2", "1"}, ir::AlarmDetail::second_device);
+    return std::nullopt;
+  }
   CompiledProgram* target = find_program(i, site);
   if (target == nullptr) return std::nullopt;
   std::uint32_t begin = 0;
@@ -143,7 +148,9 @@ std::optional<std::uint32_t> CallStack::call(const Instruction& i, std::uint32_t
   } else {
     if (!has_parameters(i, site, *target)) return std::nullopt;
     read_values(site, passing_);
-    if (!pass_parameters(i, passing_, push(*target, next, false))) return std::nullopt;
+    Frame& pushed = push(*target, next, false);
+    pushed.is_external = external;
+    if (!pass_parameters(i, passing_, pushed)) return std::nullopt;
   }
   Frame& frame = frames_.back();
   enter(frame);

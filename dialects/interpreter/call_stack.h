@@ -57,6 +57,7 @@ class CallStack {
     std::uint32_t line = 0;
     bool is_macro = false;
     bool is_modal = false;
+    bool is_external = false;
     std::uint32_t times_left = 0;  // of a modal call
     std::bitset<kParametersAtMost> given;
     Modes modes;  // of the caller, when the program gives them back

@@ -119,7 +119,24 @@ std::optional<Corner> rounding_between(const PathPiece& first, const PathPiece& 
   return corner;
 }
 
+// What a corner takes off each of two lines that turn by phi.
+double leg_of(CornerKind kind, double size_mm, double phi) {
+  if (kind == CornerKind::rounding) return size_mm * std::tan(phi / 2.0);
+  return kind == CornerKind::chamfer_leg ? size_mm : size_mm / (2.0 * std::cos(phi / 2.0));
+}
+
 }  // namespace
+
+TooShort too_short_for(const PathPiece& first, const PathPiece& second, CornerKind kind, double size_mm) {
+  if (first.is_arc || second.is_arc || size_mm < kNothing || kind == CornerKind::none) return TooShort::none;
+  const PlanePoint before = direction_at(first, first.end);
+  const PlanePoint after = direction_at(second, second.start);
+  const double turn = cross(before, after);
+  if (std::abs(turn) < kNothing) return TooShort::none;
+  const double leg = leg_of(kind, size_mm, std::atan2(std::abs(turn), dot(before, after)));
+  if (leg > length_of(first.end - first.start) + kNothing) return TooShort::first;
+  return leg > length_of(second.end - second.start) + kNothing ? TooShort::second : TooShort::none;
+}
 
 std::optional<Corner> corner_between(const PathPiece& first, const PathPiece& second, CornerKind kind, double size_mm) {
   const PlanePoint before = direction_at(first, first.end);
@@ -129,7 +146,7 @@ std::optional<Corner> corner_between(const PathPiece& first, const PathPiece& se
   if (kind == CornerKind::rounding) return rounding_between(first, second, size_mm, turn > 0.0);
   if (first.is_arc || second.is_arc) return std::nullopt;
   const double phi = std::atan2(std::abs(turn), dot(before, after));
-  const double leg = kind == CornerKind::chamfer_leg ? size_mm : size_mm / (2.0 * std::cos(phi / 2.0));
+  const double leg = leg_of(kind, size_mm, phi);
   if (leg > length_of(first.end - first.start) + kNothing || leg > length_of(second.end - second.start) + kNothing)
     return std::nullopt;
   return Corner{.from = first.end - leg * before, .to = first.end + leg * after, .is_arc = false, .center = {}};

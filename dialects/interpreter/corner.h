@@ -32,4 +32,9 @@ struct Corner {
 // is an arc and a chamfer is wanted.
 std::optional<Corner> corner_between(const PathPiece& first, const PathPiece& second, CornerKind kind, double size_mm);
 
+// Which of two straight pieces is too short for the corner, the first one before the second; none for arcs, where other
+// reasons are as likely.
+enum class TooShort : unsigned char { none, first, second };
+TooShort too_short_for(const PathPiece& first, const PathPiece& second, CornerKind kind, double size_mm);
+
 }  // namespace dripfeed::interpreter

@@ -54,7 +54,8 @@ class DirectLine {
     const bool angle_known = block_.has(Address::direct_angle);
     if (!is_line() || (target.unknown | (block_.unknown & kAngle)) != 0) return lose(target);
     if (before.active) {
-      if (!p || !q || !angle_known) return lose(target);
+      if (!p || !q || !angle_known)
+        return fail(target, "the second line names no end, or no angle", ir::AlarmDetail::no_end_point);
       return two_lines(before, target);
     }
     if (!p && !q) return wait();
@@ -88,6 +89,14 @@ class DirectLine {
     state_.tangent_known = false;
   }
 
+  // Where the control has an alarm for it.
+  void fail(const Target& target, std::string_view reason, ir::AlarmDetail detail) {
+    if (!(detail == ir::AlarmDetail::not_an_end ? rules_.end_of_angle_alarm : rules_.angle_alarm)) return lose(target);
+    result_.fault = text::DiagnosticId::angle_unsolved;
+    result_.reason = reason;
+    result_.detail = detail;
+  }
+
   void wait() {
     PendingLine line{.active = true, .angle_deg = angle(), .unknown_before = state_.unknown};
     for (const Address corner : kCornerWords) {
@@ -109,7 +118,8 @@ class DirectLine {
     const PlanePoint way{to.p - from.p, to.q - from.q};
     const PlanePoint wanted = direction_of(angle());
     const double across = way.p * wanted.q - way.q * wanted.p;
-    if (std::abs(across) > kSameDirection * length_of(way)) return lose(target);
+    if (std::abs(across) > kSameDirection * length_of(way))
+      return fail(target, "the end does not lie on the line", ir::AlarmDetail::not_an_end);
     go(block_, target);
   }
 
@@ -119,7 +129,7 @@ class DirectLine {
     const PlanePoint way = direction_of(angle());
     const double run = p ? way.p : way.q;
     const double named = p ? to.p - from.p : to.q - from.q;
-    if (std::abs(run) < kParallel) return lose(target);
+    if (std::abs(run) < kParallel) return fail(target, "the line never reaches the coordinate", ir::AlarmDetail::none);
     const double other = named / run * (p ? way.q : way.p);
     const std::size_t axis = p ? axes_.q : axes_.p;
     target.end[axis] = ((p ? from.q : from.p) + other) * factor(axis);
@@ -134,7 +144,7 @@ class DirectLine {
     const PlanePoint a = direction_of(first.angle_deg);
     const PlanePoint b = direction_of(angle());
     const double turn = a.p * b.q - a.q * b.p;
-    if (std::abs(turn) < kParallel) return lose(target);
+    if (std::abs(turn) < kParallel) return fail(target, "the two lines are parallel", ir::AlarmDetail::none);
     const double along = ((to.p - from.p) * b.q - (to.q - from.q) * b.p) / turn;
     Target meeting{.end = state_.position};
     meeting.end[axes_.p] = (from.p + along * a.p) * factor(axes_.p);

@@ -321,6 +321,8 @@ bool Machine::settle(const Instruction& i, Outcome outcome, std::string_view fun
     case Fault::none: storage_.reg(i.a) = outcome.value; return true;
     case Fault::division_by_zero: return report_.fail(i, DiagnosticId::division_by_zero);
     case Fault::result_overflow: return report_.fail(i, DiagnosticId::result_overflow);
+    case Fault::integer_overflow:
+      return report_.fail(i, DiagnosticId::result_overflow, {}, ir::AlarmDetail::whole_numbers);
     case Fault::argument_out_of_domain: break;
   }
   return report_.fail(i, DiagnosticId::argument_out_of_domain,

@@ -80,6 +80,15 @@ void Mover::insert_corner() {
   if (before.plane == after.plane && is_flat(before, axes) && is_flat(after, axes))
     corner = corner_between(piece_of(before, axes), piece_of(after, axes), kind, state_.corner.size_mm);
   if (!corner.has_value()) {
+    if (rules_.corner_alarm && before.plane == after.plane && is_flat(before, axes) && is_flat(after, axes)) {
+      const TooShort piece = too_short_for(piece_of(before, axes), piece_of(after, axes), kind, state_.corner.size_mm);
+      if (piece != TooShort::none) {
+        result_.fault = text::DiagnosticId::corner_too_large;
+        result_.detail = piece == TooShort::first ? ir::AlarmDetail::none : ir::AlarmDetail::next_move;
+        result_.reason = piece == TooShort::first ? "before" : "behind";
+        return;
+      }
+    }
     // A modal rounding has nothing to do where the way goes on without a corner.
     if (state_.modal_rounding_mm == 0.0) result_.notes |= kNoteCornerNotComputed;
     return;

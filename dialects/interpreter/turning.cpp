@@ -10,6 +10,8 @@
 // B-64604EN-1, canned cycle G90, G92, G94.)
 #include "dialects/interpreter/turning.h"
 
+#include <cmath>
+
 #include "dialects/interpreter/axis_words.h"
 #include "dialects/interpreter/move.h"
 
@@ -39,6 +41,12 @@ class Turner {
     }
     const double x = state_.position[kX];
     const double z = state_.position[kZ];
+    if (rules_.taper_alarm && is_taper_too_long(x, z)) {
+      result_.fault = text::DiagnosticId::cycle_shape_invalid;
+      result_.reason = "the taper (R) is longer than its move";
+      result_.detail = ir::AlarmDetail::tapered;
+      return;
+    }
     const MotionKind cut = t_.cycle == TurningCycle::thread ? MotionKind::thread : MotionKind::linear;
     if (t_.cycle == TurningCycle::along_x) {
       go(MotionKind::rapid, x, t_.z + t_.taper);
@@ -66,6 +74,13 @@ class Turner {
     const Address old = t_.cycle == TurningCycle::along_x ? Address::k : Address::i;
     for (const Address address : {old, Address::r})
       if (block_.has(address)) t_.taper = rules_.length_mm(block_, address, state_.modes.inch);
+  }
+
+  // A taper that begins beyond the cycle's own start: R against the way in, and longer.
+  [[nodiscard]] bool is_taper_too_long(double x, double z) const {
+    const bool facing = t_.cycle == TurningCycle::along_x;
+    const double way = facing ? t_.z - z : (t_.x - x) / (rules_.x_is_diameter ? 2.0 : 1.0);
+    return way * t_.taper < 0.0 && std::abs(t_.taper) > std::abs(way) + 1e-9;
   }
 
   void go(MotionKind kind, double x, double z) {

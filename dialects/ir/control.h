@@ -101,10 +101,37 @@ enum class AlarmDetail : std::uint8_t {
   value_of_data,     // G10 with a value that no offset takes
   small_radius,      // of an arc: less than half its chord
   order_of_curve,
-  in_face,        // a code in polar interpolation, not in cylindrical
-  first_point,    // of a curve: not where the tool is
-  whole_numbers,  // too large for an integer
-  write_only,     // a variable that only takes values
+  in_face,          // a code in polar interpolation, not in cylindrical
+  first_point,      // of a curve: not where the tool is
+  whole_numbers,    // too large for an integer
+  write_only,       // a variable that only takes values
+  program_number,   // 0 of a program, not of a block
+  block_number,     // … too large for a block
+  beside_return,    // words in the block of M99
+  second_macro,     // G65 twice in a block
+  second_device,    // M198 in what M198 called
+  name_characters,  // of a name that SETVN gives
+  name_in_use,      // … that stands in an expression
+  condition_end,    // ENDIF without IF
+  missing_comma,
+  code_in_drip,      // a code that is refused while the program is fed
+  kind_of_data,      // L of G10
+  number_of_preset,  // of machining conditions
+  surface_axis,      // P of G96
+  parallel_axes,     // of one direction, in the choice of a plane
+  speed_in_tap,      // S while a synchronous tap is in effect
+  not_a_line,        // behind a corner of a lathe
+  tapered,           // … in both axes
+  last_of_shape,     // a corner in the last block of a turning cycle's shape
+  next_move,         // the one behind a corner
+  no_end_point,      // two angles, and no end behind them
+  not_an_end,        // an end that the angle does not lead to
+  skip,              // a move that a signal ends
+  beside_tool,       // a tool or its offset in the block that measures it
+  without_offset,    // … and none before it
+  below,             // the travel
+  above,
+  position,  // a coordinate too large to count
 };
 struct AlarmRow {
   text::DiagnosticId id;
@@ -123,6 +150,7 @@ struct ControlLimits {
   std::uint32_t macro_nesting = 4;
   std::uint32_t name_length = 31;
   std::uint32_t shape_blocks = 0;  // of a turning cycle
+  std::uint32_t axes_at_once = 0;  // that one block moves
   int linear_decimals = 3;         // digits after the point that an axis word resolves
 };
 

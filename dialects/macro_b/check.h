@@ -12,6 +12,7 @@ namespace dripfeed::macro_b {
 
 // Loops: DO and END by number, crossing, nesting, and loops without a way out.
 void check_loops(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings);
+void check_condition_blocks(const ir::Program& program, Findings& findings);
 // Jumps: targets that are missing, stand twice or lie inside a loop; blocks that nothing leads to.
 void check_jumps(const ir::Program& program, const Section& section, Findings& findings);
 
@@ -28,11 +29,16 @@ void check_modes(const ir::Program& program, const ir::Control& control, const S
 void check_frame(const ir::Program& program, const ir::Control& control, const std::vector<Section>& sections,
                  Findings& findings);
 // What a control does not take while it is fed.
-void check_drip(const ir::Program& program, const Grammar& grammar, Findings& findings);
+void check_drip(const ir::Program& program, const ir::Control& control, const Grammar& grammar, Findings& findings);
 // Drilling and turning cycles: pecks, taps, and the shapes that they name.
 void check_cycles(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings);
 // What depends on the blocks before: compensation, drilling cycles and modal calls that are in effect.
 void check_order(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings);
+// How many axes a block moves, and which of them a plane, an arc or a code by number may have.
+void check_axes(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings);
+// Moves that a signal ends: measuring a tool, and skipping.
+void check_measuring(const ir::Program& program, const ir::Control& control, const Section& section,
+                     Findings& findings);
 // Codes and blocks that are not interpreted here, each name once.
 void check_not_interpreted(const ir::Program& program, const ir::Control& control, Findings& findings);
 

@@ -138,9 +138,22 @@ class CycleCheck {
       }
       blocks += kind == StatementKind::block ? 1 : 0;
     }
+    last_block(code, end);
     const std::uint32_t most = control_.limits.shape_blocks;
     if (most != 0 && blocks > most)
       findings_.add(cycle_shape_too_long, code.span, {fmt::format("{}", blocks), fmt::format("{}", most)});
+  }
+
+  // A corner needs the move behind it, and the shape has none.
+  void last_block(const ir::Code& code, const ir::Label& end) {
+    const ir::Statement& s = program_.statements[end.statement];
+    if (s.kind != StatementKind::block) return;
+    for (const ir::Word& word : program_.words_of(program_.blocks[s.payload])) {
+      if (word.address != Address::chamfer && word.address != Address::rounding) continue;
+      findings_.add_own(cycle_shape_invalid, code.span,
+                        {fmt::format("its last block ends in the corner {}", text_of(program_, word.span))},
+                        ir::AlarmDetail::last_of_shape);
+    }
   }
 
   const ir::Program& program_;

@@ -90,6 +90,19 @@ bool is_output(const ir::Program& program, const ir::Statement& s) {
   return s.kind == StatementKind::output || native_name(program, s).ends_with("PRNT");
 }
 
+// G200 to G202, where the control has an alarm for them; "" when there is none.
+std::string code_refused_in_drip(const ir::Program& program, const ir::Control& control, const ir::Statement& s) {
+  constexpr auto kDetail = ir::AlarmDetail::code_in_drip;
+  if (s.kind != StatementKind::block) return {};
+  if (ir::alarm_of(control, not_in_drip_mode, kDetail) == ir::alarm_of(control, not_in_drip_mode)) return {};
+  for (const ir::Code& code : program.codes_of(program.blocks[s.payload])) {
+    if (code.function != ir::Function::not_modelled) continue;
+    const std::string_view name = program.strings.at(code.name);
+    if (name == "G200" || name == "G201" || name == "G202") return std::string(name);
+  }
+  return {};
+}
+
 // A code of the control's table; others were told as unknown.
 bool is_in_table(const ir::Control& control, std::string_view name) {
   return std::ranges::find(control.g_codes, name, &ir::CodeRow::name) != control.g_codes.end();
@@ -124,12 +137,14 @@ void check_frame(const ir::Program& program, const ir::Control& control, const s
   }
 }
 
-void check_drip(const ir::Program& program, const Grammar& grammar, Findings& findings) {
+void check_drip(const ir::Program& program, const ir::Control& control, const Grammar& grammar, Findings& findings) {
   const auto forbid = [&](const ir::Statement& s, std::string_view what,
                           ir::AlarmDetail detail = ir::AlarmDetail::none) {
     findings.add(not_in_drip_mode, s.span, {std::string(what)}, detail);
   };
   for (const ir::Statement& s : program.statements) {
+    if (const std::string code = code_refused_in_drip(program, control, s); !code.empty())
+      forbid(s, code, ir::AlarmDetail::code_in_drip);
     if (s.kind == StatementKind::go_to) {
       const bool conditional = program.jumps[s.payload].condition != ir::ExpressionId::none;
       forbid(s, conditional ? "IF GOTO" : "GOTO");

@@ -142,7 +142,8 @@ class LoopCheck {
     }
   }
   void unopened(std::uint32_t i, std::string_view word) {
-    findings_.add(end_without_begin, program_.statements[i].span, {std::string(word), "IF"});
+    findings_.add(end_without_begin, program_.statements[i].span, {std::string(word), "IF"},
+                  ir::AlarmDetail::condition_end);
   }
 
   // Deeper loops are a fault already, and a text of nothing but DO must not take for ever.
@@ -162,6 +163,21 @@ class LoopCheck {
 
 void check_loops(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings) {
   LoopCheck(program, control, section, findings).run();
+}
+
+// IF … THEN, ELSE and ENDIF in blocks of their own: older controls take IF … THEN with one statement only, and which of
+// the newer ones take more is not certain. Said once.
+void check_condition_blocks(const ir::Program& program, Findings& findings) {
+  for (const ir::Statement& s : program.statements) {
+    const bool own_block = s.tokens.first != s.tokens.last;
+    if (!own_block || (s.kind != StatementKind::else_begin && s.kind != StatementKind::if_end)) continue;
+    text::Diagnostic* finding =
+        findings.add(syntax_error, s.span, {"only the newest of these controls have IF over several blocks"});
+    if (finding == nullptr) return;
+    finding->severity = text::Severity::warning;
+    finding->alarm.clear();
+    return;
+  }
 }
 
 }  // namespace dripfeed::macro_b

@@ -30,7 +30,8 @@ class OrderCheck {
         control_(control),
         findings_(findings),
         ways_in_(program, section),
-        has_rigid_taps_(!ir::alarm_of(control, rigid_tap_invalid).empty()) {
+        has_rigid_taps_(!ir::alarm_of(control, rigid_tap_invalid).empty()),
+        has_lathe_corners_(control.kind == ir::MachineKind::lathe) {
     if (section.is_subprogram) forget();  // what is in effect is its caller's
   }
 
@@ -55,7 +56,8 @@ class OrderCheck {
 
  private:
   void forget() {
-    modal_ = comp_ = cycle_ = rotation_ = State::uncertain;
+    modal_ = comp_ = cycle_ = rotation_ = data_ = State::uncertain;
+    sync_tap_ = inverse_time_ = false;
     rigid_ = Rigid::off;
     arc_ = starting_ = cuts_ = false;
     moves_known_ = false;
@@ -63,7 +65,7 @@ class OrderCheck {
     plane_ = Function::none;
     transformed_ = ir::kTransformationEnds;
     number_known_ = true;
-    corner_span_ = {};
+    corner_span_ = letter_corner_ = {};
   }
 
   // An error where the control has an alarm for it.
@@ -85,6 +87,8 @@ class OrderCheck {
       own_words |= code.group == ir::ModalGroup::non_modal;
       const Function f = code.function;
       transformation(code, block);
+      data_setting(code);
+      inverse_time(code);
       if (f == Function::reference_return && cycle_ == State::on) add(reference_in_cycle, code.span, written(code));
       if (f == Function::skip_move && comp_ == State::on) add(skip_in_comp, code.span, written(code));
       if (f == Function::drill && comp_ == State::on && cycle_ != State::on)
@@ -97,8 +101,10 @@ class OrderCheck {
     }
     const bool moves = !own_words && moves_axes(block);
     if (has_rigid_taps_) rigid_tap(block, moves);
+    speed_in_tap(block);
     if (comp != nullptr) take_comp(*comp);
     begin_corner(block, moves);
+    if (has_lathe_corners_) lathe_corner(block, moves);
     if (!moves || !starting_) return;
     if (arc_) add(comp_started_by_arc, comp_span_, comp_ == State::on ? "starts" : "ends");
     starting_ = false;
@@ -155,6 +161,32 @@ class OrderCheck {
     plane_ = code.function;
   }
 
+  // G11 without G10, where the control has an alarm for it.
+  void data_setting(const ir::Code& code) {
+    if (code.function == Function::data_input) data_ = State::on;
+    if (code.function != Function::no_effect || program_.strings.at(code.name) != "G11") return;
+    if (data_ == State::off && !ir::alarm_of(control_, data_setting_not_open).empty())
+      add(data_setting_not_open, code.span, written(code));
+    data_ = State::off;
+  }
+
+  // Cycles and threads in G93, where the control has an alarm for it.
+  void inverse_time(const ir::Code& code) {
+    if (code.group == ir::ModalGroup::feed) {
+      inverse_time_ = code.function == Function::feed_inverse_time;
+      inverse_time_by_ = written(code);
+    }
+    if (!inverse_time_ || !has_own_alarm(code_not_in_mode, ir::AlarmDetail::inverse_time)) return;
+    const bool refused = code.function == Function::drill || code.function == Function::thread ||
+                         code.function == Function::turning_cycle || code.function == Function::repetitive_cycle;
+    if (refused)
+      findings_.add(code_not_in_mode, code.span, {std::string(written(code)), std::string(inverse_time_by_)},
+                    ir::AlarmDetail::inverse_time);
+  }
+  [[nodiscard]] bool has_own_alarm(text::DiagnosticId id, ir::AlarmDetail detail) const {
+    return ir::alarm_of(control_, id, detail) != ir::alarm_of(control_, id);
+  }
+
   // Where the control has an alarm for it: others take G52 beside G54.1.
   void shift(const ir::Code& code, const ir::Block& block) {
     if (code.function != Function::local_shift || !extended_ || !moves_axes(block)) return;
@@ -190,6 +222,29 @@ class OrderCheck {
     });
     if (rigid_ == Rigid::taps && ends && !taps) rigid_ = Rigid::off;
   }
+  // G84 ,R1 and G84.2 couple the spindle to the axis until the cycle ends.
+  void speed_in_tap(const ir::Block& block) {
+    const auto codes = program_.codes_of(block);
+    const bool begins = std::ranges::any_of(codes, [&](const ir::Code& c) {
+      if (c.function != Function::drill || !is_tap(c)) return false;
+      const std::string_view name = written(c);
+      return name.ends_with(".2") || name.ends_with(".3") || names_synchronous(block);
+    });
+    const bool ends = std::ranges::any_of(codes, [](const ir::Code& c) {
+      return c.function == Function::cycle_off || c.function == Function::drill || c.group == ir::ModalGroup::motion;
+    });
+    if (ends) sync_tap_ = begins;
+    if (!sync_tap_ || begins || !has_own_alarm(rigid_tap_invalid, ir::AlarmDetail::speed_in_tap)) return;
+    for (const ir::Word& word : program_.words_of(block))
+      if (word.address == ir::Address::s && word.extension == 0)
+        add_rigid(word.span, "stands while a synchronous tap is in effect", ir::AlarmDetail::speed_in_tap);
+  }
+  [[nodiscard]] bool names_synchronous(const ir::Block& block) const {
+    return std::ranges::any_of(program_.words_of(block), [&](const ir::Word& w) {
+      return w.address == ir::Address::rounding && w.value != ir::ExpressionId::none &&
+             program_.at(w.value).op == ir::Operator::constant && program_.at(w.value).value == 1.0;
+    });
+  }
   static bool is_tap(const ir::Code& code) {
     const auto cycle = static_cast<ir::DrillCycle>(code.argument % ir::kDrillAlongZ);
     return cycle == ir::DrillCycle::tap_right || cycle == ir::DrillCycle::tap_left;
@@ -224,6 +279,35 @@ class OrderCheck {
         corner_span_ = word.span;
     }
   }
+  // G01 Z-20. K2. and G01 X40. R3. of lathes: the next block is a straight line along the other axis (0i-F
+  // B-64604EN-1, "Chamfering and corner R"). R may also be the corner of a directly drawn line, which may taper.
+  void lathe_corner(const ir::Block& block, bool moves) {
+    const text::Span span = std::exchange(letter_corner_, {});
+    if (!span.empty() && moves) {
+      if (arc_) add_lathe_corner(span, "in a line behind it", ir::AlarmDetail::not_a_line);
+      if (!arc_ && cuts_ && !tapers_ && turned_axes(block) == 2)
+        add_lathe_corner(span, "along one axis behind it", ir::AlarmDetail::tapered);
+    }
+    const bool own_codes = std::ranges::any_of(program_.codes_of(block), [](const ir::Code& c) {
+      return c.group == ir::ModalGroup::non_modal || c.group == ir::ModalGroup::frame;
+    });
+    if (!moves || !cuts_ || arc_ || own_codes || turned_axes(block) != 1) return;
+    for (const ir::Word& word : program_.words_of(block)) {
+      const bool leg = word.address == ir::Address::i || word.address == ir::Address::k;
+      if (!leg && word.address != ir::Address::r) continue;
+      letter_corner_ = word.span;
+      tapers_ = !leg;
+    }
+  }
+  [[nodiscard]] int turned_axes(const ir::Block& block) const {
+    const bool x = has_word(block, ir::Address::x) || has_word(block, ir::Address::u);
+    const bool z = has_word(block, ir::Address::z) || has_word(block, ir::Address::w);
+    return (x ? 1 : 0) + (z ? 1 : 0);
+  }
+  void add_lathe_corner(text::Span span, std::string_view where, ir::AlarmDetail detail) {
+    findings_.add_own(corner_without_move, span, {std::string(text_of(program_, span)), std::string(where)}, detail);
+  }
+
   // The statement behind one.
   void corner(const ir::Statement& s) {
     const text::Span span = std::exchange(corner_span_, {});
@@ -267,12 +351,17 @@ class OrderCheck {
   Findings& findings_;
   WaysIn ways_in_;
   bool has_rigid_taps_;
+  bool has_lathe_corners_;
   enum class Rigid : std::uint8_t { off, waits, taps } rigid_ = Rigid::off;
   // At the start nothing is in effect.
   State modal_ = State::off;
   State comp_ = State::off;
   State cycle_ = State::off;
   State rotation_ = State::off;
+  State data_ = State::off;  // G10
+  bool sync_tap_ = false;
+  bool inverse_time_ = false;  // G93
+  std::string_view inverse_time_by_;
   bool threads_ = false;      // the motion code is that of a thread
   bool cuts_ = false;         // the motion code is G01, G02 or G03
   bool moves_known_ = false;  // one was read
@@ -280,6 +369,8 @@ class OrderCheck {
   std::string_view transformed_by_;
   bool extended_ = false;      // G54.1 is in effect
   bool number_known_ = false;  // D was given
+  text::Span letter_corner_;   // R, I or K of a lathe's straight block
+  bool tapers_ = false;        // … which a line along both axes may follow
   text::Span corner_span_;     // a corner that waits for the move behind it
   Function plane_ = Function::none;
   bool arc_ = false;
@@ -287,9 +378,23 @@ class OrderCheck {
   text::Span comp_span_;
 };
 
+// M99 with words of its own in its block while G66 is in effect.
+void check_returns(const ir::Program& program, const Section& section, Findings& findings) {
+  bool modal = false;
+  for (std::uint32_t i = section.first; i < section.last; ++i) {
+    const ir::Statement& s = program.statements[i];
+    if (s.kind == StatementKind::modal_call) modal = true;
+    if (s.kind == StatementKind::modal_call_end) modal = false;
+    const bool returns = s.kind == StatementKind::subprogram_return || s.kind == StatementKind::return_to;
+    if (!modal || !returns || s.tokens.first != s.tokens.last || i == section.first) continue;
+    findings.add_own(statement_not_alone, program.statements[i - 1].span, {"M99"}, ir::AlarmDetail::beside_return);
+  }
+}
+
 }  // namespace
 
 void check_order(const ir::Program& program, const ir::Control& control, const Section& section, Findings& findings) {
+  check_returns(program, section, findings);
   OrderCheck check(program, control, section, findings);
   for (std::uint32_t i = section.first; i < section.last; ++i) check.statement(i);
 }

@@ -81,19 +81,13 @@ class ValueCheck {
       findings_.add(variable_write_protected, target.span, {fmt::format("#{}", *number)});
   }
 
-  // An error where the control has an alarm for it.
   void read(const ir::Variable& v) {
     if (v.bank != ir::Bank::hash) return;
     const std::uint32_t number =
         v.index == ir::ExpressionId::none ? v.number : computed_number(program_, v).value_or(0);
     if (std::ranges::find(kOnlyWritten, number) == kOnlyWritten.end()) return;
-    text::Diagnostic* finding = findings_.add(syntax_error, v.span, {fmt::format("#{} can only be written", number)},
-                                              ir::AlarmDetail::write_only);
-    const bool own =
-        ir::alarm_of(control_, syntax_error, ir::AlarmDetail::write_only) != ir::alarm_of(control_, syntax_error);
-    if (finding == nullptr || own) return;
-    finding->severity = text::Severity::warning;
-    finding->alarm.clear();
+    findings_.add_own(syntax_error, v.span, {fmt::format("#{} can only be written", number)},
+                      ir::AlarmDetail::write_only);
   }
 
   // I J K of type II: at most ten of each letter.

@@ -1,6 +1,7 @@
 // Words and variables of blocks, one block at a time: nothing here depends on what was active before.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -50,6 +51,14 @@ struct DataRow {
   double last_p;
 };
 constexpr DataRow kDataRows[] = {{2.0, 2.0, 0.0, 6.0}, {20.0, 20.0, 1.0, 300.0}, {10.0, 13.0, 1.0, 999.0}};
+
+// L of G10: offsets, tool lives, coordinates, parameters, compensation of axes.
+struct KindRow {
+  double first;
+  double last;
+};
+constexpr KindRow kKindsOfData[] = {{1.0, 3.0},   {10.0, 16.0}, {20.0, 23.0},  {30.0, 33.0},
+                                    {50.0, 52.0}, {70.0, 71.0}, {100.0, 115.0}};
 
 constexpr double kLastOffset = 999.0;  // the largest option of tool offsets
 
@@ -121,6 +130,7 @@ class WordCheck {
     };
     const auto kind = number(Address::l);
     const auto place = number(Address::p);
+    if (kind) kind_of_data(*kind, g10->span);
     if (!kind || !place) return;
     for (const DataRow& row : kDataRows) {
       if (*kind < row.first_l || *kind > row.last_l) continue;
@@ -130,6 +140,15 @@ class WordCheck {
           {text::format_shortest(*kind), text::format_shortest(row.first_p), text::format_shortest(row.last_p)});
       return;
     }
+  }
+
+  // L that none of these controls has.
+  void kind_of_data(double l, text::Span span) {
+    const bool known = std::ranges::any_of(
+        kKindsOfData, [l](const KindRow& row) { return l >= row.first && l <= row.last && l == std::floor(l); });
+    if (!known)
+      findings_.add_own(syntax_error, span, {"G10 has no data L" + text::format_shortest(l)},
+                        ir::AlarmDetail::kind_of_data);
   }
 
   // G27 or G29 with an M function, where the control has an alarm for it.

@@ -59,6 +59,15 @@ text::Diagnostic* Findings::add(text::DiagnosticId id, text::Span span, std::vec
   return &diagnostics_.back();
 }
 
+text::Diagnostic* Findings::add_own(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments,
+                                    ir::AlarmDetail detail) {
+  text::Diagnostic* finding = add(id, span, std::move(arguments), detail);
+  if (finding == nullptr || ir::alarm_of(control_, id, detail) != ir::alarm_of(control_, id)) return finding;
+  finding->severity = text::Severity::warning;
+  finding->alarm.clear();
+  return finding;
+}
+
 text::Diagnostic* Findings::add_open(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments,
                                      bool confirmed) {
   if (confirmed) return nullptr;

@@ -24,7 +24,10 @@ class Findings {
   // nullptr when there are enough of that id; valid until the next call.
   text::Diagnostic* add(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments = {},
                         ir::AlarmDetail detail = ir::AlarmDetail::none);
-  // The same for what the machine decides: an error on a named machine that leaves it open, nothing where the machine
+  // An error where the control has an alarm for that detail, otherwise a warning without one.
+  text::Diagnostic* add_own(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments,
+                            ir::AlarmDetail detail);
+  // For what the machine decides: an error on a named machine that leaves it open, nothing where the machine
   // has confirmed it.
   text::Diagnostic* add_open(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments,
                              bool confirmed);

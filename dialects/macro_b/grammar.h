@@ -52,8 +52,16 @@ class KeywordIndex {
   std::array<std::uint16_t, 27> first_of_ = {};  // by letter
 };
 
+// A system variable by its name: [#_ALM], or by name and number: [#_ABSIO[1]].
+struct NamedVariable {
+  std::string_view name;
+  std::uint32_t first = 0;
+  bool numbered = false;
+};
+
 struct Grammar {
   std::span<const Keyword> keywords;  // sorted by spelling
+  std::span<const NamedVariable> named_variables = {};
   std::uint32_t highest_loop_number = 3;
   std::uint32_t highest_block_number = 99'999'999;
   std::uint32_t macro_digits = 12;       // of a constant in a macro statement

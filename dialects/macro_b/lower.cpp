@@ -194,6 +194,21 @@ void BlockLowering::number_extended_offset(std::uint32_t first_code, std::uint32
   }
 }
 
+// G05 P10000 and P0 switch high-speed contour control, which neither moves nor changes what is programmed. Other P
+// begin data that are no program (P2) or are a machine's own.
+void BlockLowering::name_contour_control(std::uint32_t first_code, std::uint32_t first_word) {
+  constexpr double kOn = 10'000.0;
+  for (std::uint32_t i = first_code; i < program_.codes.size(); ++i) {
+    ir::Code& code = program_.codes[i];
+    if (code.function != Function::not_modelled || program_.strings.at(code.name) != "G05") continue;
+    const auto first = program_.words.begin() + static_cast<std::ptrdiff_t>(first_word);
+    const auto p = std::ranges::find(first, program_.words.end(), ir::Address::p, &ir::Word::address);
+    if (p == program_.words.end() || program_.at(p->value).op != Operator::constant) continue;
+    const double value = program_.at(p->value).value;
+    if (value == kOn || value == 0.0) code.function = Function::no_effect;
+  }
+}
+
 void BlockLowering::lower(std::span<const RawWord> words, const BlockPlace& place) {
   const auto first_code = static_cast<std::uint32_t>(program_.codes.size());
   const auto first_word = static_cast<std::uint32_t>(program_.words.size());
@@ -227,6 +242,7 @@ void BlockLowering::lower(std::span<const RawWord> words, const BlockPlace& plac
     return emit_native("data of G10", true, place);
   }
   number_extended_offset(first_code, first_word);
+  name_contour_control(first_code, first_word);
   if (ends && place.rest_level != 0) {
     program_.codes.resize(first_code);
     program_.words.resize(first_word);

@@ -65,6 +65,7 @@ class BlockLowering {
   void lower_call_block(CallWord kind, std::size_t at, std::span<const RawWord> words, const BlockPlace& place);
   // Whether the block begins a list of parameters; it is then lowered.
   bool begins_data(CallWord kind, std::span<const RawWord> words, const BlockPlace& place);
+  [[nodiscard]] bool is_macro_call(const RawWord& word) const;
   void emit_call(CallWord kind, const RawWord& code, std::span<const RawWord> words, const BlockPlace& place);
   void emit_code_call(const RawWord& code, std::span<const RawWord> words, const BlockPlace& place);
   // G66.1 and the blocks under it: lower_each_block.cpp
@@ -75,6 +76,7 @@ class BlockLowering {
   void set_called_program(ir::Call& call, const RawWord& word);
   void emit_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place);
   void emit_ending_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place);
+  void name_contour_control(std::uint32_t first_code, std::uint32_t first_word);
   void number_extended_offset(std::uint32_t first_code, std::uint32_t first_word);
   void name_direct_angle(std::uint32_t first_code, std::uint32_t first_word);
   ir::ExpressionId in_increments(ir::ExpressionId value, double increment);

@@ -91,6 +91,11 @@ void BlockLowering::emit_code_call(const RawWord& code, std::span<const RawWord>
   emit(StatementKind::call, static_cast<std::uint32_t>(program_.calls.size() - 1), place);
 }
 
+bool BlockLowering::is_macro_call(const RawWord& word) const {
+  const CallWord kind = call_word(control_, word.letter, number10_of(word.value));
+  return kind == CallWord::macro || kind == CallWord::modal || kind == CallWord::modal_each_block;
+}
+
 void BlockLowering::emit_call(CallWord kind, const RawWord& code, std::span<const RawWord> words,
                               const BlockPlace& place) {
   ir::Call call;
@@ -107,6 +112,11 @@ void BlockLowering::emit_call(CallWord kind, const RawWord& code, std::span<cons
     } else if (!macro && word.letter == grammar_.start_letter) {
       call.start = word.value;
     } else if (macro) {
+      if (word.letter == 'G' && is_macro_call(word)) {
+        faults_.report(statement_not_alone, word.span, {std::string(word.span.in(program_.source.text()))},
+                       ir::AlarmDetail::second_macro);
+        break;
+      }
       if (word.letter == 'G' || word.letter == 'N' || word.letter == 'O' || word.letter == 'P') {
         faults_.report(wrong_type, word.span,
                        {std::string(word.span.in(program_.source.text())), "a code", "an argument"},

@@ -157,7 +157,8 @@ void Parser::block_number() {
   } else if (*number > grammar_.highest_block_number) {
     faults_.report(too_many_digits, span,
                    {std::string(cursor_.text()), std::to_string(cursor_.text().size()),
-                    std::to_string(std::to_string(grammar_.highest_block_number).size())});
+                    std::to_string(std::to_string(grammar_.highest_block_number).size())},
+                   ir::AlarmDetail::block_number);
   } else if (*number == 0) {
     zero_number("N0", span);
   } else if (label_ == ir::kNoIndex) {
@@ -179,7 +180,7 @@ void Parser::program_number() {
       return;
     }
     name = macro_b::program_name(static_cast<double>(*number));
-    if (*number == 0) zero_number("O0", cursor_.span());
+    if (*number == 0) zero_number("O0", cursor_.span(), ir::AlarmDetail::program_number);
   } else if (cursor_.kind() == TokenKind::string) {
     const std::string_view written = cursor_.text();
     name = written.size() > 2 ? written.substr(1, written.size() - 2) : std::string_view();
@@ -193,8 +194,8 @@ void Parser::program_number() {
 }
 
 // An error where the control has an alarm for it.
-void Parser::zero_number(std::string_view written, text::Span span) {
-  text::Diagnostic* fault = faults_.report(number_zero, span, {std::string(written)});
+void Parser::zero_number(std::string_view written, text::Span span, ir::AlarmDetail detail) {
+  text::Diagnostic* fault = faults_.report(number_zero, span, {std::string(written)}, detail);
   if (fault != nullptr && !fault->alarm.empty()) fault->severity = text::Severity::error;
 }
 

@@ -33,7 +33,7 @@ class Parser {
   void head();
   void program_number();
   void block_number();
-  void zero_number(std::string_view written, text::Span span);
+  void zero_number(std::string_view written, text::Span span, ir::AlarmDetail detail = ir::AlarmDetail::none);
   void body();
   void skip_after_end();
   void trailer();

@@ -2,6 +2,7 @@
 // control's limit reading gives up, so that no text can exhaust the stack.
 #include "dialects/macro_b/parse_expression.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -175,6 +176,8 @@ std::optional<ir::Variable> ExpressionReader::variable() {
              named != names_.end()) {
     result.number = named->second;
     cursor_.advance();
+  } else if (const NamedVariable* system = system_name(); system != nullptr) {
+    if (!named_number(*system, result, begin)) return std::nullopt;
   } else if (cursor_.kind() == TokenKind::name) {
     faults_.make_native("a variable with a name");
     cursor_.advance();
@@ -189,6 +192,35 @@ std::optional<ir::Variable> ExpressionReader::variable() {
   }
   result.span = {begin, cursor_.previous_end()};
   return result;
+}
+
+const NamedVariable* ExpressionReader::system_name() const {
+  if (cursor_.kind() != TokenKind::name) return nullptr;
+  const auto row = std::ranges::find(grammar_.named_variables, cursor_.text(), &NamedVariable::name);
+  return row == grammar_.named_variables.end() ? nullptr : &*row;
+}
+
+// [#_ABSIO[2]] is #5002.
+bool ExpressionReader::named_number(const NamedVariable& system, ir::Variable& result, std::uint32_t begin) {
+  cursor_.advance();
+  result.number = system.first;
+  if (!system.numbered) return true;
+  if (!cursor_.is_symbol('[')) {
+    faults_.fail(syntax_error, {begin, cursor_.previous_end()},
+                 {fmt::format("#{} needs its number in brackets", system.name)}, ir::AlarmDetail::name_in_use);
+    return false;
+  }
+  const ExpressionId index = bracketed("#");
+  if (faults_.failed()) return false;
+  const ir::Expression& value = program_.at(index);
+  if (value.op == Operator::constant && value.value >= 1.0 && value.value <= kHighestNumber) {
+    result.number = system.first + static_cast<std::uint32_t>(std::lround(value.value)) - 1;
+    return true;
+  }
+  const text::Span span = {begin, cursor_.previous_end()};
+  const ExpressionId before = program_.add_constant(static_cast<double>(system.first) - 1.0, span);
+  result.index = program_.add_operator(Operator::add, before, index, span);
+  return true;
 }
 
 ExpressionId ExpressionReader::variable_value() {
@@ -284,7 +316,8 @@ ExpressionId ExpressionReader::function(const Keyword& keyword) {
 // ATAN[a]/[b] is one function of two operands; POW needs both in its bracket.
 ExpressionId ExpressionReader::second_argument(const Keyword& keyword, ExpressionId first, std::uint32_t begin) {
   if (keyword.op == Operator::power) {
-    faults_.fail(wrong_argument_count, {begin, cursor_.previous_end()}, {std::string(keyword.spelling), "2", "1"});
+    faults_.fail(wrong_argument_count, {begin, cursor_.previous_end()}, {std::string(keyword.spelling), "2", "1"},
+                 ir::AlarmDetail::missing_comma);
     return ExpressionId::none;
   }
   const ir::Token& next = cursor_.peek();

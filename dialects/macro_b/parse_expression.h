@@ -40,6 +40,11 @@ class ExpressionReader {
   [[nodiscard]] const Keyword* keyword() const;
   // SETVN: a name for a variable, used as [#NAME].
   void name_variable(std::string_view name, std::uint32_t number) { names_[std::string(name)] = number; }
+  // Whether the name is another variable's already.
+  [[nodiscard]] bool names_other(std::string_view name, std::uint32_t number) const {
+    const auto known = names_.find(name);
+    return known != names_.end() && known->second != number;
+  }
   [[nodiscard]] bool has_names() const { return !names_.empty(); }
   void begin_block() { depth_ = 0, operators_ = 0, said_beside_logic_ = false; }
 
@@ -51,6 +56,8 @@ class ExpressionReader {
   ir::ExpressionId number(std::uint32_t most_digits, bool negative, std::uint32_t begin);
   ir::ExpressionId variable_value();
   ir::ExpressionId bracketed(std::string_view after);
+  [[nodiscard]] const NamedVariable* system_name() const;
+  bool named_number(const NamedVariable& system, ir::Variable& result, std::uint32_t begin);
   ir::ExpressionId function(const Keyword& keyword);
   ir::ExpressionId second_argument(const Keyword& keyword, ir::ExpressionId first, std::uint32_t begin);
   ir::ExpressionId calculated(ir::ExpressionId id, std::uint32_t begin);

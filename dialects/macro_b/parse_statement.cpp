@@ -140,9 +140,10 @@ void Parser::check_variable_name(std::string_view name) {
       std::ranges::all_of(name, [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; });
   if (name.empty() || !plain || !is_letter(name.front()))
     faults_.report(syntax_error, span, {fmt::format("{} is no name of a variable", name)},
-                   ir::AlarmDetail::name_statement);
+                   ir::AlarmDetail::name_characters);
   else if (name.size() > kMost)
-    faults_.report(name_too_long, span, {std::string(name), std::to_string(name.size()), std::to_string(kMost)});
+    faults_.report(name_too_long, span, {std::string(name), std::to_string(name.size()), std::to_string(kMost)},
+                   ir::AlarmDetail::name_statement);
 }
 
 // SETVN 101[NAME1,NAME2]: from here on [#NAME1] is #101.
@@ -162,6 +163,12 @@ void Parser::set_names() {
   while (!names.empty()) {
     const std::string_view name = names.substr(0, names.find(','));
     check_variable_name(name);
+    if (expressions_.names_other(name, number)) {
+      const auto begin = static_cast<std::uint32_t>(name.data() - cursor_.whole_text().data());
+      const text::Span span{begin, begin + static_cast<std::uint32_t>(name.size())};
+      text::Diagnostic* fault = faults_.report(name_defined_twice, span, {std::string(name)});
+      if (fault != nullptr && fault->alarm.empty()) fault->severity = text::Severity::warning;
+    }
     names.remove_prefix(std::min(names.size(), name.size() + 1));
     expressions_.name_variable(name, number++);
   }

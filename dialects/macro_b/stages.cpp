@@ -33,10 +33,13 @@ std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Con
     check_loops(program, control, section, findings);
     check_jumps(program, section, findings);
     check_modes(program, control, section, findings);
+    check_axes(program, control, section, findings);
+    check_measuring(program, control, section, findings);
     check_order(program, control, section, findings);
     check_cycles(program, control, section, findings);
   }
-  if (delivery == ir::Delivery::drip) check_drip(program, grammar, findings);
+  if (!grammar.condition_blocks) check_condition_blocks(program, findings);
+  if (delivery == ir::Delivery::drip) check_drip(program, control, grammar, findings);
   check_not_interpreted(program, control, findings);
   return findings.take();
 }

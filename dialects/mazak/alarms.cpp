@@ -83,9 +83,30 @@ constexpr auto kAlarms = std::to_array<AlarmRow>({
     {curve_invalid, "955", first_point},
     {unknown_address, "802", axis_letter},
     {syntax_error, "866", name_statement},
+    {syntax_error, "870", name_characters},
+    {wrong_argument_count, "860", missing_comma},
     {no_feed, "908", tap},
     {no_feed, "909", thread},
     {result_overflow, "862", whole_numbers},
+    {too_many_axes, "801"},
+    {axis_not_in_plane, "825"},
+    {too_many_digits, "811", block_number},
+    {no_feed, "922", skip},
+    {cycle_shape_invalid, "899", tapered},
+    {measuring_invalid, "923"},
+    {measuring_invalid, "924", beside_tool},
+    {measuring_invalid, "925", without_offset},
+    {skip_in_comp, "927"},
+    {data_setting_not_open, "905"},
+    {syntax_error, "903", kind_of_data},
+    {code_not_in_mode, "941", inverse_time},
+    {rigid_tap_invalid, "952", speed_in_tap},
+    {value_out_of_range, "809", surface_axis},
+    // Known from alarm lists and use, not from the fact sheet that the others were read from: which of its numbers
+    // 911 to 918 says that a corner has no move, or one that is too short.
+    {corner_without_move, "912"},
+    {corner_too_large, "913"},
+    {corner_too_large, "914", next_move},
 });
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Golden programs of the '#' controls, under tests/golden/<folder>/<diagnostic>/: trigger*.nc must give that
 // diagnostic, near_miss*.nc must not, and all diagnostics must be those of the expected file beside it (UPDATE_GOLDEN=1
-// writes it). A name with .drip is fed while it runs, one with .machine stands for a named machine.
+// writes it). A name with .drip is fed while it runs, one with .machine stands for a named machine, .two moves at most
+// two axes at once, .parallel has an axis U beside X, Y and Z.
 #pragma once
 
 #include <algorithm>
@@ -57,6 +58,8 @@ class Golden {
       control = dialect_.control(control.kind, control.g_system);
       control.from_profile = true;
     }
+    if (name.contains(".two")) control.limits.axes_at_once = 2;
+    if (name.contains(".parallel")) control.axes = "XYZU";
     const ir::ReadResult read = dialect_.read(source, control);
     EXPECT_EQ(ir::print_same(read.program), source.text()) << path;
     std::vector<text::Diagnostic> all = read.diagnostics;

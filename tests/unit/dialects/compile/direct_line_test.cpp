@@ -11,9 +11,9 @@
 namespace dripfeed::compile::test {
 namespace {
 
-Played lathe(const std::string& blocks) {
+Played lathe(const std::string& blocks, const std::string& dialect = "fanuc") {
   return run_text("%\nO1\nG21 G99 G18 G00 X40. Z0.\nG01 F0.2\n" + blocks + "M30\n%\n",
-                  control("fanuc", ir::MachineKind::lathe));
+                  control(dialect, ir::MachineKind::lathe));
 }
 
 bool is_told(const Played& played) {
@@ -73,13 +73,13 @@ TEST(DirectLine, OnAMillTheAngleCountsFromX) {
   EXPECT_NEAR(moves[1].end[1], 10.0 * tan_deg(30.0), 1e-9);
 }
 
-// What does not follow leaves the places unknown, and is told by name.
+// What does not follow leaves the places unknown, and is told by name, where the control has no alarm for it.
 TEST(DirectLine, WhatDoesNotFollowIsNotCertain) {
-  const Played unfinished = lathe(",A150.\nX60.\nZ-50. X70.\n");
+  const Played unfinished = lathe(",A150.\nX60.\nZ-50. X70.\n", "mazak");
   EXPECT_TRUE(is_told(unfinished));
-  const Played parallel = lathe(",A180.\nX60. Z-30. ,A180.\n");
+  const Played parallel = lathe(",A180.\nX60. Z-30. ,A180.\n", "mazak");
   EXPECT_TRUE(is_told(parallel));
-  const Played wrong = lathe("X60. Z-30. ,A100.\nX70.\n");
+  const Played wrong = lathe("X60. Z-30. ,A100.\nX70.\n", "mazak");
   EXPECT_TRUE(is_told(wrong));
   const auto after = moves_of(wrong.motions);
   EXPECT_NE(after.back().axes_unknown & 4U, 0U) << "Z is not known behind it";

@@ -24,10 +24,17 @@ std::string content_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
+// x.nc is Fanuc's, x.m80.nc and x.mazak.nc are those controls', x.mpf is SINUMERIK's.
+std::string dialect_of(const fs::path& path) {
+  if (path.extension() == ".mpf") return "sinumerik-840d";
+  const std::string ending = path.stem().extension().string();
+  return ending == ".m80" ? "mitsubishi-m80" : ending == ".mazak" ? "mazak" : "fanuc";
+}
+
 std::string said_by_run(const fs::path& path, const std::string& id, bool& gives) {
   const text::Source source(path.filename().string(), content_of(path));
   const auto kind = source.text().contains("LATHE") ? ir::MachineKind::lathe : ir::MachineKind::mill;
-  const std::string dialect = path.extension() == ".nc" ? "fanuc" : "sinumerik-840d";
+  const std::string dialect = dialect_of(path);
   const ir::Control machine = control(dialect, kind);
   const ir::ReadResult read = find_dialect(dialect)->read(source, machine);
   EXPECT_FALSE(text::has_error(read.diagnostics)) << path;

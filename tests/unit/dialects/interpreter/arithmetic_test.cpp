@@ -112,7 +112,7 @@ TEST(Arithmetic, BitsAndLogic) {
   EXPECT_EQ(two(fanuc(), Operator::bit_and, 4294967295.0, 4294967295.0), 4294967295.0);
   EXPECT_EQ(two(siemens(), Operator::bit_and, -1.0, 255.0), 255.0);
   EXPECT_EQ(one(siemens(), Operator::bit_not, 0.0), -1.0);
-  EXPECT_EQ(fault_of(Operator::bit_and, 4294967296.0, 1.0), Fault::result_overflow);
+  EXPECT_EQ(fault_of(Operator::bit_and, 4294967296.0, 1.0), Fault::integer_overflow);
   EXPECT_EQ(two(fanuc(), Operator::logic_and, 2.0, -1.0), 1.0);
   EXPECT_EQ(two(fanuc(), Operator::logic_and, 2.0, 0.0), 0.0);
   EXPECT_EQ(two(fanuc(), Operator::logic_xor, 2.0, 1.0), 0.0);
