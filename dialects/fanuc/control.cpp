@@ -21,7 +21,8 @@ constexpr ir::CostModel kCost = {.block_ms = 2.0,
 }  // namespace
 
 const macro_b::Grammar& grammar() {
-  static const macro_b::Grammar kGrammar = {.keywords = macro_b::common_keywords()};
+  static const macro_b::Grammar kGrammar = {.keywords = macro_b::common_keywords(),
+                                            .named_variables = named_variables()};
   return kGrammar;
 }
 

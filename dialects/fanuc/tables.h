@@ -14,6 +14,7 @@ std::span<const ir::CodeRow> g_codes(ir::MachineKind kind, ir::GSystem system);
 std::span<const ir::CodeRow> m_codes();
 std::span<const ir::SystemVariableRow> system_variables();
 std::vector<ir::VariableRange> variable_ranges();
+std::span<const macro_b::NamedVariable> named_variables();
 std::span<const ir::AlarmRow> alarms();
 const macro_b::Grammar& grammar();
 

@@ -127,6 +127,9 @@ class Driller {
     }
     if (block_.has(Address::q)) d_.peck_mm = std::abs(rules_.length_mm(block_, Address::q, inch));
     if (block_.has(Address::p)) d_.dwell_s = block_.at(Address::p) / 1000.0;
+    // The Z feed per turn of the spindle, in G94 too (Mitsubishi M800 programming manual, "Synchronous tapping").
+    if (row_.bottom == Bottom::reverse && block_.has(Address::rounding))
+      d_.by_lead = block_.at(Address::rounding) == 1.0;
     if (row_.bottom != Bottom::shift) return;
     constexpr std::array kShiftWords = {Address::i, Address::j, Address::k};
     const bool by_words = block_.has(kShiftWords[plane_.p]) || block_.has(kShiftWords[plane_.q]);
@@ -255,7 +258,7 @@ class Driller {
   // --- motions and events
 
   void rapid(double level, bool known) { along(MotionKind::rapid, level, known); }
-  void feed(double level, bool known) { along(MotionKind::linear, level, known); }
+  void feed(double level, bool known) { along(d_.by_lead ? MotionKind::thread : MotionKind::linear, level, known); }
   void along(MotionKind kind, double level, bool known) {
     const auto bit = static_cast<std::uint16_t>(1U << axis_);
     Target target{.end = state_.position, .commanded = bit, .incremental = known ? std::uint16_t{0} : bit};

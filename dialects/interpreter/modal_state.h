@@ -98,6 +98,7 @@ struct Drilling {
   bool depth_by_distance = false;  // … from the R level
   double peck_mm = 0.0;            // Q
   double dwell_s = 0.0;            // P
+  bool by_lead = false;            // a synchronous tap (,R1): F is the lead
   double shift_p_mm = 0.0;         // I, J of the plane's first and second axis, or Q along the first
   double shift_q_mm = 0.0;
 };
@@ -130,6 +131,7 @@ struct Repetitive {
   double peck_retract_mm = 0.0;
   std::int32_t finishes = 1;  // G76
   double angle_deg = 60.0;
+  double run_out_leads = 0.0;  // the end of a thread, where the tool leaves at 45 degrees
   double least_cut_mm = 0.0;
   double allowance_mm = 0.0;
   double first_cut_mm = 0.0;

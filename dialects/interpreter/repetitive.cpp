@@ -189,11 +189,19 @@ void thread(const Words& words, const EndPoint& end, ModalState& state, Pen& pen
   const double way = end.z < z0 ? -1.0 : 1.0;
   // One flank cuts: each depth begins further along by its share of the angle.
   const double slope = sine_deg(angle / 2.0) / cosine_deg(angle / 2.0);
+  const double run_out = one_block || state.feed_unknown ? 0.0 : data.run_out_leads * state.feed;
   for (const double depth : thread_depths(height, first, least, data.allowance_mm, data.finishes)) {
     const double x = end.x - side * (height - depth);
     const double z = z0 + way * depth * slope;
     pen.to(MotionKind::rapid, x + taper, z);
-    pen.to(MotionKind::thread, x, end.z);
+    // The tool leaves at 45 degrees over the last leads, as far as there is room.
+    const double out = std::min({run_out, std::abs(end.z - z), std::abs(x0 - x)});
+    if (out > 0.0) {
+      pen.to(MotionKind::thread, x + taper * out / std::abs(end.z - z), end.z - way * out);
+      pen.to(MotionKind::thread, x - side * out, end.z);
+    } else {
+      pen.to(MotionKind::thread, x, end.z);
+    }
     pen.to(MotionKind::rapid, x0, end.z);
     pen.to(MotionKind::rapid, x0, z0);
   }
@@ -225,6 +233,7 @@ void keep_data(const Words& words, RepetitiveCycle cycle, Repetitive& data) {
         const auto p = static_cast<std::int32_t>(std::clamp(words.raw(Address::p), 0.0, 999999.0));
         data.finishes = std::max(1, p / 10000);
         data.angle_deg = p % 100;
+        data.run_out_leads = p / 100 % 100 / 10.0;
       }
       if (words.has(Address::q)) data.least_cut_mm = words.counted(Address::q);
       if (words.has(Address::r)) data.allowance_mm = std::abs(words.length(Address::r));

@@ -34,6 +34,8 @@ constexpr std::int32_t offset_of_number(std::uint32_t number) {
              : static_cast<std::int32_t>((number - kFirstOffset) / kOffsetStep);
 }
 
+constexpr std::uint32_t kGroupNumbers = 100;  // #4001 and #4201 are of group 1
+
 // Groups by the numbers that #4001 and its followers have; 0 is none.
 constexpr ir::ModalGroup kGroups[] = {
     ir::ModalGroup::none, ir::ModalGroup::motion,        ir::ModalGroup::plane,       ir::ModalGroup::distance,
@@ -57,6 +59,11 @@ Function function_of(ir::ModalGroup group, const Modes& modes) {
   if (group == ir::ModalGroup::exact_stop)
     return modes.exact_stop ? Function::exact_stop_mode : Function::continuous_path;
   return group == ir::ModalGroup::work_offset ? Function::work_offset : Function::none;
+}
+
+Function function_of(ir::LengthOffset offset) {
+  if (offset == ir::LengthOffset::off) return Function::length_offset_off;
+  return offset == ir::LengthOffset::plus ? Function::length_offset_plus : Function::length_offset_minus;
 }
 
 // Place of the active code in a G group of SINUMERIK, counted as its list of G functions does (PG, "G functions").
@@ -168,7 +175,7 @@ std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number
     case SystemValue::tool_number: return static_cast<double>(state.tool.number);
     case SystemValue::comp_number: return state.comp_number;
     case SystemValue::length_number: return state.length_number;
-    case SystemValue::active_code: return active_code(index + 1, state);
+    case SystemValue::active_code: return active_code(number % kGroupNumbers, state);
     case SystemValue::clock_ms: return std::floor(clock_from_ms_ + state.clock_ms);
     case SystemValue::clock_hours: return hours_from_ + state.clock_ms / kMsPerHour;
     case SystemValue::selected_tool:
@@ -281,8 +288,13 @@ void SystemValues::move_offset(std::uint32_t number, double value, ModalState& s
 }
 
 std::optional<double> SystemValues::active_code(std::uint32_t group, const ModalState& state) const {
+  constexpr std::uint32_t kLength = 8;
   if (group >= std::size(kGroups)) return std::nullopt;
-  const Function function = function_of(kGroups[group], state.modes);
+  // Lathes number these otherwise, each control in its own way.
+  const bool otherwise = group == 2 || group == 13 || group == 15;
+  if (control_.kind == ir::MachineKind::lathe && otherwise) return std::nullopt;
+  const Function function =
+      group == kLength ? function_of(state.length_offset) : function_of(kGroups[group], state.modes);
   if (function == Function::none) return std::nullopt;
   for (const ir::CodeRow& row : control_.g_codes) {
     const bool same = row.function == function && row.number10 >= 0;

@@ -1,8 +1,9 @@
-// G66.1: the macro is called in place of every block up to G67, and the block's words are its arguments. Whether the
-// block of G66.1 itself is such a call differs between controls, and so does what G, L, N and P become: these blocks
-// stay as they are, and nothing behind them is certain until the axes are named again. Which blocks are meant is taken
-// from the order of the text.
+// G66.1: the macro is called in place of every block up to G67 and of G66.1's own, and the block's words are its
+// arguments. (Mitsubishi M800 programming manual, "User macro modal call B"; for the other controls taken alike.) What
+// G, L, N and P of the blocks become differs: those stay as they are, and nothing behind them is certain until the
+// axes are named again. Which blocks are meant is taken from the order of the text.
 #include <algorithm>
+#include <vector>
 
 #include "dialects/macro_b/lower.h"
 
@@ -23,16 +24,19 @@ bool ends_program(const ir::CodeRow* row) {
 
 void BlockLowering::begin_each_block(const RawWord& code, std::span<const RawWord> words, const BlockPlace& place) {
   const std::string_view written = code.span.in(program_.source.text());
-  emit_native(written, false, place, true);
   const auto program = std::ranges::find_if(words, [](const RawWord& w) { return w.letter == 'P' || w.letter == '<'; });
   if (program == words.end()) {
     faults_.report(text::DiagnosticId::address_without_value, code.span, {"P of " + std::string(written)},
                    ir::AlarmDetail::macro_program);
-    return;
+    return emit_native(written, false, place, true);
   }
   each_block_ = EachBlock{.program = *program};
   const auto repeats = std::ranges::find(words, 'L', &RawWord::letter);
   if (repeats != words.end()) each_block_->repeats = repeats->value;
+  std::vector<RawWord> arguments;
+  for (const RawWord& word : words)
+    if (word.letter != 'L' && word.letter != 'P' && word.letter != '<') arguments.push_back(word);
+  emit_each_block(arguments, place);
 }
 
 bool BlockLowering::is_under_each_block(std::span<const RawWord> words) const {

@@ -45,7 +45,7 @@ class ExpressionReader {
     const auto known = names_.find(name);
     return known != names_.end() && known->second != number;
   }
-  [[nodiscard]] bool has_names() const { return !names_.empty(); }
+  [[nodiscard]] bool has_names() const { return !names_.empty() || !grammar_.named_variables.empty(); }
   void begin_block() { depth_ = 0, operators_ = 0, said_beside_logic_ = false; }
 
  private:

@@ -16,7 +16,7 @@ constexpr std::string_view kSystem = "0i-F B-64604EN, system variables; Mazak an
 constexpr auto kSystemVariables = std::to_array<SystemVariableRow>({
     {"", 3001, 3001, SystemValue::clock_ms, true, kSystem},
     {"", 3002, 3002, SystemValue::clock_hours, true, kSystem},
-    {"", 4001, 4030, SystemValue::active_code, false, kSystem},
+    {"", 4001, 4011, SystemValue::active_code, false, kSystem},  // the groups that these controls number alike
     {"", 4107, 4107, SystemValue::comp_number, false, kSystem},
     {"", 4109, 4109, SystemValue::feed, false, kSystem},
     {"", 4111, 4111, SystemValue::length_number, false, kSystem},
@@ -24,7 +24,7 @@ constexpr auto kSystemVariables = std::to_array<SystemVariableRow>({
     {"", 4115, 4115, SystemValue::program_number, false, kSystem},
     {"", 4119, 4119, SystemValue::spindle_speed, false, kSystem},
     {"", 4120, 4120, SystemValue::tool_number, false, kSystem},
-    {"", 4201, 4230, SystemValue::active_code, false, kSystem},
+    {"", 4201, 4211, SystemValue::active_code, false, kSystem},
     {"", 4309, 4309, SystemValue::feed, false, kSystem},
     {"", 4320, 4320, SystemValue::tool_number, false, kSystem},
     {"", 5001, 5020, SystemValue::end_position, false, kSystem},

@@ -195,19 +195,19 @@ TEST(MacroLanguage, ASkipMoveEndsWhereTheProbeTouches) {
   EXPECT_NE(touched.trace.find("linear X0.0000 Y0.0000 Z-12.5000"), std::string::npos);
 }
 
-// G66.1: each block is the macro with its words as arguments; nothing in it moves by itself.
+// G66.1: each block, its own too, is the macro with its words as arguments; nothing in it moves by itself.
 TEST(MacroLanguage, AMacroInPlaceOfEachBlock) {
   for (const std::string dialect : {"fanuc", "mazak", "mitsubishi-m80"}) {
     const Result r =
-        run("%\nO1\nG90 G00 X9. Y0. Z0.\nG66.1 P2\nX1. A5.\n#110=0\nX2. (two)\nG67\nX3.\nM30\n"
+        run("%\nO1\nG90 G00 X9. Y0. Z0.\nG66.1 P2 X4.\nX1. A5.\n#110=0\nX2. (two)\nG67\nX3.\nM30\n"
             "O2\n#100=#100+#24\n#101=#1\nM99\n%\n",
             dialect);
     EXPECT_EQ(x_of(r), "9 3 ") << dialect << r.trace;
-    EXPECT_EQ(value_of(r, "#100"), 3.0) << dialect;
+    EXPECT_EQ(value_of(r, "#100"), 7.0) << dialect;
     // The second block has no A: a call's locals are new.
     EXPECT_EQ(value_of(r, "#101"), -999.0) << dialect;
     const auto& unread = r.result.not_interpreted;
-    EXPECT_TRUE(std::ranges::any_of(unread, [](const auto& n) { return n.name == "G66.1" && !n.effects_known; }));
+    EXPECT_TRUE(std::ranges::none_of(unread, [](const auto& n) { return n.name == "G66.1"; })) << dialect;
   }
 }
 
@@ -280,6 +280,54 @@ TEST(MacroLanguage, SingleTurningCycles) {
       "9 rapid X30.0000 Z2.0000\n9 thread X30.0000 Z-10.0000 F1.5000/rev\n9 rapid X60.0000 Z-10.0000\n"
       "9 rapid X60.0000 Z2.0000\n"
       "10 rapid X100.0000 Z2.0000\n11 end\n");
+}
+
+// ,R1 of Mitsubishi: F is the lead, in G94 too.
+TEST(MacroLanguage, ASynchronousTapFeedsByItsLead) {
+  const std::string body = "%\nO1\nG21 G17 G90 G94 G40\nG00 X0 Y0 Z5.\nG84 Z-5. R2. F1. S500 ,R";
+  const Result tap = run(body + "1\nG80\nM30\n%\n", "mitsubishi-m80");
+  EXPECT_NE(tap.trace.find("thread X0.0000 Y0.0000 Z-5.0000 F1.0000/rev"), std::string::npos) << tap.trace;
+  EXPECT_NE(tap.trace.find("thread X0.0000 Y0.0000 Z2.0000 F1.0000/rev"), std::string::npos) << tap.trace;
+  const Result other = run(body + "0\nG80\nM30\n%\n", "mitsubishi-m80");
+  EXPECT_NE(other.trace.find("linear X0.0000 Y0.0000 Z-5.0000 F1.0000/min"), std::string::npos) << other.trace;
+}
+
+// 30i, 0i-F: the control's own names, with a number where there are several.
+TEST(MacroLanguage, SystemVariablesHaveNames) {
+  const Result r =
+      run("%\nO1\nG21 G17 G90 G94 G40\nG00 X3. Y4.\n#1=2\n#100=[#_ABSIO[1]]\n#101=[#_ABSIO[#1]]\n#102=[#_BUFG[3]]\n"
+          "[#_WZG54[1]]=7.\n#103=#5221\nM30\n%\n");
+  EXPECT_EQ(value_of(r, "#100"), 3.0);
+  EXPECT_EQ(value_of(r, "#101"), 4.0);
+  EXPECT_EQ(value_of(r, "#102"), 90.0);
+  EXPECT_EQ(value_of(r, "#103"), 7.0);
+}
+
+// Groups that the controls number alike are known; beyond them only Fanuc's are.
+TEST(MacroLanguage, CodesInEffectAreReadByGroup) {
+  const std::string body =
+      "%\nO1\nG21 G17 G90 G94 G40\nG55 G43 H1 G00 Z5.\n#100=#4008\n#101=#4014\nG49\n#102=#4008\nM30\n%\n";
+  const Result fanuc = run(body);
+  EXPECT_EQ(value_of(fanuc, "#100"), 43.0);
+  EXPECT_EQ(value_of(fanuc, "#101"), 55.0);
+  EXPECT_EQ(value_of(fanuc, "#102"), 49.0);
+  const Result mitsubishi = run(body, "mitsubishi-m80");
+  EXPECT_EQ(value_of(mitsubishi, "#100"), 43.0);
+  EXPECT_EQ(value_of(mitsubishi, "#101"), -999.0);
+}
+
+// G05 P10000 and P0 are modes that change no place; what else G05 does is not known.
+TEST(MacroLanguage, ContourControlIsAMode) {
+  const auto unread = [](const std::string& block) {
+    const Result r = run("%\nO1\nG21 G17 G90 G94 G40\n" + block + "\nG01 X1. F100.\nM30\n%\n");
+    return std::ranges::any_of(r.result.not_interpreted, [](const auto& n) {
+      return n.name == "G05" && n.function == ir::Function::not_modelled;
+    });
+  };
+  EXPECT_FALSE(unread("G05 P10000"));
+  EXPECT_FALSE(unread("G05 P0"));
+  EXPECT_TRUE(unread("G05 P2"));
+  EXPECT_TRUE(unread("G05 P#1"));
 }
 
 TEST(MacroLanguage, TapersStartBesideTheEnd) {

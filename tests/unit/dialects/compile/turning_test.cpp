@@ -196,7 +196,8 @@ TEST(Repetitive, ThreadingDeepensByTheRootOfThePass) {
   for (const double depth : depths) {
     const double x = 27.6 + 2.0 * (1.2 - depth);
     expected.push_back({'r', x, 4.0 - depth * std::tan(30.0 * 3.14159265358979323846 / 180.0)});
-    expected.push_back({'t', x, -20});
+    expected.push_back({'t', x, -18});        // r = 10: over one lead of 2
+    expected.push_back({'t', x + 4.0, -20});  // … at 45 degrees, X being a diameter
     expected.push_back({'r', 34, -20});
     expected.push_back({'r', 34, 4});
   }

@@ -84,7 +84,6 @@ TEST(Parse, KeepsWhatItDoesNotModelByName) {
   EXPECT_EQ(native_of("SETVN101[A,B]\n"), "SETVN");
   EXPECT_EQ(native_of("#1=[#_CLOCK1]\n"), "a variable with a name");
   EXPECT_EQ(native_of("[#NAME]=5.\n"), "a variable with a name");
-  EXPECT_EQ(native_of("G66.1 P9100 A1.\n"), "G66.1");
   EXPECT_EQ(native_of("G10 L50\n"), "G10 L50");
   EXPECT_EQ(native_of("&F=/USER/\n"), "&");
 }
