@@ -191,7 +191,8 @@ class Drilling {
     if (modal) words.push_back(word(Address::k, program_.add_constant(0.0, {}, false)));
     if (hole.lead != 0.0) {
       out_.emit_block({}, {word(Address::s, program_.add_constant(hole.speed, {}, false))});
-      words.push_back(word(Address::f, constant(hole.lead * hole.speed)));
+      const double feed = passes::feeds_taps_by_lead(to_) ? hole.lead : hole.lead * hole.speed;
+      words.push_back(word(Address::f, constant(feed)));
       passes::add_rigid(program_, to_, drill, words, out_);
     }
     out_.emit_block({code(to_level ? Function::return_to_r : Function::return_to_initial), drill}, words);

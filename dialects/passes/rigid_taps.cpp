@@ -65,6 +65,7 @@ class Taps {
     const ir::Block block = program_.blocks[s.payload];
     std::vector<ir::Code> codes(program_.codes_of(block).begin(), program_.codes_of(block).end());
     std::vector<ir::Word> words(program_.words_of(block).begin(), program_.words_of(block).end());
+    take_modes(codes, words);
     const auto tap = std::ranges::find_if(codes, is_tap);
     if (tap == codes.end()) {
       rigid_ = said_ == Form::m29 && std::ranges::any_of(codes, is_m29) && tap_follows(i);
@@ -74,8 +75,37 @@ class Taps {
       return;
     }
     const bool rigid = takes_rigid(*tap, words, s);
-    if (rigid) add_rigid(program_, to_, *tap, words, out_);
+    if (rigid) {
+      convert_feed(words, s);
+      add_rigid(program_, to_, *tap, words, out_);
+    }
     out_.emit_block(codes, words);
+  }
+
+  void take_modes(const std::vector<ir::Code>& codes, const std::vector<ir::Word>& words) {
+    for (const ir::Code& code : codes)
+      if (code.group == ir::ModalGroup::feed) per_turn_ = code.function == Function::feed_per_rev;
+    for (const ir::Word& word : words)
+      if (word.address == Address::s && word.extension == 0) speed_rpm_ = constant_of(word);
+  }
+  [[nodiscard]] double constant_of(const ir::Word& word) const {
+    const bool known = word.value != ir::ExpressionId::none && program_.at(word.value).op == ir::Operator::constant;
+    return known ? program_.at(word.value).value : 0.0;
+  }
+
+  // Behind ,R1 F is the lead, in G94 too (Mitsubishi M800 programming manual, "Synchronous tapping"); elsewhere it is
+  // the feed of its mode.
+  void convert_feed(std::vector<ir::Word>& words, const ir::Statement& s) {
+    if (per_turn_ || (said_ == Form::comma_r) == feeds_taps_by_lead(to_)) return;
+    const auto feed = std::ranges::find(words, Address::f, &ir::Word::address);
+    const double value = feed == words.end() ? 0.0 : constant_of(*feed);
+    if (value <= 0.0 || speed_rpm_ <= 0.0) {
+      diagnostics_.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, s.span,
+                                                   {"a rigid tap whose feed or speed is not written", to_.title}));
+      return;
+    }
+    feed->value =
+        program_.add_constant(said_ == Form::comma_r ? value * speed_rpm_ : value / speed_rpm_, feed->span, true);
   }
 
   // Takes the source's word for it away.
@@ -111,10 +141,14 @@ class Taps {
   Form said_;
   Rewrite out_;
   bool rigid_ = false;
+  bool per_turn_ = false;   // G95
+  double speed_rpm_ = 0.0;  // the last S; 0: not known
   std::vector<text::Diagnostic> diagnostics_;
 };
 
 }  // namespace
+
+bool feeds_taps_by_lead(const ir::Control& control) { return form_of(control) == Form::comma_r; }
 
 void add_rigid(ir::Program& program, const ir::Control& to, ir::Code& tap, std::vector<ir::Word>& words, Rewrite& out) {
   const Form form = form_of(to);

@@ -14,6 +14,9 @@ namespace dripfeed::passes {
 // Says rigid taps as `to` says them. Between controls of one dialect nothing changes.
 std::vector<text::Diagnostic> settle_taps(ir::Program& program, const ir::Control& from, const ir::Control& to);
 
+// Whether F of a rigid tap is its lead, whatever the feed mode is (,R1).
+bool feeds_taps_by_lead(const ir::Control& control);
+
 // A tapping cycle's code and words as `to` says that it is rigid; a block that must come before it goes to `out`.
 void add_rigid(ir::Program& program, const ir::Control& to, ir::Code& tap, std::vector<ir::Word>& words, Rewrite& out);
 
