@@ -229,6 +229,25 @@ void say_unsaid(ir::Program& program, const ir::Control& from, const ir::Control
   append(diagnostics, std::move(unsaid.diagnostics));
 }
 
+// What the printer has no words for: texts that are calculated with, operators that nothing above has replaced.
+void refuse_unsayable(const ir::Program& program, const ir::Control& to, const Grammar& grammar,
+                      std::vector<text::Diagnostic>& diagnostics) {
+  for (const ir::Statement& s : program.statements) {
+    const bool shows_text = s.kind == StatementKind::message || s.kind == StatementKind::alarm;
+    const auto look = [&](ExpressionId id) {
+      const ir::Operator op = program.at(id).op;
+      if (can_print(grammar, op) || (shows_text && op == ir::Operator::string)) return;
+      const std::string_view written = program.at(id).span.in(program.source.text());
+      diagnostics.push_back(text::make_diagnostic(
+          text::DiagnosticId::cannot_translate, s.span,
+          {written.empty() ? std::string("a part of an expression") : std::string(written), to.title}));
+    };
+    passes::for_each_root(
+        program, s, [&](ExpressionId root) { passes::for_each_node(program, root, look); },
+        [&](ir::VariableId target) { passes::for_each_node(program, program.at(target).index, look); });
+  }
+}
+
 }  // namespace
 
 ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const ir::Control& to,
@@ -262,6 +281,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   if (from.dialect != to.dialect && by_number) append(result.diagnostics, passes::settle_variables(p, from, to));
   append(result.diagnostics, passes::allocate_variables(p, from, to, ir::Bank::hash, rules).diagnostics);
   check_system_variables(p, to, result.diagnostics);
+  if (!text::has_error(result.diagnostics)) refuse_unsayable(p, to, grammar, result.diagnostics);
   for (text::Diagnostic& d : result.diagnostics) d.alarm = ir::alarm_of(to, d.id);
   return result;
 }

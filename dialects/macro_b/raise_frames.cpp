@@ -4,6 +4,7 @@
 //   TRANS X30 Y5         G69 / G52 X30. Y5. Z0.
 //   AROT RPL=20          G68 X0. Y0. R20.
 //   ROT RPL=20           G69 / G52 X0. Y0. Z0. / G68 X0. Y0. R20.
+//   ATRANS X2            G52 X32. Y5. Z0., where the shift so far is of numbers
 //
 // What is in effect is followed in the order of the text; where ways meet it is not known until TRANS or ROT begins
 // anew, and only what adds to it is an error there.
@@ -15,6 +16,7 @@
 #include <string>
 
 #include "dialects/ir/frame_use.h"
+#include "dialects/macro_b/called_hole.h"
 #include "dialects/passes/rewrite.h"
 
 namespace dripfeed::macro_b {
@@ -26,6 +28,7 @@ using ir::ExpressionId;
 using ir::Function;
 using ir::StatementKind;
 
+constexpr std::int16_t kWholeShift = 1;  // argument of local_shift: axes that are not named are not shifted
 constexpr std::array kLengths = {Address::x, Address::y, Address::z};
 
 // How far a chain was built: what comes before in the chain cannot be added behind it.
@@ -74,6 +77,10 @@ class Frames {
     const auto codes = program_.codes_of(block);
     for (const ir::Code& c : codes)
       if (c.group == ir::ModalGroup::plane) plane_ = c.function;
+    // Numbers so far count another unit from here on.
+    if (std::ranges::find(codes, ir::ModalGroup::unit, &ir::Code::group) != codes.end())
+      for (std::optional<double>& shift : shift_)
+        if (shift != 0.0) shift.reset();
     const auto frame = std::ranges::find_if(codes, [](const ir::Code& c) {
       return c.function == Function::local_shift || c.function == Function::local_shift_add ||
              c.function == Function::axial_shift || place_of(c.function).has_value();
@@ -85,14 +92,16 @@ class Frames {
     if (code.function == Function::local_shift) {
       end_frames();
       stage_ = Stage::shift;
+      take_shift(words);
       return out_.keep();
     }
-    if (code.function == Function::local_shift_add) return cannot("ATRANS");
+    if (code.function == Function::local_shift_add) return add_shift(words);
     const bool replaces = code.argument == ir::kFrameReplaces;
     if (replaces) {
       end_frames();
-      out_.emit_block({plain(Function::local_shift, 1)}, {});
+      out_.emit_block({plain(Function::local_shift, kWholeShift)}, {});
       stage_ = Stage::nothing;
+      shift_.fill(0.0);
     }
     const std::string_view name = program_.strings.at(code.name);
     const bool bare = std::ranges::none_of(
@@ -100,6 +109,51 @@ class Frames {
     if (bare) return;
     change(code.function, name, words);
   }
+
+  // TRANS names the whole shift: what is left out is 0.
+  void take_shift(const std::vector<ir::Word>& words) {
+    shift_.fill(0.0);
+    others_shifted_ = false;
+    for (const ir::Word& w : words) {
+      const auto* const axis = std::ranges::find(kLengths, w.address);
+      if (axis == kLengths.end()) {
+        others_shifted_ = true;
+        continue;
+      }
+      const auto i = static_cast<std::size_t>(axis - kLengths.begin());
+      shift_[i] = constant_value(program_, w.value);
+    }
+  }
+
+  // ATRANS: the shift so far and the words, said as one. Of a shift that was computed nothing is known by now.
+  void add_shift(const std::vector<ir::Word>& words) {
+    if (stage_ == Stage::unknown) return cannot("ATRANS, which adds to a frame that is not known here,");
+    if (stage_ > Stage::shift) return cannot("ATRANS behind another part of the frame");
+    const bool others = std::ranges::any_of(words, [](const ir::Word& w) {
+      return is_axis(w.address) && std::ranges::find(kLengths, w.address) == kLengths.end();
+    });
+    if (others || others_shifted_) return cannot("ATRANS of other axes than X, Y and Z");
+    if (std::ranges::any_of(shift_, [](const auto& one) { return !one.has_value(); }))
+      return cannot("ATRANS behind a shift that is computed");
+    std::vector<ir::Word> sums;
+    for (std::size_t i = 0; i < kLengths.size(); ++i) {
+      const ir::Word* more = find(words, kLengths[i]);
+      if (more == nullptr && *shift_[i] == 0.0) continue;
+      sums.push_back(zero(kLengths[i]));
+      sums.back().value = more == nullptr ? number(*shift_[i]) : sum_of(shift_[i], more->value);
+    }
+    out_.emit_block({plain(Function::local_shift, kWholeShift)}, sums);
+    stage_ = Stage::shift;
+  }
+  // Of a shift and what comes to it; the shift is known afterwards where both are numbers.
+  ExpressionId sum_of(std::optional<double>& shift, ExpressionId more) {
+    const double before = *shift;
+    const std::optional<double> added = constant_value(program_, more);
+    shift = added ? std::optional(before + *added) : std::nullopt;
+    if (shift) return number(*shift);
+    return before == 0.0 ? more : program_.add_operator(ir::Operator::add, number(before), more);
+  }
+  ExpressionId number(double value) { return program_.add_constant(value, {}, true); }
 
   void change(Function function, std::string_view written, const std::vector<ir::Word>& words) {
     const Stage own = function == Function::mirror  ? Stage::mirror
@@ -189,7 +243,9 @@ class Frames {
   ir::Statement statement_;
   Function plane_;
   Stage stage_ = Stage::nothing;
-  std::array<bool, 3> used_{};  // mirror, scale, rotation
+  std::array<bool, 3> used_{};                                 // mirror, scale, rotation
+  std::array<std::optional<double>, 3> shift_{0.0, 0.0, 0.0};  // of X, Y, Z where it is a number
+  bool others_shifted_ = false;
 };
 
 }  // namespace
@@ -198,7 +254,8 @@ std::vector<text::Diagnostic> raise_frames(ir::Program& program, const ir::Contr
   const bool any = std::ranges::any_of(program.codes, [](const ir::Code& c) {
     const bool changes =
         c.function == Function::rotate || c.function == Function::scale || c.function == Function::mirror;
-    return changes && (c.argument == ir::kFrameAdds || c.argument == ir::kFrameReplaces);
+    return c.function == Function::local_shift_add ||
+           (changes && (c.argument == ir::kFrameAdds || c.argument == ir::kFrameReplaces));
   });
   return any ? Frames(program, to).run() : std::vector<text::Diagnostic>();
 }

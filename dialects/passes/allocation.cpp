@@ -285,10 +285,13 @@ class Allocator {
   }
 
   void too_few() {
+    // Where programs call each other, names have local variables only.
     std::size_t needed = 0;
-    for (const auto& [key, wanted] : wanted_) needed += wanted.place.count;
+    for (const auto& [key, wanted] : wanted_)
+      needed += rules_.shares && key.first != Bank::named ? 0 : wanted.place.count;
     std::size_t free = 0;
     for (const ir::VariableRange& range : user_ranges()) {
+      if (rules_.shares && range.use != VariableUse::local) continue;
       for (std::uint32_t n = range.first; n <= range.last; ++n) free += pinned_ || taken_.contains(n) ? 0U : 1U;
     }
     report_.diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::not_enough_variables, {},

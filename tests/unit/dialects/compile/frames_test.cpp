@@ -74,6 +74,17 @@ TEST(FramesFromSinumerik, MirrorScaleAndRotationInTheOrderThatIsTheSame) {
   expect_same_moves(kOwnHead + "MIRROR Y0\nX4 Y2\nMIRROR\nX0\nM30\n", kTo, "fanuc");
 }
 
+TEST(FramesFromSinumerik, AddedShiftsAreSaidAsOne) {
+  const std::string to = expect_same_moves(
+      kOwnHead +
+          "R1=1\nTRANS X10 Y-4\nX1\nATRANS X5 Z2\nX2 Z1\nATRANS Y=R1+3\nY1\nAROT RPL=30\nX4 Y2\nTRANS\nX0 Y0\nM30\n",
+      kTo, "fanuc");
+  EXPECT_TRUE(to.contains("G52 X15. Y-4. Z2.\n")) << to;
+  expect_same_moves(kOwnHead + "ATRANS X5\nX2\nTRANS\nX0\nM30\n", kTo, "mazak");
+  expect_refused(kOwnHead + "R1=3\nTRANS X=R1\nATRANS X5\nX1\nTRANS\nM30\n", kTo, "fanuc", "a shift that is computed");
+  expect_refused(kOwnHead + "TRANS X3\nG70\nATRANS X5\nX1\nTRANS\nM30\n", kTo, "fanuc", "a shift that is computed");
+}
+
 TEST(FramesFromSinumerik, InALoopThatBeginsAnew) {
   expect_same_moves(
       "DEF INT I\n" + kOwnHead + "FOR I=0 TO 3\nTRANS X=I*10 Y=2\nAROT RPL=I*15\nX5 Y1\nENDFOR\nTRANS\nX0 Y0\nM30\n",

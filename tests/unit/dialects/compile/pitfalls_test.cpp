@@ -145,7 +145,7 @@ const std::vector<Pitfall>& pitfalls() {
       {"20 shift", kF, kS, kMacro, kMillF, "G52 X10.\nG0 X2.\nG52 X0 Y0 Z0\n", {"TRANS X10."}, {"ATRANS", "G52"}},
       {"20 offsets", kF, kS, kMacro, kMillF, "G58\nG0 X1.\nG54.1 P1\nG0 X1.\n", {"G505", "G507"}, {"G54.1", "G58"}},
       {"20 offsets", kS, kF, kMacro, kMillS, "G505\nG0 X1\nG507\nG0 X1\n", {"G58", "G54.1 P1"}, {"G505"}},
-      {"20 added shift", kS, kF, kMacro, kMillS, "TRANS X10\nATRANS X5\nG0 X3\n", {"additive local shift"}, {}, true},
+      {"20 added shift", kS, kF, kMacro, kMillS, "TRANS X10\nATRANS X5\nG0 X3\n", {"G52 X15."}, {"X5."}},
       {"21 frames",
        kS,
        kF,

@@ -68,6 +68,7 @@ TEST(ValueTypes, ATextAsAValueIsRefusedAtItsPlace) {
   const std::string told = refused("G17 G710 G90 G94\nNAME_OF=\"five\"\nG0 X=NAME_OF\nM30\n");
   EXPECT_NE(told.find("program:2:"), std::string::npos) << told;
   EXPECT_NE(told.find("\"five\" has no counterpart"), std::string::npos) << told;
+  EXPECT_NE(refused("DEF INT NUM=V\nG17 G710 G90 G94\nR2=NUM\nM30\n").find("program:1:"), std::string::npos);
 }
 
 TEST(ValueTypes, GlobalDataOfSeveralProgramsIsRefused) {

@@ -226,8 +226,8 @@ TEST(Raise, ReportsWhatHasNoCounterpart) {
   opening.block({{Function::arc_cw, 0}}, {{Address::x, 1}, {Address::opening_angle, 90}});
   EXPECT_TRUE(printed(opening, MachineKind::mill).starts_with("fault")) << "opening angle";
   Built shift;
-  shift.block({{Function::local_shift_add, 0}}, {{Address::x, 1}});
-  EXPECT_TRUE(printed(shift, MachineKind::mill).starts_with("fault")) << "additive shift";
+  shift.block({{Function::axial_shift, 0}}, {{Address::x, 1}});
+  EXPECT_TRUE(printed(shift, MachineKind::mill).starts_with("fault")) << "axial shift";
   Built base;
   base.block({{Function::work_offset, 0}});
   EXPECT_TRUE(printed(base, MachineKind::mill).starts_with("fault")) << "no work offset";

@@ -1,0 +1,379 @@
+#!/usr/bin/env python3
+"""Programs of moves made by chance, translated and run on both sides: a translation is the same moves, or it is refused. (translate_random.py: calls.)
+
+  tests/bench/translate_moves.py [--binary build/release/dripfeed] [--from sinumerik-840d|fanuc|all] [--programs 300] [--seed 1] [--keep FOLDER]
+
+Each program has variables, arrays, conditions, loops, jumps, a subprogram with arguments, frames, arcs and drilling cycles of its control, and ends. It
+is run, translated to every other control (macro and explicit), and run there. Compared: the end points of all moves, their kinds and feeds; a rapid
+that only stops on the way of the next one is no difference (cycles come down to their reference plane in one move or in two). Counts what is the
+same, what is refused, and what differs, which is a fault: exits 1 when there is any. --keep saves those.
+"""
+
+import argparse
+import collections
+import concurrent.futures
+import math
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+DIALECTS = ("fanuc", "mazak", "mitsubishi-m80", "sinumerik-840d")
+MOVES = {"rapid", "linear", "arc-cw", "arc-ccw", "thread"}
+TOLERANCE_MM = 0.003  # printed with three or four decimals, and added up by increments
+
+
+class Maker:
+    """What the two languages share: chance, depth, lines."""
+
+    def __init__(self, seed):
+        self.chance = random.Random(seed)
+        self.lines, self.labels, self.depth = [], 0, 0
+
+    def put(self, line):
+        self.lines.append(line)
+
+    def number(self, low=-40.0, high=40.0):
+        return f"{self.chance.uniform(low, high):.3f}"
+
+    def one_of(self, *choices):
+        return self.chance.choice(choices)
+
+    def body(self, count):
+        for _ in range(count):
+            self.statement()
+
+    def label(self):
+        self.labels += 1
+        return self.labels
+
+
+class Sinumerik(Maker):
+    def variable(self):
+        return self.one_of("R1", "R2", "R3", "V1", "V2", "I1", "A[2]", "A[I1 MOD 4]" if self.in_range else "A[1]")
+
+    def value(self, depth=0):
+        if depth > 2 or self.chance.random() < 0.35:
+            return self.one_of(self.variable(), self.number(0, 9), str(self.chance.randint(1, 7)))
+        a, b = self.value(depth + 1), self.value(depth + 1)
+        return self.one_of(f"({a}+{b})", f"({a}-{b})", f"({a}*{self.number(0.1, 1.5)})", f"({a}/{self.chance.randint(2, 6)})", f"SIN({a})", f"COS({a})",
+                           f"SQRT(ABS({a}))", f"ABS({a})", f"ROUND({a})", f"TRUNC({a})", f"MINVAL({a},{b})", f"MAXVAL({a},{b})", f"BOUND(-9,9,{a})",
+                           f"(I1 DIV {self.chance.randint(2, 4)})", f"(I1 MOD {self.chance.randint(2, 4)})", f"POT(BOUND(-3,3,{a}))", f"ATAN2({a},7)")
+
+    def bounded(self):
+        return f"BOUND(-60,60,{self.value()})" if self.chance.random() < 0.2 else f"50*SIN(9*{self.value()})"
+
+    def condition(self):
+        one = f"({self.value(1)}{self.one_of('<', '>', '<=', '>=')}{self.value(1)})"
+        return self.one_of(one, one, f"{one} AND (I1<>2)", f"{one} OR (I1==1)", f"NOT {one}")
+
+    def assignment(self):
+        name = self.one_of("R1", "R2", "R3", "V1", "V2", "I1", "A[0]", "A[3]")
+        value = self.bounded()
+        self.put(f"{name}=" + (f"BOUND(0,9,{value})" if name == "I1" else value))
+
+    def move(self):
+        axes = self.chance.sample("XYZ", self.chance.randint(1, 3))
+        words = " ".join(f"{axis}={self.bounded()}" if self.chance.random() < 0.5 else f"{axis}{self.number()}" for axis in axes)
+        self.put(self.one_of("G0 ", "G1 ", "") + words)
+
+    def arc(self):
+        radius = self.number(2, 9)
+        self.put("G91")
+        self.put(self.one_of(f"G2 X{2 * float(radius):.3f} Y0 I{radius} J0", f"G3 X{radius} Y{radius} CR={radius}", f"G2 X0 Y0 I{radius} J0"))
+        self.put("G90 G1")
+
+    def choice(self):
+        self.put(f"IF {self.condition()}")
+        self.nested(2)
+        if self.chance.random() < 0.5:
+            self.put("ELSE")
+            self.nested(2)
+        self.put("ENDIF")
+
+    def loop(self):
+        counter = f"C{self.depth}"
+        kind = self.chance.randrange(4)
+        if kind == 0:
+            self.put(f"FOR {counter}={self.chance.randint(0, 2)} TO {self.chance.randint(2, 4)}")
+        else:
+            self.put(f"{counter}=0")
+            self.put((f"WHILE {counter}<3", "REPEAT", "LOOP")[kind - 1])
+        self.nested(3)
+        if kind != 0:
+            self.put(f"{counter}={counter}+1")
+        if kind == 3:
+            label = f"OUT{self.label()}"
+            self.put(f"IF {counter}>2 GOTOF {label}")
+        self.put(("ENDFOR", "ENDWHILE", f"UNTIL {counter}>2", "ENDLOOP")[kind])
+        if kind == 3:
+            self.put(f"{label}:")
+
+    def jump(self):
+        label = f"ON{self.label()}"
+        self.put(f"IF {self.condition()} GOTOF {label}")
+        self.nested(2)
+        self.put(f"{label}:")
+
+    def frame(self):
+        self.put(self.one_of(f"TRANS X{self.number()} Y{self.number()}", f"TRANS Y{self.number()}\nATRANS X{self.number()} Y{self.number()}", f"TRANS X{self.number()}\nAROT RPL={self.number()}", "TRANS"))
+
+    def drill(self):
+        self.put("TRANS\nG0 Z30")
+        depth, peck = self.number(-20, -4), self.number(1, 4)
+        cycle = self.one_of(f"CYCLE81(30,2,1,{depth})", f"CYCLE82(30,2,1,{depth},,0.5)", f"CYCLE83(30,2,0,{depth},,,{peck},0,,,1,1,,,,,1)", f"CYCLE85(30,2,1,{depth},,,90,180)")
+        if self.chance.random() < 0.5:
+            self.put(cycle)
+            return
+        self.put("MCALL " + cycle)
+        for _ in range(2):
+            self.put(f"X{self.number()} Y{self.number()}")
+        self.put("MCALL")
+
+    def call(self):
+        self.put(f"PART({self.bounded()},{self.number()})")
+
+    def nested(self, count):
+        self.depth += 1
+        self.body(self.chance.randint(1, count))
+        self.depth -= 1
+
+    def statement(self):
+        kinds = [self.assignment, self.assignment, self.move, self.move, self.arc, self.jump]
+        if self.depth < 3:
+            kinds += [self.choice, self.loop]
+        if self.depth == 0:
+            kinds += [self.frame, self.drill]
+            if self.calls:
+                kinds += [self.call, self.call]
+        self.chance.choice(kinds)()
+
+    def text(self):
+        self.in_range, self.calls = self.chance.random() < 0.5, self.chance.random() < 0.5
+        head = ["DEF INT I1=1, C0, C1, C2, C3", "DEF REAL V1=2, V2=3, A[4]=SET(1,2,3,4)", "G17 G710 G90 G94 G40", "G54", "T1 D1 M6", "S900 M3", "F300", "R1=1 R2=2 R3=3",
+                "G0 X0 Y0 Z30"]
+        self.body(self.chance.randint(6, 14))
+        lines = head + self.lines + ["TRANS", "G0 Z50", "M30"]
+        if not self.calls:
+            return "\n".join(lines) + "\n"
+        part = ["PROC PART(REAL P1, REAL P2)", "DEF REAL Q", "Q=P1*2", "IF Q>P2", "Q=P2", "ENDIF", "G1 X=Q Y=P2", "G0 Z=P1+40", "RET"]
+        return "%_N_MAIN_MPF\n" + "\n".join(lines) + "\n%_N_PART_SPF\n" + "\n".join(part) + "\n"
+
+
+class Fanuc(Maker):
+    def variable(self):
+        return self.one_of("#1", "#2", "#3", "#101", "#102")
+
+    def value(self, depth=0):
+        if depth > 1 or self.chance.random() < 0.35:
+            return self.one_of(self.variable(), self.number(0, 9), f"{self.chance.randint(1, 7)}.")
+        a, b = self.value(depth + 1), self.value(depth + 1)
+        return self.one_of(f"[{a}+{b}]", f"[{a}-{b}]", f"[{a}*{self.number(0.1, 1.5)}]", f"[{a}/{self.chance.randint(2, 6)}.]", f"SIN[{a}]", f"COS[{a}]",
+                           f"SQRT[ABS[{a}]]", f"ABS[{a}]", f"ROUND[{a}]", f"FIX[{a}]", f"FUP[{a}]", f"ATAN[{a}]/[7.]", f"[FIX[{a}] MOD 5.]")
+
+    def bounded(self):
+        return f"[50.*SIN[{self.value()}*7.]]"
+
+    def condition(self):
+        return f"{self.value(1)} {self.one_of('LT', 'GT', 'LE', 'GE')} {self.value(1)}"
+
+    def assignment(self):
+        self.put(f"{self.one_of('#1', '#2', '#3', '#101', '#102')}={self.bounded()}")
+
+    def move(self):
+        axes = self.chance.sample("XYZ", self.chance.randint(1, 3))
+        words = " ".join(f"{axis}{self.bounded()}" if self.chance.random() < 0.5 else f"{axis}{self.number()}" for axis in axes)
+        self.put(self.one_of("G00 ", "G01 ", "") + words)
+
+    def arc(self):
+        radius = self.number(2, 9)
+        self.put("G91")
+        self.put(self.one_of(f"G02 X{2 * float(radius):.3f} Y0. I{radius} J0.", f"G03 X{radius} Y{radius} R{radius}", f"G02 X0. Y0. I{radius} J0."))
+        self.put("G90 G01")
+
+    def jump(self):
+        label = 100 + self.label()
+        self.put(f"IF[{self.condition()}]GOTO{label}")
+        self.nested(2)
+        self.put(f"N{label}")
+
+    def loop(self):
+        counter = f"#{20 + self.depth}"
+        self.put(f"{counter}=0")
+        self.put(f"WHILE[{counter} LT 3]DO{self.depth + 1}")
+        self.nested(3)
+        self.put(f"{counter}={counter}+1")
+        self.put(f"END{self.depth + 1}")
+
+    def frame(self):
+        self.put(self.one_of(f"G52 X{self.number()} Y{self.number()}", "G52 X0. Y0.", f"G68 X{self.number()} Y{self.number()} R{self.number()}\nG01 X{self.number()} Y{self.number()}\nG69"))
+
+    def drill(self):
+        self.put("G52 X0. Y0. Z0.\nG00 Z30.")
+        depth, peck = self.number(-20, -4), self.number(1, 4)
+        level = self.one_of("G98", "G99")
+        self.put(f"{level} " + self.one_of(f"G81 X{self.number()} Z{depth} R2. F120.", f"G82 X{self.number()} Z{depth} R2. P500 F120.", f"G83 X{self.number()} Z{depth} R2. Q{peck} F120.",
+                                           f"G85 X{self.number()} Z{depth} R2. F120.", f"G89 X{self.number()} Z{depth} R2. P300 F120."))
+        for _ in range(2):
+            self.put(f"X{self.number()} Y{self.number()}")
+        self.put("G80")
+        self.put("G00 Z30.")
+
+    def call(self):
+        self.put(f"G65 P9001 A{self.number()} B{self.bounded()}")
+
+    def sub(self):
+        self.put("M98 P9002")
+
+    def nested(self, count):
+        self.depth += 1
+        self.body(self.chance.randint(1, count))
+        self.depth -= 1
+
+    def statement(self):
+        kinds = [self.assignment, self.assignment, self.move, self.move, self.arc, self.jump]
+        if self.depth < 3:
+            kinds.append(self.loop)
+        if self.depth == 0:
+            kinds += [self.frame, self.drill]
+            if self.calls:
+                kinds.append(self.call)
+            if self.shares:
+                kinds.append(self.sub)
+        self.chance.choice(kinds)()
+
+    def text(self):
+        kind = self.chance.randrange(3)
+        self.calls, self.shares = kind == 1, kind == 2
+        head = ["%", "O0001", "G21 G17 G90 G94 G40 G49 G80", "G54", "T1 M06", "S900 M03", "F300.", "#1=1.", "#2=2.", "#3=3.", "#101=4.", "#102=5.", "G00 X0. Y0. Z30."]
+        self.body(self.chance.randint(6, 14))
+        lines = head + self.lines + ["G52 X0. Y0. Z0.", "G00 Z50.", "M30"]
+        if self.calls:
+            lines += ["O9001", "#5=#1*2.", "IF[#5 LE #2]GOTO1", "#5=#2", "N1 G01 X#5 Y#2 F200.", "G00 Z[#1+40.]", "M99"]
+        if self.shares:
+            lines += ["O9002", "G01 X7. Y8. F200.", "G00 Z31.", "M99"]
+        return "\n".join(lines) + "\n%\n"
+
+
+MAKERS = {"sinumerik-840d": Sinumerik, "fanuc": Fanuc}
+
+
+def dripfeed(binary, *arguments):
+    done = subprocess.run([binary, *map(str, arguments)], capture_output=True, timeout=60)
+    return done.returncode, done.stdout.decode(errors="replace"), done.stderr.decode(errors="replace")
+
+
+def moves_of(binary, path, dialect):
+    """([(kind, words)], None), or (None, why it did not run)."""
+    code, out, err = dripfeed(binary, "run", path, "--dialect", dialect, "--control", "kind=mill")
+    if code != 0:
+        return None, err
+    moves = []
+    for line in out.splitlines():
+        words = line.split(" ")
+        if len(words) > 1 and words[1] in MOVES:
+            moves.append((words[1], {word[0]: word[1:] for word in words[2:] if word[:1].isalpha()}))
+    return moves, None
+
+
+def value(text):
+    try:
+        return float(text.split("/")[0])
+    except ValueError:
+        return None
+
+
+def point(words):
+    return tuple(value(words.get(axis, "0")) or 0.0 for axis in "XYZ")
+
+
+def without_stops(moves):
+    """Moves without those of no length and without rapids that stop on the way of the next rapid."""
+    out, at = [], (0.0, 0.0, 0.0)
+    for kind, words in moves:
+        to = point(words)
+        if kind in ("rapid", "linear") and math.dist(at, to) <= TOLERANCE_MM:
+            at = to
+            continue
+        if kind == "rapid" and out and out[-1][0] == "rapid":
+            start = point(out[-2][1]) if len(out) > 1 else (0.0, 0.0, 0.0)
+            via = point(out[-1][1])
+            if math.dist(start, via) + math.dist(via, to) - math.dist(start, to) <= 1e-6:
+                out.pop()
+        out.append((kind, words))
+        at = to
+    return out
+
+
+def difference(a, b):
+    a, b = without_stops(a), without_stops(b)
+    for n, (one, other) in enumerate(zip(a, b)):
+        if one[0] != other[0] or math.dist(point(one[1]), point(other[1])) > TOLERANCE_MM:
+            return f"move {n}: {one} / {other}"
+        if abs((value(one[1].get("F", "0")) or 0.0) - (value(other[1].get("F", "0")) or 0.0)) > 1e-3:
+            return f"feed of move {n}: {one} / {other}"
+    return "" if len(a) == len(b) else f"{len(a)} moves / {len(b)} moves"
+
+
+def try_one(binary, dialect, seed, keep):
+    """[(target, mode, what)] of one program."""
+    text = MAKERS[dialect](seed).text()
+    results = []
+    with tempfile.TemporaryDirectory() as name:
+        source = pathlib.Path(name) / "program.nc"
+        source.write_text(text)
+        original, why = moves_of(binary, source, dialect)
+        if original is None:
+            return [("", "", "not run")]
+        for target in DIALECTS:
+            for mode in ("macro", "explicit"):
+                if target == dialect:
+                    continue
+                code, out, err = dripfeed(binary, "convert", source, "--from", dialect, "--to", target, "--mode", mode)
+                if code != 0:
+                    results.append((target, mode, "refused", err.splitlines()[0].split(": ", 1)[-1] if err else ""))
+                    continue
+                made = pathlib.Path(name) / "made.nc"
+                made.write_text(out)
+                translated, why = moves_of(binary, made, target)
+                fault = "does not run: " + why[:300] if translated is None else difference(original, translated)
+                results.append((target, mode, "DIFFERS" if fault else "same", fault))
+                if fault and keep:
+                    (keep / f"{dialect}_{seed}_{target}_{mode}.txt").write_text(text + "\n---- " + fault + "\n" + out)
+    return results
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("--binary", default=str(ROOT / "build/release/dripfeed"))
+    options.add_argument("--from", dest="dialect", default="all", choices=[*MAKERS, "all"])
+    options.add_argument("--programs", type=int, default=300)
+    options.add_argument("--seed", type=int, default=1)
+    options.add_argument("--keep", type=pathlib.Path)
+    given = options.parse_args()
+    faults = 0
+    for dialect in MAKERS if given.dialect == "all" else [given.dialect]:
+        counts, refusals, examples = collections.Counter(), collections.Counter(), []
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            seeds = range(given.seed, given.seed + given.programs)
+            for seed, results in zip(seeds, pool.map(lambda s: try_one(given.binary, dialect, s, given.keep), seeds)):
+                for target, mode, what, *detail in results:
+                    counts[(target, mode, what)] += 1
+                    if what == "refused":
+                        refusals[detail[0]] += 1
+                    if what == "DIFFERS":
+                        examples.append(f"  seed {seed} to {target} {mode}: {detail[0]}")
+        print(f"{given.programs} programs of {dialect}, from seed {given.seed}")
+        for (target, mode, what), n in sorted(counts.items()):
+            print(f"  {target:16} {mode:9} {what:8} {n:5}")
+        for text, n in refusals.most_common(8):
+            print(f"  refused {n:4}: {text[:150]}")
+        print("\n".join(examples[:20]))
+        faults += len(examples)
+    sys.exit(1 if faults else 0)
+
+
+if __name__ == "__main__":
+    main()
