@@ -178,6 +178,7 @@ void read_control(ObjectReader& object, machine::ControlSettings& control) {
   object.flag("decimal_mode_confirmed", control.decimal_mode_confirmed);
   object.number("increment_mm", control.increment_mm, 0.0, 1.0);
   object.integer("block_length_bytes", control.block_length_bytes, 1, 65'536);
+  object.integer("axes_at_once", control.axes_at_once, 1, 32);
   read_machine_functions(object, control);
   object.objects("code_calls", [&](ObjectReader& o) { read_code_call(o, control); });
   object.object("nesting", [&](ObjectReader& o) {

@@ -249,6 +249,7 @@ ir::Control control_of(const Profile& profile, ir::Control control) {
   if (settings.call_nesting) control.limits.call_nesting = *settings.call_nesting;
   if (settings.macro_nesting) control.limits.macro_nesting = *settings.macro_nesting;
   if (settings.loop_nesting) control.limits.loop_nesting = *settings.loop_nesting;
+  if (settings.axes_at_once) control.limits.axes_at_once = *settings.axes_at_once;
   if (settings.chip_break_mm) semantics.chip_break_retract_mm = *settings.chip_break_mm;
   if (settings.peck_clearance_mm) semantics.peck_clearance_mm = *settings.peck_clearance_mm;
   if (settings.turning_depth_mm) semantics.cycle_depth_mm = *settings.turning_depth_mm;

@@ -45,6 +45,7 @@ struct ControlSettings {
   std::optional<std::uint32_t> call_nesting;
   std::optional<std::uint32_t> macro_nesting;
   std::optional<std::uint32_t> loop_nesting;
+  std::optional<std::uint32_t> axes_at_once;  // that the control moves in one block; not given: all of them
   // Parameters of cycles, mm.
   std::optional<double> chip_break_mm;
   std::optional<double> peck_clearance_mm;

@@ -26,7 +26,7 @@ constexpr std::string_view kProfile = R"({
   "feed_limit_mm_min": 5000, "spindle": {"min_rpm": 10, "max_rpm": 4000},
   "tools": [{"number": 1, "offset": 1, "nose_radius_mm": 0.8, "tip": 3}],
   "work_offsets": [{"number": 1, "X_mm": 5.5}, {"number": 2}],
-  "control": {"decimal_mode": "calculator", "g_system": "B", "increment_mm": 0.001, "block_length_bytes": 128,
+  "control": {"decimal_mode": "calculator", "g_system": "B", "increment_mm": 0.001, "block_length_bytes": 128, "axes_at_once": 3,
               "power_on": {"unit": "inch", "plane": "yz"},
               "variables": [{"bank": "#", "first": 100, "last": 199, "use": "common", "writable": true}]},
   "timing": {"sample_time_ms": 8, "look_ahead_blocks": 20, "cost": {"block_ms": 1.5, "function_ms": 0.25}},
@@ -66,6 +66,7 @@ TEST(ProfileDocument, EveryMemberArrives) {
   EXPECT_EQ(p.control.decimal_mode, ir::DecimalMode::calculator);
   EXPECT_EQ(p.control.increment_mm, 0.001);
   EXPECT_EQ(p.control.block_length_bytes, 128U);
+  EXPECT_EQ(p.control.axes_at_once, 3U);
   EXPECT_EQ(p.control.power_on_unit, ir::Function::unit_inch);
   EXPECT_EQ(p.control.power_on_plane, ir::Function::plane_yz);
   EXPECT_FALSE(p.control.power_on_confirmed);

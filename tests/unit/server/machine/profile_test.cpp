@@ -214,6 +214,7 @@ TEST(Control, TheProfileLiesOverTheUsualControl) {
   profile.control.decimal_mode = ir::DecimalMode::calculator;
   profile.control.variables = {{.bank = ir::Bank::r, .first = 0, .last = 99}};
   profile.control.block_length_bytes = 80;
+  profile.control.axes_at_once = 2;
   const ir::Control set = control_of(profile, usual);
   EXPECT_EQ(set.title, "Fanuc 0i-TF");
   EXPECT_EQ(set.semantics.least_increment_mm, 0.0001);
@@ -223,6 +224,7 @@ TEST(Control, TheProfileLiesOverTheUsualControl) {
   ASSERT_EQ(set.variables.size(), 1U);
   EXPECT_EQ(set.variables.front().last, 99U);
   EXPECT_EQ(set.limits.block_length_bytes, 80U);
+  EXPECT_EQ(set.limits.axes_at_once, 2U);
 }
 
 TEST(Syntax, FollowsTheDialectAndTheDelivery) {
