@@ -171,6 +171,10 @@ void check_not_interpreted(const ir::Program& program, const ir::Control& contro
     if (told.emplace(name).second) findings.add(not_interpreted, span, {std::string(name)});
   };
   for (const ir::Statement& s : program.statements) {
+    // The bytes of BPRNT are not made here; nothing moves by it.
+    const bool is_binary_output =
+        s.kind == StatementKind::native && program.strings.at(program.natives[s.payload].name) == "BPRNT";
+    if (is_binary_output) tell("BPRNT", s.span);
     if (s.kind == StatementKind::native && !program.natives[s.payload].effects_known) {
       const std::string name = written_native(program, s);
       if (name != kNotUnderstood) tell(name, s.span);

@@ -28,7 +28,8 @@ void print_report(const app::CheckReport& report, const ir::Control& control) {
     for (const checks::Finding& one : findings.kept()) {
       const bool is_called = one.place.program != 0 && one.place.program < report.programs.size();
       const std::string& name = is_called ? report.programs[one.place.program] : report.source.name();
-      const std::string_view alarm = ir::alarm_of(control, one.id);
+      const auto side = one.value > one.limit ? ir::AlarmDetail::above : ir::AlarmDetail::below;
+      const std::string_view alarm = ir::alarm_of(control, one.id, side);
       fmt::print(stderr, "{}:{}: {}[{}]: {}{}\n", name, one.place.line, text::name_of(one.severity),
                  text::row_of(one.id).name, one.text, alarm.empty() ? "" : fmt::format(" (alarm {})", alarm));
     }

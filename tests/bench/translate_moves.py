@@ -45,6 +45,11 @@ class Maker:
         for _ in range(count):
             self.statement()
 
+    def nested(self, count):
+        self.depth += 1
+        self.body(self.chance.randint(1, count))
+        self.depth -= 1
+
     def label(self):
         self.labels += 1
         return self.labels
@@ -135,11 +140,6 @@ class Sinumerik(Maker):
     def call(self):
         self.put(f"PART({self.bounded()},{self.number()})")
 
-    def nested(self, count):
-        self.depth += 1
-        self.body(self.chance.randint(1, count))
-        self.depth -= 1
-
     def statement(self):
         kinds = [self.assignment, self.assignment, self.move, self.move, self.arc, self.jump]
         if self.depth < 3:
@@ -226,11 +226,6 @@ class Fanuc(Maker):
 
     def sub(self):
         self.put("M98 P9002")
-
-    def nested(self, count):
-        self.depth += 1
-        self.body(self.chance.randint(1, count))
-        self.depth -= 1
 
     def statement(self):
         kinds = [self.assignment, self.assignment, self.move, self.move, self.arc, self.jump]
