@@ -16,6 +16,7 @@ POCKET = (GOUGE / "fanuc_pocket.nc").read_text()
 FAULTY = POCKET.replace("N620 G0 Z5.", "N620 G0 Z-2.5")
 FAULT_LINE = 1 + POCKET[: POCKET.index("N630")].count("\n")
 NOMINAL = {"family": "pocket-with-slot"}
+SAMPLES = 600  # a second or more, so that there is a while to ask for other things in
 FIXED = {"half_axis_x": "100 mm", "half_axis_z": "202.4 mm", "roll_length": "196 mm", "clearance": "25 mm", "cut_feed": "0.15 mm/rev"}
 
 
@@ -111,7 +112,7 @@ def times(s, order):
 
 
 def sweeps(s, timed):
-    order = {"family": "hyperbolic-roll", "machine": "lathe", "values": FIXED, "samples": 20, "seed": 3, "mode": "explicit", "delivery": "memory"}
+    order = {"family": "hyperbolic-roll", "machine": "lathe", "values": FIXED, "samples": SAMPLES, "seed": 3, "mode": "explicit", "delivery": "memory"}
     answers, others, refused = [], 0, 0
     worker = threading.Thread(target=lambda: answers.append(s.call("POST", "/sweep", order, "programmer")))
     worker.start()
@@ -123,7 +124,7 @@ def sweeps(s, timed):
         others += worker.is_alive()
     expect(answers[0].status == 200 and others > 0 and refused > 0, f"{others} other answers, {refused} refusals; {answers[0]}")
     report = answers[0].document
-    told = s.by_command("sweep", "hyperbolic-roll", "--machine", s.profiles["lathe"], "--samples", 20, "--seed", 3, "--mode", "explicit",
+    told = s.by_command("sweep", "hyperbolic-roll", "--machine", s.profiles["lathe"], "--samples", SAMPLES, "--seed", 3, "--mode", "explicit",
                         *[word for name, value in FIXED.items() for word in ("--set", f"{name}={value}")])
     expect(report == told, f"the command says {told}, the server {report}")
     expect([one["name"] for one in report["parameters"]] == ["angle_step", "speed_rpm"], f"{report['parameters']}")
