@@ -87,6 +87,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   } else {
     raise_rest(raising);
     kept = raise_arguments(raising);
+    raise_macro_calls(raising);
     raise_vacant(raising);
     raise_expressions(raising);
     raise_flow(raising);

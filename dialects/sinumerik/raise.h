@@ -29,8 +29,9 @@ struct Raising {
 };
 
 void raise_rest(const Raising& raising);  // raise_rest.cpp: block skip inside of blocks
-// raise_arguments.cpp: macros and their calls. Returns the names that stay names.
+// raise_arguments.cpp: local variables of macros. Returns the names that stay names.
 std::set<ir::SymbolId> raise_arguments(const Raising& raising);
+void raise_macro_calls(const Raising& raising);  // raise_macro_calls.cpp: letters to positions
 void raise_vacant(const Raising& raising);       // raise_vacant.cpp: variables that are empty until they are set
 void raise_expressions(const Raising& raising);  // raise_expressions.cpp: operators and system variables
 void raise_flow(const Raising& raising);         // raise_flow.cpp: jumps, calls, alarms, natives

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 
 #include <fmt/format.h>
 
@@ -26,23 +25,27 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 11> kEndings = {"",     ".nc",  ".NC",  ".spf", ".SPF", ".mpf",
                                                        ".MPF", ".cnc", ".txt", ".def", ".DEF"};
 
+// In large pieces: an iterator over the stream takes as long for a long program as reading its blocks.
+std::string read_all(std::istream& stream) {
+  constexpr std::size_t kPieceBytes = std::size_t{1} << 20U;
+  std::string text;
+  while (stream) {
+    const std::size_t size = text.size();
+    text.resize(size + kPieceBytes);
+    stream.read(text.data() + size, static_cast<std::streamsize>(kPieceBytes));
+    text.resize(size + static_cast<std::size_t>(stream.gcount()));
+  }
+  return text;
+}
+
 app::Result<std::string> read_file(const std::string& path) {
-  if (path == "-") return std::string(std::istreambuf_iterator<char>(std::cin), {});
+  if (path == "-") return read_all(std::cin);
   std::error_code error;
   if (fs::is_directory(path, error))
     return app::fail(app::ErrorCode::unavailable, fmt::format("{}: is a folder", path));
   std::ifstream file(path, std::ios::binary);
   if (!file) return app::fail(app::ErrorCode::unavailable, fmt::format("{}: {}", path, std::strerror(errno)));
-  // In large pieces: an iterator over the stream takes as long for a long program as reading its blocks.
-  constexpr std::size_t kPieceBytes = std::size_t{1} << 20U;
-  std::string text;
-  for (std::size_t read = kPieceBytes; read == kPieceBytes;) {
-    const std::size_t size = text.size();
-    text.resize(size + kPieceBytes);
-    file.read(text.data() + size, static_cast<std::streamsize>(kPieceBytes));
-    read = static_cast<std::size_t>(file.gcount());
-    text.resize(size + read);
-  }
+  std::string text = read_all(file);
   if (file.bad()) return app::fail(app::ErrorCode::unavailable, fmt::format("{}: cannot be read to its end", path));
   return text;
 }
