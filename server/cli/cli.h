@@ -4,7 +4,9 @@
 // failed, 2 wrong use or I/O error.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;  // included only where options are added: it takes seconds to compile
+}
 
 namespace dripfeed::cli {
 

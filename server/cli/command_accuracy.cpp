@@ -1,6 +1,7 @@
 // dripfeed accuracy: how far what is cut lies from the nominal, and what a measuring machine found.
 #include <memory>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "checks/accuracy/cmm.h"

@@ -2,6 +2,7 @@
 // and to cycle times that were taken with a watch.
 #include <memory>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "checks/timing/machine_fit.h"

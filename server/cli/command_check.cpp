@@ -1,6 +1,7 @@
 // dripfeed check: diagnostics and checks of programs, and the verdict.
 #include <memory>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "server/app/examine.h"

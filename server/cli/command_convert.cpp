@@ -1,6 +1,7 @@
 // dripfeed convert: from one control's language to another's; to its own it prints the program back, byte for byte.
 #include <memory>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "dialects/compile/convert.h"

@@ -1,6 +1,7 @@
 // dripfeed gouge: rapids into stock or part, and cuts below the nominal.
 #include <memory>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "dialects/text/number.h"

@@ -1,6 +1,7 @@
 // dripfeed link test: measures a line before a machine hangs on it.
 #include <memory>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "dialects/text/number.h"

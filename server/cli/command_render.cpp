@@ -1,6 +1,7 @@
 // dripfeed render: a family with values to the text of one control.
 #include <memory>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "server/cli/cli.h"

@@ -1,6 +1,7 @@
 // dripfeed sweep: for which values of its parameters a family passes on a machine, and the smallest example that fails.
 #include <memory>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "dialects/text/number.h"

@@ -1,6 +1,7 @@
 // dripfeed time: compute, motion and line time of a program.
 #include <memory>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "dialects/text/number.h"

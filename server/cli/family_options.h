@@ -7,6 +7,10 @@
 #include "dialects/compile/render.h"
 #include "server/cli/inputs.h"
 
+namespace CLI {
+class App;  // included only where options are added: it takes seconds to compile
+}
+
 namespace dripfeed::cli {
 
 struct FamilyOptions {

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <iostream>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "dialects/compile/caller_modes.h"

@@ -7,12 +7,14 @@
 #include <string_view>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "dialects/compile/dialect.h"
 #include "dialects/compile/library.h"
 #include "server/app/error.h"
 #include "server/machine/profile.h"
+
+namespace CLI {
+class App;  // included only where options are added: it takes seconds to compile
+}
 
 namespace dripfeed::cli {
 

@@ -1,5 +1,7 @@
 // dripfeed: one binary, one table of commands.
 
+#include <CLI/CLI.hpp>
+
 #include "server/cli/cli.h"
 
 namespace {

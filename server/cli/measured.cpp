@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "dialects/compile/execute.h"

@@ -7,6 +7,10 @@
 #include "server/app/surface_checks.h"
 #include "server/cli/family_options.h"
 
+namespace CLI {
+class App;  // included only where options are added: it takes seconds to compile
+}
+
 namespace dripfeed::cli {
 
 // Of a program that was not rendered: the family that has its stock and nominal, and its lines that make the profile.

@@ -4,11 +4,13 @@
 // diagnostic came. What a diagnostic is worth is for a person to judge, from the list:
 //
 //   DRIPFEED_CORPUS=DIR ctest --test-dir build/dev -R real_programs -V
-//   build/dev/real_programs DIR [--list FILE] [--only PART] [--broken PART]...
+//   build/dev/real_programs DIR [--list FILE] [--only PART] [--broken PART] [--every-length BYTES]...
 //
 // --list: FILE gets a line for each diagnostic of a file that has errors: severity, id, file:line:column, text, the
 // line.
 // --only: files whose path holds PART. --broken: files that are wrong on purpose: read, but left out of the figures.
+// --every-length: a file is broken off after each of its first BYTES bytes, not at 50 places only (takes as long as
+// reading the square of their number).
 // Environment: DRIPFEED_CORPUS stands for DIR, DRIPFEED_CORPUS_BROKEN for one --broken. Without DIR it ends with 77:
 // skipped.
 #include <algorithm>
@@ -38,13 +40,14 @@ using namespace dripfeed;
 namespace fs = std::filesystem;
 
 constexpr int kSkipped = 77;
-constexpr std::size_t kTruncations = 50;  // of each file
+constexpr std::size_t kTruncations = 50;  // of each file, spread over its whole length
 
 struct Options {
   fs::path folder;
   std::string list;
   std::string only;
   std::vector<std::string> broken;
+  std::size_t every_length = 0;  // bytes of each file that it is broken off after, one by one
 };
 
 // What one folder of programs gave.
@@ -105,6 +108,7 @@ class Corpus {
       }
     }
     if (files_ == 0) fmt::print("no program of a known dialect in {}\n", options_.folder.string());
+    fmt::print("{} beginnings of {} files read\n", cuts_, files_);
     fmt::print("slowest: {} ms, {}\n", text::format_fixed(slowest_ms_, 0), slowest_);
     return faults_ == 0 && files_ > 0 ? 0 : 1;
   }
@@ -141,16 +145,24 @@ class Corpus {
 
   // The beginning of a program, broken off anywhere, is read like any other text.
   void cut(const text::Source& source, const compile::Dialect& dialect, const ir::Control& control) {
-    const std::string_view whole = source.text();
+    const std::size_t whole = source.text().size();
+    const std::size_t each = std::min(options_.every_length, whole);
+    for (std::size_t size = 0; size < each; ++size) cut_at(size, source, dialect, control);
     for (std::size_t i = 0; i < kTruncations; ++i) {
-      const std::size_t size = whole.size() * i / kTruncations;
-      const text::Source part(source.name(), std::string(whole.substr(0, size)));
-      const ir::ReadResult read = dialect.read(part, control);
-      if (const auto fault = fault_of(read.program, part.text())) {
-        complain(source.name(), fmt::format("cut at {}: {}", size, *fault));
-      }
-      static_cast<void>(dialect.validate(read.program, control, ir::Delivery::drip));
+      const std::size_t size = whole * i / kTruncations;
+      if (size >= each) cut_at(size, source, dialect, control);
     }
+  }
+
+  void cut_at(std::size_t size, const text::Source& source, const compile::Dialect& dialect,
+              const ir::Control& control) {
+    ++cuts_;
+    const text::Source part(source.name(), std::string(source.text().substr(0, size)));
+    const ir::ReadResult read = dialect.read(part, control);
+    if (const auto fault = fault_of(read.program, part.text())) {
+      complain(source.name(), fmt::format("cut at {}: {}", size, *fault));
+    }
+    static_cast<void>(dialect.validate(read.program, control, ir::Delivery::drip));
   }
 
   void count(const text::Source& source, const std::vector<text::Diagnostic>& found, Tally& tally) {
@@ -207,6 +219,7 @@ class Corpus {
   const Options& options_;
   std::ofstream list_;
   std::size_t files_ = 0;
+  std::size_t cuts_ = 0;
   std::size_t faults_ = 0;
   double slowest_ms_ = 0.0;
   std::string slowest_ = "none";
@@ -225,6 +238,8 @@ Options options_of(int count, char** arguments) {
       options.only = arguments[++i];
     } else if (word == "--broken" && more) {
       options.broken.emplace_back(arguments[++i]);
+    } else if (word == "--every-length" && more) {
+      options.every_length = std::strtoull(arguments[++i], nullptr, 10);
     } else {
       options.folder = word;
     }
