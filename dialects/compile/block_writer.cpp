@@ -185,6 +185,11 @@ void BlockWriter::center(const ir::Motion& motion) {
 
 void BlockWriter::move(const ir::Motion& motion) {
   const Function function = std::ranges::find(kMoves, motion.kind, &KindRow::kind)->function;
+  // Controls refuse a thread while the feed is a time.
+  if (motion.kind == MotionKind::thread && feed_mode_ == ir::FeedMode::inverse_time) {
+    feed_mode_ = motion.feed_mode;
+    event_block(function_of(motion.feed_mode));
+  }
   if (is_arc(motion.kind)) plane(motion);
   if (motion.machine_coordinates) add(Function::machine_coordinates);
   if (motion.exact_stop) add(Function::exact_stop_once);

@@ -8,6 +8,8 @@
 #include "dialects/compile/carry_comments.h"
 #include "dialects/compile/dialect.h"
 #include "dialects/compile/explicit_program.h"
+#include "dialects/compile/lower_turning.h"
+#include "dialects/compile/settle_faces.h"
 #include "dialects/compile/several_programs.h"
 #include "dialects/compile/target_axes.h"
 #include "dialects/passes/absolute_centers.h"
@@ -102,8 +104,11 @@ class Converter {
     append(result_.diagnostics, unmatched_structures(read.program, request_.from));
     if (!text::has_error(result_.diagnostics)) refuse_faulty(read.program);
     if (text::has_error(result_.diagnostics)) return;
-    if (request_.mode == ConvertMode::macro)
+    if (request_.mode == ConvertMode::macro) {
+      append(result_.diagnostics, lower_turning(read.program, request_.from, request_.to));
+      append(result_.diagnostics, settle_faces(read.program, request_.from, request_.to));
       append(result_.diagnostics, passes::settle_taps(read.program, request_.from, request_.to));
+    }
     append(result_.diagnostics, passes::foreign_machine_functions(read.program, request_.from, request_.to));
     if (request_.mode == ConvertMode::macro) {
       settle(read.program);

@@ -21,7 +21,7 @@ constexpr std::uint64_t kGeometryNotModelled = bit_of(Address::other);
 bool takes_axis_words(const ir::Code& code) {
   if (code.function == Function::not_modelled) return true;
   return code.function == Function::dwell || code.function == Function::set_coordinates ||
-         code.function == Function::data_input;
+         code.function == Function::data_input || code.function == Function::repetitive_cycle;
 }
 
 std::string_view name_of_code(const ir::Program& program, const ir::Code& code) {

@@ -89,7 +89,8 @@ std::optional<Flow> BlockRunner::run_plain(const Instruction& i, const ir::Plain
 void BlockRunner::drop_foreign_axes(std::span<const ir::PlainWord> words) {
   const auto takes_letters = [](const PlainCode& code) {
     return code.function == ir::Function::dwell || code.function == ir::Function::set_coordinates ||
-           code.function == ir::Function::data_input || code.group == ir::ModalGroup::frame;
+           code.function == ir::Function::data_input || code.function == ir::Function::repetitive_cycle ||
+           code.group == ir::ModalGroup::frame;
   };
   if (std::ranges::any_of(block_.codes, takes_letters)) return;
   // On a face or cylinder Y is no axis of the machine.

@@ -19,6 +19,8 @@ using ir::Operator;
 constexpr std::size_t kNowhere = 99;
 constexpr double kNotGiven = 1e29;  // a default of the cycles' own texts
 
+constexpr std::string_view kFloating = "CYCLE840";
+
 // Which modal cycle a called one is, and where DTB stands.
 struct CycleRow {
   std::string_view name;
@@ -36,9 +38,8 @@ constexpr auto kCycles = std::to_array<CycleRow>({
     {"CYCLE87", DrillCycle::manual_out, kNowhere, 5},
     {"CYCLE88", DrillCycle::manual_out, 5, 6},
     {"CYCLE89", DrillCycle::feed_out_dwell, 5},
+    {kFloating, DrillCycle::tap_right, 5},
 });
-constexpr auto kOthers = std::to_array<std::string_view>({"CYCLE840"});
-
 class HoleReader {
  public:
   HoleReader(ir::Program& program, const ir::Call& call) : program_(program), name_(program.strings.at(call.name)) {
@@ -52,7 +53,7 @@ class HoleReader {
     std::string fault = levels(hole);
     if (fault.empty()) fault = details(hole, row->dwell);
     if (fault.empty() && row->spindle != 0) fault = spindle(hole, row->spindle);
-    if (fault.empty() && hole.cycle == DrillCycle::tap_right) fault = tap(hole);
+    if (fault.empty() && hole.cycle == DrillCycle::tap_right) fault = name_ == kFloating ? floating(hole) : tap(hole);
     if (!fault.empty()) return std::unexpected(name_ + fault);
     return hole;
   }
@@ -102,7 +103,7 @@ class HoleReader {
     return hole.cycle == DrillCycle::deep_hole ? set_pecks(hole) : std::string();
   }
 
-  // CYCLE86(…, SDIR, RPA, RPO, RPAP, POSS): without a shift the tool goes straight out.
+  // CYCLE86(…, SDIR, RPA, RPO, RPAP, POSS).
   std::string spindle(Hole& hole, std::size_t place) {
     const std::optional<double> direction = number_at(place, 0.0);
     if (!direction || (*direction != 3.0 && *direction != 4.0)) return " without the direction of its spindle";
@@ -110,8 +111,14 @@ class HoleReader {
     hole.holds = hole.cycle == DrillCycle::manual_out;
     hole.orients = hole.cycle == DrillCycle::stop_out;
     if (!hole.orients) return {};
-    for (std::size_t shift = place + 1; shift <= place + 4; ++shift)
-      if (number_at(shift, 0.0) != 0.0) return " with a shift or an angle of its spindle";
+    const std::optional<double> first = number_at(place + 1, 0.0);
+    const std::optional<double> second = number_at(place + 2, 0.0);
+    const std::optional<double> lift = number_at(place + 3, 0.0);
+    if (!first || !second || !lift) return " with a computed shift";
+    if (number_at(place + 4, 0.0) != 0.0) return " with an angle of its spindle";
+    hole.shift_first = *first;
+    hole.shift_second = *second;
+    hole.lift = *lift;
     return {};
   }
 
@@ -133,6 +140,27 @@ class HoleReader {
     hole.cycle = *lead < 0.0 ? DrillCycle::tap_left : DrillCycle::tap_right;
     hole.lead = std::abs(*lead);
     hole.speed = *speed;
+    hole.after = static_cast<int>(*after);
+    return {};
+  }
+
+  // CYCLE840(…, DTB, SDR, SDAC, ENC, MPIT, PIT, …): by the lead (ENC 0, 20), or at the feed in effect (ENC 1). Without
+  // a dwell where the encoder is used.
+  std::string floating(Hole& hole) {
+    const std::optional<double> reversed = number_at(6, 0.0);
+    const std::optional<double> after = number_at(7, 0.0);
+    const std::optional<double> encoder = number_at(8, 0.0);
+    const std::optional<double> nominal = number_at(9, 0.0);
+    const std::optional<double> lead = number_at(10, 0.0);
+    if (!reversed || !after || !encoder || !nominal || !lead) return " with computed values of its thread";
+    if (*after != 3.0 && *after != 4.0 && *after != 5.0) return " without what its spindle does behind it (SDAC)";
+    if (*reversed != 0.0 && *reversed != 3.0 && *reversed != 4.0) return " with that way of its spindle (SDR)";
+    const bool by_lead = *encoder != 1.0;
+    if (by_lead && (*nominal != 0.0 || *lead == 0.0)) return " without the lead of its thread (PIT)";
+    if (*encoder == 0.0) hole.dwell_s = 0.0;
+    hole.floats = true;
+    hole.lead = by_lead ? std::abs(*lead) : 0.0;
+    hole.reversed = static_cast<int>(*reversed);
     hole.after = static_cast<int>(*after);
     return {};
   }
@@ -173,8 +201,7 @@ class HoleReader {
 }  // namespace
 
 bool is_drilling_cycle(std::string_view name) {
-  return std::ranges::find(kCycles, name, &CycleRow::name) != kCycles.end() ||
-         std::ranges::find(kOthers, name) != kOthers.end();
+  return std::ranges::find(kCycles, name, &CycleRow::name) != kCycles.end();
 }
 
 std::optional<double> constant_value(const ir::Program& program, ExpressionId id) {

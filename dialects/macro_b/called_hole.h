@@ -23,9 +23,14 @@ struct Hole {
   bool breaks_chips = false;
   double feed_in = 0.0;  // CYCLE85; 0: the one in effect
   double feed_out = 0.0;
-  int spindle = 0;        // CYCLE86 to CYCLE88: 3 or 4, as its M function; stopped at the bottom
-  bool orients = false;   // … to an angle
+  int spindle = 0;           // CYCLE86 to CYCLE88: 3 or 4, as its M function; stopped at the bottom
+  bool orients = false;      // … to an angle
+  double shift_first = 0.0;  // … and moved aside, away from the wall, before it is drawn out
+  double shift_second = 0.0;
+  double lift = 0.0;
   bool holds = false;     // … and the program waits
+  bool floats = false;    // a tap in a compensating chuck; without a lead at the feed in effect
+  int reversed = 0;       // … 3 or 4: how the spindle turns on the way out, 0: the other way
   double lead = 0.0;      // of a tap, per turn
   double speed = 0.0;     // … in turns a minute
   int after = 0;          // … 3, 4 or 5: what the spindle does behind it

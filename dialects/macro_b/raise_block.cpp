@@ -246,8 +246,12 @@ void BlockRaiser::axis_word(ir::Word word) {
     word.value = scaled(word.value, 2.0);
   }
   if (incremental && to_.semantics.incremental_letters_uvw) {
-    if (!holds("XYZ", word.address)) return cannot(*statement_, "an increment of a rotary axis");
-    word.address = static_cast<Address>(static_cast<int>(word.address) - kToBaseLetter);
+    if (word.address == Address::c)
+      word.address = Address::h;
+    else if (!holds("XYZ", word.address))
+      return cannot(*statement_, "an increment of a rotary axis");
+    else
+      word.address = static_cast<Address>(static_cast<int>(word.address) - kToBaseLetter);
   }
   word.mode = ir::WordMode::as_modal;
   draft_.words.push_back(word);

@@ -83,7 +83,7 @@ class Drilling {
     const std::optional<Hole> hole = hole_of(program_.calls[statement_.payload]);
     if (!hole) return;  // told
     modal_ = hole;
-    native_ = fits_modal_cycle(*hole) && region_fits(hole->lead != 0.0);
+    native_ = fits_modal_cycle(*hole) && region_fits(hole->lead != 0.0 || hole->floats);
     if (native_) return define(*hole, true);
     if (!has_moves(*hole)) return;
     if (region_is_entered()) cannot("a modal call into which jumps lead");
@@ -140,6 +140,7 @@ class Drilling {
   [[nodiscard]] bool fits_modal_cycle(const Hole& hole) const {
     if (!hole.constant || to_.kind != ir::MachineKind::mill || plane_ != Function::plane_xy) return false;
     if (hole.lead != 0.0 && !turning_known()) return false;
+    if (hole.floats && !cutting_way(hole)) return false;
     if (hole.feed_in != 0.0 || hole.feed_out != 0.0 || hole.spindle != 0) return false;
     const double back = *number(hole.back);
     const double level = *number(hole.level);
@@ -180,6 +181,7 @@ class Drilling {
   // `modal`: the holes follow (K0); otherwise one is drilled here.
   void define(const Hole& hole, bool modal) {
     DrillCycle cycle = hole.cycle;
+    if (hole.floats && cutting_way(hole) == Function::spindle_ccw) cycle = DrillCycle::tap_left;
     if (hole.breaks_chips) cycle = DrillCycle::chip_break;
     ir::Code drill = code(Function::drill);
     drill.argument = ir::drill_argument(cycle);
@@ -189,7 +191,8 @@ class Drilling {
     if (hole.peck > 0.0) words.push_back(word(Address::q, constant(hole.peck)));
     if (hole.dwell_s > 0.0) words.push_back(word(Address::p, program_.add_constant(hole.dwell_s * 1000.0, {}, false)));
     if (modal) words.push_back(word(Address::k, program_.add_constant(0.0, {}, false)));
-    if (hole.lead != 0.0) {
+    if (hole.floats && hole.lead != 0.0) words.push_back(word(Address::f, constant(hole.lead * *turning_.speed)));
+    if (hole.lead != 0.0 && !hole.floats) {
       out_.emit_block({}, {word(Address::s, program_.add_constant(hole.speed, {}, false))});
       const double feed = passes::feeds_taps_by_lead(to_) ? hole.lead : hole.lead * hole.speed;
       words.push_back(word(Address::f, constant(feed)));
@@ -201,21 +204,39 @@ class Drilling {
   [[nodiscard]] bool turning_known() const {
     return turning_.feed_mode == Function::feed_per_min && turning_.feed && turning_.speed;
   }
+  // As the number of its M function.
+  static Function way_of(int number) {
+    return number == 3 ? Function::spindle_cw : number == 4 ? Function::spindle_ccw : Function::spindle_stop;
+  }
+  // How the spindle turns on the way in: nothing where that is not known.
+  [[nodiscard]] std::optional<Function> cutting_way(const Hole& hole) const {
+    if (hole.reversed != 0) return hole.reversed == 4 ? Function::spindle_cw : Function::spindle_ccw;
+    return turning_.spindle;
+  }
   // Speed and feed were the tap's own there; they are modal here.
   void turn_again(const Hole& hole) {
+    if (hole.lead != 0.0 || hole.floats) {
+      turning_.spindle = way_of(hole.after);
+      if (hole.after == 5) turning_.spindle.reset();
+    }
+    if (hole.floats && hole.lead == 0.0) {
+      out_.emit_block({code(way_of(hole.after))}, {});
+      return;
+    }
     if (hole.lead == 0.0) return;
-    const Function spindle = hole.after == 3   ? Function::spindle_cw
-                             : hole.after == 4 ? Function::spindle_ccw
-                                               : Function::spindle_stop;
-    out_.emit_block({code(spindle)}, {word(Address::s, program_.add_constant(*turning_.speed, {}, false)),
-                                      word(Address::f, constant(*turning_.feed))});
+    out_.emit_block({code(way_of(hole.after))}, {word(Address::s, program_.add_constant(*turning_.speed, {}, false)),
+                                                 word(Address::f, constant(*turning_.feed))});
   }
 
   // --- moves
 
   // Whether a hole is what these few moves make.
   bool has_moves(const Hole& hole) {
-    const bool by_cycle = hole.cycle == DrillCycle::deep_hole || hole.lead != 0.0;
+    const bool by_cycle = hole.cycle == DrillCycle::deep_hole || hole.lead != 0.0 || hole.floats;
+    if (hole.floats && !cutting_way(hole)) {
+      cannot(hole.name + " where it is not known how the spindle turns");
+      return false;
+    }
     if (hole.lead != 0.0 && !turning_known()) {
       cannot(hole.name + " behind a feed or speed that is not known");
       return false;
@@ -238,12 +259,14 @@ class Drilling {
   }
 
   void moves(const Hole& hole) {
-    if (hole.cycle == DrillCycle::deep_hole || hole.lead != 0.0) return pecks(hole);
+    if (hole.cycle == DrillCycle::deep_hole || hole.lead != 0.0 || hole.floats) return pecks(hole);
     const Address axis = plane_ == Function::plane_zx   ? Address::y
                          : plane_ == Function::plane_yz ? Address::x
                                                         : Address::z;
-    if (hole.spindle != 0)
-      out_.emit_block({code(hole.spindle == 3 ? Function::spindle_cw : Function::spindle_ccw)}, {});
+    if (hole.spindle != 0) {
+      turning_.spindle.reset();  // it ends stopped
+      out_.emit_block({code(way_of(hole.spindle))}, {});
+    }
     out_.emit_block({code(Function::rapid)}, {absolute(axis, hole.level)});
     std::vector<ir::Word> in = {absolute(axis, hole.depth)};
     if (hole.feed_in > 0.0) in.push_back(word(Address::f, constant(hole.feed_in)));
@@ -252,6 +275,7 @@ class Drilling {
     if (hole.spindle != 0)
       out_.emit_block({code(hole.orients ? Function::spindle_orient : Function::spindle_stop)}, {});
     if (hole.holds) out_.emit_block({code(Function::program_stop)}, {});
+    shift_aside(hole, axis);
     const bool by_feed = hole.cycle == DrillCycle::feed_out || hole.cycle == DrillCycle::feed_out_dwell;
     if (by_feed) {
       std::vector<ir::Word> out = {absolute(axis, hole.level)};
@@ -259,9 +283,34 @@ class Drilling {
       out_.emit_block({code(Function::linear)}, out);
     }
     out_.emit_block({code(Function::rapid)}, {absolute(axis, hole.back)});
+    shift_back(hole, axis);
     if (motion_ && *motion_ != Function::rapid) out_.emit_block({code(*motion_)}, {});
     if (!motion_) cannot("the motion code in effect behind a cycle, which is not known here,");
     height_ = number(hole.back);
+  }
+
+  // Away from the wall at the bottom, and over the hole again.
+  void shift_aside(const Hole& hole, Address axis) {
+    std::vector<ir::Word> words = aside(hole, axis, 1.0);
+    if (hole.lift != 0.0) words.push_back(by(axis, hole.lift));
+    if (!words.empty()) out_.emit_block({code(Function::rapid)}, words);
+  }
+  void shift_back(const Hole& hole, Address axis) {
+    const std::vector<ir::Word> words = aside(hole, axis, -1.0);
+    if (!words.empty()) out_.emit_block({code(Function::rapid)}, words);
+  }
+  std::vector<ir::Word> aside(const Hole& hole, Address axis, double way) {
+    const Address first = axis == Address::z ? Address::x : axis == Address::y ? Address::z : Address::y;
+    const Address second = axis == Address::z ? Address::y : axis == Address::y ? Address::x : Address::z;
+    std::vector<ir::Word> words;
+    if (hole.shift_first != 0.0) words.push_back(by(first, way * hole.shift_first));
+    if (hole.shift_second != 0.0) words.push_back(by(second, way * hole.shift_second));
+    return words;
+  }
+  ir::Word by(Address axis, double way) {
+    ir::Word w = word(axis, constant(way));
+    w.mode = ir::WordMode::incremental;
+    return w;
   }
 
   // HOLES1(SPCA, SPCO, STA1, FDIS, DBH, NUM), HOLES2(CPA, CPO, RAD, STA1, INDA, NUM): positions in rapid.
@@ -325,6 +374,8 @@ class Drilling {
       if (c.function == Function::dwell) return;
       if (c.group == ir::ModalGroup::feed) turning_.feed_mode = c.function;
       if (c.group == ir::ModalGroup::surface_speed) turning_ = {};
+      if (c.function == Function::spindle_cw || c.function == Function::spindle_ccw) turning_.spindle = c.function;
+      if (c.function == Function::spindle_stop || c.function == Function::spindle_orient) turning_.spindle.reset();
     }
     for (const ir::Word& w : words) {
       if (w.address == Address::f) turning_.feed = number(w.value);
@@ -391,6 +442,7 @@ class Drilling {
     std::optional<Function> feed_mode;
     std::optional<double> feed;
     std::optional<double> speed;
+    std::optional<Function> spindle;
   };
   Turning turning_;
 };

@@ -57,6 +57,11 @@ void Rewrite::label_next(std::uint32_t number) {
   new_labels_.push_back({ir::StringId::none, number, static_cast<std::uint32_t>(statements_.size()), span});
 }
 
+// Of an old statement, or of the end of the list.
+std::uint32_t Rewrite::place_of(std::uint32_t index) const {
+  return index < first_of_.size() ? first_of_[index] : static_cast<std::uint32_t>(statements_.size());
+}
+
 std::vector<std::uint32_t> Rewrite::finish() {
   for (ir::Label& label : program_.labels) label.statement = first_of_[label.statement];
   program_.labels.insert(program_.labels.end(), new_labels_.begin(), new_labels_.end());
@@ -66,6 +71,10 @@ std::vector<std::uint32_t> Rewrite::finish() {
   }
   for (ir::Statement& statement : statements_) statement.is_label = false;
   for (const ir::Label& label : program_.labels) statements_[label.statement].is_label = true;
+  for (ir::Section& section : program_.sections) {
+    section.first = place_of(section.first);
+    section.last = place_of(section.last);
+  }
   program_.statements = std::exchange(statements_, {});
   new_labels_.clear();
   for (ir::Structure& structure : program_.structures) structure.partner = ir::kNoIndex;

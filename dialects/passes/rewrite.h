@@ -1,5 +1,5 @@
-// A program's statements written anew: each old one is kept, dropped or replaced by several, and labels and partners
-// are put right at the end. The arenas only grow.
+// A program's statements written anew: each old one is kept, dropped or replaced by several, and labels, partners
+// and the places of several programs are put right at the end. The arenas only grow.
 #pragma once
 
 #include <cstdint>
@@ -33,6 +33,8 @@ class Rewrite {
   std::vector<std::uint32_t> finish();
 
  private:
+  [[nodiscard]] std::uint32_t place_of(std::uint32_t index) const;
+
   ir::Program& program_;
   std::vector<ir::Statement> statements_;
   std::vector<std::uint32_t> first_of_;  // old index -> new index of what stands for it

@@ -74,6 +74,8 @@ bool DrillState::meet(const DrillState& o) {
       level.meet(o.level),
       peck.meet(o.peck),
       dwell.meet(o.dwell),
+      shift_i.meet(o.shift_i),
+      shift_j.meet(o.shift_j),
       depth_by_distance.meet(o.depth_by_distance),
       level_by_distance.meet(o.level_by_distance),
       feed.meet(o.feed),
@@ -94,7 +96,7 @@ bool DrillState::meet(const DrillState& o) {
 
 void DrillState::forget() {
   cycle.forget();
-  for (auto* words : {&depth, &level, &peck, &dwell, &feed, &speed}) words->forget();
+  for (auto* words : {&depth, &level, &peck, &dwell, &shift_i, &shift_j, &feed, &speed}) words->forget();
   for (auto* flags : {&depth_by_distance, &level_by_distance, &to_level, &incremental, &inch, &at_initial})
     flags->forget();
   for (auto* heights : {&height, &initial}) heights->forget();
@@ -138,8 +140,14 @@ const DrillState* DrillFlow::before(std::uint32_t statement) const {
 
 DrillState DrillFlow::step(const DrillState& state, const ir::Statement& statement) const {
   if (statement.kind == StatementKind::block) return after(state, program_.blocks[statement.payload]);
+  if (keeps_modes(statement.kind)) return state;
   DrillState out = state;
-  if (!keeps_modes(statement.kind)) out.forget();
+  out.forget();
+  if (statement.kind != StatementKind::call) return out;
+  // passes::settle_modes() has looked through the call for these, and has said them where the text would mislead.
+  out.plane = state.plane;
+  out.incremental = state.incremental;
+  out.inch = state.inch;
   return out;
 }
 
@@ -164,7 +172,8 @@ void DrillFlow::take_code(const ir::Code& code, DrillState& out) const {
   if (f == Function::drill) {
     const bool enters = out.cycle.is(DrillState::kNone);
     if (enters || !out.cycle.known) {
-      for (auto* words : {&out.depth, &out.level, &out.peck, &out.dwell}) words->set(ir::ExpressionId::none);
+      for (auto* words : {&out.depth, &out.level, &out.peck, &out.dwell, &out.shift_i, &out.shift_j})
+        words->set(ir::ExpressionId::none);
       out.initial = out.height;
       if (!enters) out.initial.forget();
       out.at_initial.set(enters);
@@ -195,6 +204,10 @@ void DrillFlow::take_code(const ir::Code& code, DrillState& out) const {
 void DrillFlow::take_words(std::span<const ir::Word> words, bool drills, DrillState& out) const {
   const Address axis = drilling_axis(out.plane.known ? out.plane.value : Function::plane_xy);
   bool makes_hole = false;
+  // I and J say the shift of a boring cycle together, Q says it without them.
+  const auto says = [&](Address a) { return std::ranges::find(words, a, &ir::Word::address) != words.end(); };
+  if (drills && (says(Address::i) || says(Address::j) || says(Address::q)))
+    for (auto* shift : {&out.shift_i, &out.shift_j}) shift->set(ir::ExpressionId::none);
   for (const ir::Word& w : words) {
     makes_hole |=
         w.address == Address::x || w.address == Address::y || w.address == Address::z || w.address == Address::r;
@@ -220,6 +233,8 @@ void DrillFlow::take_words(std::span<const ir::Word> words, bool drills, DrillSt
     }
     if (w.address == Address::q) out.peck.set(w.value);
     if (w.address == Address::p) out.dwell.set(w.value);
+    if (w.address == Address::i) out.shift_i.set(w.value);
+    if (w.address == Address::j) out.shift_j.set(w.value);
   }
   // After a hole the tool is at the R level, or back where the cycle began.
   if (!drills || !makes_hole) return;

@@ -33,8 +33,9 @@ struct DrillState {
   static constexpr std::int16_t kNone = -1;
   Fact<std::int16_t> cycle{kNone};  // argument of Function::drill
   Fact<ir::ExpressionId> depth{ir::ExpressionId::none}, level{ir::ExpressionId::none}, peck{ir::ExpressionId::none},
-      dwell{ir::ExpressionId::none};                // Z, R, Q, P as they were written
-  Fact<bool> depth_by_distance, level_by_distance;  // written under G91
+      dwell{ir::ExpressionId::none};  // Z, R, Q, P as they were written
+  Fact<ir::ExpressionId> shift_i{ir::ExpressionId::none}, shift_j{ir::ExpressionId::none};  // I, J of boring cycles
+  Fact<bool> depth_by_distance, level_by_distance;                                          // written under G91
   Fact<ir::ExpressionId> feed{ir::ExpressionId::none}, speed{ir::ExpressionId::none};
   Fact<bool> to_level;     // G99
   Fact<bool> incremental;  // G91

@@ -214,6 +214,8 @@ class BlockRaiser {
       return raising_.cannot("a computed G code", c.span);
     }
     if (raising_.is_own()) return own_code(c);
+    if (c.function == Function::transformation && raising_.program.strings.at(c.name).starts_with("TRA"))
+      return program_.codes.push_back(c);  // settled
     // What would begin it is refused: by itself it ends nothing.
     if (c.function == Function::transformation && c.argument == ir::kTransformationEnds) return;
     if (std::ranges::find(kNeedless, c.function) != std::end(kNeedless)) return;

@@ -18,6 +18,7 @@
 
 #include "dialects/ir/cycle.h"
 #include "dialects/passes/rewrite.h"
+#include "dialects/sinumerik/back_boring.h"
 #include "dialects/sinumerik/drill_state.h"
 #include "dialects/sinumerik/raise.h"
 #include "dialects/sinumerik/system_variables.h"
@@ -92,10 +93,15 @@ class CycleRaiser {
     drill(before, after, block);
   }
 
-  // A block that may or may not drill.
+  // A block that may or may not drill: words of shifts, data and the like never do.
   void undecided(const ir::Block& block) {
     const auto words = program_.words_of(block);
-    if (std::ranges::any_of(words, [](const ir::Word& w) { return is_axis(w.address) || w.address == Address::r; }))
+    const bool own_words = std::ranges::any_of(program_.codes_of(block), [](const ir::Code& c) {
+      return c.group == ir::ModalGroup::non_modal || c.group == ir::ModalGroup::frame ||
+             c.function == Function::data_input || c.function == Function::set_coordinates;
+    });
+    if (!own_words &&
+        std::ranges::any_of(words, [](const ir::Word& w) { return is_axis(w.address) || w.address == Address::r; }))
       raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span,
                       {"the drilling cycle", std::string(kTwoWays)});
     out_.keep();
@@ -108,7 +114,7 @@ class CycleRaiser {
 
   // The motion that was in effect before the cycle is again.
   void end(const DrillState& before, const ir::Block& block) {
-    end_modal();
+    if (is_modal(before)) end_modal();
     if (leaves_spindle_stopped(before.cycle)) start_again(before);
     std::vector<ir::Code> codes;
     bool motion = false;
@@ -132,18 +138,19 @@ class CycleRaiser {
     if (!after.plane.known)
       raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span,
                       {"the plane of the cycle", std::string(kTwoWays)});
-    DrillBlock parts = parts_of(block, drilling_axis(after.plane.value));
+    DrillBlock parts = parts_of(block, drilling_axis(after.plane.value), static_cast<DrillCycle>(after.cycle.value));
     if (!parts.begins && parts.positions.empty() && !parts.drills && !parts.redefines) return out_.keep();
     parts.redefines |= parts.begins || !before.to_level.known || before.to_level.value != after.to_level.value;
     if (!parts.rest_codes.empty() || !parts.rest_words.empty()) out_.emit_block(parts.rest_codes, parts.rest_words);
     if (parts.repeats > kMostRepeats)
       return raising_.cannot("a cycle that is repeated " + std::to_string(parts.repeats) + " times", statement_->span);
+    if (after.cycle.is(kBackBore)) return back_bore(before, after, block, parts);
     if (parts.redefines) {
       const std::optional<std::uint32_t> call = call_of(before, after, block);
       if (!call) return;
       // A modal call would follow the blocks of a call in place, too.
       const bool in_place = parts.drills && parts.positions.empty();
-      if (in_place && !before.cycle.is(DrillState::kNone)) end_modal();
+      if (in_place && is_modal(before)) end_modal();
       if (leaves_spindle_stopped(before.cycle) && before.cycle.value != after.cycle.value) start_again(before);
       for (double n = 0.0; in_place && n < parts.repeats; ++n) out_.emit(StatementKind::call, *call);
       out_.emit(StatementKind::modal_call, *call);
@@ -152,8 +159,45 @@ class CycleRaiser {
     for (double n = 0.0; n < parts.repeats; ++n) out_.emit_block({motion_code(Function::rapid)}, parts.positions);
   }
 
-  DrillBlock parts_of(const ir::Block& block, Address axis) {
+  static constexpr auto kBackBore = static_cast<std::int16_t>(DrillCycle::back_bore);
+  // Whether a modal call is in effect.
+  static bool is_modal(const DrillState& state) {
+    return !state.cycle.is(DrillState::kNone) && !state.cycle.is(kBackBore);
+  }
+
+  void back_bore(const DrillState& before, const DrillState& after, const ir::Block& block, const DrillBlock& parts) {
+    if (is_modal(before)) end_modal();
+    if (!parts.drills) return;
+    own_ = program_.words_of(block);
+    inch_ = after.inch.value;
+    arguments_.clear();
+    if (!after.initial.known) {
+      refuse("back boring from a level that is not known here");
+      return;
+    }
+    if (!after.spindle.known || !turns(after.spindle.value)) {
+      refuse("a boring cycle whose spindle does not turn, as far as is known here,");
+      return;
+    }
+    const std::optional<Levels> levels = levels_of(before, after);
+    arguments_.resize(9, ExpressionId::none);
+    if (!levels || !shift_aside(after)) return;
+    const BackBoring hole{.initial = constant(after.initial.value),
+                          .level = levels->reference,
+                          .depth = levels->depth,
+                          .shift_x = arguments_[7],
+                          .shift_y = arguments_[8],
+                          .dwell_s = seconds(after),
+                          .spindle = after.spindle.value};
+    for (double n = 0.0; n < parts.repeats; ++n) {
+      if (!parts.positions.empty()) out_.emit_block({motion_code(Function::rapid)}, parts.positions);
+      emit_back_boring(hole, program_, out_);
+    }
+  }
+
+  DrillBlock parts_of(const ir::Block& block, Address axis, DrillCycle cycle) {
     DrillBlock parts;
+    const bool shifts = cycle == DrillCycle::fine_bore || cycle == DrillCycle::back_bore;
     for (const ir::Code& c : program_.codes_of(block)) {
       parts.begins |= c.function == Function::drill;
       const bool of_cycle = c.function == Function::drill || c.function == Function::return_to_initial ||
@@ -162,7 +206,8 @@ class CycleRaiser {
     }
     for (const ir::Word& w : program_.words_of(block)) {
       const bool repeats = w.address == Address::k || w.address == Address::l;
-      if (w.address == axis || is_cycle_word(w.address)) {
+      const bool shift = shifts && (w.address == Address::i || w.address == Address::j);
+      if (w.address == axis || is_cycle_word(w.address) || shift) {
         parts.redefines |= !repeats;
         parts.drills |= w.address == axis || w.address == Address::r;
         if (repeats) parts.repeats = repeats_of(w);
@@ -201,6 +246,7 @@ class CycleRaiser {
       {DrillCycle::feed_out_dwell, "CYCLE85"},
       {DrillCycle::stop_out, "CYCLE86"},
       {DrillCycle::manual_out, "CYCLE88"},
+      {DrillCycle::fine_bore, "CYCLE86"},
   });
 
   std::optional<std::uint32_t> call_of(const DrillState& before, const DrillState& after, const ir::Block& block) {
@@ -227,9 +273,11 @@ class CycleRaiser {
       case DrillCycle::manual_out:
         if (!stops(after, cycle)) return std::nullopt;
         break;
+      case DrillCycle::fine_bore:
+        if (!stops(after, cycle) || !shift_aside(after)) return std::nullopt;
+        break;
       case DrillCycle::drill:
       case DrillCycle::feed_out:
-      case DrillCycle::fine_bore:
       case DrillCycle::back_bore:
       case DrillCycle::count_: break;
     }
@@ -289,14 +337,35 @@ class CycleRaiser {
   bool stops(const DrillState& after, DrillCycle cycle) {
     if (!after.spindle.known || !turns(after.spindle.value))
       return refuse("a boring cycle whose spindle does not turn, as far as is known here,"), false;
-    if (cycle == DrillCycle::manual_out) put(5, seconds(after));
+    if (cycle != DrillCycle::stop_out) put(5, seconds(after));
     put(6, constant(after.spindle.value == Function::spindle_cw ? 3.0 : 4.0));
+    return true;
+  }
+  // RPA and RPO of CYCLE86: I and J, or Q along a direction that a parameter of the other machine says.
+  bool shift_aside(const DrillState& after) {
+    if (!after.plane.is(Function::plane_xy)) return refuse("a fine boring cycle in another plane than G17"), false;
+    const bool by_words = !after.shift_i.is(ExpressionId::none) || !after.shift_j.is(ExpressionId::none);
+    const auto take = [&](const Fact<ExpressionId>& fact, std::string_view address, std::size_t place) {
+      if (fact.is(ExpressionId::none)) return true;
+      const std::optional<ExpressionId> value = word(fact, address);
+      if (value) put(place, *value);
+      return value.has_value();
+    };
+    if (by_words) return take(after.shift_i, "I", 7) && take(after.shift_j, "J", 8);
+    if (after.peck.is(ExpressionId::none)) return true;
+    const std::optional<ExpressionId> q = word(after.peck, "Q");
+    if (!q) return false;
+    put(7, of(Operator::abs, *q));
+    raising_.cannot("the direction of the shift Q, which a parameter of the machine says and which is taken as X+,",
+                    statement_->span);
+    raising_.diagnostics.back().severity = text::Severity::warning;
     return true;
   }
   static bool turns(Function spindle) { return spindle == Function::spindle_cw || spindle == Function::spindle_ccw; }
   static bool leaves_spindle_stopped(const Fact<std::int16_t>& cycle) {
     return cycle.is(static_cast<std::int16_t>(DrillCycle::stop_out)) ||
-           cycle.is(static_cast<std::int16_t>(DrillCycle::manual_out));
+           cycle.is(static_cast<std::int16_t>(DrillCycle::manual_out)) ||
+           cycle.is(static_cast<std::int16_t>(DrillCycle::fine_bore));
   }
   // … where the other control starts it again.
   void start_again(const DrillState& state) {
@@ -349,8 +418,8 @@ class CycleRaiser {
     levels.back = after.to_level.value ? levels.reference : initial;
     const ir::Expression& bottom = program_.at(levels.depth);
     const ir::Expression& top = program_.at(levels.reference);
-    if (bottom.op == Operator::constant && top.op == Operator::constant && bottom.value > top.value)
-      return refuse("a hole that is drilled upward");
+    const bool upward = bottom.op == Operator::constant && top.op == Operator::constant && bottom.value > top.value;
+    if (upward && !after.cycle.is(kBackBore)) return refuse("a hole that is drilled upward");
     return levels;
   }
 

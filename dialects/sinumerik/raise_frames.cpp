@@ -4,17 +4,20 @@
 //   G69                   TRANS
 //
 // TRANS takes the whole programmable frame away, so this is the same only where a program uses one of them alone: two
-// kinds at once, or one beside G52, are told as errors. About the zero point ROT alone says it.
+// kinds at once are told as errors, as is one beside a G52 whose numbers are not known there. Where they are, TRANS
+// says them. About the zero point ROT alone says it.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "dialects/ir/frame_use.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/sinumerik/raise.h"
+#include "dialects/sinumerik/shift_flow.h"
 
 namespace dripfeed::sinumerik {
 
@@ -37,7 +40,11 @@ bool ends(const ir::Code& c) { return is_frame(c.function) && c.argument == ir::
 class FrameRaiser {
  public:
   explicit FrameRaiser(const Raising& raising)
-      : raising_(raising), program_(raising.program), out_(program_), plane_(raising.from.semantics.power_on_plane) {
+      : raising_(raising),
+        program_(raising.program),
+        out_(program_),
+        flow_(program_, raising.from),
+        plane_(raising.from.semantics.power_on_plane) {
     for (const ir::Code& c : program_.codes) {
       shifts_ |= c.function == Function::local_shift;
       if (!begins(c)) continue;
@@ -49,6 +56,7 @@ class FrameRaiser {
     const auto count = static_cast<std::uint32_t>(program_.statements.size());
     for (std::uint32_t i = 0; i < count; ++i) {
       out_.at(i);
+      index_ = i;
       statement_ = program_.statements[i];
       const bool joins = statement_.is_label ||
                          (statement_.kind >= StatementKind::if_begin && statement_.kind <= StatementKind::loop_end);
@@ -70,14 +78,16 @@ class FrameRaiser {
       if (c.group == ir::ModalGroup::plane) plane_ = c.function;
     const auto begin = std::ranges::find_if(codes, begins);
     const auto end = std::ranges::find_if(codes, ends);
+    if (shifts_ && begin == codes.end() && moves_zero(codes)) return shift_again();
     // G69 in the safe head of a program that turns nothing has nothing to end.
     if (begin == codes.end() && (end == codes.end() || kinds_.empty())) return out_.keep();
     if (block.rest_level != 0) return cannot("block skip inside a block");
     std::vector<ir::Code> others;
     std::ranges::copy_if(codes, std::back_inserter(others), [](const ir::Code& c) { return !begins(c) && !ends(c); });
     const std::vector<ir::Word> words(program_.words_of(block).begin(), program_.words_of(block).end());
+    if (shifts_ && !flow_.shift_at(index_)) return cannot("G68, G51 or G51.1 beside a G52 that is not known here");
     if (begin == codes.end()) {
-      out_.emit_block({code(Function::local_shift, 1)}, {});
+      out_.emit_block({code(Function::local_shift, 1)}, local_shift());
       mirrored_ = kNone;
       mirror_known_ = true;
       if (!others.empty() || !words.empty())
@@ -86,11 +96,32 @@ class FrameRaiser {
     }
     const Function kind = begin->function;
     if (kinds_.size() > 1) return cannot("two of G68, G51 and G51.1 in one program");
-    if (shifts_) return cannot("G68, G51 or G51.1 beside G52");
     if (!others.empty()) out_.emit_block(others, {});
     if (kind == Function::rotate) return rotate(words);
     if (kind == Function::scale) return scale(words);
     mirror(words);
+  }
+
+  static bool moves_zero(std::span<const ir::Code> codes) {
+    return std::ranges::find(codes, Function::local_shift, &ir::Code::function) != codes.end();
+  }
+
+  // G52 replaces the shifts that it names and leaves what turns: TRANS takes all away.
+  void shift_again() {
+    const std::optional<bool> turned = flow_.turned_at(index_);
+    if (!turned) return cannot("G52 where G68, G51 or G51.1 may be in effect");
+    if (*turned) return cannot("G52 while G68, G51 or G51.1 is in effect");
+    out_.keep();
+  }
+
+  // What G52 has set, in full; nothing where it has set nothing.
+  std::vector<ir::Word> local_shift() {
+    std::vector<ir::Word> words;
+    if (!shifts_) return words;
+    const std::array<double, 3> shift = *flow_.shift_at(index_);
+    for (std::size_t axis = 0; axis < kLengths.size(); ++axis)
+      if (shift[axis] != 0.0) words.push_back(word(kLengths[axis], program_.add_constant(shift[axis])));
+    return words;
   }
 
   static std::vector<ir::Word> others_of(const std::vector<ir::Word>& words) {
@@ -143,7 +174,7 @@ class FrameRaiser {
     if (!mirror_known_) return cannot("G51.1 where ways meet that may have mirrored already");
     for (std::size_t axis = 0; axis < kLengths.size(); ++axis)
       if (const ir::Word* w = find(words, kLengths[axis])) mirrored_[axis] = w->value;
-    out_.emit_block({code(Function::local_shift, 1)}, {});
+    out_.emit_block({code(Function::local_shift, 1)}, local_shift());
     for (std::size_t axis = 0; axis < kLengths.size(); ++axis) {
       if (mirrored_[axis] == ExpressionId::none) continue;
       const std::vector<ir::Word> center = {word(kLengths[axis], mirrored_[axis])};
@@ -176,7 +207,7 @@ class FrameRaiser {
   }
 
   void about(const std::vector<ir::Word>& center, const ir::Code& change, const std::vector<ir::Word>& words) {
-    out_.emit_block({code(Function::local_shift, 1)}, {});
+    out_.emit_block({code(Function::local_shift, 1)}, local_shift());
     around(center, change, words);
   }
 
@@ -230,6 +261,8 @@ class FrameRaiser {
   const Raising& raising_;
   ir::Program& program_;
   passes::Rewrite out_;
+  ShiftFlow flow_;
+  std::uint32_t index_ = 0;
   ir::Statement statement_;
   std::vector<Function> kinds_;  // that the program begins
   bool shifts_ = false;
@@ -272,7 +305,7 @@ void check_shifts(const Raising& raising) {
 void raise_frames(const Raising& raising) {
   const bool any = std::ranges::any_of(raising.program.codes, begins);
   if (any) FrameRaiser(raising).run();
-  if (!any) check_shifts(raising);
+  check_shifts(raising);
 }
 
 }  // namespace dripfeed::sinumerik

@@ -3,8 +3,8 @@
 
   tests/bench/translate_moves.py [--binary build/release/dripfeed] [--from sinumerik-840d|fanuc|all] [--programs 300] [--seed 1] [--keep FOLDER]
 
-Each program has variables, arrays, conditions, loops, jumps, a subprogram with arguments, frames, arcs and drilling cycles of its control, and ends. It
-is run, translated to every other control (macro and explicit), and run there. Compared: the end points of all moves, their kinds and feeds; a rapid
+Each second program is a mill's: variables, arrays, conditions, loops, jumps, a subprogram with arguments, frames, arcs and drilling and boring cycles of its
+control; the others are a lathe's: turning and thread cycles, polar and cylindrical interpolation. It is run, translated to every other control (macro and explicit), and run there. Compared: the end points of all moves, their kinds and feeds; a rapid
 that only stops on the way of the next one is no difference (cycles come down to their reference plane in one move or in two). Counts what is the
 same, what is refused, and what differs, which is a fault: exits 1 when there is any. --keep saves those.
 """
@@ -26,7 +26,9 @@ TOLERANCE_MM = 0.003  # printed with three or four decimals, and added up by inc
 
 
 class Maker:
-    """What the two languages share: chance, depth, lines."""
+    """What the languages share: chance, depth, lines."""
+
+    kind = "mill"
 
     def __init__(self, seed):
         self.chance = random.Random(seed)
@@ -128,7 +130,7 @@ class Sinumerik(Maker):
     def drill(self):
         self.put("TRANS\nG0 Z30")
         depth, peck = self.number(-20, -4), self.number(1, 4)
-        cycle = self.one_of(f"CYCLE81(30,2,1,{depth})", f"CYCLE82(30,2,1,{depth},,0.5)", f"CYCLE83(30,2,0,{depth},,,{peck},0,,,1,1,,,,,1)", f"CYCLE85(30,2,1,{depth},,,90,180)")
+        cycle = self.one_of(f"CYCLE81(30,2,1,{depth})", f"CYCLE82(30,2,1,{depth},,0.5)", f"CYCLE83(30,2,0,{depth},,,{peck},0,,,1,1,,,,,1)", f"CYCLE85(30,2,1,{depth},,,90,180)", f"CYCLE86(30,2,1,{depth},,0.3,3,{self.number(-1, 1)},{self.number(-1, 1)},0.1)", f"CYCLE88(30,2,1,{depth},,0.3,4)")
         if self.chance.random() < 0.5:
             self.put(cycle)
             return
@@ -215,7 +217,8 @@ class Fanuc(Maker):
         depth, peck = self.number(-20, -4), self.number(1, 4)
         level = self.one_of("G98", "G99")
         self.put(f"{level} " + self.one_of(f"G81 X{self.number()} Z{depth} R2. F120.", f"G82 X{self.number()} Z{depth} R2. P500 F120.", f"G83 X{self.number()} Z{depth} R2. Q{peck} F120.",
-                                           f"G85 X{self.number()} Z{depth} R2. F120.", f"G89 X{self.number()} Z{depth} R2. P300 F120."))
+                                           f"G85 X{self.number()} Z{depth} R2. F120.", f"G89 X{self.number()} Z{depth} R2. P300 F120.", f"G76 X{self.number()} Z{depth} R2. I{self.number(-1, 1)} J0.4 P300 F120.",
+                                           f"G86 X{self.number()} Z{depth} R2. F120.") if self.chance.random() < 0.9 else f"G98 G87 X{self.number()} Z{depth} R-25. I{self.number(-1, 1)} F120.")
         for _ in range(2):
             self.put(f"X{self.number()} Y{self.number()}")
         self.put("G80")
@@ -252,7 +255,128 @@ class Fanuc(Maker):
         return "\n".join(lines) + "\n%\n"
 
 
-MAKERS = {"sinumerik-840d": Sinumerik, "fanuc": Fanuc}
+class FanucLathe(Maker):
+    """Turning cycles, threads, the face and the cylinder, between moves, loops and jumps."""
+
+    kind = "lathe"
+
+    def at(self, x, z):
+        self.put(f"G00 X{x}. Z{z}.")
+
+    def move(self):
+        self.put(self.one_of("G00 ", "G01 ") + self.one_of(f"X{self.number(20, 90)}", f"Z{self.number(-40, 5)}", f"U{self.number(-3, 3)} W{self.number(-3, 3)}", "X[40.+#1]"))
+
+    def single(self):
+        self.at(60, 5)
+        cycle = self.one_of("G92", "G92", "G90")
+        feed = self.one_of("1.5", "2.", "0.75")
+        self.put(f"{cycle} X{self.number(40, 55)} Z{self.number(-30, -5)}{self.one_of('', ' R-0.8')} F{feed}")
+        for _ in range(self.chance.randint(0, 3)):
+            self.put(self.one_of(f"X{self.number(30, 50)}", f"U{self.number(-20, -5)}", f"X{self.number(30, 50)} Z{self.number(-30, -5)}", "M08", "X[40.-#1]"))
+        self.put("G00 X62.")
+
+    def face(self):
+        self.at(60, 5)
+        self.put(f"G94 X{self.number(10, 40)} Z{self.number(-5, 3)}{self.one_of('', ' R-1.')} F0.2")
+        self.put(f"Z{self.number(-9, -5)}")
+        self.put("G00 Z6.")
+
+    def stepped(self):
+        self.at(60, 5)
+        self.put(f"WHILE[#1 LT {self.chance.randint(3, 6)}.]DO1")
+        self.put(f"G92 X[55.-#1] Z{self.number(-30, -5)} F1.5")
+        self.put("#1=#1+0.7")
+        self.put("END1")
+        self.put("G00 X70.")
+
+    def many(self):
+        self.at(34, 4)
+        if self.chance.random() < 0.6:
+            self.put(f"G76 P0{self.chance.randint(1, 3)}{self.one_of('00', '10', '05')}{self.one_of('60', '55', '29', '00')} Q{self.chance.randint(20, 120)} R0.0{self.chance.randint(1, 9)}")
+            self.put(f"G76 X{self.number(26, 30)} Z{self.number(-30, -10)}{self.one_of('', ' R-0.4')} P{self.chance.randint(700, 1500)} Q{self.chance.randint(150, 500)} F{self.one_of('1.5', '2.')}")
+        else:
+            self.put(self.one_of(f"G74 R{self.number(0.2, 1)}\nG74 X30. Z{self.number(-15, -5)} P{self.chance.randint(800, 2000)} Q{self.chance.randint(2000, 6000)} F0.1",
+                                 f"G75 R{self.number(0.2, 1)}\nG75 X20. Z{self.number(-3, 3)} P{self.chance.randint(1500, 4000)} Q{self.chance.randint(800, 1500)} F0.1"))
+
+    def polar(self):
+        self.at(50, 5)
+        self.put("G98\nC0.\nG12.1")
+        for _ in range(self.chance.randint(1, 4)):
+            self.put("G01 " + self.one_of(f"X{self.number(10, 40)} C{self.number(3, 20)} F100.", f"X{self.number(-40, -10)} C{self.number(3, 9)} F90.", f"U{self.number(1, 4)} H{self.number(1, 4)} F80."))
+        self.put("G13.1\nG99\nG00 X60.")
+
+    def cylinder(self):
+        self.at(60, 5)
+        self.put(f"G98\nC{self.number(0, 90)}\nG07.1 C{self.one_of('20.', '33.5')}")
+        for _ in range(self.chance.randint(1, 4)):
+            self.put("G01 " + self.one_of(f"Z{self.number(-30, 0)} C{self.number(-90, 90)} F100.", f"W{self.number(-3, 3)} H{self.number(-30, 30)} F80.", "C[#1*7.] F60."))
+        self.put("G07.1 C0.\nG99")
+
+    def jump(self):
+        label = 100 + self.label()
+        self.put(f"IF[#1 {self.one_of('LT', 'GT')} {self.number(1, 5)}]GOTO{label}")
+        self.nested(2)
+        self.put(f"N{label}")
+
+    def statement(self):
+        kinds = [self.move, self.move, self.single, self.single, self.face, self.many, self.many]
+        if self.depth == 0:
+            kinds += [self.polar, self.cylinder, self.stepped, self.jump]
+        self.chance.choice(kinds)()
+
+    def text(self):
+        self.body(self.chance.randint(4, 9))
+        if any("C" in line for line in self.lines):
+            self.kind = "mill-turn"
+        return "\n".join(["%", "O0001", "G21 G18 G99 G97 G40", "S500 M03", "#1=1.", "G00 X60. Z5.", "G01 F0.3"] + self.lines + ["G00 X100. Z50.", "M30", "%"]) + "\n"
+
+
+class SinumerikLathe(Maker):
+    kind = "lathe"
+
+    def move(self):
+        self.put(self.one_of("G0 ", "G1 ") + self.one_of(f"X{self.number(20, 90)}", f"Z{self.number(-40, 5)}", f"X=IC({self.number(-3, 3)}) Z=IC({self.number(-3, 3)})", "X=40+R1"))
+
+    def thread(self):
+        lead, end, taper = self.one_of("1.5", "2", "0.75"), self.number(-40, -10), self.one_of("20", "20", "24")
+        depth, allowance, angle = self.number(0.5, 1.4), self.one_of("0", "0.05", ""), self.one_of("0", "29", "30")
+        self.put(f"CYCLE97({lead},,0,{end},20,{taper},{self.number(1, 4)},{self.number(0, 3)},{depth},{allowance},{angle},0,{self.chance.randint(1, 6)},{self.chance.randint(0, 2)},{self.chance.randint(1, 4)},{self.chance.randint(1, 2)},1)")
+
+    def switch(self):
+        self.put(self.one_of("DIAMOF", "DIAMON", "G91\nG1 X0.1\nG90"))
+
+    def transmit(self):
+        self.put("DIAMON G94 G0 X50 Z5\nC0\nTRANSMIT\nG17")
+        for _ in range(self.chance.randint(1, 4)):
+            self.put("G1 " + self.one_of(f"X{self.number(10, 40)} Y{self.number(3, 20)} F100", f"X{self.number(-40, -10)} Y{self.number(3, 9)} F90", f"X=IC({self.number(1, 4)}) Y=IC({self.number(1, 4)}) F80"))
+        self.put("TRAFOOF\nG18 G95 F0.3\nG0 X60")
+
+    def tracyl(self):
+        self.put(f"DIAMON G94 G0 X50 Z5\nC{self.number(0, 90)}\nTRACYL({self.one_of('40', '67')})\nG19")
+        for _ in range(self.chance.randint(1, 4)):
+            self.put("G1 " + self.one_of(f"Z{self.number(-30, 0)} Y{self.number(-40, 40)} F100", f"Z=IC({self.number(-3, 3)}) F80", "Y=R1*7 F60"))
+        self.put("TRAFOOF\nG18 G95 F0.3")
+
+    def jump(self):
+        label = f"ON{self.label()}"
+        self.put(f"IF R1{self.one_of('<', '>')}{self.number(1, 5)} GOTOF {label}")
+        self.nested(2)
+        self.put(f"{label}:")
+
+    def statement(self):
+        kinds = [self.move, self.move, self.thread, self.thread, self.switch]
+        if self.depth == 0:
+            kinds += [self.transmit, self.tracyl, self.jump]
+        self.chance.choice(kinds)()
+
+    def text(self):
+        self.body(self.chance.randint(4, 9))
+        if any("TRA" in line for line in self.lines):
+            self.kind = "mill-turn"
+        return "\n".join(["G18 G90 G95 G71 DIAMON G40", "T1 D1", "S500 M3", "R1=2", "G0 X60 Z5", "G1 F0.3"] + self.lines + ["G0 X100", "M30"]) + "\n"
+
+
+MAKERS = {"sinumerik-840d": [Sinumerik, SinumerikLathe], "fanuc": [Fanuc, FanucLathe]}
 
 
 def dripfeed(binary, *arguments):
@@ -260,9 +384,9 @@ def dripfeed(binary, *arguments):
     return done.returncode, done.stdout.decode(errors="replace"), done.stderr.decode(errors="replace")
 
 
-def moves_of(binary, path, dialect):
+def moves_of(binary, path, dialect, kind="mill"):
     """([(kind, words)], None), or (None, why it did not run)."""
-    code, out, err = dripfeed(binary, "run", path, "--dialect", dialect, "--control", "kind=mill")
+    code, out, err = dripfeed(binary, "run", path, "--dialect", dialect, "--control", f"kind={kind}")
     if code != 0:
         return None, err
     moves = []
@@ -281,21 +405,21 @@ def value(text):
 
 
 def point(words):
-    return tuple(value(words.get(axis, "0")) or 0.0 for axis in "XYZ")
+    return tuple(value(words.get(axis, "0")) or 0.0 for axis in "XYZC")
 
 
-def without_stops(moves):
+def without_stops(moves, detour):
     """Moves without those of no length and without rapids that stop on the way of the next rapid."""
-    out, at = [], (0.0, 0.0, 0.0)
+    out, at = [], (0.0, 0.0, 0.0, 0.0)
     for kind, words in moves:
         to = point(words)
         if kind in ("rapid", "linear") and math.dist(at, to) <= TOLERANCE_MM:
             at = to
             continue
         if kind == "rapid" and out and out[-1][0] == "rapid":
-            start = point(out[-2][1]) if len(out) > 1 else (0.0, 0.0, 0.0)
+            start = point(out[-2][1]) if len(out) > 1 else (0.0, 0.0, 0.0, 0.0)
             via = point(out[-1][1])
-            if math.dist(start, via) + math.dist(via, to) - math.dist(start, to) <= 1e-6:
+            if math.dist(start, via) + math.dist(via, to) - math.dist(start, to) <= detour:
                 out.pop()
         out.append((kind, words))
         at = to
@@ -303,36 +427,45 @@ def without_stops(moves):
 
 
 def difference(a, b):
-    a, b = without_stops(a), without_stops(b)
+    """Rounded to the printed decimals, a stop may lie on the way or just beside it: either on both sides is no difference."""
+    first = difference_by(a, b, 1e-6)
+    return "" if not first or not difference_by(a, b, 1e-5) or not difference_by(a, b, 1e-7) else first
+
+
+def difference_by(a, b, detour):
+    a, b = without_stops(a, detour), without_stops(b, detour)
     for n, (one, other) in enumerate(zip(a, b)):
         if one[0] != other[0] or math.dist(point(one[1]), point(other[1])) > TOLERANCE_MM:
             return f"move {n}: {one} / {other}"
-        if abs((value(one[1].get("F", "0")) or 0.0) - (value(other[1].get("F", "0")) or 0.0)) > 1e-3:
+        feeds = [value(move[1].get("F", "0")) or 0.0 for move in (one, other)]
+        if abs(feeds[0] - feeds[1]) > max(1e-3, 1e-3 * abs(feeds[0])):
             return f"feed of move {n}: {one} / {other}"
     return "" if len(a) == len(b) else f"{len(a)} moves / {len(b)} moves"
 
 
 def try_one(binary, dialect, seed, keep):
     """[(target, mode, what)] of one program."""
-    text = MAKERS[dialect](seed).text()
-    results = []
+    makers = MAKERS[dialect]
+    maker = makers[seed % len(makers)](seed)
+    text = maker.text()
+    kind, results = maker.kind, []
     with tempfile.TemporaryDirectory() as name:
         source = pathlib.Path(name) / "program.nc"
         source.write_text(text)
-        original, why = moves_of(binary, source, dialect)
+        original, why = moves_of(binary, source, dialect, kind)
         if original is None:
             return [("", "", "not run")]
         for target in DIALECTS:
             for mode in ("macro", "explicit"):
                 if target == dialect:
                     continue
-                code, out, err = dripfeed(binary, "convert", source, "--from", dialect, "--to", target, "--mode", mode)
+                code, out, err = dripfeed(binary, "convert", source, "--from", dialect, "--to", target, "--mode", mode, "--control", f"kind={kind}")
                 if code != 0:
                     results.append((target, mode, "refused", err.splitlines()[0].split(": ", 1)[-1] if err else ""))
                     continue
                 made = pathlib.Path(name) / "made.nc"
                 made.write_text(out)
-                translated, why = moves_of(binary, made, target)
+                translated, why = moves_of(binary, made, target, kind)
                 fault = "does not run: " + why[:300] if translated is None else difference(original, translated)
                 results.append((target, mode, "DIFFERS" if fault else "same", fault))
                 if fault and keep:

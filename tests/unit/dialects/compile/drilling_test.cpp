@@ -81,8 +81,8 @@ TEST(DrillingToSinumerik, TheMotionBehindTheCycleIsSaid) {
 }
 
 TEST(DrillingToSinumerik, WhatHasNoEqualIsAnErrorWithItsPlace) {
-  expect_refused(kHead + "G98 G76 X1. Y1. Z-5. R2. Q1. F50.\nG80\nM30\n", "fanuc", kTo, "program:5");
-  expect_refused(kHead + "G98 G76 X1. Y1. Z-5. R2. Q1. F50.\nG80\nM30\n", "fanuc", kTo, "boring");
+  expect_refused(kHead + "G18 G98 G76 X1. Z1. Y-5. R2. Q1. F50.\nG80\nM30\n", "fanuc", kTo, "program:5");
+  expect_refused(kHead + "G18 G98 G76 X1. Z1. Y-5. R2. Q1. F50.\nG80\nM30\n", "fanuc", kTo, "boring");
   // The initial level is lost behind G99.
   expect_refused("#5=33.\n" + kHead + "G00 Z#5\nG99 G81 X10. Z-8. R3. F120.\nG98 X20.\nG80\nM30\n", "fanuc", kTo,
                  "level where the drilling cycle began");
@@ -168,7 +168,7 @@ TEST(DrillingFromSinumerik, WhatHasNoEqualIsAnErrorWithItsPlace) {
                  "which side");
   expect_refused(kOwnHead + "MCALL CYCLE83(TOP,2,1,-20,,,8,0,,,1,1)\nX1\nMCALL\nM30\n", kTo, "fanuc", "program:6");
   expect_refused(kOwnHead + "MCALL CYCLE83(40,2,1,-20,,,8,2,,,1,1)\nX1\nMCALL\nM30\n", kTo, "fanuc", "grow less");
-  expect_refused(kOwnHead + "CYCLE86(40,2,1,-20,,0,3,1,1,1,0)\nM30\n", kTo, "fanuc", "CYCLE86");
+  expect_refused(kOwnHead + "CYCLE86(40,2,1,-20,,0,3,1,1,1,30)\nM30\n", kTo, "fanuc", "CYCLE86");
 }
 
 }  // namespace

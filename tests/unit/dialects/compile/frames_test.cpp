@@ -53,8 +53,19 @@ TEST(FramesToSinumerik, LocalShift) {
   expect_refused(kHead + "G52 X5. Y6.\nX1. Y1.\nG52 X7.\nX2.\nM30\n", "fanuc", kTo, "program:7");
 }
 
+TEST(FramesToSinumerik, RotationBesideALocalShift) {
+  for (const std::string from : {"fanuc", "mazak", "mitsubishi-m80"}) {
+    const std::string to = expect_same_moves(
+        kHead +
+            "G52 X5. Y6.\nG68 X1. Y2. R10.\nX1. Y7.\nG69\nX2. Y3.\nG52 X0. Y0.\nG68 X3. Y0. R40.\nX9.\nG69\nX0.\nM30\n",
+        from, kTo);
+    EXPECT_TRUE(to.contains("TRANS X5. Y6.")) << to;
+  }
+}
+
 TEST(FramesToSinumerik, WhatOneChainCannotSayIsAnError) {
-  expect_refused(kHead + "G52 X5.\nG68 X0. Y0. R10.\nX1.\nG69\nM30\n", "fanuc", kTo, "beside G52");
+  expect_refused("#1=5.\n" + kHead + "G52 X#1\nG68 X0. Y0. R10.\nX1.\nG69\nM30\n", "fanuc", kTo, "beside a G52");
+  expect_refused(kHead + "G68 X0. Y0. R10.\nG52 X5.\nX1.\nG69\nM30\n", "fanuc", kTo, "G52 while");
   expect_refused(kHead + "G51.1 X0.\nG68 X0. Y0. R10.\nX1.\nG69\nM30\n", "fanuc", kTo, "two of");
   expect_refused(kHead + "G68 R10.\nX1.\nG69\nM30\n", "fanuc", kTo, "where the tool stands");
 }

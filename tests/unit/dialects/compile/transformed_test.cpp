@@ -141,14 +141,82 @@ TEST(Tracyl, IsTheCircumference) {
   EXPECT_NEAR(moves[2].end[kC], 10.0, 1e-9);
 }
 
-// Between controls with the same codes they stay; an end alone is left out, a beginning without counterpart refused.
+ConvertResult lathe_translated(const std::string& text, const std::string& from, const std::string& to) {
+  ConvertRequest request;
+  request.source = text::Source("program", text);
+  request.from = control(from, ir::MachineKind::lathe);
+  request.to = control(to, ir::MachineKind::lathe);
+  request.from.axes = request.to.axes = "XZC";
+  return convert(request);
+}
+
+std::vector<ir::Motion> lathe_moves(const std::string& text, const std::string& dialect) {
+  ir::Control machine = control(dialect, ir::MachineKind::lathe);
+  machine.axes = "XZC";
+  return real_moves(run_text(text, machine).motions);
+}
+
+void expect_equal_ways(const std::string& text, const std::string& from, const std::string& to) {
+  const ConvertResult made = lathe_translated(text, from, to);
+  ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+  const auto original = lathe_moves(text, from);
+  const auto moves = lathe_moves(made.text, to);
+  ASSERT_EQ(original.size(), moves.size()) << made.text;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    EXPECT_EQ(original[i].kind, moves[i].kind) << i << made.text;
+    for (const std::size_t axis : {kX, kZ, kC}) EXPECT_NEAR(original[i].end[axis], moves[i].end[axis], 2e-3) << i;
+    EXPECT_NEAR(original[i].feed, moves[i].feed, 1e-3 * original[i].feed) << i;
+  }
+}
+
+const std::string kFaceAndCylinder =
+    "%\nO1\nG21 G18 G98 G97 G40\nG00 X50. Z5. C0.\nG12.1\nG01 X20. C10. F100.\nX-20.\nG03 X20. C-10. R15.\n"
+    "G01 H5.\nG02 X30. C5. R10.\nG13.1\nG00 X60.\nC30.\nG01 X40. Z-2. F100.\nG07.1 C20.\nG01 Z-5. C90.\n"
+    "H-20.\nG07.1 C0.\nG00 X100. C0.\nM30\n%\n";
+
+// The same way of the machine's own axes, whichever letter the coordinate across has.
 TEST(PolarInterpolation, BetweenControls) {
+  const ConvertResult made = lathe_translated(kFaceAndCylinder, "fanuc", "sinumerik-840d");
+  for (const char* word : {"TRANSMIT", "TRACYL(40)", "TRAFOOF", "Y=IC(5.)", "Y31.4159"})
+    EXPECT_NE(made.text.find(word), std::string::npos) << word << "\n" << made.text;
+  for (const std::string to : {"sinumerik-840d", "mazak", "mitsubishi-m80"})
+    expect_equal_ways(kFaceAndCylinder, "fanuc", to);
+  const std::string siemens =
+      "G18 G90 G94 G71 DIAMON G40\nG0 X50 Z5 C0\nTRANSMIT\nG17 G1 X20 Y10 F100\nX-20\nG3 X20 Y10 CR=30\nG1 Y=IC(4)\n"
+      "TRAFOOF\nG18\nG0 X60 C40\nTRACYL(40)\nG19 G1 Z-5 Y31.4159 F100\nY=IC(-3)\nTRAFOOF\nG18\nG1 C10\nG0 X100\n"
+      "M30\n";
+  for (const std::string to : {"fanuc", "mazak", "mitsubishi-m80"}) expect_equal_ways(siemens, "sinumerik-840d", to);
+}
+
+// From G18, whose first axis is Z, to G19, whose first one is Y.
+TEST(CylindricalInterpolation, ArcsGoTheOtherWayRound) {
+  const std::string text =
+      "%\nO1\nG21 G18 G98 G97 G40\nG00 X50. Z5. C0.\nG01 X40. Z-5. F100.\nG07.1 C20.\nC90.\nG02 Z-15. C118.6479 R10.\n"
+      "G07.1 C0.\nM30\n%\n";
+  const ConvertResult made = lathe_translated(text, "fanuc", "sinumerik-840d");
+  ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+  EXPECT_NE(made.text.find("G3 Z-15."), std::string::npos) << made.text;
+  double most = 0.0;
+  for (const ir::Motion& m : lathe_moves(made.text, "sinumerik-840d")) {
+    if (m.end[kZ] >= -5.0 || m.end[kZ] < -15.0) continue;
+    const double c = m.end[kC] / kDegrees * 20.0;
+    most = std::max(most, std::abs(std::hypot(m.end[kZ] + 5.0, c - 20.0 * std::numbers::pi / 2.0 - 10.0) - 10.0));
+  }
+  EXPECT_GT(most, 0.0);
+  EXPECT_LT(most, 2e-3);
+}
+
+TEST(PolarInterpolation, WhatWouldMeanSomethingElseIsRefused) {
+  const std::string head = "%\nO1\nG21 G18 G98 G97 G40\nG00 X50. Z5.\n";
+  for (const std::string blocks :
+       {"G12.1\nG01 X20. F100.\nG13.1\n",                                       // C is anywhere
+        "C30.\nG12.1\nG01 X20. F100.\nG13.1\n",                                 // C counts from 30 degrees
+        "C0.\nG12.1\nM98 P9\nG13.1\n",                                          // what it calls has words of its own
+        "C0.\nG07.1 C20.\nG01 C10. F100.\nG02 Z0. C20. I1. K1.\nG07.1 C0.\n"})  // by the centre
+    EXPECT_TRUE(text::has_error(lathe_translated(head + blocks + "M30\n%\n", "fanuc", "sinumerik-840d").diagnostics))
+        << blocks;
   const std::string ends = "%\nO1\nG21 G17 G90 G94 G40\nG13.1\nG00 X0. Y0. Z5.\nM30\n%\n";
-  const ConvertResult ended = translated(ends, "fanuc", "sinumerik-840d");
-  EXPECT_FALSE(text::has_error(ended.diagnostics)) << said(ended.diagnostics, text::Source("program", ends));
-  const std::string face = "%\nO1\nG21 G17 G90 G94 G40\nG12.1\nG01 X5. F100.\nG13.1\nM30\n%\n";
-  EXPECT_TRUE(translated(face, "fanuc", "mitsubishi-m80").text.contains("G12.1"));
-  EXPECT_TRUE(text::has_error(translated(face, "fanuc", "sinumerik-840d").diagnostics));
+  EXPECT_FALSE(text::has_error(translated(ends, "fanuc", "sinumerik-840d").diagnostics));
   EXPECT_FALSE(
       text::has_error(translated("G17 G71 G90 G94\nTRAFOOF\nG0 X0\nM30\n", "sinumerik-840d", "fanuc").diagnostics));
   EXPECT_TRUE(

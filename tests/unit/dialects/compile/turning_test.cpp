@@ -224,5 +224,86 @@ TEST(Repetitive, AShapeAtTheEndOfTheText) {
   expect_moves(actual, {{'r', 64, 2}, {'r', 20, 2}, {'f', 20, 0}, {'f', 60, -40}, {'r', 64, 2}});
 }
 
+ConvertResult lathe_translated(const std::string& text, const std::string& from, const std::string& to) {
+  ConvertRequest request;
+  request.source = text::Source("program", text);
+  request.from = control(from, ir::MachineKind::lathe);
+  request.to = control(to, ir::MachineKind::lathe);
+  return convert(request);
+}
+
+// The same moves there, to the places that are printed.
+std::string expect_translated(const std::string& text, const std::string& from, const std::string& to) {
+  const ConvertResult made = lathe_translated(text, from, to);
+  EXPECT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+  const auto a = real_moves(run_text(text, control(from, ir::MachineKind::lathe)).motions);
+  const auto b = real_moves(run_text(made.text, control(to, ir::MachineKind::lathe)).motions);
+  EXPECT_EQ(a.size(), b.size()) << made.text;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    EXPECT_EQ(a[i].kind, b[i].kind) << i << made.text;
+    for (const std::size_t axis : {std::size_t{0}, std::size_t{2}})
+      EXPECT_NEAR(a[i].end[axis], b[i].end[axis], 1.1e-3) << i << made.text;
+    EXPECT_NEAR(a[i].feed, b[i].feed, 1e-9) << i << made.text;
+  }
+  return made.text;
+}
+
+const std::string kLatheHead = "%\nO1\nG21 G18 G99 G97 G40\nS500 M03\nG00 X34. Z5.\n";
+
+TEST(LoweredTurning, SinglePassesAsTheirMoves) {
+  const std::string made = expect_translated(
+      kLatheHead +
+          "G92 X29.2 Z-20. F2.\nX28.6\nX28.2 R-0.5\nU-6.2 W-24.\nG00 X40.\nG01 Z0. F0.2\nG00 X34. Z5.\n#1=29.\n"
+          "WHILE[#1 GT 27.]DO1\nG92 X#1 Z-20. F2.\n#1=#1-0.5\nEND1\nG00 X50.\nG90 X30. Z-10. F0.3\nX28.\n"
+          "G94 X20. Z2. R-1.\nG00 X100. Z50.\nM30\n%\n",
+      "fanuc", "sinumerik-840d");
+  EXPECT_NE(made.find("G33 Z-20. K2."), std::string::npos) << made;
+  EXPECT_NE(made.find("G0 X=R1"), std::string::npos) << made;
+}
+
+TEST(LoweredTurning, RepetitiveCyclesAsTheirMoves) {
+  expect_translated(kLatheHead +
+                        "G76 P021060 Q100 R0.05\nG76 X27.6 Z-20. P1200 Q400 F2.\nG01 X50. F0.2\n"
+                        "G76 X27.6 Z-20. K1.2 D400 A60 F1.5\nG00 X40. Z2.\nG74 R1.\nG74 X32. Z-10. P2000 Q5000 F0.1\n"
+                        "G75 R0.5\nG75 X20. Z-1. P3000 Q1500 F0.1\nG00 X100. Z50.\nM30\n%\n",
+                    "fanuc", "sinumerik-840d");
+}
+
+TEST(LoweredTurning, ThreadsOfCallsAsTheirMoves) {
+  const std::string text =
+      "G18 G90 G95 G71 DIAMON\nS500 M3\nG0 X50 Z10\nG1 X45 "
+      "F0.3\nCYCLE97(2,,0,-30,20,20,3,2,1.23,0.05,30,0,5,2,3,1,1)\nX44\n"
+      "CYCLE97(1.5,,0,-30,20,24,3,2,0.9,0.05,0,0,4,1,2,2,1)\nDIAMOF\nCYCLE97(1.5,,0,-30,20,20,3,2,0.9,,,,2,,1)\n"
+      "G0 X50\nM30\n";
+  for (const std::string to : {"fanuc", "mazak", "mitsubishi-m80"}) {
+    const std::string made = expect_translated(text, "sinumerik-840d", to);
+    EXPECT_EQ(made.find("K2."), std::string::npos) << made;  // F is the lead there
+  }
+}
+
+TEST(LoweredTurning, WhatIsNotKnownIsRefused) {
+  const std::string head = "%\nO1\nG21 G18 G99 G97 G40\n";
+  for (const std::string blocks :
+       {"G92 X29. Z-20. F2.\nM30\n",                                                    // begins anywhere
+        "G00 X34. Z5.\nT0202\nG92 X29. Z-20. F2.\nM30\n",                               // with another offset
+        "G00 X#5 Z5.\nG92 X29. Z-20. F2.\nM30\n",                                       // at a computed place
+        "G00 X34. Z5.\nG76 P021060 Q100 R0.05\nG76 X#1 Z-20. P1200 Q400 F2.\nM30\n",    // how many passes
+        "G00 X34. Z5.\nIF[#1EQ1.]GOTO5\nG92 X29. Z-20. F2.\nN5 X28.\nG00 X50.\nM30\n",  // a pass, or a move
+        "G00 X34. Z5.\nG92 X29. Z-20.\nG00 X50.\nM30\n"})                               // no lead
+    EXPECT_TRUE(text::has_error(lathe_translated(head + blocks + "%\n", "fanuc", "sinumerik-840d").diagnostics))
+        << blocks;
+  EXPECT_TRUE(text::has_error(
+      lathe_translated("G18 G90 G95 G71 DIAMON\nG0 X50 Z10\nCYCLE97(R1,,0,-30,20,20,3,2,1.23,0,0,0,5)\nM30\n",
+                       "sinumerik-840d", "fanuc")
+          .diagnostics));
+}
+
+// The angle of a G76 in one block is no axis of the machine.
+TEST(Repetitive, AnAngleIsNoAxis) {
+  const std::vector<Move> actual = cut("G00 X34. Z4.\nG76 X27.6 Z-20. K1.2 D400 A29 F2.\n");
+  ASSERT_GT(actual.size(), 1U);
+  EXPECT_NEAR(actual[1].z, 4.0 - 0.4 * std::tan(14.5 * 3.14159265358979323846 / 180.0), 1e-9);
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test

@@ -1,0 +1,398 @@
+// Forward dataflow over the edges of the program; where two ways meet, what they agree on is kept. Whatever is not
+// plainly a move to a number makes the place unknown.
+#include "dialects/compile/lathe_flow.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+
+#include "dialects/interpreter/repetitive.h"
+#include "dialects/passes/flow_graph.h"
+
+namespace dripfeed::compile {
+
+namespace {
+
+using ir::Address;
+using ir::Function;
+using ir::ModalGroup;
+using ir::StatementKind;
+
+constexpr std::int16_t kFirstWithoutShape = 4;  // of repetitive_cycle: G74
+constexpr std::int16_t kThreadCycle = 6;        // G76
+constexpr double kCountedFeedsPerUnit = 100.0;  // F20 is 0.2 mm per turn
+
+bool is_move(Function f) {
+  return f == Function::rapid || f == Function::linear || f == Function::arc_cw || f == Function::arc_ccw ||
+         f == Function::thread;
+}
+
+// Statements that neither move nor change a mode.
+bool keeps_place(StatementKind kind) {
+  using enum StatementKind;
+  switch (kind) {
+    case empty:
+    case assign:
+    case go_to:
+    case if_begin:
+    case else_begin:
+    case if_end:
+    case while_begin:
+    case while_end:
+    case repeat_begin:
+    case repeat_end:
+    case for_begin:
+    case for_end:
+    case loop_begin:
+    case loop_end:
+    case define:
+    case declaration:
+    case procedure:
+    case message:
+    case alarm:
+    case output: return true;
+    case block:
+    case call:
+    case subprogram_return:
+    case return_to:
+    case modal_call:
+    case modal_call_end:
+    case program_end:
+    case native:
+    case repeat_section:
+    case execute_text: return false;
+  }
+  return false;
+}
+
+// The place has other numbers behind these, or is only known to the machine.
+bool loses_place(const ir::Code& c) {
+  return c.group == ModalGroup::frame || c.group == ModalGroup::work_offset || c.group == ModalGroup::unit ||
+         c.group == ModalGroup::diameter || c.group == ModalGroup::cycle || c.function == Function::not_modelled ||
+         c.function == Function::machine_coordinates || c.function == Function::transformation ||
+         (c.group == ModalGroup::non_modal && c.function != Function::dwell &&
+          c.function != Function::exact_stop_once && c.function != Function::repetitive_cycle &&
+          c.function != Function::data_input);
+}
+
+ThreadData data_of(const interpreter::Repetitive& r) {
+  return {r.finishes, r.angle_deg, r.run_out_leads, r.least_cut_mm, r.allowance_mm, r.first_cut_mm};
+}
+void set_data(const ThreadData& data, interpreter::Repetitive& r) {
+  r.finishes = data.finishes;
+  r.angle_deg = data.angle_deg;
+  r.run_out_leads = data.run_out_leads;
+  r.least_cut_mm = data.least_cut_mm;
+  r.allowance_mm = data.allowance_mm;
+  r.first_cut_mm = data.first_cut_mm;
+}
+
+// A program that only others call: they have left something in effect.
+bool is_subprogram(const ir::Program& program, const passes::StatementRange& range) {
+  bool returns = false;
+  for (std::uint32_t i = range.first; i < range.last; ++i) {
+    if (program.statements[i].kind == StatementKind::program_end) return false;
+    returns |= program.statements[i].kind == StatementKind::subprogram_return;
+  }
+  return returns;
+}
+
+class NoSink final : public ir::MotionSink {
+ public:
+  void consume(std::span<const ir::Motion>) override {}
+};
+
+}  // namespace
+
+bool has_own_words(const ir::Program& program, const ir::Block& block) {
+  return std::ranges::any_of(program.codes_of(block), [](const ir::Code& c) {
+    return (c.group == ModalGroup::non_modal && c.function != Function::exact_stop_once) ||
+           c.group == ModalGroup::frame || c.function == Function::not_modelled;
+  });
+}
+
+std::optional<Address> turning_axis(Address address, const ir::Control& control) {
+  if (address == Address::x || address == Address::z) return address;
+  if (!control.semantics.incremental_letters_uvw) return std::nullopt;
+  if (address == Address::u) return Address::x;
+  if (address == Address::w) return Address::z;
+  return std::nullopt;
+}
+
+bool LatheState::meet(const LatheState& o) {
+  const std::array less = {x.meet(o.x),
+                           z.meet(o.z),
+                           c.meet(o.c),
+                           feed.meet(o.feed),
+                           motion.meet(o.motion),
+                           cycle.meet(o.cycle),
+                           has_x.meet(o.has_x),
+                           has_z.meet(o.has_z),
+                           end_x.meet(o.end_x),
+                           end_z.meet(o.end_z),
+                           taper.meet(o.taper),
+                           thread.meet(o.thread),
+                           retract_mm.meet(o.retract_mm)};
+  return std::ranges::find(less, true) != less.end();
+}
+
+LatheFlow::LatheFlow(const ir::Program& program, const ir::Control& control)
+    : program_(program),
+      control_(control),
+      rules_(control),
+      modes_(program, control),
+      before_(program.statements.size() + 1) {
+  passes::FlowGraph graph(program);
+  std::deque<std::uint32_t> work;
+  const std::vector<std::uint32_t> entries = graph.entries();
+  for (const std::uint32_t entry : entries) {
+    const bool starts = entry == entries.front() && !is_subprogram(program, passes::section_of(program, entry));
+    before_[entry] = starts ? start() : LatheState();
+    work.push_back(entry);
+  }
+  while (!work.empty()) {
+    const std::uint32_t i = work.front();
+    work.pop_front();
+    if (i >= program.statements.size()) continue;
+    const LatheState out = after(i, *before_[i]);
+    for (const std::uint32_t next : graph.after(i)) {
+      const bool is_new = !before_[next].has_value();
+      if (is_new) before_[next] = out;
+      if (is_new || before_[next]->meet(out)) work.push_back(next);
+    }
+  }
+}
+
+LatheState LatheFlow::start() const {
+  LatheState state;
+  state.motion.value = control_.semantics.power_on_motion;
+  state.cycle.value = LatheState::kNone;
+  state.feed.value = 0.0;
+  const interpreter::ModalState woken = interpreter::initial_state(control_);
+  state.thread.value = data_of(woken.repetitive);
+  state.retract_mm.value = woken.repetitive.peck_retract_mm;
+  return state;
+}
+
+const LatheState* LatheFlow::before(std::uint32_t statement) const {
+  return before_[statement].has_value() ? &*before_[statement] : nullptr;
+}
+
+std::optional<Function> LatheFlow::mode(passes::Mode mode, std::uint32_t statement) const {
+  const ir::Statement& s = program_.statements[statement];
+  if (s.kind == StatementKind::block)
+    for (const ir::Code& c : program_.codes_of(program_.blocks[s.payload]))
+      if (passes::mode_of(c) == mode) return c.function;
+  const passes::ModeFacts* facts = modes_.before(statement);
+  if (facts == nullptr) return std::nullopt;
+  const passes::ModeFact& fact = (*facts)[passes::index_of(mode)];
+  return fact.agrees() ? std::optional(fact.function) : std::nullopt;
+}
+
+std::optional<double> LatheFlow::number(const ir::Word& word, std::uint32_t statement) const {
+  if (word.value == ir::ExpressionId::none) return std::nullopt;
+  const ir::Expression& e = program_.at(word.value);
+  if (e.op != ir::Operator::constant) return std::nullopt;
+  if (e.has_point || control_.semantics.decimal_mode != ir::DecimalMode::least_increment || e.value == 0.0)
+    return e.value;
+  const std::optional<Function> unit = mode(passes::Mode::unit, statement);
+  if (!unit) return std::nullopt;
+  const double per_mm = std::nearbyint(1.0 / control_.semantics.least_increment_mm);
+  return e.value / (*unit == Function::unit_inch ? per_mm * 10.0 : per_mm);
+}
+
+std::optional<double> LatheFlow::feed_of(const ir::Word& word, std::uint32_t statement) const {
+  if (word.value == ir::ExpressionId::none) return std::nullopt;
+  const ir::Expression& e = program_.at(word.value);
+  if (e.op != ir::Operator::constant) return std::nullopt;
+  if (e.has_point || control_.semantics.decimal_mode != ir::DecimalMode::least_increment) return e.value;
+  const std::optional<Function> feed = mode(passes::Mode::feed, statement);
+  const std::optional<Function> unit = mode(passes::Mode::unit, statement);
+  if (!feed || !unit) return std::nullopt;
+  double value = e.value;
+  if (*feed == Function::feed_per_rev) value /= kCountedFeedsPerUnit;
+  if (*unit == Function::unit_inch) value /= kCountedFeedsPerUnit;
+  return value;
+}
+
+std::optional<bool> LatheFlow::is_increment(const ir::Word& word, std::uint32_t statement) const {
+  if (word.mode != ir::WordMode::as_modal) return word.mode == ir::WordMode::incremental;
+  if (control_.semantics.incremental_letters_uvw)
+    return word.address == Address::u || word.address == Address::w || is_increment_of_c(word);
+  const std::optional<Function> distance = mode(passes::Mode::distance, statement);
+  if (!distance) return std::nullopt;
+  return *distance == Function::incremental;
+}
+
+// H of a lathe whose increments have letters.
+bool LatheFlow::is_increment_of_c(const ir::Word& word) const {
+  return word.address == Address::h && control_.semantics.incremental_letters_uvw && control_.axes.contains('C');
+}
+
+LatheState LatheFlow::after(std::uint32_t statement, LatheState state) const {
+  const ir::Statement& s = program_.statements[statement];
+  if (s.kind == StatementKind::block) {
+    const ir::Block& block = program_.blocks[s.payload];
+    take_codes(block, statement, state);
+    return state;
+  }
+  if (keeps_place(s.kind)) return state;
+  // Standard cycles leave the modes as they were.
+  const bool standard =
+      s.kind == StatementKind::call && program_.strings.at(program_.calls[s.payload].name).starts_with("CYCLE");
+  LatheState out;
+  if (standard) out = state;
+  for (Known<double>* place : {&out.x, &out.z, &out.c}) place->value.reset();
+  return out;
+}
+
+void LatheFlow::take_codes(const ir::Block& block, std::uint32_t statement, LatheState& state) const {
+  const auto codes = program_.codes_of(block);
+  const auto words = program_.words_of(block);
+  const auto forget_place = [&state] {
+    for (Known<double>* place : {&state.x, &state.z, &state.c}) place->value.reset();
+  };
+  for (const ir::Code& c : codes) {
+    if (c.number != ir::ExpressionId::none && c.letter == 'G') {
+      state = {};
+      return;
+    }
+    if (loses_place(c)) forget_place();
+    if (c.group == ModalGroup::unit) state = {};
+    if (c.group == ModalGroup::feed) state.feed.value.reset();
+    if (c.group != ModalGroup::motion) continue;
+    const bool turns = c.function == Function::turning_cycle;
+    state.cycle.value = turns ? c.argument : LatheState::kNone;
+    if (turns) {
+      state.has_x.value = state.has_z.value = false;
+      state.end_x.value = state.end_z.value = state.taper.value = 0.0;
+      continue;
+    }
+    is_move(c.function) ? void(state.motion.value = c.function) : state.motion.value.reset();
+    if (!is_move(c.function)) forget_place();
+  }
+  const bool own_words = has_own_words(program_, block);
+  for (const ir::Word& w : words) {
+    // Another offset: the place has another number.
+    if (w.address == Address::t || (w.address == Address::d && !own_words)) forget_place();
+    if (w.address == Address::f && !own_words) state.feed.value = feed_of(w, statement);
+  }
+  const auto repeats = std::ranges::find(codes, Function::repetitive_cycle, &ir::Code::function);
+  if (repeats != codes.end()) {
+    for (const ir::Word& w : words)
+      if (w.address == Address::f) state.feed.value = feed_of(w, statement);
+    // Back where they began.
+    const std::optional<Repeated> done = repeat(statement, state);
+    state.thread = done ? done->thread : Known<ThreadData>();
+    state.retract_mm = done ? done->retract_mm : Known<double>();
+    return;
+  }
+  if (own_words) return;
+  if (!state.cycle.value) {
+    if (std::ranges::any_of(words, [&](const ir::Word& w) { return turning_axis(w.address, control_).has_value(); }))
+      forget_place();
+    return;
+  }
+  *state.cycle.value == LatheState::kNone ? take_moves(block, statement, state)
+                                          : take_cycle_words(block, statement, state);
+}
+
+void LatheFlow::take_moves(const ir::Block& block, std::uint32_t statement, LatheState& state) const {
+  for (const ir::Word& w : program_.words_of(block)) {
+    if (w.address == Address::direct_angle || w.address == Address::polar_radius || w.address == Address::polar_angle ||
+        w.address == Address::named_axis) {
+      for (Known<double>* place : {&state.x, &state.z, &state.c}) place->value.reset();
+      return;
+    }
+    const bool turns = w.address == Address::c || is_increment_of_c(w);
+    const std::optional<Address> axis = turning_axis(w.address, control_);
+    if (!axis && !turns) continue;
+    Known<double>& place = turns ? state.c : *axis == Address::x ? state.x : state.z;
+    std::optional<double> value = number(w, statement);
+    if (turns && value && *value != 0.0 && !program_.at(w.value).has_point) value.reset();  // another increment counts
+    const std::optional<bool> increment = is_increment(w, statement);
+    if (!value || !increment || (*increment && !place.value))
+      place.value.reset();
+    else
+      place.value = *increment ? *place.value + *value : *value;
+  }
+}
+
+std::optional<LatheFlow::Repeated> LatheFlow::repeat(std::uint32_t statement, const LatheState& state) const {
+  const ir::Block& block = program_.blocks[program_.statements[statement].payload];
+  const auto codes = program_.codes_of(block);
+  const auto code = std::ranges::find(codes, Function::repetitive_cycle, &ir::Code::function);
+  const std::optional<Function> unit = mode(passes::Mode::unit, statement);
+  const std::optional<Function> distance = mode(passes::Mode::distance, statement);
+  const bool by_letter = control_.semantics.incremental_letters_uvw;
+  if (code == codes.end() || code->argument < kFirstWithoutShape || !unit || (!distance && !by_letter))
+    return std::nullopt;
+  interpreter::PlainBlock plain;
+  for (const ir::Word& w : program_.words_of(block)) {
+    if (w.value == ir::ExpressionId::none || w.address == Address::n) continue;
+    const ir::Expression& e = program_.at(w.value);
+    if (e.op != ir::Operator::constant) return std::nullopt;
+    plain.set(w.address, e.value);
+    if (!e.has_point && (rules_.counting & interpreter::bit_of(w.address)) != 0)
+      plain.in_increments |= interpreter::bit_of(w.address);
+  }
+  // A first block sets all of it, or only a part.
+  const bool thread = code->argument == kThreadCycle;
+  const bool moves = std::ranges::any_of(
+      program_.words_of(block), [&](const ir::Word& w) { return turning_axis(w.address, control_).has_value(); });
+  const bool sets_all =
+      thread ? plain.has(Address::p) && plain.has(Address::q) && plain.has(Address::r) : plain.has(Address::r);
+  const bool known = thread ? state.thread.value.has_value() : state.retract_mm.value.has_value();
+  if (!known && (moves || !sets_all)) return std::nullopt;
+  interpreter::ModalState modal = interpreter::initial_state(control_);
+  const bool inch = *unit == Function::unit_inch;
+  const double mm = inch ? 25.4 : 1.0;
+  modal.modes.inch = modal.modes.inch_feed = inch;
+  modal.modes.absolute = by_letter || *distance == Function::absolute;
+  if (state.thread.value) set_data(*state.thread.value, modal.repetitive);
+  if (state.retract_mm.value) modal.repetitive.peck_retract_mm = *state.retract_mm.value;
+  modal.feed_unknown = !state.feed.value;
+  modal.feed = state.feed.value.value_or(0.0) * mm;
+  if (state.x.value && state.z.value) {
+    modal.unknown = 0;
+    modal.position[0] = *state.x.value * mm;
+    modal.position[2] = *state.z.value * mm;
+  }
+  NoSink nobody;
+  interpreter::MotionBuffer buffer(nobody);
+  Repeated out;
+  out.inch = inch;
+  buffer.capture(&out.motions);
+  interpreter::BlockResult result;
+  interpreter::repetitive_block(plain, rules_, code->argument, modal, buffer, result);
+  out.thread = state.thread;
+  out.retract_mm = state.retract_mm;
+  if (thread) out.thread.value = data_of(modal.repetitive);
+  if (!thread) out.retract_mm.value = modal.repetitive.peck_retract_mm;
+  out.fails = result.fault != text::DiagnosticId::count_;
+  if ((result.notes & interpreter::kNoteLevelUnknown) != 0) return std::nullopt;
+  return out;
+}
+
+// They end where they began.
+void LatheFlow::take_cycle_words(const ir::Block& block, std::uint32_t statement, LatheState& state) const {
+  const Address old_taper = state.cycle.is(2) ? Address::k : Address::i;
+  for (const ir::Word& w : program_.words_of(block)) {
+    if (w.address == Address::r || w.address == old_taper) state.taper.value = number(w, statement);
+    const std::optional<Address> axis = turning_axis(w.address, control_);
+    if (!axis) continue;
+    const bool is_x = *axis == Address::x;
+    const std::optional<double> value = number(w, statement);
+    const std::optional<bool> increment = is_increment(w, statement);
+    const Known<double>& place = is_x ? state.x : state.z;
+    Known<double>& end = is_x ? state.end_x : state.end_z;
+    (is_x ? state.has_x : state.has_z).value = true;
+    if (!value || !increment || (*increment && !place.value))
+      end.value.reset();
+    else
+      end.value = *increment ? *place.value + *value : *value;
+  }
+}
+
+}  // namespace dripfeed::compile
