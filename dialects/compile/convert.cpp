@@ -14,9 +14,11 @@
 #include "dialects/compile/target_axes.h"
 #include "dialects/passes/absolute_centers.h"
 #include "dialects/passes/arc_words.h"
+#include "dialects/passes/labels.h"
 #include "dialects/passes/machine_functions.h"
 #include "dialects/passes/rigid_taps.h"
 #include "dialects/passes/settle_modes.h"
+#include "dialects/passes/structures.h"
 
 namespace dripfeed::compile {
 
@@ -79,6 +81,15 @@ std::vector<text::Diagnostic> unmatched_structures(const ir::Program& program, c
   }
   return out;
 }
+
+// Controls with numbered variables jump to the value of one, and know no names and no parts to repeat.
+bool jumps_to_values(const ir::Control& control) {
+  return std::ranges::any_of(control.variables,
+                             [](const ir::VariableRange& range) { return range.bank == ir::Bank::hash; });
+}
+bool repeats_a_part(const ir::Statement& s) { return s.kind == ir::StatementKind::repeat_section; }
+
+constexpr std::uint32_t kHighestBlockNumber = 9999;  // that all of them take
 
 class Converter {
  public:
@@ -145,8 +156,22 @@ class Converter {
     result_.origin_lines = std::move(printed.origin_lines);
   }
 
+  // Flow that only one of the two can say, before anything is asked of the ways through the program. Texts of several
+  // programs are parted first and have theirs lowered one by one.
+  void lower_flow(ir::Program& program) {
+    if (&from_ == &to_ || program.sections.size() > 1) return;
+    if (!jumps_to_values(request_.to)) {
+      append(result_.diagnostics, passes::lower_computed_jumps(program).diagnostics);
+    } else if (std::ranges::any_of(program.statements, repeats_a_part)) {
+      program.sections.clear();
+      passes::FreeNumbers numbers(program, kHighestBlockNumber);
+      append(result_.diagnostics, passes::lower_repeated_parts(program, numbers).diagnostics);
+    }
+  }
+
   // What the other control would take otherwise, if it were only printed.
   void settle(ir::Program& program) {
+    lower_flow(program);
     append(result_.diagnostics, passes::settle_modes(program, request_.from, request_.to));
     append(result_.diagnostics, passes::settle_arcs(program, request_.from, request_.to));
     append(result_.diagnostics, passes::settle_centers(program, request_.from, request_.to));

@@ -42,8 +42,12 @@ void move_by(Mover& mover, Function motion, const Target& target, BlockResult& r
 
 void move(const PlainBlock& block, const BlockRules& rules, const MoveOptions& options, ModalState& state,
           MotionBuffer& out, BlockResult& result) {
-  if (has_polar_words(block))
-    return move(with_coordinates_only(block, rules, state), rules, options, state, out, result);
+  if (has_polar_words(block)) {
+    PlainBlock plain = with_coordinates_only(block, rules, state);
+    const Function motion = options.motion != Function::none ? options.motion : state.modes.motion;
+    if (motion == Function::arc_cw || motion == Function::arc_ccw) plain = with_center_at_pole(plain, rules, state);
+    return move(plain, rules, options, state, out, result);
+  }
   if (is_direct_line(block, state)) [[unlikely]]
     return move_direct(block, rules, options, state, out, result);
   const Target target = find_any_target(block, rules, state, options.machine_coordinates);

@@ -31,6 +31,20 @@ void take_words(const PlainBlock& block, const BlockRules& rules, ModalState& st
   }
 }
 
+// A coordinate in radius geometry, mm, as the program would write it.
+double written_value(const BlockRules& rules, const ModalState& state, std::size_t axis, double coordinate_mm) {
+  double value = axis == 0 && rules.x_is_diameter ? coordinate_mm * 2.0 : coordinate_mm;
+  if (axis == 0) value /= rules.x_factor(state.modes, false);
+  return state.modes.inch ? value / 25.4 : value;
+}
+
+void put_absolute(PlainBlock& made, Address letter, double value) {
+  made.set(letter, value);
+  made.absolute |= bit_of(letter);
+  made.incremental &= ~bit_of(letter);
+  made.in_increments &= ~bit_of(letter);
+}
+
 // The plane's two coordinates of radius and angle, or none where these are not known.
 void put_coordinates(PlainBlock& made, const BlockRules& rules, const ModalState& state, bool unknown) {
   const PlaneAxes axes = axes_of(state.modes.plane);
@@ -45,12 +59,7 @@ void put_coordinates(PlainBlock& made, const BlockRules& rules, const ModalState
       made.unknown |= bit_of(letter);
       continue;
     }
-    double value = axis == 0 && rules.x_is_diameter ? at[i] * 2.0 : at[i];
-    if (axis == 0) value /= rules.x_factor(state.modes, false);
-    made.set(letter, state.modes.inch ? value / 25.4 : value);
-    made.absolute |= bit_of(letter);
-    made.incremental &= ~bit_of(letter);
-    made.in_increments &= ~bit_of(letter);
+    put_absolute(made, letter, written_value(rules, state, axis, at[i]));
   }
 }
 
@@ -69,6 +78,19 @@ PlainBlock with_coordinates(const PlainBlock& block, const BlockRules& rules, Mo
   PlainBlock made = block;
   take_words(block, rules, state);
   put_coordinates(made, rules, state, (block.unknown & kPolarWords) != 0);
+  return made;
+}
+
+// PG, "Circular interpolation with polar coordinates": the pole is the centre, RP the radius.
+PlainBlock with_center_at_pole(const PlainBlock& block, const BlockRules& rules, const ModalState& state) {
+  constexpr std::array kCenters = {Address::i, Address::j, Address::k};
+  constexpr std::uint64_t kArcWords = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k) |
+                                      bit_of(Address::arc_radius) | bit_of(Address::opening_angle);
+  if (((block.present | block.unknown) & kArcWords) != 0) return block;
+  PlainBlock made = block;
+  const PlaneAxes axes = axes_of(state.modes.plane);
+  for (const std::size_t axis : {axes.p, axes.q})
+    put_absolute(made, kCenters[axis], written_value(rules, state, axis, state.polar.pole[axis]));
   return made;
 }
 

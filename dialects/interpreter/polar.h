@@ -12,6 +12,8 @@ namespace dripfeed::interpreter {
 bool has_polar_words(const PlainBlock& block);
 // The same block with the plane's two coordinates in place of AP and RP. Angle and radius stay for the blocks to come.
 PlainBlock with_coordinates(const PlainBlock& block, const BlockRules& rules, ModalState& state);
+// The same arc around the pole, when it names neither centre nor radius nor opening angle.
+PlainBlock with_center_at_pole(const PlainBlock& block, const BlockRules& rules, const ModalState& state);
 // Under G16: the same block with coordinates in place of a radius and an angle in the plane's two letters. A radius by
 // an increment counts from where the tool stands, an angle by an increment from the last one.
 PlainBlock with_coordinates_of_letters(const PlainBlock& block, const BlockRules& rules, ModalState& state);

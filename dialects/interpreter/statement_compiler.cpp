@@ -42,28 +42,18 @@ void StatementCompiler::compile() {
   const std::uint32_t first = whole ? 0 : program.sections[builder_.out().section].first;
   const std::uint32_t last = whole ? count : program.sections[builder_.out().section].last;
   builder_.reserve();
-  find_sections();
+  repeated_ = ir::repeated_parts(program);
   std::vector<StatementCode> code(count);
   for (std::uint32_t i = first; i < last; ++i) {
     code[i].begin = builder_.here();
     compile_statement(i);
-    for (const Section& section : sections_)
-      if (section.last == i) flow_.compile_section_end(section.repeat, section.id);
+    for (std::uint32_t id = 0; id < repeated_.size(); ++id)
+      if (repeated_[id].last == i) flow_.compile_section_end(repeated_[id].repeat, id);
     code[i].end = builder_.here();
   }
   end_block();
   builder_.emit(Opcode::text_end, {});
   flow_.settle(code, first, last);
-}
-
-// A block's first statement holds its tokens. Programs that were built have none: there each statement is a block, but
-// for those that follow on the same line of the same block.
-bool StatementCompiler::begins_block(std::uint32_t index) const {
-  const ir::Program& program = builder_.source();
-  const ir::Statement& statement = program.statements[index];
-  if (program.tokens.empty()) return true;
-  return statement.tokens.first != statement.tokens.last || index == 0 ||
-         program.statements[index - 1].line != statement.line;
 }
 
 // Structures have no skip: a control refuses it, and half of one would be another program.
@@ -74,7 +64,7 @@ bool StatementCompiler::is_left_out(const ir::Statement& statement) const {
 void StatementCompiler::compile_statement(std::uint32_t index) {
   const ir::Statement& statement = builder_.source().statements[index];
   if (statement.kind == StatementKind::empty || is_left_out(statement)) return;
-  if (begins_block(index) || block_instruction_ == ir::kNoIndex) begin_block(statement);
+  if (ir::begins_block(builder_.source(), index) || block_instruction_ == ir::kNoIndex) begin_block(statement);
   const CodeBuilder::Mark mark = builder_.mark();
   if (!flow_.compile(index)) {
     const auto row = std::ranges::find(kRows, statement.kind, &Row::kind);
@@ -100,64 +90,12 @@ void StatementCompiler::end_block() {
   block_instruction_ = ir::kNoIndex;
 }
 
-// The parts of the program that REPEAT runs again. A label is looked for above first, then below.
-void StatementCompiler::find_sections() {
-  const ir::Program& program = builder_.source();
-  for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
-    const ir::Statement& statement = program.statements[i];
-    if (statement.kind != StatementKind::repeat_section) continue;
-    const ir::Repeat& repeat = program.repeats[statement.payload];
-    Section section{.repeat = i, .id = static_cast<std::uint32_t>(sections_.size())};
-    section.first = find_label(i, repeat.first, repeat.first_number);
-    if (repeat.one_block)
-      section.last = section.first == ir::kNoIndex ? ir::kNoIndex : last_of_block(section.first);
-    else if (repeat.last != ir::StringId::none || repeat.last_number != ir::kNoIndex)
-      section.last = find_label(i, repeat.last, repeat.last_number);
-    else if (section.first != ir::kNoIndex)
-      section.last = find_end_label(section.first, i);
-    section.is_open = repeat.last == ir::StringId::none && repeat.last_number == ir::kNoIndex && !repeat.one_block;
-    if (section.last != ir::kNoIndex) section.last = last_of_block(section.last);
-    sections_.push_back(section);
-  }
-}
-
-std::uint32_t StatementCompiler::find_label(std::uint32_t from, ir::StringId name, std::uint32_t number) const {
-  std::uint32_t below = ir::kNoIndex;
-  std::uint32_t above = ir::kNoIndex;
-  for (const ir::Label& label : builder_.source().labels) {
-    if (name != ir::StringId::none ? label.name != name : label.name != ir::StringId::none || label.number != number)
-      continue;
-    if (label.statement <= from)
-      above = label.statement;
-    else if (below == ir::kNoIndex)
-      below = label.statement;
-  }
-  return above != ir::kNoIndex ? above : below;
-}
-
-// ENDLABEL: behind the first label, and above the REPEAT when that stands below the label.
-std::uint32_t StatementCompiler::find_end_label(std::uint32_t first, std::uint32_t repeat) const {
-  const ir::StringId name = builder_.source().strings.find("ENDLABEL");
-  if (name == ir::StringId::none) return ir::kNoIndex;
-  for (const ir::Label& label : builder_.source().labels)
-    if (label.name == name && label.statement > first && (first > repeat || label.statement < repeat))
-      return label.statement;
-  return ir::kNoIndex;
-}
-
-std::uint32_t StatementCompiler::last_of_block(std::uint32_t first) const {
-  std::uint32_t last = first;
-  while (last + 1 < builder_.source().statements.size() && !begins_block(last + 1)) ++last;
-  return last;
-}
-
 void StatementCompiler::compile_repeat(const ir::Statement& statement) {
   const auto index = static_cast<std::uint32_t>(&statement - builder_.source().statements.data());
-  const auto section = std::ranges::find(sections_, index, &Section::repeat);
+  const auto part = std::ranges::find(repeated_, index, &ir::RepeatedPart::repeat);
   const ir::Repeat& repeat = builder_.source().repeats[statement.payload];
-  const bool has_end = section->is_open || section->last != ir::kNoIndex;
-  if (section->first == ir::kNoIndex || !has_end) {
-    const bool first = section->first == ir::kNoIndex;
+  if (!part->is_found()) {
+    const bool first = part->first == ir::kNoIndex;
     const ir::StringId name = first ? repeat.first : repeat.last;
     builder_.emit_failure(
         statement.span, text::DiagnosticId::jump_target_missing,
@@ -167,7 +105,8 @@ void StatementCompiler::compile_repeat(const ir::Statement& statement) {
   }
   const Operand times = repeat.times == ir::ExpressionId::none ? builder_.constant(1.0)
                                                                : expressions_.compile_number(repeat.times).operand;
-  flow_.compile_section_begin(section->first, times, section->id, statement.span);
+  const auto id = static_cast<std::uint32_t>(part - repeated_.begin());
+  flow_.compile_section_begin(part->first, times, id, statement.span);
 }
 
 void StatementCompiler::compile_text(const ir::Statement& statement) {

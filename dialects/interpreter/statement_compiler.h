@@ -7,6 +7,7 @@
 #include "dialects/interpreter/block_compiler.h"
 #include "dialects/interpreter/call_compiler.h"
 #include "dialects/interpreter/flow_compiler.h"
+#include "dialects/ir/repeated_part.h"
 
 namespace dripfeed::interpreter {
 
@@ -44,19 +45,6 @@ class StatementCompiler {
   void compile_text(const ir::Statement& statement);
   void compile_nothing(const ir::Statement& statement);
 
-  // Statements of a part that is repeated, and where its REPEAT stands.
-  struct Section {
-    std::uint32_t repeat = 0;
-    std::uint32_t id = 0;
-    std::uint32_t first = ir::kNoIndex;
-    std::uint32_t last = ir::kNoIndex;  // none: to the REPEAT itself
-    bool is_open = false;               // no last label is named
-  };
-  void find_sections();
-  [[nodiscard]] std::uint32_t find_label(std::uint32_t from, ir::StringId name, std::uint32_t number) const;
-  [[nodiscard]] std::uint32_t find_end_label(std::uint32_t first, std::uint32_t repeat) const;
-  [[nodiscard]] std::uint32_t last_of_block(std::uint32_t first) const;
-  [[nodiscard]] bool begins_block(std::uint32_t index) const;
   void begin_block(const ir::Statement& statement);
   // Puts down the work of the block that was compiled.
   void end_block();
@@ -67,7 +55,7 @@ class StatementCompiler {
   FlowCompiler flow_;
   CallCompiler calls_;
   std::uint32_t block_instruction_ = ir::kNoIndex;
-  std::vector<Section> sections_;
+  std::vector<ir::RepeatedPart> repeated_;  // their place here is their number
 };
 
 }  // namespace dripfeed::interpreter

@@ -39,12 +39,18 @@ bool is_l_number(std::string_view name) {
   return name.size() > 1 && name.front() == 'L' && name.find_first_not_of("0123456789", 1) == std::string_view::npos;
 }
 
+bool has_numbered_variables(const ir::Control& control) {
+  return std::ranges::any_of(control.variables,
+                             [](const ir::VariableRange& range) { return range.bank == ir::Bank::hash; });
+}
+
 class StatementRaiser {
  public:
   StatementRaiser(ir::Program& program, const ir::Control& from, const ir::Control& to,
                   std::vector<text::Diagnostic>& diagnostics)
       : program_(program),
         same_dialect_(from.dialect == to.dialect),
+        from_numbers_(has_numbered_variables(from)),
         out_(program),
         blocks_(program, from, to, out_, diagnostics) {}
 
@@ -68,7 +74,7 @@ class StatementRaiser {
       case StatementKind::native: return native(s);
       case StatementKind::return_to: return return_to_caller(s);
       case StatementKind::modal_call: return call(s);
-      case StatementKind::repeat_section: return blocks_.cannot(s, "a section that is repeated");
+      case StatementKind::repeat_section: return blocks_.cannot(s, "a part that is repeated from another loop");
       case StatementKind::execute_text: return blocks_.cannot(s, "a text that is executed as a block");
       case StatementKind::go_to: return jump(s);
       case StatementKind::program_end: return end(s);
@@ -99,7 +105,8 @@ class StatementRaiser {
     const bool unbound = jump.label != ir::StringId::none;
     if (unbound && jump.tolerant) return;  // no such label: the program goes on
     if (jump.restart) return blocks_.cannot(s, "a jump to the start of the program");
-    if (jump.computed != ExpressionId::none && !same_dialect_) return blocks_.cannot(s, "a calculated jump");
+    // The value of a variable is a block number for all that have numbered variables; of others it is a text.
+    if (jump.computed != ExpressionId::none && !from_numbers_) return blocks_.cannot(s, "a calculated jump");
     out_.keep();
   }
 
@@ -108,7 +115,7 @@ class StatementRaiser {
     const ir::Jump& jump = program_.jumps[s.payload];
     if (jump.label != ir::StringId::none) return blocks_.cannot(s, "a return to a label of the caller");
     if (jump.levels != 1) return blocks_.cannot(s, "a return over several levels");
-    if (jump.computed != ExpressionId::none && !same_dialect_)
+    if (jump.computed != ExpressionId::none && !from_numbers_)
       return blocks_.cannot(s, "a return to a calculated block");
     out_.keep();
   }
@@ -187,6 +194,7 @@ class StatementRaiser {
 
   ir::Program& program_;
   bool same_dialect_;
+  bool from_numbers_;
   passes::Rewrite out_;
   BlockRaiser blocks_;
 };
@@ -259,8 +267,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   if (from.dialect != to.dialect) append(result.diagnostics, raise_drilling(p, from, to));
   if (from.dialect != to.dialect) append(result.diagnostics, raise_frames(p, to));
   if (from.dialect != to.dialect) append(result.diagnostics, refuse_global_data(p, to));
-  const bool by_number =
-      std::ranges::any_of(from.variables, [](const ir::VariableRange& range) { return range.bank == ir::Bank::hash; });
+  const bool by_number = has_numbered_variables(from);
   passes::AllocationRules rules;
   if (from.dialect != to.dialect && !by_number) {
     if (is_l_number(p.name)) p.name = fmt::format("O{:0>4}", p.name.substr(1));
@@ -271,6 +278,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
     append(result.diagnostics, std::move(parameters.diagnostics));
   }
   passes::FreeNumbers numbers(p, grammar.highest_block_number);
+  append(result.diagnostics, passes::lower_repeated_parts(p, numbers).diagnostics);
   append(result.diagnostics, passes::number_labels(p, numbers));
   append(result.diagnostics, passes::lower_counted_loops(p, numbers).diagnostics);
   append(result.diagnostics, flatten_expressions(p, from, to, grammar, numbers));

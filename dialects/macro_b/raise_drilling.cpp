@@ -20,6 +20,7 @@
 
 #include "dialects/ir/cycle.h"
 #include "dialects/macro_b/called_hole.h"
+#include "dialects/passes/flow_graph.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/rigid_taps.h"
 
@@ -40,7 +41,13 @@ bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Add
 class Drilling {
  public:
   Drilling(ir::Program& program, const ir::Control& from, const ir::Control& to)
-      : program_(program), to_(to), out_(program), plane_(from.semantics.power_on_plane) {
+      : program_(program),
+        to_(to),
+        out_(program),
+        is_target_(program.statements.size(), false),
+        plane_(from.semantics.power_on_plane) {
+    for (std::uint32_t i = 0; i < program.statements.size(); ++i)
+      if (program.statements[i].kind == StatementKind::go_to) note_targets(i);
     incremental_ = from.semantics.power_on_distance == Function::incremental;
     turning_.feed_mode = from.semantics.power_on_feed;
   }
@@ -51,8 +58,7 @@ class Drilling {
       out_.at(i);
       index_ = i;
       statement_ = program_.statements[i];
-      if (statement_.is_label ||
-          (statement_.kind >= StatementKind::if_begin && statement_.kind <= StatementKind::loop_end))
+      if (is_target_[i] || (statement_.kind >= StatementKind::if_begin && statement_.kind <= StatementKind::loop_end))
         forget();
       statement();
     }
@@ -61,6 +67,16 @@ class Drilling {
   }
 
  private:
+  // Numbers that nobody jumps to are only numbers; a computed jump may lead to any.
+  void note_targets(std::uint32_t jump) {
+    if (program_.jumps[program_.statements[jump].payload].computed != ExpressionId::none) {
+      for (const ir::Label& label : program_.labels) is_target_[label.statement] = true;
+      return;
+    }
+    const std::uint32_t target = passes::target_of(program_, jump);
+    if (target != ir::kNoIndex) is_target_[target] = true;
+  }
+
   void statement() {
     if (statement_.kind == StatementKind::modal_call) return begin();
     if (statement_.kind == StatementKind::modal_call_end) return end();
@@ -173,7 +189,7 @@ class Drilling {
     for (std::uint32_t i = index_ + 1; i < program_.statements.size(); ++i) {
       const ir::Statement& s = program_.statements[i];
       if (s.kind == StatementKind::modal_call || s.kind == StatementKind::modal_call_end) return false;
-      if (s.is_label || s.kind == StatementKind::go_to) return true;
+      if (is_target_[i] || s.kind == StatementKind::go_to) return true;
     }
     return false;
   }
@@ -427,6 +443,7 @@ class Drilling {
   ir::Program& program_;
   const ir::Control& to_;
   passes::Rewrite out_;
+  std::vector<bool> is_target_;  // of a jump
   std::vector<text::Diagnostic> diagnostics_;
   ir::Statement statement_;
   std::uint32_t index_ = 0;

@@ -65,19 +65,30 @@ bool names_blocks(const ir::Program& program, const ir::Call& call) {
 FlowGraph::FlowGraph(const ir::Program& program) : program_(program) {}
 
 std::vector<std::uint32_t> FlowGraph::entries() const {
-  std::vector<std::uint32_t> found = {0};
-  for (const ir::Section& section : program_.sections)
-    if (section.first != 0) found.push_back(section.first);
   const bool open = std::ranges::any_of(program_.statements, [this](const ir::Statement& s) {
     if (s.kind == StatementKind::repeat_section || s.kind == StatementKind::execute_text) return true;
     // CYCLE95("BEGIN:END") runs the blocks between its labels.
     if (s.kind == StatementKind::call) return names_blocks(program_, program_.calls[s.payload]);
-    if (s.kind == StatementKind::native) return jumps_anywhere(program_.strings.at(program_.natives[s.payload].name));
-    return s.kind == StatementKind::go_to && program_.jumps[s.payload].computed != ir::ExpressionId::none;
+    return s.kind == StatementKind::native && jumps_anywhere(program_.strings.at(program_.natives[s.payload].name));
   });
-  if (open)
+  return entries_of(open || jumps_to_computed());
+}
+
+std::vector<std::uint32_t> FlowGraph::entries_for_good() const { return entries_of(jumps_to_computed()); }
+
+std::vector<std::uint32_t> FlowGraph::entries_of(bool with_labels) const {
+  std::vector<std::uint32_t> found = {0};
+  for (const ir::Section& section : program_.sections)
+    if (section.first != 0) found.push_back(section.first);
+  if (with_labels)
     for (const ir::Label& label : program_.labels) found.push_back(label.statement);
   return found;
+}
+
+bool FlowGraph::jumps_to_computed() const {
+  return std::ranges::any_of(program_.statements, [this](const ir::Statement& s) {
+    return s.kind == StatementKind::go_to && program_.jumps[s.payload].computed != ir::ExpressionId::none;
+  });
 }
 
 // 1 true, 0 false, -1 not known before it runs

@@ -33,8 +33,13 @@ class FlowGraph {
   [[nodiscard]] const std::vector<std::uint32_t>& after(std::uint32_t statement);
   // Where runs begin: the first statement of each program, and every label when something may jump anywhere.
   [[nodiscard]] std::vector<std::uint32_t> entries() const;
+  // The same without parts that are run and come back (REPEAT, contours between labels): from here a run goes on until
+  // the program ends.
+  [[nodiscard]] std::vector<std::uint32_t> entries_for_good() const;
 
  private:
+  [[nodiscard]] std::vector<std::uint32_t> entries_of(bool with_labels) const;
+  [[nodiscard]] bool jumps_to_computed() const;
   [[nodiscard]] int constant_condition(ir::ExpressionId condition) const;
   [[nodiscard]] std::uint32_t partner_of(const ir::Statement& s) const;
   void opener(std::uint32_t i, int enter);

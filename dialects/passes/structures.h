@@ -1,5 +1,5 @@
 // Structures that a control lacks, said with those that it has. Each pass leaves a program that does the same. They are
-// to run in the order of this file; jumps are to be numbered before (number_labels).
+// to run in the order of this file; jumps are to be numbered before all but the first two (number_labels).
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,14 @@ struct StructureReport {
   std::uint32_t changed = 0;                  // structures rewritten
   std::vector<text::Diagnostic> diagnostics;  // cannot_translate; missing_end and end_without_begin are the reader's
 };
+
+// REPEAT of a part of the program becomes jumps and a counter. To run before labels are numbered. A part that lies in
+// another loop than its REPEAT, or that would run itself, stays: a control without REPEAT refuses it.
+StructureReport lower_repeated_parts(ir::Program& program, FreeNumbers& numbers);
+
+// GOTO#1 becomes comparisons with the block numbers of the program, and an alarm when none is it. Programs of more than
+// 200 numbers keep it.
+StructureReport lower_computed_jumps(ir::Program& program);
 
 // FOR becomes an assignment and WHILE; REPEAT ... UNTIL becomes an endless loop left by a jump.
 StructureReport lower_counted_loops(ir::Program& program, FreeNumbers& numbers);

@@ -75,27 +75,26 @@ void raise_alarm(const Raising& raising, const ir::Statement& s) {
 // M99 alone is M17.
 void raise_return(const Raising& raising, std::uint32_t i) { raising.program.statements[i].payload = ir::kNoIndex; }
 
-// Statements that this control has nothing for; what writes to a device is lost without harm to the part.
-struct ForeignRow {
-  StatementKind kind;
-  std::string_view what;
-  bool harmless;
-};
-constexpr ForeignRow kForeign[] = {
-    {StatementKind::return_to, "a return to another block of the caller", false},
-    {StatementKind::output, "output to a device", true},
-};
+// M99 P100 is RET("N100").
+void raise_return_to(const Raising& raising, const ir::Statement& s) {
+  ir::Program& program = raising.program;
+  ir::Jump& jump = program.jumps[s.payload];
+  if (raising.is_own()) return;
+  if (jump.number == ir::kNoIndex) return raising.cannot("a return to a computed block of the caller", s.span);
+  ir::Expression target;
+  target.op = ir::Operator::string;
+  target.string = program.strings.add("N" + std::to_string(jump.number));
+  jump.computed = program.add(target);
+  jump.number = ir::kNoIndex;
+}
 
-void refuse_foreign(const Raising& raising, std::uint32_t i) {
+// Output to a device is lost without harm to the part.
+void leave_out_output(const Raising& raising, std::uint32_t i) {
   ir::Statement& s = raising.program.statements[i];
-  for (const ForeignRow& row : kForeign) {
-    if (row.kind != s.kind) continue;
-    raising.cannot(std::string(row.what), s.span);
-    if (row.harmless) raising.diagnostics.back().severity = text::Severity::warning;
-    s.kind = StatementKind::empty;
-    s.payload = ir::kNoIndex;
-    return;
-  }
+  raising.cannot("output to a device", s.span);
+  raising.diagnostics.back().severity = text::Severity::warning;
+  s.kind = StatementKind::empty;
+  s.payload = ir::kNoIndex;
 }
 
 }  // namespace
@@ -108,10 +107,11 @@ void raise_flow(const Raising& raising) {
     if (s.kind == StatementKind::go_to) raise_jump(raising, i);
     if (s.kind == StatementKind::call || s.kind == StatementKind::modal_call) raise_call(raising, s, locals);
     if (s.kind == StatementKind::alarm) raise_alarm(raising, s);
+    if (s.kind == StatementKind::return_to) raise_return_to(raising, s);
     if (s.kind == StatementKind::subprogram_return) raise_return(raising, i);
     // Printed as its own word, not as what was written for it.
     if (s.kind == StatementKind::modal_call_end) program.statements[i].span = {};
-    refuse_foreign(raising, i);
+    if (s.kind == StatementKind::output) leave_out_output(raising, i);
     if (s.kind == StatementKind::repeat_section || s.kind == StatementKind::execute_text)
       raising.cannot("this block", s.span);
     if (s.kind == StatementKind::native) {

@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "dialects/ir/repeated_part.h"
 #include "dialects/passes/flow_graph.h"
 #include "dialects/sinumerik/validate.h"
 
@@ -20,34 +21,55 @@ std::string name_of_target(const ir::Program& program, const ir::Jump& jump) {
 
 class Reachability {
  public:
-  explicit Reachability(const Check& check)
-      : check_(check), statements_(check.program.statements), reached_(statements_.size() + 1, false) {}
+  explicit Reachability(const Check& check) : check_(check), statements_(check.program.statements) {}
 
   void run() {
-    passes::FlowGraph graph(check_.program);
-    std::vector<std::uint32_t> work = graph.entries();
-    while (!work.empty()) {
-      const std::uint32_t i = work.back();
-      work.pop_back();
-      if (reached_[i]) continue;
-      reached_[i] = true;
-      const std::vector<std::uint32_t>& after = graph.after(i);
-      work.insert(work.end(), after.begin(), after.end());
+    std::vector<bool> reached(statements_.size() + 1, false);
+    flood(graph_.entries(), ir::kNoIndex, reached);
+    report(reached);
+    if (runs_off_the_end()) {
+      const auto end = static_cast<std::uint32_t>(check_.program.source.text().size());
+      check_.report(DiagnosticId::missing_program_end, {end, end});
     }
-    report();
   }
 
  private:
+  // Marks what comes after those statements; nothing comes after `last`.
+  void flood(std::vector<std::uint32_t> work, std::uint32_t last, std::vector<bool>& reached) {
+    while (!work.empty()) {
+      const std::uint32_t i = work.back();
+      work.pop_back();
+      if (reached[i]) continue;
+      reached[i] = true;
+      if (i == last) continue;
+      const std::vector<std::uint32_t>& after = graph_.after(i);
+      work.insert(work.end(), after.begin(), after.end());
+    }
+  }
+
+  // A part that REPEAT runs may be the text's last: behind its last block the run goes back.
+  bool runs_off_the_end() {
+    std::vector<bool> reached(statements_.size() + 1, false);
+    flood(graph_.entries_for_good(), ir::kNoIndex, reached);
+    if (reached.back()) return true;
+    return std::ranges::any_of(ir::repeated_parts(check_.program), [this](const ir::RepeatedPart& part) {
+      if (!part.is_found() || (part.last == ir::kNoIndex && part.first > part.repeat)) return false;
+      std::vector<bool> in_part(statements_.size() + 1, false);
+      flood({part.first}, part.last == ir::kNoIndex ? part.repeat : part.last, in_part);
+      return static_cast<bool>(in_part.back());
+    });
+  }
+
   // One warning for each stretch that is not reached; closers of structures and empty lines are no blocks to miss.
-  void report() const {
+  void report(const std::vector<bool>& reached) const {
     bool in_stretch = false;
     for (std::uint32_t i = 0; i < statements_.size(); ++i) {
       const StatementKind kind = statements_[i].kind;
       const bool closer = kind == StatementKind::if_end || kind == StatementKind::while_end ||
                           kind == StatementKind::for_end || kind == StatementKind::loop_end ||
                           kind == StatementKind::repeat_end || kind == StatementKind::else_begin;
-      if (reached_[i]) in_stretch = false;
-      if (reached_[i] || in_stretch || closer || kind == StatementKind::empty || kind == StatementKind::declaration ||
+      if (reached[i]) in_stretch = false;
+      if (reached[i] || in_stretch || closer || kind == StatementKind::empty || kind == StatementKind::declaration ||
           kind == StatementKind::define)
         continue;
       // A second end after the first ("M30" after "M17") is habit, not a mistake.
@@ -55,15 +77,11 @@ class Reachability {
       in_stretch = true;
       check_.report(DiagnosticId::unreachable, statements_[i].span);
     }
-    if (reached_[statements_.size()]) {
-      const auto end = static_cast<std::uint32_t>(check_.program.source.text().size());
-      check_.report(DiagnosticId::missing_program_end, {end, end});
-    }
   }
 
   const Check& check_;
   const std::vector<ir::Statement>& statements_;
-  std::vector<bool> reached_;  // one more for the end of the text
+  passes::FlowGraph graph_{check_.program};
 };
 
 }  // namespace

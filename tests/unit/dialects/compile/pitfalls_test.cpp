@@ -85,7 +85,7 @@ const std::vector<Pitfall>& pitfalls() {
       {"12 arguments", kF, kS, kMacro, kMillF, "G65 P9010 A1. I2. J3. I4.\n", {"arguments of the second"}, {}, true},
       {"13 sequence number", kZ, kM, kMacro, kMillF, "M98 P1000 Q20 L2\n", {"M98 P1000 H20 L2"}, {"Q20"}},
       {"13 packed count", kF, kM, kMacro, kMillF, "M98 P51002\n", {"M98 P1002 L5"}, {"P51002"}},
-      {"14 repeats", kS, kF, kMacro, kMillS, "LA: G0 X1\nLB: G0 X2\nREPEAT LA LB P=2\n", {"repeated"}, {}, true},
+      {"14 repeats", kS, kF, kMacro, kMillS, "LA: G0 X1\nLB: G0 X2\nREPEAT LA LB P=2\n", {"#100=2\n"}, {}},
       {"14 repeats", kS, kF, kMacro, kMillS, "L100 P3\n", {"M98 P100 L3"}, {}},
       {"14 repeats", kF, kS, kMacro, kMillF, "M98 P0100 L3\n", {"L0100 P=3"}, {"L3"}},
       {"15 arc center", kS, kF, kMacro, kMillS, "G0 X4 Y0\nG2 X20 Y0 I=AC(12) J0 F100\n", {"I8. J0."}, {"I12."}},

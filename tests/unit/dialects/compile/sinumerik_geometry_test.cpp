@@ -55,6 +55,24 @@ TEST(SinumerikGeometry, PolarPositions) {
             "4 linear X10.0000 Y20.0000 Z0.0000 F100.0000/min\n6 linear X13.0000 Y20.0000 Z0.0000 F100.0000/min\n");
 }
 
+// PG, "Circular interpolation with polar coordinates": the pole is the centre.
+TEST(SinumerikGeometry, ArcsRoundThePole) {
+  const Result ran = run("G17 G90 G0 X30 Y10 Z0\nG111 X10 Y10\nG3 AP=90 RP=20 F100\nG2 AP=IC(-90) RP=20\nM30\n");
+  EXPECT_EQ(moves(ran),
+            "1 rapid X30.0000 Y10.0000 Z0.0000\n"
+            "3 arc-ccw X10.0000 Y30.0000 Z0.0000 G17 I-20.0000 J0.0000 K0.0000 F100.0000/min\n"
+            "4 arc-cw X30.0000 Y10.0000 Z0.0000 G17 I0.0000 J-20.0000 K0.0000 F100.0000/min\n");
+  // Turned by a frame: the pole turns along.
+  const Result turned = run("G17 G90 G0 X0 Y0 Z0\nROT Z90\nG0 X20 Y0\nG111 X0 Y0\nG3 AP=90 RP=20 F100\nM30\n");
+  EXPECT_TRUE(turned.trace.contains("5 arc-ccw X-20.0000 Y0.0000 Z0.0000 G17 I0.0000 J-20.0000")) << turned.trace;
+  // A centre, a radius or an angle of its own goes first.
+  const Result own = run("G17 G90 G0 X30 Y10 Z0\nG111 X10 Y10\nG3 AP=90 RP=20 CR=20 F100\nM30\n");
+  EXPECT_TRUE(own.trace.contains("I-20.0000 J0.0000")) << own.trace;
+  // Not on the circle round the pole: 14040.
+  const Result off = run("G17 G90 G0 X35 Y10 Z0\nG111 X10 Y10\nG3 AP=90 RP=20 F100\nM30\n");
+  EXPECT_FALSE(off.trace.contains("arc")) << off.trace;
+}
+
 TEST(SinumerikGeometry, ArcThroughAPoint) {
   // Three points of the circle about (0, 0) with radius 10; the point in between says which way round.
   const Result ran = run("G17 G90 G0 X10 Y0 Z0\nCIP X-10 Y0 I1=0 J1=10 F100\nCIP X10 Y0 I1=0 J1=10\nM30\n");

@@ -1,0 +1,142 @@
+// Flow that one control says in its own way: RET over several programs, parts that are repeated, jumps to computed
+// numbers, returns to a block of the caller. Oracle: the places that the programs name.
+#include <gtest/gtest.h>
+
+#include "tests/unit/dialects/compile/sinumerik_run.h"
+
+namespace dripfeed::compile::test {
+namespace {
+
+std::vector<double> places(const Result& played) {
+  std::vector<double> out;
+  for (const ir::Motion& m : moves_of(played.motions)) out.push_back(m.end[0]);
+  return out;
+}
+
+const Texts kPrograms = {{"SUB1", "PROC SUB1\nSUB2\nG0 X5\nM17\n"}};
+
+Texts with(std::string end) {
+  Texts programs = kPrograms;
+  programs["SUB2"] = "PROC SUB2\nG0 X3\n" + end + "\n";
+  return programs;
+}
+
+const std::string kMain = "G17 G71 G90 G94\nG0 X0 Y0 Z0\nSUB1\nG0 X9\nLATER: G0 X11\nM30\n";
+
+TEST(ReturnLevels, OneIsTheCaller) {
+  EXPECT_EQ(places(run(kMain, with("RET"))), (std::vector<double>{0, 3, 5, 9, 11}));
+  EXPECT_EQ(places(run(kMain, with("RET(,,1)"))), (std::vector<double>{0, 3, 5, 9, 11}));
+}
+
+TEST(ReturnLevels, TwoIsTheCallersCaller) {
+  const Result played = run(kMain, with("RET(,,2)"));
+  EXPECT_EQ(places(played), (std::vector<double>{0, 3, 9, 11}));
+  EXPECT_TRUE(played.result.not_interpreted.empty());
+}
+
+TEST(ReturnLevels, ToALabelThere) {
+  EXPECT_EQ(places(run(kMain, with("RET(\"LATER\",,2)"))), (std::vector<double>{0, 3, 11}));
+}
+
+// What else RET can do is told, and the program is left.
+TEST(ReturnLevels, OtherFormsAreTold) {
+  const Result played = run(kMain, with("RET(\"LATER\",1,1)"));
+  EXPECT_TRUE(played.names("RET"));
+  EXPECT_EQ(places(played), (std::vector<double>{0, 3, 5, 9, 11}));
+}
+
+std::vector<double> places(const std::vector<ir::Motion>& motions) {
+  std::vector<double> out;
+  for (const ir::Motion& m : moves_of(motions)) out.push_back(m.end[0]);
+  return out;
+}
+
+// Translates as a macro, runs it there, and gives the places and the text.
+std::pair<std::vector<double>, std::string> places_there(const std::string& text, const std::string& from,
+                                                         const std::string& to) {
+  const ConvertResult made = translated(text, from, to);
+  EXPECT_FALSE(text::has_error(made.diagnostics)) << to << "\n" << said(made.diagnostics, text::Source("p", text));
+  if (made.text.empty()) return {};
+  return {places(run_text(made.text, control(to, ir::MachineKind::mill)).motions), made.text};
+}
+
+const std::string kOwn = "sinumerik-840d";
+const std::string kOwnStart = "G17 G710 G90 G94 G40 F100\nG0 X0 Y0 Z0\n";
+
+void expect_places_everywhere(const std::string& text, const std::vector<double>& expected) {
+  EXPECT_EQ(places(run_text(text, control(kOwn, ir::MachineKind::mill)).motions), expected);
+  for (const std::string to : {"fanuc", "mazak", "mitsubishi-m80"}) {
+    const auto [there, written] = places_there(text, kOwn, to);
+    EXPECT_EQ(there, expected) << written;
+  }
+}
+
+// A part below the end of the program is run by its REPEAT only.
+TEST(RepeatedParts, BehindTheEnd) {
+  expect_places_everywhere(
+      kOwnStart + "REPEAT LAB1 LAB2 P=2\nG0 X9\nREPEAT LAB1 LAB2\nM30\nLAB1: G0 X=IC(1)\nLAB2: G0 X=IC(2)\n",
+      {0, 1, 3, 4, 6, 9, 10, 12});
+}
+
+// Run through once, then again as often as P says.
+TEST(RepeatedParts, UpToTheirOwnRepeat) {
+  expect_places_everywhere(kOwnStart + "LAB1: G0 X=IC(1)\nG0 X=IC(2)\nREPEAT LAB1 P=2\nG0 X20\nM30\n",
+                           {0, 1, 3, 4, 6, 7, 9, 20});
+  // In a loop each arrival counts anew.
+  expect_places_everywhere(kOwnStart + "R1=0\nWHILE R1<2\nLAB1: G0 X=IC(1)\nREPEAT LAB1 P=R1\nR1=R1+1\nENDWHILE\nM30\n",
+                           {0, 1, 2, 3});
+}
+
+TEST(RepeatedParts, OneBlockAndANumberOfTimesThatIsComputed) {
+  expect_places_everywhere(kOwnStart + "R1=3\nREPEATB LAB1 P=R1\nREPEATB LAB1 P=R1-3\nG0 X9\nM30\nLAB1: G0 X=IC(1)\n",
+                           {0, 1, 2, 3, 9});
+}
+
+// The inner part is counted for itself.
+TEST(RepeatedParts, OneInAnother) {
+  expect_places_everywhere(kOwnStart +
+                               "REPEAT LAB1 LAB2 P=2\nM30\n"
+                               "LAB1: G0 X=IC(1)\nREPEAT LAB3 LAB4 P=2\nLAB2: G0 X=IC(10)\nM30\n"
+                               "LAB3: G0 X=IC(2)\nLAB4: G0 X=IC(3)\nM30\n",
+                           {0, 1, 3, 6, 8, 11, 21, 22, 24, 27, 29, 32, 42});
+}
+
+// No control jumps into a loop.
+TEST(RepeatedParts, OfAnotherLoopAreRefused) {
+  const std::string text = kOwnStart +
+                           "R1=0\nWHILE R1<1\nLAB1: G0 X=IC(1)\nLAB2: G0 X=IC(1)\nR1=R1+1\nENDWHILE\n"
+                           "REPEAT LAB1 LAB2\nM30\n";
+  EXPECT_TRUE(said(translated(text, kOwn, "fanuc").diagnostics, text::Source("p", text)).contains("from another loop"));
+}
+
+const std::string kStart = "O1\nG17 G21 G90 G94 G40 G80\nG0 X0. Y0. Z0.\n";
+
+TEST(ComputedJumps, AmongControlsWithNumberedVariables) {
+  const std::string text = kStart + "#1=20\nGOTO#1\nN10 G0 X1.\nGOTO 30\nN20 G0 X2.\nGOTO[#1-10]\nN30 G0 X3.\nM30\n";
+  for (const std::string to : {"mazak", "mitsubishi-m80"})
+    EXPECT_EQ(places_there(text, "fanuc", to).first, (std::vector<double>{0, 2, 1, 3})) << to;
+}
+
+TEST(ComputedJumps, AreComparedWithEachNumberElsewhere) {
+  const std::string text = kStart + "#1=20\nGOTO#1\nN10 G0 X1.\nGOTO 30\nN20 G0 X2.\nGOTO[#1-10]\nN30 G0 X3.\nM30\n";
+  const auto [there, written] = places_there(text, "fanuc", kOwn);
+  EXPECT_EQ(there, (std::vector<double>{0, 2, 1, 3})) << written;
+  // What no block has stops the program, as it does there.
+  const std::string lost = kStart + "#1=25\nGOTO#1\nN10 G0 X1.\nN20 G0 X2.\nM30\n";
+  const ConvertResult made = translated(lost, "fanuc", kOwn);
+  EXPECT_TRUE(made.text.contains("SETAL(65128")) << made.text;
+}
+
+TEST(ReturnsToABlock, OfTheCallerInTheSameText) {
+  const std::string text = kStart + "M98 P200\nG0 X1.\nN30 G0 X2.\nM30\nO200\nG17 G21 G90 G94 G0 X5.\nM99 P30\n";
+  const ConvertResult made = translated(text, "fanuc", kOwn);
+  EXPECT_TRUE(made.text.contains("RET(\"N30\")")) << said(made.diagnostics, text::Source("p", text)) << made.text;
+  const ir::Control there = control(kOwn, ir::MachineKind::mill);
+  const text::Source source("program", made.text);
+  Motions motions;
+  static_cast<void>(execute(find_dialect(kOwn)->read(source, there).program, there, nullptr, motions, {}));
+  EXPECT_EQ(places(motions.all), (std::vector<double>{0, 5, 2})) << made.text;
+}
+
+}  // namespace
+}  // namespace dripfeed::compile::test
