@@ -16,6 +16,7 @@
 #include "dialects/passes/arc_words.h"
 #include "dialects/passes/labels.h"
 #include "dialects/passes/machine_functions.h"
+#include "dialects/passes/polar_positions.h"
 #include "dialects/passes/rigid_taps.h"
 #include "dialects/passes/settle_modes.h"
 #include "dialects/passes/structures.h"
@@ -122,9 +123,10 @@ class Converter {
     }
     append(result_.diagnostics, passes::foreign_machine_functions(read.program, request_.from, request_.to));
     if (request_.mode == ConvertMode::macro) {
-      settle(read.program);
       // One program is the whole text, however many statements it gets.
       if (read.program.sections.size() == 1) read.program.sections.clear();
+      if (read.program.sections.empty()) lower(read.program);
+      settle(read.program);
       if (read.program.sections.size() > 1) {
         several(read.program);
       } else {
@@ -156,14 +158,13 @@ class Converter {
     result_.origin_lines = std::move(printed.origin_lines);
   }
 
-  // Flow that only one of the two can say, before anything is asked of the ways through the program. Texts of several
-  // programs are parted first and have theirs lowered one by one.
-  void lower_flow(ir::Program& program) {
-    if (&from_ == &to_ || program.sections.size() > 1) return;
+  // What only one of the two can say, before anything is asked of the ways through the program.
+  void lower(ir::Program& program) {
+    if (&from_ == &to_) return;
+    append(result_.diagnostics, passes::lower_polar_positions(program, request_.from, request_.to));
     if (!jumps_to_values(request_.to)) {
       append(result_.diagnostics, passes::lower_computed_jumps(program).diagnostics);
     } else if (std::ranges::any_of(program.statements, repeats_a_part)) {
-      program.sections.clear();
       passes::FreeNumbers numbers(program, kHighestBlockNumber);
       append(result_.diagnostics, passes::lower_repeated_parts(program, numbers).diagnostics);
     }
@@ -171,7 +172,6 @@ class Converter {
 
   // What the other control would take otherwise, if it were only printed.
   void settle(ir::Program& program) {
-    lower_flow(program);
     append(result_.diagnostics, passes::settle_modes(program, request_.from, request_.to));
     append(result_.diagnostics, passes::settle_arcs(program, request_.from, request_.to));
     append(result_.diagnostics, passes::settle_centers(program, request_.from, request_.to));
@@ -181,7 +181,8 @@ class Converter {
     append(result_.diagnostics, foreign_axis_words(text, request_.from, request_.to));
     JoinedPrograms joined(text, request_.to);
     for (const ir::Section& section : text.sections) {
-      const ir::Program program = program_of(text, section);
+      ir::Program program = program_of(text, section);
+      lower(program);
       ir::RaiseResult raised = to_.raise(program, request_.from, request_.to);
       append(result_.diagnostics, std::move(raised.diagnostics));
       raised.program.name = joined.name_there(program);

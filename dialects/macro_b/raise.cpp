@@ -278,7 +278,6 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
     append(result.diagnostics, std::move(parameters.diagnostics));
   }
   passes::FreeNumbers numbers(p, grammar.highest_block_number);
-  append(result.diagnostics, passes::lower_repeated_parts(p, numbers).diagnostics);
   append(result.diagnostics, passes::number_labels(p, numbers));
   append(result.diagnostics, passes::lower_counted_loops(p, numbers).diagnostics);
   append(result.diagnostics, flatten_expressions(p, from, to, grammar, numbers));

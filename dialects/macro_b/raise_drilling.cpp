@@ -44,10 +44,8 @@ class Drilling {
       : program_(program),
         to_(to),
         out_(program),
-        is_target_(program.statements.size(), false),
+        is_target_(passes::jump_targets(program)),
         plane_(from.semantics.power_on_plane) {
-    for (std::uint32_t i = 0; i < program.statements.size(); ++i)
-      if (program.statements[i].kind == StatementKind::go_to) note_targets(i);
     incremental_ = from.semantics.power_on_distance == Function::incremental;
     turning_.feed_mode = from.semantics.power_on_feed;
   }
@@ -67,16 +65,6 @@ class Drilling {
   }
 
  private:
-  // Numbers that nobody jumps to are only numbers; a computed jump may lead to any.
-  void note_targets(std::uint32_t jump) {
-    if (program_.jumps[program_.statements[jump].payload].computed != ExpressionId::none) {
-      for (const ir::Label& label : program_.labels) is_target_[label.statement] = true;
-      return;
-    }
-    const std::uint32_t target = passes::target_of(program_, jump);
-    if (target != ir::kNoIndex) is_target_[target] = true;
-  }
-
   void statement() {
     if (statement_.kind == StatementKind::modal_call) return begin();
     if (statement_.kind == StatementKind::modal_call_end) return end();

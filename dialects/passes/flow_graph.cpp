@@ -45,6 +45,18 @@ std::uint32_t target_of(const ir::Program& program, std::uint32_t jump_statement
   return from_top == behind ? ir::kNoIndex : from_top->statement;
 }
 
+std::vector<bool> jump_targets(const ir::Program& program) {
+  std::vector<bool> found(program.statements.size(), false);
+  for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
+    if (program.statements[i].kind != StatementKind::go_to) continue;
+    if (program.jumps[program.statements[i].payload].computed != ir::ExpressionId::none)
+      for (const ir::Label& label : program.labels) found[label.statement] = true;
+    const std::uint32_t target = target_of(program, i);
+    if (target != ir::kNoIndex) found[target] = true;
+  }
+  return found;
+}
+
 bool jumps_anywhere(std::string_view native) {
   constexpr std::string_view kNames[] = {"CALL", "SETINT", "SYNTAX ERROR"};
   return std::ranges::find(kNames, native) != std::end(kNames);

@@ -21,6 +21,10 @@ StatementRange section_of(const ir::Program& program, std::uint32_t statement);
 // computed.
 std::uint32_t target_of(const ir::Program& program, std::uint32_t jump_statement);
 
+// For each statement whether a jump leads there; a computed one may lead to any label. Numbers that nobody jumps to are
+// only numbers.
+std::vector<bool> jump_targets(const ir::Program& program);
+
 // Whether a Native of that name may jump to any label or repeat any section.
 bool jumps_anywhere(std::string_view native);
 

@@ -47,14 +47,14 @@ bool returns(const ir::Statement& s) {
   return s.kind == StatementKind::subprogram_return || s.kind == StatementKind::return_to;
 }
 
-// They leave the modes as they were.
-bool is_standard_cycle(const ir::Program& program, const ir::Statement& s) {
-  return program.strings.at(program.calls[s.payload].name).starts_with("CYCLE");
-}
+}  // namespace
 
 bool is_call(StatementKind kind) { return kind == StatementKind::call || kind == StatementKind::modal_call; }
 
-}  // namespace
+bool is_standard_cycle(const ir::Program& program, const ir::Statement& call) {
+  const std::string_view name = program.strings.at(program.calls[call.payload].name);
+  return name.starts_with("CYCLE") || name.starts_with("HOLES");
+}
 
 std::optional<Mode> mode_of(const ir::Code& code) {
   const FunctionRow* row = row_of(code.function);

@@ -24,6 +24,10 @@ std::optional<Mode> mode_of(const ir::Code& code);
 // What the control wakes up in.
 ir::Function power_on(Mode mode, const ir::Semantics& semantics);
 
+bool is_call(ir::StatementKind kind);
+// A call of a cycle of the control: it leaves the modes as they were.
+bool is_standard_cycle(const ir::Program& program, const ir::Statement& call);
+
 struct ModeFact {
   static constexpr std::uint32_t kPowerOn = ir::kNoIndex - 1;  // as an origin
   static constexpr std::uint32_t kCaller = ir::kNoIndex - 2;   // … named beside the program

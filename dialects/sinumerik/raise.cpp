@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "dialects/passes/allocation.h"
-#include "dialects/passes/structures.h"
 #include "dialects/sinumerik/sinumerik.h"
 
 namespace dripfeed::sinumerik {
@@ -86,7 +85,6 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   if (raising.is_own()) {
     check_natives(raising);
   } else {
-    passes::lower_computed_jumps(result.program);  // what is left is told by raise_flow
     raise_rest(raising);
     kept = raise_arguments(raising);
     raise_macro_calls(raising);

@@ -1,4 +1,5 @@
-// Programmable frames between controls: chains of frames there, G52 and frames about a point here.
+// Programmable frames between controls: chains of frames there, G52 and frames about a point here; positions by radius
+// and angle, which both have in forms of their own.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -8,12 +9,14 @@
 namespace dripfeed::compile::test {
 namespace {
 
-std::string expect_same_moves(const std::string& text, const std::string& from, const std::string& to) {
+std::string expect_same_moves(const std::string& text, const std::string& from, const std::string& to,
+                              double tolerance = 1e-6) {
   const ConvertResult result = translated(text, from, to);
   EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, text::Source("program", text));
   if (text::has_error(result.diagnostics)) return {};
   const auto before = moves_of(run_text(text, control(from, ir::MachineKind::mill)).motions);
-  expect_same(before, moves_of(run_text(result.text, control(to, ir::MachineKind::mill)).motions), 1e-6, result.text);
+  expect_same(before, moves_of(run_text(result.text, control(to, ir::MachineKind::mill)).motions), tolerance,
+              result.text);
   return result.text;
 }
 
@@ -108,6 +111,61 @@ TEST(FramesFromSinumerik, WhatHasNoEqualIsAnErrorWithItsPlace) {
   expect_refused(kOwnHead + "ROT X=10\nX1\nTRANS\nM30\n", kTo, "fanuc", "axis on the plane");
   expect_refused("DEF INT I\n" + kOwnHead + "FOR I=0 TO 3\nAROT RPL=10\nX1\nENDFOR\nTRANS\nM30\n", kTo, "fanuc",
                  "not known here");
+}
+
+// --- polar positions
+
+constexpr double kRounded = 1e-4;  // four decimals
+
+TEST(PolarFromSinumerik, BecomeCoordinates) {
+  for (const std::string to : {"fanuc", "mazak", "mitsubishi-m80"}) {
+    const std::string text = expect_same_moves(
+        kOwnHead + "G111 X20 Y10\nG1 AP=0 RP=30\nAP=IC(60)\nR1=15\nRP=R1 AP=R1*2\nX1 Y1\nG91\nRP=5 AP=90\nX1\nM30\n",
+        kTo, to, kRounded);
+    EXPECT_TRUE(text.contains("X50. Y10.")) << text;
+    EXPECT_TRUE(text.contains("COS[#")) << text;
+  }
+}
+
+TEST(PolarFromSinumerik, ArcsRoundThePole) {
+  expect_same_moves(kOwnHead + "G111 X10 Y5\nG0 AP=0 RP=30\nG3 AP=90 RP=30\nG2 AP=IC(-45) RP=30\nM30\n", kTo, "fanuc",
+                    kRounded);
+}
+
+TEST(PolarFromSinumerik, APoleIsWhatItWasWhenItWasSet) {
+  expect_same_moves(kOwnHead + "R1=5\nG111 X=R1 Y1\nR1=99\nG0 AP=0 RP=3\nG112 X1 Y=R1\nAP=0 RP=3\nM30\n", kTo, "fanuc",
+                    kRounded);
+}
+
+// One pole reaches the loop, another is set behind it.
+TEST(PolarFromSinumerik, LoopsKeepTheirPole) {
+  expect_same_moves(
+      "DEF INT I\n" + kOwnHead + "G111 X5 Y5\nFOR I=0 TO 3\nG1 AP=I*90 RP=10\nENDFOR\nG111 X1 Y1\nAP=0 RP=1\nM30\n",
+      kTo, "fanuc", kRounded);
+}
+
+TEST(PolarFromSinumerik, WhatIsNotKnownIsAnErrorWithItsPlace) {
+  expect_refused("DEF INT I\n" + kOwnHead + "G111 X5 Y5\nFOR I=0 TO 3\nG1 AP=I*90 RP=10\nG111 X1 Y1\nENDFOR\nM30\n",
+                 kTo, "fanuc", "program:8:1: error[cannot-translate]: a polar position whose pole is not known here");
+  expect_refused(kOwnHead + "G110 X5 Y5\nG1 AP=10 RP=10\nM30\n", kTo, "fanuc", "counts from the last position");
+  expect_refused(kOwnHead + "G111 X5 Y5\nG1 AP=10 RP=R1\nAP=20\nM30\n", kTo, "fanuc", "radius or angle is not known");
+}
+
+TEST(PolarToSinumerik, BecomeCoordinates) {
+  for (const std::string from : {"fanuc", "mazak", "mitsubishi-m80"}) {
+    const std::string text = expect_same_moves(
+        kHead + "G16\nG00 X50. Y30.\nY90.\nG91 Y30.\nG90 X40. Y0.\nG15\nX1. Y2.\nM30\n", from, kTo, kRounded);
+    EXPECT_TRUE(text.contains("X43.3013 Y25.")) << text;
+  }
+  const std::string holes = kHead + "G00 Z20.\nG16\nG99 G81 X50. Y30. Z-5. R2.\nY90.\nG80 G15\nM30\n";
+  const ConvertResult drilled = translated(holes, "fanuc", kTo);
+  EXPECT_TRUE(drilled.text.contains("MCALL CYCLE81(2,2,,-5)\nG0 X43.3013 Y25.\nG0 X0. Y50.\nMCALL\n")) << drilled.text;
+}
+
+TEST(PolarToSinumerik, WhatIsNotKnownIsAnErrorWithItsPlace) {
+  expect_refused(kHead + "G16\nG91 G00 X5. Y30.\nG15\nG90 X1. Y2.\nM30\n", "fanuc", kTo, "from where the tool stands");
+  expect_refused(kHead + "G16\n#1=0\nWHILE[#1LT3]DO1\nG00 X5. Y[#1*30.]\n#1=#1+1\nEND1\nG15\nM30\n", "fanuc", kTo,
+                 "G16 over a jump");
 }
 
 }  // namespace
