@@ -6,16 +6,21 @@
 //     |--------------------->/
 //   contour begins *________/           the passes are equal, none deeper than MID
 //
-// Finishing goes along the contour once. A contour that is drawn from its other end is taken backwards. What the cycle
-// does beyond this is told: relief cuts (a contour that falls back), an allowance along the contour (FAL), facing from
-// inside, where the direction of the cut is a matter of the control.
+// Behind a height of the contour lie its relief cuts; each is roughed by itself when all that can be reached from in
+// front is done: down its flank by FF2, along the level to the other one, up and off.
+//
+// Finishing goes along the contour once. A contour that is drawn from its other end is taken backwards. Outside the
+// levels go deeper against their axis, inside along it, whether the way is Z or X (PGZ, VARI; from memory). What the
+// cycle does beyond this is told: a relief cut within another one or at the end.
 #include "dialects/interpreter/contour_cut.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "dialects/interpreter/contour_offset.h"
+#include "dialects/interpreter/contour_sections.h"
 #include "dialects/interpreter/move.h"
-#include "dialects/interpreter/shape.h"
 
 namespace dripfeed::interpreter {
 
@@ -32,11 +37,7 @@ constexpr std::uint32_t kAlarmKind = 61'002;   // machining type defined incorre
 constexpr std::uint32_t kAlarmFeed = 61'003;   // no feed programmed in the cycle
 constexpr std::uint32_t kAlarmShape = 61'701;  // error in the contour description
 
-// A segment with the way that its motion turns.
-struct Piece {
-  ShapeSegment segment;
-  bool ccw = false;
-};
+using Piece = ContourPiece;
 
 class ContourCutter {
  public:
@@ -56,14 +57,13 @@ class ContourCutter {
     const bool finishes = cycle_.kind >= 5;
     if ((roughs && cycle_.rough_feed <= 0.0) || (finishes && cycle_.finish_feed <= 0.0)) return {kAlarmFeed, {}};
     if (roughs && cycle_.depth_mm <= 0.0) return {kAlarmKind, {}};
-    if (!along_z_ && !is_outside(cycle_.kind)) return {0, "CYCLE95 that faces from inside (VARI 4, 8, 12)"};
-    if (cycle_.allowance_mm != 0.0) return {0, "CYCLE95 with an allowance along the contour (FAL)"};
     if (state_.modes.has_matrix) return {0, "CYCLE95 under a frame that turns"};
     if (const ContourOutcome fault = build(contour); fault.alarm != 0 || !fault.not_interpreted.empty()) return fault;
     const double before = state_.feed;
     if (roughs) {
       const double total = std::abs(top() - bottom());
       if (total / cycle_.depth_mm > kPassesAtMost) return {kAlarmShape, {}};
+      if (!reliefs_.empty() && cycle_.relief_feed <= 0.0) return {kAlarmFeed, {}};
       state_.feed = cycle_.rough_feed;
       rough(total);
     }
@@ -97,15 +97,13 @@ class ContourCutter {
     if (pieces_.empty()) return {kAlarmShape, {}};
     // Levels rise away from the material; a contour that falls is drawn from its other end.
     const double rise = (pieces_.back().segment.to.level - pieces_.front().segment.from.level) * -side_;
-    if (std::abs(rise) < kSmall) return {kAlarmShape, {}};
-    if (rise < 0.0) reverse();
-    std::vector<ShapeSegment> segments;
-    for (const Piece& p : pieces_) segments.push_back(p.segment);
-    std::uint32_t line = 0;
-    bool in_level = false;
-    if (!is_monotonic(segments, line, in_level))
-      return {0, "CYCLE95 with relief cuts: the contour falls back in line " + std::to_string(line)};
-    shift();
+    if (rise < -kSmall) reverse();
+    if (!shift()) return {0, "CYCLE95 with an allowance along the contour (FAL) that a piece of it is too short for"};
+    ContourSections sections = sections_of(rough_, -side_);
+    if (!sections.not_interpreted.empty()) return {0, std::move(sections.not_interpreted)};
+    if (std::abs(rise) < kSmall && sections.reliefs.empty()) return {kAlarmShape, {}};
+    rough_ = std::move(sections.front);
+    reliefs_ = std::move(sections.reliefs);
     return {};
   }
 
@@ -130,21 +128,28 @@ class ContourCutter {
     }
   }
 
-  // The allowances along the axes lie on the side of the material that is cut.
-  void shift() {
+  // The allowances lie on the side of the tool: FAL beside the contour, those along the axes besides. False when a
+  // piece is too short.
+  bool shift() {
     forward_ = pieces_.back().segment.to.way < pieces_.front().segment.from.way ? -1.0 : 1.0;
     first_ = pieces_.front().segment.from;
+    rough_ = pieces_;
+    if (cycle_.allowance_mm > 0.0) {
+      auto beside = offset_contour(pieces_, cycle_.allowance_mm, {forward_, -side_, along_z_});
+      if (!beside.has_value()) return false;
+      rough_ = std::move(*beside);
+    }
     const double in_way = along_z_ ? cycle_.allowance_z_mm : cycle_.allowance_x_mm;
     const double in_level = along_z_ ? cycle_.allowance_x_mm : cycle_.allowance_z_mm;
     const double dw = -forward_ * std::abs(in_way);
     const double dl = -side_ * std::abs(in_level);
-    rough_ = pieces_;
     for (Piece& p : rough_) {
       for (ShapePoint* at : {&p.segment.from, &p.segment.to, &p.segment.center}) {
         at->way += dw;
         at->level += dl;
       }
     }
+    return true;
   }
 
   // --- roughing
@@ -162,7 +167,60 @@ class ContourCutter {
       const double above = top() + side_ * total * (n - 1.0) / count;
       pass(level, above);
     }
+    for (const Relief& relief : reliefs_) rough(relief);
+    to(MotionKind::rapid, here().way, clear_level());
     to(MotionKind::rapid, first_way(), clear_level());
+  }
+
+  void rough(const Relief& relief) {
+    const double height = relief.begin().level;
+    const double total = std::abs(height - relief.bottom_level());
+    const double count = std::max(1.0, std::ceil(total / cycle_.depth_mm - kSmall));
+    for (double n = 1.0; n <= count; ++n) {
+      const double level = n == count ? relief.bottom_level() : height + side_ * total * n / count;
+      pass(relief, level, height + side_ * total * (n - 1.0) / count);
+    }
+  }
+
+  // What lies over the level above is cut already, and so is the way over the height.
+  void pass(const Relief& relief, double level, double above) {
+    const double over = relief.begin().level - side_ * cycle_.lift_mm;
+    const ShapePoint begin{way_down(relief, above), above};
+    to(MotionKind::rapid, here().way, over);
+    to(MotionKind::rapid, begin.way, over);
+    to(MotionKind::rapid, begin.way, above - side_ * cycle_.lift_mm);
+    const double rough_feed = std::exchange(state_.feed, cycle_.relief_feed);
+    to(MotionKind::linear, begin.way, begin.level);
+    along(relief.down, begin, level, side_);
+    state_.feed = rough_feed;
+    ShapePoint met = relief.up.front().segment.from;
+    for (const Piece& p : relief.up)
+      if ((p.segment.from.level - level) * -side_ <= kSmall) met = {way_at(p.segment, level).value_or(met.way), level};
+    cut_along(met.way, level);
+    along(relief.up, met, above, -side_);
+    const double room = std::abs(here().way - begin.way);
+    to(MotionKind::rapid, here().way - forward_ * std::min(cycle_.lift_mm, room),
+       here().level - side_ * cycle_.lift_mm);
+  }
+
+  // Where the flank that goes down has the level.
+  [[nodiscard]] static double way_down(const Relief& relief, double level) {
+    for (const Piece& p : relief.down)
+      if (const auto way = way_at(p.segment, level)) return *way;
+    return relief.begin().way;
+  }
+
+  // From a point on one of the pieces to where they reach the level, in which `direction` says how levels go there.
+  void along(const std::vector<Piece>& pieces, ShapePoint from, double level, double direction) {
+    for (const Piece& p : pieces) {
+      if ((p.segment.to.level - from.level) * direction <= kSmall) continue;
+      const bool ends = (p.segment.to.level - level) * direction >= -kSmall;
+      const ShapePoint end =
+          ends ? ShapePoint{way_at(p.segment, level).value_or(p.segment.to.way), level} : p.segment.to;
+      follow(p, from, end);
+      from = end;
+      if (ends) return;
+    }
   }
 
   // Along the level to the contour, up the contour to the level above, off and back.
@@ -257,7 +315,8 @@ class ContourCutter {
   double side_;  // in which the levels go deeper
   double forward_ = -1.0;
   std::vector<Piece> pieces_;  // as drawn, from the deepest level on
-  std::vector<Piece> rough_;   // with the allowances
+  std::vector<Piece> rough_;   // with the allowances, and as it is met from in front
+  std::vector<Relief> reliefs_;
   ShapePoint first_;
 };
 

@@ -17,6 +17,7 @@ struct ContourCycle {
   double allowance_x_mm = 0.0;  // FALX
   double allowance_mm = 0.0;    // FAL: along the contour
   double rough_feed = 0.0;      // FF1
+  double relief_feed = 0.0;     // FF2: down into a relief cut
   double finish_feed = 0.0;     // FF3
   int kind = 0;
   double dwell_s = 0.0;       // DT, each

@@ -57,6 +57,7 @@ bool Machine::begin_contour(const Instruction& i, std::uint32_t& next) {
                     .allowance_x_mm = numbers[2] * mm,
                     .allowance_mm = numbers[3] * mm,
                     .rough_feed = numbers[4] * feed_mm,
+                    .relief_feed = numbers[5] * feed_mm,
                     .finish_feed = numbers[6] * feed_mm,
                     .kind = numbers[7] >= 0.0 && numbers[7] < 1000.0 ? static_cast<int>(numbers[7]) : 0,
                     .dwell_s = numbers[8],

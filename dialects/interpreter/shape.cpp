@@ -76,6 +76,31 @@ std::optional<double> way_at(const ShapeSegment& s, double level) {
   return s.center.way + radius * std::cos(angle_of(s.from, s.center) + *best * s.turn);
 }
 
+std::vector<ShapeSegment> split_at_turns(const ShapeSegment& s) {
+  if (!s.arc) return {s};
+  constexpr double kSameShare = 1e-7;
+  std::vector<double> shares;
+  for (int k = 0; k < 4; ++k)
+    if (const auto share = share_at(s, k * std::numbers::pi / 2.0))
+      if (*share > kSameShare && *share < 1.0 - kSameShare) shares.push_back(*share);
+  std::ranges::sort(shares);
+  shares.push_back(1.0);
+  const double radius = std::hypot(s.from.way - s.center.way, s.from.level - s.center.level);
+  const double begin = angle_of(s.from, s.center);
+  std::vector<ShapeSegment> parts;
+  double last = 0.0;
+  for (const double share : shares) {
+    ShapeSegment part = s;
+    if (!parts.empty()) part.from = parts.back().to;
+    const double angle = begin + share * s.turn;
+    if (share < 1.0) part.to = {s.center.way + radius * std::cos(angle), s.center.level + radius * std::sin(angle)};
+    part.turn = (share - last) * s.turn;
+    last = share;
+    parts.push_back(part);
+  }
+  return parts;
+}
+
 bool is_monotonic(const std::vector<ShapeSegment>& shape, std::uint32_t& line, bool& in_level) {
   double way = 0.0;
   double level = 0.0;

@@ -29,6 +29,8 @@ struct ShapeSegment {
 double turn_of(const ShapeSegment& arc, bool positive);
 // Where it cuts the level, as a way; the first place in the direction of the segment. Nothing when it does not.
 std::optional<double> way_at(const ShapeSegment& segment, double level);
+// The same in pieces of which both coordinates only rise or only fall.
+std::vector<ShapeSegment> split_at_turns(const ShapeSegment& segment);
 // True when both coordinates only rise or only fall, within a thousandth of a micrometre.
 bool is_monotonic(const std::vector<ShapeSegment>& shape, std::uint32_t& line, bool& in_level);
 

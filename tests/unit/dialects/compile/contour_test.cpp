@@ -121,13 +121,140 @@ TEST(Contour, AlarmsAreNamed) {
   EXPECT_EQ(alarm_of(cycle("\"A:B\",5,0,0,0,0.3,0.2,0.15,1")), "14080");
 }
 
+// From X40 Z-10 down to X30 at Z-15, 5 long at the bottom, and up again: a relief cut of 5 in radius. Outside of it the
+// contour is a cone, in front of which nothing may be cut deeper than it is.
+const Texts kNeck = {{"NECK", "PROC NECK\nG1 X20 Z0\nX40 Z-10\nX30 Z-15\nZ-20\nX60 Z-50\nM17\n"}};
+
+double neck_diameter(double z) {
+  if (z >= 0.0) return 20.0;
+  if (z >= -10.0) return 20.0 - 2.0 * z;
+  if (z >= -15.0) return 40.0 + 2.0 * (z + 10.0);
+  return z >= -20.0 ? 30.0 : 30.0 - (z + 20.0);
+}
+
+TEST(Contour, ReliefCutsComeAfterWhatIsReachedFromInFront) {
+  const Result ran = cycle("\"NECK\",4,0,0,0,0.3,0.2,0.15,1,0,0,1", kNeck);
+  const auto m = moves_only(ran);
+  EXPECT_EQ(ran.result.not_interpreted.size(), 0U) << ran.trace;
+  // Nowhere below the contour, at the ends and in the middle of each move.
+  for (const ir::Motion& move : m) {
+    if (&move == m.data()) continue;
+    for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+      const double z = move.start[2] + share * (move.end[2] - move.start[2]);
+      const double x = move.start[0] + share * (move.end[0] - move.start[0]);
+      EXPECT_GE(x, neck_diameter(z) - 1e-6) << "line of " << ran.trace << " at Z" << z;
+    }
+  }
+  // In front: down to radius 10 and no deeper than 40 in diameter behind the height. 5 in radius by at most 4: two
+  // passes of the relief, by 0.2 down the flank, by 0.3 along to the other one and up.
+  std::vector<ir::Motion> down;
+  for (const ir::Motion& move : m)
+    if (move.feed == 0.2) down.push_back(move);
+  ASSERT_EQ(down.size(), 4U) << ran.trace;  // each: onto the contour, and down
+  expect_at(down[0], ir::MotionKind::linear, 40, -10);
+  expect_at(down[1], ir::MotionKind::linear, 35, -12.5);
+  expect_at(down[2], ir::MotionKind::linear, 35, -12.5);
+  expect_at(down[3], ir::MotionKind::linear, 30, -15);
+  const auto after = [&](const ir::Motion& move) {
+    return *std::next(std::ranges::find_if(m, [&](const ir::Motion& one) {
+      return one.feed == move.feed && one.end == move.end && one.start == move.start;
+    }));
+  };
+  expect_at(after(down[1]), ir::MotionKind::linear, 35, -25);
+  expect_at(after(down[3]), ir::MotionKind::linear, 30, -20);
+  const auto relief = std::ranges::find_if(m, [](const ir::Motion& move) { return move.feed == 0.2; });
+  for (auto at = m.begin() + 1; at != relief; ++at) {
+    if (at->end[2] < -10.0 - 1e-9) {
+      EXPECT_GE(at->end[0], 40.0 - 1e-6) << ran.trace;
+    }
+  }
+  // The finish goes along all of it.
+  const Result whole = cycle("\"NECK\",4,0,0,0,0.3,0.2,0.15,5,0,0,1", kNeck);
+  EXPECT_TRUE(whole.trace.contains("linear X30.0000 Z-15.0000")) << whole.trace;
+  EXPECT_TRUE(whole.trace.contains("linear X60.0000 Z-50.0000"));
+  // Without a feed for it the cycle stops.
+  EXPECT_EQ(alarm_of(cycle("\"NECK\",4,0,0,0,0.3,0,0.15,1", kNeck)), "61003");
+}
+
+// A groove with round flanks: an arc that turns back in its level is two flanks.
+TEST(Contour, AnArcMayBeARelief) {
+  const Texts groove = {{"GROOVE", "PROC GROOVE\nG1 X40 Z0\nZ-10\nG2 X40 Z-30 CR=20\nG1 Z-40\nX60\nM17\n"}};
+  const Result ran = cycle("\"GROOVE\",1,0,0,0,0.3,0.2,0.15,9,0,0,1", groove);
+  EXPECT_EQ(ran.result.not_interpreted.size(), 0U) << ran.trace;
+  // The circle's centre stands over the middle of the groove: 17.32 over the height.
+  const double center = 20.0 + std::sqrt(20.0 * 20.0 - 10.0 * 10.0);
+  double deepest = 100.0;
+  for (const ir::Motion& m : moves_only(ran)) {
+    if (m.end[2] < -30.0 || m.end[2] > -10.0) continue;
+    deepest = std::min(deepest, m.end[0] / 2.0);
+    EXPECT_LE(std::hypot(m.end[0] / 2.0 - center, m.end[2] + 20.0), 20.0 + 1e-6) << ran.trace;
+  }
+  EXPECT_NEAR(deepest, center - 20.0, 1e-6);
+}
+
+// Outside levels go deeper against their axis, inside along it: facing from inside is facing from outside in a mirror.
+TEST(Contour, FacesFromInside) {
+  const Texts back = {{"BACK", "PROC BACK\nG1 X20 Z20\nX60 Z0\nM17\n"}};
+  const Texts face = {{"BACK", "PROC BACK\nG1 X20 Z-20\nX60 Z0\nM17\n"}};
+  const std::string arguments = "(\"BACK\",6,0,0,0,0.3,0.2,0.15,";
+  const std::string head = "G18 G710 G90 G95 DIAMON\nS500 M3\n";
+  const Result inside =
+      run(head + "G0 X10 Z-10\nCYCLE95" + arguments + "12,0,0,2)\nM30\n", back, ir::MachineKind::lathe);
+  const Result outside =
+      run(head + "G0 X10 Z10\nCYCLE95" + arguments + "10,0,0,2)\nM30\n", face, ir::MachineKind::lathe);
+  const auto a = moves_only(inside);
+  const auto b = moves_only(outside);
+  EXPECT_EQ(inside.result.not_interpreted.size(), 0U) << inside.trace;
+  ASSERT_EQ(a.size(), b.size()) << inside.trace << outside.trace;
+  ASSERT_GT(a.size(), 12U);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_NEAR(a[i].end[0], b[i].end[0], 1e-9);
+    EXPECT_NEAR(a[i].end[2], -b[i].end[2], 1e-9);
+    EXPECT_EQ(a[i].feed, b[i].feed);
+  }
+}
+
+// FAL: beside a cone of 45 degrees, a cylinder and a shoulder; every point of the last pass lies at that distance.
+TEST(Contour, AnAllowanceAlongTheContour) {
+  const Texts step = {{"STEP", "PROC STEP\nG1 X20 Z0\nX30 Z-5\nZ-20\nG2 X40 Z-25 CR=5\nG1 X60\nM17\n"}};
+  const Result ran = cycle("\"STEP\",50,0,0,0.5,0.3,0.2,0.15,9,0,0,1", step);
+  EXPECT_EQ(ran.result.not_interpreted.size(), 0U) << ran.trace;
+  const auto m = moves_only(ran);
+  std::vector<ir::Motion> rough;
+  for (const ir::Motion& move : m)
+    if (move.feed == 0.3) rough.push_back(move);
+  const double part = 0.5 * std::sqrt(0.5);
+  ASSERT_EQ(rough.size(), 6U) << ran.trace;
+  expect_at(rough[0], ir::MotionKind::linear, 2.0 * (10.0 + part), part);         // along the level to the cone
+  expect_at(rough[1], ir::MotionKind::linear, 2.0 * (15.0 + part), -5.0 + part);  // beside the cone
+  // About the outer corner, then beside the cylinder.
+  EXPECT_NEAR(rough[2].end[0], 31.0, 1e-9);
+  EXPECT_NEAR(rough[2].end[2], -5.0, 1e-9);
+  EXPECT_NEAR(
+      std::hypot(rough[2].start[0] / 2.0 + rough[2].center[0] - 15.0, rough[2].start[2] + rough[2].center[2] + 5.0),
+      0.0, 1e-9);
+  expect_at(rough[3], ir::MotionKind::linear, 31, -20);
+  // Inside of the arc: radius 4.5 about X40 Z-20.
+  expect_at(rough[4], ir::MotionKind::arc_cw, 40, -24.5);
+  EXPECT_NEAR(std::hypot(rough[4].center[0], rough[4].center[2]), 4.5, 1e-9);
+  expect_at(rough[5], ir::MotionKind::linear, 60, -24.5);
+  // The finish takes it.
+  EXPECT_TRUE(ran.trace.contains("linear X30.0000 Z-20.0000")) << ran.trace;
+}
+
 TEST(Contour, WhatIsNotInterpretedIsToldAndNothingIsCut) {
-  const Texts relief = {{"NECK", "PROC NECK\nG1 X20 Z0\nX40 Z-10\nX30 Z-15\nX60 Z-40\nM17\n"}};
-  const Result neck = cycle("\"NECK\",5,0,0,0,0.3,0.2,0.15,9", relief);
-  EXPECT_TRUE(neck.names("CYCLE95 with relief cuts: the contour falls back in line 4"));
+  const Texts stairs = {{"NECK", "PROC NECK\nG1 X20 Z0\nX40 Z-10\nX30 Z-15\nX35 Z-20\nX25 Z-25\nX60 Z-40\nM17\n"}};
+  const Result neck = cycle("\"NECK\",5,0,0,0,0.3,0.2,0.15,9", stairs);
+  EXPECT_TRUE(neck.names("CYCLE95 with a relief cut that is no plain one, in line 4")) << neck.trace;
   EXPECT_EQ(moves_only(neck).size(), 1U) << neck.trace;
-  EXPECT_TRUE(cycle("\"CONE\",5,0,0,0.3,0.3,0.2,0.15,9").names("CYCLE95 with an allowance along the contour (FAL)"));
-  EXPECT_TRUE(cycle("\"CONE\",5,0,0,0,0.3,0.2,0.15,4").names("CYCLE95 that faces from inside (VARI 4, 8, 12)"));
+  const Texts ends = {{"NECK", "PROC NECK\nG1 X20 Z0\nX40 Z-10\nX30 Z-15\nM17\n"}};
+  EXPECT_TRUE(cycle("\"NECK\",5,0,0,0,0.3,0.2,0.15,9", ends)
+                  .names("CYCLE95 with a relief cut that is no plain one, in line 4"));
+  const Texts back = {{"NECK", "PROC NECK\nG1 X20 Z0\nX40 Z-10\nX50 Z-5\nX60 Z-40\nM17\n"}};
+  EXPECT_TRUE(cycle("\"NECK\",5,0,0,0,0.3,0.2,0.15,9", back).names("CYCLE95 along a contour that goes back in line 4"));
+  const Texts small = {{"NECK", "PROC NECK\nG1 X20 Z0\nZ-10\nX21 Z-10.5\nX60\nM17\n"}};
+  EXPECT_TRUE(cycle("\"NECK\",5,0,0,2,0.3,0.2,0.15,9", small)
+                  .names("CYCLE95 with an allowance along the contour (FAL) that a piece of it is too short for"));
   for (const std::string name : {"CYCLE93", "POCKET3", "POCKET4"}) {
     const Result other = run(kHead + name + "(1,2,3)\nM30\n", {}, ir::MachineKind::lathe);
     EXPECT_TRUE(other.names(name));
