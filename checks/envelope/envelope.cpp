@@ -163,7 +163,8 @@ void Envelope::check_arc(const ir::Motion& motion) {
   const double center_o = start_o + motion.center[plane.ordinate];
   const double start_radius = std::hypot(start_a - center_a, start_o - center_o);
   const double end_radius = std::hypot(end_a - center_a, end_o - center_o);
-  if (std::fabs(start_radius - end_radius) > settings_.arc_tolerance_mm) {
+  const double allowed = std::max(settings_.arc_tolerance_mm, settings_.arc_tolerance_factor * start_radius);
+  if (std::fabs(start_radius - end_radius) > allowed) {
     report_.findings.add(text::DiagnosticId::arc_radius_mismatch, motion.place, end_radius, start_radius,
                          [&] { return std::vector<std::string>{figure(start_radius), figure(end_radius)}; });
   }

@@ -17,10 +17,11 @@ constexpr bool is_rotary(std::size_t axis) { return axis >= 3 && axis <= 5; }
 
 struct Settings {
   checks::Machine machine = {};
-  double arc_tolerance_mm = 0.02;  // start and end of an arc may differ by this (ir::Semantics)
-  std::int32_t work_offset = 1;    // in effect before the program names one: 1 is G54; 0 none
-  double part_size_mm = 0.0;       // longest side of stock or nominal, for the suspicion of units; 0: not known
-  bool d_selects_edge = false;     // lengths are those of the tool's edge D (SINUMERIK), otherwise of an offset number
+  double arc_tolerance_mm = 0.02;     // start and end of an arc may differ by this (ir::Semantics)
+  double arc_tolerance_factor = 0.0;  // … or by this part of its radius, where that is more
+  std::int32_t work_offset = 1;       // in effect before the program names one: 1 is G54; 0 none
+  double part_size_mm = 0.0;          // longest side of stock or nominal, for the suspicion of units; 0: not known
+  bool d_selects_edge = false;  // lengths are those of the tool's edge D (SINUMERIK), otherwise of an offset number
 };
 
 // What was reached. `low` > `high` where an axis did not move. mm and degrees; diameter axes as radii.

@@ -165,6 +165,8 @@ std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made) {
   for (const interpreter::NotInterpreted& lost : run.not_interpreted) {
     if (lost.effects_known || is_carried(lost.function)) continue;
     out.push_back(cannot_say(lost.name));
+    // Its chords are written; whether the control bends as we do is for somebody to look at.
+    if (lost.function == ir::Function::spline) out.back().severity = text::Severity::warning;
   }
   // What is carried is taken from the text, where the number of such a code does not stand.
   for (const interpreter::ComputedCodeUse& code : run.computed_codes) {

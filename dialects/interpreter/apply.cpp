@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "dialects/interpreter/code_effects.h"
 #include "dialects/interpreter/drilling.h"
@@ -13,6 +15,7 @@
 #include "dialects/interpreter/point_frame.h"
 #include "dialects/interpreter/polar.h"
 #include "dialects/interpreter/repetitive.h"
+#include "dialects/interpreter/spline_block.h"
 #include "dialects/interpreter/transformed.h"
 #include "dialects/interpreter/turning.h"
 #include "dialects/ir/frame_use.h"
@@ -28,6 +31,7 @@ using ir::MotionKind;
 // --- words that set a state
 
 constexpr std::uint64_t kFeedWord = bit_of(Address::f);
+constexpr std::uint64_t kBlockFeedWord = bit_of(Address::block_feed);
 constexpr std::uint64_t kToolWords = bit_of(Address::t) | bit_of(Address::d);
 constexpr std::uint64_t kSpindleWords = bit_of(Address::s) | bit_of(Address::spindle_limit);
 constexpr std::uint64_t kNumberWords = bit_of(Address::d) | bit_of(Address::h);
@@ -48,6 +52,13 @@ void set_feed(const PlainBlock& block, ModalState& state) {
     if (state.modes.inch_feed) value *= 25.4;
   }
   state.feed = value;
+}
+
+// FB: the block's own feed, of the kind that is in effect; F stays for the blocks to come. (PG, "Non-modal feedrate".)
+void set_block_feed(const PlainBlock& block, ModalState& state) {
+  state.feed_unknown = (block.unknown & kBlockFeedWord) != 0;
+  state.feed = state.feed_unknown ? 0.0 : block.at(Address::block_feed);
+  if (state.modes.inch_feed && state.modes.feed_mode != ir::FeedMode::inverse_time) state.feed *= 25.4;
 }
 
 void set_speed(const PlainBlock& block, ModalState& state, Effects& effects) {
@@ -301,6 +312,10 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
   if (block.has(Address::modal_rounding))
     state.modal_rounding_mm = rules.length_mm(block, Address::modal_rounding, state.modes.inch);
   if (effects.announces) announce(state, out);
+  const std::pair modal_feed(state.feed, state.feed_unknown);
+  const bool own_feed = ((block.present | block.unknown) & kBlockFeedWord) != 0;
+  if (own_feed) [[unlikely]]
+    set_block_feed(block, state);
 
   if (effects.one_shot != Function::none) {
     act_once(block, rules, effects, state, out, result);
@@ -311,8 +326,17 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
   } else {
     act(block, rules, effects, state, out, result);
   }
+  if (own_feed) std::tie(state.feed, state.feed_unknown) = modal_feed;
   if (state.curve.open) [[unlikely]]
     if (state.modes.motion != Function::nurbs || effects.flow != Flow::next) break_curve(state, result);
+  if (state.plane_corner.kind != 0) [[unlikely]] {
+    constexpr std::size_t kWaitsAtMost = 4 * ir::kMotionBatch;
+    const bool ends = state.transformation.shape == Transformation::Shape::none || effects.flow == Flow::program_end;
+    if (ends || out.used() > state.plane_corner.motion + state.plane_corner.pieces + kWaitsAtMost)
+      drop_plane_corner(state, out, result);
+  }
+  if (state.spline.active) [[unlikely]]
+    follow_spline(rules, state, out);
   if (result.fault != text::DiagnosticId::count_) return result;
 
   finish(effects, state, out);

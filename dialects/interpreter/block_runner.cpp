@@ -27,15 +27,16 @@ struct NoteRow {
   Report report;
 };
 // Notes that are counted like a code that is not interpreted.
-const std::array<NoteRow, 17>& counted_notes() {
-  static const std::array<NoteRow, 17> rows = {{
+const std::array<NoteRow, 18>& counted_notes() {
+  static const std::array<NoteRow, 18> rows = {{
       {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
       {kNoteReferenceUnknown, {"the way to the reference point", ir::Function::reference_return}},
       {kNoteArcNotComputed, {"arcs from or to a place that is not known"}},
       {kNoteArcInFrame, {"arcs that a frame tilts or stretches"}},
       {kNoteCornerNotComputed, {"a chamfer or rounding that does not fit its corner"}},
       {kNoteMeasuring, {"MEAS: where the probe touches"}},
-      {kNoteSpline, {"the curve of a spline"}},
+      {kNoteSpline, {"how a spline bends, taken as usual and not looked at", ir::Function::spline}},
+      {kNoteSplineStraight, {"the curve of a spline"}},
       {kNoteIncrementalFromUnknown, {"increments from a position that is not known", ir::Function::incremental}},
       {kNoteLevelUnknown, {"the way back to an initial level that is not known", ir::Function::drill}},
       {kNoteSkip, {"the end of a skip move (G31), which a signal decides", ir::Function::skip_move}},
@@ -110,7 +111,8 @@ std::optional<Flow> BlockRunner::apply_block(const Instruction& i) {
     for (const PlainCode& code : block_.codes)
       if (code.function == ir::Function::work_offset) frames_.select(code.argument);
   const BlockResult result = apply(block_, rules_, state_, out_);
-  made_ = out_.count() - before;
+  // A corner may take pieces of the move before it back.
+  made_ = out_.count() >= before ? out_.count() - before : 1;
   moved_ = (block_.present & rules_.axis_addresses) != 0 && made_ > 0 && result.moved;
   needs_shape_ = result.needs_shape;
   if (result.sets_data) set_data();

@@ -126,6 +126,8 @@ constexpr CodeRow kCodeRows[] = {
     {Function::pole_from_last, one_shot},
     {Function::pole_from_zero, one_shot},
     {Function::pole_from_pole, one_shot},
+    {Function::spline_begin, [](CodeContext& c) { c.state.modes.spline_begin = c.code.argument; }},
+    {Function::spline_end, [](CodeContext& c) { c.state.modes.spline_end = c.code.argument; }},
     {Function::polar_words_on,
      [](CodeContext& c) {
        c.state.modes.polar_words = true;
@@ -194,6 +196,8 @@ void apply_codes(const PlainBlock& block, const BlockRules& rules, ModalState& s
       effects.move_once = code.function;  // G63
     } else if (is_motion(code.function)) {
       state.modes.motion = code.function;
+      if (code.function == Function::spline) [[unlikely]]
+        state.modes.spline = code.argument;
       state.modes.motion_given = state.modes.motion_modelled = true;
       if (state.drilling.active) state.drilling = {};
       if (state.turning.active) state.turning = {};

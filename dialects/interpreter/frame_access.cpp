@@ -2,6 +2,7 @@
 #include "dialects/interpreter/frame_access.h"
 
 #include <cmath>
+#include <utility>
 
 #include "dialects/interpreter/unknown.h"
 
@@ -86,6 +87,13 @@ void FrameAccess::lose(const Instruction& i, std::string what) {
 bool FrameAccess::load(const Instruction& i) {
   const auto kind = static_cast<SystemValue>(i.extra);
   if (kind == SystemValue::programmable_frame) return give(i, programmable());
+  if (kind == SystemValue::base_frame || kind == SystemValue::base_frame_in_data) {
+    const auto& base = kind == SystemValue::base_frame ? base_ : base_in_data_;
+    if (base.has_value()) return give(i, *base);
+    report_.count({.name = "base frame", .function = ir::Function::not_modelled, .is_input = true});
+    storage_.reg(i.a) = kVacant;
+    return true;
+  }
   if (kind == SystemValue::settable_frame) {
     const auto number = small_number(storage_.reg(i.b));
     const auto known = number.has_value() ? settable_.find(static_cast<std::uint32_t>(*number)) : settable_.end();
@@ -109,6 +117,13 @@ bool FrameAccess::store(const Instruction& i) {
     if (value == nullptr) state_.unknown = kAllAxes;
   } else if (kind == SystemValue::active_frame) {
     activate(value);
+  } else if (kind == SystemValue::base_frame) {
+    activate_base(value);
+    base_in_data_.reset();  // whether memory follows is the machine's (MD24050)
+    base_waits_ = true;
+  } else if (kind == SystemValue::base_frame_in_data) {
+    base_in_data_ = value != nullptr ? std::optional(*value) : std::nullopt;
+    base_waits_ = true;
   } else if (const auto number = small_number(storage_.reg(i.b)); !number.has_value()) {
     settable_.clear();
     shared_.forget(shared_.id_of("$P_UIFR"));
@@ -146,6 +161,7 @@ void FrameAccess::set_settable_part(const Indices& indices, double value) {
 }
 
 void FrameAccess::select(std::int32_t offset) {
+  if (std::exchange(base_waits_, false)) activate_base(base_in_data_.has_value() ? &*base_in_data_ : nullptr);
   const bool was_known = state_.modes.settable_known;
   const bool same = state_.modes.work_offset == offset;
   const auto next = offset >= 0 ? settable_.find(static_cast<std::uint32_t>(offset)) : settable_.end();
@@ -165,6 +181,16 @@ void FrameAccess::activate(const FrameValue* next) {
     state_.unknown = kAllAxes;
   state_.modes.settable_known = next != nullptr;
   state_.modes.settable = next != nullptr ? *next : FrameValue{};
+}
+
+// Positions count in the settable frame, which lies in the base frame: where it turns is known or nothing is.
+void FrameAccess::activate_base(const FrameValue* next) {
+  if (base_.has_value() && next != nullptr && (*base_ == *next || state_.modes.settable_known)) {
+    if (*base_ != *next) move_position(chain(*base_, state_.modes.settable), chain(*next, state_.modes.settable));
+  } else {
+    state_.unknown = kAllAxes;
+  }
+  base_ = next != nullptr ? std::optional(*next) : std::nullopt;
 }
 
 void FrameAccess::move_position(const FrameValue& from, const FrameValue& to) {

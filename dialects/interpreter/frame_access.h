@@ -27,7 +27,7 @@ class FrameAccess {
   void set_settable_part(const Indices& indices, double value);
   // Whether a code that selects an offset may have to do with known frames.
   [[nodiscard]] bool knows_settable() const {
-    return !settable_.empty() || !half_known_.empty() || state_.modes.settable_known;
+    return !settable_.empty() || !half_known_.empty() || state_.modes.settable_known || base_waits_;
   }
   // G54 …: the settable frame in memory takes effect. Where both it and the one before are known, so is the position.
   void select(std::int32_t offset);
@@ -39,6 +39,7 @@ class FrameAccess {
   bool give(const Instruction& i, const FrameValue& value);
   void lose(const Instruction& i, std::string what);
   void activate(const FrameValue* next);
+  void activate_base(const FrameValue* next);
   void move_position(const FrameValue& from, const FrameValue& to);
   [[nodiscard]] FrameValue programmable() const;
   void set_programmable(const FrameValue& value);
@@ -51,6 +52,9 @@ class FrameAccess {
   FrameValues values_;
   std::map<std::uint32_t, FrameValue> settable_;  // by number: 0 is G500, 1 G54 …
   std::set<std::uint32_t> half_known_;            // written in part, and not in effect yet
+  std::optional<FrameValue> base_;                // the first base frame of the channel, where it is known
+  std::optional<FrameValue> base_in_data_;
+  bool base_waits_ = false;  // what is in memory takes effect with the next code that selects an offset
 };
 
 constexpr bool is_frame_opcode(Opcode op) { return op >= Opcode::frame_make && op <= Opcode::store_frame; }

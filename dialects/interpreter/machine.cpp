@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "dialects/interpreter/spline_block.h"
 #include "dialects/interpreter/unknown.h"
 #include "dialects/interpreter/variable_listing.h"
 #include "dialects/text/number.h"
@@ -71,6 +72,7 @@ RunResult Machine::run(const ir::Program& program) {
 
 RunResult Machine::finish(const CompiledProgram& main) {
   if (options_.observer != nullptr && executed_ > 0) tell_block();
+  if (state_.spline.active) end_spline(rules_, state_, out_);
   out_.flush();
   if (control_.semantics.unset_is_unknown) name_unset_inputs(main);
   if (report_.result().ended == Ended::alarm) {

@@ -51,8 +51,11 @@ struct Modes {
   bool has_matrix = false;                   // it is not the identity
   AxisValues local_shift{};                  // of `shift`: what G52 says; the rest comes from frames about points
   std::array<PointFrame, 3> point_frames{};  // G51.1, G51, G68: the outer one first
-  bool polar_words = false;                  // G16: the plane's two letters are a radius and an angle
-  FrameValue settable;                       // of the active work offset
+  std::int16_t spline = 0;                   // which one, and how it begins and ends: ir/spline_use.h
+  std::int16_t spline_begin = 0;
+  std::int16_t spline_end = 0;
+  bool polar_words = false;  // G16: the plane's two letters are a radius and an angle
+  FrameValue settable;       // of the active work offset
   bool settable_known = false;
 };
 
@@ -186,6 +189,37 @@ struct CurveInput {
   std::uint16_t commanded = 0;       // bit per axis
 };
 
+// A spline that has not ended: its points, each with the straight move that stands for it in the buffer until the curve
+// is known. The first point is where the tool was; no move stands for it.
+struct SplinePoint {
+  AxisValues at{};  // as ModalState::position
+  double weight = 1.0;
+  double distance = -1.0;  // PL; below 0: not given
+  std::size_t motion = 0;  // place in the buffer
+};
+struct SplineRun {
+  bool active = false;
+  bool is_first = true;  // it begins with the first point that is kept; earlier ones are not needed any more
+  std::int16_t kind = 0;
+  std::int16_t begin = 0;
+  std::size_t degree = 3;
+  std::size_t done = 0;  // segments that are made of the points that are kept
+  std::vector<SplinePoint> points;
+  Vector tangent{};  // of the move before it, radius values
+  bool tangent_known = false;
+};
+
+// A corner on a face or cylinder that waits for the move behind it.
+struct PlaneCorner {
+  std::uint8_t kind = 0;  // CornerKind
+  double size_mm = 0.0;
+  ir::Motion before;       // the move before it, in that plane
+  std::size_t motion = 0;  // where its pieces stand in the buffer
+  std::size_t pieces = 0;
+  AxisValues real{};  // where the machine's axes stood before it
+  std::uint16_t unknown = 0;
+};
+
 struct ModalState {
   Modes modes;
 
@@ -225,6 +259,8 @@ struct ModalState {
   Announced announced;
   Transformation transformation;
   CurveInput curve;
+  SplineRun spline;
+  PlaneCorner plane_corner;
 };
 
 }  // namespace dripfeed::interpreter

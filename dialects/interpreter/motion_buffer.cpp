@@ -51,7 +51,7 @@ ir::Motion& MotionBuffer::add(ir::MotionKind kind) {
     kept.place = place;
     return kept;
   }
-  if (used_ == motions_.size() && held_) motions_.resize(2 * motions_.size());
+  if (used_ == motions_.size() && (held_ || held_for_spline_ || held_for_plane_)) motions_.resize(2 * motions_.size());
   if (used_ == motions_.size()) flush();
   ir::Motion& motion = motions_[used_++];
   make_blank(motion);
@@ -70,7 +70,33 @@ void MotionBuffer::flush() {
   for (std::size_t first = 0; first < used_; first += ir::kMotionBatch)
     sink_.consume({motions_.data() + first, std::min(ir::kMotionBatch, used_ - first)});
   flushed_ += used_;
+  remembered_ = used_;
   used_ = 0;
+}
+
+void MotionBuffer::replace(std::size_t taken, const std::vector<ir::Motion>& made) {
+  for (std::size_t first = 0; first < made.size(); first += ir::kMotionBatch)
+    sink_.consume({made.data() + first, std::min(ir::kMotionBatch, made.size() - first)});
+  flushed_ += made.size();
+  std::copy(motions_.begin() + static_cast<std::ptrdiff_t>(taken),
+            motions_.begin() + static_cast<std::ptrdiff_t>(used_), motions_.begin());
+  used_ -= taken;
+  remembered_ = 0;
+}
+
+std::vector<ir::Motion> MotionBuffer::take_back(std::size_t first) {
+  const auto begin = motions_.begin() + static_cast<std::ptrdiff_t>(first);
+  std::vector<ir::Motion> taken(begin, motions_.begin() + static_cast<std::ptrdiff_t>(used_));
+  used_ = first;
+  return taken;
+}
+
+const ir::Motion* MotionBuffer::last_move() const {
+  for (std::size_t i = used_; i-- > 0;)
+    if (ir::is_move(motions_[i].kind)) return &motions_[i];
+  for (std::size_t i = remembered_; i-- > used_;)
+    if (ir::is_move(motions_[i].kind)) return &motions_[i];
+  return nullptr;
 }
 
 }  // namespace dripfeed::interpreter

@@ -29,6 +29,16 @@ class MotionBuffer {
   [[nodiscard]] std::vector<ir::Motion>* captured() const { return captured_; }
   // Keeps everything until it is let go: a move that is in the buffer may still be changed by the one that follows.
   void hold(bool on) { held_ = on; }
+  // The same for the straight moves that stand for a spline.
+  void hold_spline(bool on) { held_for_spline_ = on; }
+  // The same for the pieces of a move on a face or cylinder.
+  void hold_plane(bool on) { held_for_plane_ = on; }
+  // Takes the motions from `first` on back out of the buffer.
+  std::vector<ir::Motion> take_back(std::size_t first);
+  // The first `taken` motions that are kept give way to others, which are handed over.
+  void replace(std::size_t taken, const std::vector<ir::Motion>& made);
+  // The move that was added last, as far back as it is remembered; nullptr when there is none.
+  [[nodiscard]] const ir::Motion* last_move() const;
   [[nodiscard]] std::size_t used() const { return used_; }
   [[nodiscard]] ir::Motion& at(std::size_t index) { return motions_[index]; }
   // Hands over what is there.
@@ -42,7 +52,10 @@ class MotionBuffer {
   ir::MotionSink& sink_;
   std::vector<ir::Motion> motions_;
   std::size_t used_ = 0;
+  std::size_t remembered_ = 0;  // from used_ on up to here: what was handed over last
   bool held_ = false;
+  bool held_for_spline_ = false;
+  bool held_for_plane_ = false;
   std::uint64_t flushed_ = 0;
   std::vector<ir::Motion>* captured_ = nullptr;
 };

@@ -7,6 +7,7 @@
 #include "dialects/interpreter/direct_line.h"
 #include "dialects/interpreter/mover.h"
 #include "dialects/interpreter/polar.h"
+#include "dialects/interpreter/spline_block.h"
 
 namespace dripfeed::interpreter {
 
@@ -24,17 +25,15 @@ PlainBlock with_coordinates_only(const PlainBlock& block, const BlockRules& rule
   return made;
 }
 
-void move_by(Mover& mover, Function motion, const Target& target, BlockResult& result) {
+void move_by(Mover& mover, Function motion, const Target& target) {
   if (motion == Function::arc_cw || motion == Function::arc_ccw)
     return mover.arc(motion == Function::arc_cw ? MotionKind::arc_cw : MotionKind::arc_ccw, target);
   if (motion == Function::arc_via) return mover.arc_via(target);
   if (motion == Function::arc_tangent) return mover.arc_tangent(target);
   const bool threads = motion == Function::thread || motion == Function::tap || motion == Function::tap_retract;
-  if (motion == Function::spline) result.notes |= kNoteSpline;
-  mover.straight(motion == Function::linear   ? MotionKind::linear
-                 : threads                    ? MotionKind::thread
-                 : motion == Function::spline ? MotionKind::spline
-                                              : MotionKind::rapid,
+  mover.straight(motion == Function::linear ? MotionKind::linear
+                 : threads                  ? MotionKind::thread
+                                            : MotionKind::rapid,
                  target);
 }
 
@@ -66,8 +65,13 @@ void move(const PlainBlock& block, const BlockRules& rules, const MoveOptions& o
     result.notes = (result.notes & ~kNoteSkip) | kNoteMeasuring;
     return;
   }
-  Mover mover(block, rules, options, state, out, result);
-  move_by(mover, options.motion != Function::none ? options.motion : state.modes.motion, target, result);
+  const Function motion = options.motion != Function::none ? options.motion : state.modes.motion;
+  if (motion == Function::spline) [[unlikely]] {
+    move_along_spline(block, rules, options, target, state, out, result);
+  } else {
+    Mover mover(block, rules, options, state, out, result);
+    move_by(mover, motion, target);
+  }
   if (block.has(Address::measuring)) {
     result.notes |= kNoteMeasuring;
     state.unknown |= target.commanded;

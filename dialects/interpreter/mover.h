@@ -2,6 +2,7 @@
 // the state the start and the modes.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -24,6 +25,13 @@ class Mover {
   // CT: leaves the move before it without a corner.
   void arc_tangent(const Target& target);
   void arc(ir::MotionKind kind, Target target);
+
+  // What the block, or RNDM, asks for at the end of its move.
+  [[nodiscard]] std::pair<CornerKind, double> wanted_corner() const;
+  // Whether both moves lie in the plane alone, from and to known places.
+  [[nodiscard]] bool are_flat(const ir::Motion& before, const ir::Motion& after) const;
+  // Shortens both and makes the move between them; false where the corner does not fit.
+  bool cut_corner(ir::Motion& before, ir::Motion& between, ir::Motion& after, CornerKind kind, double size_mm) const;
 
  private:
   // mover.cpp
@@ -49,6 +57,10 @@ class Mover {
   // Whether a word that the arc is made of has a value that is not known.
   [[nodiscard]] bool has_unknown_parts(const Target& target) const;
   [[nodiscard]] bool has_center() const;
+  // How far the radius at the start and at the end may be apart.
+  [[nodiscard]] double tolerance_of(double radius) const {
+    return std::max(rules_.semantics.arc_tolerance_mm, rules_.semantics.arc_tolerance_factor * radius);
+  }
   // By radius, by opening angle, or by I J K; sets the fault and gives nothing when there is none.
   std::optional<PlanePoint> find_center(PlaneAxes axes, Turn turn, Target& target);
   // Centre minus start in the active work offset.
@@ -69,7 +81,6 @@ class Mover {
   // The last motion of the buffer is the move behind the corner that waits, and may have a corner at its own end.
   void finish_corner();
   [[nodiscard]] bool has_corner_word() const;
-  [[nodiscard]] std::pair<CornerKind, double> wanted_corner() const;
   void insert_corner();
 
   const PlainBlock& block_;

@@ -77,7 +77,7 @@ void Mover::arc(MotionKind kind, Target target) {
   const PlanePoint to_end = chord(axes, target);
   const double start_radius = length_of(*center);
   const double end_radius = length_of({to_end.p - center->p, to_end.q - center->q});
-  const bool fits = std::abs(start_radius - end_radius) <= rules_.semantics.arc_tolerance_mm;
+  const bool fits = std::abs(start_radius - end_radius) <= tolerance_of(start_radius);
   if (!fits && starts_unknown(axes)) return lose(target);
   if (!fits) return fail(text::DiagnosticId::arc_radius_mismatch, start_radius, end_radius);
   if (block_.has(Address::turns) && block_.at(Address::turns) >= 1.0)
@@ -97,7 +97,6 @@ bool Mover::has_unknown_parts(const Target& target) const {
 // By radius, by opening angle, or by I J K; sets the fault and gives nothing when there is none.
 std::optional<PlanePoint> Mover::find_center(PlaneAxes axes, Turn turn, Target& target) {
   const Address radius_address = rules_.semantics.arc_radius_is_r ? Address::r : Address::arc_radius;
-  const double tolerance = rules_.semantics.arc_tolerance_mm;
   const PlanePoint to_end = chord(axes, target);
   std::optional<double> radius;
   if (block_.has(radius_address)) {
@@ -108,7 +107,7 @@ std::optional<PlanePoint> Mover::find_center(PlaneAxes axes, Turn turn, Target& 
     if (!radius.has_value()) return fail_center(text::DiagnosticId::arc_without_center, 0.0, 0.0);
   }
   if (radius.has_value()) {
-    const auto center = center_by_radius(to_end, *radius, turn, tolerance);
+    const auto center = center_by_radius(to_end, *radius, turn, tolerance_of(std::abs(*radius)));
     if (!center.has_value()) result_.detail = ir::AlarmDetail::small_radius;
     return center.has_value() ? center
                               : fail_center(text::DiagnosticId::arc_radius_mismatch, std::abs(*radius),

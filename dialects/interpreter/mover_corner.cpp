@@ -71,30 +71,18 @@ std::pair<CornerKind, double> Mover::wanted_corner() const {
   return {CornerKind::none, 0.0};
 }
 
-void Mover::insert_corner() {
+bool Mover::are_flat(const ir::Motion& before, const ir::Motion& after) const {
   const PlaneAxes axes = axes_of(state_.modes.plane);
-  const ir::Motion before = out_.at(state_.corner.motion);
-  ir::Motion after = out_.at(out_.used() - 1);
-  const auto kind = static_cast<CornerKind>(state_.corner.kind);
-  std::optional<Corner> corner;
-  if (before.plane == after.plane && is_flat(before, axes) && is_flat(after, axes))
-    corner = corner_between(piece_of(before, axes), piece_of(after, axes), kind, state_.corner.size_mm);
-  if (!corner.has_value()) {
-    if (rules_.corner_alarm && before.plane == after.plane && is_flat(before, axes) && is_flat(after, axes)) {
-      const TooShort piece = too_short_for(piece_of(before, axes), piece_of(after, axes), kind, state_.corner.size_mm);
-      if (piece != TooShort::none) {
-        result_.fault = text::DiagnosticId::corner_too_large;
-        result_.detail = piece == TooShort::first ? ir::AlarmDetail::none : ir::AlarmDetail::next_move;
-        result_.reason = piece == TooShort::first ? "before" : "behind";
-        return;
-      }
-    }
-    // A modal rounding has nothing to do where the way goes on without a corner.
-    if (state_.modal_rounding_mm == 0.0) result_.notes |= kNoteCornerNotComputed;
-    return;
-  }
-  put_point(out_.at(state_.corner.motion).end, axes, corner->from);
-  ir::Motion& between = out_.at(out_.used() - 1);
+  return before.plane == after.plane && is_flat(before, axes) && is_flat(after, axes);
+}
+
+bool Mover::cut_corner(ir::Motion& before, ir::Motion& between, ir::Motion& after, CornerKind kind,
+                       double size_mm) const {
+  const PlaneAxes axes = axes_of(state_.modes.plane);
+  if (!are_flat(before, after)) return false;
+  const auto corner = corner_between(piece_of(before, axes), piece_of(after, axes), kind, size_mm);
+  if (!corner.has_value()) return false;
+  put_point(before.end, axes, corner->from);
   between.kind = !corner->is_arc                          ? MotionKind::linear
                  : corner->turn == Turn::counterclockwise ? MotionKind::arc_ccw
                                                           : MotionKind::arc_cw;
@@ -111,7 +99,29 @@ void Mover::insert_corner() {
   after.center[axes.p] += was.p - corner->to.p;
   after.center[axes.q] += was.q - corner->to.q;
   if (after.kind == MotionKind::linear) after.center = {};
-  out_.add(after.kind) = after;
+  return true;
+}
+
+void Mover::insert_corner() {
+  const PlaneAxes axes = axes_of(state_.modes.plane);
+  const ir::Motion before = out_.at(state_.corner.motion);
+  ir::Motion after = out_.at(out_.used() - 1);
+  const auto kind = static_cast<CornerKind>(state_.corner.kind);
+  if (cut_corner(out_.at(state_.corner.motion), out_.at(out_.used() - 1), after, kind, state_.corner.size_mm)) {
+    out_.add(after.kind) = after;
+    return;
+  }
+  if (rules_.corner_alarm && are_flat(before, after)) {
+    const TooShort piece = too_short_for(piece_of(before, axes), piece_of(after, axes), kind, state_.corner.size_mm);
+    if (piece != TooShort::none) {
+      result_.fault = text::DiagnosticId::corner_too_large;
+      result_.detail = piece == TooShort::first ? ir::AlarmDetail::none : ir::AlarmDetail::next_move;
+      result_.reason = piece == TooShort::first ? "before" : "behind";
+      return;
+    }
+  }
+  // A modal rounding has nothing to do where the way goes on without a corner.
+  if (state_.modal_rounding_mm == 0.0) result_.notes |= kNoteCornerNotComputed;
 }
 
 }  // namespace dripfeed::interpreter

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "dialects/interpreter/curve_chords.h"
 #include "dialects/interpreter/move.h"
 
 namespace dripfeed::interpreter {
@@ -19,7 +20,6 @@ using ir::AlarmDetail;
 constexpr std::size_t kLeastOrder = 2;
 constexpr std::size_t kMostOrder = 4;
 constexpr double kSamePlace_mm = 0.0015;  // one and a half least increments
-constexpr int kDeepest = 12;              // halvings of one knot span
 
 void fail(BlockResult& result, std::string_view reason, AlarmDetail detail = AlarmDetail::none) {
   result.fault = text::DiagnosticId::curve_invalid;
@@ -29,90 +29,18 @@ void fail(BlockResult& result, std::string_view reason, AlarmDetail detail = Ala
 
 bool same_knot(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(a)); }
 
-class Curve {
- public:
-  Curve(const CurveInput& input, ModalState& state, MotionBuffer& out, BlockResult& result)
-      : input_(input), state_(state), out_(out), result_(result) {}
-
-  void emit() {
-    const std::size_t order = input_.order;
-    for (std::size_t span = order - 1; span < input_.points.size(); ++span) {
-      const double first = input_.knots[span];
-      const double last = input_.knots[span + 1];
-      if (same_knot(first, last)) continue;
-      span_ = span;
-      line_ = input_.lines[span];
-      pieces(first, point_at(first), last, point_at(last), 0);
-    }
+void emit_curve(const CurveInput& input, ModalState& state, MotionBuffer& out, BlockResult& result) {
+  for (std::size_t span = input.order - 1; span < input.points.size(); ++span) {
+    if (same_knot(input.knots[span], input.knots[span + 1])) continue;
+    const auto at = [&](double u) { return point_of_curve(input, span, u); };
+    const auto emit = [&](const AxisValues& end) {
+      const Target target{.end = end, .commanded = input.commanded};
+      ir::Motion& motion = emit_move(ir::MotionKind::spline, target, state.feed, {}, state, out, result);
+      motion.place.line = input.lines[span];
+    };
+    CurveChords(at, emit).run(input.knots[span], input.knots[span + 1]);
   }
-
- private:
-  // De Boor's algorithm on weighted points (The NURBS Book, A3.1 with A4.1), within the span.
-  [[nodiscard]] AxisValues point_at(double u) const {
-    const std::size_t degree = input_.order - 1;
-    std::array<AxisValues, kMostOrder> points{};
-    std::array<double, kMostOrder> weights{};
-    for (std::size_t j = 0; j <= degree; ++j) {
-      const std::size_t i = span_ - degree + j;
-      weights[j] = input_.weights[i];
-      for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) points[j][axis] = input_.points[i][axis] * weights[j];
-    }
-    for (std::size_t r = 1; r <= degree; ++r) {
-      for (std::size_t j = degree; j >= r; --j) {
-        const std::size_t i = span_ - degree + j;
-        const double width = input_.knots[i + degree + 1 - r] - input_.knots[i];
-        const double share = width > 0.0 ? (u - input_.knots[i]) / width : 0.0;
-        weights[j] = (1.0 - share) * weights[j - 1] + share * weights[j];
-        for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis)
-          points[j][axis] = (1.0 - share) * points[j - 1][axis] + share * points[j][axis];
-      }
-    }
-    AxisValues at{};
-    for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) at[axis] = points[degree][axis] / weights[degree];
-    return at;
-  }
-
-  // How far a point lies from the chord; a diameter counts as it is kept, which is the stricter.
-  static double aside(const AxisValues& a, const AxisValues& b, const AxisValues& p) {
-    double along = 0.0;
-    double length = 0.0;
-    for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
-      along += (b[axis] - a[axis]) * (p[axis] - a[axis]);
-      length += (b[axis] - a[axis]) * (b[axis] - a[axis]);
-    }
-    const double share = length > 0.0 ? std::clamp(along / length, 0.0, 1.0) : 0.0;
-    double sum = 0.0;
-    for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
-      const double d = p[axis] - a[axis] - share * (b[axis] - a[axis]);
-      sum += d * d;
-    }
-    return std::sqrt(sum);
-  }
-
-  // At three places, so that a curve that crosses its chord in the middle is seen.
-  void pieces(double u0, const AxisValues& a, double u1, const AxisValues& b, int depth) {
-    const double middle = 0.5 * (u0 + u1);
-    const AxisValues m = point_at(middle);
-    bool flat = depth >= 2 && aside(a, b, m) <= kCurveChord_mm;
-    for (const double share : {0.25, 0.75})
-      flat = flat && aside(a, b, point_at(u0 + share * (u1 - u0))) <= kCurveChord_mm;
-    if (!flat && depth < kDeepest) {
-      pieces(u0, a, middle, m, depth + 1);
-      pieces(middle, m, u1, b, depth + 1);
-      return;
-    }
-    const Target target{.end = b, .commanded = input_.commanded};
-    ir::Motion& motion = emit_move(ir::MotionKind::spline, target, state_.feed, {}, state_, out_, result_);
-    motion.place.line = line_;
-  }
-
-  const CurveInput& input_;
-  ModalState& state_;
-  MotionBuffer& out_;
-  BlockResult& result_;
-  std::size_t span_ = 0;
-  std::uint32_t line_ = 0;
-};
+}
 
 bool starts_where_the_tool_is(const ModalState& state, const AxisValues& point, std::uint16_t commanded) {
   for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
@@ -170,6 +98,31 @@ bool is_clamped(const CurveInput& curve) {
 
 }  // namespace
 
+// De Boor's algorithm on weighted points (The NURBS Book, A3.1 with A4.1).
+AxisValues point_of_curve(const CurveInput& input, std::size_t span, double u) {
+  const std::size_t degree = input.order - 1;
+  std::array<AxisValues, kMostOrder> points{};
+  std::array<double, kMostOrder> weights{};
+  for (std::size_t j = 0; j <= degree; ++j) {
+    const std::size_t i = span - degree + j;
+    weights[j] = input.weights[i];
+    for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) points[j][axis] = input.points[i][axis] * weights[j];
+  }
+  for (std::size_t r = 1; r <= degree; ++r) {
+    for (std::size_t j = degree; j >= r; --j) {
+      const std::size_t i = span - degree + j;
+      const double width = input.knots[i + degree + 1 - r] - input.knots[i];
+      const double share = width > 0.0 ? (u - input.knots[i]) / width : 0.0;
+      weights[j] = (1.0 - share) * weights[j - 1] + share * weights[j];
+      for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis)
+        points[j][axis] = (1.0 - share) * points[j - 1][axis] + share * points[j][axis];
+    }
+  }
+  AxisValues at{};
+  for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) at[axis] = points[degree][axis] / weights[degree];
+  return at;
+}
+
 void add_to_curve(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out,
                   BlockResult& result) {
   const bool names_point = ((block.present | block.unknown) & rules.axis_addresses) != 0;
@@ -190,7 +143,7 @@ void add_to_curve(const PlainBlock& block, const BlockRules& rules, ModalState& 
   curve.order = order;
   if (complete.points.size() < complete.order) return fail(result, "it has fewer control points than its order (P)");
   if (!is_clamped(complete)) return fail(result, "its first or last knots are not all alike");
-  Curve(complete, state, out, result).emit();
+  emit_curve(complete, state, out, result);
 }
 
 void break_curve(ModalState& state, BlockResult& result) {

@@ -6,12 +6,12 @@
 
 namespace dripfeed::interpreter {
 
-inline constexpr double kCurveChord_mm = 0.001;
-
 // A block while G06.2 is in effect: P the order (first block), K the knot, axis words and R the control point.
 // Fault curve_invalid: a knot that falls, a first point where the tool is not, an order that no control has.
 void add_to_curve(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out,
                   BlockResult& result);
+// A point of a complete curve, in the knot span that begins at knots[span].
+AxisValues point_of_curve(const CurveInput& input, std::size_t span, double u);
 // The mode ends before the curve is complete: fault curve_invalid.
 void break_curve(ModalState& state, BlockResult& result);
 

@@ -144,6 +144,8 @@ std::optional<double> answer_system(const ir::Control& control, const ir::System
     case ir::SystemValue::active_code: return index_in_group(indices[0], state.modes);
     case ir::SystemValue::not_modelled:
     case ir::SystemValue::programmable_frame:
+    case ir::SystemValue::base_frame:
+    case ir::SystemValue::base_frame_in_data:
     case ir::SystemValue::settable_frame:
     case ir::SystemValue::active_frame:
     case ir::SystemValue::total_frame:
@@ -184,6 +186,8 @@ std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number
     case SystemValue::constant: return answer_system(control_, entry, {}, state);
     case SystemValue::not_modelled:
     case SystemValue::programmable_frame:
+    case SystemValue::base_frame:
+    case SystemValue::base_frame_in_data:
     case SystemValue::settable_frame:
     case SystemValue::active_frame:
     case SystemValue::total_frame:

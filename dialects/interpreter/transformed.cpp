@@ -1,12 +1,16 @@
 // Into the plane and out of it again: words, positions, what is known.
 #include "dialects/interpreter/transformed.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <tuple>
+#include <utility>
 
 #include "dialects/interpreter/frame.h"
+#include "dialects/interpreter/mover.h"
 #include "dialects/interpreter/transformed_pieces.h"
 #include "dialects/ir/transformation_use.h"
 
@@ -25,6 +29,8 @@ constexpr std::array kLetters = {Address::x, Address::y, Address::z};
 constexpr std::uint64_t kCorners =
     bit_of(Address::chamfer) | bit_of(Address::chamfer_length) | bit_of(Address::rounding);
 
+constexpr std::uint64_t kCornerLetters = bit_of(Address::r) | bit_of(Address::i) | bit_of(Address::k);
+
 constexpr std::uint16_t bit(std::size_t axis) { return static_cast<std::uint16_t>(1U << axis); }
 
 // The first rotary axis that the block names; C when it names none.
@@ -35,6 +41,10 @@ std::pair<std::uint8_t, double> rotary_word(const PlainBlock& block, const Block
     if (word.rotary) return {static_cast<std::uint8_t>(index_of(word.axis)), rules.length_mm(block, address, inch)};
   }
   return {static_cast<std::uint8_t>(index_of(ir::Axis::c)), 0.0};
+}
+
+bool is_arc(const ir::Motion& motion) {
+  return motion.kind == ir::MotionKind::arc_cw || motion.kind == ir::MotionKind::arc_ccw;
 }
 
 }  // namespace
@@ -79,10 +89,12 @@ TransformedBlock::TransformedBlock(const PlainBlock& block, const BlockRules& ru
   choose_slot();
   take_rotary_words();
   enter_plane();
-  // Corners change the block before, which is with the machine's axes already.
-  if ((block_.present & kCorners) != 0) result_.notes |= kNoteCornerNotComputed;
+  // Corners are made when the plane's moves are there; the mover would look for them among the machine's.
+  const MoveOptions usual;
+  std::tie(wanted_, wanted_mm_) = Mover(block, rules, usual, state, out, result).wanted_corner();
+  if (rules_.corner_letters && state.modes.motion == ir::Function::linear) block_.present &= ~kCornerLetters;
   block_.present &= ~kCorners;
-  state_.modal_rounding_mm = 0.0;
+  modal_rounding_mm_ = std::exchange(state_.modal_rounding_mm, 0.0);
   out_.capture(&kept_);
 }
 
@@ -188,17 +200,83 @@ void TransformedBlock::leave_plane(bool any_move) {
 
 void TransformedBlock::finish() {
   out_.capture(outer_);
-  bool any_move = false;
-  for (const ir::Motion& motion : kept_) any_move |= ir::is_move(motion.kind);
-  leave_plane(any_move);
-  if (result_.fault != text::DiagnosticId::count_) return;
-  TransformedPieces pieces({state_.transformation, slot_, rules_.x_is_diameter, before_.position, before_.unknown},
-                           state_, out_);
+  state_.modal_rounding_mm = modal_rounding_mm_;
+  const bool failed = result_.fault != text::DiagnosticId::count_;
+  if (!failed) close_corner();
+  leave_plane(std::ranges::any_of(kept_, [](const ir::Motion& m) { return ir::is_move(m.kind); }));
+  if (!failed) bring_kept();
+}
+
+// In the plane still: what the corner takes off the move before it and off the first one of this block.
+void TransformedBlock::close_corner() {
+  const PlaneCorner& waits = state_.plane_corner;
+  const auto after = std::ranges::find_if(kept_, [](const ir::Motion& m) { return ir::is_move(m.kind); });
+  if (waits.kind == 0 || after == kept_.end()) return;
+  bool fits = after->kind == ir::MotionKind::linear || is_arc(*after);
+  for (std::size_t i = waits.motion + waits.pieces; i < out_.used(); ++i) fits = fits && !ir::is_move(out_.at(i).kind);
+  ir::Motion before = waits.before;
+  ir::Motion between = *after;
+  const MoveOptions usual;
+  const Mover mover(block_, rules_, usual, state_, out_, result_);
+  fits = fits && mover.cut_corner(before, between, *after, static_cast<CornerKind>(waits.kind), waits.size_mm);
+  if (!fits) return drop_plane_corner(state_, out_, result_);
+  trimmed_ = before;
+  kept_.insert(after, between);
+}
+
+bool TransformedBlock::opens_corner(const ir::Motion& motion) const {
+  if (wanted_ == CornerKind::none || outer_ != nullptr) return false;
+  return motion.kind == ir::MotionKind::linear || is_arc(motion);
+}
+
+void TransformedBlock::bring_kept() {
+  AxisValues real = before_.position;
+  std::uint16_t unknown = before_.unknown;
+  std::vector<ir::Motion> taken;
+  if (trimmed_.has_value()) {
+    real = state_.plane_corner.real;
+    unknown = state_.plane_corner.unknown;
+    taken = out_.take_back(state_.plane_corner.motion);
+  }
+  TransformedPieces pieces({state_.transformation, slot_, rules_.x_is_diameter, real, unknown}, state_, out_);
+  if (trimmed_.has_value()) bring_trimmed(pieces, taken);
+  const auto last =
+      std::ranges::find_if(kept_.rbegin(), kept_.rend(), [](const ir::Motion& m) { return ir::is_move(m.kind); });
   for (const ir::Motion& motion : kept_) {
-    const bool arc = motion.kind == ir::MotionKind::arc_cw || motion.kind == ir::MotionKind::arc_ccw;
-    if ((arc && !slot_fits_plane_) || !pieces.bring(motion)) result_.notes |= kNoteTransformed;
+    const bool opens = last != kept_.rend() && &motion == &*last && opens_corner(motion);
+    if (opens) {
+      out_.hold_plane(true);
+      state_.plane_corner = {.kind = static_cast<std::uint8_t>(wanted_),
+                             .size_mm = wanted_mm_,
+                             .before = motion,
+                             .motion = out_.used(),
+                             .real = state_.position,
+                             .unknown = unknown};
+    }
+    if ((is_arc(motion) && !slot_fits_plane_) || !pieces.bring(motion)) result_.notes |= kNoteTransformed;
+    if (opens) state_.plane_corner.pieces = out_.used() - state_.plane_corner.motion;
   }
   state_.tangent_known = false;
+}
+
+// Its pieces are those of the block that it stands in; events that came since stay behind them.
+void TransformedBlock::bring_trimmed(TransformedPieces& pieces, const std::vector<ir::Motion>& taken) {
+  const ir::Place place = std::exchange(out_.place, trimmed_->place);
+  const Work work = std::exchange(out_.work, {});
+  const std::size_t first = out_.used();
+  pieces.bring(*trimmed_);
+  if (out_.used() > first && !taken.empty()) out_.at(first).compute = taken.front().compute;
+  for (std::size_t i = state_.plane_corner.pieces; i < taken.size(); ++i) out_.add(taken[i].kind) = taken[i];
+  out_.place = place;
+  out_.work = work;
+  state_.plane_corner = {};
+  out_.hold_plane(false);
+}
+
+void drop_plane_corner(ModalState& state, MotionBuffer& out, BlockResult& result) {
+  if (state.modal_rounding_mm == 0.0) result.notes |= kNoteCornerNotComputed;
+  state.plane_corner = {};
+  out.hold_plane(false);
 }
 
 }  // namespace dripfeed::interpreter

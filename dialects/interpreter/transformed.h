@@ -7,16 +7,23 @@
 // Curves there become straight pieces of these axes, none farther than kTransformedChord_mm from its curve.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "dialects/interpreter/apply.h"
+#include "dialects/interpreter/corner.h"
 
 namespace dripfeed::interpreter {
+
+class TransformedPieces;
 
 inline constexpr double kTransformedChord_mm = 0.001;
 
 // G12.1, G07.1, TRANSMIT, TRACYL: `argument` as ir/transformation_use.h; the block's words belong to the code.
 void begin_transformation(const PlainBlock& block, const BlockRules& rules, std::int16_t argument, ModalState& state);
+
+// The corner that waits for the next move will not come: its move is there as it is.
+void drop_plane_corner(ModalState& state, MotionBuffer& out, BlockResult& result);
 
 // One block of such a mode: while it exists the state stands in the plane and motions are kept back; finish() puts both
 // right.
@@ -33,6 +40,10 @@ class TransformedBlock {
   void take_rotary_words();
   void enter_plane();
   void leave_plane(bool any_move);
+  void close_corner();
+  [[nodiscard]] bool opens_corner(const ir::Motion& motion) const;
+  void bring_kept();
+  void bring_trimmed(TransformedPieces& pieces, const std::vector<ir::Motion>& taken);
 
   BlockRules rules_;
   PlainBlock block_;
@@ -41,7 +52,11 @@ class TransformedBlock {
   BlockResult& result_;
   std::vector<ir::Motion>* outer_;
   std::vector<ir::Motion> kept_;
+  std::optional<ir::Motion> trimmed_;  // the move before a corner, without what the corner takes off
   bool slot_fits_plane_ = true;
+  CornerKind wanted_ = CornerKind::none;
+  double wanted_mm_ = 0.0;
+  double modal_rounding_mm_ = 0.0;
   // What enter_plane() changed in the state.
   struct Before {
     AxisValues position{};

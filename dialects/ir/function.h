@@ -17,7 +17,7 @@ enum class Function : std::uint8_t {
   thread,
   arc_via,      // CIP
   arc_tangent,  // CT
-  spline,       // ASPLINE, BSPLINE, CSPLINE: straight to the end point, the curve is the control's
+  spline,       // ASPLINE, BSPLINE, CSPLINE: argument as ir/spline_use.h
   nurbs,        // G06.2: a control point or a knot a block
   tap,
   tap_retract,  // G331, G332
@@ -38,7 +38,9 @@ enum class Function : std::uint8_t {
   pole_from_pole,  // G110, G111, G112
   polar_words_on,
   polar_words_off,  // G16, G15: the plane's two letters are a radius and an angle
-  transformation,   // G12.1, G07.1, TRANSMIT, TRACYL: argument as ir/transformation_use.h
+  spline_begin,
+  spline_end,      // BNAT, ETAN …: argument as ir/spline_use.h
+  transformation,  // G12.1, G07.1, TRANSMIT, TRACYL: argument as ir/transformation_use.h
   feed_per_min,
   feed_per_rev,
   feed_inverse_time,

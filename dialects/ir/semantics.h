@@ -48,6 +48,8 @@ struct Semantics {
   double scale_unit = 0.001;                // what a factor of G51 without a point counts (5400#7)
   bool scale_unit_known = false;            // … on every such control, or looked at
   double arc_tolerance_mm = 0.02;           // start and end radius may differ by this (3410; MD21000)
+  double arc_tolerance_factor = 0.0;        // … or by this part of the radius, where that is more (MD21010)
+  bool spline_form_known = false;           // machine: how a spline bends between its points was looked at
 
   // Cycles: what parameters decide. Neither changes the hole, only the way to it.
   double chip_break_retract_mm = 1.0;  // machine: G73 goes back by this between pecks (5114)

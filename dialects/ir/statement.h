@@ -59,7 +59,12 @@ enum class Address : std::uint8_t {
   frame_angle,     // RPL=
   measuring,       // MEAS=: a probe may end the move
   direct_angle,    // ,A: of the line that the block cuts, from the plane's first axis
-  other,           // a named address that is kept as text: Word::name
+  contour_offset,  // OFFN=: how far the compensated path lies from the programmed one
+  block_feed,      // FB=: the feed of this block alone
+  point_weight,
+  knot_distance,
+  spline_degree,  // PW=, PL=, SD= of a spline
+  other,          // a named address that is kept as text: Word::name
   count_,
 };
 

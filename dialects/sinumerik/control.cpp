@@ -30,7 +30,10 @@ ir::Semantics semantics(bool lathe) {
   s.tool_word = ir::ToolWord::number;
   s.arc_radius_is_r = false;
   s.dwell_p_is_ms = false;
-  s.arc_tolerance_mm = 0.01;  // MD21000 CIRCLE_ERROR_CONST
+  // MD21000 CIRCLE_ERROR_CONST and MD21010 CIRCLE_ERROR_FACTOR, of which the larger counts (Diagnostics Guide, alarm
+  // 14040); their standard values from memory.
+  s.arc_tolerance_mm = 0.01;
+  s.arc_tolerance_factor = 0.001;
   // MD20150 GCODE_RESET_VALUES is the machine tool builder's; G1 and metric are the delivery state.
   s.power_on_known = false;
   s.power_on_motion = ir::Function::linear;

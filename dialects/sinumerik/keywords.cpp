@@ -80,6 +80,7 @@ constexpr auto kKeywords = std::to_array<Keyword>({
   function("CTRANS", frame_shift),
   function("CFINE", frame_shift),
   function("CROT", frame_turn),
+  function("CRPL", frame_turn),
   function("CSCALE", frame_scale),
   function("CMIRROR", frame_mirror),
   // constants
@@ -98,6 +99,10 @@ constexpr auto kKeywords = std::to_array<Keyword>({
   address("RNDM", ir::Address::modal_rounding),
   address("RPL", ir::Address::frame_angle),
   address("ANG", ir::Address::direct_angle),
+  address("FB", ir::Address::block_feed),
+  address("PW", ir::Address::point_weight),
+  address("PL", ir::Address::knot_distance),
+  address("SD", ir::Address::spline_degree),
   address("MEAS", ir::Address::measuring),
   address("MEAW", ir::Address::measuring),
   // statements

@@ -4,6 +4,7 @@
 // Planning (PGA).
 #include <array>
 
+#include "dialects/ir/spline_use.h"
 #include "dialects/sinumerik/codes.h"
 
 namespace dripfeed::sinumerik {
@@ -18,9 +19,9 @@ using enum WordUse;
 constexpr auto kNamed = std::to_array<GCode>({
   {{"CIP", -1, arc_via, 0, Group::motion, "PG, G group 1"}, 1, usual},
   {{"CT", -1, arc_tangent, 0, Group::motion, "PG, G group 1"}, 1, usual},
-  {{"ASPLINE", -1, spline, 0, Group::motion, "PG, G group 1"}, 1, usual},
-  {{"BSPLINE", -1, spline, 0, Group::motion, "PG, G group 1"}, 1, usual},
-  {{"CSPLINE", -1, spline, 0, Group::motion, "PG, G group 1"}, 1, usual},
+  {{"ASPLINE", -1, spline, ir::kSplineAkima, Group::motion, "PG, G group 1"}, 1, usual},
+  {{"BSPLINE", -1, spline, ir::kSplineB, Group::motion, "PG, G group 1"}, 1, usual},
+  {{"CSPLINE", -1, spline, ir::kSplineCubic, Group::motion, "PG, G group 1"}, 1, usual},
   {{"POLY", -1, not_modelled, 0, Group::motion, "PG, G group 1"}, 1, usual},
   {{"INVCW", -1, not_modelled, 0, Group::motion, "PG, G group 1"}, 1, usual},
   {{"INVCCW", -1, not_modelled, 0, Group::motion, "PG, G group 1"}, 1, usual},
@@ -54,12 +55,12 @@ constexpr auto kNamed = std::to_array<GCode>({
   {{"KONT", -1, no_effect, 0, Group::other, "PG, G group 17"}, 17, usual},
   {{"KONTC", -1, no_effect, 0, Group::other, "PG, G group 17"}, 17, usual},
   {{"KONTT", -1, no_effect, 0, Group::other, "PG, G group 17"}, 17, usual},
-  {{"BNAT", -1, no_effect, 0, Group::other, "PG, G group 19"}, 19, usual},
-  {{"BTAN", -1, no_effect, 0, Group::other, "PG, G group 19"}, 19, usual},
-  {{"BAUTO", -1, no_effect, 0, Group::other, "PG, G group 19"}, 19, usual},
-  {{"ENAT", -1, no_effect, 0, Group::other, "PG, G group 20"}, 20, usual},
-  {{"ETAN", -1, no_effect, 0, Group::other, "PG, G group 20"}, 20, usual},
-  {{"EAUTO", -1, no_effect, 0, Group::other, "PG, G group 20"}, 20, usual},
+  {{"BNAT", -1, spline_begin, ir::kSplineNatural, Group::other, "PG, G group 19"}, 19, usual},
+  {{"BTAN", -1, spline_begin, ir::kSplineTangent, Group::other, "PG, G group 19"}, 19, usual},
+  {{"BAUTO", -1, spline_begin, ir::kSplineFree, Group::other, "PG, G group 19"}, 19, usual},
+  {{"ENAT", -1, spline_end, ir::kSplineNatural, Group::other, "PG, G group 20"}, 20, usual},
+  {{"ETAN", -1, spline_end, ir::kSplineTangent, Group::other, "PG, G group 20"}, 20, usual},
+  {{"EAUTO", -1, spline_end, ir::kSplineFree, Group::other, "PG, G group 20"}, 20, usual},
   {{"BRISK", -1, no_effect, 0, Group::other, "PG, G group 21"}, 21, usual},
   {{"SOFT", -1, no_effect, 0, Group::other, "PG, G group 21"}, 21, usual},
   {{"DRIVE", -1, no_effect, 0, Group::other, "PG, G group 21"}, 21, usual},

@@ -82,6 +82,7 @@ class Parser {
   // frames: parse_frame.cpp
   ir::ExpressionId frame_chain(ir::ExpressionId first);
   ir::ExpressionId frame_of_axes(const Keyword& keyword, text::Span name);
+  ir::ExpressionId frame_in_plane(const Keyword& keyword, text::Span name);
   static bool is_frame_of_axes(ir::Operator op);
   void frame_elsewhere(ir::VariableId target, text::Span span);
 
@@ -140,6 +141,7 @@ class Parser {
   void native(std::string_view name, bool effects_known, text::Span head);
   [[nodiscard]] bool acts_on_axes() const;
   [[nodiscard]] bool positions_are_absolute() const;
+  [[nodiscard]] bool names_the_usual_axes() const;
   void missing_target();
 
   // faults

@@ -278,6 +278,7 @@ ir::ExpressionId Parser::name_value() {
       case Role::constant: cursor_.advance(); return constant(same_name(name, "TRUE") ? 1.0 : 0.0, span);
       case Role::function:
         cursor_.advance();
+        if (keyword->name == "CRPL") return frame_in_plane(*keyword, span);
         return is_frame_of_axes(keyword->op) ? frame_of_axes(*keyword, span) : function_call(*keyword, span);
       case Role::foreign: cursor_.advance(); return foreign_call(span);
       case Role::infix:

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dialects/sinumerik/parse.h"
+#include "dialects/sinumerik/system_variables.h"
 
 namespace dripfeed::sinumerik {
 
@@ -80,12 +81,36 @@ ir::ExpressionId Parser::frame_of_axes(const Keyword& keyword, text::Span name) 
   return value;
 }
 
-// Base and system frames move the zero that positions count from, and are not chained here: where the axes are is not
-// known behind them. (PGA, "Base frames".)
+// CRPL(1,30) turns about Z, 2 about Y, 3 about X, 0 about the axis that stands on the active plane, which is 3 less the
+// number of its code in G group 6. (FB1, K2, "CRPL - Constant Rotation Plane".)
+ir::ExpressionId Parser::frame_in_plane(const Keyword& keyword, text::Span name) {
+  const ir::ExpressionId made = function_call(keyword, name);
+  const ir::Expression turn = program_.at(made);
+  const ir::Expression* plane = turn.op == Operator::frame_turn ? &program_.at(turn.a) : nullptr;
+  if (plane == nullptr || plane->op != Operator::constant || !(plane->value >= 0.0 && plane->value <= 3.0)) {
+    report(DiagnosticId::argument_out_of_domain, name, {"CRPL", "its plane, which must be 0 to 3"});
+    return made;
+  }
+  const double number = plane->value;
+  ir::ExpressionId axis = constant(3.0 - number, plane->span);
+  if (number == 0.0) {
+    ir::Variable group;
+    group.bank = ir::Bank::system;
+    group.number = find_system_variable("$P_GG");
+    group.name = program_.strings.add("$P_GG");
+    group.index = constant(6.0, name);
+    group.span = name;
+    axis = program_.add_operator(Operator::subtract, constant(3.0, name), program_.add_variable(group), name);
+  }
+  return program_.add_operator(Operator::frame_turn, axis, turn.b, turn.span);
+}
+
+// System frames, and base frames but the first of the channel, move the zero that positions count from, and are not
+// chained here: where the axes are is not known behind them. (PGA, "Base frames".)
 void Parser::frame_elsewhere(ir::VariableId target, text::Span span) {
-  static constexpr std::string_view kFrames[] = {"$P_BFRAME",    "$P_CHBFRAME", "$P_NCBFRAME", "$P_CHBFR",
-                                                 "$P_NCBFR",     "$P_UBFR",     "$P_SETFRAME", "$P_PARTFRAME",
-                                                 "$P_TOOLFRAME", "$P_WPFRAME",  "$P_CYCFRAME", "$P_TRAFRAME"};
+  static constexpr std::string_view kFrames[] = {"$P_CHBFRAME", "$P_NCBFRAME",  "$P_CHBFR",     "$P_NCBFR",
+                                                 "$P_SETFRAME", "$P_PARTFRAME", "$P_TOOLFRAME", "$P_WPFRAME",
+                                                 "$P_CYCFRAME", "$P_TRAFRAME"};
   const ir::Variable& v = program_.at(target);
   if (v.bank != ir::Bank::system || v.name == ir::StringId::none) return;
   if (std::ranges::find(kFrames, program_.strings.at(v.name)) == std::end(kFrames)) return;

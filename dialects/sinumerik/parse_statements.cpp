@@ -39,6 +39,10 @@ void Parser::statement_of(const Keyword& keyword, text::Span head) {
     cursor_.advance();
     return call_by_name(lower_.name(keyword.name), head);
   }
+  if (keyword.name == "SPLINEPATH" && names_the_usual_axes()) {
+    cursor_.advance();
+    return native(keyword.name, true, head);
+  }
   switch (keyword.role) {
     case Role::address: return named_word(keyword);
     case Role::native:

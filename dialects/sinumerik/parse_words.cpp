@@ -305,4 +305,19 @@ void Parser::numbered_m_function(double number, std::uint32_t extension, text::S
   lower_.add_m_code(static_cast<std::uint32_t>(number), extension, span);
 }
 
+// SPLINEPATH(1,X,Y,Z): the axes that go along a spline. All of X Y Z that the machine has are what it is without it.
+bool Parser::names_the_usual_axes() const {
+  constexpr std::string_view kUsual = "XYZ";
+  std::string named;
+  TokenCursor probe = cursor_.after();
+  if (!probe.is_symbol('(')) return false;
+  for (probe.advance(); !probe.is_symbol(')') && !probe.at_block_end(); probe.advance()) {
+    const std::string_view text = probe.text();
+    if (probe.kind() == TokenKind::number || text == ",") continue;
+    if (text.size() != 1 || !kUsual.contains(to_upper(text.front()))) return false;
+    named += to_upper(text.front());
+  }
+  return std::ranges::all_of(kUsual, [&](char c) { return named.contains(c) || !control_.axes.contains(c); });
+}
+
 }  // namespace dripfeed::sinumerik

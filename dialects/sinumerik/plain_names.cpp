@@ -6,13 +6,13 @@ namespace dripfeed::sinumerik {
 namespace {
 
 // Functions that give a value and have no counterpart in ir.
-constexpr std::string_view kForeign[] = {
-    "SPRINT",     "AX",         "AXTOSPI",   "SPI",       "CROTS",      "CRPL",      "INVFRAME",  "ADDFRAME",
-    "CALCDAT",    "CALCPOSI",   "GETT",      "ISAXIS",    "ISFILE",     "INTERSEC",  "CTAB",      "CTABINV",
-    "CTABTSV",    "CTABTEV",    "CTABSSV",   "CTABSEV",   "CTABEXISTS", "CTABTSP",   "CTABTEP",   "CTABID",
-    "GETACTTD",   "GETDNO",     "GETSELT",   "GETEXET",   "CHKDM",      "CHKDNO",    "CORRTRAFO", "QU",
-    "AXCTSWEC",   "MODAXVAL",   "GETVARTYP", "GETVARPHU", "GETVARAP",   "GETVARLIM", "GETVARDFT", "GETTCOR",
-    "GETFREELOC", "ISOPENTYPE", "DELOBJ"};
+constexpr std::string_view kForeign[] = {"SPRINT",    "AX",         "AXTOSPI",  "SPI",        "CROTS",      "INVFRAME",
+                                         "ADDFRAME",  "CALCDAT",    "CALCPOSI", "GETT",       "ISAXIS",     "ISFILE",
+                                         "INTERSEC",  "CTAB",       "CTABINV",  "CTABTSV",    "CTABTEV",    "CTABSSV",
+                                         "CTABSEV",   "CTABEXISTS", "CTABTSP",  "CTABTEP",    "CTABID",     "GETACTTD",
+                                         "GETDNO",    "GETSELT",    "GETEXET",  "CHKDM",      "CHKDNO",     "CORRTRAFO",
+                                         "QU",        "AXCTSWEC",   "MODAXVAL", "GETVARTYP",  "GETVARPHU",  "GETVARAP",
+                                         "GETVARLIM", "GETVARDFT",  "GETTCOR",  "GETFREELOC", "ISOPENTYPE", "DELOBJ"};
 
 // Around the value of one word: X=AC(10).
 constexpr std::string_view kWordMode[] = {"AC",  "IC",   "DC",   "ACP", "ACN", "CAC", "CIC",
@@ -20,14 +20,13 @@ constexpr std::string_view kWordMode[] = {"AC",  "IC",   "DC",   "ACP", "ACN", "
 
 // Words with a name that are kept as they are written.
 constexpr std::string_view kAddress[] = {
-    "FRC",      "FRCM",  "FB",      "FL",     "ADIS",    "ADISPOS", "DISC", "DISCL", "DISR",     "DISRP",
-    "OFFN",     "SF",    "SPOS",    "SPOSA",  "POS",     "POSA",    "POSP", "FA",    "OVR",      "OVRRAP",
-    "OVRA",     "ACC",   "VELOLIM", "ACCLIM", "JERKLIM", "SCC",     "PW",   "SD",    "PL",       "PO",
-    "CTOL",     "OTOL",  "ATOL",    "STOLF",  "MEASA",   "MEAWA",   "MEAC", "OS",    "OSP1",     "OSP2",
-    "OST1",     "OST2",  "OSE",     "OSNSC",  "OSCTRL",  "OSB",     "FD",   "FDA",   "FXS",      "FXST",
-    "FXSW",     "FZ",    "SVC",     "FMA",    "FAD",     "DITS",    "DITE", "DILF",  "RFP",      "FP",
-    "SR",       "ST",    "THETA",   "PSI",    "PHI",     "TILT",    "LEAD", "FGREF", "VELOLIMA", "ACCLIMA",
-    "JERKLIMA", "CFTOL", "BLSYNC",  "TOFF",   "TOFFL",   "TOFFR",   "MOV",  "PRIO"};
+    "FRC",      "FRCM",    "FL",     "ADIS",  "ADISPOS", "DISC",  "DISCL", "DISR",   "DISRP", "OFFN",     "SF",
+    "SPOS",     "SPOSA",   "POS",    "POSA",  "POSP",    "FA",    "OVR",   "OVRRAP", "OVRA",  "ACC",      "VELOLIM",
+    "ACCLIM",   "JERKLIM", "SCC",    "PO",    "CTOL",    "OTOL",  "ATOL",  "STOLF",  "MEASA", "MEAWA",    "MEAC",
+    "OS",       "OSP1",    "OSP2",   "OST1",  "OST2",    "OSE",   "OSNSC", "OSCTRL", "OSB",   "FD",       "FDA",
+    "FXS",      "FXST",    "FXSW",   "FZ",    "SVC",     "FMA",   "FAD",   "DITS",   "DITE",  "DILF",     "RFP",
+    "FP",       "SR",      "ST",     "THETA", "PSI",     "PHI",   "TILT",  "LEAD",   "FGREF", "VELOLIMA", "ACCLIMA",
+    "JERKLIMA", "CFTOL",   "BLSYNC", "TOFF",  "TOFFL",   "TOFFR", "MOV",   "PRIO"};
 
 // Statements that are kept as they are written, effects unknown.
 constexpr std::string_view kNative[] = {
@@ -50,7 +49,7 @@ constexpr std::string_view kNative[] = {
     "IPOENDA",  "AXCTSWE",    "AXCTSWED",  "PROTA",     "PROTD",     "PROTSET",  "NPROT",      "NPROTDEF", "CPROT",
     "CPROTDEF", "CPDEF",      "CPDEL",     "CPLDEF",    "CPLDEL",    "CPON",     "CPOF",       "CPLON",    "CPLOF",
     "TML",      "AUXFUDEL",   "AUXFUDELG", "AUXFUMSEQ", "AUXFUSYNC", "ORIROTA",  "ORIROTR",    "ORIROTT",  "ORIROTC",
-    "ORIRESET"};
+    "ORIRESET", "SPLINEPATH", "POLYPATH"};
 
 // Standard cycles: they move and are not read.
 constexpr std::string_view kCycle[] = {

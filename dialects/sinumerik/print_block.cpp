@@ -42,6 +42,11 @@ std::string_view name_of(Address a) {
     case Address::measuring: return "MEAS";
     case Address::direct_angle: return "ANG";
     case Address::rounding: return "RND";
+    case Address::contour_offset: return "OFFN";
+    case Address::block_feed: return "FB";
+    case Address::point_weight: return "PW";
+    case Address::knot_distance: return "PL";
+    case Address::spline_degree: return "SD";
     case Address::named_axis:
     case Address::other:
     case Address::count_:

@@ -35,7 +35,8 @@ constexpr auto kVariables = std::to_array<ir::SystemVariableRow>({
   {"$P_UIFR", 0, 0, settable_frame, true, "LIS1, settable frames"},
   {"$P_IFRAME", 0, 0, active_frame, true, "LIS1, active settable frame"},
   {"$P_PFRAME", 0, 0, programmable_frame, true, "LIS1, programmable frame"},
-  {"$P_BFRAME", 0, 0, not_modelled, true, "LIS1, base frame"},
+  {"$P_BFRAME", 0, 0, base_frame, true, "LIS1, current first base frame of the channel"},
+  {"$P_UBFR", 0, 0, base_frame_in_data, true, "LIS1, first base frame of the channel, taken by G500, G54 ..."},
   {"$P_CHBFR", 0, 0, not_modelled, true, "LIS1, channel base frames"},
   {"$P_NCBFR", 0, 0, not_modelled, true, "LIS1, global base frames"},
   {"$P_ACTFRAME", 0, 0, total_frame, false, "LIS1, total frame"},
@@ -92,7 +93,8 @@ constexpr std::string_view kHarmless[] = {
     "$AC_TIMER",        "$AC_MARKER",        "$AC_PARAM",      "$AC_TOTAL_PARTS",  "$AC_REQUIRED_PARTS",
     "$AC_ACTUAL_PARTS", "$AC_SPECIAL_PARTS", "$AC_CYCLE_TIME", "$AC_CUTTING_TIME", "$AC_OPERATING_TIME",
     "$A_OUT",           "$A_OUTA",           "$A_DBB",         "$A_DBW",           "$A_DBD",
-    "$A_DBR",           "$P_UIFR",           "$P_IFRAME",      "$P_PFRAME",
+    "$A_DBR",           "$P_UIFR",           "$P_IFRAME",      "$P_PFRAME",        "$P_BFRAME",
+    "$P_UBFR",
 };
 
 }  // namespace

@@ -40,7 +40,7 @@ class ModalState {
       take(code);
     }
     for (const ir::Word& word : check_.program.words_of(block))
-      if (word.address == ir::Address::f && !words_are_no_move_)
+      if ((word.address == ir::Address::f || word.address == ir::Address::block_feed) && !words_are_no_move_)
         feed_span_ = feed_span_.empty() ? word.span : feed_span_;
     if (!words_are_no_move_) moves(block, s);
   }

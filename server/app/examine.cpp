@@ -58,6 +58,7 @@ class Checks {
     envelope_ = std::make_unique<envelope::Envelope>(
         envelope::Settings{.machine = e_.profile->machine,
                            .arc_tolerance_mm = e_.control.semantics.arc_tolerance_mm,
+                           .arc_tolerance_factor = e_.control.semantics.arc_tolerance_factor,
                            .work_offset = 1,
                            .part_size_mm = part_size(e_.geometry),
                            .d_selects_edge = e_.control.semantics.d_selects_edge});

@@ -186,6 +186,11 @@ void read_control(ObjectReader& object, machine::ControlSettings& control) {
     o.integer("macros", control.macro_nesting, 1, 100);
     o.integer("loops", control.loop_nesting, 1, 127);
   });
+  object.object("arcs", [&](ObjectReader& o) {
+    o.number("tolerance_mm", control.arc_tolerance_mm, 0.0, 10.0);
+    o.number("tolerance_factor", control.arc_tolerance_factor, 0.0, 1.0);
+  });
+  object.flag("splines_confirmed", control.splines_confirmed);
   object.object("cycles", [&](ObjectReader& o) {
     o.number("chip_break_mm", control.chip_break_mm, 0.0, 1000.0);
     o.number("peck_clearance_mm", control.peck_clearance_mm, 0.0, 1000.0);

@@ -252,6 +252,9 @@ ir::Control control_of(const Profile& profile, ir::Control control) {
   if (settings.axes_at_once) control.limits.axes_at_once = *settings.axes_at_once;
   if (settings.chip_break_mm) semantics.chip_break_retract_mm = *settings.chip_break_mm;
   if (settings.peck_clearance_mm) semantics.peck_clearance_mm = *settings.peck_clearance_mm;
+  if (settings.arc_tolerance_mm) semantics.arc_tolerance_mm = *settings.arc_tolerance_mm;
+  if (settings.arc_tolerance_factor) semantics.arc_tolerance_factor = *settings.arc_tolerance_factor;
+  semantics.spline_form_known = settings.splines_confirmed;
   if (settings.turning_depth_mm) semantics.cycle_depth_mm = *settings.turning_depth_mm;
   if (settings.turning_retract_mm) semantics.cycle_retract_mm = *settings.turning_retract_mm;
   return control;

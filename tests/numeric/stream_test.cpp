@@ -67,6 +67,15 @@ TEST(Stream, GoesOnInTheWholeProgram) {
   expect_same("O1\nG21 G90\nN5 X1.\nY2.\n#1=#1+1\nIF[#1LT4]GOTO5\nM30\n", fanuc(), control);
 }
 
+// A spline is made when it has ended; the move that it leaves tangentially was streamed before.
+TEST(Stream, SplinesAreTheSame) {
+  const ir::Control control = sinumerik().control(ir::MachineKind::mill, ir::GSystem::a);
+  for (const char* code : {"ASPLINE", "BSPLINE", "CSPLINE"})
+    expect_same("G17 G90 G94 G1 X0 Y0 Z0 F500\nX5 Y1\n" + std::string(code) +
+                    " X10 Y5\nM8\nX20 Y-3 Z2\nX30 Y0\nX40 Y2\nG1 X50\nX60\nM30\n",
+                sinumerik(), control);
+}
+
 TEST(Stream, SaysWhatTheReaderSays) {
   const ir::Control mill = fanuc().control(ir::MachineKind::mill, ir::GSystem::a);
   for (const char* text : {"",

@@ -123,5 +123,20 @@ TEST(DirectLine, StaysInATranslationBetweenControlsThatHaveIt) {
   EXPECT_TRUE(text::has_error(convert(from).diagnostics));
 }
 
+// Under G16 the plane's letters are a radius and an angle; corners are those of the same places in coordinates.
+TEST(PolarCorners, AreThoseOfTheSamePlaces) {
+  const std::string head = "%\nO1\nG21 G17 G90 G94 G40\nG00 X0. Y0. Z0.\n";
+  for (const std::string dialect : {"fanuc", "mitsubishi-m80"}) {
+    const ir::Control mill = control(dialect, ir::MachineKind::mill);
+    const auto straight =
+        moves_of(run_text(head + "G01 X10. Y0. ,R2. F100.\nX10. Y10. ,C1.\nX0. Y10.\nM30\n%\n", mill).motions);
+    const auto polar =
+        moves_of(run_text(head + "G16\nG01 X10. Y0. ,R2. F100.\nX[SQRT[200]] Y45. ,C1.\nX10. Y90.\nG15\nM30\n%\n", mill)
+                     .motions);
+    ASSERT_EQ(straight.size(), 6U) << dialect;
+    expect_same(straight, polar, 1e-9, dialect);
+  }
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test

@@ -32,10 +32,10 @@ TEST(SinumerikAxes, WhatDoesNotWaitIsSaid) {
   EXPECT_TRUE(ran.trace.contains("rapid X10.0000 Y1.0000"));
 }
 
-// A position from the machine's table (CAC), a measuring move that a list describes, a base frame.
+// A position from the machine's table (CAC), a measuring move that a list describes, a further base frame.
 TEST(SinumerikAxes, WhereAnAxisMayBeAnywhereItIsNotKnown) {
   for (const std::string text : {"X=CAC(2)\n", "MEASA[X]=(1,1) G1 X30\n", "POLY PO[X]=(10,1)\n", "POSP[X]=(10,2,0)\n",
-                                 "$P_BFRAME=CTRANS(X,5)\n", "PRESETON(X,5)\n", "WHEN TRUE DO POS[X]=5\n"}) {
+                                 "$P_CHBFR[1]=CTRANS(X,5)\n", "PRESETON(X,5)\n", "WHEN TRUE DO POS[X]=5\n"}) {
     const Result ran = after_head(text + "G0 Y1\n");
     ASSERT_FALSE(ran.motions.empty()) << text;
     EXPECT_NE(ran.motions.back().axes_unknown & 1U, 0U) << text;

@@ -152,12 +152,6 @@ TEST(SinumerikGeometry, MeasuringWithoutDeletingTheWayGoesToItsEnd) {
   EXPECT_TRUE(ran.names("MEAW"));
 }
 
-TEST(SinumerikGeometry, Splines) {
-  const Result ran = run("G17 G90 G0 X0 Y0 Z0\nBSPLINE X10 Y5 F100\nX20 Y0\nG1 X30\nM30\n");
-  EXPECT_TRUE(ran.trace.contains("3 spline X20.0000 Y0.0000")) << ran.trace;
-  EXPECT_TRUE(ran.names("the curve of a spline"));
-}
-
 TEST(SinumerikGeometry, TappingHasALead) {
   const Result ran = run("G17 G90 G0 X0 Y0 Z2\nG331 Z-20 K1.5 S500\nG332 Z2 K1.5\nG1 F100 G63 Z-5\nM30\n");
   EXPECT_TRUE(ran.trace.contains("2 thread X0.0000 Y0.0000 Z-20.0000 F1.5000/rev")) << ran.trace;
@@ -174,6 +168,65 @@ TEST(SinumerikFrameValues, TheProgrammableFrameIsAChain) {
             "1 rapid X0.0000 Y0.0000 Z0.0000\n3 rapid X21.0000 Y-5.0000 Z0.0000\n");
   EXPECT_EQ(moves(run(head + "TRANS X7\n$P_PFRAME=$P_PFRAME:CTRANS(Y,2)\nX1 Y1\n$P_PFRAME=CTRANS()\nX1 Y1\nM30\n")),
             "1 rapid X0.0000 Y0.0000 Z0.0000\n4 rapid X8.0000 Y3.0000 Z0.0000\n6 rapid X1.0000 Y1.0000 Z0.0000\n");
+}
+
+TEST(SinumerikFrameValues, ATurnInAPlane) {
+  const std::string head = "G90 G0 X1 Y2 Z3\n";
+  struct Row {
+    std::string made, same;
+  };
+  const Row rows[] = {{"G17\n$P_PFRAME=CRPL(0,30)", "G17\nROT RPL=30"},
+                      {"G18\n$P_PFRAME=CRPL(0,30)", "G18\nROT RPL=30"},
+                      {"G19\n$P_PFRAME=CRPL(0,30)", "G19\nROT RPL=30"},
+                      {"G17\n$P_PFRAME=CTRANS(X,10):CRPL(1,30)", "G17\n$P_PFRAME=CTRANS(X,10):CROT(Z,30)"},
+                      {"G17\n$P_PFRAME=CRPL(2,30)", "G17\n$P_PFRAME=CROT(Y,30)"},
+                      {"G17\n$P_PFRAME=CRPL(3,30):CMIRROR(Y)", "G17\n$P_PFRAME=CROT(X,30):CMIRROR(Y)"}};
+  for (const Row& row : rows)
+    EXPECT_EQ(moves(run(head + row.made + "\nX10 Y20 Z30\nM30\n")),
+              moves(run(head + row.same + "\nX10 Y20 Z30\nM30\n")))
+        << row.made;
+}
+
+// K2, "Frames": total = base : settable : programmable. $P_BFRAME at once, $P_UBFR with the next G500, G54 ...
+TEST(SinumerikFrameValues, BaseFrames) {
+  const std::string head = "G17 G90 G54 G0 X0 Y0 Z0\n$P_UIFR[1]=CTRANS(X,100)\nG54\n";
+  // The zero goes 5 to the right: what stood at 7 stands at 2.
+  const Result at_once = run(head + "$P_BFRAME=CTRANS(X,1)\nX7 Y0 Z0\n$P_BFRAME=CTRANS(X,6)\nG91 X1\nM30\n");
+  EXPECT_TRUE(at_once.trace.contains("7 rapid X3.0000 Y0.0000 Z0.0000")) << at_once.trace;
+  const Result turned = run(head + "$P_BFRAME=CTRANS()\nX7 Y0 Z0\n$P_BFRAME=CROT(Z,90)\nG91 X1 Y1\nM30\n");
+  // The settable zero turns as well: (107, 0) is (0, -107) in the turned base, 100 to the left of it is (-100, -107).
+  EXPECT_TRUE(turned.trace.contains("7 rapid X-99.0000 Y-106.0000 Z0.0000")) << turned.trace;
+  // In memory: nothing moves until the offset is selected again.
+  const Result later = run(head +
+                           "$P_UBFR=CTRANS(X,1)\nG54\nX7 Y0 Z0\n$P_UBFR=CTRANS(X,6)\nG91 X1\nG54\nX1\n"
+                           "R1=$P_UBFR[X,TR] R2=$P_BFRAME[X,TR]\nM30\n");
+  EXPECT_TRUE(later.trace.contains("8 rapid X8.0000")) << later.trace;
+  EXPECT_TRUE(later.trace.contains("10 rapid X4.0000")) << later.trace;
+  EXPECT_EQ(later.value("R1"), 6.0);
+  EXPECT_EQ(later.value("R2"), 6.0);
+  // Where the settable frame is not known, neither is the place.
+  const Result unknown =
+      run("G17 G90 G54 G0 X0 Y0 Z0\n$P_BFRAME=CTRANS(X,1)\nX0 Y0 Z0\n$P_BFRAME=CTRANS(X,6)\nG91 X1\nM30\n");
+  EXPECT_TRUE(unknown.names("increments from a position that is not known"));
+  // A base frame of the machine is an input.
+  EXPECT_TRUE(run("R1=$P_BFRAME[X,TR]\nM30\n").names("base frame"));
+}
+
+TEST(SinumerikGeometry, AFeedOfOneBlock) {
+  const Result ran = run("G17 G90 G94 G0 X0 Y0 Z0\nG1 X1 F100\nX2 FB=40\nX3\nG700 X1 FB=2\nM30\n");
+  EXPECT_TRUE(ran.trace.contains("3 linear X2.0000 Y0.0000 Z0.0000 F40.0000/min")) << ran.trace;
+  EXPECT_TRUE(ran.trace.contains("4 linear X3.0000 Y0.0000 Z0.0000 F100.0000/min"));
+  EXPECT_TRUE(ran.trace.contains("5 linear X25.4000 Y0.0000 Z0.0000 F50.8000/min"));
+}
+
+// Corners of polar words: the right angle at (10, 0) as AP and RP say it.
+TEST(SinumerikGeometry, CornersOfPolarWords) {
+  const std::string head = "G17 G90 G0 X0 Y0 Z0\nG111 X0 Y0\n";
+  const std::string by_words = moves(run(head + "G1 X10 Y0 RND=2 F100\nX10 Y10 CHR=1\nX0 Y10\nM30\n"));
+  const std::string polar =
+      moves(run(head + "G1 AP=0 RP=10 RND=2 F100\nAP=45 RP=14.142135623730951 CHR=1\nAP=90 RP=10\nM30\n"));
+  EXPECT_EQ(polar, by_words);
+  EXPECT_TRUE(polar.contains("arc-ccw")) << polar;
 }
 
 TEST(SinumerikFrameValues, PartsAreReadAndWritten) {

@@ -231,5 +231,82 @@ TEST(Transmit, FromAnUnknownPlaceIsTold) {
                                   [](const auto& n) { return n.name.contains("face or cylinder"); }));
 }
 
+// How far a place lies from a way of lines and arcs in the plane of X and Y.
+double beside(const std::vector<ir::Motion>& way, Place p) {
+  double least = 1e9;
+  for (const ir::Motion& m : way) {
+    const double dx = m.end[0] - m.start[0];
+    const double dy = m.end[1] - m.start[1];
+    double t = ((p.along - m.start[0]) * dx + (p.across - m.start[1]) * dy) / std::max(1e-12, dx * dx + dy * dy);
+    t = std::clamp(t, 0.0, 1.0);
+    const double to_line = std::hypot(p.along - m.start[0] - t * dx, p.across - m.start[1] - t * dy);
+    if (m.kind == ir::MotionKind::linear) {
+      least = std::min(least, to_line);
+    } else if (m.kind != ir::MotionKind::rapid) {
+      // Less than half a circle: on the chord's side that is away from the centre.
+      const double x = p.along - m.start[0] - m.center[0];
+      const double y = p.across - m.start[1] - m.center[1];
+      const double mx = 0.5 * dx - m.center[0];
+      const double my = 0.5 * dy - m.center[1];
+      const bool on_arc = x * mx + y * my >= mx * mx + my * my - 1e-6;
+      if (on_arc) least = std::min(least, std::abs(std::hypot(x, y) - std::hypot(m.center[0], m.center[1])));
+    }
+  }
+  return least;
+}
+
+// Chamfers and roundings on the face are those of the same contour on a mill; lengths over the feed are the time.
+TEST(PolarInterpolation, Corners) {
+  const std::string contour = "G1 X=10*F Y-10 F100 RND=3\nM8\nY10 CHR=2\nX=-10*F RND=2.5\nY0\n";
+  const auto with = [&](const std::string& factor) {
+    std::string out = contour;
+    for (std::size_t at = out.find("*F"); at != std::string::npos; at = out.find("*F")) out.replace(at, 2, factor);
+    return out;
+  };
+  const auto mill = moves_of(
+      run_text("G17 G90 G71 G94\nG0 X25 Y0 Z5\n" + with("") + "M30\n", control("sinumerik-840d", ir::MachineKind::mill))
+          .motions);
+  const auto moves = lathe("TRANSMIT\nG17\n" + with("*2") + "TRAFOOF\n", "sinumerik-840d");
+  ASSERT_EQ(mill.size(), 8U);
+  double length = 0.0;
+  for (std::size_t i = 1; i < mill.size(); ++i) {
+    const ir::Motion& m = mill[i];
+    const double chord = std::hypot(m.end[0] - m.start[0], m.end[1] - m.start[1]);
+    const double radius = std::hypot(m.center[0], m.center[1]);
+    length += m.kind == ir::MotionKind::linear ? chord : 2.0 * radius * std::asin(chord / 2.0 / radius);
+  }
+  double time = 0.0;
+  for (std::uint32_t line = 5; line <= 9; ++line) {
+    EXPECT_LT(farthest(moves, line, [&](Place p) { return beside(mill, p); }), 1.1e-3) << line;
+    time += minutes(moves, line);
+  }
+  EXPECT_NEAR(time, length / 100.0, 1e-4 * length / 100.0);
+  // Each corner is there: somewhere the way is in the middle of it.
+  for (std::size_t i : {2U, 4U, 6U}) {
+    const ir::Motion& m = mill[i];
+    Place middle{0.5 * (m.start[0] + m.end[0]), 0.5 * (m.start[1] + m.end[1])};
+    if (m.kind != ir::MotionKind::linear) {
+      const Place c{m.start[0] + m.center[0], m.start[1] + m.center[1]};
+      const double stretch =
+          std::hypot(m.center[0], m.center[1]) / std::hypot(middle.along - c.along, middle.across - c.across);
+      middle = {c.along + stretch * (middle.along - c.along), c.across + stretch * (middle.across - c.across)};
+    }
+    double least = 1e9;
+    for (const ir::Motion& one : moves)
+      for (int k = 0; k <= 200; ++k) {
+        const double t = k / 200.0;
+        const Place p = on_face(one.start[kX] + t * (one.end[kX] - one.start[kX]),
+                                one.start[kC] + t * (one.end[kC] - one.start[kC]));
+        least = std::min(least, std::hypot(p.along - middle.along, p.across - middle.across));
+      }
+    EXPECT_LT(least, 0.05) << i;
+  }
+  for (std::size_t i = 2; i < moves.size(); ++i)
+    if (moves[i].place.line >= 5 && moves[i].place.line <= 9) {
+      EXPECT_NEAR(moves[i].start[kX], moves[i - 1].end[kX], 1e-9);
+      EXPECT_NEAR(moves[i].start[kC], moves[i - 1].end[kC], 1e-9);
+    }
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test
