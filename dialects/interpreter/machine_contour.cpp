@@ -5,6 +5,8 @@
 
 #include "dialects/interpreter/jump_target.h"
 #include "dialects/interpreter/machine.h"
+#include "dialects/interpreter/spline_block.h"
+#include "dialects/interpreter/transformed.h"
 #include "dialects/interpreter/unknown.h"
 
 namespace dripfeed::interpreter {
@@ -63,6 +65,9 @@ bool Machine::begin_contour(const Instruction& i, std::uint32_t& next) {
                     .dwell_s = numbers[8],
                     .dwell_way_mm = numbers[9] * mm,
                     .lift_mm = numbers[10] == 0.0 ? 1.0 : numbers[10] * mm};
+  // What waits for the next move must not be taken for one of the contour's.
+  if (state_.spline.active) end_spline(rules_, state_, out_);
+  if (BlockResult none; state_.plane_corner.kind != 0) drop_plane_corner(state_, out_, none);
   contour_.call = &i;
   contour_.depth = stack_.depth();
   contour_.before = state_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "dialects/interpreter/nurbs_block.h"
 #include "dialects/ir/spline_use.h"
@@ -31,9 +32,9 @@ struct Tridiagonal {
 
 }  // namespace
 
-SplineCurve::SplineCurve(std::int16_t kind, std::size_t degree, const std::vector<SplinePoint>& points,
-                         const SplineEnd& begin, const SplineEnd& end, bool x_is_diameter)
-    : points_(points),
+SplineCurve::SplineCurve(std::int16_t kind, std::size_t degree, std::vector<SplinePoint> points, const SplineEnd& begin,
+                         const SplineEnd& end, bool x_is_diameter)
+    : points_(std::move(points)),
       is_b_(kind == ir::kSplineB),
       is_akima_(kind == ir::kSplineAkima),
       factor_(x_is_diameter ? 2.0 : 1.0) {

@@ -23,7 +23,7 @@ struct SplineEnd {
 class SplineCurve {
  public:
   // At least two points, none where the one before it is; `kind` as ir/spline_use.h.
-  SplineCurve(std::int16_t kind, std::size_t degree, const std::vector<SplinePoint>& points, const SplineEnd& begin,
+  SplineCurve(std::int16_t kind, std::size_t degree, std::vector<SplinePoint> points, const SplineEnd& begin,
               const SplineEnd& end, bool x_is_diameter);
 
   // Whether a piece belongs to the way from point i to point i + 1; of a B spline there is one less a degree.
@@ -44,7 +44,7 @@ class SplineCurve {
                              std::optional<double> last, bool last_natural) const;
   void make_b(std::size_t degree);
 
-  const std::vector<SplinePoint>& points_;
+  std::vector<SplinePoint> points_;
   bool is_b_;
   bool is_akima_;
   double factor_;  // of X

@@ -38,11 +38,12 @@ bool holds(std::string_view letters, Address address) { return letters.contains(
 
 bool is_center(const ir::Word& word) { return holds(kCenterLetters, word.address); }
 
-// Functions that say nothing on a control that is always so.
+// Functions that say nothing on a control that is always so; and how splines end, where they themselves are refused.
 bool goes_without_saying(Function function) {
   return function == Function::absolute || function == Function::incremental || function == Function::no_effect ||
          function == Function::return_to_initial || function == Function::return_to_r ||
-         function == Function::cycle_off || function == Function::none;
+         function == Function::spline_begin || function == Function::spline_end || function == Function::cycle_off ||
+         function == Function::none;
 }
 
 // Functions that are more than their name in a table: others stand for several codes.

@@ -86,22 +86,27 @@ ir::ExpressionId Parser::frame_of_axes(const Keyword& keyword, text::Span name) 
 ir::ExpressionId Parser::frame_in_plane(const Keyword& keyword, text::Span name) {
   const ir::ExpressionId made = function_call(keyword, name);
   const ir::Expression turn = program_.at(made);
-  const ir::Expression* plane = turn.op == Operator::frame_turn ? &program_.at(turn.a) : nullptr;
-  if (plane == nullptr || plane->op != Operator::constant || !(plane->value >= 0.0 && plane->value <= 3.0)) {
+  if (turn.op != Operator::frame_turn) return made;
+  const ir::Expression plane = program_.at(turn.a);
+  const bool is_constant = plane.op == Operator::constant;
+  if (is_constant && !(plane.value >= 0.0 && plane.value <= 3.0)) {
     report(DiagnosticId::argument_out_of_domain, name, {"CRPL", "its plane, which must be 0 to 3"});
     return made;
   }
-  const double number = plane->value;
-  ir::ExpressionId axis = constant(3.0 - number, plane->span);
-  if (number == 0.0) {
+  ir::ExpressionId number = turn.a;
+  if (!is_constant || plane.value == 0.0) {
     ir::Variable group;
     group.bank = ir::Bank::system;
     group.number = find_system_variable("$P_GG");
     group.name = program_.strings.add("$P_GG");
     group.index = constant(6.0, name);
     group.span = name;
-    axis = program_.add_operator(Operator::subtract, constant(3.0, name), program_.add_variable(group), name);
+    const ir::ExpressionId active = program_.add_variable(group);
+    const ir::ExpressionId is_active = program_.add_operator(Operator::equal, number, constant(0.0, name), name);
+    const ir::ExpressionId added = program_.add_operator(Operator::multiply, is_active, active, name);
+    number = is_constant ? active : program_.add_operator(Operator::add, number, added, name);
   }
+  const ir::ExpressionId axis = program_.add_operator(Operator::subtract, constant(3.0, name), number, name);
   return program_.add_operator(Operator::frame_turn, axis, turn.b, turn.span);
 }
 

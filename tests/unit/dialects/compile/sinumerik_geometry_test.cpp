@@ -179,6 +179,8 @@ TEST(SinumerikFrameValues, ATurnInAPlane) {
                       {"G18\n$P_PFRAME=CRPL(0,30)", "G18\nROT RPL=30"},
                       {"G19\n$P_PFRAME=CRPL(0,30)", "G19\nROT RPL=30"},
                       {"G17\n$P_PFRAME=CTRANS(X,10):CRPL(1,30)", "G17\n$P_PFRAME=CTRANS(X,10):CROT(Z,30)"},
+                      {"G17\nR1=0\n$P_PFRAME=CRPL(R1,30)", "G17\nR1=0\nROT RPL=30"},
+                      {"G17\nR1=3\n$P_PFRAME=CRPL(R1,30)", "G17\nR1=3\n$P_PFRAME=CROT(X,30)"},
                       {"G17\n$P_PFRAME=CRPL(2,30)", "G17\n$P_PFRAME=CROT(Y,30)"},
                       {"G17\n$P_PFRAME=CRPL(3,30):CMIRROR(Y)", "G17\n$P_PFRAME=CROT(X,30):CMIRROR(Y)"}};
   for (const Row& row : rows)

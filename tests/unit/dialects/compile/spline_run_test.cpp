@@ -345,6 +345,9 @@ TEST(SplineRun, OtherControlsGetTheChords) {
       for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(there[i].end[axis], here[i].end[axis], 6e-4);
     request.mode = ConvertMode::macro;
     EXPECT_TRUE(text::has_error(convert(request).diagnostics)) << to;
+    // How splines are to end is nothing where there is none.
+    request.source = text::Source("program", "G17 G71 G90 G94 G40 BNAT ENAT\nG1 X0 Y0 Z0 F500\nM30\n");
+    EXPECT_FALSE(text::has_error(convert(request).diagnostics)) << said(convert(request).diagnostics, request.source);
   }
 }
 
