@@ -73,6 +73,7 @@ ir::Motion& emit_move(MotionKind kind, const Target& target, double feed, const 
 void Mover::straight(MotionKind kind, const Target& target) {
   const double feed = kind == MotionKind::rapid ? 0.0 : kind == MotionKind::thread ? lead() : state_.feed;
   const AxisValues start = state_.position;
+  const bool from_unknown = starts_unknown(axes_of(state_.modes.plane));
   emit(kind, target, feed);
   if (kind != MotionKind::linear) {
     state_.tangent_known = false;
@@ -80,7 +81,8 @@ void Mover::straight(MotionKind kind, const Target& target) {
     return drop_corner();
   }
   for (std::size_t axis = 0; axis < 3; ++axis) state_.tangent[axis] = radius_of(axis, target.end[axis] - start[axis]);
-  state_.tangent_known = (state_.unknown & 7U) == 0;
+  // An axis outside the plane may be one that the machine has not got.
+  state_.tangent_known = !from_unknown && !starts_unknown(axes_of(state_.modes.plane));
   finish_corner();
 }
 

@@ -174,7 +174,7 @@ void Mover::emit_arc(MotionKind kind, PlaneAxes axes, PlanePoint center, const T
   state_.tangent = {};
   state_.tangent[axes.p] = -sign * outward.q;
   state_.tangent[axes.q] = sign * outward.p;
-  state_.tangent_known = (state_.unknown & 7U) == 0;
+  state_.tangent_known = !starts_unknown(axes);
   finish_corner();
 }
 

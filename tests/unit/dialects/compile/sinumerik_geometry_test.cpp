@@ -73,6 +73,14 @@ TEST(SinumerikGeometry, ArcsRoundThePole) {
   EXPECT_FALSE(off.trace.contains("arc")) << off.trace;
 }
 
+// A quarter circle of radius 10: it leaves along Z and ends along X.
+TEST(SinumerikGeometry, ATangentialArcInThePlaneOfALathe) {
+  const Result ran = run("G18 G90 DIAMON G0 X40 Z5\nG1 Z-10 F100\nCT X60 Z-20\nM30\n");
+  EXPECT_TRUE(ran.trace.contains("3 arc-cw X30.0000 Y0.0000 Z-20.0000 G18 I10.0000 J0.0000 K0.0000")) << ran.trace;
+  // Where the line began is not known: neither is its direction.
+  EXPECT_TRUE(run("G17 G90\nG1 X10 F100\nCT X20 Y10\nM30\n").names("arcs from or to a place that is not known"));
+}
+
 TEST(SinumerikGeometry, ArcThroughAPoint) {
   // Three points of the circle about (0, 0) with radius 10; the point in between says which way round.
   const Result ran = run("G17 G90 G0 X10 Y0 Z0\nCIP X-10 Y0 I1=0 J1=10 F100\nCIP X10 Y0 I1=0 J1=10\nM30\n");
