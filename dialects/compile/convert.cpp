@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "dialects/compile/call_levels.h"
 #include "dialects/compile/carry_comments.h"
 #include "dialects/compile/dialect.h"
 #include "dialects/compile/explicit_program.h"
@@ -128,6 +129,7 @@ class Converter {
       if (read.program.sections.empty()) lower(read.program);
       settle(read.program);
       if (read.program.sections.size() > 1) {
+        drop_unread_arguments(read.program, request_.from, request_.to);
         several(read.program);
       } else {
         print(read.program, request_.from);
@@ -180,16 +182,19 @@ class Converter {
   void several(const ir::Program& text) {
     append(result_.diagnostics, foreign_axis_words(text, request_.from, request_.to));
     JoinedPrograms joined(text, request_.to);
+    CallLevels levels;
     for (const ir::Section& section : text.sections) {
       ir::Program program = program_of(text, section);
       lower(program);
       ir::RaiseResult raised = to_.raise(program, request_.from, request_.to);
       append(result_.diagnostics, std::move(raised.diagnostics));
       raised.program.name = joined.name_there(program);
+      levels.add(raised.program.name, raised.program);
       if (!text::has_error(result_.diagnostics))
         joined.add(program, raised.program, to_.print(raised.program, request_.to));
     }
     append(result_.diagnostics, joined.diagnostics());
+    append(result_.diagnostics, levels.too_deep(request_.to));
     if (text::has_error(result_.diagnostics)) return;
     ir::PrintResult printed = joined.take();
     result_.text = std::move(printed.text);

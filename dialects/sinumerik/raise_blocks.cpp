@@ -141,6 +141,12 @@ class BlockRaiser {
     return found == words_.end() ? nullptr : &*found;
   }
 
+  [[nodiscard]] bool moves() const {
+    return std::ranges::any_of(words_, [](const ir::Word& w) {
+      return (w.address >= Address::u && w.address <= Address::z) || w.address <= Address::c;
+    });
+  }
+
   void add(ir::Code code, std::string_view name) {
     code.name = program_.strings.add(name);
     program_.codes.push_back(code);
@@ -267,7 +273,8 @@ class BlockRaiser {
     if (w.address == Address::d && !from.d_selects_edge) return edge(w);
     if (w.address == Address::s && has(Function::set_coordinates)) w.address = Address::spindle_limit;
     // A thread's lead is K along Z and I along X here, F elsewhere.
-    if (w.address == Address::f && thread_is_modal_) w.address = find(Address::z) != nullptr ? Address::k : Address::i;
+    if (w.address == Address::f && thread_is_modal_ && moves())
+      w.address = find(Address::z) != nullptr ? Address::k : Address::i;
     if (w.address == Address::r && from.arc_radius_is_r) {
       if (!arc_is_modal_) return raising_.cannot("the word R", w.span);
       w.address = Address::arc_radius;

@@ -298,6 +298,11 @@ class FanucLathe(Maker):
             self.put(self.one_of(f"G74 R{self.number(0.2, 1)}\nG74 X30. Z{self.number(-15, -5)} P{self.chance.randint(800, 2000)} Q{self.chance.randint(2000, 6000)} F0.1",
                                  f"G75 R{self.number(0.2, 1)}\nG75 X20. Z{self.number(-3, 3)} P{self.chance.randint(1500, 4000)} Q{self.chance.randint(800, 1500)} F0.1"))
 
+    def plain(self):
+        self.at(40, 5)
+        self.put(f"G32 Z{self.number(-30, -5)} F{self.one_of('1.5', '2.')}" + self.one_of("", f"\nX44. Z{self.number(-40, -30)}"))
+        self.put(self.one_of("G00 X60.", "G01 X60.", "G01 X60. F0.25", "F0.3\nG00 X60."))
+
     def polar(self):
         self.at(50, 5)
         self.put("G98\nC0.\nG12.1")
@@ -319,7 +324,7 @@ class FanucLathe(Maker):
         self.put(f"N{label}")
 
     def statement(self):
-        kinds = [self.move, self.move, self.single, self.single, self.face, self.many, self.many]
+        kinds = [self.move, self.move, self.single, self.single, self.face, self.many, self.many, self.plain]
         if self.depth == 0:
             kinds += [self.polar, self.cylinder, self.stepped, self.jump]
         self.chance.choice(kinds)()
@@ -341,6 +346,11 @@ class SinumerikLathe(Maker):
         lead, end, taper = self.one_of("1.5", "2", "0.75"), self.number(-40, -10), self.one_of("20", "20", "24")
         depth, allowance, angle = self.number(0.5, 1.4), self.one_of("0", "0.05", ""), self.one_of("0", "29", "30")
         self.put(f"CYCLE97({lead},,0,{end},20,{taper},{self.number(1, 4)},{self.number(0, 3)},{depth},{allowance},{angle},0,{self.chance.randint(1, 6)},{self.chance.randint(0, 2)},{self.chance.randint(1, 4)},{self.chance.randint(1, 2)},1)")
+
+    def plain(self):
+        self.put("DIAMON\nG0 X40 Z5")
+        self.put(f"G33 Z{self.number(-30, -5)} K{self.one_of('1.5', '2')}" + self.one_of("", f"\nX44 Z{self.number(-40, -30)} K2"))
+        self.put(self.one_of("G0 X60", "G1 X60", "G1 X60 F0.25", "F0.3\nG0 X60"))
 
     def switch(self):
         self.put(self.one_of("DIAMOF", "DIAMON", "G91\nG1 X0.1\nG90"))
@@ -364,7 +374,7 @@ class SinumerikLathe(Maker):
         self.put(f"{label}:")
 
     def statement(self):
-        kinds = [self.move, self.move, self.thread, self.thread, self.switch]
+        kinds = [self.move, self.move, self.thread, self.thread, self.plain, self.switch]
         if self.depth == 0:
             kinds += [self.transmit, self.tracyl, self.jump]
         self.chance.choice(kinds)()
@@ -408,12 +418,12 @@ def point(words):
     return tuple(value(words.get(axis, "0")) or 0.0 for axis in "XYZC")
 
 
-def without_stops(moves, detour):
+def without_stops(moves, detour, least):
     """Moves without those of no length and without rapids that stop on the way of the next rapid."""
     out, at = [], (0.0, 0.0, 0.0, 0.0)
     for kind, words in moves:
         to = point(words)
-        if kind in ("rapid", "linear") and math.dist(at, to) <= TOLERANCE_MM:
+        if kind in ("rapid", "linear") and math.dist(at, to) <= least:
             at = to
             continue
         if kind == "rapid" and out and out[-1][0] == "rapid":
@@ -427,13 +437,13 @@ def without_stops(moves, detour):
 
 
 def difference(a, b):
-    """Rounded to the printed decimals, a stop may lie on the way or just beside it: either on both sides is no difference."""
-    first = difference_by(a, b, 1e-6)
-    return "" if not first or not difference_by(a, b, 1e-5) or not difference_by(a, b, 1e-7) else first
+    """Rounded to the printed decimals a stop may lie on the way or just beside it, and a short move may be none: either on both sides is no difference."""
+    found = [difference_by(a, b, *limits) for limits in ((1e-6, TOLERANCE_MM), (1e-5, TOLERANCE_MM), (1e-7, TOLERANCE_MM), (1e-6, 2 * TOLERANCE_MM))]
+    return found[0] if all(found) else ""
 
 
-def difference_by(a, b, detour):
-    a, b = without_stops(a, detour), without_stops(b, detour)
+def difference_by(a, b, detour, least):
+    a, b = without_stops(a, detour, least), without_stops(b, detour, least)
     for n, (one, other) in enumerate(zip(a, b)):
         if one[0] != other[0] or math.dist(point(one[1]), point(other[1])) > TOLERANCE_MM:
             return f"move {n}: {one} / {other}"

@@ -271,5 +271,39 @@ TEST(Subprograms, ThatEndTheWholeProgramAreRefused) {
   EXPECT_FALSE(text::has_error(turned(text, "fanuc", "mazak").diagnostics));
 }
 
+// L9001(5) would be one argument too many (12340) for a program without PROC.
+TEST(Subprograms, ThatReadNoArgumentsGetNone) {
+  const std::string text =
+      "%\nO0001\nG21 G17 G90 G94 G40\nG00 X0. Y0. Z5.\nG65 P9001 A5. B2.\nG65 P9002 A5.\nM30\nO9001\nG01 X7. "
+      "F200.\nM99\n"
+      "O9002\nG01 X#1 F200.\nM99\n%\n";
+  const ConvertResult made = translated(text, "fanuc", "sinumerik-840d");
+  ASSERT_FALSE(text::has_error(made.diagnostics)) << complaints(made);
+  EXPECT_NE(made.text.find("\nL9001\n"), std::string::npos) << made.text;
+  EXPECT_NE(made.text.find("L9002(5"), std::string::npos) << made.text;
+  const auto original = moves_of(run_text(text, control("fanuc", ir::MachineKind::mill)).motions);
+  const auto moves = moves_of(run_text(made.text, control("sinumerik-840d", ir::MachineKind::mill)).motions);
+  expect_same(original, moves, 1e-9, made.text);
+}
+
+// Each call with arguments is a macro's there, and of these the control takes few inside one another.
+TEST(Subprograms, DeeperThanMacrosGoAreTold) {
+  const auto nested = [](char last) {
+    std::string text = "%_N_MAIN_MPF\nG17 G90 G94 G71\nG0 X0\nAA(1)\nM30\n";
+    for (char name = 'A'; name <= last; ++name) {
+      text += "%_N_" + std::string(2, name) + "_SPF\nPROC " + std::string(2, name) + "(REAL P)\nG0 X=P\n";
+      if (name != last) text += std::string(2, static_cast<char>(name + 1)) + "(P+1)\n";
+      text += "RET\n";
+    }
+    return text;
+  };
+  const ConvertResult fits = translated(nested('D'), "sinumerik-840d", "mazak");
+  EXPECT_FALSE(text::has_error(fits.diagnostics)) << complaints(fits);
+  const ConvertResult deep = translated(nested('E'), "sinumerik-840d", "mazak");
+  EXPECT_NE(complaints(deep).find("calls are nested 5 deep, the control takes 4"), std::string::npos)
+      << complaints(deep);
+  EXPECT_FALSE(text::has_error(translated(nested('E'), "sinumerik-840d", "fanuc").diagnostics));
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test

@@ -281,6 +281,20 @@ TEST(LoweredTurning, ThreadsOfCallsAsTheirMoves) {
   }
 }
 
+// K there and F here: here the lead is the feed of what follows, there it is not.
+TEST(LoweredTurning, PlainThreadsKeepLeadAndFeed) {
+  const std::string siemens =
+      "G18 G90 G95 G71 DIAMON\nS500 M3\nG0 X50 Z10\nG1 X45 F0.3\nG33 Z-20 K2\nX48 Z-25 K2\nG0 X50\nG1 X40\nG0 Z10\n"
+      "G33 Z0 K1.5\nF0.2\nG1 X41\nM30\n";
+  for (const std::string to : {"fanuc", "mazak", "mitsubishi-m80"})
+    EXPECT_EQ(expect_translated(siemens, "sinumerik-840d", to).find('K'), std::string::npos);
+  const std::string made = expect_translated(
+      "%\nO1\nG21 G18 G99 G97 G40\nS500 M03\nG00 X50. Z10.\nG01 X45. F0.3\nG32 Z-20. F2.\nX48. Z-25.\n"
+      "G00 X50.\nG01 X40.\nG00 Z10.\nG32 Z0. F1.5\nG00 X60.\nG01 X41. F0.4\nM30\n%\n",
+      "fanuc", "sinumerik-840d");
+  EXPECT_NE(made.find("X48. Z-25. K2."), std::string::npos) << made;
+}
+
 TEST(LoweredTurning, WhatIsNotKnownIsRefused) {
   const std::string head = "%\nO1\nG21 G18 G99 G97 G40\n";
   for (const std::string blocks :
