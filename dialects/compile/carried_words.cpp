@@ -105,9 +105,9 @@ CarriedBlocks::ByLine CarriedBlocks::collect(const ir::Program& program) const {
 
 CarriedBlock CarriedBlocks::carried_by(const ir::Program& program, const ir::Block& block) const {
   CarriedBlock carried;
-  bool other_words = false;  // a code that is not carried out gives its words a meaning of its own
+  bool other_words = false;  // a code gives its words a meaning of its own: D of G76 is a depth
   for (const ir::Code& code : program.codes_of(block)) {
-    other_words |= code.function == Function::not_modelled;
+    other_words |= code.function == Function::not_modelled || code.function == Function::repetitive_cycle;
     const auto row = std::ranges::find(kRows, code.function, &CarriedRow::function);
     if (row == kRows.end() || row->carry == Carry::number) continue;
     CarriedWords& words = row->carry == Carry::code ? carried.attached : carried.alone;

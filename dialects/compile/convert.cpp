@@ -13,6 +13,7 @@
 #include "dialects/compile/settle_faces.h"
 #include "dialects/compile/several_programs.h"
 #include "dialects/compile/target_axes.h"
+#include "dialects/compile/thread_leads.h"
 #include "dialects/passes/absolute_centers.h"
 #include "dialects/passes/arc_words.h"
 #include "dialects/passes/labels.h"
@@ -118,6 +119,7 @@ class Converter {
     if (!text::has_error(result_.diagnostics)) refuse_faulty(read.program);
     if (text::has_error(result_.diagnostics)) return;
     if (request_.mode == ConvertMode::macro) {
+      append(result_.diagnostics, settle_leads(read.program, request_.from, request_.to));
       append(result_.diagnostics, lower_turning(read.program, request_.from, request_.to));
       append(result_.diagnostics, settle_faces(read.program, request_.from, request_.to));
       append(result_.diagnostics, passes::settle_taps(read.program, request_.from, request_.to));

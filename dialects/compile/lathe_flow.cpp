@@ -28,6 +28,11 @@ bool is_move(Function f) {
          f == Function::thread;
 }
 
+// A standard cycle leaves the modes as they were.
+bool is_standard(const ir::Program& program, const ir::Statement& s) {
+  return s.kind == StatementKind::call && program.strings.at(program.calls[s.payload].name).starts_with("CYCLE");
+}
+
 // Statements that neither move nor change a mode.
 bool keeps_place(StatementKind kind) {
   using enum StatementKind;
@@ -393,6 +398,39 @@ void LatheFlow::take_cycle_words(const ir::Block& block, std::uint32_t statement
     else
       end.value = *increment ? *place.value + *value : *value;
   }
+}
+
+bool LatheFlow::needs_feed(std::uint32_t statement) const {
+  for (std::uint32_t i = statement + 1; i < program_.statements.size(); ++i) {
+    const ir::Statement& s = program_.statements[i];
+    if (s.is_label || s.kind == StatementKind::program_end) return s.is_label;
+    if (s.kind == StatementKind::empty || s.kind == StatementKind::message || s.kind == StatementKind::assign) continue;
+    if (is_standard(program_, s)) continue;
+    if (s.kind != StatementKind::block) return true;
+    const ir::Block& block = program_.blocks[s.payload];
+    const auto words = program_.words_of(block);
+    if (std::ranges::find(words, Address::f, &ir::Word::address) != words.end()) return false;
+    const bool cuts = std::ranges::any_of(program_.codes_of(block), [](const ir::Code& c) {
+      return c.group == ir::ModalGroup::motion && c.function != Function::rapid && c.function != Function::thread;
+    });
+    if (cuts) return true;
+  }
+  return false;
+}
+
+bool LatheFlow::needs_motion(std::uint32_t statement) const {
+  for (std::uint32_t i = statement + 1; i < program_.statements.size(); ++i) {
+    const ir::Statement& s = program_.statements[i];
+    if (s.is_label || s.kind == StatementKind::program_end) return s.is_label;
+    if (s.kind == StatementKind::empty || s.kind == StatementKind::message || s.kind == StatementKind::assign) continue;
+    if (is_standard(program_, s)) continue;
+    if (s.kind != StatementKind::block) return true;
+    const ir::Block& block = program_.blocks[s.payload];
+    const auto codes = program_.codes_of(block);
+    if (std::ranges::find(codes, ir::ModalGroup::motion, &ir::Code::group) != codes.end()) return false;
+    if (!program_.words_of(block).empty()) return true;
+  }
+  return false;
 }
 
 }  // namespace dripfeed::compile

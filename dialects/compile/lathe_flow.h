@@ -78,6 +78,10 @@ class LatheFlow {
   };
   [[nodiscard]] std::optional<Repeated> repeat(std::uint32_t statement, const LatheState& state) const;
   [[nodiscard]] bool is_increment_of_c(const ir::Word& word) const;
+  // Looked for along the text behind the statement, as far as that is the only way: whether a cut may follow before a
+  // feed is given; whether a block may follow that moves without saying how.
+  [[nodiscard]] bool needs_feed(std::uint32_t statement) const;
+  [[nodiscard]] bool needs_motion(std::uint32_t statement) const;
 
  private:
   [[nodiscard]] LatheState start() const;

@@ -18,6 +18,7 @@
 
 #include "dialects/compile/lathe_flow.h"
 #include "dialects/compile/thread_call.h"
+#include "dialects/compile/thread_leads.h"
 #include "dialects/passes/rewrite.h"
 
 namespace dripfeed::compile {
@@ -38,8 +39,6 @@ constexpr std::size_t kMostMoves = 20'000;
 bool has_row(const ir::Control& control, Function function) {
   return std::ranges::find(control.g_codes, function, &ir::CodeRow::function) != control.g_codes.end();
 }
-// SINUMERIK: K along Z, I along X; F elsewhere.
-bool leads_by_letters(const ir::Control& control) { return !control.semantics.arc_radius_is_r; }
 bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
 
 class Lowering {
@@ -76,8 +75,6 @@ class Lowering {
 
   void block(const LatheState& before) {
     const ir::Block block = program_.blocks[statement_.payload];
-    if (leads_by_letters(from_) != leads_by_letters(to_) && cuts_thread(index_))
-      return leads_by_letters(to_) ? feed_as_lead(before, block) : lead_as_feed(before, block);
     const auto codes = program_.codes_of(block);
     const auto repeats = std::ranges::find(codes, Function::repetitive_cycle, &ir::Code::function);
     if (repeats != codes.end() && repeats->argument >= kFirstWithoutShape && !has_row(to_, Function::repetitive_cycle))
@@ -98,58 +95,6 @@ class Lowering {
     return std::ranges::any_of(program_.words_of(block), [&](const ir::Word& w) {
       return turning_axis(w.address, from_).has_value() || w.address == Address::r;
     });
-  }
-
-  // --- G33 with K, G32 with F
-
-  // A block of a thread; where K, I or J say leads, with one of these.
-  [[nodiscard]] bool cuts_thread(std::uint32_t index) const {
-    const ir::Statement& s = program_.statements[index];
-    const LatheState* state = flow_.before(index);
-    if (s.kind != StatementKind::block || state == nullptr) return false;
-    const ir::Block& block = program_.blocks[s.payload];
-    const auto codes = program_.codes_of(block);
-    const auto motion = std::ranges::find(codes, ir::ModalGroup::motion, &ir::Code::group);
-    const bool thread =
-        motion == codes.end() ? state->motion.is(Function::thread) : motion->function == Function::thread;
-    if (!thread || has_own_words(program_, block)) return false;
-    return leads_by_letters(from_) ? std::ranges::any_of(program_.words_of(block), is_lead) : moves_axes(block);
-  }
-  [[nodiscard]] bool thread_goes_on() const {
-    return index_ + 1 < program_.statements.size() && !program_.statements[index_ + 1].is_label &&
-           cuts_thread(index_ + 1);
-  }
-  static bool is_lead(const ir::Word& w) { return w.address >= Address::i && w.address <= Address::k; }
-
-  void lead_as_feed(const LatheState& before, const ir::Block& block) {
-    if (block.rest_level != 0) return cannot("block skip inside a block");
-    const std::vector<ir::Code> codes(program_.codes_of(block).begin(), program_.codes_of(block).end());
-    std::vector<ir::Word> words;
-    std::optional<double> feed = before.feed.value;
-    for (const ir::Word& w : program_.words_of(block)) {
-      if (w.address == Address::f) feed = flow_.feed_of(w, index_);
-      if (w.address == Address::f) continue;
-      words.push_back(w);
-      if (is_lead(w)) words.back().address = Address::f;
-    }
-    out_.emit_block(codes, words);
-    if (thread_goes_on()) return;
-    if (!feed && needs_feed()) cannot("the feed behind a thread, which is not known here,");
-    if (feed && *feed != 0.0) out_.emit_block({}, {word(Address::f, constant(*feed))});
-  }
-
-  // The lead stays in effect as a feed there, and is said in each block here.
-  void feed_as_lead(const LatheState& before, const ir::Block& block) {
-    if (block.rest_level != 0) return out_.keep();
-    const std::vector<ir::Code> codes(program_.codes_of(block).begin(), program_.codes_of(block).end());
-    std::vector<ir::Word> words(program_.words_of(block).begin(), program_.words_of(block).end());
-    const auto written = std::ranges::find(words, Address::f, &ir::Word::address);
-    const bool known = before.feed.value && *before.feed.value != 0.0;
-    if (written == words.end() && !known) return cannot("the lead of a thread, not known here,");
-    ir::Word lead = written == words.end() ? word(Address::f, constant(*before.feed.value)) : *written;
-    if (written == words.end()) words.push_back(lead);
-    out_.emit_block(codes, words);
-    if (!thread_goes_on() && needs_feed()) out_.emit_block({}, {lead});
   }
 
   // --- G90, G92, G94
@@ -308,44 +253,7 @@ class Lowering {
     std::vector<ir::Word> feed;
     if (before.feed.value && *before.feed.value != 0.0) feed.push_back(word(Address::f, constant(*before.feed.value)));
     motion_again(before, std::move(feed));
-    if (!before.feed.value && needs_feed()) cannot("the feed behind CYCLE97, which is not known here,");
-  }
-
-  // Whether a cut may follow before a feed is given: looked for along the text, as far as that is the only way.
-  [[nodiscard]] bool needs_feed() const {
-    for (std::uint32_t i = index_ + 1; i < program_.statements.size(); ++i) {
-      const ir::Statement& s = program_.statements[i];
-      if (s.is_label || s.kind == StatementKind::program_end) return s.is_label;
-      if (s.kind == StatementKind::empty || s.kind == StatementKind::message || s.kind == StatementKind::assign)
-        continue;
-      if (s.kind == StatementKind::call && is_thread_call(program_, program_.calls[s.payload])) continue;
-      if (s.kind != StatementKind::block) return true;
-      const ir::Block& block = program_.blocks[s.payload];
-      const auto words = program_.words_of(block);
-      if (std::ranges::find(words, Address::f, &ir::Word::address) != words.end()) return false;
-      const bool cuts = std::ranges::any_of(program_.codes_of(block), [](const ir::Code& c) {
-        return c.group == ir::ModalGroup::motion && c.function != Function::rapid && c.function != Function::thread;
-      });
-      if (cuts) return true;
-    }
-    return false;
-  }
-
-  // Whether a block may follow that moves without saying how.
-  [[nodiscard]] bool needs_motion() const {
-    for (std::uint32_t i = index_ + 1; i < program_.statements.size(); ++i) {
-      const ir::Statement& s = program_.statements[i];
-      if (s.is_label || s.kind == StatementKind::program_end) return s.is_label;
-      if (s.kind == StatementKind::empty || s.kind == StatementKind::message || s.kind == StatementKind::assign)
-        continue;
-      if (s.kind == StatementKind::call && is_thread_call(program_, program_.calls[s.payload])) continue;
-      if (s.kind != StatementKind::block) return true;
-      const ir::Block& block = program_.blocks[s.payload];
-      const auto codes = program_.codes_of(block);
-      if (std::ranges::find(codes, ir::ModalGroup::motion, &ir::Code::group) != codes.end()) return false;
-      if (!program_.words_of(block).empty()) return true;
-    }
-    return false;
+    if (!before.feed.value && flow_.needs_feed(index_)) cannot("the feed behind CYCLE97, which is not known here,");
   }
 
   static bool is_lathe(const ir::Control& control) { return control.kind != ir::MachineKind::mill; }
@@ -408,7 +316,7 @@ class Lowering {
     std::vector<ir::Code> codes;
     if (before.motion.value && *before.motion.value != Function::rapid)
       codes.push_back(motion_code(*before.motion.value));
-    if (!before.motion.value && needs_motion())
+    if (!before.motion.value && flow_.needs_motion(index_))
       return unknown("the motion behind the cycle", "two ways lead to this block and differ");
     if (!codes.empty() || !words.empty()) out_.emit_block(codes, words);
   }
@@ -476,9 +384,7 @@ std::vector<text::Diagnostic> lower_turning(ir::Program& program, const ir::Cont
            !has_row(to, c.function);
   });
   const bool calls = std::ranges::any_of(program.calls, [&](const ir::Call& c) { return is_thread_call(program, c); });
-  const bool leads = leads_by_letters(from) != leads_by_letters(to) &&
-                     std::ranges::find(program.codes, Function::thread, &ir::Code::function) != program.codes.end();
-  return codes || calls || leads ? Lowering(program, from, to).run() : std::vector<text::Diagnostic>();
+  return codes || calls ? Lowering(program, from, to).run() : std::vector<text::Diagnostic>();
 }
 
 }  // namespace dripfeed::compile

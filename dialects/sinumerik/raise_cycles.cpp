@@ -19,6 +19,7 @@
 #include "dialects/ir/cycle.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/sinumerik/back_boring.h"
+#include "dialects/sinumerik/drill_block.h"
 #include "dialects/sinumerik/drill_state.h"
 #include "dialects/sinumerik/raise.h"
 #include "dialects/sinumerik/system_variables.h"
@@ -38,20 +39,6 @@ constexpr std::string_view kTwoWays = "two ways lead to this block and differ";
 constexpr double kMostRepeats = 100.0;
 
 bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
-bool is_cycle_word(Address a) {
-  return a == Address::r || a == Address::q || a == Address::p || a == Address::k || a == Address::l;
-}
-
-// What one block of a drilling cycle says.
-struct DrillBlock {
-  std::vector<ir::Code> rest_codes;
-  std::vector<ir::Word> rest_words;
-  std::vector<ir::Word> positions;
-  bool begins = false;     // has the cycle's code
-  bool redefines = false;  // other words of the cycle
-  bool drills = false;
-  double repeats = 1.0;
-};
 
 // RTP, RFP and DP.
 struct Levels {
@@ -138,7 +125,8 @@ class CycleRaiser {
     if (!after.plane.known)
       raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span,
                       {"the plane of the cycle", std::string(kTwoWays)});
-    DrillBlock parts = parts_of(block, drilling_axis(after.plane.value), static_cast<DrillCycle>(after.cycle.value));
+    DrillBlock parts =
+        drill_block(raising_, block, drilling_axis(after.plane.value), static_cast<DrillCycle>(after.cycle.value));
     if (!parts.begins && parts.positions.empty() && !parts.drills && !parts.redefines) return out_.keep();
     parts.redefines |= parts.begins || !before.to_level.known || before.to_level.value != after.to_level.value;
     if (!parts.rest_codes.empty() || !parts.rest_words.empty()) out_.emit_block(parts.rest_codes, parts.rest_words);
@@ -193,40 +181,6 @@ class CycleRaiser {
       if (!parts.positions.empty()) out_.emit_block({motion_code(Function::rapid)}, parts.positions);
       emit_back_boring(hole, program_, out_);
     }
-  }
-
-  DrillBlock parts_of(const ir::Block& block, Address axis, DrillCycle cycle) {
-    DrillBlock parts;
-    const bool shifts = cycle == DrillCycle::fine_bore || cycle == DrillCycle::back_bore;
-    for (const ir::Code& c : program_.codes_of(block)) {
-      parts.begins |= c.function == Function::drill;
-      const bool of_cycle = c.function == Function::drill || c.function == Function::return_to_initial ||
-                            c.function == Function::return_to_r || c.group == ir::ModalGroup::motion;
-      if (!of_cycle) parts.rest_codes.push_back(c);
-    }
-    for (const ir::Word& w : program_.words_of(block)) {
-      const bool repeats = w.address == Address::k || w.address == Address::l;
-      const bool shift = shifts && (w.address == Address::i || w.address == Address::j);
-      if (w.address == axis || is_cycle_word(w.address) || shift) {
-        parts.redefines |= !repeats;
-        parts.drills |= w.address == axis || w.address == Address::r;
-        if (repeats) parts.repeats = repeats_of(w);
-      } else if (is_axis(w.address)) {
-        parts.positions.push_back(w);
-        parts.drills = true;
-      } else {
-        parts.rest_words.push_back(w);
-      }
-    }
-    if (parts.repeats == 0.0) parts.drills = false;
-    return parts;
-  }
-
-  double repeats_of(const ir::Word& w) {
-    const ir::Expression& e = program_.at(w.value);
-    if (e.op == Operator::constant && e.value >= 0.0) return std::floor(e.value);
-    raising_.cannot("a cycle with a computed number of repeats", w.span);
-    return 1.0;
   }
 
   // --- the call

@@ -1,0 +1,16 @@
+// The lead of a thread: K or I in each block (SINUMERIK), or F, which stays in effect as a feed.
+#pragma once
+
+#include <vector>
+
+#include "dialects/ir/control.h"
+#include "dialects/ir/program.h"
+#include "dialects/text/diagnostic.h"
+
+namespace dripfeed::compile {
+
+bool leads_by_letters(const ir::Control& control);
+// What is not known is an error at its block.
+std::vector<text::Diagnostic> settle_leads(ir::Program& program, const ir::Control& from, const ir::Control& to);
+
+}  // namespace dripfeed::compile
