@@ -114,6 +114,7 @@ BlockRaiser::Traits BlockRaiser::traits_of(const std::vector<ir::Code>& codes,
     traits.dwell |= c.function == Function::dwell;
     traits.tool_change |= c.function == Function::tool_change;
     traits.drills |= c.function == Function::drill;
+    traits.repeats |= c.function == Function::repetitive_cycle;
     traits.comp |= c.function == Function::comp_left || c.function == Function::comp_right;
   }
   for (const ir::Word& w : words) {
@@ -202,6 +203,7 @@ void BlockRaiser::word(const ir::Word& word, const Traits& traits) {
   }
   if (program_.at(word.value).op == Operator::string) return cannot(*statement_, "a word with a name as its value");
   if (traits.dwell && !from_.semantics.dwell_p_is_ms) return dwell_word(word);
+  if (traits.repeats && word.address == Address::a) return draft_.words.push_back(word);  // the angle of a thread
   if (holds(kAxisLetters, word.address) && !traits.dwell) return axis_word(word);
   if (word.extension > 1) return cannot(*statement_, "a word with the number of a spindle or axis");
   ir::Word raised = word;

@@ -40,6 +40,7 @@ class BlockRaiser {
     bool tool_change = false;
     bool comp = false;
     bool drills = false;
+    bool repeats = false;  // G70 to G76
     const ir::Word* tool = nullptr;
     const ir::Word* edge = nullptr;
     bool any_incremental = false;  // words that say so themselves, or by their letter

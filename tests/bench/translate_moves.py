@@ -294,6 +294,8 @@ class FanucLathe(Maker):
         if self.chance.random() < 0.6:
             self.put(f"G76 P0{self.chance.randint(1, 3)}{self.one_of('00', '10', '05')}{self.one_of('60', '55', '29', '00')} Q{self.chance.randint(20, 120)} R0.0{self.chance.randint(1, 9)}")
             self.put(f"G76 X{self.number(26, 30)} Z{self.number(-30, -10)}{self.one_of('', ' R-0.4')} P{self.chance.randint(700, 1500)} Q{self.chance.randint(150, 500)} F{self.one_of('1.5', '2.')}")
+        elif self.chance.random() < 0.4:
+            self.put(f"G76 X{self.number(26, 30)} Z{self.number(-30, -10)} K{self.number(0.7, 1.5)} D{self.chance.randint(150, 500)} A{self.one_of('60', '55', '29')} F1.5")
         else:
             self.put(self.one_of(f"G74 R{self.number(0.2, 1)}\nG74 X30. Z{self.number(-15, -5)} P{self.chance.randint(800, 2000)} Q{self.chance.randint(2000, 6000)} F0.1",
                                  f"G75 R{self.number(0.2, 1)}\nG75 X20. Z{self.number(-3, 3)} P{self.chance.randint(1500, 4000)} Q{self.chance.randint(800, 1500)} F0.1"))

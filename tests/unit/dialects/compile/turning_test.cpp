@@ -317,6 +317,8 @@ TEST(Repetitive, AnAngleIsNoAxis) {
   const std::vector<Move> actual = cut("G00 X34. Z4.\nG76 X27.6 Z-20. K1.2 D400 A29 F2.\n");
   ASSERT_GT(actual.size(), 1U);
   EXPECT_NEAR(actual[1].z, 4.0 - 0.4 * std::tan(14.5 * 3.14159265358979323846 / 180.0), 1e-9);
+  const std::string text = kLatheHead + "G76 X27.6 Z-20. K1.2 D400 A29 F2.\nM30\n%\n";
+  for (const std::string to : {"mazak", "mitsubishi-m80", "sinumerik-840d"}) expect_translated(text, "fanuc", to);
 }
 
 }  // namespace
