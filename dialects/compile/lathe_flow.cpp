@@ -76,9 +76,9 @@ bool loses_place(const ir::Code& c) {
   return c.group == ModalGroup::frame || c.group == ModalGroup::work_offset || c.group == ModalGroup::unit ||
          c.group == ModalGroup::diameter || c.group == ModalGroup::cycle || c.function == Function::not_modelled ||
          c.function == Function::machine_coordinates || c.function == Function::transformation ||
+         c.function == Function::tool_change || c.function == Function::data_input ||
          (c.group == ModalGroup::non_modal && c.function != Function::dwell &&
-          c.function != Function::exact_stop_once && c.function != Function::repetitive_cycle &&
-          c.function != Function::data_input);
+          c.function != Function::exact_stop_once && c.function != Function::repetitive_cycle);
 }
 
 ThreadData data_of(const interpreter::Repetitive& r) {
@@ -109,6 +109,10 @@ class NoSink final : public ir::MotionSink {
 };
 
 }  // namespace
+
+bool may_be_skipped(const ir::Program& program, const ir::Statement& s) {
+  return s.skip_level != 0 || (s.kind == StatementKind::block && program.blocks[s.payload].rest_level != 0);
+}
 
 bool has_own_words(const ir::Program& program, const ir::Block& block) {
   return std::ranges::any_of(program.codes_of(block), [](const ir::Code& c) {
@@ -150,17 +154,18 @@ LatheFlow::LatheFlow(const ir::Program& program, const ir::Control& control)
       before_(program.statements.size() + 1) {
   passes::FlowGraph graph(program);
   std::deque<std::uint32_t> work;
-  const std::vector<std::uint32_t> entries = graph.entries();
-  for (const std::uint32_t entry : entries) {
-    const bool starts = entry == entries.front() && !is_subprogram(program, passes::section_of(program, entry));
-    before_[entry] = starts ? start() : LatheState();
+  const std::uint32_t first = program.sections.empty() ? 0 : program.sections.front().first;
+  const bool is_main = !is_subprogram(program, passes::section_of(program, first));
+  for (const std::uint32_t entry : graph.entries()) {
+    before_[entry] = entry <= first && is_main ? start() : LatheState();
     work.push_back(entry);
   }
   while (!work.empty()) {
     const std::uint32_t i = work.front();
     work.pop_front();
     if (i >= program.statements.size()) continue;
-    const LatheState out = after(i, *before_[i]);
+    LatheState out = after(i, *before_[i]);
+    if (may_be_skipped(program, program.statements[i])) out.meet(*before_[i]);
     for (const std::uint32_t next : graph.after(i)) {
       const bool is_new = !before_[next].has_value();
       if (is_new) before_[next] = out;
@@ -264,7 +269,9 @@ void LatheFlow::take_codes(const ir::Block& block, std::uint32_t statement, Lath
       return;
     }
     if (loses_place(c)) forget_place();
-    if (c.group == ModalGroup::unit) state = {};
+    if (c.group == ModalGroup::unit)
+      for (Known<double>* length : {&state.feed, &state.end_x, &state.end_z, &state.taper})
+        if (!length->is(0.0)) length->value.reset();
     if (c.group == ModalGroup::feed) state.feed.value.reset();
     if (c.group != ModalGroup::motion) continue;
     const bool turns = c.function == Function::turning_cycle;

@@ -97,6 +97,8 @@ class LatheFlow {
   std::vector<std::optional<LatheState>> before_;
 };
 
+// Wholly or in part, by the operator's switch.
+bool may_be_skipped(const ir::Program& program, const ir::Statement& statement);
 // Whether the words of the block's codes are no positions: dwells, shifts, data and the like.
 bool has_own_words(const ir::Program& program, const ir::Block& block);
 // X or Z, by the letter of its increment, too; nothing for other addresses.

@@ -100,6 +100,7 @@ class Faces {
       if (s.kind == StatementKind::block) {
         const ir::Block& block = program_.blocks[s.payload];
         if (const ir::Code* code = code_of(block)) after.value = is_end(*code, block) ? kNowhere : i;
+        if (may_be_skipped(program_, s)) after.meet(*before_[i]);
       }
       for (const std::uint32_t next : graph.after(i)) {
         const bool is_new = !before_[next].has_value();

@@ -125,7 +125,8 @@ DrillFlow::DrillFlow(const ir::Program& program, const ir::Control& from)
     const std::uint32_t i = work.front();
     work.pop_front();
     if (i >= program.statements.size()) continue;
-    const DrillState out = step(*before_[i], program.statements[i]);
+    DrillState out = step(*before_[i], program.statements[i]);
+    if (program.statements[i].skip_level != 0) out.meet(*before_[i]);
     for (const std::uint32_t next : graph.after(i)) {
       const bool is_new = !before_[next].has_value();
       if (is_new) before_[next] = out;

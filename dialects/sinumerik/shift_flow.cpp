@@ -46,7 +46,8 @@ ShiftFlow::ShiftFlow(const ir::Program& program, const ir::Control& from)
     const std::uint32_t i = work.front();
     work.pop_front();
     if (i >= program.statements.size()) continue;
-    const State out = after(*before_[i], program.statements[i]);
+    State out = after(*before_[i], program.statements[i]);
+    if (program.statements[i].skip_level != 0) out.meet(*before_[i]);
     for (const std::uint32_t next : graph.after(i)) {
       const bool is_new = !before_[next].has_value();
       if (is_new) before_[next] = out;

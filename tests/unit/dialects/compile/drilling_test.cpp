@@ -88,6 +88,8 @@ TEST(DrillingToSinumerik, WhatHasNoEqualIsAnErrorWithItsPlace) {
                  "level where the drilling cycle began");
   // A depth of an earlier block that may be another by now.
   expect_refused(kHead + "#1=-5.\nG99 G81 X10. Z#1 R3. F120.\n#1=-9.\nX20. R2.\nG80\nM30\n", "fanuc", kTo, "Z of the");
+  // A cycle that the operator's switch leaves out.
+  expect_refused(kHead + "/G99 G81 X10. Z-8. R3. F120.\nX20.\nG80\nM30\n", "fanuc", kTo, "two ways");
   // Two ways with different cycles.
   expect_refused(kHead + "#1=2.\nG99 G81 X10. Z-8. R3. F120.\nIF[#1GT1.]GOTO10\nG80\nN10 X20.\nM30\n", "fanuc", kTo,
                  "two ways");
