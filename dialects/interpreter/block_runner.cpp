@@ -244,7 +244,8 @@ void BlockRunner::take_notes(const Instruction& i, std::uint32_t notes) {
       letters += (letters.empty() ? "" : " ") + letter_of(static_cast<ir::Address>(std::countr_zero(rest)));
     report_.say(i, DiagnosticId::motion_without_code, {letters});
   }
-  if ((notes & kNoteNoFeed) != 0 && !said_no_feed_) {
+  // A shape is cut with the feed of its cycle.
+  if ((notes & kNoteNoFeed) != 0 && !said_no_feed_ && out_.captured() == nullptr) {
     said_no_feed_ = true;
     report_.keep_no_feed(i, state_.feed < 0.0 ? ir::kNegative : ir::AlarmDetail::none);
   }

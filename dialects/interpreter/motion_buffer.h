@@ -39,8 +39,11 @@ class MotionBuffer {
   void replace(std::size_t taken, const std::vector<ir::Motion>& made);
   // The move that was added last, as far back as it is remembered; nullptr when there is none.
   [[nodiscard]] const ir::Motion* last_move() const;
-  [[nodiscard]] std::size_t used() const { return used_; }
-  [[nodiscard]] ir::Motion& at(std::size_t index) { return motions_[index]; }
+  // Of the motions that are kept: here, or where they are captured.
+  [[nodiscard]] std::size_t used() const { return captured_ != nullptr ? captured_->size() : used_; }
+  [[nodiscard]] ir::Motion& at(std::size_t index) {
+    return captured_ != nullptr ? (*captured_)[index] : motions_[index];
+  }
   // Hands over what is there.
   void flush();
   [[nodiscard]] std::uint64_t count() const { return flushed_ + used_; }

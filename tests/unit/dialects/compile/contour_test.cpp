@@ -242,6 +242,25 @@ TEST(Contour, AnAllowanceAlongTheContour) {
   EXPECT_TRUE(ran.trace.contains("linear X30.0000 Z-20.0000")) << ran.trace;
 }
 
+// The corners are the contour's: a chamfer from (18, -20) to (20, -21), a quarter circle to (28, -40).
+TEST(Contour, CornersOfTheContourAreCut) {
+  const Texts called = {{"PART", "G1 X20 Z0\nZ-20\nX40 CHR=1\nZ-40\nX60 RND=2\nZ-50\nX70\nM17\n"}};
+  const Result ran = cycle("\"PART\",5,0,0,0,0.3,0.2,0.15,5", called);
+  EXPECT_FALSE(ran.names("a chamfer or rounding that does not fit its corner")) << ran.trace;
+  EXPECT_TRUE(ran.trace.contains("linear X38.0000 Z-20.0000")) << ran.trace;
+  EXPECT_TRUE(ran.trace.contains("linear X40.0000 Z-21.0000")) << ran.trace;
+  EXPECT_TRUE(ran.trace.contains("linear X56.0000 Z-40.0000")) << ran.trace;
+  EXPECT_TRUE(ran.trace.contains("arc-ccw X60.0000 Z-42.0000 G18 I0.0000 J0.0000 K-2.0000")) << ran.trace;
+}
+
+// Its feeds are the cycle's.
+TEST(Contour, NeedsNoFeedOfItsOwn) {
+  const Texts called = {{"PART", "G1 X20 Z0\nZ-20\nX70\nM17\n"}};
+  const Result ran = run("G18 G90 G95 DIAMON\nG0 X82 Z5\nCYCLE95(\"PART\",5,0,0,0,0.3,0.2,0.15,9)\nM30\n", called,
+                         ir::MachineKind::lathe);
+  EXPECT_TRUE(ran.result.diagnostics.empty()) << text::message_of(ran.result.diagnostics.front().diagnostic);
+}
+
 TEST(Contour, WhatIsNotInterpretedIsToldAndNothingIsCut) {
   const Texts stairs = {{"NECK", "PROC NECK\nG1 X20 Z0\nX40 Z-10\nX30 Z-15\nX35 Z-20\nX25 Z-25\nX60 Z-40\nM17\n"}};
   const Result neck = cycle("\"NECK\",5,0,0,0,0.3,0.2,0.15,9", stairs);

@@ -48,6 +48,22 @@ void expect_moves(const std::vector<Move>& actual, const std::vector<Move>& expe
   EXPECT_EQ(actual.size(), expected.size());
 }
 
+// The last cut follows the shape with its chamfer from X38 to X40 and its fillet to X44, as G70 does.
+TEST(Repetitive, TheCornersOfTheShapeAreCut) {
+  const std::vector<Move> actual =
+      cut("G00 X64. Z2.\nG71 U22. R1.\nG71 P10 Q20 U0. W0. F0.3\n"
+          "N10 G00 X20.\nG01 Z-10. F0.1\nX40. ,C1.\nZ-20. ,R2.\nX60.\nN20 Z-30.\nG70 P10 Q20\n");
+  const std::vector<Move> shape = {{'f', 20, -10}, {'f', 38, -10}, {'f', 40, -11}, {'f', 40, -18},
+                                   {'a', 44, -20}, {'f', 60, -20}, {'f', 60, -30}};
+  std::vector<Move> expected = {{'r', 64, 2}, {'r', 20, 2}};
+  for (int pass = 0; pass < 2; ++pass) {
+    expected.insert(expected.end(), shape.begin(), shape.end());
+    expected.push_back({'r', 64, 2});
+    if (pass == 0) expected.push_back({'r', 20, 2});
+  }
+  expect_moves(actual, expected);
+}
+
 // A cone from X20 Z0 to X60 Z-40: at diameter x it lies at z = -(x - 20), with 0.2 (radius) and 0.1 left on it.
 TEST(Repetitive, RoughingStopsAtTheShapeWithItsAllowances) {
   const std::vector<Move> actual =
