@@ -124,6 +124,20 @@ class Sinumerik(Maker):
         self.nested(2)
         self.put(f"{label}:")
 
+    def repeat(self):
+        """A part that is run once, then again by its REPEAT, or by one from elsewhere behind it."""
+        label = f"PART{self.label()}"
+        self.put(f"{label}A: R3=R3+1")
+        self.nested(2)
+        self.put(self.one_of(f"REPEAT {label}A P={self.chance.randint(1, 2)}", f"{label}B: G1 X=IC(1)\nREPEAT {label}A {label}B P={self.chance.randint(1, 2)}",
+                             f"{label}B: G0 Y=IC(1)\nREPEATB {label}B P=I1"))
+
+    def polar(self):
+        x, y, radius, angle = self.number(), self.number(), self.number(3, 20), self.chance.randint(0, 350)
+        self.put(f"G111 X{x} Y{y}")
+        self.put(f"G1 AP={angle} RP={radius}")
+        self.put(self.one_of(f"G3 AP=IC({self.chance.randint(10, 350)}) RP={radius}\nG1", f"AP=IC({self.chance.randint(-90, 90)})", f"AP=R1 RP={radius}", f"G112 X1 Y=R1\nAP=R2*10 RP={radius}"))
+
     def frame(self):
         self.put(self.one_of(f"TRANS X{self.number()} Y{self.number()}", f"TRANS Y{self.number()}\nATRANS X{self.number()} Y{self.number()}", f"TRANS X{self.number()}\nAROT RPL={self.number()}", "TRANS"))
 
@@ -146,6 +160,8 @@ class Sinumerik(Maker):
         kinds = [self.assignment, self.assignment, self.move, self.move, self.arc, self.jump]
         if self.depth < 3:
             kinds += [self.choice, self.loop]
+        if self.depth < 2:
+            kinds += [self.repeat, self.polar]
         if self.depth == 0:
             kinds += [self.frame, self.drill]
             if self.calls:
@@ -201,6 +217,22 @@ class Fanuc(Maker):
         self.nested(2)
         self.put(f"N{label}")
 
+    def branch(self):
+        """To one of three blocks, by its number."""
+        first = 100 + self.label()
+        numbers = [first, 100 + self.label(), 100 + self.label()]
+        self.put(f"#19={self.chance.choice(numbers)}")
+        self.put("GOTO#19")
+        for number in numbers:
+            self.put(f"N{number}")
+            self.nested(1)
+
+    def polar(self):
+        self.put("G16")
+        for _ in range(self.chance.randint(1, 3)):
+            self.put(self.one_of("G00 ", "G01 ") + self.one_of(f"X{self.number(3, 20)} Y{self.chance.randint(0, 350)}.", f"X{self.number(3, 20)} Y[#1*10.]"))
+        self.put("G15")
+
     def loop(self):
         counter = f"#{20 + self.depth}"
         self.put(f"{counter}=0")
@@ -235,7 +267,7 @@ class Fanuc(Maker):
         if self.depth < 3:
             kinds.append(self.loop)
         if self.depth == 0:
-            kinds += [self.frame, self.drill]
+            kinds += [self.frame, self.drill, self.branch, self.polar]
             if self.calls:
                 kinds.append(self.call)
             if self.shares:
