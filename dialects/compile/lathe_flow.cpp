@@ -111,7 +111,12 @@ class NoSink final : public ir::MotionSink {
 }  // namespace
 
 bool may_be_skipped(const ir::Program& program, const ir::Statement& s) {
-  return s.skip_level != 0 || (s.kind == StatementKind::block && program.blocks[s.payload].rest_level != 0);
+  if (s.skip_level != 0 || s.kind != StatementKind::block) return s.skip_level != 0;
+  // Behind "/M14" nothing moves.
+  const ir::Block& block = program.blocks[s.payload];
+  return std::ranges::any_of(program.words_of(block), [&](const ir::Word& w) { return ir::in_rest(block, w.span); }) ||
+         std::ranges::any_of(program.codes_of(block),
+                             [&](const ir::Code& c) { return c.letter != 'M' && ir::in_rest(block, c.span); });
 }
 
 bool has_own_words(const ir::Program& program, const ir::Block& block) {

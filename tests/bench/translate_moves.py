@@ -482,7 +482,9 @@ def difference_by(a, b, detour, least):
         if one[0] != other[0] or math.dist(point(one[1]), point(other[1])) > TOLERANCE_MM:
             return f"move {n}: {one} / {other}"
         feeds = [value(move[1].get("F", "0")) or 0.0 for move in (one, other)]
-        if abs(feeds[0] - feeds[1]) > max(1e-3, 1e-3 * abs(feeds[0])):
+        # A time is that of a way, and of a short one the printed decimals are more.
+        share = 1e-2 if one[1].get("F", "").endswith("/inv") else 1e-3
+        if abs(feeds[0] - feeds[1]) > max(1e-3, share * abs(feeds[0])):
             return f"feed of move {n}: {one} / {other}"
     return "" if len(a) == len(b) else f"{len(a)} moves / {len(b)} moves"
 

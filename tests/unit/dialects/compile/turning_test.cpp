@@ -273,6 +273,9 @@ TEST(LoweredTurning, SinglePassesAsTheirMoves) {
           "WHILE[#1 GT 27.]DO1\nG92 X#1 Z-20. F2.\n#1=#1-0.5\nEND1\nG00 X50.\nG90 X30. Z-10. F0.3\nX28.\n"
           "G94 X20. Z2. R-1.\nG00 X100. Z50.\nM30\n%\n",
       "fanuc", "sinumerik-840d");
+  // A switch for the coolant alone leaves the place known.
+  expect_translated("%\nO1\nG21 G18 G99 G97 G40\nG00 X34. Z5. /M08\nG92 X29. Z-20. F2.\nG00 X50.\nM30\n%\n", "fanuc",
+                    "sinumerik-840d");
   EXPECT_NE(made.find("G33 Z-20. K2."), std::string::npos) << made;
   EXPECT_NE(made.find("G0 X=R1"), std::string::npos) << made;
 }
