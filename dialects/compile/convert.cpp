@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "dialects/compile/call_levels.h"
 #include "dialects/compile/carry_comments.h"
+#include "dialects/compile/common_numbers.h"
+#include "dialects/compile/definition_files.h"
 #include "dialects/compile/dialect.h"
 #include "dialects/compile/explicit_program.h"
 #include "dialects/compile/lower_turning.h"
@@ -132,6 +135,7 @@ class Converter {
       settle(read.program);
       if (read.program.sections.size() > 1) {
         drop_unread_arguments(read.program, request_.from, request_.to);
+        common_.emplace(read.program, request_.from, request_.to, request_.library);
         several(read.program);
       } else {
         print(read.program, request_.from);
@@ -154,7 +158,7 @@ class Converter {
 
   void print(const ir::Program& program, const ir::Control& from) {
     append(result_.diagnostics, foreign_axis_words(program, from, request_.to));
-    ir::RaiseResult raised = to_.raise(program, from, request_.to);
+    ir::RaiseResult raised = raise(program, from);
     append(result_.diagnostics, std::move(raised.diagnostics));
     if (text::has_error(result_.diagnostics)) return;
     ir::PrintResult printed = to_.print(raised.program, request_.to);
@@ -174,6 +178,27 @@ class Converter {
     }
   }
 
+  // With what the control's definition files declare; what was run has it by then.
+  ir::RaiseResult raise(const ir::Program& program, const ir::Control& from) {
+    const bool alone = request_.library == nullptr || request_.mode != ConvertMode::macro || &from_ == &to_;
+    if (alone || from.definition_files.empty()) return raise_with_room(program, from);
+    ir::Program defined = program;
+    add_definitions(defined, from, *request_.library);
+    return raise_with_room(defined, from);
+  }
+
+  // Local variables are what a program may always have; common ones only where nothing that runs with it has them.
+  ir::RaiseResult raise_with_room(const ir::Program& program, const ir::Control& from) {
+    ir::RaiseResult raised = to_.raise(program, from, request_.to);
+    const bool too_few = std::ranges::any_of(
+        raised.diagnostics, [](const text::Diagnostic& d) { return d.id == text::DiagnosticId::not_enough_variables; });
+    if (too_few && !common_) common_.emplace(program, from, request_.to, request_.library);
+    if (too_few)
+      if (const auto wider = common_->control_for(program.name)) raised = to_.raise(program, from, *wider);
+    if (common_ && !text::has_error(raised.diagnostics)) common_->took(program.name, raised.program);
+    return raised;
+  }
+
   // What the other control would take otherwise, if it were only printed.
   void settle(ir::Program& program) {
     append(result_.diagnostics, passes::settle_modes(program, request_.from, request_.to));
@@ -188,7 +213,7 @@ class Converter {
     for (const ir::Section& section : text.sections) {
       ir::Program program = program_of(text, section);
       lower(program);
-      ir::RaiseResult raised = to_.raise(program, request_.from, request_.to);
+      ir::RaiseResult raised = raise(program, request_.from);
       append(result_.diagnostics, std::move(raised.diagnostics));
       raised.program.name = joined.name_there(program);
       levels.add(raised.program.name, raised.program);
@@ -281,6 +306,7 @@ class Converter {
   const ConvertRequest& request_;
   const Dialect& from_;
   const Dialect& to_;
+  std::optional<CommonNumbers> common_;
   ConvertResult result_;
 };
 

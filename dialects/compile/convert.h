@@ -20,7 +20,7 @@ struct ConvertRequest {
   ir::Control from;
   ir::Control to;
   ConvertMode mode = ConvertMode::macro;
-  ProgramLibrary* library = nullptr;  // of called programs, for explicit; nullptr: none are found
+  ProgramLibrary* library = nullptr;  // of called programs (explicit) and definition files; nullptr: none are found
   interpreter::Limits limits = {};    // of the run, for explicit
 };
 

@@ -21,14 +21,15 @@ std::optional<std::uint32_t> global_of(const ir::Program& program, const ir::Var
 
 class Refusal {
  public:
-  Refusal(const ir::Program& program, const ir::Control& to) : program_(program), to_(to) {}
+  Refusal(const ir::Program& program, const PlacedGlobals& placed, const ir::Control& to)
+      : program_(program), placed_(placed), to_(to) {}
 
   std::vector<text::Diagnostic> run() {
     const bool company = has_company(program_);
     for (const ir::Statement& s : program_.statements) {
       for (const passes::VariableUseAt& use : passes::variables_of(program_, s)) {
         const ir::Variable& v = program_.at(use.variable);
-        if (!global_of(program_, v)) continue;
+        if (!watched(v)) continue;
         // The elements of an array are not followed one by one.
         const bool element = v.index != ir::ExpressionId::none;
         if (company) refuse(v, s, ", which other programs share,");
@@ -36,7 +37,7 @@ class Refusal {
       }
     }
     const auto scalar = [this](const ir::Variable& v) {
-      return v.index == ir::ExpressionId::none ? global_of(program_, v) : std::nullopt;
+      return v.index == ir::ExpressionId::none ? watched(v) : std::nullopt;
     };
     for (const passes::UnsetRead& read : passes::reads_before_set(program_, scalar))
       refuse(program_.at(read.variable), program_.statements[read.statement], ", whose value is not known here,");
@@ -44,6 +45,12 @@ class Refusal {
   }
 
  private:
+  // What a definition file declares has a place, or has been refused.
+  [[nodiscard]] std::optional<std::uint32_t> watched(const ir::Variable& v) const {
+    const auto global = global_of(program_, v);
+    return global && placed_.defined.contains(v.symbol) ? std::nullopt : global;
+  }
+
   void refuse(const ir::Variable& v, const ir::Statement& s, std::string_view why) {
     if (!told_.insert(v.symbol).second) return;
     const std::string name(program_.strings.at(program_.at(v.symbol).name));
@@ -52,6 +59,7 @@ class Refusal {
   }
 
   const ir::Program& program_;
+  const PlacedGlobals& placed_;
   const ir::Control& to_;
   std::set<ir::SymbolId> told_;
   std::vector<text::Diagnostic> out_;
@@ -59,8 +67,9 @@ class Refusal {
 
 }  // namespace
 
-std::vector<text::Diagnostic> refuse_global_data(const ir::Program& program, const ir::Control& to) {
-  return Refusal(program, to).run();
+std::vector<text::Diagnostic> refuse_global_data(const ir::Program& program, const PlacedGlobals& placed,
+                                                 const ir::Control& to) {
+  return Refusal(program, placed, to).run();
 }
 
 }  // namespace dripfeed::macro_b

@@ -11,6 +11,7 @@
 #include "dialects/macro_b/complete.h"
 #include "dialects/macro_b/flatten.h"
 #include "dialects/macro_b/global_data.h"
+#include "dialects/macro_b/place_globals.h"
 #include "dialects/macro_b/print.h"
 #include "dialects/macro_b/raise_block.h"
 #include "dialects/macro_b/raise_drilling.h"
@@ -262,19 +263,27 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
                       const Grammar& grammar) {
   ir::RaiseResult result{program, {}};
   ir::Program& p = result.program;
-  if (from.dialect != to.dialect) say_unsaid(p, from, to, result.diagnostics);
+  PlacedGlobals globals;
+  if (from.dialect != to.dialect) {
+    globals = place_globals(p, to);
+    append(result.diagnostics, std::move(globals.diagnostics));
+    say_unsaid(p, from, to, result.diagnostics);
+  }
   append(result.diagnostics, complete_statements(p, to.title));
   if (from.dialect != to.dialect) append(result.diagnostics, raise_drilling(p, from, to));
   if (from.dialect != to.dialect) append(result.diagnostics, raise_frames(p, to));
-  if (from.dialect != to.dialect) append(result.diagnostics, refuse_global_data(p, to));
+  if (from.dialect != to.dialect) append(result.diagnostics, refuse_global_data(p, globals, to));
   const bool by_number = has_numbered_variables(from);
   passes::AllocationRules rules;
+  rules.reserved = std::move(globals.reserved);
+  rules.kept = std::move(globals.unplaced);  // told; nobody else is to go without for them
+  rules.fixed = std::move(globals.numbers);
   if (from.dialect != to.dialect && !by_number) {
     if (is_l_number(p.name)) p.name = fmt::format("O{:0>4}", p.name.substr(1));
     rules.shares = has_company(p);
     append(result.diagnostics, raise_calls(p, to));
     RaisedParameters parameters = raise_parameters(p, to);
-    rules.fixed = std::move(parameters.numbers);
+    rules.fixed.merge(parameters.numbers);
     append(result.diagnostics, std::move(parameters.diagnostics));
   }
   passes::FreeNumbers numbers(p, grammar.highest_block_number);

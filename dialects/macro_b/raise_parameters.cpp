@@ -117,11 +117,12 @@ class Parameters {
   RaisedParameters result_;
 };
 
-// Variables that a called program of the same level would share.
+// Variables that a called program of the same level would share; global data lies where all programs find it.
 bool has_own_variables(const ir::Program& program) {
   return std::ranges::any_of(program.statements, [&](const ir::Statement& s) {
     return std::ranges::any_of(passes::variables_of(program, s), [&](const passes::VariableUseAt& use) {
-      return program.at(use.variable).bank == ir::Bank::named;
+      const ir::Variable& v = program.at(use.variable);
+      return v.bank == ir::Bank::named && (v.symbol == ir::SymbolId::none || !program.at(v.symbol).is_global);
     });
   });
 }

@@ -32,6 +32,17 @@ struct Wanted {
   bool told = false;  // that it cannot be placed
 };
 
+// The ranges of the target that programs may use, in the order in which they are given away.
+std::vector<ir::VariableRange> ranges_for_users(const ir::Control& to, Bank bank) {
+  static constexpr std::array kOrder = {VariableUse::common, VariableUse::permanent, VariableUse::local};
+  std::vector<ir::VariableRange> ranges;
+  for (const VariableUse use : kOrder) {
+    for (const ir::VariableRange& range : to.variables)
+      if (range.bank == bank && range.use == use && range.writable) ranges.push_back(range);
+  }
+  return ranges;
+}
+
 class Allocator {
  public:
   Allocator(ir::Program& program, const ir::Control& from, const ir::Control& to, Bank bank,
@@ -105,7 +116,7 @@ class Allocator {
   }
   static std::uint32_t count_of(const ir::Symbol& symbol) {
     const std::uint32_t rows = std::max<std::uint32_t>(1, symbol.dimension1);
-    return rows * std::max<std::uint32_t>(1, symbol.dimension2);
+    return rows * std::max<std::uint32_t>(1, symbol.dimension2) * std::max<std::uint32_t>(1, symbol.dimension3);
   }
 
   void collect() {
@@ -138,7 +149,7 @@ class Allocator {
       wanted.place.from_bank = v.bank;
       wanted.place.symbol = v.symbol;
       wanted.place.from_number = v.number;
-      if (named) take_symbol(wanted, v.symbol);
+      if (named) take_symbol(wanted, v.symbol, v.span);
     }
     if (named && v.index != ExpressionId::none) check_array(wanted, v);
     live_.extend(wanted.live, statement);
@@ -166,12 +177,12 @@ class Allocator {
          to_.title}));
   }
 
-  void take_symbol(Wanted& wanted, ir::SymbolId id) {
+  void take_symbol(Wanted& wanted, ir::SymbolId id, text::Span used) {
     const ir::Symbol& symbol = program_.at(id);
     wanted.place.count = count_of(symbol);
     if (is_number(symbol)) return;
     report_.diagnostics.push_back(text::make_diagnostic(
-        text::DiagnosticId::cannot_translate, symbol.span,
+        text::DiagnosticId::cannot_translate, symbol.span.empty() ? used : symbol.span,
         {"the variable " + std::string(program_.strings.at(symbol.name)) + ", which is no number,", to_.title}));
   }
 
@@ -190,17 +201,7 @@ class Allocator {
     all.live = LiveRange::always();
   }
 
-  // The ranges of the target that programs may use, in the order in which they are given away.
-  [[nodiscard]] std::vector<ir::VariableRange> user_ranges() const {
-    static constexpr std::array kOrder = {VariableUse::common, VariableUse::permanent, VariableUse::local};
-    std::vector<ir::VariableRange> ranges;
-    for (const VariableUse use : kOrder) {
-      for (const ir::VariableRange& range : to_.variables) {
-        if (range.bank == bank_ && range.use == use && range.writable) ranges.push_back(range);
-      }
-    }
-    return ranges;
-  }
+  [[nodiscard]] std::vector<ir::VariableRange> user_ranges() const { return ranges_for_users(to_, bank_); }
 
   bool place_all(bool share) {
     given_.clear();
@@ -218,7 +219,7 @@ class Allocator {
     for (auto& [key, wanted] : wanted_) {
       if (wanted.given || key.first == Bank::named) continue;
       if (rules_.shares) {
-        const std::uint32_t number = agreed_number(key.second);
+        const std::uint32_t number = shared_number(to_, bank_, key.second, rules_.reserved);
         if (!is_shared_by_calls(number) || !is_free(number, 1, wanted.live, false)) return false;
         give(wanted, number);
         continue;
@@ -228,17 +229,6 @@ class Allocator {
       }
     }
     return std::ranges::all_of(wanted_, [&](auto& row) { return row.second.given || place(row.second, share); });
-  }
-
-  // 0 where there is none.
-  [[nodiscard]] std::uint32_t agreed_number(std::uint32_t number) const {
-    for (const ir::VariableRange& range : user_ranges()) {
-      if (range.use == VariableUse::local) continue;
-      const std::uint32_t count = range.last - range.first + 1;
-      if (number < count) return range.first + number;
-      number -= count;
-    }
-    return 0;
   }
 
   bool place(Wanted& wanted, bool share) {
@@ -267,7 +257,7 @@ class Allocator {
 
   [[nodiscard]] bool is_free(std::uint32_t first, std::uint32_t count, const LiveRange& live, bool share) const {
     for (std::uint32_t n = first; n < first + count; ++n) {
-      if (taken_.contains(n)) return false;
+      if (taken_.contains(n) || rules_.reserved.contains(n)) return false;
       const auto owners = given_.find(n);
       if (owners == given_.end()) continue;
       if (!share || std::ranges::any_of(owners->second, [&](const LiveRange& r) { return r.meets(live); }))
@@ -288,11 +278,14 @@ class Allocator {
     // Where programs call each other, names have local variables only.
     std::size_t needed = 0;
     for (const auto& [key, wanted] : wanted_)
-      needed += rules_.shares && key.first != Bank::named ? 0 : wanted.place.count;
+      needed += wanted.given && rules_.fixed.contains(wanted.place.symbol) ? 0
+                : rules_.shares && key.first != Bank::named                ? 0
+                                                                           : wanted.place.count;
     std::size_t free = 0;
     for (const ir::VariableRange& range : user_ranges()) {
       if (rules_.shares && range.use != VariableUse::local) continue;
-      for (std::uint32_t n = range.first; n <= range.last; ++n) free += pinned_ || taken_.contains(n) ? 0U : 1U;
+      for (std::uint32_t n = range.first; n <= range.last; ++n)
+        free += pinned_ || taken_.contains(n) || rules_.reserved.contains(n) ? 0U : 1U;
     }
     report_.diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::not_enough_variables, {},
                                                         {std::to_string(needed), std::to_string(free)}));
@@ -307,7 +300,7 @@ class Allocator {
       const AllocatedVariable& place = wanted_.at({v.bank, whole ? 0 : key}).place;
       std::uint32_t number = place.number + (whole ? v.number : 0);
       if (v.bank == Bank::named && !flat_.contains(index)) v.index = flat_index(v);
-      v.index2 = ExpressionId::none;
+      v.index2 = v.index3 = ExpressionId::none;
       if (v.index != ExpressionId::none) {
         const ir::Expression e = program_.at(v.index);
         if (e.op == ir::Operator::constant) {
@@ -324,17 +317,19 @@ class Allocator {
     }
   }
 
-  // A[i, k] as one index: i * columns + k.
+  // A[i, k] as one index: i * columns + k; with a third one, layers in it alike.
   ExpressionId flat_index(const ir::Variable& v) {
-    if (v.index2 == ExpressionId::none) return v.index;
-    const double columns = std::max<std::uint32_t>(1, program_.at(v.symbol).dimension2);
-    const ir::Expression a = program_.at(v.index);
-    const ir::Expression b = program_.at(v.index2);
-    if (a.op == ir::Operator::constant && b.op == ir::Operator::constant) {
-      return program_.add_constant(a.value * columns + b.value);
-    }
-    const ExpressionId row = program_.add_operator(ir::Operator::multiply, v.index, program_.add_constant(columns));
-    return program_.add_operator(ir::Operator::add, row, v.index2);
+    const ir::Symbol symbol = program_.at(v.symbol);
+    return within_row(within_row(v.index, symbol.dimension2, v.index2), symbol.dimension3, v.index3);
+  }
+  ExpressionId within_row(ExpressionId row, std::uint32_t size, ExpressionId column) {
+    if (column == ExpressionId::none) return row;
+    const ir::Expression a = program_.at(row);
+    const ir::Expression b = program_.at(column);
+    if (a.op == ir::Operator::constant && b.op == ir::Operator::constant)
+      return program_.add_constant(a.value * size + b.value);
+    const ExpressionId begin = program_.add_operator(ir::Operator::multiply, row, program_.add_constant(size));
+    return program_.add_operator(ir::Operator::add, begin, column);
   }
 
   ir::Program& program_;
@@ -355,6 +350,19 @@ class Allocator {
 };
 
 }  // namespace
+
+std::uint32_t shared_number(const ir::Control& to, Bank bank, std::uint32_t number,
+                            const std::set<std::uint32_t>& reserved) {
+  for (const ir::VariableRange& range : ranges_for_users(to, bank)) {
+    if (range.use == VariableUse::local) continue;
+    for (std::uint32_t n = range.first; n <= range.last; ++n) {
+      if (reserved.contains(n)) continue;
+      if (number == 0) return n;
+      --number;
+    }
+  }
+  return 0;
+}
 
 AllocationReport allocate_variables(ir::Program& program, const ir::Control& from, const ir::Control& to, Bank bank,
                                     const AllocationRules& rules) {

@@ -32,12 +32,18 @@ struct AllocationReport {
 struct AllocationRules {
   // Numbers that symbols must get: those of parameters.
   std::map<ir::SymbolId, std::uint32_t> fixed;
+  // Numbers that hold what other programs know as well: never given away.
+  std::set<std::uint32_t> reserved = {};
   // Symbols that stay names.
   std::set<ir::SymbolId> kept;
   // The program calls others or is called. Names get local variables only, and a number of another bank is the same in
-  // each program: counted through the common and permanent variables (R0 is #100, R100 is #500).
+  // each program: counted through the common and permanent variables (R0 is #100, R100 is #500) that are not reserved.
   bool shares = false;
 };
+
+// Where a number of another bank lies in all programs that call each other; 0 where there is no room for it.
+std::uint32_t shared_number(const ir::Control& to, ir::Bank bank, std::uint32_t number,
+                            const std::set<std::uint32_t>& reserved);
 
 // Rewrites every variable that is not of `bank` (system ones excepted) to a number of `bank` that `to` has and may
 // write, common ones before permanent ones before local ones. Each gets a number of its own; only when there are too
