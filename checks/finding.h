@@ -22,7 +22,8 @@ struct Finding {
   ir::Place place;
   double value = 0.0;  // units as the sentence says
   double limit = 0.0;
-  std::string text;  // the sentence
+  std::string text;   // the sentence
+  std::string alarm;  // what the control calls it, set by whoever knows the control; "" where it has no alarm
 };
 
 // Keeps the first findings of each kind, counts all and remembers the worst. A finding that is neither costs no memory.
@@ -46,9 +47,16 @@ class FindingList {
         kind->count == 1 || std::fabs(value - limit) > std::fabs(kind->worst.value - kind->worst.limit);
     if (!keeps && !is_worst) return;
     const text::Diagnostic diagnostic = text::make_diagnostic(id, {}, std::forward<Arguments>(arguments)());
-    Finding finding{id, diagnostic.severity, place, value, limit, text::message_of(diagnostic)};
+    Finding finding{id, diagnostic.severity, place, value, limit, text::message_of(diagnostic), {}};
     if (is_worst) kind->worst = finding;
     if (keeps) findings_.push_back(std::move(finding));
+  }
+
+  // `alarm_of` is asked for each kept finding and each kind's worst.
+  template <class AlarmOf>
+  void name_alarms(AlarmOf&& alarm_of) {
+    for (Finding& one : findings_) one.alarm = alarm_of(std::as_const(one));
+    for (Kind& kind : kinds_) kind.worst.alarm = alarm_of(std::as_const(kind.worst));
   }
 
   // The kept ones, in the order of the program.

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "dialects/fanuc/tables.h"
+#include "dialects/ir/alarm_details.h"
 
 namespace dripfeed::fanuc {
 
@@ -120,6 +121,8 @@ constexpr auto kAlarms = std::to_array<AlarmRow>({
     {travel_exceeded, "OT0500", above},
     {travel_exceeded, "OT0501", below},
     {syntax_error, "PS1115", write_only},
+    {syntax_error, "PS1096", ir::kNameOfVariable},
+    {unknown_name, "PS1098"},
     // These ten are known from alarm lists and use, not from the fact sheet that the others were read from.
     {code_not_in_mode, "PS0176"},
     {code_not_in_mode, "PS0146", in_face},
@@ -130,7 +133,6 @@ constexpr auto kAlarms = std::to_array<AlarmRow>({
     {measuring_invalid, "PS0082", beside_tool},
     {measuring_invalid, "PS0081", without_offset},
     {value_out_of_range, "PS0190", surface_axis},
-
 });
 
 }  // namespace

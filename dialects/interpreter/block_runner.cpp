@@ -203,11 +203,11 @@ ir::Address BlockRunner::find_axis(const ComputedWord& word) {
   return ir::Address::other;
 }
 
-// The number is looked up as it comes; G54.1 is 541.
+// A G number is looked up as it comes, G54.1 as 541; an M number is a whole one, M[3.5] is M4.
 bool BlockRunner::add_computed_code(const Instruction& i, const ComputedCode& code) {
   const double value = storage_.reg(raw_of(code.operand));
   if (is_vacant(value)) return true;  // the word is ignored
-  const double tenths = arithmetic_.round(value * 10.0);
+  const double tenths = code.letter == 'M' ? arithmetic_.round(value) * 10.0 : arithmetic_.round(value * 10.0);
   const auto table = code.letter == 'M' ? control_.m_codes : control_.g_codes;
   const ir::CodeRow* row =
       std::abs(tenths) < 32767.0 ? ir::find_code(table, static_cast<std::int32_t>(tenths)) : nullptr;

@@ -12,7 +12,9 @@ using text::DiagnosticId;
 // $P_UIFR[n,X,TR] is a number of the control's memory like others; all else that names a frame is one.
 std::optional<SystemValue> VariableCompiler::frame_kind(const ir::Variable& variable) const {
   if (variable.bank != Bank::system || variable.name == ir::StringId::none || variable.number == 0) return std::nullopt;
-  const SystemValue kind = builder_.context().control.system_variables[variable.number].kind;
+  const auto rows = builder_.context().control.system_variables;
+  if (variable.number >= rows.size()) return std::nullopt;
+  const SystemValue kind = rows[variable.number].kind;
   if (kind < SystemValue::programmable_frame || kind > SystemValue::total_frame) return std::nullopt;
   const bool part_of_settable = kind == SystemValue::settable_frame && variable.index2 != ir::ExpressionId::none;
   return part_of_settable ? std::nullopt : std::optional(kind);

@@ -1,5 +1,5 @@
 // Further values of AlarmDetail: which of several alarms a control has for what types, arguments and indices do wrong.
-// Only the interpreter gives them, and a control's table answers them.
+// The interpreter and readers give them, and a control's table answers them.
 #pragma once
 
 #include "dialects/ir/control.h"
@@ -16,8 +16,9 @@ inline constexpr AlarmDetail kTooManyPassed{106};    // arguments
 inline constexpr AlarmDetail kLeftOut{107};          // an argument that has no default
 inline constexpr AlarmDetail kFirstIndex{108};       // of an array or of variables by number
 inline constexpr AlarmDetail kSecondIndex{109};
-inline constexpr AlarmDetail kPasses{110};    // how often a program runs
-inline constexpr AlarmDetail kJoined{111};    // texts put together
-inline constexpr AlarmDetail kNegative{112};  // a feed
+inline constexpr AlarmDetail kPasses{110};          // how often a program runs
+inline constexpr AlarmDetail kJoined{111};          // texts put together
+inline constexpr AlarmDetail kNegative{112};        // a feed
+inline constexpr AlarmDetail kNameOfVariable{113};  // [#NAME] with what no name begins with
 
 }  // namespace dripfeed::ir

@@ -209,6 +209,14 @@ void BlockLowering::name_contour_control(std::uint32_t first_code, std::uint32_t
   }
 }
 
+// M[3.5] is M4, as it is where the number comes from a variable; M3.5 is no code.
+std::int32_t BlockLowering::whole_m_number10(const RawWord& word, std::int32_t number10) const {
+  const bool calculated = word.span.in(program_.source.text()).substr(1).starts_with('[');
+  const ir::Expression* value = calculated && number10 != -1 ? &program_.at(word.value) : nullptr;
+  const bool fits = value != nullptr && value->value >= 0.0 && value->value <= kHighestCode10 / 10.0;
+  return fits ? static_cast<std::int32_t>(std::lround(value->value)) * 10 : number10;
+}
+
 void BlockLowering::lower(std::span<const RawWord> words, const BlockPlace& place) {
   const auto first_code = static_cast<std::uint32_t>(program_.codes.size());
   const auto first_word = static_cast<std::uint32_t>(program_.words.size());
@@ -221,7 +229,8 @@ void BlockLowering::lower(std::span<const RawWord> words, const BlockPlace& plac
       if (word.letter != '<') add_word(word);
       continue;
     }
-    const std::int32_t number10 = number10_of(word.value);
+    std::int32_t number10 = number10_of(word.value);
+    if (word.letter == 'M' && number10 % 10 != 0) number10 = whole_m_number10(word, number10);
     const CallWord kind = call_word(control_, word.letter, number10);
     const bool data = kind == CallWord::data_input || kind == CallWord::data_end;
     if (data ? begins_data(kind, words, place) : kind != CallWord::none) {

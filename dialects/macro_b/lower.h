@@ -81,6 +81,7 @@ class BlockLowering {
   void name_direct_angle(std::uint32_t first_code, std::uint32_t first_word);
   ir::ExpressionId in_increments(ir::ExpressionId value, double increment);
   [[nodiscard]] std::int32_t number10_of(ir::ExpressionId value) const;
+  [[nodiscard]] std::int32_t whole_m_number10(const RawWord& word, std::int32_t number10) const;
 
   ir::Program& program_;
   const ir::Control& control_;

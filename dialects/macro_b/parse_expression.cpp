@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/macro_b/variables.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::macro_b {
@@ -23,7 +24,6 @@ using enum text::DiagnosticId;
 constexpr std::uint32_t kDeepestBracket = 64;
 // Of one block. A chain of operators is a tree as deep as it is long, and whoever walks it must not run out of stack.
 constexpr std::uint32_t kMostOperators = 1000;
-constexpr double kHighestNumber = 99'999'999.0;
 
 bool is_comparison(Operator op) { return op >= Operator::equal && op <= Operator::greater_equal; }
 bool is_logic(Operator op) { return op >= Operator::logic_and && op <= Operator::logic_xor; }
@@ -152,77 +152,6 @@ ExpressionId ExpressionReader::number(std::uint32_t most_digits, bool negative, 
   return program_.add_constant(negative ? -decimal->value : decimal->value, span, decimal->has_point);
 }
 
-std::optional<ir::Variable> ExpressionReader::variable() {
-  ir::Variable result;
-  const std::uint32_t begin = cursor_.span().begin;
-  cursor_.advance();
-  if (cursor_.kind() == TokenKind::number) {
-    const auto written = text::parse_integer(cursor_.text());
-    if (!written || static_cast<double>(*written) > kHighestNumber) {
-      faults_.fail(variable_out_of_range, {begin, cursor_.span().end}, {"#" + std::string(cursor_.text())});
-      return std::nullopt;
-    }
-    result.number = static_cast<std::uint32_t>(*written);
-    cursor_.advance();
-  } else if (cursor_.is_symbol('[')) {
-    result.index = bracketed("#");
-    if (faults_.failed()) return std::nullopt;
-    const ir::Expression& index = program_.at(result.index);
-    if (index.op == Operator::constant && index.value >= 1.0 && index.value <= kHighestNumber) {
-      result.number = static_cast<std::uint32_t>(std::lround(index.value));
-      result.index = ExpressionId::none;
-    }
-  } else if (const auto named = cursor_.kind() == TokenKind::name ? names_.find(cursor_.text()) : names_.end();
-             named != names_.end()) {
-    result.number = named->second;
-    cursor_.advance();
-  } else if (const NamedVariable* system = system_name(); system != nullptr) {
-    if (!named_number(*system, result, begin)) return std::nullopt;
-  } else if (cursor_.kind() == TokenKind::name) {
-    faults_.make_native("a variable with a name");
-    cursor_.advance();
-    // [#_ABSIO[n]]: the number belongs to the name.
-    if (cursor_.is_symbol('[')) bracketed("#");
-    if (faults_.failed()) return std::nullopt;
-  } else {
-    const bool doubled = cursor_.kind() == TokenKind::variable;
-    faults_.fail(syntax_error, cursor_.span(),
-                 {doubled ? "## is not allowed: write #[#…]" : "# needs the number of a variable"});
-    return std::nullopt;
-  }
-  result.span = {begin, cursor_.previous_end()};
-  return result;
-}
-
-const NamedVariable* ExpressionReader::system_name() const {
-  if (cursor_.kind() != TokenKind::name) return nullptr;
-  const auto row = std::ranges::find(grammar_.named_variables, cursor_.text(), &NamedVariable::name);
-  return row == grammar_.named_variables.end() ? nullptr : &*row;
-}
-
-// [#_ABSIO[2]] is #5002.
-bool ExpressionReader::named_number(const NamedVariable& system, ir::Variable& result, std::uint32_t begin) {
-  cursor_.advance();
-  result.number = system.first;
-  if (!system.numbered) return true;
-  if (!cursor_.is_symbol('[')) {
-    faults_.fail(syntax_error, {begin, cursor_.previous_end()},
-                 {fmt::format("#{} needs its number in brackets", system.name)}, ir::AlarmDetail::name_in_use);
-    return false;
-  }
-  const ExpressionId index = bracketed("#");
-  if (faults_.failed()) return false;
-  const ir::Expression& value = program_.at(index);
-  if (value.op == Operator::constant && value.value >= 1.0 && value.value <= kHighestNumber) {
-    result.number = system.first + static_cast<std::uint32_t>(std::lround(value.value)) - 1;
-    return true;
-  }
-  const text::Span span = {begin, cursor_.previous_end()};
-  const ExpressionId before = program_.add_constant(static_cast<double>(system.first) - 1.0, span);
-  result.index = program_.add_operator(Operator::add, before, index, span);
-  return true;
-}
-
 ExpressionId ExpressionReader::variable_value() {
   const auto read = variable();
   if (!read) return ExpressionId::none;
@@ -299,6 +228,8 @@ ExpressionId ExpressionReader::function(const Keyword& keyword) {
   }
   open_at_ = open_at;
   if (!close_bracket()) return ExpressionId::none;
+  if (keyword.role == KeywordRole::unmodelled_function && keyword.spelling == kParameter)
+    return parameter_value(first, second, begin);
   if (keyword.role == KeywordRole::unmodelled_function) {
     faults_.make_native(keyword.spelling);
     return program_.add_constant(0.0, {begin, cursor_.previous_end()});

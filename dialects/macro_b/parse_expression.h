@@ -15,6 +15,8 @@
 
 namespace dripfeed::macro_b {
 
+inline constexpr std::size_t kLongestVariableName = 8;  // that SETVN gives; some controls take seven
+
 class ExpressionReader {
  public:
   ExpressionReader(ir::Program& program, const ir::Control& control, const Grammar& grammar,
@@ -57,8 +59,10 @@ class ExpressionReader {
   ir::ExpressionId variable_value();
   ir::ExpressionId bracketed(std::string_view after);
   [[nodiscard]] const NamedVariable* system_name() const;
+  void check_unset_name(text::Span span);
   bool named_number(const NamedVariable& system, ir::Variable& result, std::uint32_t begin);
   ir::ExpressionId function(const Keyword& keyword);
+  ir::ExpressionId parameter_value(ir::ExpressionId number, ir::ExpressionId bit, std::uint32_t begin);
   ir::ExpressionId second_argument(const Keyword& keyword, ir::ExpressionId first, std::uint32_t begin);
   ir::ExpressionId calculated(ir::ExpressionId id, std::uint32_t begin);
   ir::ExpressionId combine(ir::Operator op, ir::ExpressionId a, ir::ExpressionId b);

@@ -132,7 +132,7 @@ bool Parser::output_parts(std::string_view text, std::uint32_t begin) {
 
 // Of eight letters and digits at most, a letter first (0i-F B-64604EN, "Setting of a name"); some controls take seven.
 void Parser::check_variable_name(std::string_view name) {
-  constexpr std::size_t kMost = 8;
+  constexpr std::size_t kMost = kLongestVariableName;
   const auto begin = static_cast<std::uint32_t>(name.data() - cursor_.whole_text().data());
   const text::Span span{begin, begin + static_cast<std::uint32_t>(name.size())};
   const auto is_letter = [](char c) { return c >= 'A' && c <= 'Z'; };

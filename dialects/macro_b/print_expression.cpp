@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/macro_b/variables.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::macro_b {
@@ -81,7 +82,17 @@ std::string ExpressionPrinter::constant(double value, bool has_point) const {
   return out;
 }
 
+// PRM[n,bit]/[axis]: its name says whether an axis is among the indices.
+std::string ExpressionPrinter::parameter(const ir::Variable& variable) const {
+  const bool of_axis = program_.strings.at(variable.name) == kParameterOfAxis;
+  const ExpressionId bit = of_axis ? variable.index3 : variable.index2;
+  const std::string tail = of_axis ? fmt::format("/[{}]", expression(variable.index2)) : "";
+  if (bit == ExpressionId::none) return fmt::format("PRM[{}]{}", expression(variable.index), tail);
+  return fmt::format("PRM[{},{}]{}", expression(variable.index), expression(bit), tail);
+}
+
 std::string ExpressionPrinter::variable(const ir::Variable& variable) const {
+  if (variable.bank == ir::Bank::system && variable.name != ir::StringId::none) return parameter(variable);
   if (variable.index == ExpressionId::none) return fmt::format("#{}", variable.number);
   return fmt::format("#[{}]", expression(variable.index));
 }
@@ -142,9 +153,12 @@ std::string ExpressionPrinter::function(const ir::Expression& e) const {
 std::string ExpressionPrinter::word_value(ExpressionId id) const {
   const ir::Expression& e = program_.at(id);
   if (e.op == Operator::constant) return constant(e.value, e.has_point);
-  if (e.op == Operator::variable || e.op == Operator::vacant) return expression(id);
-  const Operator inner = e.op == Operator::negate ? program_.at(e.a).op : Operator::count_;
-  if (inner == Operator::variable) return expression(id);
+  // #1, but [PRM[1]].
+  const auto is_numbered = [&](const ir::Expression& v) {
+    return v.op == Operator::variable && program_.at(v.variable).bank != ir::Bank::system;
+  };
+  if (is_numbered(e) || e.op == Operator::vacant) return expression(id);
+  if (e.op == Operator::negate && is_numbered(program_.at(e.a))) return expression(id);
   ExpressionPrinter printer = *this;
   printer.in_word_ = true;
   return e.op == Operator::negate ? "-" + printer.condition(e.a) : printer.condition(id);

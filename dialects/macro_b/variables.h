@@ -4,11 +4,16 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "dialects/ir/control.h"
 
 namespace dripfeed::macro_b {
+
+// A parameter of the machine, PRM[n], and one of an axis, PRM[n]/[axis], as variables of bank `system`: their names.
+inline constexpr std::string_view kParameter = "PRM";
+inline constexpr std::string_view kParameterOfAxis = "PRM_OF_AXIS";
 
 inline constexpr std::uint32_t kAlarmVariable = 3000;    // #3000 = n(TEXT): stop with an alarm
 inline constexpr std::uint32_t kMessageVariable = 3006;  // #3006 = n(TEXT): stop with a message

@@ -135,7 +135,8 @@ class ExpressionRaiser {
   void system_variable(std::uint32_t id, const ir::Expression& e) {
     const ir::Variable v = program_.at(e.variable);
     const ir::SystemVariableRow* row = row_of(v);
-    if (row == nullptr && passes::is_foreign_variable(v, raising_.from))
+    const bool parameter = v.bank == ir::Bank::system && v.number == ir::kNoIndex;  // PRM of a '#' control
+    if (row == nullptr && (parameter || passes::is_foreign_variable(v, raising_.from)))
       return raising_.cannot("the variable " + std::string(raising_.text_of(e.span)), e.span);
     if (row == nullptr) return;
     const bool position = row->kind == ir::SystemValue::end_position || row->kind == ir::SystemValue::machine_position;

@@ -48,9 +48,22 @@ class Checks {
     if (envelope_) report_.checks.envelope = envelope_->finish();
     if (timing_) report_.checks.timing = timing_->finish();
     surfaces_.finish(report_.checks, report_.pictures);
+    checks::CheckReport& done = report_.checks;
+    if (done.envelope) name_alarms(done.envelope->findings);
+    if (done.timing) name_alarms(done.timing->findings);
+    if (done.gouge) name_alarms(done.gouge->findings);
+    if (done.accuracy) name_alarms(done.accuracy->findings);
   }
 
  private:
+  // A control may have one alarm for each side of a limit: soft overtravel + and -.
+  void name_alarms(checks::FindingList& findings) const {
+    findings.name_alarms([this](const checks::Finding& one) {
+      const auto side = one.value > one.limit ? ir::AlarmDetail::above : ir::AlarmDetail::below;
+      return std::string(ir::alarm_of(e_.control, one.id, side));
+    });
+  }
+
   void skip(std::string_view why) { report_.checks.not_checked.add(why); }
 
   void make_envelope() {
@@ -145,7 +158,7 @@ void sort_and_join(std::vector<text::Diagnostic>& diagnostics) {
   std::ranges::stable_sort(diagnostics, {}, [](const text::Diagnostic& d) { return d.span.begin; });
   // What reading and running both saw is said once.
   const auto same = [](const text::Diagnostic& a, const text::Diagnostic& b) {
-    return a.id == b.id && a.span == b.span && a.arguments == b.arguments;
+    return a.id == b.id && a.span.begin == b.span.begin && a.arguments == b.arguments;
   };
   diagnostics.erase(std::unique(diagnostics.begin(), diagnostics.end(), same), diagnostics.end());
 }

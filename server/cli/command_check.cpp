@@ -23,16 +23,14 @@ struct Options {
   bool drip = false;
 };
 
-void print_report(const app::CheckReport& report, const ir::Control& control) {
+void print_report(const app::CheckReport& report) {
   print_diagnostics(report.checks.diagnostics, report.source, report.control_title);
   const auto print_findings = [&](const checks::FindingList& findings) {
     for (const checks::Finding& one : findings.kept()) {
       const bool is_called = one.place.program != 0 && one.place.program < report.programs.size();
       const std::string& name = is_called ? report.programs[one.place.program] : report.source.name();
-      const auto side = one.value > one.limit ? ir::AlarmDetail::above : ir::AlarmDetail::below;
-      const std::string_view alarm = ir::alarm_of(control, one.id, side);
       fmt::print(stderr, "{}:{}: {}[{}]: {}{}\n", name, one.place.line, text::name_of(one.severity),
-                 text::row_of(one.id).name, one.text, alarm.empty() ? "" : fmt::format(" (alarm {})", alarm));
+                 text::row_of(one.id).name, one.text, one.alarm.empty() ? "" : fmt::format(" (alarm {})", one.alarm));
     }
   };
   if (report.checks.envelope) print_findings(report.checks.envelope->findings);
@@ -48,14 +46,12 @@ void print_report(const app::CheckReport& report, const ir::Control& control) {
              report.control_title.empty() ? report.dialect : report.control_title, why);
 }
 
-// `control` is the one that the file was taken for.
 app::Result<app::CheckReport> check_file(const Options& options, const std::string& path,
-                                         const std::optional<Nominal>& nominal, ir::Control& control) {
+                                         const std::optional<Nominal>& nominal) {
   auto source = read_source(path);
   if (!source) return std::unexpected(source.error());
   const auto chosen = choose_control(options.text, *source);
   if (!chosen) return std::unexpected(chosen.error());
-  control = chosen->control;
   return app::examine({.source = std::move(*source),
                        .dialect = chosen->dialect,
                        .control = chosen->control,
@@ -79,13 +75,12 @@ int check(const Options& options) {
     nominal = std::move(*read);
   }
   for (const std::string& file : options.files) {
-    ir::Control control;
-    auto report = check_file(options, file, nominal, control);
+    auto report = check_file(options, file, nominal);
     if (!report) {
       print_error(report.error());
       return kWrongUse;
     }
-    print_report(*report, control);
+    print_report(*report);
     reports.push_back(std::move(*report));
   }
   if (options.text.json && !write_output(options.text.output, json::check_files(reports))) return kWrongUse;

@@ -24,6 +24,7 @@ constexpr double kLeast = 0.001;
 constexpr std::string_view kAxisNames = "XYZABCUVW";
 constexpr std::array<std::string_view, 3> kKinds = {"mill", "lathe", "mill-turn"};
 constexpr std::array<std::string_view, 3> kGSystems = {"A", "B", "C"};
+constexpr std::array<std::string_view, 2> kArcsWithoutCenter = {"alarm", "line"};
 constexpr std::array<std::string_view, 2> kDecimalModes = {"calculator", "least-increment"};
 constexpr std::array<std::string_view, 3> kStarts = {"dc1", "at-once", "trigger"};
 constexpr std::array<std::string_view, 5> kFlows = {"none", "xonxoff", "rtscts", "dtrdsr", "both"};
@@ -179,6 +180,8 @@ void read_control(ObjectReader& object, machine::ControlSettings& control) {
   object.number("increment_mm", control.increment_mm, 0.0, 1.0);
   object.integer("block_length_bytes", control.block_length_bytes, 1, 65'536);
   object.integer("axes_at_once", control.axes_at_once, 1, 32);
+  if (const auto arc = object.choice("arc_without_center", kArcsWithoutCenter))
+    control.arc_without_center_is_line = *arc == 1;
   read_machine_functions(object, control);
   object.objects("code_calls", [&](ObjectReader& o) { read_code_call(o, control); });
   object.object("nesting", [&](ObjectReader& o) {

@@ -20,7 +20,8 @@ Document findings_document(const checks::FindingList& findings) {
                     {"program", one.place.program},  // an index into the report's programs; 0: the main one
                     {"value", one.value},
                     {"limit", one.limit},
-                    {"text", one.text}});
+                    {"text", one.text},
+                    {"alarm", one.alarm.empty() ? Document(nullptr) : Document(one.alarm)}});
   }
   Document counts = Document::object();
   for (const checks::FindingList::Kind& kind : findings.kinds())

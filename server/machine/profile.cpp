@@ -256,6 +256,7 @@ ir::Control control_of(const Profile& profile, ir::Control control) {
   if (settings.arc_tolerance_factor) semantics.arc_tolerance_factor = *settings.arc_tolerance_factor;
   semantics.spline_form_known = settings.splines_confirmed;
   if (settings.turning_depth_mm) semantics.cycle_depth_mm = *settings.turning_depth_mm;
+  if (settings.arc_without_center_is_line) semantics.arc_without_center_is_line = *settings.arc_without_center_is_line;
   if (settings.turning_retract_mm) semantics.cycle_retract_mm = *settings.turning_retract_mm;
   return control;
 }

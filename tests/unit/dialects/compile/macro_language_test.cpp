@@ -356,5 +356,47 @@ TEST(MacroLanguage, AnAlarmNotesWhatItsBlockRead) {
   EXPECT_EQ(notes_of("#101=#[2900000+#4111]"), "here #4111 is 0; ");
 }
 
+// M and what is calculated for it is a whole number (M[3.5] is M4); G keeps its tenths.
+TEST(MacroLanguage, CalculatedCodesAreRounded) {
+  const Result r = run("%\nO1\nG21 G90 G94 G17\nS100\nM[3.5]\n#1=4.6\nM#1\n#2=54.1\nG#2 P1\nM30\n%\n");
+  EXPECT_EQ(r.trace, "5 spindle ccw S100.0000/rpm\n7 spindle off\n9 offset 101\n10 end\n");
+  EXPECT_EQ(run("%\nO1\nM3.5\nM30\n%\n").reading.front().id, text::DiagnosticId::unknown_code);
+}
+
+// What the machine's parameters hold is an input of the run, by name.
+TEST(MacroLanguage, ParametersOfTheMachineAreInputs) {
+  const std::string text =
+      "%\nO1\nG21 G90 G94 G17\n#1=8130\nG00 X[PRM[#1]]\nX[PRM[4012,6]/[1]+2.]\nX[PRM[1241]/[3]/10.]\nX[PRM[19,2]+5.]\n"
+      "M30\n%\n";
+  const auto named = [](std::string name, double value) {
+    interpreter::InitialValue one;
+    one.bank = ir::Bank::named;
+    one.name = std::move(name);
+    one.value = value;
+    return one;
+  };
+  const Result known = run(text, "fanuc", ir::MachineKind::mill,
+                           {named("PRM[8130]", 6), named("PRM_OF_AXIS[4012,1,6]", 1), named("PRM_OF_AXIS[1241,3]", 40),
+                            named("PRM[19,2]", 0)});
+  EXPECT_EQ(x_of(known), "6 3 4 5 ");
+  EXPECT_TRUE(known.result.not_interpreted.empty());
+  const Result open = run("%\nO1\nG21 G90 G94 G17\n#101=PRM[1241]/[3]\nM30\n%\n");
+  ASSERT_EQ(open.result.not_interpreted.size(), 1U);
+  EXPECT_TRUE(open.result.not_interpreted.front().is_input);
+  EXPECT_EQ(open.result.not_interpreted.front().name, "PRM_OF_AXIS[1241,3]");
+  const ir::Control mill = control("fanuc", ir::MachineKind::mill);
+  const ir::ReadResult read = find_dialect("fanuc")->read(text::Source("program", text), mill);
+  const std::string printed = find_dialect("fanuc")->print(read.program, mill).text;
+  for (const char* words : {"X[PRM[#1]]", "X[PRM[4012,6]/[1]+2.]", "X[PRM[1241]/[3]/10.]", "X[PRM[19,2]+5.]"})
+    EXPECT_NE(printed.find(words), std::string::npos) << printed;
+  for (const std::string& to : dialect_names()) {
+    if (to == "fanuc") continue;
+    const ConvertResult refused = translated(text, "fanuc", to);
+    EXPECT_NE(said(refused.diagnostics, text::Source("program", text)).find("PRM[#1] has no counterpart"),
+              std::string::npos)
+        << to << said(refused.diagnostics, text::Source("program", text));
+  }
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test

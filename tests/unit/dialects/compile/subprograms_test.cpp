@@ -303,53 +303,53 @@ TEST(Subprograms, DeeperThanMacrosGoAreTold) {
   EXPECT_NE(complaints(deep).find("calls are nested 5 deep, the control takes 4"), std::string::npos)
       << complaints(deep);
   EXPECT_FALSE(text::has_error(translated(nested('E'), "sinumerik-840d", "fanuc").diagnostics));
+}
 
-  // 40 variables of its own, all of them alive until their sum is driven to.
-  std::string many_names(const std::string& letter, int step, const std::string& before, const std::string& between) {
-    std::string definitions;
-    std::string values;
-    std::string sum = "0";
-    for (int i = 1; i <= 40; ++i) {
-      const std::string name = letter + "_" + std::to_string(i);
-      definitions += "DEF REAL " + name + "\n";
-      values += name + "=R5+" + std::to_string(i * step) + "\n";
-      sum = i % 10 == 0 ? sum + "+" + name + "\nR7=R7" : sum + "+" + name;
-    }
-    return definitions + before + "R7=0\n" + values + between + "R7=R7+" + sum + "\nG0 X=R7\n";
+// 40 variables of its own, all of them alive until their sum is driven to.
+std::string many_names(const std::string& letter, int step, const std::string& before, const std::string& between) {
+  std::string definitions;
+  std::string values;
+  std::string sum = "0";
+  for (int i = 1; i <= 40; ++i) {
+    const std::string name = letter + "_" + std::to_string(i);
+    definitions += "DEF REAL " + name + "\n";
+    values += name + "=R5+" + std::to_string(i * step) + "\n";
+    sum = i % 10 == 0 ? sum + "+" + name + "\nR7=R7" : sum + "+" + name;
   }
-  std::string with_many_names(const std::string& called_by_sub) {
-    return "%_N_MAIN_MPF\n;$PATH=/_N_MPF_DIR\n" + many_names("AA", 1, "G17 G710 G90 G94\nR5=1\n", "CUT\nR7=0\n") +
-           "M30\n%_N_CUT_SPF\n;$PATH=/_N_SPF_DIR\n" + many_names("BB", 2, "", called_by_sub) + "M17\n";
-  }
+  return definitions + before + "R7=0\n" + values + between + "R7=R7+" + sum + "\nG0 X=R7\n";
+}
+std::string with_many_names(const std::string& called_by_sub) {
+  return "%_N_MAIN_MPF\n;$PATH=/_N_MPF_DIR\n" + many_names("AA", 1, "G17 G710 G90 G94\nR5=1\n", "CUT\nR7=0\n") +
+         "M30\n%_N_CUT_SPF\n;$PATH=/_N_SPF_DIR\n" + many_names("BB", 2, "", called_by_sub) + "M17\n";
+}
 
-  // More names than local variables: what is left over goes to common ones that nothing alive at that time has.
-  TEST(Subprograms, NamesBeyondTheLocalVariablesStayApart) {
-    const std::string text = with_many_names("");
-    const std::vector<ir::Motion> original =
-        real_moves(run_text(text, control("sinumerik-840d", ir::MachineKind::mill)).motions);
-    ASSERT_EQ(original.size(), 2U);
-    for (const std::string& to : dialect_names()) {
-      if (to == "sinumerik-840d") continue;
-      const ConvertResult result = translated(text, "sinumerik-840d", to);
-      ASSERT_FALSE(text::has_error(result.diagnostics)) << to << complaints(result);
-      const Played there = run_text(result.text, control(to, ir::MachineKind::mill));
-      expect_same(original, real_moves(there.motions), 1e-6, to + "\n" + result.text);
-    }
+// More names than local variables: what is left over goes to common ones that nothing alive at that time has.
+TEST(Subprograms, NamesBeyondTheLocalVariablesStayApart) {
+  const std::string text = with_many_names("");
+  const std::vector<ir::Motion> original =
+      real_moves(run_text(text, control("sinumerik-840d", ir::MachineKind::mill)).motions);
+  ASSERT_EQ(original.size(), 2U);
+  for (const std::string& to : dialect_names()) {
+    if (to == "sinumerik-840d") continue;
+    const ConvertResult result = translated(text, "sinumerik-840d", to);
+    ASSERT_FALSE(text::has_error(result.diagnostics)) << to << complaints(result);
+    const Played there = run_text(result.text, control(to, ir::MachineKind::mill));
+    expect_same(original, real_moves(there.motions), 1e-6, to + "\n" + result.text);
   }
+}
 
-  TEST(Subprograms, NamesBeyondTheLocalVariablesNeedAllCallersAndCalls) {
-    const auto refused = [](const std::string& text) {
-      const ConvertResult result = translated(text, "sinumerik-840d", "fanuc");
-      EXPECT_TRUE(result.text.empty()) << result.text;
-      return complaints(result);
-    };
-    const std::string needs = "variables, the control has 33";
-    const std::string text = with_many_names("");
-    EXPECT_NE(refused(text.substr(text.find("%_N_CUT_SPF"))).find(needs), std::string::npos)
-        << "callers may be anywhere";
-    EXPECT_NE(refused(with_many_names("NOWHERE\n")).find(needs), std::string::npos) << "it may use the same";
-    EXPECT_NE(refused(with_many_names("IF R5>9\nCUT\nENDIF\n")).find(needs), std::string::npos) << "it calls itself";
-  }
+TEST(Subprograms, NamesBeyondTheLocalVariablesNeedAllCallersAndCalls) {
+  const auto refused = [](const std::string& text) {
+    const ConvertResult result = translated(text, "sinumerik-840d", "fanuc");
+    EXPECT_TRUE(result.text.empty()) << result.text;
+    return complaints(result);
+  };
+  const std::string needs = "variables, the control has 33";
+  const std::string text = with_many_names("");
+  EXPECT_NE(refused(text.substr(text.find("%_N_CUT_SPF"))).find(needs), std::string::npos) << "callers may be anywhere";
+  EXPECT_NE(refused(with_many_names("NOWHERE\n")).find(needs), std::string::npos) << "it may use the same";
+  EXPECT_NE(refused(with_many_names("IF R5>9\nCUT\nENDIF\n")).find(needs), std::string::npos) << "it calls itself";
+}
 
 }  // namespace
 }  // namespace dripfeed::compile::test

@@ -64,23 +64,28 @@ TEST(Examine, WhatTheReaderSaidIsNotSaidAgain) {
   EXPECT_EQ(characters_in(report_of("%\nO1\nG0X1.\n\xC3\xA4\nM30\n%\n", &profile)).size(), 1U);
 }
 
-// Lines at which the travel of Z, 0 at the top of a spindle with its zero at -400, is exceeded.
-std::vector<std::uint32_t> lines_exceeded(const std::string& text, const std::string& name) {
+// What the envelope says of a text on a machine whose Z travels from -500 to 0, with its zero at -400.
+CheckReport on_short_z(const std::string& text, const std::string& name) {
   machine::Profile profile = profile_of("serial:/dev/ttyS0", "ascii");
   profile.control.dialect = name;
   profile.machine.axes = {{.axis = ir::Axis::z, .min = -500, .max = 0}};
   profile.machine.tools = {{.number = 7, .offset = 1, .length_mm = 100}};
   profile.machine.origin[2] = -400;
   const compile::Dialect* dialect = compile::find_dialect(name);
-  const CheckReport report = examine({.source = text::Source("x.nc", text),
-                                      .dialect = dialect,
-                                      .control = dialect->control(ir::MachineKind::mill, ir::GSystem::a),
-                                      .inferred = false,
-                                      .profile = &profile,
-                                      .delivery = ir::Delivery::memory,
-                                      .find_called = {},
-                                      .geometry = {},
-                                      .profile_lines = {}});
+  return examine({.source = text::Source("x.nc", text),
+                  .dialect = dialect,
+                  .control = dialect->control(ir::MachineKind::mill, ir::GSystem::a),
+                  .inferred = false,
+                  .profile = &profile,
+                  .delivery = ir::Delivery::memory,
+                  .find_called = {},
+                  .geometry = {},
+                  .profile_lines = {}});
+}
+
+// Lines at which the travel of Z is exceeded.
+std::vector<std::uint32_t> lines_exceeded(const std::string& text, const std::string& name) {
+  const CheckReport report = on_short_z(text, name);
   std::vector<std::uint32_t> lines;
   for (const checks::Finding& one : report.checks.envelope.value().findings.kept())
     if (one.id == text::DiagnosticId::travel_exceeded) lines.push_back(one.place.line);
@@ -97,6 +102,27 @@ TEST(Examine, TheTravelCountsTheToolsLength) {
   EXPECT_EQ(lines_exceeded("G71 G17 G90 G94 G54 T7 M6\nD1\n" + tail, "sinumerik-840d"), (Lines{4, 5, 6}));
   EXPECT_EQ(lines_exceeded("G71 G17 G90 G94 G54 T7 M6\n\n" + tail, "sinumerik-840d"), (Lines{4, 5, 6}));
   EXPECT_EQ(lines_exceeded("G71 G17 G90 G94 G54 T7 M6\nD0\n" + tail, "sinumerik-840d"), (Lines{6}));
+}
+
+// "LINE ALARM" of each finding.
+std::vector<std::string> alarms_in(const std::string& text, const std::string& name) {
+  const CheckReport report = on_short_z(text, name);
+  std::vector<std::string> all;
+  for (const checks::Finding& one : report.checks.envelope.value().findings.kept())
+    all.push_back(std::to_string(one.place.line) + " " + (one.alarm.empty() ? "-" : one.alarm));
+  return all;
+}
+
+// Z0 of the machine is Z400 here, Z-500 is Z-100.
+TEST(Examine, ASoftLimitHasTheAlarmOfItsSide) {
+  using Alarms = std::vector<std::string>;
+  const std::string head = "G21G17G90G94G40G49G54\n";
+  EXPECT_EQ(alarms_in("%\nO1\n" + head + "G0Z400.\nZ-100.\nM30\n%\n", "fanuc"), Alarms{}) << "just at its limits";
+  EXPECT_EQ(alarms_in("%\nO1\n" + head + "G0Z400.01\nM30\n%\n", "fanuc"), Alarms{"4 OT0500"});
+  EXPECT_EQ(alarms_in("%\nO1\n" + head + "G0Z-100.01\nM30\n%\n", "fanuc"), Alarms{"4 OT0501"});
+  EXPECT_EQ(alarms_in("G71 G17 G90 G94 G54\nG0 Z400.01\nZ-100.01\nM30\n", "sinumerik-840d"),
+            (Alarms{"2 10720", "3 10720"}));
+  EXPECT_EQ(alarms_in("%\nO1\n" + head + "G0Z400.01\nM30\n%\n", "mitsubishi-m80"), Alarms{"4 -"});
 }
 
 TEST(Examine, LinesTakeTheirEobAndTheBlankOfATvCheck) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "server/json/openapi.h"
+#include "server/json/reports.h"
 #include "server/json/requests.h"
 
 namespace dripfeed::json {
@@ -165,6 +166,18 @@ TEST(Records, ProblemsNameTheirPlaces) {
             R"("errors":[{"pointer":"/a/0","text":"x"},{"line":3,"column":4,"text":"y"}]})");
   EXPECT_EQ(problem(404, "not found", {app::ErrorCode::not_found, "none", {}}),
             R"({"type":"about:blank","title":"not found","status":404,"detail":"none"})");
+}
+
+// `check --json` and the report of a verdict: null where the control has no alarm.
+TEST(Records, AFindingHasTheControlsAlarm) {
+  app::CheckReport report;
+  envelope::Report& travel = report.checks.envelope.emplace();
+  const auto told = [] { return std::vector<std::string>{"Z", "0.0100", "-500.0000 to 0.0000"}; };
+  travel.findings.add(text::DiagnosticId::travel_exceeded, ir::Place{.line = 4}, 0.01, 0.0, told);
+  EXPECT_THAT(check_report(report), HasSubstr(R"("alarm":null)"));
+  travel.findings.name_alarms([](const checks::Finding& one) { return one.value > one.limit ? "OT0500" : "OT0501"; });
+  EXPECT_THAT(check_report(report), HasSubstr(R"("alarm":"OT0500")"));
+  EXPECT_TRUE(is_json(check_report(report)));
 }
 
 TEST(Records, ListsAndOpenApi) {

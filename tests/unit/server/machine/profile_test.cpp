@@ -199,6 +199,7 @@ TEST(Control, TheProfileLiesOverTheUsualControl) {
   usual.title = "usual";
   usual.semantics.least_increment_mm = 0.001;
   usual.semantics.power_on_unit = ir::Function::unit_mm;
+  usual.semantics.arc_without_center_is_line = true;
   Profile profile;
   const ir::Control same = control_of(profile, usual);
   EXPECT_EQ(same.title, "usual");
@@ -215,6 +216,7 @@ TEST(Control, TheProfileLiesOverTheUsualControl) {
   profile.control.variables = {{.bank = ir::Bank::r, .first = 0, .last = 99}};
   profile.control.block_length_bytes = 80;
   profile.control.axes_at_once = 2;
+  profile.control.arc_without_center_is_line = false;
   const ir::Control set = control_of(profile, usual);
   EXPECT_EQ(set.title, "Fanuc 0i-TF");
   EXPECT_EQ(set.semantics.least_increment_mm, 0.0001);
@@ -225,6 +227,7 @@ TEST(Control, TheProfileLiesOverTheUsualControl) {
   EXPECT_EQ(set.variables.front().last, 99U);
   EXPECT_EQ(set.limits.block_length_bytes, 80U);
   EXPECT_EQ(set.limits.axes_at_once, 2U);
+  EXPECT_FALSE(set.semantics.arc_without_center_is_line);
 }
 
 TEST(Syntax, FollowsTheDialectAndTheDelivery) {
