@@ -82,6 +82,13 @@ std::string ExpressionPrinter::constant(double value, bool has_point) const {
   return out;
 }
 
+// Others of bank `system` are another control's, and are refused before anything of them is printed.
+bool ExpressionPrinter::is_parameter(const ir::Variable& v) const {
+  if (v.bank != ir::Bank::system || v.name == ir::StringId::none) return false;
+  const std::string_view name = program_.strings.at(v.name);
+  return name == kParameter || name == kParameterOfAxis;
+}
+
 // PRM[n,bit]/[axis]: its name says whether an axis is among the indices.
 std::string ExpressionPrinter::parameter(const ir::Variable& variable) const {
   const bool of_axis = program_.strings.at(variable.name) == kParameterOfAxis;
@@ -92,7 +99,7 @@ std::string ExpressionPrinter::parameter(const ir::Variable& variable) const {
 }
 
 std::string ExpressionPrinter::variable(const ir::Variable& variable) const {
-  if (variable.bank == ir::Bank::system && variable.name != ir::StringId::none) return parameter(variable);
+  if (is_parameter(variable)) return parameter(variable);
   if (variable.index == ExpressionId::none) return fmt::format("#{}", variable.number);
   return fmt::format("#[{}]", expression(variable.index));
 }
@@ -155,7 +162,7 @@ std::string ExpressionPrinter::word_value(ExpressionId id) const {
   if (e.op == Operator::constant) return constant(e.value, e.has_point);
   // #1, but [PRM[1]].
   const auto is_numbered = [&](const ir::Expression& v) {
-    return v.op == Operator::variable && program_.at(v.variable).bank != ir::Bank::system;
+    return v.op == Operator::variable && !is_parameter(program_.at(v.variable));
   };
   if (is_numbered(e) || e.op == Operator::vacant) return expression(id);
   if (e.op == Operator::negate && is_numbered(program_.at(e.a))) return expression(id);

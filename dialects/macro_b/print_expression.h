@@ -27,6 +27,7 @@ class ExpressionPrinter {
   [[nodiscard]] std::uint32_t depth(ir::ExpressionId id) const;
 
  private:
+  [[nodiscard]] bool is_parameter(const ir::Variable& v) const;
   [[nodiscard]] std::string parameter(const ir::Variable& variable) const;
   [[nodiscard]] std::string operand(ir::ExpressionId id, int least_rank, bool first) const;
   [[nodiscard]] std::string function(const ir::Expression& e) const;

@@ -71,6 +71,12 @@ TEST(ValueTypes, ATextAsAValueIsRefusedAtItsPlace) {
   EXPECT_NE(refused("DEF INT NUM=V\nG17 G710 G90 G94\nR2=NUM\nM30\n").find("program:1:"), std::string::npos);
 }
 
+TEST(ValueTypes, SystemVariablesInExpressionsAreRefused) {
+  const std::string told = refused("G17 G710 G90 G94\nR1=2+$P_TOOLNO*R2\nG0 X=$A_DBB[3]+R1 Y=$P_TOOLR\nM30\n");
+  EXPECT_NE(told.find("$P_TOOLNO"), std::string::npos) << told;
+  EXPECT_NE(told.find("$A_DBB[3]"), std::string::npos) << told;
+}
+
 TEST(ValueTypes, GlobalDataOfSeveralProgramsIsRefused) {
   const std::string told = refused("G17 G710 G90 G94\nDEPTH_OF=3\nL100\nG0 X1\nM30\n");
   EXPECT_NE(told.find("the global data DEPTH_OF, which other programs share,"), std::string::npos) << told;
