@@ -31,6 +31,7 @@ using ir::MotionKind;
 // --- words that set a state
 
 constexpr std::uint64_t kFeedWord = bit_of(Address::f);
+constexpr std::uint64_t kContourOffsetWord = bit_of(Address::contour_offset);
 constexpr std::uint64_t kBlockFeedWord = bit_of(Address::block_feed);
 constexpr std::uint64_t kToolWords = bit_of(Address::t) | bit_of(Address::d);
 constexpr std::uint64_t kSpindleWords = bit_of(Address::s) | bit_of(Address::spindle_limit);
@@ -296,6 +297,12 @@ bool names_polar(const PlainBlock& block, const Effects& effects, const ModalSta
   return ((block.present | block.unknown) & (bit_of(kLetters[axes.p]) | bit_of(kLetters[axes.q]))) != 0;
 }
 
+// OFFN acts with the compensation of the radius, and as the half of a groove's width under TRACYL. The motions say the
+// programmed contour. (PG, "Tool radius compensation"; PGA, "TRACYL".)
+bool uses_contour_offset(const ModalState& state) {
+  return state.modes.comp != ir::CompSide::off || state.transformation.shape == Transformation::Shape::cylinder;
+}
+
 }  // namespace
 
 BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out) {
@@ -326,6 +333,10 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
   } else {
     act(block, rules, effects, state, out, result);
   }
+  if (((block.present | block.unknown) & kContourOffsetWord) != 0) [[unlikely]]
+    state.offsets_contour = !block.has(Address::contour_offset) || block.at(Address::contour_offset) != 0.0;
+  if (state.offsets_contour && result.moved && uses_contour_offset(state)) [[unlikely]]
+    result.notes |= kNoteContourOffset;
   if (own_feed) std::tie(state.feed, state.feed_unknown) = modal_feed;
   if (state.curve.open) [[unlikely]]
     if (state.modes.motion != Function::nurbs || effects.flow != Flow::next) break_curve(state, result);

@@ -27,8 +27,8 @@ struct NoteRow {
   Report report;
 };
 // Notes that are counted like a code that is not interpreted.
-const std::array<NoteRow, 18>& counted_notes() {
-  static const std::array<NoteRow, 18> rows = {{
+const std::array<NoteRow, 19>& counted_notes() {
+  static const std::array<NoteRow, 19> rows = {{
       {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
       {kNoteReferenceUnknown, {"the way to the reference point", ir::Function::reference_return}},
       {kNoteArcNotComputed, {"arcs from or to a place that is not known"}},
@@ -36,6 +36,7 @@ const std::array<NoteRow, 18>& counted_notes() {
       {kNoteCornerNotComputed, {"a chamfer or rounding that does not fit its corner"}},
       {kNoteMeasuring, {"MEAS: where the probe touches"}},
       {kNoteSpline, {"how a spline bends, taken as usual and not looked at", ir::Function::spline}},
+      {kNoteContourOffset, {"OFFN: an offset of the contour beside the tool's radius"}},
       {kNoteSplineStraight, {"the curve of a spline"}},
       {kNoteIncrementalFromUnknown, {"increments from a position that is not known", ir::Function::incremental}},
       {kNoteLevelUnknown, {"the way back to an initial level that is not known", ir::Function::drill}},

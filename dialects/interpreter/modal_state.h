@@ -252,6 +252,7 @@ struct ModalState {
   Vector tangent{};                      // direction at the end of the last move of a contour, radius values
   bool tangent_known = false;
   double modal_rounding_mm = 0.0;  // RNDM
+  bool offsets_contour = false;    // OFFN is not 0, or not known
   PendingCorner corner;
   PendingLine line;
   Tool selected;  // T, before M6

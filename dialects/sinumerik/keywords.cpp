@@ -99,6 +99,7 @@ constexpr auto kKeywords = std::to_array<Keyword>({
   address("RNDM", ir::Address::modal_rounding),
   address("RPL", ir::Address::frame_angle),
   address("ANG", ir::Address::direct_angle),
+  address("OFFN", ir::Address::contour_offset),
   address("FB", ir::Address::block_feed),
   address("PW", ir::Address::point_weight),
   address("PL", ir::Address::knot_distance),

@@ -20,13 +20,13 @@ constexpr std::string_view kWordMode[] = {"AC",  "IC",   "DC",   "ACP", "ACN", "
 
 // Words with a name that are kept as they are written.
 constexpr std::string_view kAddress[] = {
-    "FRC",      "FRCM",    "FL",     "ADIS",  "ADISPOS", "DISC",  "DISCL", "DISR",   "DISRP", "OFFN",     "SF",
-    "SPOS",     "SPOSA",   "POS",    "POSA",  "POSP",    "FA",    "OVR",   "OVRRAP", "OVRA",  "ACC",      "VELOLIM",
-    "ACCLIM",   "JERKLIM", "SCC",    "PO",    "CTOL",    "OTOL",  "ATOL",  "STOLF",  "MEASA", "MEAWA",    "MEAC",
-    "OS",       "OSP1",    "OSP2",   "OST1",  "OST2",    "OSE",   "OSNSC", "OSCTRL", "OSB",   "FD",       "FDA",
-    "FXS",      "FXST",    "FXSW",   "FZ",    "SVC",     "FMA",   "FAD",   "DITS",   "DITE",  "DILF",     "RFP",
-    "FP",       "SR",      "ST",     "THETA", "PSI",     "PHI",   "TILT",  "LEAD",   "FGREF", "VELOLIMA", "ACCLIMA",
-    "JERKLIMA", "CFTOL",   "BLSYNC", "TOFF",  "TOFFL",   "TOFFR", "MOV",   "PRIO"};
+    "FRC",     "FRCM",   "FL",    "ADIS",  "ADISPOS", "DISC",  "DISCL",  "DISR",  "DISRP",    "SF",      "SPOS",
+    "SPOSA",   "POS",    "POSA",  "POSP",  "FA",      "OVR",   "OVRRAP", "OVRA",  "ACC",      "VELOLIM", "ACCLIM",
+    "JERKLIM", "SCC",    "PO",    "CTOL",  "OTOL",    "ATOL",  "STOLF",  "MEASA", "MEAWA",    "MEAC",    "OS",
+    "OSP1",    "OSP2",   "OST1",  "OST2",  "OSE",     "OSNSC", "OSCTRL", "OSB",   "FD",       "FDA",     "FXS",
+    "FXST",    "FXSW",   "FZ",    "SVC",   "FMA",     "FAD",   "DITS",   "DITE",  "DILF",     "RFP",     "FP",
+    "SR",      "ST",     "THETA", "PSI",   "PHI",     "TILT",  "LEAD",   "FGREF", "VELOLIMA", "ACCLIMA", "JERKLIMA",
+    "CFTOL",   "BLSYNC", "TOFF",  "TOFFL", "TOFFR",   "MOV",   "PRIO"};
 
 // Statements that are kept as they are written, effects unknown.
 constexpr std::string_view kNative[] = {

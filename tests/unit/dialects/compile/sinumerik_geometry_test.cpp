@@ -229,6 +229,15 @@ TEST(SinumerikGeometry, AFeedOfOneBlock) {
   EXPECT_TRUE(ran.trace.contains("5 linear X25.4000 Y0.0000 Z0.0000 F50.8000/min"));
 }
 
+// OFFN counts with the compensation of the radius alone.
+TEST(SinumerikGeometry, AnOffsetOfTheContourIsToldWhereItActs) {
+  constexpr auto kTold = "OFFN: an offset of the contour beside the tool's radius";
+  const std::string head = "G17 G90 G94 T1 D1\nG1 X0 Y0 Z0 F100\n";
+  EXPECT_FALSE(run(head + "OFFN=0\nG41 X5\nX10\nG40 X20\nM30\n").names(kTold));
+  EXPECT_FALSE(run(head + "OFFN=2\nX10\nOFFN=0\nG41 X15\nG40 X20\nM30\n").names(kTold));
+  EXPECT_TRUE(run(head + "OFFN=2\nG41 X5\nX10\nG40 X20\nM30\n").names(kTold));
+}
+
 // Corners of polar words: the right angle at (10, 0) as AP and RP say it.
 TEST(SinumerikGeometry, CornersOfPolarWords) {
   const std::string head = "G17 G90 G0 X0 Y0 Z0\nG111 X0 Y0\n";
