@@ -2,6 +2,7 @@
 // seen; then the cycle is cut.
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "dialects/interpreter/jump_target.h"
 #include "dialects/interpreter/machine.h"
@@ -67,6 +68,7 @@ bool Machine::begin_contour(const Instruction& i, std::uint32_t& next) {
                     .lift_mm = numbers[10] == 0.0 ? 1.0 : numbers[10] * mm};
   // What waits for the next move must not be taken for one of the contour's.
   if (state_.spline.active) end_spline(rules_, state_, out_);
+  if (std::exchange(state_.corner, {}).kind != 0) out_.hold(false);
   if (BlockResult none; state_.plane_corner.kind != 0) drop_plane_corner(state_, out_, none);
   contour_.call = &i;
   contour_.depth = stack_.depth();

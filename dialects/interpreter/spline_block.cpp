@@ -152,10 +152,14 @@ void make_pieces(std::size_t last, const SplineEnd& end, const BlockRules& rules
   run.is_first = false;
 }
 
+// Its moves are in the buffer, whatever is captured meanwhile.
 void close(const SplineEnd& end, const BlockRules& rules, ModalState& state, MotionBuffer& out) {
+  std::vector<ir::Motion>* const captured = out.captured();
+  out.capture(nullptr);
   if (state.spline.points.size() > 1) make_pieces(state.spline.points.size() - 1, end, rules, state, out);
   state.spline = {};
   out.hold_spline(false);
+  out.capture(captured);
 }
 
 // The first block of a spline leads to `target`.

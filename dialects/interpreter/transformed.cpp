@@ -95,6 +95,11 @@ TransformedBlock::TransformedBlock(const PlainBlock& block, const BlockRules& ru
   if (rules_.corner_letters && state.modes.motion == ir::Function::linear) block_.present &= ~kCornerLetters;
   block_.present &= ~kCorners;
   modal_rounding_mm_ = std::exchange(state_.modal_rounding_mm, 0.0);
+  // A corner from before the mode has no move behind it that it could be cut with.
+  if (std::exchange(state_.corner, {}).kind != 0) {
+    result_.notes |= kNoteCornerNotComputed;
+    out_.hold(false);
+  }
   out_.capture(&kept_);
 }
 

@@ -308,5 +308,20 @@ TEST(PolarInterpolation, Corners) {
     }
 }
 
+// What waits for its next move when the mode begins is closed before it.
+TEST(PolarInterpolation, WhatWaitsEndsBeforeTheMode) {
+  const auto spline =
+      lathe("G1 X50 Z4 F100\nCSPLINE X40 Z0\nX44 Z-5\nTRANSMIT\nG17 X20 Y10\nTRAFOOF\n", "sinumerik-840d");
+  const auto of_line = [](const std::vector<ir::Motion>& moves, std::uint32_t line) {
+    return std::ranges::count(moves, line, [](const ir::Motion& m) { return m.place.line; });
+  };
+  EXPECT_GT(of_line(spline, 4), 3);
+  EXPECT_GT(of_line(spline, 5), 3);
+  EXPECT_NEAR(spline.back().end[kX], 2.0 * std::hypot(10.0, 10.0), 1e-9);
+  const auto corner = lathe("G1 X50 Z4 F100\nX40 RND=1\nTRANSMIT\nG17 X20 Y10\nTRAFOOF\n", "sinumerik-840d");
+  EXPECT_EQ(of_line(corner, 4), 1);
+  EXPECT_NEAR(corner.back().end[kX], 2.0 * std::hypot(10.0, 10.0), 1e-9);
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test
