@@ -118,6 +118,7 @@ bool Machine::end_contour() {
   const Instruction& call = *contour_.call;
   contour_.active = false;
   out_.capture(nullptr);
+  out_.hold(false);  // a corner at the contour's end
   state_ = contour_.before;
   out_.place = contour_.place;
   BlockResult result;

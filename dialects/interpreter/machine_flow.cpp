@@ -190,6 +190,7 @@ bool Machine::end_shape(std::uint32_t& next) {
     next -= 1;  // the block behind the shape
     const ir::Place place = std::exchange(out_.place, shape_.place());
     state_ = shape_.before();
+    out_.hold(false);  // a corner at the shape's end
     const std::uint64_t before = out_.count();
     fault = cut_shape(shape_.motions(), rules_, state_, out_, result);
     if (!count_steps(cycle, out_.count() - before)) return false;
