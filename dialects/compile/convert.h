@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "dialects/compile/explicit_program.h"
 #include "dialects/compile/library.h"
 #include "dialects/interpreter/interpreter.h"
 #include "dialects/ir/control.h"
@@ -21,7 +22,7 @@ struct ConvertRequest {
   ir::Control to;
   ConvertMode mode = ConvertMode::macro;
   ProgramLibrary* library = nullptr;  // of called programs (explicit) and definition files; nullptr: none are found
-  interpreter::Limits limits = {};    // of the run, for explicit
+  interpreter::Limits limits = kWrittenLimits;  // of the run, for explicit
 };
 
 struct ConvertResult {

@@ -36,8 +36,12 @@ struct ExplicitProgram {
   std::vector<text::Diagnostic> lost;       // errors: words of executed blocks that plain blocks would not have
 };
 
+// What is written down is held whole, so a run that would go on for ever (M99 at the end of a main program) ends with
+// limit_reached while there is memory: two million blocks take about 3 GB.
+inline constexpr interpreter::Limits kWrittenLimits{.blocks = 2'000'000, .loop_passes = 2'000'000};
+
 struct ExplicitOptions {
-  interpreter::Limits limits;
+  interpreter::Limits limits = kWrittenLimits;
   std::vector<interpreter::InitialValue> initial_values;
   bool want_changes = false;
 };

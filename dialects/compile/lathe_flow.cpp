@@ -33,44 +33,6 @@ bool is_standard(const ir::Program& program, const ir::Statement& s) {
   return s.kind == StatementKind::call && program.strings.at(program.calls[s.payload].name).starts_with("CYCLE");
 }
 
-// Statements that neither move nor change a mode.
-bool keeps_place(StatementKind kind) {
-  using enum StatementKind;
-  switch (kind) {
-    case empty:
-    case assign:
-    case go_to:
-    case if_begin:
-    case else_begin:
-    case if_end:
-    case while_begin:
-    case while_end:
-    case repeat_begin:
-    case repeat_end:
-    case for_begin:
-    case for_end:
-    case loop_begin:
-    case loop_end:
-    case define:
-    case declaration:
-    case procedure:
-    case message:
-    case alarm:
-    case output: return true;
-    case block:
-    case call:
-    case subprogram_return:
-    case return_to:
-    case modal_call:
-    case modal_call_end:
-    case program_end:
-    case native:
-    case repeat_section:
-    case execute_text: return false;
-  }
-  return false;
-}
-
 // The place has other numbers behind these, or is only known to the machine.
 bool loses_place(const ir::Code& c) {
   return c.group == ModalGroup::frame || c.group == ModalGroup::work_offset || c.group == ModalGroup::unit ||
@@ -252,7 +214,7 @@ LatheState LatheFlow::after(std::uint32_t statement, LatheState state) const {
     take_codes(block, statement, state);
     return state;
   }
-  if (keeps_place(s.kind)) return state;
+  if (passes::keeps_modes(s.kind)) return state;
   // Standard cycles leave the modes as they were.
   const bool standard =
       s.kind == StatementKind::call && program_.strings.at(program_.calls[s.payload].name).starts_with("CYCLE");

@@ -87,8 +87,8 @@ class Renderer {
   }
 
   void explicit_blocks(std::string_view because) {
-    ExplicitProgram made = explicit_program(built_, control_, interpreter::no_programs(),
-                                            {.limits = {}, .initial_values = {}, .want_changes = true});
+    ExplicitProgram made =
+        explicit_program(built_, control_, interpreter::no_programs(), {.initial_values = {}, .want_changes = true});
     report(run_faults(made));
     const ir::RaiseResult raised = dialect_.raise(made.program, made.control, request_.target);
     report(raised.diagnostics);

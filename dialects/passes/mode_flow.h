@@ -25,6 +25,8 @@ std::optional<Mode> mode_of(const ir::Code& code);
 ir::Function power_on(Mode mode, const ir::Semantics& semantics);
 
 bool is_call(ir::StatementKind kind);
+// Statements that neither move nor change a mode.
+bool keeps_modes(ir::StatementKind kind);
 // A call of a cycle of the control: it leaves the modes as they were.
 bool is_standard_cycle(const ir::Program& program, const ir::Statement& call);
 

@@ -6,6 +6,7 @@
 #include <deque>
 
 #include "dialects/passes/flow_graph.h"
+#include "dialects/passes/mode_flow.h"
 
 namespace dripfeed::sinumerik {
 
@@ -19,44 +20,6 @@ using ir::StatementKind;
 bool is_motion(Function f) {
   return f == Function::rapid || f == Function::linear || f == Function::arc_cw || f == Function::arc_ccw ||
          f == Function::thread;
-}
-
-// Statements that neither move nor change a mode.
-bool keeps_modes(StatementKind kind) {
-  using enum StatementKind;
-  switch (kind) {
-    case empty:
-    case assign:
-    case go_to:
-    case if_begin:
-    case else_begin:
-    case if_end:
-    case while_begin:
-    case while_end:
-    case repeat_begin:
-    case repeat_end:
-    case for_begin:
-    case for_end:
-    case loop_begin:
-    case loop_end:
-    case define:
-    case declaration:
-    case procedure:
-    case message:
-    case alarm:
-    case output: return true;
-    case block:
-    case call:
-    case subprogram_return:
-    case return_to:
-    case modal_call:
-    case modal_call_end:
-    case program_end:
-    case native:
-    case repeat_section:
-    case execute_text: return false;
-  }
-  return false;
 }
 
 }  // namespace
@@ -141,7 +104,7 @@ const DrillState* DrillFlow::before(std::uint32_t statement) const {
 
 DrillState DrillFlow::step(const DrillState& state, const ir::Statement& statement) const {
   if (statement.kind == StatementKind::block) return after(state, program_.blocks[statement.payload]);
-  if (keeps_modes(statement.kind)) return state;
+  if (passes::keeps_modes(statement.kind)) return state;
   DrillState out = state;
   out.forget();
   if (statement.kind != StatementKind::call) return out;

@@ -156,6 +156,8 @@ TEST(Explicit, LimitsEndTheRunWithAnError) {
   const ExplicitProgram made = explicit_program(read.program, on, interpreter::no_programs(), options);
   EXPECT_EQ(made.run.ended, interpreter::Ended::limit);
   EXPECT_TRUE(text::has_error(run_faults(made)));
+  // What is held whole has a closer one than what is only run.
+  EXPECT_LT(ConvertRequest().limits.blocks, interpreter::Limits().blocks);
 }
 
 }  // namespace
