@@ -96,8 +96,6 @@ function(dripfeed_test name)
     target_link_libraries(${name} PRIVATE dripfeed_${link})
   endforeach()
   target_compile_definitions(${name} PRIVATE DRIPFEED_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
-  # What is tested lies in the libraries; the tests' own code need not be fast, and compiles a third faster like this.
-  target_compile_options(${name} PRIVATE -O0)
   add_test(NAME ${name} COMMAND ${name})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
@@ -123,6 +121,10 @@ function(dripfeed_unit_test folder)
     set(serial SERIAL)
   endif()
   dripfeed_test(unit_${flat} SOURCES ${sources} LINKS ${ARG_LINKS} SYSTEM ${ARG_SYSTEM} LABELS unit ${top} ${serial})
+  # What is tested lies in the libraries; the tests' own code need not be fast, and compiles a third faster like this.
+  if(TARGET unit_${flat})
+    target_compile_options(unit_${flat} PRIVATE -O0)
+  endif()
 endfunction()
 
 # dripfeed_fuzz(NAME SOURCES... LINKS a b CORPUS folders... [DEFINITIONS d...]): a source with LLVMFuzzerTestOneInput. With
