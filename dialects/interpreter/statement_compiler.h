@@ -7,7 +7,7 @@
 #include "dialects/interpreter/block_compiler.h"
 #include "dialects/interpreter/call_compiler.h"
 #include "dialects/interpreter/flow_compiler.h"
-#include "dialects/ir/repeated_part.h"
+#include "dialects/ir/repetition.h"
 
 namespace dripfeed::interpreter {
 

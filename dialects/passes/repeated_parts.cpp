@@ -18,7 +18,7 @@
 #include <string>
 #include <utility>
 
-#include "dialects/ir/repeated_part.h"
+#include "dialects/ir/repetition.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/structure_parts.h"
 #include "dialects/passes/structures.h"

@@ -3,7 +3,7 @@
 #include <map>
 #include <utility>
 
-#include "dialects/ir/repeated_part.h"
+#include "dialects/ir/repetition.h"
 #include "dialects/passes/flow_graph.h"
 #include "dialects/sinumerik/validate.h"
 

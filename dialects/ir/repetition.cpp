@@ -1,5 +1,5 @@
 // Labels are in the order of the text.
-#include "dialects/ir/repeated_part.h"
+#include "dialects/ir/repetition.h"
 
 namespace dripfeed::ir {
 
