@@ -73,7 +73,7 @@ ir::Motion& emit_move(MotionKind kind, const Target& target, double feed, const 
 void Mover::straight(MotionKind kind, const Target& target) {
   const double feed = kind == MotionKind::rapid ? 0.0 : kind == MotionKind::thread ? lead() : state_.feed;
   const AxisValues start = state_.position;
-  const bool from_unknown = starts_unknown(axes_of(state_.modes.plane));
+  const std::uint16_t unknown_before = state_.unknown;
   emit(kind, target, feed);
   if (kind != MotionKind::linear) {
     state_.tangent_known = false;
@@ -82,7 +82,9 @@ void Mover::straight(MotionKind kind, const Target& target) {
   }
   for (std::size_t axis = 0; axis < 3; ++axis) state_.tangent[axis] = radius_of(axis, target.end[axis] - start[axis]);
   // An axis outside the plane may be one that the machine has not got.
-  state_.tangent_known = !from_unknown && !starts_unknown(axes_of(state_.modes.plane));
+  const auto unknown = static_cast<std::uint16_t>(unknown_before | state_.unknown);
+  const PlaneAxes axes = axes_of(state_.modes.plane);
+  state_.tangent_known = (unknown & 7U) == 0 || ((unknown >> axes.p | unknown >> axes.q) & 1U) == 0;
   finish_corner();
 }
 
