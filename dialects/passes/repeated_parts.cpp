@@ -141,9 +141,15 @@ class RepeatedParts {
     return false;
   }
 
+  // Once: a jump back to the first block leaves the repetitions that are on as they are, and a switch that passes over
+  // the first block does not pass over this.
   void start_counters() {
-    for (const Loop& loop : loops_)
-      if (loop.can_be_said) assign(loop, program_.add_constant(0.0));
+    for (const Loop& loop : loops_) {
+      if (!loop.can_be_said) continue;
+      assign(loop, program_.add_constant(0.0));
+      out_.last().skip_level = 0;
+    }
+    out_.labels_from_here();
   }
 
   void statement(std::uint32_t i) {

@@ -9,7 +9,10 @@ namespace dripfeed::passes {
 void Rewrite::at(std::uint32_t index) {
   current_ = index;
   first_of_[index] = static_cast<std::uint32_t>(statements_.size());
+  labels_of_[index] = first_of_[index];
 }
+
+void Rewrite::labels_from_here() { labels_of_[current_] = static_cast<std::uint32_t>(statements_.size()); }
 
 void Rewrite::keep() { statements_.push_back(program_.statements[current_]); }
 
@@ -63,7 +66,7 @@ std::uint32_t Rewrite::place_of(std::uint32_t index) const {
 }
 
 std::vector<std::uint32_t> Rewrite::finish() {
-  for (ir::Label& label : program_.labels) label.statement = first_of_[label.statement];
+  for (ir::Label& label : program_.labels) label.statement = labels_of_[label.statement];
   program_.labels.insert(program_.labels.end(), new_labels_.begin(), new_labels_.end());
   std::ranges::stable_sort(program_.labels, {}, &ir::Label::statement);
   if (!program_.labels.empty() && program_.labels.back().statement >= statements_.size()) {

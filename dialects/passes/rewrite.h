@@ -11,10 +11,13 @@ namespace dripfeed::passes {
 
 class Rewrite {
  public:
-  explicit Rewrite(ir::Program& program) : program_(program), first_of_(program.statements.size(), ir::kNoIndex) {}
+  explicit Rewrite(ir::Program& program)
+      : program_(program), first_of_(program.statements.size(), ir::kNoIndex), labels_of_(first_of_) {}
 
   // From here on, what is emitted stands for the old statement `index`: labels at it move to what comes next.
   void at(std::uint32_t index);
+  // What was emitted since at() stays in front of the labels there: who jumps to them does not run it again.
+  void labels_from_here();
   // The statement of at(), unchanged.
   void keep();
   // A statement of the line and span of at(); its tokens are empty.
@@ -37,7 +40,8 @@ class Rewrite {
 
   ir::Program& program_;
   std::vector<ir::Statement> statements_;
-  std::vector<std::uint32_t> first_of_;  // old index -> new index of what stands for it
+  std::vector<std::uint32_t> first_of_;   // old index -> new index of what stands for it
+  std::vector<std::uint32_t> labels_of_;  // old index -> new index of what its labels stand at
   std::vector<ir::Label> new_labels_;
   std::uint32_t current_ = 0;
 };
