@@ -54,6 +54,8 @@ if(DRIPFEED_FUZZ)
   add_custom_target(fuzz_targets)
 endif()
 
+include(precompiled)
+
 # dripfeed_library(NAME [DEPENDS a b] [SYSTEM lib...]): the folder it is called in, as target dripfeed_NAME.
 # DEPENDS names other folders by their short names; SYSTEM names third-party targets.
 function(dripfeed_library name)
@@ -63,6 +65,7 @@ function(dripfeed_library name)
   if(sources)
     add_library(dripfeed_${name} STATIC ${sources})
     set(scope PUBLIC)
+    dripfeed_use_precompiled(dripfeed_${name} dripfeed_headers)
     # The lint of symbols asks for the archives of a top folder.
     cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${CMAKE_SOURCE_DIR} OUTPUT_VARIABLE folder)
     string(REGEX REPLACE "/.*" "" top ${folder})
@@ -78,10 +81,10 @@ function(dripfeed_library name)
   target_link_libraries(dripfeed_${name} ${scope} ${ARG_SYSTEM})
 endfunction()
 
-# dripfeed_test(NAME SOURCES... LINKS a b [SYSTEM lib...] [LABELS l...] [SERIAL]): one GoogleTest binary, one ctest entry.
+# dripfeed_test(NAME SOURCES... LINKS a b [SYSTEM lib...] [LABELS l...] [SERIAL] [UNIT]): one GoogleTest binary, one ctest entry.
 # LINKS are short folder names; a unit test links only what its folder may name, so the layering is tested by the linker.
 function(dripfeed_test name)
-  cmake_parse_arguments(ARG "SERIAL" "TIMEOUT" "SOURCES;LINKS;SYSTEM;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "SERIAL;UNIT" "TIMEOUT" "SOURCES;LINKS;SYSTEM;LABELS" ${ARGN})
   foreach(link IN LISTS ARG_LINKS)
     if(NOT TARGET dripfeed_${link})
       if(DRIPFEED_SERVER)
@@ -96,6 +99,13 @@ function(dripfeed_test name)
     target_link_libraries(${name} PRIVATE dripfeed_${link})
   endforeach()
   target_compile_definitions(${name} PRIVATE DRIPFEED_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  if(ARG_UNIT)
+    # What is tested lies in the libraries; the tests' own code need not be fast, and compiles a third faster like this.
+    target_compile_options(${name} PRIVATE -O0)
+    dripfeed_use_precompiled(${name} dripfeed_headers_unit_test)
+  else()
+    dripfeed_use_precompiled(${name} dripfeed_headers_test)
+  endif()
   add_test(NAME ${name} COMMAND ${name})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
@@ -120,11 +130,7 @@ function(dripfeed_unit_test folder)
   if(ARG_SERIAL)
     set(serial SERIAL)
   endif()
-  dripfeed_test(unit_${flat} SOURCES ${sources} LINKS ${ARG_LINKS} SYSTEM ${ARG_SYSTEM} LABELS unit ${top} ${serial})
-  # What is tested lies in the libraries; the tests' own code need not be fast, and compiles a third faster like this.
-  if(TARGET unit_${flat})
-    target_compile_options(unit_${flat} PRIVATE -O0)
-  endif()
+  dripfeed_test(unit_${flat} SOURCES ${sources} LINKS ${ARG_LINKS} SYSTEM ${ARG_SYSTEM} LABELS unit ${top} UNIT ${serial})
 endfunction()
 
 # dripfeed_fuzz(NAME SOURCES... LINKS a b CORPUS folders... [DEFINITIONS d...]): a source with LLVMFuzzerTestOneInput. With
@@ -135,6 +141,7 @@ function(dripfeed_fuzz name)
   set(target fuzz_${name})
   add_executable(${target} ${ARG_SOURCES} target.cpp)
   target_link_libraries(${target} PRIVATE dripfeed_flags fmt::fmt)
+  dripfeed_use_precompiled(${target} dripfeed_headers)
   foreach(link IN LISTS ARG_LINKS)
     target_link_libraries(${target} PRIVATE dripfeed_${link})
   endforeach()
