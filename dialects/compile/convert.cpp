@@ -88,11 +88,6 @@ std::vector<text::Diagnostic> unmatched_structures(const ir::Program& program, c
   return out;
 }
 
-// Controls with numbered variables jump to the value of one, and know no names and no parts to repeat.
-bool jumps_to_values(const ir::Control& control) {
-  return std::ranges::any_of(control.variables,
-                             [](const ir::VariableRange& range) { return range.bank == ir::Bank::hash; });
-}
 bool repeats_a_part(const ir::Statement& s) { return s.kind == ir::StatementKind::repeat_section; }
 
 constexpr std::uint32_t kHighestBlockNumber = 9999;  // that all of them take
@@ -170,7 +165,7 @@ class Converter {
   void lower(ir::Program& program) {
     if (&from_ == &to_) return;
     append(result_.diagnostics, passes::lower_polar_positions(program, request_.from, request_.to));
-    if (!jumps_to_values(request_.to)) {
+    if (!ir::has_numbered_variables(request_.to)) {
       append(result_.diagnostics, passes::lower_computed_jumps(program).diagnostics);
     } else if (std::ranges::any_of(program.statements, repeats_a_part)) {
       passes::FreeNumbers numbers(program, kHighestBlockNumber);

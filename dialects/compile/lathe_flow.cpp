@@ -28,9 +28,16 @@ bool is_move(Function f) {
          f == Function::thread;
 }
 
-// A standard cycle leaves the modes as they were.
-bool is_standard(const ir::Program& program, const ir::Statement& s) {
-  return s.kind == StatementKind::call && program.strings.at(program.calls[s.payload].name).starts_with("CYCLE");
+std::string_view called(const ir::Program& program, const ir::Statement& s) {
+  return s.kind == StatementKind::call ? program.strings.at(program.calls[s.payload].name) : std::string_view();
+}
+
+// A cycle leaves the modes as they were. HOLES1 may call a program of the shop's.
+bool is_cycle(const ir::Program& program, const ir::Statement& s) { return called(program, s).starts_with("CYCLE"); }
+// … and these do not cut with the feed that is in effect.
+bool brings_its_feed(const ir::Program& program, const ir::Statement& s) {
+  const std::string_view name = called(program, s);
+  return name == "CYCLE95" || name == "CYCLE97";
 }
 
 // The place has other numbers behind these, or is only known to the machine.
@@ -215,11 +222,8 @@ LatheState LatheFlow::after(std::uint32_t statement, LatheState state) const {
     return state;
   }
   if (passes::keeps_modes(s.kind)) return state;
-  // Standard cycles leave the modes as they were.
-  const bool standard =
-      s.kind == StatementKind::call && program_.strings.at(program_.calls[s.payload].name).starts_with("CYCLE");
   LatheState out;
-  if (standard) out = state;
+  if (is_cycle(program_, s)) out = state;
   for (Known<double>* place : {&out.x, &out.z, &out.c}) place->value.reset();
   return out;
 }
@@ -374,37 +378,48 @@ void LatheFlow::take_cycle_words(const ir::Block& block, std::uint32_t statement
   }
 }
 
-bool LatheFlow::needs_feed(std::uint32_t statement) const {
-  for (std::uint32_t i = statement + 1; i < program_.statements.size(); ++i) {
-    const ir::Statement& s = program_.statements[i];
+namespace {
+
+// What a statement does to something that stays in effect.
+enum class Use : std::uint8_t { none, sets, needs };
+
+// Along the text behind the statement, as far as that is the only way. `use_of`: of a block or a call.
+template <class UseOf>
+bool is_needed_behind(const ir::Program& program, std::uint32_t statement, UseOf use_of) {
+  for (std::uint32_t i = statement + 1; i < program.statements.size(); ++i) {
+    const ir::Statement& s = program.statements[i];
     if (s.is_label || s.kind == StatementKind::program_end) return s.is_label;
     if (s.kind == StatementKind::empty || s.kind == StatementKind::message || s.kind == StatementKind::assign) continue;
-    if (is_standard(program_, s)) continue;
-    if (s.kind != StatementKind::block) return true;
-    const ir::Block& block = program_.blocks[s.payload];
-    const auto words = program_.words_of(block);
-    if (std::ranges::find(words, Address::f, &ir::Word::address) != words.end()) return false;
-    const bool cuts = std::ranges::any_of(program_.codes_of(block), [](const ir::Code& c) {
-      return c.group == ir::ModalGroup::motion && c.function != Function::rapid && c.function != Function::thread;
-    });
-    if (cuts) return true;
+    if (s.kind != StatementKind::block && s.kind != StatementKind::call) return true;
+    const Use use = use_of(s);
+    if (use != Use::none) return use == Use::needs;
   }
   return false;
 }
 
+}  // namespace
+
+bool LatheFlow::needs_feed(std::uint32_t statement) const {
+  return is_needed_behind(program_, statement, [&](const ir::Statement& s) {
+    if (s.kind == StatementKind::call) return brings_its_feed(program_, s) ? Use::none : Use::needs;
+    const ir::Block& block = program_.blocks[s.payload];
+    const auto words = program_.words_of(block);
+    if (std::ranges::find(words, Address::f, &ir::Word::address) != words.end()) return Use::sets;
+    const bool cuts = std::ranges::any_of(program_.codes_of(block), [](const ir::Code& c) {
+      return c.group == ir::ModalGroup::motion && c.function != Function::rapid && c.function != Function::thread;
+    });
+    return cuts ? Use::needs : Use::none;
+  });
+}
+
 bool LatheFlow::needs_motion(std::uint32_t statement) const {
-  for (std::uint32_t i = statement + 1; i < program_.statements.size(); ++i) {
-    const ir::Statement& s = program_.statements[i];
-    if (s.is_label || s.kind == StatementKind::program_end) return s.is_label;
-    if (s.kind == StatementKind::empty || s.kind == StatementKind::message || s.kind == StatementKind::assign) continue;
-    if (is_standard(program_, s)) continue;
-    if (s.kind != StatementKind::block) return true;
+  return is_needed_behind(program_, statement, [&](const ir::Statement& s) {
+    if (s.kind == StatementKind::call) return is_cycle(program_, s) ? Use::none : Use::needs;
     const ir::Block& block = program_.blocks[s.payload];
     const auto codes = program_.codes_of(block);
-    if (std::ranges::find(codes, ir::ModalGroup::motion, &ir::Code::group) != codes.end()) return false;
-    if (!program_.words_of(block).empty()) return true;
-  }
-  return false;
+    if (std::ranges::find(codes, ir::ModalGroup::motion, &ir::Code::group) != codes.end()) return Use::sets;
+    return program_.words_of(block).empty() ? Use::none : Use::needs;
+  });
 }
 
 }  // namespace dripfeed::compile

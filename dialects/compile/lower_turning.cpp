@@ -344,9 +344,7 @@ class Lowering {
     return code;
   }
   [[nodiscard]] ir::Word word(Address address, ExpressionId value) const {
-    ir::Word w;
-    w.address = address;
-    w.value = value;
+    ir::Word w = ir::word(address, value);
     if (address == Address::x || address == Address::z) w.mode = mode_;
     return w;
   }

@@ -96,12 +96,6 @@ class Leads {
                                [&](const ir::Word& w) { return turning_axis(w.address, from_).has_value(); });
   }
   ExpressionId constant(double value) { return program_.add_constant(value, {}, true); }
-  static ir::Word word(Address address, ExpressionId value) {
-    ir::Word w;
-    w.address = address;
-    w.value = value;
-    return w;
-  }
   void cannot(std::string what) {
     diagnostics_.push_back(
         text::make_diagnostic(text::DiagnosticId::cannot_translate, statement_.span, {std::move(what), to_.title}));

@@ -26,6 +26,10 @@ const VariableRange* find_variable(const Control& control, Bank bank, std::uint3
   return range == control.variables.end() ? nullptr : &*range;
 }
 
+bool has_numbered_variables(const Control& control) {
+  return std::ranges::any_of(control.variables, [](const VariableRange& range) { return range.bank == Bank::hash; });
+}
+
 text::Diagnostic diagnose(const Control& control, text::DiagnosticId id, text::Span span,
                           std::vector<std::string> arguments, AlarmDetail detail) {
   text::Diagnostic diagnostic = text::make_diagnostic(id, span, std::move(arguments));

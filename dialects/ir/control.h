@@ -197,6 +197,9 @@ const CodeRow* find_code(std::span<const CodeRow> table, std::int32_t number10);
 std::string_view alarm_of(const Control& control, text::DiagnosticId id, AlarmDetail detail = AlarmDetail::none);
 // The range that holds the variable; nullptr when the control has no such variable.
 const VariableRange* find_variable(const Control& control, Bank bank, std::uint32_t number);
+// Whether its variables are numbers behind a # (Fanuc, Mazak, Mitsubishi). Such a control jumps to the value of one,
+// too, and knows no names and no parts to repeat.
+bool has_numbered_variables(const Control& control);
 
 // A diagnostic with the control's alarm beside it.
 text::Diagnostic diagnose(const Control& control, text::DiagnosticId id, text::Span span,

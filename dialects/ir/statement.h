@@ -80,6 +80,13 @@ struct Word {
   text::Span span;
 };
 
+constexpr Word word(Address address, ExpressionId value) {
+  Word made;
+  made.address = address;
+  made.value = value;
+  return made;
+}
+
 // A code of a block. A computed one (G#130, G[1]=…) has `number` and gets its function from the control's table while
 // running.
 struct Code {

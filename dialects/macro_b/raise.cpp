@@ -40,18 +40,13 @@ bool is_l_number(std::string_view name) {
   return name.size() > 1 && name.front() == 'L' && name.find_first_not_of("0123456789", 1) == std::string_view::npos;
 }
 
-bool has_numbered_variables(const ir::Control& control) {
-  return std::ranges::any_of(control.variables,
-                             [](const ir::VariableRange& range) { return range.bank == ir::Bank::hash; });
-}
-
 class StatementRaiser {
  public:
   StatementRaiser(ir::Program& program, const ir::Control& from, const ir::Control& to,
                   std::vector<text::Diagnostic>& diagnostics)
       : program_(program),
         same_dialect_(from.dialect == to.dialect),
-        from_numbers_(has_numbered_variables(from)),
+        from_numbers_(ir::has_numbered_variables(from)),
         out_(program),
         blocks_(program, from, to, out_, diagnostics) {}
 
@@ -273,7 +268,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   if (from.dialect != to.dialect) append(result.diagnostics, raise_drilling(p, from, to));
   if (from.dialect != to.dialect) append(result.diagnostics, raise_frames(p, to));
   if (from.dialect != to.dialect) append(result.diagnostics, refuse_global_data(p, globals, to));
-  const bool by_number = has_numbered_variables(from);
+  const bool by_number = ir::has_numbered_variables(from);
   passes::AllocationRules rules;
   rules.reserved = std::move(globals.reserved);
   rules.kept = std::move(globals.unplaced);  // told; nobody else is to go without for them

@@ -412,12 +412,6 @@ class Drilling {
     c.function = function;
     return c;
   }
-  static ir::Word word(Address address, ExpressionId value) {
-    ir::Word w;
-    w.address = address;
-    w.value = value;
-    return w;
-  }
   static ir::Word absolute(Address address, ExpressionId value) {
     ir::Word w = word(address, value);
     w.mode = ir::WordMode::absolute;

@@ -346,17 +346,13 @@ bool has_polar_positions(const ir::Program& program) {
          std::ranges::any_of(program.codes, sets_pole);
 }
 
-bool has_letters_code(const ir::Control& control) {
-  return std::ranges::any_of(control.variables,
-                             [](const ir::VariableRange& range) { return range.bank == ir::Bank::hash; });
-}
-
 }  // namespace
 
 std::vector<text::Diagnostic> lower_polar_positions(ir::Program& program, const ir::Control& from,
                                                     const ir::Control& to) {
   const bool mills = from.kind == ir::MachineKind::mill && to.kind == ir::MachineKind::mill;
-  if (!mills || has_letters_code(from) == has_letters_code(to) || !has_polar_positions(program)) return {};
+  if (!mills || ir::has_numbered_variables(from) == ir::has_numbered_variables(to) || !has_polar_positions(program))
+    return {};
   return PolarPositions(program, from, to).run();
 }
 

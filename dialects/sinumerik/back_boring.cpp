@@ -43,12 +43,6 @@ class Writer {
     if (hole_.shift_y != ExpressionId::none) words.push_back(by(Address::y, hole_.shift_y, way));
     if (!words.empty()) block(Function::rapid, words);
   }
-  static ir::Word word(Address address, ExpressionId value) {
-    ir::Word w;
-    w.address = address;
-    w.value = value;
-    return w;
-  }
   // Numbers are in units of the program already.
   ir::Word to(ExpressionId level) {
     const ir::Expression e = program_.at(level);

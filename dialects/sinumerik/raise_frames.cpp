@@ -242,12 +242,6 @@ class FrameRaiser {
     const auto found = std::ranges::find(words, address, &ir::Word::address);
     return found == words.end() ? nullptr : &*found;
   }
-  static ir::Word word(Address address, ExpressionId value) {
-    ir::Word w;
-    w.address = address;
-    w.value = value;
-    return w;
-  }
   static ir::Code code(Function function, std::int16_t argument = 0) {
     ir::Code c;
     c.function = function;
