@@ -49,6 +49,7 @@ struct Semantics {
   bool scale_unit_known = false;            // … on every such control, or looked at
   double arc_tolerance_mm = 0.02;           // start and end radius may differ by this (3410; MD21000)
   double arc_tolerance_factor = 0.0;        // … or by this part of the radius, where that is more (MD21010)
+  int reference_fixed_point = 0;            // machine: the fixed point (G75 FP=) at the reference point; 0: none said
   bool spline_form_known = false;           // machine: how a spline bends between its points was looked at
 
   // Cycles: what parameters decide. Neither changes the hole, only the way to it.

@@ -118,7 +118,9 @@ void Lowering::push(StatementKind kind, std::vector<T>& arena, const T& item, te
 
 void Lowering::add_code(const GCode& code, text::Span span) {
   if (native_) return;
-  if (code.words != WordUse::usual) return keep_as_native(code.row.name, code.words == WordUse::declared, span);
+  // Approach, return, fixed points: the codes of their own block that move.
+  const bool moves = code.words == WordUse::own && code.row.group == ir::ModalGroup::non_modal;
+  if (code.words != WordUse::usual) return keep_as_native(code.row.name, code.words == WordUse::declared, span, moves);
   const bool known = code.row.function != ir::Function::not_modelled && code.row.function != ir::Function::no_effect;
   // G96 and G97 choose the feed as well: per revolution, G961 and G971 per minute.
   if (code.row.group == ir::ModalGroup::surface_speed) {

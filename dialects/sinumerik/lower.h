@@ -49,6 +49,7 @@ class Lowering {
   void add_message(ir::StatementKind kind, const ir::Message& message, text::Span span);
   void add_repeat(const ir::Repeat& repeat, text::Span span);
   void add_plain(ir::StatementKind kind, text::Span span);  // declaration, subprogram_return
+  [[nodiscard]] bool has_pending_block() const;
   // What was recognised of the line so far, structures and jumps excepted, becomes one Native; so does what follows.
   // `moves`: axes may be anywhere after it.
   void keep_as_native(std::string_view name, bool effects_known, text::Span span, bool moves = false);
@@ -72,7 +73,6 @@ class Lowering {
   void push(ir::StatementKind kind, std::uint32_t payload, text::Span span);
   template <class T>
   void push(ir::StatementKind kind, std::vector<T>& arena, const T& item, text::Span span);
-  [[nodiscard]] bool has_pending_block() const;
   [[nodiscard]] bool pending_words_are_constant() const;
 
   ir::Program& program_;

@@ -46,6 +46,7 @@ class Parser {
   // words: parse_words.cpp
   void address_word();
   void extended_address();
+  void axis_of_another_name(char letter, std::string_view name, text::Span head);
   void g_code(text::Span head);
   void m_function(std::uint32_t extension, text::Span head);
   void numbered_m_function(double number, std::uint32_t extension, text::Span span);
@@ -61,6 +62,9 @@ class Parser {
   ir::ExpressionId word_value(ir::Word& word);
   ir::ExpressionId moded_value(ir::Word& word);
   void repeats_word(text::Span head);
+
+  // parse_fixed_point.cpp: behind G75; false, and nothing read, where it is not the way to the reference point.
+  bool reference_approach(text::Span head);
 
   // values: parse_expression.cpp
   ir::ExpressionId expression();

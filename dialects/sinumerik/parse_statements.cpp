@@ -18,13 +18,11 @@ using text::DiagnosticId;
 // Diagnostics Manual, alarm 12280.
 constexpr std::uint32_t kLongestMacro_bytes = 256;
 
-// Statements that are kept as written and after which axes may be anywhere: cycles, approach and return moves, texts.
+// Statements that are kept as written and after which axes may be anywhere: cycles, frames, texts.
 bool may_move(std::string_view name) {
-  constexpr std::string_view kNames[] = {
-      "G5",      "G7",     "G74",      "G75",    "G147",   "G148",    "G247",     "G248",      "G347",
-      "G348",    "REPOSL", "REPOSQ",   "REPOSH", "REPOSA", "REPOSQA", "REPOSHA",  "ISOCALL",   "CALL",
-      "EXECTAB", "RET",    "LONGHOLE", "POLFA",  "G291",   "ROTS",    "AROTS",    "CROTS",     "TRAANG",
-      "TRAORI",  "PO",     "MEASA",    "MEAWA",  "MEAC",   "POSP",    "PRESETON", "PRESETONS", "GEOAX"};
+  constexpr std::string_view kNames[] = {"ISOCALL", "CALL",  "EXECTAB", "RET",      "LONGHOLE",  "POLFA", "G291",
+                                         "ROTS",    "AROTS", "CROTS",   "TRAANG",   "TRAORI",    "PO",    "MEASA",
+                                         "MEAWA",   "MEAC",  "POSP",    "PRESETON", "PRESETONS", "GEOAX"};
   // Settings of the path, and a contour that is only named.
   if (name == "CYCLE832" || name == "CYCLE62") return false;
   return name.starts_with("CYCLE") || name.starts_with("POCKET") || name.starts_with("SLOT") ||

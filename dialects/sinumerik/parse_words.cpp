@@ -47,8 +47,22 @@ void Parser::extended_address() {
   if (extension == 1 && letter >= 'I' && letter <= 'K')
     return word(static_cast<ir::Address>(static_cast<int>(ir::Address::via_i) + (letter - 'I')), 0, ir::StringId::none,
                 head);
-  if (!indexed) return word(ir::Address::other, 0, lower_.name(name), head);
+  if (!indexed) return axis_of_another_name(letter, name, head);
   word(letter_address(letter), static_cast<std::uint8_t>(extension), ir::StringId::none, head);
+}
+
+// X1=5 is the machine's own name of X, or another axis beside it: X may be elsewhere afterwards.
+void Parser::axis_of_another_name(char letter, std::string_view name, text::Span head) {
+  word(ir::Address::other, 0, lower_.name(name), head);
+  if (letter < 'X' || letter > 'Z' || faulty_ || lower_.is_native()) return;
+  const text::Span span = to_here(head);
+  const ir::Code code{.function = ir::Function::not_modelled,
+                      .group = ir::ModalGroup::non_modal,
+                      .name = lower_.name(name),
+                      .span = span};
+  ir::Word lost = ir::word(letter_address(letter), constant(0.0, span));
+  lost.span = span;
+  lower_.add_aside(code, lost);
 }
 
 // P5 or P=R1: how often the subprogram of the block runs.
@@ -240,6 +254,7 @@ void Parser::g_code(text::Span head) {
     return lower_.keep_as_native(may_be_macro ? UpperName(span.in(cursor_.whole())).view() : "unknown code", false,
                                  span, may_be_macro);
   }
+  if (n == 75 && reference_approach(head)) return;
   in_iso_ = code->row.name == "G291";
   if (in_iso_) return native(code->row.name, false, span);
   lower_.add_code(*code, span);

@@ -94,6 +94,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
     raise_cycles(raising);
     raise_frames(raising);
   }
+  raise_reference(raising);
   raise_blocks(raising);
   if (!raising.is_own()) {
     raise_modes(raising);

@@ -37,6 +37,7 @@ void raise_expressions(const Raising& raising);  // raise_expressions.cpp: opera
 void raise_flow(const Raising& raising);         // raise_flow.cpp: jumps, calls, alarms, natives
 void raise_cycles(const Raising& raising);       // raise_cycles.cpp: modal drilling becomes MCALL
 void raise_frames(const Raising& raising);       // raise_frames.cpp: G68, G51, G51.1 become chains of frames
+void raise_reference(const Raising& raising);    // raise_reference.cpp: G28 becomes G75
 void raise_blocks(const Raising& raising);       // raise_blocks.cpp: codes and words
 void raise_modes(const Raising& raising);        // raise_modes.cpp: feed and surface speed in one group; the safe start
 // raise.cpp: numbers and names become R parameters, except those in `kept`

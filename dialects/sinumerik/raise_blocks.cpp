@@ -79,6 +79,10 @@ bool is_length(Address a) {
   return a == Address::x || a == Address::y || a == Address::z || a == Address::u || a == Address::v ||
          a == Address::w || a == Address::i || a == Address::j || a == Address::k || a == Address::r;
 }
+// G75, with the words that it wants.
+bool is_fixed_point(const ir::Code& c) {
+  return c.function == Function::reference_return && c.name != ir::StringId::none;
+}
 bool is_angle(Address a) { return a <= Address::c || a == Address::direct_angle; }
 
 class BlockRaiser {
@@ -219,6 +223,7 @@ class BlockRaiser {
       if (c.letter == 'M') return program_.codes.push_back(c);
       return raising_.cannot("a computed G code", c.span);
     }
+    if (is_fixed_point(c)) return program_.codes.push_back(c);  // settled
     if (raising_.is_own()) return own_code(c);
     if (c.function == Function::transformation && raising_.program.strings.at(c.name).starts_with("TRA"))
       return program_.codes.push_back(c);  // settled
@@ -261,6 +266,7 @@ class BlockRaiser {
     if (raising_.is_own()) return program_.words.push_back(w);
     const ir::Semantics& from = raising_.from.semantics;
     if (w.value == ir::ExpressionId::none) return;
+    if (std::ranges::any_of(codes_, is_fixed_point)) return program_.words.push_back(w);
     if (dwell_) return dwell_word(w);
     w.value = in_units(w);
     if (from.incremental_letters_uvw) incremental_letter(w);

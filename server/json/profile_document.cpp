@@ -193,6 +193,7 @@ void read_control(ObjectReader& object, machine::ControlSettings& control) {
     o.number("tolerance_mm", control.arc_tolerance_mm, 0.0, 10.0);
     o.number("tolerance_factor", control.arc_tolerance_factor, 0.0, 1.0);
   });
+  object.integer("reference_fixed_point", control.reference_fixed_point, 1, 4);
   object.flag("splines_confirmed", control.splines_confirmed);
   object.object("cycles", [&](ObjectReader& o) {
     o.number("chip_break_mm", control.chip_break_mm, 0.0, 1000.0);

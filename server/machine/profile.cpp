@@ -254,6 +254,8 @@ ir::Control control_of(const Profile& profile, ir::Control control) {
   if (settings.peck_clearance_mm) semantics.peck_clearance_mm = *settings.peck_clearance_mm;
   if (settings.arc_tolerance_mm) semantics.arc_tolerance_mm = *settings.arc_tolerance_mm;
   if (settings.arc_tolerance_factor) semantics.arc_tolerance_factor = *settings.arc_tolerance_factor;
+  if (settings.reference_fixed_point)
+    semantics.reference_fixed_point = static_cast<int>(*settings.reference_fixed_point);
   semantics.spline_form_known = settings.splines_confirmed;
   if (settings.turning_depth_mm) semantics.cycle_depth_mm = *settings.turning_depth_mm;
   if (settings.arc_without_center_is_line) semantics.arc_without_center_is_line = *settings.arc_without_center_is_line;

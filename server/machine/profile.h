@@ -48,8 +48,9 @@ struct ControlSettings {
   std::optional<std::uint32_t> axes_at_once;   // that the control moves in one block; not given: all of them
   std::optional<double> arc_tolerance_mm;      // by which an arc's radius may change from start to end (3410, MD21000)
   std::optional<double> arc_tolerance_factor;  // … as a part of the radius, where that is more (MD21010)
-  bool splines_confirmed = false;              // somebody held a spline of the machine against ours
-  std::optional<bool> arc_without_center_is_line;  // Fanuc 3403#5 = 0; otherwise an alarm
+  std::optional<std::uint32_t> reference_fixed_point;  // G75 FP= of it is where the other controls go by G28 (MD30600)
+  bool splines_confirmed = false;                      // somebody held a spline of the machine against ours
+  std::optional<bool> arc_without_center_is_line;      // Fanuc 3403#5 = 0; otherwise an alarm
   // Parameters of cycles, mm.
   std::optional<double> chip_break_mm;
   std::optional<double> peck_clearance_mm;

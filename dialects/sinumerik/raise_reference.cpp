@@ -1,0 +1,194 @@
+// The way to the reference point (G28) as that to a fixed point of the machine, where the profile says which fixed
+// point lies there; G74 is homing and not that way. G28's intermediate point becomes a rapid in front:
+//
+//   G91 G28 Z0 M9         G91 / G75 Z1=0 FP=1 / M9
+//   G0 G90 G28 X5. Y6.    G0 G90 X5 Y6 / G75 X1=0 Y1=0 FP=1
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dialects/passes/mode_flow.h"
+#include "dialects/passes/rewrite.h"
+#include "dialects/sinumerik/raise.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using ir::Address;
+using ir::Function;
+using ir::StatementKind;
+
+bool is_reference(const ir::Code& c) { return c.function == Function::reference_return; }
+bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
+
+// The axis that a letter moves: U V W H of a lathe are the increments of X Y Z C.
+std::optional<Address> axis_of(Address a, bool letters_are_increments) {
+  if (!letters_are_increments) return is_axis(a) ? std::optional(a) : std::nullopt;
+  switch (a) {
+    case Address::u: return Address::x;
+    case Address::v: return Address::y;
+    case Address::w: return Address::z;
+    case Address::h: return Address::c;
+    default: return is_axis(a) ? std::optional(a) : std::nullopt;
+  }
+}
+
+class ReferenceRaiser {
+ public:
+  explicit ReferenceRaiser(const Raising& raising)
+      : raising_(raising),
+        program_(raising.program),
+        letters_are_increments_(!raising.is_own() && raising.from.semantics.incremental_letters_uvw),
+        modes_(program_, raising.from),
+        out_(program_) {}
+
+  void run() {
+    const auto count = static_cast<std::uint32_t>(program_.statements.size());
+    for (index_ = 0; index_ < count; ++index_) {
+      out_.at(index_);
+      statement_ = program_.statements[index_];
+      if (!is_reached_from_before()) rapid_ = false;
+      const bool has_block = statement_.payload != ir::kNoIndex &&
+                             (statement_.kind == StatementKind::block || statement_.kind == StatementKind::program_end);
+      if (has_block)
+        block(program_.blocks[statement_.payload]);
+      else
+        out_.keep();
+    }
+    out_.finish();
+  }
+
+ private:
+  // … only, and by a statement that leaves the motion code as it was.
+  [[nodiscard]] bool is_reached_from_before() const {
+    const StatementKind kind = statement_.kind;
+    const bool joins = kind >= StatementKind::if_begin && kind <= StatementKind::loop_end;
+    return !statement_.is_label && !joins && (kind == StatementKind::block || passes::keeps_modes(kind));
+  }
+
+  // By value: the arenas grow.
+  void block(const ir::Block block) {
+    const std::vector<ir::Code> codes(program_.codes_of(block).begin(), program_.codes_of(block).end());
+    for (const ir::Code& c : codes)
+      if (c.group == ir::ModalGroup::motion) rapid_ = c.function == Function::rapid;
+    const auto found = std::ranges::find_if(codes, is_reference);
+    if (found == codes.end()) return out_.keep();
+    if (const std::string fault = fault_of(*found, codes, block); !fault.empty()) {
+      raising_.cannot(fault, found->span);
+      return without_reference(codes, block);
+    }
+    approach(codes, block);
+  }
+
+  // What keeps the block from being said, or nothing.
+  [[nodiscard]] std::string fault_of(const ir::Code& code, const std::vector<ir::Code>& codes,
+                                     const ir::Block& block) const {
+    const std::string written(raising_.text_of(code.span));
+    const std::string name = written.empty() ? std::string(ir::name_of(code.function)) : written;
+    if (code.argument != 1) return name;
+    if (raising_.to.semantics.reference_fixed_point == 0)
+      return name + ", while control.reference_fixed_point of the machine is not stated,";
+    if (block.rest_level != 0) return "block skip inside a block";
+    if (statement_.kind == StatementKind::program_end) return name + " in the block that ends the program";
+    // Whether it acts before the way or behind it is the machine builder's matter.
+    const bool changes = std::ranges::any_of(codes, [](const ir::Code& c) {
+      return c.function == Function::tool_change || c.function == Function::machine_function ||
+             c.number != ir::ExpressionId::none;
+    });
+    const auto words = program_.words_of(block);
+    if (changes || std::ranges::find(words, Address::t, &ir::Word::address) != words.end())
+      return name + " beside a tool or an M function of the machine";
+    if (std::ranges::none_of(words, [&](const ir::Word& w) { return axis(w).has_value(); }))
+      return name + " without axes";
+    if (has_intermediate_point(codes, block) && !rapid_)
+      return "the intermediate point of " + name + " where G0 is not in effect";
+    return {};
+  }
+
+  void without_reference(const std::vector<ir::Code>& codes, const ir::Block& block) {
+    std::vector<ir::Code> others;
+    std::ranges::remove_copy_if(codes, std::back_inserter(others), is_reference);
+    const std::vector<ir::Word> words(program_.words_of(block).begin(), program_.words_of(block).end());
+    out_.emit_block(others, words);
+    out_.last().kind = statement_.kind;
+  }
+
+  void approach(const std::vector<ir::Code>& codes, const ir::Block& block) {
+    const bool goes_there = has_intermediate_point(codes, block);
+    std::vector<ir::Code> before;
+    std::vector<ir::Code> after;
+    for (const ir::Code& c : codes)
+      if (!is_reference(c)) (acts_behind(c) ? after : before).push_back(c);
+    std::vector<ir::Word> words;
+    std::vector<ir::Word> axes;
+    for (const ir::Word& w : program_.words_of(block)) {
+      if (!axis(w) || goes_there) words.push_back(w);
+      if (axis(w)) axes.push_back(machine_axis(*axis(w)));
+    }
+    if (!before.empty() || !words.empty()) out_.emit_block(before, words);
+    ir::Word point = ir::word(Address::other, number(raising_.to.semantics.reference_fixed_point));
+    point.name = program_.strings.add("FP");
+    axes.push_back(point);
+    ir::Code code;
+    code.function = Function::reference_return;
+    code.argument = 1;
+    code.group = ir::ModalGroup::non_modal;
+    code.name = program_.strings.add("G75");
+    out_.emit_block({code}, axes);
+    if (!after.empty()) out_.emit_block(after, {});
+  }
+
+  static bool acts_behind(const ir::Code& c) {
+    return c.function == Function::program_stop || c.function == Function::optional_stop ||
+           c.function == Function::coolant_off || c.function == Function::spindle_stop;
+  }
+
+  // G91 G28 Z0 and G28 W0 name the axis only.
+  [[nodiscard]] bool has_intermediate_point(const std::vector<ir::Code>& codes, const ir::Block& block) const {
+    return std::ranges::any_of(program_.words_of(block), [&](const ir::Word& w) {
+      if (!axis(w)) return false;
+      const ir::Expression& value = program_.at(w.value);
+      return value.op != ir::Operator::constant || value.value != 0.0 || !is_increment(w, codes);
+    });
+  }
+  [[nodiscard]] bool is_increment(const ir::Word& w, const std::vector<ir::Code>& codes) const {
+    if (w.mode != ir::WordMode::as_modal) return w.mode == ir::WordMode::incremental;
+    if (*axis(w) != w.address) return true;
+    const auto here = std::ranges::find(codes, ir::ModalGroup::distance, &ir::Code::group);
+    if (here != codes.end()) return here->function == Function::incremental;
+    const passes::ModeFacts* before = modes_.before(index_);
+    if (before == nullptr) return false;
+    const passes::ModeFact& distance = (*before)[passes::index_of(passes::Mode::distance)];
+    return distance.agrees() && distance.function == Function::incremental;
+  }
+
+  [[nodiscard]] std::optional<Address> axis(const ir::Word& w) const {
+    return w.value == ir::ExpressionId::none ? std::nullopt : axis_of(w.address, letters_are_increments_);
+  }
+  // G75 wants the machine's own names (X1=).
+  ir::Word machine_axis(Address axis) {
+    ir::Word word = ir::word(Address::other, number(0));
+    word.name = program_.strings.add(std::string(1, static_cast<char>('A' + static_cast<int>(axis))) + "1");
+    return word;
+  }
+  ir::ExpressionId number(int value) { return program_.add_constant(value, {}, false); }
+
+  const Raising& raising_;
+  ir::Program& program_;
+  bool letters_are_increments_;
+  passes::ModeFlow modes_;
+  passes::Rewrite out_;
+  ir::Statement statement_;
+  std::uint32_t index_ = 0;
+  bool rapid_ = false;  // G0 is in effect on the only way here
+};
+
+}  // namespace
+
+void raise_reference(const Raising& raising) {
+  if (std::ranges::any_of(raising.program.codes, is_reference)) ReferenceRaiser(raising).run();
+}
+
+}  // namespace dripfeed::sinumerik
