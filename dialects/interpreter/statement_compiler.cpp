@@ -52,7 +52,7 @@ void StatementCompiler::compile() {
     code[i].end = builder_.here();
   }
   end_block();
-  builder_.emit(Opcode::text_end, {});
+  builder_.emit(Opcode::text_end, ir::span_of_last(program, first, last));
   flow_.settle(code, first, last);
 }
 

@@ -35,7 +35,6 @@ RunResult Machine::run(PlainStream& stream) {
     execute(instruction_at(main, rest.offset));
     return finish(main);
   }
-  plain.spans.front() = {};
   if (rest.broken)
     report_.end(Ended::alarm);
   else if (goes_on)

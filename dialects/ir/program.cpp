@@ -171,4 +171,10 @@ std::string print_same(const Program& program) {
 
 std::vector<std::uint32_t> match_structures(Program& program) { return StructureMatcher(program).match(); }
 
+text::Span span_of_last(const Program& program, std::uint32_t first, std::uint32_t last) {
+  for (std::uint32_t i = last; i > first; --i)
+    if (program.statements[i - 1].kind != StatementKind::empty) return program.statements[i - 1].span;
+  return {};
+}
+
 }  // namespace dripfeed::ir

@@ -94,4 +94,7 @@ std::string print_same(const Program& program);
 // is returned by statement index, for the dialect to report with its own alarm.
 std::vector<std::uint32_t> match_structures(Program& program);
 
+// Of the last statement in [first, last) that says something; empty without one.
+text::Span span_of_last(const Program& program, std::uint32_t first, std::uint32_t last);
+
 }  // namespace dripfeed::ir

@@ -28,8 +28,8 @@ class Reachability {
     flood(graph_.entries(), ir::kNoIndex, reached);
     report(reached);
     if (runs_off_the_end()) {
-      const auto end = static_cast<std::uint32_t>(check_.program.source.text().size());
-      check_.report(DiagnosticId::missing_program_end, {end, end});
+      const auto count = static_cast<std::uint32_t>(statements_.size());
+      check_.report(DiagnosticId::missing_program_end, ir::span_of_last(check_.program, 0, count));
     }
   }
 

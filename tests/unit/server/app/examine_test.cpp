@@ -64,6 +64,14 @@ TEST(Examine, WhatTheReaderSaidIsNotSaidAgain) {
   EXPECT_EQ(characters_in(report_of("%\nO1\nG0X1.\n\xC3\xA4\nM30\n%\n", &profile)).size(), 1U);
 }
 
+TEST(Examine, WhatReadingAndRunningBothSeeIsSaidOnce) {
+  const CheckReport report = report_of("%\nO1\nG21 G90 G94 G17\nG0 X1.\n\n%\n", nullptr);
+  std::vector<std::uint32_t> lines;
+  for (const text::Diagnostic& one : report.checks.diagnostics)
+    if (one.id == text::DiagnosticId::missing_program_end) lines.push_back(report.source.position(one.span.begin).line);
+  EXPECT_EQ(lines, (std::vector<std::uint32_t>{4}));
+}
+
 // What the envelope says of a text on a machine whose Z travels from -500 to 0, with its zero at -400.
 CheckReport on_short_z(const std::string& text, const std::string& name) {
   machine::Profile profile = profile_of("serial:/dev/ttyS0", "ascii");
