@@ -163,7 +163,10 @@ ExpressionId ExpressionReader::variable_value() {
 
 bool ExpressionReader::open_bracket(std::string_view after) {
   if (!cursor_.is_symbol('[')) {
-    faults_.fail(missing_bracket, cursor_.span(), {fmt::format("[ after {}", after)}, ir::AlarmDetail::opening_bracket);
+    const auto where = after == "IF"      ? ir::AlarmDetail::if_statement
+                       : after == "WHILE" ? ir::AlarmDetail::while_statement
+                                          : ir::AlarmDetail::opening_bracket;
+    faults_.fail(missing_bracket, cursor_.span(), {fmt::format("[ after {}", after)}, where);
     return false;
   }
   ++depth_;

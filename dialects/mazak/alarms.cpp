@@ -76,6 +76,8 @@ constexpr auto kAlarms = std::to_array<AlarmRow>({
     {cycle_shape_not_monotonic, "898"},
     {syntax_error, "864", if_statement},
     {syntax_error, "865", while_statement},
+    {missing_bracket, "864", if_statement},
+    {missing_bracket, "865", while_statement},
     {syntax_error, "843", jump_number},
     {call_nesting_too_deep, "855", macro_call},
     {address_without_value, "893", macro_program},

@@ -78,6 +78,8 @@ constexpr auto kAlarms = std::to_array<AlarmRow>({
     {cycle_shape_not_monotonic, "P203"},
     {syntax_error, "P290", if_statement},
     {syntax_error, "P291", while_statement},
+    {missing_bracket, "P290", if_statement},
+    {missing_bracket, "P291", while_statement},
     {syntax_error, "P231", jump_number},
     {call_nesting_too_deep, "P273", macro_call},
     {nesting_too_deep, "P288", if_nesting},
