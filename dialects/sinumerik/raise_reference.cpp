@@ -2,12 +2,16 @@
 // point lies there; G74 is homing and not that way. G28's intermediate point becomes a rapid in front:
 //
 //   G91 G28 Z0 M9         G91 / G75 Z1=0 FP=1 / M9
-//   G0 G90 G28 X5. Y6.    G0 G90 X5 Y6 / G75 X1=0 Y1=0 FP=1
+//   G90 G28 X5. Y6.       G90 / G0 X5 Y6 / G75 X1=0 Y1=0 FP=1 / G1
+//
+// G1 where it was in effect before.
 #include <algorithm>
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "dialects/passes/flow_graph.h"
 #include "dialects/passes/mode_flow.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/sinumerik/raise.h"
@@ -42,14 +46,15 @@ class ReferenceRaiser {
         program_(raising.program),
         letters_are_increments_(!raising.is_own() && raising.from.semantics.incremental_letters_uvw),
         modes_(program_, raising.from),
-        out_(program_) {}
+        out_(program_) {
+    find_motions();
+  }
 
   void run() {
     const auto count = static_cast<std::uint32_t>(program_.statements.size());
     for (index_ = 0; index_ < count; ++index_) {
       out_.at(index_);
       statement_ = program_.statements[index_];
-      if (!is_reached_from_before()) rapid_ = false;
       const bool has_block = statement_.payload != ir::kNoIndex &&
                              (statement_.kind == StatementKind::block || statement_.kind == StatementKind::program_end);
       if (has_block)
@@ -61,18 +66,47 @@ class ReferenceRaiser {
   }
 
  private:
-  // … only, and by a statement that leaves the motion code as it was.
-  [[nodiscard]] bool is_reached_from_before() const {
-    const StatementKind kind = statement_.kind;
-    const bool joins = kind >= StatementKind::if_begin && kind <= StatementKind::loop_end;
-    return !statement_.is_label && !joins && (kind == StatementKind::block || passes::keeps_modes(kind));
+  // The motion code in effect before each statement; none: not known.
+  void find_motions() {
+    motions_.resize(program_.statements.size() + 1);
+    passes::FlowGraph graph(program_);
+    std::deque<std::uint32_t> work;
+    const auto reach = [&](std::uint32_t statement, Function motion) {
+      std::optional<Function>& before = motions_[statement];
+      if (before == motion || before == Function::none) return;
+      before = before ? Function::none : motion;
+      work.push_back(statement);
+    };
+    for (const std::uint32_t entry : graph.entries()) reach(entry, Function::none);
+    while (!work.empty()) {
+      const std::uint32_t i = work.front();
+      work.pop_front();
+      if (i >= program_.statements.size()) continue;
+      const Function after = motion_after(program_.statements[i], *motions_[i]);
+      for (const std::uint32_t next : graph.after(i)) reach(next, after);
+    }
+  }
+  [[nodiscard]] Function motion_after(const ir::Statement& s, Function before) const {
+    if (s.kind != StatementKind::block) return passes::keeps_modes(s.kind) ? before : Function::none;
+    const ir::Block& block = program_.blocks[s.payload];
+    const Function said = motion_of(program_.codes_of(block), before);
+    return said == before || (s.skip_level == 0 && block.rest_level == 0) ? said : Function::none;
+  }
+  static Function motion_of(std::span<const ir::Code> codes, Function before) {
+    for (const ir::Code& c : codes) {
+      if (c.number != ir::ExpressionId::none && c.letter == 'G') return Function::none;
+      if (c.group == ir::ModalGroup::motion) return c.function;
+    }
+    return before;
+  }
+  // … where the block's own point is gone to.
+  [[nodiscard]] Function motion_here(const std::vector<ir::Code>& codes) const {
+    return motion_of(codes, motions_[index_].value_or(Function::none));
   }
 
   // By value: the arenas grow.
   void block(const ir::Block block) {
     const std::vector<ir::Code> codes(program_.codes_of(block).begin(), program_.codes_of(block).end());
-    for (const ir::Code& c : codes)
-      if (c.group == ir::ModalGroup::motion) rapid_ = c.function == Function::rapid;
     const auto found = std::ranges::find_if(codes, is_reference);
     if (found == codes.end()) return out_.keep();
     if (const std::string fault = fault_of(*found, codes, block); !fault.empty()) {
@@ -102,8 +136,9 @@ class ReferenceRaiser {
       return name + " beside a tool or an M function of the machine";
     if (std::ranges::none_of(words, [&](const ir::Word& w) { return axis(w).has_value(); }))
       return name + " without axes";
-    if (has_intermediate_point(codes, block) && !rapid_)
-      return "the intermediate point of " + name + " where G0 is not in effect";
+    const Function motion = motion_here(codes);
+    if (has_intermediate_point(codes, block) && motion != Function::rapid && motion != Function::linear)
+      return "the intermediate point of " + name + " where neither G0 nor G1 is known to be in effect";
     return {};
   }
 
@@ -127,6 +162,10 @@ class ReferenceRaiser {
       if (!axis(w) || goes_there) words.push_back(w);
       if (axis(w)) axes.push_back(machine_axis(*axis(w)));
     }
+    const Function motion = motion_here(codes);
+    const bool returns = goes_there && motion != Function::rapid;
+    if (returns) std::erase_if(before, [](const ir::Code& c) { return c.group == ir::ModalGroup::motion; });
+    if (returns) before.push_back(motion_code(Function::rapid));
     if (!before.empty() || !words.empty()) out_.emit_block(before, words);
     ir::Word point = ir::word(Address::other, number(raising_.to.semantics.reference_fixed_point));
     point.name = program_.strings.add("FP");
@@ -137,9 +176,16 @@ class ReferenceRaiser {
     code.group = ir::ModalGroup::non_modal;
     code.name = program_.strings.add("G75");
     out_.emit_block({code}, axes);
+    if (returns) after.push_back(motion_code(motion));
     if (!after.empty()) out_.emit_block(after, {});
   }
 
+  static ir::Code motion_code(Function function) {
+    ir::Code code;
+    code.function = function;
+    code.group = ir::ModalGroup::motion;
+    return code;
+  }
   static bool acts_behind(const ir::Code& c) {
     return c.function == Function::program_stop || c.function == Function::optional_stop ||
            c.function == Function::coolant_off || c.function == Function::spindle_stop;
@@ -182,7 +228,7 @@ class ReferenceRaiser {
   passes::Rewrite out_;
   ir::Statement statement_;
   std::uint32_t index_ = 0;
-  bool rapid_ = false;  // G0 is in effect on the only way here
+  std::vector<std::optional<Function>> motions_;
 };
 
 }  // namespace

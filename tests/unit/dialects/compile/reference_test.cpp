@@ -65,6 +65,16 @@ TEST(ReferencePoint, ByWayOfAnotherPoint) {
               1e-9, made.text);
 }
 
+// The way there is rapid, and the motion code of before goes on.
+TEST(ReferencePoint, FromAStraightCut) {
+  const std::string text =
+      "O1\nG17 G21 G90 G94 G40 G80\nG0 X0. Y0. Z0.\nN1 G1 X2. F100.\nN2 G28 Z7. M9\nX1. Z1.\nM30\n";
+  const ConvertResult made = converted(text, control("fanuc", ir::MachineKind::mill), siemens(1));
+  EXPECT_TRUE(made.text.contains("G0 Z7.\nG75 Z1=0 FP=1\nG1 M9\nX1. Z1.\n")) << made.text;
+  expect_same(run_text(text, control("fanuc", ir::MachineKind::mill)).motions, run_text(made.text, siemens(1)).motions,
+              1e-9, made.text);
+}
+
 TEST(ReferencePoint, OfALathe) {
   const std::string text = "O1\nG18 G21 G99 G40 G97\nG28 U0. W0.\nT0101\nG0 X50. Z2.\nG28 U5. W0.\nX10.\nM30\n";
   const ir::Control from = control("fanuc", ir::MachineKind::lathe);
@@ -94,8 +104,9 @@ TEST(ReferencePoint, IsRefusedWithItsReason) {
       {"G91 G28 Z0. M6", 1, "beside a tool or an M function of the machine"},
       {"G91 G28 Z0. M88", 1, "beside a tool or an M function of the machine"},
       {"G28", 1, "G28 without axes"},
-      {"G1 F100.\nG28 Z5.", 1, "the intermediate point of G28 where G0 is not in effect"},
-      {"N5 G28 Z5.\nIF[#100EQ1]GOTO5", 1, "the intermediate point of G28 where G0 is not in effect"},
+      {"G2 X1. R1. F100.\nG28 Z5.", 1, "the intermediate point of G28 where neither G0 nor G1 is known"},
+      {"N5 G28 Z5.\nG1 X1. F100.\nIF[#100EQ1]GOTO5", 1,
+       "the intermediate point of G28 where neither G0 nor G1 is known"},
   };
   for (const Row& row : rows) {
     const std::string text = "O1\nG17 G21 G90 G94 G40 G80\nG0 X0. Y0. Z0.\n" + row.block + "\nM30\n";
