@@ -252,7 +252,7 @@ class Lowering {
     // Here the lead was the feed.
     std::vector<ir::Word> feed;
     if (before.feed.value && *before.feed.value != 0.0) feed.push_back(word(Address::f, constant(*before.feed.value)));
-    motion_again(before, std::move(feed));
+    motion_again(before, feed);
     if (!before.feed.value && flow_.needs_feed(index_)) cannot("the feed behind CYCLE97, which is not known here,");
   }
 

@@ -169,7 +169,7 @@ class Faces {
     return code != nullptr && !is_face(code->argument);
   }
 
-  void emit(std::int16_t argument, std::string_view name, std::vector<ir::Word> words) {
+  void emit(std::int16_t argument, std::string_view name, const std::vector<ir::Word>& words) {
     ir::Code code;
     code.function = Function::transformation;
     code.argument = argument;
