@@ -159,12 +159,17 @@ class ContourCutter {
   [[nodiscard]] double first_way() const { return rough_.front().segment.from.way - forward_ * cycle_.lift_mm; }
   [[nodiscard]] double clear_level() const { return top() - side_ * cycle_.lift_mm; }
 
+  // At most kPassesAtMost: more are an alarm before the first.
+  [[nodiscard]] int passes_for(double total) const {
+    return static_cast<int>(std::max(1.0, std::ceil(total / cycle_.depth_mm - kSmall)));
+  }
+
   void rough(double total) {
     to(MotionKind::rapid, first_way(), clear_level());
-    const double count = std::max(1.0, std::ceil(total / cycle_.depth_mm - kSmall));
-    for (double n = 1.0; n <= count; ++n) {
+    const int count = passes_for(total);
+    for (int n = 1; n <= count; ++n) {
       const double level = n == count ? bottom() : top() + side_ * total * n / count;
-      const double above = top() + side_ * total * (n - 1.0) / count;
+      const double above = top() + side_ * total * (n - 1) / count;
       pass(level, above);
     }
     for (const Relief& relief : reliefs_) rough(relief);
@@ -175,10 +180,10 @@ class ContourCutter {
   void rough(const Relief& relief) {
     const double height = relief.begin().level;
     const double total = std::abs(height - relief.bottom_level());
-    const double count = std::max(1.0, std::ceil(total / cycle_.depth_mm - kSmall));
-    for (double n = 1.0; n <= count; ++n) {
+    const int count = passes_for(total);
+    for (int n = 1; n <= count; ++n) {
       const double level = n == count ? relief.bottom_level() : height + side_ * total * n / count;
-      pass(relief, level, height + side_ * total * (n - 1.0) / count);
+      pass(relief, level, height + side_ * total * (n - 1) / count);
     }
   }
 
