@@ -70,7 +70,7 @@ std::optional<double> way_at(const ShapeSegment& s, double level) {
   std::optional<double> best;
   for (const double angle : {first, std::numbers::pi - first}) {
     const auto share = share_at(s, angle);
-    if (share && *share >= -1e-9 && (!best || *share < *best)) best = *share;
+    if (share && *share >= -1e-9 && (!best || *share < *best)) best = share;
   }
   if (!best) return std::nullopt;
   return s.center.way + radius * std::cos(angle_of(s.from, s.center) + *best * s.turn);

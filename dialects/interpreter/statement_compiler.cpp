@@ -177,6 +177,7 @@ void StatementCompiler::compile_output(const ir::Statement& statement) {
   const ir::Program& program = builder_.source();
   const ir::Output& output = program.outputs[statement.payload];
   std::vector<Operand> registers;
+  registers.reserve(output.part_count);
   for (std::uint32_t i = 0; i < output.part_count; ++i) registers.push_back(builder_.take());
   for (std::uint32_t i = 0; i < output.part_count; ++i) {
     const ir::OutputPart& part = program.output_parts[output.first_part + i];

@@ -174,9 +174,11 @@ bool ExpressionReader::open_bracket(std::string_view after) {
   if (depth_ == most + 1 || depth_ > kDeepestBracket) {
     const bool give_up = depth_ > kDeepestBracket;
     std::vector<std::string> arguments = {std::to_string(depth_), std::to_string(most)};
-    if (!give_up) faults_.report(bracket_nesting_too_deep, cursor_.span(), std::move(arguments));
-    if (give_up) faults_.fail(bracket_nesting_too_deep, cursor_.span(), std::move(arguments));
-    if (give_up) return false;
+    if (give_up) {
+      faults_.fail(bracket_nesting_too_deep, cursor_.span(), std::move(arguments));
+      return false;
+    }
+    faults_.report(bracket_nesting_too_deep, cursor_.span(), std::move(arguments));
   }
   open_at_ = cursor_.span().begin;
   cursor_.advance();

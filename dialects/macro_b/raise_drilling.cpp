@@ -329,7 +329,7 @@ class Drilling {
     }
     if (v[5] < 1.0 || v[5] > kMostHoles) return cannot(name + " with that number of holes");
     constexpr double kDegree = 3.14159265358979323846 / 180.0;
-    for (double n = 0.0; n < v[5]; ++n) {
+    for (int n = 0; n < v[5]; ++n) {
       const double step = v[4] == 0.0 && name == "HOLES2" ? 360.0 / v[5] : v[4];
       const double angle = (name == "HOLES2" ? v[3] + n * step : v[2]) * kDegree;
       const double radius = name == "HOLES2" ? v[2] : v[3] + n * v[4];

@@ -23,6 +23,7 @@
 #include "dialects/sinumerik/drill_state.h"
 #include "dialects/sinumerik/raise.h"
 #include "dialects/sinumerik/system_variables.h"
+#include "dialects/text/number.h"
 
 namespace dripfeed::sinumerik {
 
@@ -131,7 +132,8 @@ class CycleRaiser {
     parts.redefines |= parts.begins || !before.to_level.known || before.to_level.value != after.to_level.value;
     if (!parts.rest_codes.empty() || !parts.rest_words.empty()) out_.emit_block(parts.rest_codes, parts.rest_words);
     if (parts.repeats > kMostRepeats)
-      return raising_.cannot("a cycle that is repeated " + std::to_string(parts.repeats) + " times", statement_->span);
+      return raising_.cannot("a cycle that is repeated " + text::format_shortest(parts.repeats) + " times",
+                             statement_->span);
     if (after.cycle.is(kBackBore)) return back_bore(before, after, block, parts);
     if (parts.redefines) {
       const std::optional<std::uint32_t> call = call_of(before, after, block);
@@ -140,11 +142,11 @@ class CycleRaiser {
       const bool in_place = parts.drills && parts.positions.empty();
       if (in_place && is_modal(before)) end_modal();
       if (leaves_spindle_stopped(before.cycle) && before.cycle.value != after.cycle.value) start_again(before);
-      for (double n = 0.0; in_place && n < parts.repeats; ++n) out_.emit(StatementKind::call, *call);
+      for (int n = 0; in_place && n < parts.repeats; ++n) out_.emit(StatementKind::call, *call);
       out_.emit(StatementKind::modal_call, *call);
     }
     if (!parts.drills || parts.positions.empty()) return;
-    for (double n = 0.0; n < parts.repeats; ++n) out_.emit_block({motion_code(Function::rapid)}, parts.positions);
+    for (int n = 0; n < parts.repeats; ++n) out_.emit_block({motion_code(Function::rapid)}, parts.positions);
   }
 
   static constexpr auto kBackBore = static_cast<std::int16_t>(DrillCycle::back_bore);
@@ -177,7 +179,7 @@ class CycleRaiser {
                           .shift_y = arguments_[8],
                           .dwell_s = seconds(after),
                           .spindle = after.spindle.value};
-    for (double n = 0.0; n < parts.repeats; ++n) {
+    for (int n = 0; n < parts.repeats; ++n) {
       if (!parts.positions.empty()) out_.emit_block({motion_code(Function::rapid)}, parts.positions);
       emit_back_boring(hole, program_, out_);
     }

@@ -120,7 +120,7 @@ class ReferenceRaiser {
   [[nodiscard]] std::string fault_of(const ir::Code& code, const std::vector<ir::Code>& codes,
                                      const ir::Block& block) const {
     const std::string written(raising_.text_of(code.span));
-    const std::string name = written.empty() ? std::string(ir::name_of(code.function)) : written;
+    std::string name = written.empty() ? std::string(ir::name_of(code.function)) : written;
     if (code.argument != 1) return name;
     if (raising_.to.semantics.reference_fixed_point == 0)
       return name + ", while control.reference_fixed_point of the machine is not stated,";

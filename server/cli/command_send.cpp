@@ -113,7 +113,7 @@ app::Result<app::LineReport> follow(app::Line& line, FileLedger& ledger, const a
   bool aborted = false;
   app::LineReport last;
   for (;;) {
-    const app::LineReport report = line.report();
+    app::LineReport report = line.report();
     const bool ended = over(report);
     const std::uint64_t window = app::reserve_window(report);
     const std::uint64_t wanted = ended || reserve >= report.handed + window / 2 ? reserve : report.handed + window;
