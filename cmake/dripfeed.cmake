@@ -10,7 +10,8 @@ set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
 
 find_program(DRIPFEED_CCACHE ccache)
 if(DRIPFEED_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${DRIPFEED_CCACHE})
+  # It keeps nothing that reads precompiled headers unless it is told that their time and macros are no matter.
+  set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros ${DRIPFEED_CCACHE})
 endif()
 
 find_package(fmt REQUIRED)
