@@ -1,4 +1,5 @@
-# Headers that nearly every file reads, parsed once for each set of flags: a third of what the tests' compilation takes.
+# Headers that nearly every file reads, parsed once for each set of flags: of three unit tests each compiled 40 to 50 %
+# faster, of the libraries' files each half a second.
 # Only the dev build has this. The others compile each file by itself and so find what it forgot to include: release
 # everything that runs, asan-ubsan the tests of dialects, checks and protocol too, clang all.
 option(DRIPFEED_PRECOMPILED "parse standard, fmt and GoogleTest headers once" OFF)

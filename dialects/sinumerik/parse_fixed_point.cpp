@@ -1,7 +1,8 @@
 // G75 FP=1 X1=0 Z1=0: by rapid to a fixed point of the machine; the values say nothing, without FP it is the first
 // (MD30600; programming manual, "Fixed point approach"). Where the profile says that this one is the reference point,
 // it is what the other controls call G28; any other is only known to the machine.
-#include <array>
+#include <string_view>
+#include <vector>
 
 #include "dialects/sinumerik/codes.h"
 #include "dialects/sinumerik/parse.h"

@@ -39,7 +39,9 @@ void raise_cycles(const Raising& raising);       // raise_cycles.cpp: modal dril
 void raise_frames(const Raising& raising);       // raise_frames.cpp: G68, G51, G51.1 become chains of frames
 void raise_reference(const Raising& raising);    // raise_reference.cpp: G28 becomes G75
 void raise_blocks(const Raising& raising);       // raise_blocks.cpp: codes and words
-void raise_modes(const Raising& raising);        // raise_modes.cpp: feed and surface speed in one group; the safe start
+// raise_blocks.cpp: U V W H of a lathe are increments of X Y Z C.
+void incremental_letter(ir::Word& w);
+void raise_modes(const Raising& raising);  // raise_modes.cpp: feed and surface speed in one group; the safe start
 // raise.cpp: numbers and names become R parameters, except those in `kept`
 void raise_variables(const Raising& raising, std::set<ir::SymbolId> kept);
 

@@ -301,20 +301,6 @@ class BlockRaiser {
     return w.value;
   }
 
-  // U W H of a lathe are increments of X Z C.
-  static void incremental_letter(ir::Word& w) {
-    struct Letters {
-      Address incremental;
-      Address axis;
-    };
-    static constexpr Letters kLetters[] = {
-        {Address::u, Address::x}, {Address::v, Address::y}, {Address::w, Address::z}, {Address::h, Address::c}};
-    const auto row = std::ranges::find(kLetters, w.address, &Letters::incremental);
-    if (row == std::end(kLetters)) return;
-    w.address = row->axis;
-    w.mode = ir::WordMode::incremental;
-  }
-
   // G4 F seconds. The others say P milliseconds, or X or U seconds.
   void dwell_word(const ir::Word& w) {
     const ir::Semantics& from = raising_.from.semantics;
@@ -375,6 +361,19 @@ class BlockRaiser {
 };
 
 }  // namespace
+
+void incremental_letter(ir::Word& w) {
+  struct Letters {
+    Address incremental;
+    Address axis;
+  };
+  static constexpr Letters kLetters[] = {
+      {Address::u, Address::x}, {Address::v, Address::y}, {Address::w, Address::z}, {Address::h, Address::c}};
+  const auto* const row = std::ranges::find(kLetters, w.address, &Letters::incremental);
+  if (row == std::end(kLetters)) return;
+  w.address = row->axis;
+  w.mode = ir::WordMode::incremental;
+}
 
 void raise_blocks(const Raising& raising) { BlockRaiser(raising).run(); }
 

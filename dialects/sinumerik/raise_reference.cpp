@@ -27,18 +27,6 @@ using ir::StatementKind;
 bool is_reference(const ir::Code& c) { return c.function == Function::reference_return; }
 bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
 
-// The axis that a letter moves: U V W H of a lathe are the increments of X Y Z C.
-std::optional<Address> axis_of(Address a, bool letters_are_increments) {
-  if (!letters_are_increments) return is_axis(a) ? std::optional(a) : std::nullopt;
-  switch (a) {
-    case Address::u: return Address::x;
-    case Address::v: return Address::y;
-    case Address::w: return Address::z;
-    case Address::h: return Address::c;
-    default: return is_axis(a) ? std::optional(a) : std::nullopt;
-  }
-}
-
 class ReferenceRaiser {
  public:
   explicit ReferenceRaiser(const Raising& raising)
@@ -200,8 +188,8 @@ class ReferenceRaiser {
     });
   }
   [[nodiscard]] bool is_increment(const ir::Word& w, const std::vector<ir::Code>& codes) const {
-    if (w.mode != ir::WordMode::as_modal) return w.mode == ir::WordMode::incremental;
-    if (*axis(w) != w.address) return true;
+    const ir::WordMode mode = in_axes(w).mode;
+    if (mode != ir::WordMode::as_modal) return mode == ir::WordMode::incremental;
     const auto here = std::ranges::find(codes, ir::ModalGroup::distance, &ir::Code::group);
     if (here != codes.end()) return here->function == Function::incremental;
     const passes::ModeFacts* before = modes_.before(index_);
@@ -210,8 +198,14 @@ class ReferenceRaiser {
     return distance.agrees() && distance.function == Function::incremental;
   }
 
+  // The word by the axis that its letter moves.
+  [[nodiscard]] ir::Word in_axes(ir::Word w) const {
+    if (letters_are_increments_) incremental_letter(w);
+    return w;
+  }
   [[nodiscard]] std::optional<Address> axis(const ir::Word& w) const {
-    return w.value == ir::ExpressionId::none ? std::nullopt : axis_of(w.address, letters_are_increments_);
+    const Address address = in_axes(w).address;
+    return w.value != ir::ExpressionId::none && is_axis(address) ? std::optional(address) : std::nullopt;
   }
   // G75 wants the machine's own names (X1=).
   ir::Word machine_axis(Address axis) {
