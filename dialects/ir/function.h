@@ -15,10 +15,12 @@ enum class Function : std::uint8_t {
   arc_cw,
   arc_ccw,
   thread,
-  arc_via,      // CIP
-  arc_tangent,  // CT
-  spline,       // ASPLINE, BSPLINE, CSPLINE: argument as ir/spline_use.h
-  nurbs,        // G06.2: a control point or a knot a block
+  thread_changing,  // G34, G35: its lead grows or shrinks along the way; argument 1: by what the word says, it shrinks
+  arc_via,          // CIP
+  arc_tangent,      // CT
+  spline,           // ASPLINE, BSPLINE, CSPLINE: argument as ir/spline_use.h
+  nurbs,            // G06.2: a control point or a knot a block
+  polynomial,       // POLY: each axis a polynomial of its own
   tap,
   tap_retract,  // G331, G332
   dwell,
@@ -64,6 +66,7 @@ enum class Function : std::uint8_t {
   extended_offset,   // G54.1: P is its number
   data_input,        // G10: L says what is set
   skip_move,         // G31: a straight move that a signal may end
+  measure_tool,      // G37: a straight move that a touch ends, and the tool's length becomes another
   // tool
   comp_off,
   comp_left,
@@ -93,6 +96,8 @@ enum class Function : std::uint8_t {
   cycle_off,
   turning_cycle,     // argument: 0 along Z (G90), 1 thread (G92), 2 along X (G94)
   repetitive_cycle,  // argument: 0 to 6 as G70 to G76
+  circle_cut,        // G12, G13 of a mill: a whole circle from its centre and back; argument: 1 counterclockwise
+  hole_pattern,      // G34 to G37.1 of a mill: the cycle in effect at each hole; argument as ir/hole_pattern.h
   return_to_initial,
   return_to_r,  // G98, G99 of mills
   // without effect on motion, time or geometry that is modelled: said once by name in the report

@@ -64,7 +64,8 @@ struct Motion {
   bool exact_stop = false;
   std::array<double, kAxisCount> start{};  // moves: where it begins, same frame as `end`
   std::array<double, kAxisCount> end{};
-  std::array<double, 3> center{};    // arcs: centre minus start, I J K, radius values, mm
+  // Arcs: centre minus start, I J K, radius values, mm. Threads: [0] is what the lead grows by in each turn, mm.
+  std::array<double, 3> center{};
   double feed = 0.0;                 // mm/min, mm/rev or 1/min; 0 on rapids. Dwell: seconds
   double spindle_rpm = 0.0;          // in effect; with surface speed: the limit (0: none)
   double surface_speed_m_min = 0.0;  // G96 in effect; 0: constant rpm

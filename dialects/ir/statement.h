@@ -64,7 +64,19 @@ enum class Address : std::uint8_t {
   point_weight,
   knot_distance,
   spline_degree,  // PW=, PL=, SD= of a spline
-  other,          // a named address that is kept as text: Word::name
+  poly_x2,
+  poly_x3,
+  poly_x4,
+  poly_x5,
+  poly_y2,
+  poly_y3,
+  poly_y4,
+  poly_y5,
+  poly_z2,
+  poly_z3,
+  poly_z4,
+  poly_z5,  // POLY, PO[X]=(end, a2, a3 …): what stands before each power of the parameter; the end is X itself
+  other,    // a named address that is kept as text: Word::name
   count_,
 };
 
