@@ -47,6 +47,18 @@ std::string_view name_of(Address a) {
     case Address::point_weight: return "PW";
     case Address::knot_distance: return "PL";
     case Address::spline_degree: return "SD";
+    case Address::poly_x2:  // printed together: PO[X]=(…)
+    case Address::poly_x3:
+    case Address::poly_x4:
+    case Address::poly_x5:
+    case Address::poly_y2:
+    case Address::poly_y3:
+    case Address::poly_y4:
+    case Address::poly_y5:
+    case Address::poly_z2:
+    case Address::poly_z3:
+    case Address::poly_z4:
+    case Address::poly_z5:
     case Address::named_axis:
     case Address::other:
     case Address::count_:
