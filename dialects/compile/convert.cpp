@@ -13,6 +13,7 @@
 #include "dialects/compile/dialect.h"
 #include "dialects/compile/explicit_program.h"
 #include "dialects/compile/lower_turning.h"
+#include "dialects/compile/moves_in_place.h"
 #include "dialects/compile/settle_faces.h"
 #include "dialects/compile/several_programs.h"
 #include "dialects/compile/target_axes.h"
@@ -95,7 +96,7 @@ constexpr std::uint32_t kHighestBlockNumber = 9999;  // that all of them take
 class Converter {
  public:
   Converter(const ConvertRequest& request, const Dialect& from, const Dialect& to)
-      : request_(request), from_(from), to_(to) {}
+      : request_(request), from_(from), to_(to), in_place_(request.from, request.to, request.library) {}
 
   ConvertResult convert() {
     if (&from_ == &to_ && request_.mode == ConvertMode::macro) {
@@ -103,6 +104,7 @@ class Converter {
       return std::move(result_);
     }
     translate();
+    forget_what_is_told();
     refuse_long_blocks();
     proofread();
     return std::move(result_);
@@ -117,6 +119,8 @@ class Converter {
     if (!text::has_error(result_.diagnostics)) refuse_faulty(read.program);
     if (text::has_error(result_.diagnostics)) return;
     if (request_.mode == ConvertMode::macro) {
+      append(result_.diagnostics, in_place_.lower(read.program));
+      told_ = result_.diagnostics.size();
       append(result_.diagnostics, settle_leads(read.program, request_.from, request_.to));
       append(result_.diagnostics, lower_turning(read.program, request_.from, request_.to));
       append(result_.diagnostics, settle_faces(read.program, request_.from, request_.to));
@@ -139,6 +143,18 @@ class Converter {
     } else {
       explicit_blocks(read.program);
     }
+  }
+
+  // Of a statement that could not be written as its moves, the reason is told; what raising says of it then is no more.
+  void forget_what_is_told() {
+    const auto begin = result_.diagnostics.begin() + static_cast<std::ptrdiff_t>(told_);
+    const auto is_told = [&](const text::Diagnostic& one) {
+      return one.id == text::DiagnosticId::cannot_translate &&
+             std::any_of(result_.diagnostics.begin(), begin, [&](const text::Diagnostic& earlier) {
+               return earlier.id == one.id && earlier.span.begin == one.span.begin;
+             });
+    };
+    result_.diagnostics.erase(std::remove_if(begin, result_.diagnostics.end(), is_told), result_.diagnostics.end());
   }
 
   // What its own control would alarm on has no meaning that could be translated. A name that is not defined may be the
@@ -271,6 +287,8 @@ class Converter {
       one.notes = {{.span = {}, .text = "translated to \"" + std::string(written.line(line)) + "\""}};
       result_.diagnostics.push_back(std::move(one));
     }
+    if (!text::has_error(result_.diagnostics))
+      append(result_.diagnostics, in_place_.compare(read.program, result_.origin_lines));
     if (text::has_error(result_.diagnostics)) result_.text.clear();
   }
 
@@ -301,6 +319,8 @@ class Converter {
   const ConvertRequest& request_;
   const Dialect& from_;
   const Dialect& to_;
+  MovesInPlace in_place_;
+  std::size_t told_ = 0;  // diagnostics up to those of in_place_
   std::optional<CommonNumbers> common_;
   ConvertResult result_;
 };

@@ -87,6 +87,10 @@ class Sinumerik(Maker):
         self.put(self.one_of("G0 ", "G1 ", "") + words)
 
     def arc(self):
+        if self.stands and self.depth == 0:
+            self.put("G0 Z30\nG1 " + self.one_of(f"X{self.number()} Y{self.number()}", "Y=IC(3)"))
+            self.put(f"CIP X{self.number()} Y{self.number()} I1={self.number()} J1={self.number()}\n" + self.one_of("G1", f"CT X{self.number()} Y{self.number()}\nG1", f"X{self.number()} Y{self.number()} I1={self.number()} J1={self.number()}\nG0"))
+            return
         radius = self.number(2, 9)
         self.put("G91")
         self.put(self.one_of(f"G2 X{2 * float(radius):.3f} Y0 I{radius} J0", f"G3 X{radius} Y{radius} CR={radius}", f"G2 X0 Y0 I{radius} J0"))
@@ -162,7 +166,7 @@ class Sinumerik(Maker):
             kinds += [self.choice, self.loop]
         if self.depth < 2:
             kinds += [self.repeat, self.polar]
-        if self.depth == 0:
+        if self.depth == 0 and not self.stands:
             kinds += [self.frame, self.drill]
             if self.calls:
                 kinds += [self.call, self.call]
@@ -170,6 +174,7 @@ class Sinumerik(Maker):
 
     def text(self):
         self.in_range, self.calls = self.chance.random() < 0.5, self.chance.random() < 0.5
+        self.stands = not self.calls and self.chance.random() < 0.3  # nothing but its own blocks decides
         head = ["DEF INT I1=1, C0, C1, C2, C3", "DEF REAL V1=2, V2=3, A[4]=SET(1,2,3,4)", "G17 G710 G90 G94 G40", "G54", "T1 D1 M6", "S900 M3", "F300", "R1=1 R2=2 R3=3",
                 "G0 X0 Y0 Z30"]
         self.body(self.chance.randint(6, 14))
@@ -332,6 +337,30 @@ class FanucLathe(Maker):
             self.put(self.one_of(f"G74 R{self.number(0.2, 1)}\nG74 X30. Z{self.number(-15, -5)} P{self.chance.randint(800, 2000)} Q{self.chance.randint(2000, 6000)} F0.1",
                                  f"G75 R{self.number(0.2, 1)}\nG75 X20. Z{self.number(-3, 3)} P{self.chance.randint(1500, 4000)} Q{self.chance.randint(800, 1500)} F0.1"))
 
+    def hole(self):
+        self.at(0, 5)
+        self.put(self.one_of(f"G83 Z{self.number(-30, -10)} R-3. Q{self.chance.randint(2000, 6000)} F0.1", f"G85 Z{self.number(-30, -10)} R-2. P500 F0.1"))
+        self.put("G80\nG00 Z20.\nX60. Z-5.")
+        self.put(f"G87 X{self.number(30, 50)} R-2. Q{self.chance.randint(2000, 6000)} F0.05\nZ{self.number(-20, -8)}\nG80")
+
+    def removal(self):
+        self.at(62, 2)
+        first = 100 + self.label()
+        last = 100 + self.label()
+        d, z = self.chance.randint(10, 30), self.chance.randint(5, 15)
+        shape = [f"N{first} G00 X{d}.", f"G01 Z-{z}. F0.1", self.one_of(f"X{d + 12}. Z-{z + 8}.", f"G02 X{d + 12}. Z-{z + 6}. R6.", f"G03 X{d + 12}. Z-{z + 6}. R6."), "G01 X55.", f"N{last} X62. Z-{z + 20}."]
+        if self.chance.random() < 0.4:
+            shape = [f"N{first} G00 Z-{z + 15}.", "G01 X60. F0.1", f"X{d + 12}. Z-{z}.", f"X{d}.", f"N{last} Z2."]
+            self.put(f"G72 W{self.number(1, 3)} R0.5\nG72 P{first} Q{last} U0.4 W0.1 F0.3")
+        elif self.chance.random() < 0.3:
+            self.put(f"G73 U{self.number(2, 6)} W2. R{self.chance.randint(2, 4)}\nG73 P{first} Q{last} U0.4 W0.1 F0.3")
+        else:
+            self.put(f"G71 U{self.number(1, 3)} R0.5\nG71 P{first} Q{last} U0.4 W0.1 F0.3")
+        self.lines += shape
+        if self.chance.random() < 0.7:
+            self.put(f"G70 P{first} Q{last}")
+        self.put(self.one_of("G01 X64.", "G00 X64.", "X64."))
+
     def plain(self):
         self.at(40, 5)
         self.put(f"G32 Z{self.number(-30, -5)} F{self.one_of('1.5', '2.')}" + self.one_of("", f"\nX44. Z{self.number(-40, -30)}"))
@@ -360,10 +389,11 @@ class FanucLathe(Maker):
     def statement(self):
         kinds = [self.move, self.move, self.single, self.single, self.face, self.many, self.many, self.plain]
         if self.depth == 0:
-            kinds += [self.polar, self.cylinder, self.stepped, self.jump]
+            kinds += [self.stepped, self.jump] + ([self.removal, self.hole] if self.stands else [self.polar, self.cylinder])
         self.chance.choice(kinds)()
 
     def text(self):
+        self.stands = self.chance.random() < 0.5  # no other coordinate system
         self.body(self.chance.randint(4, 9))
         if any("C" in line for line in self.lines):
             self.kind = "mill-turn"
@@ -385,6 +415,19 @@ class SinumerikLathe(Maker):
         self.put("DIAMON\nG0 X40 Z5")
         self.put(f"G33 Z{self.number(-30, -5)} K{self.one_of('1.5', '2')}" + self.one_of("", f"\nX44 Z{self.number(-40, -30)} K2"))
         self.put(self.one_of("G0 X60", "G1 X60", "G1 X60 F0.25", "F0.3\nG0 X60"))
+
+    def hole(self):
+        self.put("DIAMON G17\nG0 X0 Z20")
+        self.put(self.one_of(f"CYCLE81(10,0,2,{self.number(-20, -5)})", f"CYCLE83(10,0,2,{self.number(-30, -15)},,-6,,{self.number(1, 4)},0.5,0,1,{self.chance.randint(0, 1)})", f"CYCLE85(10,0,2,{self.number(-20, -5)},,0,0.1,0.2)"))
+        self.put("G18")
+
+    def removal(self):
+        label = f"PART{self.label()}"
+        d, z = self.chance.randint(10, 30), self.chance.randint(5, 15)
+        self.put("DIAMON\nG0 X82 Z5")
+        self.put(f'CYCLE95("{label}:{label}E",{self.number(2, 5)},0.1,0.2,0,0.3,0.2,0.15,{self.one_of(1, 9, 9, 5)})')
+        self.shapes += [f"{label}:", f"G1 X{d} Z0", f"Z-{z}", self.one_of(f"X{d + 20} Z-{z + 8}", f"G3 X{d + 20} Z-{z + 10} CR=10", f"G2 X{d + 20} Z-{z + 10} CR=10"), f"{label}E: G1 X{d + 30}"]
+        self.put(self.one_of("G1 X80", "G0 X80"))
 
     def switch(self):
         self.put(self.one_of("DIAMOF", "DIAMON", "G91\nG1 X0.1\nG90"))
@@ -410,14 +453,15 @@ class SinumerikLathe(Maker):
     def statement(self):
         kinds = [self.move, self.move, self.thread, self.thread, self.plain, self.switch]
         if self.depth == 0:
-            kinds += [self.transmit, self.tracyl, self.jump]
+            kinds += [self.jump] + ([self.removal, self.hole] if self.stands else [self.transmit, self.tracyl])
         self.chance.choice(kinds)()
 
     def text(self):
+        self.stands, self.shapes = self.chance.random() < 0.5, []  # no other coordinate system
         self.body(self.chance.randint(4, 9))
         if any("TRA" in line for line in self.lines):
             self.kind = "mill-turn"
-        return "\n".join(["G18 G90 G95 G71 DIAMON G40", "T1 D1", "S500 M3", "R1=2", "G0 X60 Z5", "G1 F0.3"] + self.lines + ["G0 X100", "M30"]) + "\n"
+        return "\n".join(["G18 G90 G95 G71 DIAMON G40", "T1 D1", "S500 M3", "R1=2", "G0 X60 Z5", "G1 F0.3"] + self.lines + ["G0 X100", "M30"] + self.shapes) + "\n"
 
 
 MAKERS = {"sinumerik-840d": [Sinumerik, SinumerikLathe], "fanuc": [Fanuc, FanucLathe]}

@@ -1,0 +1,101 @@
+// The translation is run, too: what was put in place of a statement, and what the blocks behind it make of it, must be
+// the source's moves. Blocks that drill or turn by a cycle of both controls are not looked at: these may differ in
+// where a rapid stops on its way.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "dialects/compile/explicit_program.h"
+#include "dialects/compile/moves_in_place.h"
+
+namespace dripfeed::compile {
+
+namespace {
+
+struct PlacedMove {
+  std::uint32_t line = 0;  // of the source
+  ir::Motion motion;
+};
+
+bool is_move_on(const ir::Motion& m) {
+  return ir::is_move(m.kind) && (m.start != m.end || m.kind == ir::MotionKind::arc_cw ||
+                                 m.kind == ir::MotionKind::arc_ccw || (m.axes_unknown & m.axes_commanded) != 0);
+}
+
+// `origin_of`: the source's line for a line of the run.
+template <class Origin>
+std::vector<PlacedMove> moves_of(const RecordedRun& run, const std::vector<std::uint32_t>& lines, Origin&& origin_of) {
+  std::vector<PlacedMove> out;
+  for (const Visit& visit : run.visits) {
+    const std::uint32_t line = origin_of(visit.line);
+    if (!std::ranges::binary_search(lines, line)) continue;
+    for (const ir::Motion& m : run.motions_of(visit))
+      if (is_move_on(m)) out.push_back({line, m});
+  }
+  return out;
+}
+
+class Comparison {
+ public:
+  Comparison(const ir::Control& from, const ir::Control& to)
+      : x_factor_(diameter(to) / diameter(from)),
+        tolerance_mm_(1.1 * std::pow(10.0, -std::min(from.limits.linear_decimals, to.limits.linear_decimals))) {}
+
+  [[nodiscard]] bool same(const ir::Motion& a, const ir::Motion& b) const {
+    if (a.kind != b.kind || a.machine_coordinates != b.machine_coordinates || a.comp != b.comp) return false;
+    const std::uint16_t unknown = a.axes_unknown | b.axes_unknown;
+    for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
+      const bool named = ((a.axes_commanded | b.axes_commanded) & (1U << axis)) != 0;
+      if (!named && (unknown & (1U << axis)) != 0) continue;
+      const double end = axis == 0 ? a.end[axis] * x_factor_ : a.end[axis];
+      if (!near(end, b.end[axis])) return false;
+    }
+    const bool arc = a.kind == ir::MotionKind::arc_cw || a.kind == ir::MotionKind::arc_ccw;
+    if (arc && !std::ranges::equal(a.center, b.center, [&](double x, double y) { return near(x, y); })) return false;
+    if (a.spindle != b.spindle || !alike(a.spindle_rpm, b.spindle_rpm)) return false;
+    return a.kind == ir::MotionKind::rapid || (alike(a.feed, b.feed) && a.feed_mode == b.feed_mode);
+  }
+
+ private:
+  static double diameter(const ir::Control& c) {
+    return c.semantics.power_on_diameter == ir::DiameterMode::radius ? 1.0 : 2.0;
+  }
+  [[nodiscard]] bool near(double a, double b) const { return std::abs(a - b) <= tolerance_mm_; }
+  static bool alike(double a, double b) { return std::abs(a - b) <= 1e-3 * std::max(std::abs(a), std::abs(b)); }
+
+  double x_factor_;
+  double tolerance_mm_;
+};
+
+}  // namespace
+
+std::vector<text::Diagnostic> MovesInPlace::compare(const ir::Program& translation,
+                                                    const std::vector<std::uint32_t>& origin_lines) const {
+  if (compared_.empty()) return {};
+  ProgramLibrary standard(to_, [](std::string_view) { return std::nullopt; });
+  const Comparison comparison(from_, to_);
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    interpreter::RunOptions options;
+    options.limits = kWrittenLimits;
+    options.skip_switches = settings_[i];
+    const RecordedRun run = record(translation, to_, standard, options, {}, {});
+    const auto wanted = moves_of(runs_[i], compared_, [](std::uint32_t line) { return line; });
+    const auto made = moves_of(run, compared_, [&](std::uint32_t line) {
+      return line == 0 || line > origin_lines.size() ? 0 : origin_lines[line - 1];
+    });
+    const std::size_t shorter = std::min(wanted.size(), made.size());
+    std::size_t at = 0;
+    while (at < shorter && wanted[at].line == made[at].line && comparison.same(wanted[at].motion, made[at].motion))
+      ++at;
+    if (at == wanted.size() && at == made.size()) continue;
+    const std::uint32_t line = at < wanted.size() ? wanted[at].line : made[at].line;
+    const auto span =
+        compared_spans_[static_cast<std::size_t>(std::ranges::lower_bound(compared_, line) - compared_.begin())];
+    return {text::make_diagnostic(text::DiagnosticId::cannot_translate, span,
+                                  {"what moves here behind a statement that is written as its moves", to_.title})};
+  }
+  return {};
+}
+
+}  // namespace dripfeed::compile

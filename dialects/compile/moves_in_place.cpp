@@ -1,0 +1,321 @@
+// From statement to moves, and back to the modes that the next block counts on.
+#include "dialects/compile/moves_in_place.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "dialects/compile/explicit_program.h"
+#include "dialects/ir/cycle.h"
+
+namespace dripfeed::compile {
+
+namespace {
+
+using ir::Address;
+using ir::Function;
+using ir::ModalGroup;
+using ir::StatementKind;
+
+constexpr std::size_t kMostMoves = 20'000;  // of one statement
+constexpr double kSame_mm = 1e-9;
+
+bool is_tap(const ir::Code& c) {
+  const auto cycle = static_cast<ir::DrillCycle>(c.argument % ir::kDrillAlongZ);
+  return c.function == Function::drill && (cycle == ir::DrillCycle::tap_right || cycle == ir::DrillCycle::tap_left);
+}
+
+bool is_own(const ir::Code& c) {
+  return c.group == ModalGroup::motion || c.group == ModalGroup::cycle || c.group == ModalGroup::return_level ||
+         c.function == Function::repetitive_cycle;
+}
+
+// Words that mean the same beside any move.
+bool stays(Address a) { return a == Address::s || a == Address::t || a == Address::m || a == Address::d; }
+// Words of an arc; those of a cycle are all that do not stay.
+bool is_of_arc(Address a) {
+  return a <= Address::c || (a >= Address::u && a <= Address::z) || (a >= Address::i && a <= Address::k) ||
+         a == Address::f || (a >= Address::arc_radius && a <= Address::opening_angle) ||
+         (a >= Address::polar_angle && a <= Address::turns) || (a >= Address::via_i && a <= Address::via_k);
+}
+
+bool same_moves(std::span<const ir::Motion> a, std::span<const ir::Motion> b) {
+  const auto near = [](double x, double y) { return std::abs(x - y) <= kSame_mm; };
+  return std::ranges::equal(a, b, [&](const ir::Motion& m, const ir::Motion& n) {
+    return m.kind == n.kind && std::ranges::equal(m.end, n.end, near) && std::ranges::equal(m.center, n.center, near) &&
+           m.feed == n.feed && m.feed_mode == n.feed_mode && m.axes_commanded == n.axes_commanded &&
+           m.spindle == n.spindle && m.gaps == n.gaps && m.plane == n.plane;
+  });
+}
+
+ir::Plane plane_of(Function f) {
+  return f == Function::plane_zx ? ir::Plane::zx : f == Function::plane_yz ? ir::Plane::yz : ir::Plane::xy;
+}
+ir::FeedMode feed_mode_of(Function f) {
+  return f == Function::feed_per_rev        ? ir::FeedMode::per_rev
+         : f == Function::feed_inverse_time ? ir::FeedMode::inverse_time
+                                            : ir::FeedMode::per_min;
+}
+
+// Levels of block skip that the program has.
+std::set<std::uint8_t> skip_levels(const ir::Program& program) {
+  std::set<std::uint8_t> out;
+  for (const ir::Statement& s : program.statements) {
+    out.insert(s.skip_level);
+    if (s.kind == StatementKind::block) out.insert(program.blocks[s.payload].rest_level);
+  }
+  out.erase(0);
+  return out;
+}
+
+bool has_word(const ir::Program& program, const ir::Block& block, Address address) {
+  return std::ranges::find(program.words_of(block), address, &ir::Word::address) != program.words_of(block).end();
+}
+
+}  // namespace
+
+void MovesInPlace::cannot(std::string what, text::Span span) {
+  diagnostics_.push_back(
+      text::make_diagnostic(text::DiagnosticId::cannot_translate, span, {std::move(what), to_.title}));
+}
+
+// What a cycle's numbers meant can no longer be seen, nor changed at the machine: whoever takes the translation over is
+// to know.
+void MovesInPlace::say_written(std::string name, text::Span span) {
+  cannot(std::move(name), span);
+  diagnostics_.back().severity = text::Severity::warning;
+  diagnostics_.back().notes = {{.span = {}, .text = "it is written as its moves"}};
+}
+
+std::vector<text::Diagnostic> MovesInPlace::lower(ir::Program& program) {
+  if (program.sections.size() > 1) return {};
+  kinds_ = without_equal(program, from_, to_);
+  if (std::ranges::all_of(kinds_, [](WithoutEqual kind) { return kind == WithoutEqual::no; })) return {};
+  if (const std::string what = obstacle(program); !what.empty()) {
+    for (std::size_t i = 0; i < kinds_.size(); ++i)
+      if (const ir::Statement& s = program.statements[i]; kinds_[i] != WithoutEqual::no)
+        cannot(name_of(kinds_[i], program, s) + " beside " + what, s.span);
+    return std::move(diagnostics_);
+  }
+  const passes::ModeFlow flow(program, from_);
+  passes::Rewrite out(program);
+  const auto count = static_cast<std::uint32_t>(program.statements.size());
+  find_compared_lines(program);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    out.at(i);
+    if (kinds_[i] != WithoutEqual::no)
+      replace(program, i, flow, out);
+    else if (!is_dropped(program.statements[i].line))
+      out.keep();
+  }
+  out.finish();
+  return std::move(diagnostics_);
+}
+
+// Why the run says nothing; empty when it does.
+std::string MovesInPlace::obstacle(const ir::Program& program) {
+  if (const std::optional<OutsideInfluence> outside = outside_influence(program)) return outside->what;
+  const std::set<std::uint8_t> levels = skip_levels(program);
+  if (levels.size() > 1) return "block skip of several levels";
+  settings_ = {0};
+  if (!levels.empty()) settings_.push_back(1U << *levels.begin());
+  shapes_ = shapes_of(program);
+  for (std::size_t i = 0; i < kinds_.size(); ++i) {
+    if (kinds_[i] == WithoutEqual::no) continue;
+    const std::uint32_t line = program.statements[i].line;
+    if (std::ranges::find(owners_, line) != owners_.end()) return "another of its kind in the same line";
+    owners_.push_back(line);
+  }
+  if (library_ != nullptr) return run(program, *library_);
+  ProgramLibrary own(from_, [](std::string_view) { return std::nullopt; });
+  return run(program, own);
+}
+
+std::string MovesInPlace::run(const ir::Program& program, ProgramLibrary& library) {
+  for (const std::uint32_t switches : settings_) {
+    interpreter::RunOptions options;
+    options.limits = kWrittenLimits;
+    options.skip_switches = switches;
+    runs_.push_back(record(program, from_, library, options, shapes_, owners_));
+    const interpreter::RunResult& result = runs_.back().result;
+    for (const interpreter::RunDiagnostic& d : result.diagnostics)
+      if (d.diagnostic.severity == text::Severity::error)
+        return "a run that ends in line " + std::to_string(d.line) + ": " + text::message_of(d.diagnostic) + ",";
+    for (const interpreter::NotInterpreted& lost : result.not_interpreted)
+      if (!lost.effects_known && lost.function != Function::machine_function &&
+          lost.function != Function::reference_return)
+        return lost.name + ", which the run does not know,";
+    const bool ends =
+        result.ended == interpreter::Ended::end && std::ranges::any_of(program.statements, [&](const ir::Statement& s) {
+          return s.line == result.last.line && s.kind == StatementKind::program_end;
+        });
+    if (!ends) return "a text that is no main program with its end";
+  }
+  return {};
+}
+
+bool MovesInPlace::is_dropped(std::uint32_t line) const {
+  for (std::size_t i = 0; i < shapes_.size(); ++i) {
+    const bool plain = std::ranges::any_of(runs_, [&](const RecordedRun& run) { return run.plain_shapes[i]; });
+    if (shapes_[i].has(line) && !plain) return true;
+  }
+  return false;
+}
+
+void MovesInPlace::replace(ir::Program& program, std::uint32_t index, const passes::ModeFlow& flow,
+                           passes::Rewrite& out) {
+  const ir::Statement s = program.statements[index];
+  const std::string name = name_of(kinds_[index], program, s);
+  BlockTerms terms;
+  BlockRest rest;
+  std::span<const ir::Motion> motions;
+  for (const std::string& what :
+       {same_each_time(s.line, motions), terms_at(program, index, flow, terms), rest_of(program, index, rest)})
+    if (!what.empty()) return cannot(name + " " + what, s.span);
+  PlainMoves moves(program, out, terms);
+  if (const auto done = moves.write(motions, std::move(rest)); !done)
+    return cannot(name + " with " + done.error(), s.span);
+  if (kinds_[index] != WithoutEqual::arc && !motions.empty()) say_written(name, s.span);
+  if (const Restored again = restored(program, index, moves); !again.codes.empty() || !again.words.empty())
+    out.emit_block(again.codes, again.words);
+}
+
+std::string MovesInPlace::same_each_time(std::uint32_t line, std::span<const ir::Motion>& motions) const {
+  bool found = false;
+  for (const RecordedRun& run : runs_) {
+    for (const Visit& visit : run.visits) {
+      if (visit.line != line) continue;
+      if (found && !same_moves(run.motions_of(visit), motions)) return "that makes other moves each time";
+      motions = run.motions_of(visit);
+      found = true;
+    }
+  }
+  if (!found) return "that is never run";
+  return motions.size() > kMostMoves ? "of that many moves" : "";
+}
+
+std::string MovesInPlace::terms_at(const ir::Program& program, std::uint32_t index, const passes::ModeFlow& flow,
+                                   BlockTerms& terms) const {
+  const passes::ModeFacts* facts = flow.before(index);
+  if (facts == nullptr) return "that no way leads to";
+  std::array<Function, passes::kModes> modes{};
+  for (std::size_t mode = 0; mode < passes::kModes; ++mode)
+    if ((*facts)[mode].agrees()) modes[mode] = (*facts)[mode].function;
+  const ir::Statement& s = program.statements[index];
+  bool lengths_only = false;
+  if (s.kind == StatementKind::block)
+    for (const ir::Code& c : program.codes_of(program.blocks[s.payload]))
+      if (const auto mode = passes::mode_of(c)) modes[passes::index_of(*mode)] = c.function;
+  const auto at = [&](passes::Mode mode) { return modes[passes::index_of(mode)]; };
+  for (const ir::Code& c : program.codes) lengths_only |= c.function == Function::unit_inch && c.argument == 1;
+  if (lengths_only) return "beside G70, which leaves the feeds metric,";
+  if (at(passes::Mode::unit) == Function::none) return "where the unit of lengths is not known";
+  if (at(passes::Mode::distance) == Function::none) return "where absolute or incremental is not known";
+  if (at(passes::Mode::feed) == Function::none) return "where the kind of feed is not known";
+  if (at(passes::Mode::plane) == Function::none) return "where the plane is not known";
+  terms.unit_mm = terms.feed_unit_mm = at(passes::Mode::unit) == Function::unit_inch ? 25.4 : 1.0;
+  terms.plane = plane_of(at(passes::Mode::plane));
+  terms.feed_mode = feed_mode_of(at(passes::Mode::feed));
+  terms.dwell_p_is_ms = from_.semantics.dwell_p_is_ms;
+  terms.decimals = to_.limits.linear_decimals;
+  const bool diameter_axis = from_.semantics.power_on_diameter != ir::DiameterMode::radius;
+  const Function diameter = at(passes::Mode::diameter);
+  if (diameter == Function::none && from_.kind != ir::MachineKind::mill) return "where diameter or radius is not known";
+  terms.x_scale = diameter_axis && diameter == Function::diameter_off ? 0.5 : 1.0;
+  if (at(passes::Mode::distance) != Function::incremental) return {};
+  if (ir::has_numbered_variables(from_)) return "where increments are in effect";
+  terms.mode = ir::WordMode::absolute;
+  return {};
+}
+
+std::string MovesInPlace::rest_of(const ir::Program& program, std::uint32_t index, BlockRest& rest) const {
+  const ir::Statement& s = program.statements[index];
+  if (s.skip_level != 0) return "that a switch may skip";
+  if (s.kind != StatementKind::block) return {};
+  const ir::Block& block = program.blocks[s.payload];
+  if (block.rest_level != 0) return "with block skip inside it";
+  for (const ir::Code& c : program.codes_of(block)) {
+    if (is_tap(c)) return "on a lathe";
+    if (c.number != ir::ExpressionId::none) return "beside a code with a calculated number";
+    if (is_own(c)) continue;
+    const bool ends = c.function == Function::coolant_off || c.function == Function::spindle_stop ||
+                      c.function == Function::program_stop || c.function == Function::optional_stop;
+    const bool sets = c.group == ModalGroup::plane || c.group == ModalGroup::distance || c.group == ModalGroup::unit ||
+                      c.group == ModalGroup::work_offset || c.group == ModalGroup::diameter;
+    (ends ? rest.after : sets ? rest.before : rest.codes).push_back(c);
+  }
+  const bool arc = kinds_[index] == WithoutEqual::arc;
+  for (const ir::Word& w : program.words_of(block)) {
+    const bool own = arc ? is_of_arc(w.address) : !stays(w.address);
+    if (!own && !stays(w.address)) return "with the word " + std::string(w.span.in(program.source.text()));
+    if (!own) rest.words.push_back(w);
+  }
+  return {};
+}
+
+// What the next block counts on and the moves have changed: its motion code and its feed, where it says none itself.
+MovesInPlace::Restored MovesInPlace::restored(const ir::Program& program, std::uint32_t index,
+                                              PlainMoves& moves) const {
+  Restored out;
+  const std::uint32_t line = program.statements[index].line;
+  const RecordedRun& run = runs_.front();
+  const auto is_here = [&](const Visit& v) { return v.line == line; };
+  auto visit = std::ranges::find_if(run.visits, is_here);
+  if (visit == run.visits.end()) return out;
+  const auto block_at = [&](std::uint32_t at) -> const ir::Block* {
+    const auto s = std::ranges::find_if(program.statements, [&](const ir::Statement& one) {
+      return one.line == at && one.kind == StatementKind::block;
+    });
+    return s == program.statements.end() ? nullptr : &program.blocks[s->payload];
+  };
+  bool moved = false;
+  bool feeds = false;
+  for (++visit; visit != run.visits.end() && !(moved && feeds); ++visit) {
+    const ir::Block* block = block_at(visit->line);
+    const bool replaced = std::ranges::find(owners_, visit->line) != owners_.end();
+    if (block != nullptr && !replaced) {
+      moved |= std::ranges::any_of(program.codes_of(*block), [](const ir::Code& c) {
+        return c.group == ModalGroup::motion || c.group == ModalGroup::cycle;
+      });
+      feeds |= has_word(program, *block, Address::f);
+    }
+    for (const ir::Motion& m : run.motions_of(*visit)) {
+      const std::optional<Function> function = plain_function_of(m.kind);
+      if (!function || replaced) {
+        moved |= replaced && ir::is_move(m.kind);
+        feeds |= replaced && ir::is_move(m.kind) && m.kind != ir::MotionKind::rapid;
+        continue;
+      }
+      if (!std::exchange(moved, true) && block != nullptr) out.codes.push_back(motion_code(*function));
+      const bool cuts = m.kind != ir::MotionKind::rapid;
+      if (cuts && !std::exchange(feeds, true) && moves.last_feed() != m.feed)
+        out.words.push_back(moves.feed_word(m.feed));
+    }
+  }
+  return out;
+}
+
+// The replaced ones and all blocks of one move.
+void MovesInPlace::find_compared_lines(const ir::Program& program) {
+  std::set<std::uint32_t> several;
+  std::set<std::uint32_t> moving;
+  for (const RecordedRun& run : runs_) {
+    for (const Visit& visit : run.visits) {
+      const auto count =
+          std::ranges::count_if(run.motions_of(visit), [](const ir::Motion& m) { return ir::is_move(m.kind); });
+      if (count > 0) moving.insert(visit.line);
+      if (count > 1) several.insert(visit.line);
+    }
+  }
+  for (const std::uint32_t line : moving)
+    if (!several.contains(line) || std::ranges::find(owners_, line) != owners_.end()) compared_.push_back(line);
+  for (const std::uint32_t line : compared_) {
+    const auto s = std::ranges::find(program.statements, line, &ir::Statement::line);
+    compared_spans_.push_back(s == program.statements.end() ? text::Span{} : s->span);
+  }
+}
+
+}  // namespace dripfeed::compile

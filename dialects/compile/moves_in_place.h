@@ -1,0 +1,66 @@
+// Statements that the other control has no word for, written as the moves that they make: CIP and CT, the drilling
+// cycles of lathes, G70 to G73 and CYCLE95. The program is run; where nothing from outside decides what it does, a
+// statement that makes the same moves each time is replaced by them, and the translation is run and compared.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dialects/compile/library.h"
+#include "dialects/compile/outside_influence.h"
+#include "dialects/compile/plain_moves.h"
+#include "dialects/compile/recorded_run.h"
+#include "dialects/compile/without_equal.h"
+#include "dialects/ir/control.h"
+#include "dialects/ir/program.h"
+#include "dialects/passes/mode_flow.h"
+#include "dialects/text/diagnostic.h"
+
+namespace dripfeed::compile {
+
+class MovesInPlace {
+ public:
+  // `library`: of contours; nullptr: there are none. The controls must outlive it.
+  MovesInPlace(const ir::Control& from, const ir::Control& to, ProgramLibrary* library)
+      : from_(from), to_(to), library_(library) {}
+
+  // Replaces what it can in a text of one program; what cannot be said so is an error at its block.
+  std::vector<text::Diagnostic> lower(ir::Program& program);
+  // Whether the translation, with the source's line for each of its lines, moves as the source did; an error at the
+  // first line that does not. Nothing where nothing was replaced.
+  [[nodiscard]] std::vector<text::Diagnostic> compare(const ir::Program& translation,
+                                                      const std::vector<std::uint32_t>& origin_lines) const;
+
+ private:
+  struct Restored {
+    std::vector<ir::Code> codes;
+    std::vector<ir::Word> words;
+  };
+  [[nodiscard]] std::string obstacle(const ir::Program& program);
+  [[nodiscard]] std::string run(const ir::Program& program, ProgramLibrary& library);
+  void replace(ir::Program& program, std::uint32_t index, const passes::ModeFlow& flow, passes::Rewrite& out);
+  [[nodiscard]] std::string same_each_time(std::uint32_t line, std::span<const ir::Motion>& motions) const;
+  [[nodiscard]] std::string terms_at(const ir::Program& program, std::uint32_t index, const passes::ModeFlow& flow,
+                                     BlockTerms& terms) const;
+  [[nodiscard]] std::string rest_of(const ir::Program& program, std::uint32_t index, BlockRest& rest) const;
+  [[nodiscard]] Restored restored(const ir::Program& program, std::uint32_t index, PlainMoves& moves) const;
+  [[nodiscard]] bool is_dropped(std::uint32_t line) const;
+  void find_compared_lines(const ir::Program& program);
+  void cannot(std::string what, text::Span span);
+  void say_written(std::string name, text::Span span);
+
+  const ir::Control& from_;
+  const ir::Control& to_;
+  ProgramLibrary* library_;
+  std::vector<WithoutEqual> kinds_;         // by statement
+  std::vector<LineRange> shapes_;           // of the text
+  std::vector<std::uint32_t> owners_;       // lines of what is replaced
+  std::vector<std::uint32_t> settings_;     // of the switches of block skip
+  std::vector<RecordedRun> runs_;           // one a setting
+  std::vector<std::uint32_t> compared_;     // lines whose moves must be the same, in order
+  std::vector<text::Span> compared_spans_;  // beside them
+  std::vector<text::Diagnostic> diagnostics_;
+};
+
+}  // namespace dripfeed::compile

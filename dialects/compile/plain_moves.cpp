@@ -1,0 +1,165 @@
+// Every block says its motion code, so that none depends on the one before it.
+#include "dialects/compile/plain_moves.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace dripfeed::compile {
+
+namespace {
+
+using ir::Address;
+using ir::Function;
+using ir::ModalGroup;
+using ir::MotionKind;
+
+struct KindRow {
+  MotionKind kind;
+  Function function;
+};
+constexpr auto kMoves = std::to_array<KindRow>({
+    {MotionKind::rapid, Function::rapid},
+    {MotionKind::linear, Function::linear},
+    {MotionKind::arc_cw, Function::arc_cw},
+    {MotionKind::arc_ccw, Function::arc_ccw},
+});
+
+// Events that come of a code or word of the block itself, which stays.
+struct EventRow {
+  MotionKind kind;
+  ModalGroup group;
+  Address word;
+};
+constexpr auto kEvents = std::to_array<EventRow>({
+    {MotionKind::spindle, ModalGroup::spindle, Address::s},
+    {MotionKind::coolant, ModalGroup::coolant, Address::other},
+    {MotionKind::tool, ModalGroup::none, Address::t},
+    {MotionKind::comp, ModalGroup::comp, Address::other},
+});
+
+constexpr std::array kAxes = {Address::x, Address::y, Address::z, Address::a, Address::b,
+                              Address::c, Address::u, Address::v, Address::w};
+static_assert(kAxes.size() == ir::kAxisCount);
+constexpr std::array kCenters = {Address::i, Address::j, Address::k};
+
+bool is_arc(MotionKind kind) { return kind == MotionKind::arc_cw || kind == MotionKind::arc_ccw; }
+bool in_plane(ir::Plane plane, std::size_t axis) {
+  const std::size_t normal = plane == ir::Plane::xy ? 2 : plane == ir::Plane::zx ? 1 : 0;
+  return axis < 3 && axis != normal;
+}
+bool is_length(std::size_t axis) { return axis < 3 || axis > 5; }
+
+ir::Code code(Function function, ModalGroup group) {
+  ir::Code made;
+  made.function = function;
+  made.group = group;
+  return made;
+}
+
+std::unexpected<std::string> cannot(std::string_view what) { return std::unexpected(std::string(what)); }
+
+}  // namespace
+
+ir::Code motion_code(Function function) { return code(function, ModalGroup::motion); }
+
+std::optional<Function> plain_function_of(MotionKind kind) {
+  const auto row = std::ranges::find(kMoves, kind, &KindRow::kind);
+  return row == kMoves.end() ? std::nullopt : std::optional(row->function);
+}
+
+double PlainMoves::rounded(double value_mm) const {
+  const double places = std::pow(10.0, terms_.decimals) * (terms_.unit_mm == 1.0 ? 1.0 : 10.0);
+  return std::nearbyint(value_mm / terms_.unit_mm * places) / places + 0.0;
+}
+
+ir::Word PlainMoves::position(std::size_t axis, double value) {
+  const double places = std::pow(10.0, terms_.decimals);
+  const double scaled = axis == 0 ? value * terms_.x_scale : value;
+  const double said = is_length(axis) ? rounded(scaled) : std::nearbyint(scaled * places) / places + 0.0;
+  ir::Word made = ir::word(kAxes[axis], program_.add_constant(said));
+  made.mode = terms_.mode;
+  return made;
+}
+
+ir::Word PlainMoves::feed_word(double feed) {
+  const double unit = terms_.feed_mode == ir::FeedMode::inverse_time ? 1.0 : terms_.feed_unit_mm;
+  return ir::word(Address::f, program_.add_constant(feed / unit));
+}
+
+std::expected<void, std::string> PlainMoves::write(std::span<const ir::Motion> motions, BlockRest rest) {
+  if (!rest.before.empty()) out_.emit_block(std::exchange(rest.before, {}), {});
+  for (const ir::Motion& motion : motions) {
+    const auto done = ir::is_move(motion.kind) ? move(motion, rest) : event(motion, rest);
+    if (!done) return done;
+  }
+  flush(rest);
+  if (!rest.after.empty()) out_.emit_block(rest.after, {});
+  return {};
+}
+
+// What waited for a move that does not come.
+void PlainMoves::flush(BlockRest& rest) {
+  if (rest.codes.empty() && rest.words.empty()) return;
+  out_.emit_block(std::exchange(rest.codes, {}), std::exchange(rest.words, {}));
+}
+
+std::expected<void, std::string> PlainMoves::event(const ir::Motion& motion, const BlockRest& rest) {
+  if (motion.kind == MotionKind::dwell) {
+    dwell(motion.feed);
+    return {};
+  }
+  const auto row = std::ranges::find(kEvents, motion.kind, &EventRow::kind);
+  if (row == kEvents.end()) return cannot("an event within it");
+  const auto of_group = [&](const ir::Code& c) { return c.group == row->group && row->group != ModalGroup::none; };
+  const bool said = std::ranges::any_of(rest.codes, of_group) || std::ranges::any_of(rest.after, of_group) ||
+                    std::ranges::any_of(rest.words, [&](const ir::Word& w) { return w.address == row->word; });
+  if (said) return {};
+  if (motion.kind != MotionKind::spindle) return cannot("a change of tool, coolant or compensation within it");
+  spindle(motion);
+  return {};
+}
+
+void PlainMoves::dwell(double seconds) {
+  const double value = terms_.dwell_p_is_ms ? seconds * 1000.0 : seconds;
+  out_.emit_block({code(Function::dwell, ModalGroup::non_modal)},
+                  {ir::word(terms_.dwell_p_is_ms ? Address::p : Address::f, program_.add_constant(value))});
+}
+
+void PlainMoves::spindle(const ir::Motion& motion) {
+  if (motion.spindle == ir::SpindleState::stopped)
+    return out_.emit_block({code(Function::spindle_stop, ModalGroup::spindle)}, {});
+  const bool right = motion.spindle == ir::SpindleState::clockwise;
+  out_.emit_block({code(right ? Function::spindle_cw : Function::spindle_ccw, ModalGroup::spindle)}, {});
+}
+
+std::expected<void, std::string> PlainMoves::move(const ir::Motion& motion, BlockRest& rest) {
+  const std::optional<Function> function = plain_function_of(motion.kind);
+  if (!function) return cannot(motion.kind == MotionKind::spline ? "a curve in space" : "a thread within it");
+  if (motion.machine_coordinates || (motion.gaps & ir::kEndUnknown) != 0)
+    return cannot("a place that is not known here");
+  const bool arc = is_arc(motion.kind);
+  const bool feeds = motion.kind != MotionKind::rapid;
+  if (arc && motion.plane != terms_.plane) return cannot("an arc in another plane");
+  if (feeds && motion.feed_mode != terms_.feed_mode) return cannot("another kind of feed within it");
+  std::vector<ir::Code> codes = {motion_code(*function)};
+  codes.insert(codes.end(), rest.codes.begin(), rest.codes.end());
+  rest.codes.clear();
+  std::vector<ir::Word> words;
+  for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
+    const bool named = (motion.axes_commanded & (1U << axis)) != 0;
+    if (named || (arc && in_plane(motion.plane, axis))) words.push_back(position(axis, motion.end[axis]));
+  }
+  for (std::size_t axis = 0; arc && axis < kCenters.size(); ++axis)
+    if (in_plane(motion.plane, axis))
+      words.push_back(ir::word(kCenters[axis], program_.add_constant(rounded(motion.center[axis]))));
+  if (feeds && feed_ != motion.feed) words.push_back(feed_word(motion.feed));
+  if (feeds) feed_ = motion.feed;
+  words.insert(words.end(), rest.words.begin(), rest.words.end());
+  rest.words.clear();
+  out_.emit_block(codes, words);
+  return {};
+}
+
+}  // namespace dripfeed::compile

@@ -1,0 +1,67 @@
+// Motions as blocks in the terms of the program that they are put into: its unit, its diameter, its plane.
+#pragma once
+
+#include <expected>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dialects/ir/control.h"
+#include "dialects/ir/motion.h"
+#include "dialects/ir/program.h"
+#include "dialects/passes/rewrite.h"
+
+namespace dripfeed::compile {
+
+// What holds where the blocks are put.
+struct BlockTerms {
+  double unit_mm = 1.0;
+  double feed_unit_mm = 1.0;
+  double x_scale = 1.0;  // of the values that motions have for X
+  ir::WordMode mode = ir::WordMode::as_modal;
+  ir::Plane plane = ir::Plane::xy;
+  ir::FeedMode feed_mode = ir::FeedMode::per_min;
+  bool dwell_p_is_ms = false;
+  int decimals = 3;  // of lengths, in mm
+};
+
+// Codes and words of the replaced block that are no part of what is replaced.
+struct BlockRest {
+  std::vector<ir::Code> before;  // a block of its own, in front of the moves
+  std::vector<ir::Code> codes;   // with the first move
+  std::vector<ir::Word> words;
+  std::vector<ir::Code> after;  // a block of its own, behind them
+};
+
+ir::Code motion_code(ir::Function function);
+// The code that makes such a move: none for a kind that has no plain one (a thread, a piece of a curve).
+std::optional<ir::Function> plain_function_of(ir::MotionKind kind);
+
+class PlainMoves {
+ public:
+  PlainMoves(ir::Program& program, passes::Rewrite& out, const BlockTerms& terms)
+      : program_(program), out_(out), terms_(terms) {}
+
+  // The error names what of them has no plain block.
+  std::expected<void, std::string> write(std::span<const ir::Motion> motions, BlockRest rest);
+  // What the last F said; nothing where none was said.
+  [[nodiscard]] std::optional<double> last_feed() const { return feed_; }
+  ir::Word feed_word(double feed);
+
+ private:
+  std::expected<void, std::string> event(const ir::Motion& motion, const BlockRest& rest);
+  std::expected<void, std::string> move(const ir::Motion& motion, BlockRest& rest);
+  void dwell(double seconds);
+  void spindle(const ir::Motion& motion);
+  void flush(BlockRest& rest);
+  ir::Word position(std::size_t axis, double value);
+  [[nodiscard]] double rounded(double value_mm) const;
+
+  ir::Program& program_;
+  passes::Rewrite& out_;
+  BlockTerms terms_;
+  std::optional<double> feed_;
+};
+
+}  // namespace dripfeed::compile

@@ -1,0 +1,22 @@
+// Which statements move in a way that the other control has no word for, but that could be written as plain moves: arcs
+// by a point in between or a tangent, drilling cycles of lathes, stock removal.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dialects/ir/control.h"
+#include "dialects/ir/program.h"
+
+namespace dripfeed::compile {
+
+enum class WithoutEqual : std::uint8_t { no, arc, drilling, removal };
+
+// For each statement, in the order of the text: what is in effect counts from the block that says it to the next one
+// that says something else.
+std::vector<WithoutEqual> without_equal(const ir::Program& program, const ir::Control& from, const ir::Control& to);
+
+// As messages call it: "CIP", "G71", "CYCLE95".
+std::string name_of(WithoutEqual kind, const ir::Program& program, const ir::Statement& statement);
+
+}  // namespace dripfeed::compile
