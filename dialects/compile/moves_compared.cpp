@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "dialects/compile/explicit_program.h"
 #include "dialects/compile/moves_in_place.h"
 
 namespace dripfeed::compile {
@@ -73,29 +72,35 @@ class Comparison {
 std::vector<text::Diagnostic> MovesInPlace::compare(const ir::Program& translation,
                                                     const std::vector<std::uint32_t>& origin_lines) const {
   if (compared_.empty()) return {};
-  ProgramLibrary standard(to_, [](std::string_view) { return std::nullopt; });
-  const Comparison comparison(from_, to_);
-  for (std::size_t i = 0; i < runs_.size(); ++i) {
-    interpreter::RunOptions options;
-    options.limits = kWrittenLimits;
-    options.skip_switches = settings_[i];
-    const RecordedRun run = record(translation, to_, standard, options, {}, {});
-    const auto wanted = moves_of(runs_[i], compared_, [](std::uint32_t line) { return line; });
-    const auto made = moves_of(run, compared_, [&](std::uint32_t line) {
-      return line == 0 || line > origin_lines.size() ? 0 : origin_lines[line - 1];
-    });
-    const std::size_t shorter = std::min(wanted.size(), made.size());
-    std::size_t at = 0;
-    while (at < shorter && wanted[at].line == made[at].line && comparison.same(wanted[at].motion, made[at].motion))
-      ++at;
-    if (at == wanted.size() && at == made.size()) continue;
-    const std::uint32_t line = at < wanted.size() ? wanted[at].line : made[at].line;
-    const auto span =
-        compared_spans_[static_cast<std::size_t>(std::ranges::lower_bound(compared_, line) - compared_.begin())];
-    return {text::make_diagnostic(text::DiagnosticId::cannot_translate, span,
-                                  {"what moves here behind a statement that is written as its moves", to_.title})};
+  for (std::size_t setting = 0; setting < runs_.size(); ++setting) {
+    const std::optional<std::uint32_t> line = first_difference(translation, origin_lines, setting);
+    if (!line) continue;
+    const auto at = std::ranges::lower_bound(compared_, *line) - compared_.begin();
+    return {text::make_diagnostic(text::DiagnosticId::cannot_translate, compared_spans_[static_cast<std::size_t>(at)],
+                                  {"what moves here beside statements that are written as their moves", to_.title})};
   }
   return {};
+}
+
+std::optional<std::uint32_t> MovesInPlace::first_difference(const ir::Program& translation,
+                                                            const std::vector<std::uint32_t>& origin_lines,
+                                                            std::size_t setting) const {
+  ProgramLibrary standard(to_, [](std::string_view) { return std::nullopt; });
+  interpreter::RunOptions options;
+  options.limits = kRunLimits;
+  options.skip_switches = settings_[setting];
+  const RecordedRun run = record(translation, to_, standard, options, {}, {});
+  const auto wanted = moves_of(runs_[setting], compared_, [](std::uint32_t line) { return line; });
+  const auto made = moves_of(run, compared_, [&](std::uint32_t line) {
+    return line == 0 || line > origin_lines.size() ? 0 : origin_lines[line - 1];
+  });
+  const Comparison comparison(from_, to_);
+  const std::size_t shorter = std::min(wanted.size(), made.size());
+  for (std::size_t i = 0; i < shorter; ++i)
+    if (wanted[i].line != made[i].line || !comparison.same(wanted[i].motion, made[i].motion)) return wanted[i].line;
+  if (wanted.size() != made.size()) return wanted.size() > shorter ? wanted[shorter].line : made[shorter].line;
+  if (run.is_whole && run.result.ended == interpreter::Ended::end) return std::nullopt;
+  return compared_.back();
 }
 
 }  // namespace dripfeed::compile

@@ -8,7 +8,6 @@
 #include <set>
 #include <utility>
 
-#include "dialects/compile/explicit_program.h"
 #include "dialects/ir/cycle.h"
 
 namespace dripfeed::compile {
@@ -137,7 +136,7 @@ std::string MovesInPlace::obstacle(const ir::Program& program) {
 std::string MovesInPlace::run(const ir::Program& program, ProgramLibrary& library) {
   for (const std::uint32_t switches : settings_) {
     interpreter::RunOptions options;
-    options.limits = kWrittenLimits;
+    options.limits = kRunLimits;
     options.skip_switches = switches;
     runs_.push_back(record(program, from_, library, options, shapes_, owners_));
     const interpreter::RunResult& result = runs_.back().result;
@@ -153,6 +152,7 @@ std::string MovesInPlace::run(const ir::Program& program, ProgramLibrary& librar
           return s.line == result.last.line && s.kind == StatementKind::program_end;
         });
     if (!ends) return "a text that is no main program with its end";
+    if (!runs_.back().is_whole) return "a run of that many moves";
   }
   return {};
 }

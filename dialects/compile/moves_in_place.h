@@ -3,7 +3,9 @@
 // statement that makes the same moves each time is replaced by them, and the translation is run and compared.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,8 @@ namespace dripfeed::compile {
 
 class MovesInPlace {
  public:
+  static constexpr interpreter::Limits kRunLimits{.blocks = 1'000'000, .loop_passes = 1'000'000};
+
   // `library`: of contours; nullptr: there are none. The controls must outlive it.
   MovesInPlace(const ir::Control& from, const ir::Control& to, ProgramLibrary* library)
       : from_(from), to_(to), library_(library) {}
@@ -46,6 +50,10 @@ class MovesInPlace {
   [[nodiscard]] std::string rest_of(const ir::Program& program, std::uint32_t index, BlockRest& rest) const;
   [[nodiscard]] Restored restored(const ir::Program& program, std::uint32_t index, PlainMoves& moves) const;
   [[nodiscard]] bool is_dropped(std::uint32_t line) const;
+  // A line of the source whose moves are others in the translation; nothing where there is none.
+  [[nodiscard]] std::optional<std::uint32_t> first_difference(const ir::Program& translation,
+                                                              const std::vector<std::uint32_t>& origin_lines,
+                                                              std::size_t setting) const;
   void find_compared_lines(const ir::Program& program);
   void cannot(std::string what, text::Span span);
   void say_written(std::string name, text::Span span);

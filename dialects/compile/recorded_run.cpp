@@ -96,11 +96,15 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
     }
   }
   void consume(std::span<const ir::Motion> motions) override {
-    motions_.insert(motions_.end(), motions.begin(), motions.end());
+    if (motions_.size() + motions.size() <= kKeptMotions)
+      motions_.insert(motions_.end(), motions.begin(), motions.end());
+    else
+      is_whole_ = false;
   }
 
   RecordedRun take(interpreter::RunResult result) {
     RecordedRun out;
+    out.is_whole = is_whole_;
     std::size_t at = 0;
     for (std::size_t i = 0; i < begun_.size(); ++i) {
       Visit visit{.line = begun_[i].line, .first_motion = at, .motion_count = 0};
@@ -136,6 +140,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   std::vector<bool> plain_;
   std::uint32_t line_ = 0;
   bool in_owner_ = false;
+  bool is_whole_ = true;
   std::vector<Begun> begun_;
   std::vector<ir::Motion> motions_;
 };

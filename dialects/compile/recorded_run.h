@@ -32,6 +32,7 @@ struct Visit {
 struct RecordedRun {
   std::vector<Visit> visits;        // in order
   std::vector<ir::Motion> motions;  // all of them, in order
+  bool is_whole = true;             // false: it made more motions than are kept
   std::vector<bool> plain_shapes;   // of shapes_of(): whether it was run by itself, too
   interpreter::RunResult result;
 
@@ -39,6 +40,9 @@ struct RecordedRun {
     return std::span(motions).subspan(visit.first_motion, visit.motion_count);
   }
 };
+
+// A run that goes on for ever ends by its limits, and what it is kept in does not grow for ever either.
+inline constexpr std::size_t kKeptMotions = 2'000'000;  // half a gigabyte
 
 // `owners`: lines that shapes belong to when they come next.
 RecordedRun record(const ir::Program& program, const ir::Control& control, interpreter::ProgramFinder& finder,

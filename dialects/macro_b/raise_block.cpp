@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/ir/cycle.h"
 #include "dialects/ir/frame_use.h"
 #include "dialects/ir/transformation_use.h"
 #include "dialects/macro_b/findings.h"
@@ -32,6 +33,7 @@ constexpr std::int16_t kLastPlainOffset = 6;  // G59
 constexpr int kToBaseLetter = 'X' - 'U';      // U V W are increments of X Y Z
 constexpr std::int16_t kLengthsOnly = 1;      // argument of unit_inch: feeds stay in mm
 constexpr std::int16_t kWholeShift = 1;       // argument of local_shift
+constexpr std::int16_t kPattern = 3;          // argument of repetitive_cycle: G73
 constexpr double kToolPlaces = 100.0;         // T0606: two digits for the offset
 
 bool holds(std::string_view letters, Address address) { return letters.contains(letter_of(address)); }
@@ -62,6 +64,7 @@ BlockRaiser::BlockRaiser(ir::Program& program, const ir::Control& from, const ir
       diagnostics_(diagnostics),
       same_(from.dialect == to.dialect && from.kind == to.kind && from.g_system == to.g_system),
       edges_(from.semantics.d_selects_edge),
+      plane_is_xy_(from.semantics.power_on_plane == Function::plane_xy),
       inch_(from.semantics.power_on_unit == Function::unit_inch),
       diameter_(from.semantics.power_on_diameter) {}
 
@@ -115,6 +118,7 @@ BlockRaiser::Traits BlockRaiser::traits_of(const std::vector<ir::Code>& codes,
     traits.tool_change |= c.function == Function::tool_change;
     traits.drills |= c.function == Function::drill;
     traits.repeats |= c.function == Function::repetitive_cycle;
+    traits.pattern |= c.function == Function::repetitive_cycle && c.argument == kPattern;
     traits.comp |= c.function == Function::comp_left || c.function == Function::comp_right;
   }
   for (const ir::Word& w : words) {
@@ -154,6 +158,7 @@ ir::Word BlockRaiser::word_of(Address address, ExpressionId value) const {
 
 void BlockRaiser::code(const ir::Code& code) {
   const Function f = code.function;
+  follow_way(code);
   if (f == Function::absolute || f == Function::incremental) incremental_ = f == Function::incremental;
   if (f == Function::unit_inch || f == Function::unit_mm) inch_ = f == Function::unit_inch;
   if (f == Function::unit_inch || f == Function::unit_mm) feed_in_mm_ = inch_ && code.argument == kLengthsOnly;
@@ -186,6 +191,23 @@ void BlockRaiser::code(const ir::Code& code) {
   if (goes_without_saying(f) || ir::ends_frame(f, code.argument)) return;
   const std::string_view name = program_.strings.at(code.name);
   cannot(*statement_, name.empty() ? std::string(ir::name_of(f)) : std::string(name));
+}
+
+// What moves, as the blocks behind it count on it.
+void BlockRaiser::follow_way(const ir::Code& code) {
+  const Function f = code.function;
+  if (f >= Function::plane_xy && f <= Function::plane_yz) plane_is_xy_ = f == Function::plane_xy;
+  if (code.group != ir::ModalGroup::motion && code.group != ir::ModalGroup::cycle && f != Function::cycle_off) return;
+  way_ = f == Function::nurbs ? Way::curve : f == Function::drill ? Way::holes : Way::other;
+  const auto cycle = static_cast<ir::DrillCycle>(code.argument);
+  shifts_ = way_ == Way::holes && (cycle == ir::DrillCycle::fine_bore || cycle == ir::DrillCycle::back_bore);
+}
+
+// Words that count or weigh, with a letter that is a length elsewhere: holes (K), passes (R of G73), knots and weights.
+bool BlockRaiser::is_plain_number(const ir::Word& word, const Traits& traits) const {
+  if (word.address == Address::r) return traits.pattern || way_ == Way::curve;
+  if (word.address != Address::k) return false;
+  return way_ == Way::curve || (way_ == Way::holes && !(shifts_ && !plane_is_xy_));
 }
 
 // Only one that these controls have themselves: others are refused, and their end by itself ends nothing.
@@ -223,7 +245,8 @@ void BlockRaiser::word(const ir::Word& word, const Traits& traits) {
     if (!traits.drills) raised.value = with_point(raised.value, false);
     return draft_.words.push_back(raised);
   }
-  const bool length = is_center(word) || holds(kAxisLetters, word.address) || raised.address == Address::r;
+  const bool length = (is_center(word) || holds(kAxisLetters, word.address) || raised.address == Address::r) &&
+                      !is_plain_number(word, traits);
   if (length || raised.address == Address::f) {
     const bool counts = length || from_.semantics.decimal_mode == ir::DecimalMode::calculator;
     if (counts) raised.value = with_point(raised.value, false);

@@ -41,6 +41,7 @@ class BlockRaiser {
     bool comp = false;
     bool drills = false;
     bool repeats = false;  // G70 to G76
+    bool pattern = false;  // G73 of these
     const ir::Word* tool = nullptr;
     const ir::Word* edge = nullptr;
     bool any_incremental = false;  // words that say so themselves, or by their letter
@@ -49,6 +50,8 @@ class BlockRaiser {
 
   Traits traits_of(const std::vector<ir::Code>& codes, const std::vector<ir::Word>& words) const;
   void code(const ir::Code& code);
+  void follow_way(const ir::Code& code);
+  [[nodiscard]] bool is_plain_number(const ir::Word& word, const Traits& traits) const;
   [[nodiscard]] bool begins_transformation() const;
   void word(const ir::Word& word, const Traits& traits);
   void axis_word(ir::Word word);
@@ -79,6 +82,10 @@ class BlockRaiser {
   std::vector<text::Diagnostic>& diagnostics_;
   bool same_;   // the same codes on both sides
   bool edges_;  // D is an edge of the tool
+  enum class Way : std::uint8_t { other, holes, curve };
+  Way way_ = Way::other;
+  bool shifts_ = false;  // the cycle goes aside at the bottom, by I, J or K
+  bool plane_is_xy_;     // K is no letter of it
   bool incremental_ = false;
   bool inch_ = false;
   bool feed_in_mm_ = false;      // inch for lengths only

@@ -52,6 +52,19 @@ TEST(DrillingToSinumerik, PecksAndDwellsStay) {
   }
 }
 
+// K is a length elsewhere, and K2 of one would be 0.002 mm; in a boring cycle of another plane it is one.
+TEST(DrillingOfNumberedControls, HowManyHolesStaysANumber) {
+  for (const std::string to : {"mazak", "mitsubishi-m80"}) {
+    const std::string made = expect_same_holes(
+        kHead + "G91 G99 G81 X10. Z-30. R-3. K2 F100.\nX5. K3\nG80\nG90 G00 Z50.\nM30\n", "fanuc", to);
+    EXPECT_TRUE(made.contains("K2 F100.")) << made;
+    EXPECT_TRUE(made.contains("X5. K3")) << made;
+    const std::string aside =
+        expect_same_holes(kHead + "G18 G99 G76 X10. Z10. Y-30. R3. I500 K500 F100.\nG80\nG00 Y50.\nM30\n", "fanuc", to);
+    EXPECT_TRUE(aside.contains("I0.5 K0.5")) << aside;
+  }
+}
+
 TEST(DrillingToSinumerik, WordsStayFromBlockToBlockAndChangeAlone) {
   expect_same_holes(kHead + "G98 G81 X10. Y10. Z-8. R3. F120.\nZ-12.\nX20. R1.\nG82 X30. P300\nG80\nM30\n", "fanuc",
                     kTo);

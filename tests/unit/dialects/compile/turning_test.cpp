@@ -266,6 +266,19 @@ std::string expect_translated(const std::string& text, const std::string& from, 
 
 const std::string kLatheHead = "%\nO1\nG21 G18 G99 G97 G40\nS500 M03\nG00 X34. Z5.\n";
 
+// R of G73 is how many passes: 3, not 0.003 mm.
+TEST(LatheOfNumberedControls, PassesOfAPatternStayANumber) {
+  for (const std::string to : {"mazak", "mitsubishi-m80"}) {
+    const std::string made = expect_translated(
+        kLatheHead +
+            "G73 U6. W2. R3\nG73 P10 Q20 U0.4 W0.1 F0.3\nN10 G00 X14.\nG01 Z-8. F0.1\nN20 X33. Z-28.\n"
+            "G71 U2. R1\nG71 P30 Q40 U0.4 F0.3\nN30 G00 X14.\nG01 Z-9. F0.1\nN40 X33. Z-30.\nG00 X50.\nM30\n%\n",
+        "fanuc", to);
+    EXPECT_TRUE(made.contains("W2. R3\n")) << made;
+    EXPECT_TRUE(made.contains("U2. R0.001\n")) << made;  // a way
+  }
+}
+
 TEST(LoweredTurning, SinglePassesAsTheirMoves) {
   const std::string made = expect_translated(
       kLatheHead +
