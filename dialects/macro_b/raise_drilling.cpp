@@ -187,6 +187,7 @@ class Drilling {
     DrillCycle cycle = hole.cycle;
     if (hole.floats && cutting_way(hole) == Function::spindle_ccw) cycle = DrillCycle::tap_left;
     if (hole.breaks_chips) cycle = DrillCycle::chip_break;
+    if (hole.breaks_chips) tell("the way back between the pecks at the feed, which G73 goes at rapid,");
     ir::Code drill = code(Function::drill);
     drill.argument = ir::drill_argument(cycle);
     const std::optional<double> back = number(hole.back);
@@ -418,6 +419,11 @@ class Drilling {
     return w;
   }
 
+  // What is said so all the same.
+  void tell(std::string what) {
+    cannot(std::move(what));
+    diagnostics_.back().severity = text::Severity::warning;
+  }
   void cannot(std::string what) {
     diagnostics_.push_back(
         text::make_diagnostic(text::DiagnosticId::cannot_translate, statement_.span, {std::move(what), to_.title}));

@@ -251,6 +251,12 @@ class CycleRaiser {
     return std::nullopt;
   }
 
+  // What is said so all the same.
+  void tell(std::string_view what) {
+    raising_.cannot(std::string(what), statement_->span);
+    raising_.diagnostics.back().severity = text::Severity::warning;
+  }
+
   // CYCLE83: FDPR is each peck, without degression; DTD dwells at the last depth; VRT and DIS1 are the distances of the
   // other control's parameters.
   bool pecks(const DrillState& after, DrillCycle cycle) {
@@ -263,6 +269,7 @@ class CycleRaiser {
     put(11, constant(clears ? 1.0 : 0.0));
     const double in_units = inch_ ? 1.0 / 25.4 : 1.0;
     if (!clears) put(14, constant(from.chip_break_retract_mm * in_units));
+    if (!clears) tell("the way back between the pecks at rapid, which CYCLE83 goes at the feed,");
     const ExpressionId dwell = seconds(after);
     if (dwell != ExpressionId::none) put(15, dwell);
     if (clears) put(16, constant(from.peck_clearance_mm * in_units));
@@ -312,9 +319,7 @@ class CycleRaiser {
     const std::optional<ExpressionId> q = word(after.peck, "Q");
     if (!q) return false;
     put(7, of(Operator::abs, *q));
-    raising_.cannot("the direction of the shift Q, which a parameter of the machine says and which is taken as X+,",
-                    statement_->span);
-    raising_.diagnostics.back().severity = text::Severity::warning;
+    tell("the direction of the shift Q, which a parameter of the machine says and which is taken as X+,");
     return true;
   }
   static bool turns(Function spindle) { return spindle == Function::spindle_cw || spindle == Function::spindle_ccw; }

@@ -22,6 +22,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DIALECTS = ("fanuc", "mazak", "mitsubishi-m80", "sinumerik-840d")
 MOVES = {"rapid", "linear", "arc-cw", "arc-ccw", "thread"}
+TAP_RPM = 500
 TOLERANCE_MM = 0.003  # printed with three or four decimals, and added up by increments
 
 
@@ -261,6 +262,29 @@ class Fanuc(Maker):
         self.put("G80")
         self.put("G00 Z30.")
 
+    def pattern(self):
+        """Holes by increments, many of one block; numbers without a point."""
+        self.put("G52 X0. Y0. Z0.\nG00 X5. Y5. Z30.\nG91")
+        many = self.one_of("K", "L") + str(self.chance.randint(2, 4))
+        self.put(self.one_of("G98", "G99") + " " + self.one_of("G81 X10. Y2000 Z-30. R-20.", "G83 Y-3. Z-28. R-18. Q4000", "G82 X5. Z-30. R-20. P250", "G85 X-5. Z-30. R-20.") + f" {many} F120.")
+        self.put(self.one_of(f"X7. {many}", f"Y-4000 {many}", "X3. Y3."))
+        self.put("G80\nG90\nG00 Z30.")
+
+    def tap(self):
+        self.put(f"G52 X0. Y0. Z0.\nG00 Z30.\nS{TAP_RPM} M03")
+        self.put(self.one_of(f"M29 S{TAP_RPM}\n", "") + self.one_of("G98", "G99") + f" G84 X{self.number()} Z{self.number(-15, -4)} R5. P100 F{self.one_of('500.', '750.')}\nX{self.number()}\nG80")
+        self.put("G00 Z30.\nM03 F250.")
+
+    def helix(self):
+        radius = self.number(2, 9)
+        self.put("G91 G01")
+        self.put(self.one_of(f"G02 X{2 * float(radius):.3f} Z-1.5 R{radius}", f"G03 X{radius} Y{radius} Z1. R-{radius}", f"G03 I-{radius} Z-2.", "G18 G02 X3000 Z3000 R3.\nG17", "G19 G03 Y2. Z2. K2.\nG17"))
+        self.put("G90 G01 F300.")
+
+    def units(self):
+        self.put(self.one_of("G20\nG00 Z1.5\nG01 X1. Y0.5 F12.\nG02 X1.5 Y0.5 I0.25 J0.\nG21\nG00 Z30.\nG01 F300.", "G04 X1.5", "G04 P500", "G93\nG01 X5. F2.\nX9. F4.\nG94 F300.", "G09 G01 X4.", "G53 G00 Z0.\nG00 Z30.",
+                             "M08\nG01 X1.\nM09", "G01 X1000 Y-2500", "G00 Z30000", "G10 L2 P1 X1. Y2. Z0.\nG00 X0. Y0. Z30."))
+
     def call(self):
         self.put(f"G65 P9001 A{self.number()} B{self.bounded()}")
 
@@ -272,7 +296,7 @@ class Fanuc(Maker):
         if self.depth < 3:
             kinds.append(self.loop)
         if self.depth == 0:
-            kinds += [self.frame, self.drill, self.branch, self.polar]
+            kinds += [self.frame, self.drill, self.branch, self.polar, self.pattern, self.tap, self.helix, self.units]
             if self.calls:
                 kinds.append(self.call)
             if self.shares:
@@ -464,7 +488,7 @@ class SinumerikLathe(Maker):
         return "\n".join(["G18 G90 G95 G71 DIAMON G40", "T1 D1", "S500 M3", "R1=2", "G0 X60 Z5", "G1 F0.3"] + self.lines + ["G0 X100", "M30"] + self.shapes) + "\n"
 
 
-MAKERS = {"sinumerik-840d": [Sinumerik, SinumerikLathe], "fanuc": [Fanuc, FanucLathe]}
+MAKERS = {"sinumerik-840d": [Sinumerik, SinumerikLathe], "fanuc": [Fanuc, FanucLathe], "mazak": [Fanuc, FanucLathe], "mitsubishi-m80": [Fanuc, FanucLathe]}
 
 
 def dripfeed(binary, *arguments):
@@ -514,6 +538,14 @@ def without_stops(moves, detour, least):
     return out
 
 
+def is_one_tap(one, other):
+    """A feed a minute of a spindle that turns at TAP_RPM, or its lead: the same thread."""
+    kinds = {one[0]: one[1], other[0]: other[1]}
+    if set(kinds) != {"linear", "thread"} or math.dist(point(one[1]), point(other[1])) > TOLERANCE_MM:
+        return False
+    return abs(value(kinds["linear"].get("F", "0")) - TAP_RPM * value(kinds["thread"].get("F", "0"))) < 1e-3
+
+
 def difference(a, b):
     """Rounded to the printed decimals a stop may lie on the way or just beside it, and a short move may be none: either on both sides is no difference."""
     found = [difference_by(a, b, *limits) for limits in ((1e-6, TOLERANCE_MM), (1e-5, TOLERANCE_MM), (1e-7, TOLERANCE_MM), (1e-6, 2 * TOLERANCE_MM))]
@@ -523,6 +555,8 @@ def difference(a, b):
 def difference_by(a, b, detour, least):
     a, b = without_stops(a, detour, least), without_stops(b, detour, least)
     for n, (one, other) in enumerate(zip(a, b)):
+        if is_one_tap(one, other):
+            continue
         if one[0] != other[0] or math.dist(point(one[1]), point(other[1])) > TOLERANCE_MM:
             return f"move {n}: {one} / {other}"
         feeds = [value(move[1].get("F", "0")) or 0.0 for move in (one, other)]

@@ -2,6 +2,7 @@
 // control's own cycles where these do the same.
 #include <algorithm>
 #include <string>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -62,6 +63,19 @@ TEST(DrillingOfNumberedControls, HowManyHolesStaysANumber) {
     const std::string aside =
         expect_same_holes(kHead + "G18 G99 G76 X10. Z10. Y-30. R3. I500 K500 F100.\nG80\nG00 Y50.\nM30\n", "fanuc", to);
     EXPECT_TRUE(aside.contains("I0.5 K0.5")) << aside;
+  }
+}
+
+// The chips are broken all the same; that the way back takes longer or shorter is said.
+TEST(DrillingToSinumerik, ChipBreakingGoesBackAtAnotherSpeed) {
+  const std::string numbered = kHead + "G99 G73 X50. Y10. Z-25. R3. Q8. F100.\nG80\nG00 Z50.\nM30\n";
+  const std::string named = kOwnHead + "CYCLE83(40,3,0,-25,,,8,0,,,1,0)\nG0 Z50\nM30\n";
+  for (const auto& [text, from, to] :
+       {std::tuple(numbered, std::string("fanuc"), kTo), std::tuple(named, kTo, std::string("fanuc"))}) {
+    const ConvertResult made = translated(text, from, to);
+    EXPECT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+    const std::string all = said(made.diagnostics, text::Source("program", text));
+    EXPECT_TRUE(all.contains("the way back between the pecks")) << all;
   }
 }
 
