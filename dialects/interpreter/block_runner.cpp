@@ -27,8 +27,8 @@ struct NoteRow {
   Report report;
 };
 // Notes that are counted like a code that is not interpreted.
-const std::array<NoteRow, 19>& counted_notes() {
-  static const std::array<NoteRow, 19> rows = {{
+const std::array<NoteRow, 22>& counted_notes() {
+  static const std::array<NoteRow, 22> rows = {{
       {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
       {kNoteReferenceUnknown, {"the way to the reference point", ir::Function::reference_return}},
       {kNoteArcNotComputed, {"arcs from or to a place that is not known"}},
@@ -38,6 +38,9 @@ const std::array<NoteRow, 19>& counted_notes() {
       {kNoteSpline, {"how a spline bends, taken as usual and not looked at", ir::Function::spline}},
       {kNoteContourOffset, {"OFFN: an offset of the contour beside the tool's radius"}},
       {kNoteSplineStraight, {"the curve of a spline"}},
+      {kNotePolynomialStraight, {"the curve of a polynomial (POLY)"}},
+      {kNotePolynomialDiameter, {"POLY: what the coefficients of a diameter count"}},
+      {kNotePolynomialAlone, {"PO: coefficients where POLY is not in effect"}},
       {kNoteIncrementalFromUnknown, {"increments from a position that is not known", ir::Function::incremental}},
       {kNoteLevelUnknown, {"the way back to an initial level that is not known", ir::Function::drill}},
       {kNoteSkip, {"the end of a skip move (G31), which a signal decides", ir::Function::skip_move}},

@@ -7,6 +7,7 @@
 #include "dialects/interpreter/direct_line.h"
 #include "dialects/interpreter/mover.h"
 #include "dialects/interpreter/polar.h"
+#include "dialects/interpreter/polynomial_block.h"
 #include "dialects/interpreter/spline_block.h"
 
 namespace dripfeed::interpreter {
@@ -37,6 +38,14 @@ void move_by(Mover& mover, Function motion, const Target& target) {
                  target);
 }
 
+// What a control makes of words of a polynomial without POLY, the manual does not say.
+void leave_place(const PlainBlock& block, const BlockRules& rules, ModalState& state, BlockResult& result) {
+  result.notes |= kNotePolynomialAlone;
+  forget_positions(block, rules, state);
+  state.line = {};
+  state.tangent_known = false;
+}
+
 }  // namespace
 
 void move(const PlainBlock& block, const BlockRules& rules, const MoveOptions& options, ModalState& state,
@@ -47,6 +56,9 @@ void move(const PlainBlock& block, const BlockRules& rules, const MoveOptions& o
     if (motion == Function::arc_cw || motion == Function::arc_ccw) plain = with_center_at_pole(plain, rules, state);
     return move(plain, rules, options, state, out, result);
   }
+  const Function motion = options.motion != Function::none ? options.motion : state.modes.motion;
+  if (motion != Function::polynomial && has_polynomial_words(block)) [[unlikely]]
+    return leave_place(block, rules, state, result);
   if (is_direct_line(block, state)) [[unlikely]]
     return move_direct(block, rules, options, state, out, result);
   const Target target = find_any_target(block, rules, state, options.machine_coordinates);
@@ -65,9 +77,10 @@ void move(const PlainBlock& block, const BlockRules& rules, const MoveOptions& o
     result.notes = (result.notes & ~kNoteSkip) | kNoteMeasuring;
     return;
   }
-  const Function motion = options.motion != Function::none ? options.motion : state.modes.motion;
   if (motion == Function::spline) [[unlikely]] {
     move_along_spline(block, rules, options, target, state, out, result);
+  } else if (motion == Function::polynomial) [[unlikely]] {
+    move_along_polynomial(block, rules, options, target, state, out, result);
   } else {
     Mover mover(block, rules, options, state, out, result);
     move_by(mover, motion, target);

@@ -77,8 +77,7 @@ void Mover::straight(MotionKind kind, const Target& target) {
   emit(kind, target, feed);
   if (kind != MotionKind::linear) {
     state_.tangent_known = false;
-    if (has_corner_word()) result_.notes |= kNoteCornerNotComputed;
-    return drop_corner();
+    return leave_corners();
   }
   for (std::size_t axis = 0; axis < 3; ++axis) state_.tangent[axis] = radius_of(axis, target.end[axis] - start[axis]);
   // An axis outside the plane may be one that the machine has not got.
@@ -86,6 +85,11 @@ void Mover::straight(MotionKind kind, const Target& target) {
   const PlaneAxes axes = axes_of(state_.modes.plane);
   state_.tangent_known = (unknown & 7U) == 0 || ((unknown >> axes.p | unknown >> axes.q) & 1U) == 0;
   finish_corner();
+}
+
+void Mover::leave_corners() {
+  if (has_corner_word()) result_.notes |= kNoteCornerNotComputed;
+  drop_corner();
 }
 
 bool Mover::starts_unknown(PlaneAxes axes) const {

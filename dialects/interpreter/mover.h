@@ -25,6 +25,8 @@ class Mover {
   // CT: leaves the move before it without a corner.
   void arc_tangent(const Target& target);
   void arc(ir::MotionKind kind, Target target);
+  // What follows is a curve: neither the corner before it nor one at its end is made.
+  void leave_corners();
 
   // What the block, or RNDM, asks for at the end of its move.
   [[nodiscard]] std::pair<CornerKind, double> wanted_corner() const;

@@ -22,7 +22,7 @@ constexpr auto kNamed = std::to_array<GCode>({
   {{"ASPLINE", -1, spline, ir::kSplineAkima, Group::motion, "PG, G group 1"}, 1, usual},
   {{"BSPLINE", -1, spline, ir::kSplineB, Group::motion, "PG, G group 1"}, 1, usual},
   {{"CSPLINE", -1, spline, ir::kSplineCubic, Group::motion, "PG, G group 1"}, 1, usual},
-  {{"POLY", -1, not_modelled, 0, Group::motion, "PG, G group 1"}, 1, usual},
+  {{"POLY", -1, polynomial, 0, Group::motion, "PG, G group 1"}, 1, usual},
   {{"INVCW", -1, not_modelled, 0, Group::motion, "PG, G group 1"}, 1, usual},
   {{"INVCCW", -1, not_modelled, 0, Group::motion, "PG, G group 1"}, 1, usual},
   {{"OEMIPO1", -1, not_modelled, 0, Group::motion, "PG, G group 1"}, 1, usual},

@@ -1,7 +1,7 @@
-// parse: tokens to statements, block by block. parse.cpp reads lines, parse_words.cpp words, parse_expression.cpp and
-// parse_variable.cpp values, parse_flow.cpp jumps and structures, parse_declarations.cpp PROC, DEF and EXTERN,
-// parse_statements.cpp calls, messages and what is kept as written. Names are resolved and statements ordered by
-// Lowering; rules that need the whole program are validate's.
+// parse: tokens to statements, block by block. parse.cpp reads lines, parse_words.cpp words, parse_polynomial.cpp
+// those of POLY, parse_expression.cpp and parse_variable.cpp values, parse_flow.cpp jumps and structures,
+// parse_declarations.cpp PROC, DEF and EXTERN, parse_statements.cpp calls, messages and what is kept as written. Names
+// are resolved and statements ordered by Lowering; rules that need the whole program are validate's.
 #pragma once
 
 #include <cstdint>
@@ -62,6 +62,10 @@ class Parser {
   ir::ExpressionId word_value(ir::Word& word);
   ir::ExpressionId moded_value(ir::Word& word);
   void repeats_word(text::Span head);
+
+  // parse_polynomial.cpp: PO[X]=(…) behind PO, and (…) of either way to write it.
+  void polynomial_of_axis(text::Span head);
+  void polynomial(ir::Address axis, text::Span head);
 
   // parse_fixed_point.cpp: behind G75; false, and nothing read, where it is not the way to the reference point.
   bool reference_approach(text::Span head);

@@ -104,6 +104,10 @@ void Parser::word(ir::Address address, std::uint8_t extension, ir::StringId name
   const std::string_view written = head.in(cursor_.whole());
   if (cursor_.take('=')) {
     operator_ = {head.begin, cursor_.previous_end()};
+    if (cursor_.is_name("PO") && cursor_.after().is_symbol('(')) {
+      cursor_.advance();
+      return polynomial(address, head);
+    }
     w.value = word_value(w);
   } else if (head.size() == 1 && signed_constant(w.value)) {
     // the usual word
@@ -157,7 +161,7 @@ ir::ExpressionId Parser::moded_value(ir::Word& w) {
 void Parser::named_word(const Keyword& keyword) {
   const text::Span head = cursor_.span();
   cursor_.advance();
-  if (keyword.name == "PO") return native("PO", false, head);
+  if (keyword.name == "PO") return polynomial_of_axis(head);
   ir::StringId name = program_.strings.add(keyword.name);
   if (keyword.address != ir::Address::other) name = ir::StringId::none;
   if (keyword.name == "MEAW") name = program_.strings.add(keyword.name);

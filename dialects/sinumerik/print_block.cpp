@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "dialects/ir/polynomial_words.h"
 #include "dialects/sinumerik/codes.h"
 #include "dialects/sinumerik/name_index.h"
 #include "dialects/text/number.h"
@@ -114,9 +115,9 @@ void BlockPrinter::append(std::string& out, const ir::Block& b) const {
     if (!is_m(codes[i]) && !twin) separated(out, code(codes[i]));
   }
   for (const ir::Word& w : words)
-    if (is_axis(w.address)) separated(out, word(w));
+    if (is_axis(w.address)) separated(out, word(w, words));
   for (const ir::Word& w : words)
-    if (!is_axis(w.address)) separated(out, word(w));
+    if (!is_axis(w.address) && !ir::is_coefficient(w.address)) separated(out, word(w, words));
   for (const ir::Code& c : codes)
     if (is_m(c)) separated(out, code(c));
 }
@@ -148,8 +149,23 @@ std::string BlockPrinter::code(const ir::Code& c) const {
   return {};
 }
 
-std::string BlockPrinter::word(const ir::Word& w) const {
+// ",a2,a3" of PO[X]=(xe,a2,a3); empty where the axis has no polynomial.
+std::string BlockPrinter::coefficients(ir::Address axis, std::span<const ir::Word> words) const {
+  if (axis < Address::x || axis > Address::z) return {};
+  const std::size_t number = static_cast<std::size_t>(axis) - static_cast<std::size_t>(Address::x);
+  std::string out;
+  for (std::size_t power = ir::kFirstPower; power <= ir::kLastPower; ++power) {
+    const auto found = std::ranges::find(words, ir::coefficient_of(number, power), &ir::Word::address);
+    if (found == words.end()) break;
+    out += ',';
+    expressions_.append(out, found->value);
+  }
+  return out;
+}
+
+std::string BlockPrinter::word(const ir::Word& w, std::span<const ir::Word> words) const {
   std::string head;
+  const std::string polynomial = coefficients(w.address, words);
   const bool letter = w.address <= Address::z;
   if (letter) {
     head = std::string(1, static_cast<char>('A' + static_cast<int>(w.address)));
@@ -172,8 +188,9 @@ std::string BlockPrinter::word(const ir::Word& w) const {
     return std::string(w.span.in(program_.source.text()));
   const ir::Expression& e = program_.at(w.value);
   const bool plain = e.op == ir::Operator::constant && mode.empty() && letter && w.extension == 0;
-  std::string out = head;
-  if (!plain) out += '=';
+  std::string out = polynomial.empty() ? head : "PO[" + head + "]";
+  if (!plain || !polynomial.empty()) out += '=';
+  if (!polynomial.empty()) out += '(';
   if (!mode.empty()) out += std::string(mode) + "(";
   if (e.op == ir::Operator::constant) {
     const bool position = has_point(w.address);
@@ -182,6 +199,7 @@ std::string BlockPrinter::word(const ir::Word& w) const {
     expressions_.append(out, w.value);
   }
   if (!mode.empty()) out += ')';
+  if (!polynomial.empty()) out += polynomial + ')';
   return out;
 }
 

@@ -1,6 +1,7 @@
 // One block of codes and words as text.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "dialects/ir/control.h"
@@ -19,7 +20,9 @@ class BlockPrinter {
  private:
   [[nodiscard]] bool is_m(const ir::Code& code) const;
   [[nodiscard]] std::string code(const ir::Code& code) const;
-  [[nodiscard]] std::string word(const ir::Word& word) const;
+  // With the words of its block: the coefficients of a polynomial stand behind its end.
+  [[nodiscard]] std::string word(const ir::Word& word, std::span<const ir::Word> words) const;
+  [[nodiscard]] std::string coefficients(ir::Address axis, std::span<const ir::Word> words) const;
   // Only a machine that states its increment rounds; otherwise a position keeps what a trace would show and more.
   [[nodiscard]] int position_decimals(const ir::Expression& e) const;
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "dialects/ir/polynomial_words.h"
 #include "dialects/sinumerik/codes.h"
 #include "dialects/sinumerik/name_index.h"
 #include "dialects/sinumerik/validate.h"
@@ -60,6 +61,7 @@ void check_words(const Check& check, const ir::Block& block) {
     const auto before = words.first(i);
     if (std::ranges::none_of(before, [&](const ir::Word& w) { return same_address(check, w, words[i]); })) continue;
     if (words[i].address == ir::Address::h || words[i].address == ir::Address::s) continue;  // counted below
+    if (ir::is_coefficient(words[i].address)) continue;                                      // with their axis
     const std::string_view written = check.text_of(words[i].span);
     const std::string address(written.substr(0, written.find_first_of("= -+.0123456789", 1)));
     check.report(DiagnosticId::duplicate_address, words[i].span, {address}).severity = text::Severity::error;

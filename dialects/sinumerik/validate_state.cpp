@@ -144,6 +144,7 @@ std::span<const ModalState::Row> ModalState::rows() {
       {Function::tap, [](ModalState& m, const ir::Code&) { m.move(false); }},
       {Function::tap_retract, [](ModalState& m, const ir::Code&) { m.move(false); }},
       {Function::spline, [](ModalState& m, const ir::Code&) { m.move(true); }},
+      {Function::polynomial, [](ModalState& m, const ir::Code&) { m.move(true); }},
       {Function::arc_via, [](ModalState& m, const ir::Code& c) { m.move(true), m.plane_needed(c.span); }},
       {Function::arc_tangent, [](ModalState& m, const ir::Code& c) { m.move(true), m.plane_needed(c.span); }},
       {Function::arc_cw, [](ModalState& m, const ir::Code& c) { m.move(true), m.plane_needed(c.span); }},

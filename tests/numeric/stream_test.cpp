@@ -76,6 +76,16 @@ TEST(Stream, SplinesAreTheSame) {
                 sinumerik(), control);
 }
 
+// Blocks of plain words under POLY are streamed, and those of polynomials are not.
+TEST(Stream, PolynomialsAreTheSame) {
+  const ir::Control control = sinumerik().control(ir::MachineKind::mill, ir::GSystem::a);
+  const std::string text =
+      "G17 G90 G94 G1 X0 Y0 Z0 F500\nX5 Y1\nPOLY\nX9\nPO[X]=(10) PO[Y]=(0,-4) PL=5\nX20 Y4\nZ3 F200\n"
+      "PO[Y]=(IC(3),R1)\nX40 Y2\nG1 X50\nM30\n";
+  expect_same(text, sinumerik(), control);
+  EXPECT_TRUE(reads_whole(text, sinumerik(), control));
+}
+
 TEST(Stream, SaysWhatTheReaderSays) {
   const ir::Control mill = fanuc().control(ir::MachineKind::mill, ir::GSystem::a);
   for (const char* text : {"",

@@ -34,7 +34,7 @@ TEST(SinumerikAxes, WhatDoesNotWaitIsSaid) {
 
 // A position from the machine's table (CAC), a measuring move that a list describes, a further base frame.
 TEST(SinumerikAxes, WhereAnAxisMayBeAnywhereItIsNotKnown) {
-  for (const std::string text : {"X=CAC(2)\n", "MEASA[X]=(1,1) G1 X30\n", "POLY PO[X]=(10,1)\n", "POSP[X]=(10,2,0)\n",
+  for (const std::string text : {"X=CAC(2)\n", "MEASA[X]=(1,1) G1 X30\n", "POLY PO[]=(2,1)\n", "POSP[X]=(10,2,0)\n",
                                  "$P_CHBFR[1]=CTRANS(X,5)\n", "PRESETON(X,5)\n", "WHEN TRUE DO POS[X]=5\n"}) {
     const Result ran = after_head(text + "G0 Y1\n");
     ASSERT_FALSE(ran.motions.empty()) << text;

@@ -156,9 +156,25 @@ TEST(Lower, CallsByNameAndNumber) {
   EXPECT_EQ(p.strings.at(p.calls[3].name), "OTHER");
 }
 
+TEST(Lower, PolynomialsAreWordsOfTheirAxes) {
+  const ir::Program p = good("POLY PO[X]=(10,2,-3) Z=PO(IC(5))");
+  ASSERT_EQ(kinds(p), "block");
+  const auto words = p.words_of(p.blocks[0]);
+  ASSERT_EQ(words.size(), 5U);
+  EXPECT_EQ(p.codes_of(p.blocks[0])[0].function, ir::Function::polynomial);
+  const ir::Address wanted[] = {ir::Address::x, ir::Address::poly_x2, ir::Address::poly_x3, ir::Address::z,
+                                ir::Address::poly_z2};
+  const double values[] = {10.0, 2.0, -3.0, 5.0, 0.0};
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    EXPECT_EQ(words[i].address, wanted[i]);
+    EXPECT_EQ(p.at(words[i].value).value, values[i]);
+  }
+  EXPECT_EQ(words[3].mode, ir::WordMode::incremental);
+}
+
 TEST(Lower, WhatIsNotReadNamesItself) {
   const ir::Program p =
-      good("ID=1 WHENEVER $A_IN[1]==1 DO $A_OUT[1]=0\nWORKPIECE(,,,\"BOX\")\nPO[X]=(1,2,3)\nG25 S100\n$A_OUT[2]=1");
+      good("ID=1 WHENEVER $A_IN[1]==1 DO $A_OUT[1]=0\nWORKPIECE(,,,\"BOX\")\nPO[]=(1,2,3)\nG25 S100\n$A_OUT[2]=1");
   EXPECT_EQ(kinds(p), "native native native native assign");
   EXPECT_FALSE(p.natives[0].effects_known);
   EXPECT_TRUE(p.natives[1].effects_known);

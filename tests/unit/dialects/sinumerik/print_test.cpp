@@ -12,6 +12,12 @@ TEST(Print, WordsInOneOrderAndPointsOnPositions) {
   EXPECT_EQ(printed(good("S2=500 M2=3 T=\"A\" G505 DIAM90 G642")), "G505 DIAM90 G642 S2=500 T=\"A\" M2=3\n");
 }
 
+TEST(Print, PolynomialsAreOneWord) {
+  EXPECT_EQ(printed(good("poly x10 po[y]=(R1,-4.0000001) PL=2.5")), "POLY X10. PO[Y]=(R1,-4.0000001) PL=2.5\n");
+  EXPECT_EQ(printed(good("POLY X=PO(10) Z=PO(IC(5),0,R2*2,-1.5,1) F5")),
+            "POLY PO[X]=(10.,0) PO[Z]=(IC(5.),0,R2*2,-1.5,1) F5\n");
+}
+
 TEST(Print, ThePositionsOfATraceAreKept) {
   EXPECT_EQ(printed(good("G0 X1.23456")), "G0 X1.23456\n");
   ir::Control machine = control(ir::MachineKind::mill);
