@@ -107,7 +107,8 @@ CarriedBlock CarriedBlocks::carried_by(const ir::Program& program, const ir::Blo
   CarriedBlock carried;
   bool other_words = false;  // a code gives its words a meaning of its own: D of G76 is a depth
   for (const ir::Code& code : program.codes_of(block)) {
-    other_words |= code.function == Function::not_modelled || code.function == Function::repetitive_cycle;
+    other_words |= code.function == Function::not_modelled || code.function == Function::repetitive_cycle ||
+                   code.function == Function::measure_tool;
     const auto row = std::ranges::find(kRows, code.function, &CarriedRow::function);
     if (row == kRows.end() || row->carry == Carry::number) continue;
     CarriedWords& words = row->carry == Carry::code ? carried.attached : carried.alone;

@@ -16,6 +16,7 @@
 #include "dialects/interpreter/polar.h"
 #include "dialects/interpreter/repetitive.h"
 #include "dialects/interpreter/spline_block.h"
+#include "dialects/interpreter/tool_measuring.h"
 #include "dialects/interpreter/transformed.h"
 #include "dialects/interpreter/turning.h"
 #include "dialects/ir/frame_use.h"
@@ -186,6 +187,9 @@ void act_once(const PlainBlock& block, const BlockRules& rules, const Effects& e
   } else if (effects.one_shot == Function::skip_move) {
     result.moved = true;
     move_until_touch(block, rules, state, out, result);
+  } else if (effects.one_shot == Function::measure_tool) {
+    result.moved = true;
+    measure_tool(block, rules, state, out, result);
   } else if (effects.one_shot == Function::repetitive_cycle) {
     repetitive_block(block, rules, effects.argument, state, out, result);
   } else if (effects.one_shot == Function::data_input) {
@@ -315,7 +319,9 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
     set_tool(block, rules, state, effects);
   if ((block.present & kSpindleWords) != 0 && !times) set_speed(block, state, effects);
   if (((block.present | block.unknown) & kFeedWord) != 0 && !times) set_feed(block, state);
-  if ((block.present & kNumberWords) != 0) set_numbers(block, rules, state);
+  // D of G37 is how far from its place the touch may be.
+  if ((block.present & kNumberWords) != 0 && effects.one_shot != Function::measure_tool)
+    set_numbers(block, rules, state);
   if (block.has(Address::modal_rounding))
     state.modal_rounding_mm = rules.length_mm(block, Address::modal_rounding, state.modes.inch);
   if (effects.announces) announce(state, out);

@@ -41,6 +41,7 @@ inline constexpr std::uint32_t kNoteTransformed = 1U << 26;     // a plane of X 
 inline constexpr std::uint32_t kNoteContourOffset = 1U << 28;   // OFFN beside the radius that is compensated
 inline constexpr std::uint32_t kNoteSplineStraight = 1U << 27;  // … straight to its point
 
+inline constexpr std::uint32_t kNoteMeasuringTool = 1U << 12;       // a touch ends it and sets the tool's length
 inline constexpr std::uint32_t kNotePolynomialStraight = 1U << 13;  // straight to the end of a polynomial
 inline constexpr std::uint32_t kNotePolynomialDiameter = 1U << 14;  // … whose coefficients are of a diameter
 inline constexpr std::uint32_t kNotePolynomialAlone = 1U << 15;     // words of a polynomial (PO) without POLY

@@ -27,8 +27,8 @@ struct NoteRow {
   Report report;
 };
 // Notes that are counted like a code that is not interpreted.
-const std::array<NoteRow, 22>& counted_notes() {
-  static const std::array<NoteRow, 22> rows = {{
+const std::array<NoteRow, 23>& counted_notes() {
+  static const std::array<NoteRow, 23> rows = {{
       {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
       {kNoteReferenceUnknown, {"the way to the reference point", ir::Function::reference_return}},
       {kNoteArcNotComputed, {"arcs from or to a place that is not known"}},
@@ -44,6 +44,8 @@ const std::array<NoteRow, 22>& counted_notes() {
       {kNoteIncrementalFromUnknown, {"increments from a position that is not known", ir::Function::incremental}},
       {kNoteLevelUnknown, {"the way back to an initial level that is not known", ir::Function::drill}},
       {kNoteSkip, {"the end of a skip move (G31), which a signal decides", ir::Function::skip_move}},
+      {kNoteMeasuringTool,
+       {"the end of measuring a tool (G37) and the length that comes of it", ir::Function::measure_tool}},
       {kNoteArcIsLine, {"arcs without centre and radius, taken as straight as by parameter", ir::Function::linear}},
       {kNoteCycleInFrame, {"a drilling cycle along an axis that a frame turns or stretches", ir::Function::drill}},
       {kNoteScaleUnit,
@@ -242,6 +244,7 @@ void BlockRunner::skip_vacant(const Instruction& i, const CompiledProgram& progr
 void BlockRunner::take_notes(const Instruction& i, std::uint32_t notes) {
   for (const NoteRow& row : counted_notes())
     if ((notes & row.note) != 0) report_.count(row.report);
+  if ((notes & kNoteMeasuringTool) != 0) access_.forget_tool_offsets();
   if ((notes & kNoteMotionWithoutCode) != 0) {
     std::string letters;
     for (std::uint64_t rest = block_.present & rules_.axis_addresses; rest != 0; rest &= rest - 1)

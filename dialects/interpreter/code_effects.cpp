@@ -146,6 +146,7 @@ constexpr CodeRow kCodeRows[] = {
     {Function::extended_offset, extended_offset},
     {Function::data_input, one_shot},
     {Function::skip_move, one_shot},
+    {Function::measure_tool, one_shot},
     {Function::repetitive_cycle, one_shot},
     {Function::comp_off, [](CodeContext& c) { comp(c, ir::CompSide::off); }},
     {Function::comp_left, [](CodeContext& c) { comp(c, ir::CompSide::left); }},

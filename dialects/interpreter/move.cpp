@@ -92,10 +92,7 @@ void move(const PlainBlock& block, const BlockRules& rules, const MoveOptions& o
   }
 }
 
-// The touch of any commanded axis ends the way of all.
-void move_until_touch(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out,
-                      BlockResult& result) {
-  Target target = find_any_target(block, rules, state, false);
+void end_at_touch(Target& target, const ModalState& state) {
   double part = 1.0;
   for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
     const auto bit = static_cast<std::uint16_t>(1U << axis);
@@ -107,6 +104,12 @@ void move_until_touch(const PlainBlock& block, const BlockRules& rules, ModalSta
   if (part < 1.0)
     for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis)
       target.end[axis] = state.position[axis] + (target.end[axis] - state.position[axis]) * part;
+}
+
+void move_until_touch(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out,
+                      BlockResult& result) {
+  Target target = find_any_target(block, rules, state, false);
+  end_at_touch(target, state);
   emit_move(MotionKind::linear, target, state.feed, {}, state, out, result);
   result.notes |= kNoteSkip;
   state.skipped = state.position;

@@ -15,6 +15,8 @@ using ir::Function;
 using ir::SystemValue;
 
 std::uint64_t key_of(std::uint32_t row, std::uint32_t number) { return std::uint64_t{row} << 32 | number; }
+std::uint32_t row_of(std::uint64_t key) { return static_cast<std::uint32_t>(key >> 32); }
+std::uint32_t number_of(std::uint64_t key) { return static_cast<std::uint32_t>(key); }
 
 constexpr double kMsPerHour = 3.6e6;
 constexpr bool is_rotary(std::size_t axis) { return axis >= 3 && axis <= 5; }
@@ -223,6 +225,12 @@ void SystemValues::write(std::uint32_t row, std::uint32_t number, double value, 
     if (entry_is_tool_offset(control_, row, number)) state.gaps |= ir::kLengthsChanged;
     written_[key_of(row, number)] = value;
   }
+}
+
+void SystemValues::forget_tool_offsets() {
+  std::erase_if(written_, [&](const auto& one) {
+    return entry_is_tool_offset(control_, row_of(one.first), number_of(one.first));
+  });
 }
 
 void SystemValues::set_initial(std::uint32_t row, std::uint32_t number, double value, ModalState& state) {

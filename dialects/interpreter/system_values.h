@@ -29,6 +29,9 @@ class SystemValues {
   // Before the start: the same, but that a skip position says where the probe will touch.
   void set_initial(std::uint32_t row, std::uint32_t number, double value, ModalState& state);
 
+  // The control measured a tool: what was written of their offsets may be another value.
+  void forget_tool_offsets();
+
  private:
   [[nodiscard]] std::optional<double> position(std::uint32_t axis, const AxisValues& of, std::uint16_t known,
                                                const ModalState& state) const;

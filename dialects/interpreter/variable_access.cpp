@@ -214,6 +214,8 @@ void VariableAccess::set_system(std::uint32_t number, double value, bool adds) {
   system_.write(row, number, before + value, state_);
 }
 
+void VariableAccess::forget_tool_offsets() { system_.forget_tool_offsets(); }
+
 void VariableAccess::set_initial(const InitialValue& value) {
   if (value.bank == ir::Bank::system && value.name.empty()) return system_.write(value.number, 0, value.value, state_);
   const Slot slot = variables_.find(value.bank, value.number);

@@ -41,6 +41,7 @@ class VariableAccess {
   void set_initial(const InitialValue& value);
   // A numbered system variable, as an assignment of the program would; `adds`: to the value that it has.
   void set_system(std::uint32_t number, double value, bool adds);
+  void forget_tool_offsets();
   // One of three registers in a row holds an index that is not known.
   bool has_unknown_index(std::uint32_t indices);
   [[nodiscard]] std::string name_of_element(const CompiledProgram& program, std::uint32_t array, std::uint32_t indices);

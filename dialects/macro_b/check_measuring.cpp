@@ -1,4 +1,5 @@
-// Moves that a signal ends: the automatic measuring of a tool's length (G37), and skip moves (G31) with a feed of 0.
+// Moves that a signal ends: the automatic measuring of a tool's length (G37; G36 and G37 of lathes), and skip moves
+// (G31) with a feed of 0.
 #include <algorithm>
 #include <string>
 
@@ -27,7 +28,7 @@ class MeasuringCheck {
   void block(const ir::Block& block) {
     for (const ir::Code& code : program_.codes_of(block)) {
       if (code.function == Function::skip_move) feed_of_skip(block);
-      if (code.function == Function::not_modelled && program_.strings.at(code.name) == "G37") measuring(code, block);
+      if (code.function == Function::measure_tool) measuring(code, block);
     }
     number_known_ |= find(block, kNumber) != nullptr;
   }

@@ -38,7 +38,7 @@ BlockUse use_of(const ir::Program& program, const ir::Block& block) {
   for (const ir::Code& code : program.codes_of(block)) {
     use.arc |= code.function == Function::arc_cw || code.function == Function::arc_ccw;
     use.hole |= code.function == Function::drill;
-    use.other_words |= code.function == Function::not_modelled;
+    use.other_words |= code.function == Function::not_modelled || code.function == Function::measure_tool;
   }
   return use;
 }

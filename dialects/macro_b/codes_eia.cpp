@@ -26,7 +26,7 @@ constexpr auto kMill = std::to_array<CodeRow>({
     {"G34", 340, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G35", 350, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G36", 360, Function::not_modelled, 0, ModalGroup::non_modal, kList},
-    {"G37", 370, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    {"G37", 370, Function::measure_tool, 0, ModalGroup::non_modal, kList},
     {"G37.1", 371, Function::not_modelled, 0, ModalGroup::non_modal, kList},
 });
 // clang-format on

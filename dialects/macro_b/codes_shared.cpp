@@ -51,7 +51,7 @@ constexpr auto kShared = std::to_array<CodeRow>({
     {"G30", 300, Function::reference_return, 2, ModalGroup::non_modal, kList},
     {"G30.1", 301, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G31", 310, Function::skip_move, 0, ModalGroup::non_modal, kList},
-    {"G37", 370, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    {"G37", 370, Function::measure_tool, 0, ModalGroup::non_modal, kList},
     {"G40", 400, Function::comp_off, 0, ModalGroup::comp, kList},
     {"G41", 410, Function::comp_left, 0, ModalGroup::comp, kList},
     {"G42", 420, Function::comp_right, 0, ModalGroup::comp, kList},

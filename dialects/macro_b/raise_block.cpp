@@ -48,9 +48,11 @@ bool goes_without_saying(Function function) {
          function == Function::none;
 }
 
-// Functions that are more than their name in a table: others stand for several codes.
+// Functions that are more than their name in a table: others stand for several codes. Which offset a measured length
+// goes to, and what the words beside it say, each control has its own way.
 bool is_said_by_table(Function function) {
-  return function != Function::no_effect && function != Function::not_modelled && function != Function::approach;
+  return function != Function::no_effect && function != Function::not_modelled && function != Function::approach &&
+         function != Function::measure_tool;
 }
 
 }  // namespace

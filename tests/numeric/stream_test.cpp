@@ -86,6 +86,14 @@ TEST(Stream, PolynomialsAreTheSame) {
   EXPECT_TRUE(reads_whole(text, sinumerik(), control));
 }
 
+// What is written of a length before it is forgotten in both.
+TEST(Stream, MeasuringAToolIsTheSame) {
+  const ir::Control control = fanuc().control(ir::MachineKind::mill, ir::GSystem::a);
+  expect_same("O1\nG21 G90 G94 G17 G43 H1\nG00 X0. Y0. Z9.\nG37 Z-400.\nX5.\nG01 Z1. F9.\nX9.\nM30\n", fanuc(),
+              control);
+  expect_same("O1\nG21 G90 G94 G17 G43 H1\n#2001=5.\nG00 Z9.\nG37 Z-4.\n#1=#2001\nX#1\nZ1.\nM30\n", fanuc(), control);
+}
+
 TEST(Stream, SaysWhatTheReaderSays) {
   const ir::Control mill = fanuc().control(ir::MachineKind::mill, ir::GSystem::a);
   for (const char* text : {"",
