@@ -15,7 +15,6 @@
 
 #include "dialects/interpreter/curve_chords.h"
 #include "dialects/interpreter/mover.h"
-#include "dialects/ir/polynomial_words.h"
 
 namespace dripfeed::interpreter {
 
@@ -28,14 +27,6 @@ constexpr std::size_t kX = 0;
 constexpr double kNoWay_mm = 1e-9;
 constexpr double kShortestInterval = 0.0001;  // PGA: the range of PL
 constexpr double kLongestInterval = 99'999.9999;
-
-constexpr std::uint64_t kCoefficients = [] {
-  std::uint64_t bits = 0;
-  for (std::size_t axis = 0; axis < ir::kPolynomialAxes; ++axis)
-    for (std::size_t power = ir::kFirstPower; power <= ir::kLastPower; ++power)
-      bits |= bit_of(ir::coefficient_of(axis, power));
-  return bits;
-}();
 
 // b_2 to b_5 of X Y Z, mm as a target's end.
 using Bends = std::array<Vector, ir::kLastPower + 1>;
@@ -156,8 +147,6 @@ bool counts_diameter(const PlainBlock& block, const ModalState& state) {
 
 }  // namespace
 
-bool has_polynomial_words(const PlainBlock& block) { return ((block.present | block.unknown) & kCoefficients) != 0; }
-
 void move_along_polynomial(const PlainBlock& block, const BlockRules& rules, const MoveOptions& options,
                            const Target& target, ModalState& state, MotionBuffer& out, BlockResult& result) {
   Mover mover(block, rules, options, state, out, result);
@@ -171,7 +160,7 @@ void move_along_polynomial(const PlainBlock& block, const BlockRules& rules, con
   if (!curve.is_finite()) return fail(result, "its coefficients (PO) lead to no place");
   const auto moved = static_cast<std::uint16_t>(target.commanded | curve.bent());
   const bool known = ((state.unknown & moved) | target.unknown) == 0 &&
-                     (block.unknown & (kCoefficients | bit_of(Address::knot_distance))) == 0;
+                     (block.unknown & (kPolynomialWords | bit_of(Address::knot_distance))) == 0;
   const bool diameter = counts_diameter(block, state);
   if (!known || diameter || options.machine_coordinates) {
     result.notes |= diameter ? kNotePolynomialDiameter : kNotePolynomialStraight;

@@ -4,11 +4,22 @@
 
 #include "dialects/interpreter/apply.h"
 #include "dialects/interpreter/move.h"
+#include "dialects/ir/polynomial_words.h"
 
 namespace dripfeed::interpreter {
 
+inline constexpr std::uint64_t kPolynomialWords = [] {
+  std::uint64_t bits = 0;
+  for (std::size_t axis = 0; axis < ir::kPolynomialAxes; ++axis)
+    for (std::size_t power = ir::kFirstPower; power <= ir::kLastPower; ++power)
+      bits |= bit_of(ir::coefficient_of(axis, power));
+  return bits;
+}();
+
 // Whether the block has words of a polynomial (PO) beside its end.
-bool has_polynomial_words(const PlainBlock& block);
+inline bool has_polynomial_words(const PlainBlock& block) {
+  return ((block.present | block.unknown) & kPolynomialWords) != 0;
+}
 // A block under POLY, with such words or without: without them it is a straight cut. Fault curve_invalid: a way of
 // the parameter (PL) that no control has, coefficients beyond all numbers.
 void move_along_polynomial(const PlainBlock& block, const BlockRules& rules, const MoveOptions& options,

@@ -192,7 +192,8 @@ std::string BlockPrinter::word(const ir::Word& w, std::span<const ir::Word> word
   if (!plain || !polynomial.empty()) out += '=';
   if (!polynomial.empty()) out += '(';
   if (!mode.empty()) out += std::string(mode) + "(";
-  if (e.op == ir::Operator::constant) {
+  // A parameter of curves, not a length: powers of it are taken.
+  if (e.op == ir::Operator::constant && w.address != Address::knot_distance) {
     const bool position = has_point(w.address);
     text::append_word_number(out, e.value, position ? position_decimals(e) : kPlainDecimals, !position);
   } else {

@@ -14,6 +14,7 @@ TEST(Print, WordsInOneOrderAndPointsOnPositions) {
 
 TEST(Print, PolynomialsAreOneWord) {
   EXPECT_EQ(printed(good("poly x10 po[y]=(R1,-4.0000001) PL=2.5")), "POLY X10. PO[Y]=(R1,-4.0000001) PL=2.5\n");
+  EXPECT_EQ(printed(good("PO[X]=(1,5) PL=0.0632455532034")), "PO[X]=(1.,5) PL=0.0632455532034\n");
   EXPECT_EQ(printed(good("POLY X=PO(10) Z=PO(IC(5),0,R2*2,-1.5,1) F5")),
             "POLY PO[X]=(10.,0) PO[Z]=(IC(5.),0,R2*2,-1.5,1) F5\n");
 }
