@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "dialects/ir/cycle.h"
 
 namespace dripfeed::compile {
@@ -174,7 +176,7 @@ void MovesInPlace::replace(ir::Program& program, std::uint32_t index, const pass
   std::span<const ir::Motion> motions;
   for (const std::string& what :
        {same_each_time(s.line, motions), terms_at(program, index, flow, terms), rest_of(program, index, rest)})
-    if (!what.empty()) return cannot(name + " " + what, s.span);
+    if (!what.empty()) return cannot(fmt::format("{} {}", name, what), s.span);
   PlainMoves moves(program, out, terms);
   if (const auto done = moves.write(motions, std::move(rest)); !done)
     return cannot(name + " with " + done.error(), s.span);

@@ -149,19 +149,18 @@ TEST(MovesInPlace, WhatOthersDecideIsRefused) {
     std::string text;
     std::string reason;
   };
-  const std::string head = "G17 G90 G71 G94\nG0 X0 Y0 Z5\n";
-  const std::string arc = "CIP X20 Y0 I1=10 J1=10 F200\n";
   for (const Case& one : {
-           Case{head + "CIP X=R1 Y0 I1=10 J1=10 F200\nM30\n", "the variable R1, which nothing here sets"},
-           Case{head + "R1=$AA_IM[X]\n" + arc + "M30\n", "which the control knows"},
-           Case{head + "TRANS X10\n" + arc + "TRANS\nM30\n", "another coordinate system"},
-           Case{head + "L100\n" + arc + "M30\n", "a call of another program"},
-           Case{head + arc + "M17\n", "no main program"},
-           Case{"G17 G90 G71 G94\nG0 Z5\n" + arc + "M30\n", "does not know"},
-           Case{head + "/1 X1\n/2 X2\n" + arc + "M30\n", "block skip of several levels"},
-           Case{head + arc + "CIP X20 Y20 Z10 I1=30 J1=10 K1=9\nM30\n", ""},  // in space
+           Case{"G0 X0 Y0\nCIP X=R1 Y0 I1=10 J1=10 F200\nM30\n", "the variable R1, which nothing here sets"},
+           Case{"G0 X0 Y0\nR1=$AA_IM[X]\nCIP X20 Y0 I1=10 J1=10 F200\nM30\n", "which the control knows"},
+           Case{"G0 X0 Y0\nTRANS X10\nCIP X20 Y0 I1=10 J1=10 F200\nTRANS\nM30\n", "another coordinate system"},
+           Case{"G0 X0 Y0\nL100\nCIP X20 Y0 I1=10 J1=10 F200\nM30\n", "a call of another program"},
+           Case{"G0 X0 Y0\nCIP X20 Y0 I1=10 J1=10 F200\nM17\n", "no main program"},
+           Case{"CIP X20 Y0 I1=10 J1=10 F200\nM30\n", "does not know"},
+           Case{"G0 X0 Y0\n/1 X1\n/2 X2\nCIP X20 Y0 I1=10 J1=10 F200\nM30\n", "block skip of several levels"},
+           Case{"G0 X0 Y0\nCIP X20 Y20 Z10 I1=30 J1=10 K1=9 F200\nM30\n", ""},  // in space
        }) {
-    const std::string here = refusal(one.text, "sinumerik-840d", "fanuc", MachineKind::mill);
+    const std::string here =
+        refusal("G17 G90 G71 G94\nG0 Z5\n" + one.text, "sinumerik-840d", "fanuc", MachineKind::mill);
     EXPECT_NE(here.find(one.reason), std::string::npos) << here;
     EXPECT_NE(here.find("CIP"), std::string::npos) << here;
   }
