@@ -49,6 +49,14 @@ bool in_plane(ir::Plane plane, std::size_t axis) {
   const std::size_t normal = plane == ir::Plane::xy ? 2 : plane == ir::Plane::zx ? 1 : 0;
   return axis < 3 && axis != normal;
 }
+Function function_of(ir::CompSide side) {
+  switch (side) {
+    case ir::CompSide::off: return Function::comp_off;
+    case ir::CompSide::left: return Function::comp_left;
+    case ir::CompSide::right: return Function::comp_right;
+  }
+  return Function::none;
+}
 bool is_length(std::size_t axis) { return axis < 3 || axis > 5; }
 
 ir::Code code(Function function, ModalGroup group) {
@@ -94,6 +102,7 @@ std::expected<void, std::string> PlainMoves::write(std::span<const ir::Motion> m
     const auto done = ir::is_move(motion.kind) ? move(motion, rest) : event(motion, rest);
     if (!done) return done;
   }
+  if (comp_ != Function::none) return cannot("a compensation that changes behind its last move");
   flush(rest);
   if (!rest.after.empty()) out_.emit_block(rest.after, {});
   return {};
@@ -116,7 +125,11 @@ std::expected<void, std::string> PlainMoves::event(const ir::Motion& motion, con
   const bool said = std::ranges::any_of(rest.codes, of_group) || std::ranges::any_of(rest.after, of_group) ||
                     std::ranges::any_of(rest.words, [&](const ir::Word& w) { return w.address == row->word; });
   if (said) return {};
-  if (motion.kind != MotionKind::spindle) return cannot("a change of tool, coolant or compensation within it");
+  if (motion.kind == MotionKind::comp) {
+    comp_ = function_of(motion.comp);
+    return {};
+  }
+  if (motion.kind != MotionKind::spindle) return cannot("a change of tool or coolant within it");
   spindle(motion);
   return {};
 }
@@ -146,6 +159,8 @@ std::expected<void, std::string> PlainMoves::move(const ir::Motion& motion, Bloc
   std::vector<ir::Code> codes = {motion_code(*function)};
   codes.insert(codes.end(), rest.codes.begin(), rest.codes.end());
   rest.codes.clear();
+  if (const Function comp = std::exchange(comp_, Function::none); comp != Function::none)
+    codes.push_back(code(comp, ModalGroup::comp));
   std::vector<ir::Word> words;
   for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
     const bool named = (motion.axes_commanded & (1U << axis)) != 0;

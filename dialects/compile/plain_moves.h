@@ -62,6 +62,7 @@ class PlainMoves {
   passes::Rewrite& out_;
   BlockTerms terms_;
   std::optional<double> feed_;
+  ir::Function comp_ = ir::Function::none;  // begins or ends with the next move
 };
 
 }  // namespace dripfeed::compile

@@ -84,6 +84,16 @@ TEST(MovesInPlace, StockRemovalAlongAShape) {
   EXPECT_EQ(made.find("N10"), std::string::npos) << made;
 }
 
+TEST(MovesInPlace, TheNoseIsCompensatedWhereTheShapeSaysSo) {
+  const std::string made =
+      expect_same_there(kLathe +
+                            "G71 U2. R0.5\nG71 P10 Q20 U0.4 W0.1 F0.3\nN10 G00 G42 X20.\nG01 Z-20. F0.1\nX40. Z-30.\n"
+                            "N20 G40 X62.\nG70 P10 Q20\nG00 X100. Z50.\nM30\n%\n",
+                        "fanuc", "sinumerik-840d", MachineKind::lathe);
+  EXPECT_NE(made.find("G0 G42 X20."), std::string::npos) << made;
+  EXPECT_NE(made.find("G40 X62."), std::string::npos) << made;
+}
+
 TEST(MovesInPlace, StockRemovalAlongTheOtherAxisAndInAPattern) {
   expect_same_there(kLathe +
                         "G72 W2. R0.5\nG72 P10 Q20 U0.4 W0.1 F0.3\nN10 G00 Z-40.\nG01 X60. F0.1\nX40. Z-20.\n"
