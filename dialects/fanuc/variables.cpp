@@ -18,7 +18,7 @@ constexpr std::string_view kSystem = "0i-F B-64604EN, system variables";
 constexpr auto kSystemVariables = std::to_array<SystemVariableRow>({
     {"", 4012, 4030, SystemValue::active_code, false, kSystem},
     {"", 4212, 4230, SystemValue::active_code, false, kSystem},
-    {"", 14001, 20000, SystemValue::work_offset_value, true, kSystem},
+    {"", 14001, 20000, SystemValue::work_offset_value, true, kSystem, false, 1},
 });
 
 constexpr auto kRanges = std::to_array<macro_b::RangeRow>({

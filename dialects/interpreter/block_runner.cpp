@@ -133,7 +133,7 @@ std::optional<Flow> BlockRunner::apply_block(const Instruction& i) {
 // What is set is known from here on; that the machine's memory changes is said.
 void BlockRunner::set_data() {
   const auto set = data_values(block_, rules_, state_, control_.kind != ir::MachineKind::mill);
-  for (const DataValue& one : set.values) access_.set_system(one.number, one.value, one.adds);
+  for (const DataValue& one : set.values) access_.set_system(one);
   report_.count({.name = set.name, .function = ir::Function::data_input});
 }
 

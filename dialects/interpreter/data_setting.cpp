@@ -71,7 +71,7 @@ DataValues data_values(const PlainBlock& block, const BlockRules& rules, const M
                        [&](std::size_t axis, double value, bool incremental) {
                          const bool rotary = axis >= 3 && axis <= 5;
                          const double own = state.modes.inch && !rotary ? value / 25.4 : value;
-                         result.values.push_back({first + axis_index(rules, axis), own, incremental});
+                         result.values.push_back({first + axis_index(rules, axis), own, incremental, l == 20});
                        });
     return result;
   }

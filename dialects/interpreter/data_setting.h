@@ -13,6 +13,7 @@ struct DataValue {
   std::uint32_t number = 0;
   double value = 0.0;  // in the unit of the program
   bool adds = false;
+  bool is_extended_offset = false;  // of G54.1: `number` counts from #7001 on, for all P
 };
 struct DataValues {
   std::string name;               // for the report: "G10 L2"

@@ -163,8 +163,17 @@ std::optional<double> answer_system(const ir::Control& control, const ir::System
   return std::nullopt;
 }
 
+SystemValues::Key SystemValues::key_of_value(std::uint32_t row, std::uint32_t number) const {
+  if (row >= control_.system_variables.size()) return {row, number};
+  const ir::SystemVariableRow& entry = control_.system_variables[row];
+  if (entry.extended_offset == 0) return {row, number};
+  return {kExtendedOffsetRow, number_of_offset(kExtendedOffset + static_cast<std::int32_t>(entry.extended_offset)) +
+                                  (number - entry.first)};
+}
+
 std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number, const ModalState& state) const {
-  if (const auto found = written_.find(key_of(row, number)); found != written_.end()) return found->second;
+  const Key key = key_of_value(row, number);
+  if (const auto found = written_.find(key_of(key.row, key.number)); found != written_.end()) return found->second;
   if (row >= control_.system_variables.size()) return std::nullopt;
   const ir::SystemVariableRow& entry = control_.system_variables[row];
   const std::uint32_t index = entry.name.empty() ? number - entry.first : number;
@@ -204,6 +213,7 @@ namespace {
 
 // #2001 and #10001 and what follows them; their rows have no names.
 bool entry_is_tool_offset(const ir::Control& control, std::uint32_t row, std::uint32_t number) {
+  if (row == kExtendedOffsetRow) return false;
   if (row < control.system_variables.size() && !control.system_variables[row].name.empty()) return false;
   return (number >= 2001 && number <= 2999) || (number >= 10001 && number <= 13999);
 }
@@ -211,19 +221,21 @@ bool entry_is_tool_offset(const ir::Control& control, std::uint32_t row, std::ui
 }  // namespace
 
 void SystemValues::write(std::uint32_t row, std::uint32_t number, double value, ModalState& state) {
-  const SystemValue kind =
-      row < control_.system_variables.size() ? control_.system_variables[row].kind : SystemValue::not_modelled;
+  const Key key = key_of_value(row, number);
+  const SystemValue kind = key.row == kExtendedOffsetRow            ? SystemValue::work_offset_value
+                           : row < control_.system_variables.size() ? control_.system_variables[row].kind
+                                                                    : SystemValue::not_modelled;
   if (kind == SystemValue::clock_ms) {
     clock_from_ms_ = value - state.clock_ms;
   } else if (kind == SystemValue::clock_hours) {
     hours_from_ = value - state.clock_ms / kMsPerHour;
   } else {
     if (kind == SystemValue::work_offset_value) {
-      move_offset(number, value, state);
+      move_offset(key.number, value, state);
       state.gaps |= ir::kZerosChanged;
     }
     if (entry_is_tool_offset(control_, row, number)) state.gaps |= ir::kLengthsChanged;
-    written_[key_of(row, number)] = value;
+    written_[key_of(key.row, key.number)] = value;
   }
 }
 
@@ -275,12 +287,15 @@ std::optional<double> SystemValues::offset_mm(std::int32_t offset, std::size_t a
   const std::size_t index = control_.axes.find(kAxisLetters[axis]);
   if (offset < 0 || index == std::string::npos) return std::nullopt;
   const std::uint32_t number = number_of_offset(offset) + static_cast<std::uint32_t>(index);
-  for (std::uint32_t row = 0; row < control_.system_variables.size(); ++row) {
-    const ir::SystemVariableRow& entry = control_.system_variables[row];
-    if (!entry.name.empty() || number < entry.first || number > entry.last) continue;
+  const auto kept = [&](std::uint32_t row) -> std::optional<double> {
     const auto found = written_.find(key_of(row, number));
     if (found == written_.end()) return std::nullopt;
     return state.modes.inch && !is_rotary(axis) ? found->second * 25.4 : found->second;
+  };
+  if (offset > kExtendedOffset) return kept(kExtendedOffsetRow);
+  for (std::uint32_t row = 0; row < control_.system_variables.size(); ++row) {
+    const ir::SystemVariableRow& entry = control_.system_variables[row];
+    if (entry.name.empty() && number >= entry.first && number <= entry.last) return kept(row);
   }
   return std::nullopt;
 }

@@ -17,12 +17,16 @@ namespace dripfeed::interpreter {
 std::optional<double> answer_system(const ir::Control& control, const ir::SystemVariableRow& row,
                                     const Indices& indices, const ModalState& state);
 
+// As a row: the offsets of G54.1, whatever numbers the control has them under; `number` is that of #7001 and on, for P
+// beyond 48, too.
+inline constexpr std::uint32_t kExtendedOffsetRow = 0xFFFF'FFFEU;
+
 class SystemValues {
  public:
   explicit SystemValues(const ir::Control& control) : control_(control), rules_(control) {}
 
-  // `row` of the control's table (kNoRow without one); `number` of a numbered variable, index of a named one. Nothing
-  // when it is not known.
+  // `row` of the control's table (kNoRow without one, kExtendedOffsetRow); `number` of a numbered variable, index of a
+  // named one. Nothing when it is not known.
   [[nodiscard]] std::optional<double> read(std::uint32_t row, std::uint32_t number, const ModalState& state) const;
   // What the program writes. A work offset that is in effect moves the position that is counted from it.
   void write(std::uint32_t row, std::uint32_t number, double value, ModalState& state);
@@ -33,6 +37,12 @@ class SystemValues {
   void forget_tool_offsets();
 
  private:
+  // What a value is kept under: an offset of G54.1 may have two numbers (#7001 and #14001).
+  struct Key {
+    std::uint32_t row;
+    std::uint32_t number;
+  };
+  [[nodiscard]] Key key_of_value(std::uint32_t row, std::uint32_t number) const;
   [[nodiscard]] std::optional<double> position(std::uint32_t axis, const AxisValues& of, std::uint16_t known,
                                                const ModalState& state) const;
   [[nodiscard]] std::optional<double> machine_position(std::uint32_t axis, const ModalState& state) const;

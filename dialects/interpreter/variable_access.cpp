@@ -208,10 +208,10 @@ bool VariableAccess::store_system(const Instruction& i) {
   return true;
 }
 
-void VariableAccess::set_system(std::uint32_t number, double value, bool adds) {
-  const std::uint32_t row = variables_.system_row(number);
-  const double before = adds ? system_.read(row, number, state_).value_or(0.0) : 0.0;
-  system_.write(row, number, before + value, state_);
+void VariableAccess::set_system(const DataValue& set) {
+  const std::uint32_t row = set.is_extended_offset ? kExtendedOffsetRow : variables_.system_row(set.number);
+  const double before = set.adds ? system_.read(row, set.number, state_).value_or(0.0) : 0.0;
+  system_.write(row, set.number, before + set.value, state_);
 }
 
 void VariableAccess::forget_tool_offsets() { system_.forget_tool_offsets(); }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "dialects/interpreter/arithmetic.h"
+#include "dialects/interpreter/data_setting.h"
 #include "dialects/interpreter/run_report.h"
 #include "dialects/interpreter/storage.h"
 #include "dialects/interpreter/system_values.h"
@@ -39,8 +40,8 @@ class VariableAccess {
   std::optional<std::uint32_t> find_element(const Instruction& i, const CompiledProgram& program, std::uint32_t array,
                                             std::uint32_t indices);
   void set_initial(const InitialValue& value);
-  // A numbered system variable, as an assignment of the program would; `adds`: to the value that it has.
-  void set_system(std::uint32_t number, double value, bool adds);
+  // A numbered system variable, as an assignment of the program would.
+  void set_system(const DataValue& set);
   void forget_tool_offsets();
   // One of three registers in a row holds an index that is not known.
   bool has_unknown_index(std::uint32_t indices);

@@ -64,7 +64,8 @@ struct SystemVariableRow {
   SystemValue kind = SystemValue::not_modelled;
   bool writable = false;
   std::string_view reference;
-  bool inert = false;  // writing it neither moves nor changes what is modelled
+  bool inert = false;                 // writing it neither moves nor changes what is modelled
+  std::uint32_t extended_offset = 0;  // of work_offset_value: `first` is of this P of G54.1; 0: of no such
 };
 
 // Which of several alarms that a control has for one diagnostic.

@@ -32,7 +32,7 @@ constexpr auto kSystemVariables = std::to_array<SystemVariableRow>({
     {"", 5041, 5060, SystemValue::end_position, false, kSystem},
     {"", 5061, 5080, SystemValue::skip_position, false, kSystem},
     {"", 5201, 5340, SystemValue::work_offset_value, true, kSystem},
-    {"", 7001, 7960, SystemValue::work_offset_value, true, kSystem},
+    {"", 7001, 7960, SystemValue::work_offset_value, true, kSystem, false, 1},
 });
 
 constexpr auto kRanges = std::to_array<RangeRow>({

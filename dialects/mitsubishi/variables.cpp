@@ -15,7 +15,7 @@ using ir::VariableUse;
 
 constexpr std::string_view kSystem = "M800/M80 series programming manual, system variables";
 constexpr auto kSystemVariables = std::to_array<SystemVariableRow>({
-    {"", 101001, 115000, SystemValue::work_offset_value, true, kSystem},
+    {"", 101001, 115000, SystemValue::work_offset_value, true, kSystem, false, 49},
 });
 constexpr auto kRanges = std::to_array<macro_b::RangeRow>({
     {1200, 1295, VariableUse::system, false},   // more signals from the PLC

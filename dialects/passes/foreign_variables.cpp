@@ -16,32 +16,15 @@ namespace {
 constexpr std::uint32_t kFirstOwn = 8000;
 constexpr std::uint32_t kAxes = 20;  // numbers of one work offset
 
-// Where a control keeps the offsets of G54.1: P `first_offset` begins at `first`.
-struct OffsetRow {
-  std::string_view dialect;  // empty: all
-  std::uint32_t first;
-  std::uint32_t first_offset;
-  std::uint32_t count;
-};
-constexpr OffsetRow kOffsets[] = {
-    {"", 7001, 1, 48},
-    {"fanuc", 14001, 1, 300},
-    {"mitsubishi-m80", 101001, 49, 252},
-};
-
-bool is_of(const OffsetRow& row, const ir::Control& control) {
-  return row.dialect.empty() || row.dialect == control.dialect;
-}
-
-// The number of the same axis of the same offset.
+// The number of the same axis of the same offset of G54.1, where the two controls have it under other numbers.
 std::optional<std::uint32_t> equal_offset(std::uint32_t number, const ir::Control& from, const ir::Control& to) {
-  for (const OffsetRow& row : kOffsets) {
-    if (!is_of(row, from) || number < row.first || number >= row.first + row.count * kAxes) continue;
-    const std::uint32_t offset = row.first_offset + (number - row.first) / kAxes;
-    const std::uint32_t axis = (number - row.first) % kAxes;
-    for (const OffsetRow& there : kOffsets) {
-      if (!is_of(there, to) || offset < there.first_offset || offset >= there.first_offset + there.count) continue;
-      return there.first + (offset - there.first_offset) * kAxes + axis;
+  for (const ir::SystemVariableRow& row : from.system_variables) {
+    if (row.extended_offset == 0 || number < row.first || number > row.last) continue;
+    const std::uint32_t offset = row.extended_offset + (number - row.first) / kAxes;
+    for (const ir::SystemVariableRow& there : to.system_variables) {
+      if (there.extended_offset == 0 || offset < there.extended_offset) continue;
+      const std::uint32_t equal = there.first + (offset - there.extended_offset) * kAxes + (number - row.first) % kAxes;
+      if (equal <= there.last) return equal;
     }
   }
   return std::nullopt;

@@ -176,6 +176,30 @@ TEST(MacroLanguage, OffsetsThatAreSetMoveThePosition) {
   EXPECT_EQ(value_of(r, "#103"), 50.0);
 }
 
+// G54.1 P2 X is #7021 on all of them and has another number beside; P60 has none below 8000, but G10 L20 sets it. The
+// zero moves from 100 to 130, so that the same place is 30 less.
+TEST(MacroLanguage, AnOffsetWithTwoNumbersIsOne) {
+  struct Case {
+    std::string dialect;
+    std::string active;
+    std::string set;
+    std::uint32_t before;
+  };
+  for (const Case& one : {
+           Case{"fanuc", "P2", "#14021=130.", 7021},
+           Case{"fanuc", "P2", "#7021=130.", 14021},
+           Case{"fanuc", "P2", "G10 L20 P2 X130.", 14021},
+           Case{"fanuc", "P60", "G10 L20 P60 X130.", 15181},
+           Case{"mazak", "P60", "#71181=130.", 71181},
+           Case{"mazak", "P2", "#70021=130.", 7021},
+           Case{"mitsubishi-m80", "P60", "G10 L20 P60 X130.", 101221},
+       }) {
+    const Result r = run("%\nO1\nG90 G54.1 " + one.active + " G00 X50.\n" + one.set + "\n#101=#5041\nM30\n%\n",
+                         one.dialect, ir::MachineKind::mill, {number(one.before, 100.0)});
+    EXPECT_EQ(value_of(r, "#101"), 20.0) << one.dialect << " " << one.set;
+  }
+}
+
 TEST(MacroLanguage, ToolOffsetsByData) {
   const Result mill = run("%\nO1\nG90\nG10 L10 P3 R12.5\nG91\nG10 L10 P3 R0.5\n#101=#11003\nM30\n%\n");
   EXPECT_EQ(value_of(mill, "#101"), 13.0);
