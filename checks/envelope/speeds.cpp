@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "dialects/ir/thread_lead.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::envelope {
@@ -77,7 +78,16 @@ double Speeds::feed_of_turns(const ir::Motion& cut, double diameter_mm) {
   if (!(rpm > 0.0)) {
     report_.not_checked.add("a feed per revolution has no spindle speed: its feed was not checked", cut.place.line);
   }
-  return cut.feed * rpm;
+  return highest_lead(cut) * rpm;
+}
+
+// Of a thread whose lead grows, at its end.
+double Speeds::highest_lead(const ir::Motion& cut) const {
+  if (cut.kind != ir::MotionKind::thread || !(cut.center[0] > 0.0)) return cut.feed;
+  double way = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+    if ((cut.axes_unknown >> i & 1U) == 0) way = std::max(way, std::fabs(travel_.slide(i, cut.end[i] - cut.start[i])));
+  return ir::lead_after(cut.feed, cut.center[0], way);
 }
 
 // Along all axes whose start is known, in a straight line.

@@ -20,6 +20,7 @@ class Speeds {
   void check_spindle(const ir::Motion& motion, double diameter_mm);
   [[nodiscard]] double smallest_diameter_mm(const ir::Motion& cut) const;
   [[nodiscard]] double feed_of_turns(const ir::Motion& cut, double diameter_mm);
+  [[nodiscard]] double highest_lead(const ir::Motion& cut) const;
   [[nodiscard]] double way_mm(const ir::Motion& cut) const;
   void check_axis_feeds(const ir::Motion& cut, double feed_mm_min);
 

@@ -60,7 +60,8 @@ double path_jerk(const PathShape& shape, const AxisRates& rates);
 double corner_speed2(const AxisVector& before, const AxisVector& after, const AxisRates& rates, double room_mm);
 
 // mm/s of a cutting feed along the path; 0 where it cannot be known (no feed, or per revolution without a speed).
-// With constant surface speed the time is exact: the mean of 1/rpm over the diameters that the move passes.
+// With constant surface speed the time is exact: the mean of 1/rpm over the diameters that the move passes. Of a thread
+// whose lead changes it is the mean over its way.
 double feed_speed(const ir::Motion& motion, const PathShape& shape, bool x_is_diameter, double spindle_max_rpm);
 
 }  // namespace dripfeed::timing

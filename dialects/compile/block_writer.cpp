@@ -3,6 +3,7 @@
 #include "dialects/compile/block_writer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace dripfeed::compile {
@@ -171,7 +172,14 @@ void BlockWriter::feed(const ir::Motion& motion) {
   if (!thread) feed_mode_ = motion.feed_mode;
   // The lead of a thread is no feed on a control that has a word of its own for it.
   feed_ = thread ? 0.0 : motion.feed;
-  add(Address::f, motion.feed);
+  add(thread && counts_along_x(motion) ? Address::i : Address::f, motion.feed);
+}
+
+// The lead of a cone counts along the axis that moves more; controls that name it by a letter say so by I.
+bool BlockWriter::counts_along_x(const ir::Motion& motion) const {
+  const double factor = control_.semantics.power_on_diameter == ir::DiameterMode::radius ? 1.0 : 2.0;
+  const double x = std::abs(motion.end[0] - motion.start[0]) / factor;
+  return (motion.axes_unknown & 5U) == 0 && x > std::abs(motion.end[2] - motion.start[2]);
 }
 
 // The plane's two axes only; a zero is stated, too, so that no control asks for it.
@@ -184,7 +192,9 @@ void BlockWriter::center(const ir::Motion& motion) {
 }
 
 void BlockWriter::move(const ir::Motion& motion) {
-  const Function function = std::ranges::find(kMoves, motion.kind, &KindRow::kind)->function;
+  const bool lead_changes = motion.kind == MotionKind::thread && motion.center[0] != 0.0;
+  const Function function =
+      lead_changes ? Function::thread_changing : std::ranges::find(kMoves, motion.kind, &KindRow::kind)->function;
   // Controls refuse a thread while the feed is a time.
   if (motion.kind == MotionKind::thread && feed_mode_ == ir::FeedMode::inverse_time) {
     feed_mode_ = motion.feed_mode;
@@ -200,6 +210,7 @@ void BlockWriter::move(const ir::Motion& motion) {
   }
   if (is_arc(motion.kind)) center(motion);
   feed(motion);
+  if (lead_changes) add(Address::k, motion.center[0]);
   block();
 }
 

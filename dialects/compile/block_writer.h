@@ -44,6 +44,7 @@ class BlockWriter {
   void plane(const ir::Motion& motion);
   void feed(const ir::Motion& motion);
   void center(const ir::Motion& motion);
+  [[nodiscard]] bool counts_along_x(const ir::Motion& motion) const;
   void add(ir::Function function, std::int16_t argument = 0) { codes_.push_back({function, argument}); }
   void add(ir::Address address, double value) { words_.push_back({address, emit_.constant(value)}); }
   // The block of what was added.

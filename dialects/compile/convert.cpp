@@ -151,7 +151,8 @@ class Converter {
     const auto is_told = [&](const text::Diagnostic& one) {
       return one.id == text::DiagnosticId::cannot_translate &&
              std::any_of(result_.diagnostics.begin(), begin, [&](const text::Diagnostic& earlier) {
-               return earlier.id == one.id && earlier.span.begin == one.span.begin;
+               return earlier.id == one.id && earlier.severity == text::Severity::error &&
+                      earlier.span.begin <= one.span.begin && one.span.begin < earlier.span.end;
              });
     };
     result_.diagnostics.erase(std::remove_if(begin, result_.diagnostics.end(), is_told), result_.diagnostics.end());

@@ -25,7 +25,7 @@ constexpr double kCountedFeedsPerUnit = 100.0;  // F20 is 0.2 mm per turn
 
 bool is_move(Function f) {
   return f == Function::rapid || f == Function::linear || f == Function::arc_cw || f == Function::arc_ccw ||
-         f == Function::thread;
+         f == Function::thread || f == Function::thread_changing;
 }
 
 std::string_view called(const ir::Program& program, const ir::Statement& s) {
@@ -259,7 +259,10 @@ void LatheFlow::take_codes(const ir::Block& block, std::uint32_t statement, Lath
   for (const ir::Word& w : words) {
     // Another offset: the place has another number.
     if (w.address == Address::t || (w.address == Address::d && !own_words)) forget_place();
-    if (w.address == Address::f && !own_words) state.feed.value = feed_of(w, statement);
+    if (w.address != Address::f || own_words) continue;
+    // With G34 and G35 of SINUMERIK it is no feed.
+    const bool is_change = !control_.semantics.arc_radius_is_r && state.motion.is(Function::thread_changing);
+    state.feed.value = is_change ? std::nullopt : feed_of(w, statement);
   }
   const auto repeats = std::ranges::find(codes, Function::repetitive_cycle, &ir::Code::function);
   if (repeats != codes.end()) {
@@ -406,7 +409,8 @@ bool LatheFlow::needs_feed(std::uint32_t statement) const {
     const auto words = program_.words_of(block);
     if (std::ranges::find(words, Address::f, &ir::Word::address) != words.end()) return Use::sets;
     const bool cuts = std::ranges::any_of(program_.codes_of(block), [](const ir::Code& c) {
-      return c.group == ir::ModalGroup::motion && c.function != Function::rapid && c.function != Function::thread;
+      return c.group == ir::ModalGroup::motion && c.function != Function::rapid && c.function != Function::thread &&
+             c.function != Function::thread_changing;
     });
     return cuts ? Use::needs : Use::none;
   });

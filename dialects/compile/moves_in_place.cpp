@@ -31,7 +31,7 @@ bool is_tap(const ir::Code& c) {
 
 bool is_own(const ir::Code& c) {
   return c.group == ModalGroup::motion || c.group == ModalGroup::cycle || c.group == ModalGroup::return_level ||
-         c.function == Function::repetitive_cycle;
+         c.function == Function::repetitive_cycle || c.function == Function::hole_pattern;
 }
 
 // Words that mean the same beside any move.
@@ -88,7 +88,7 @@ void MovesInPlace::cannot(std::string what, text::Span span) {
 void MovesInPlace::say_written(std::string name, text::Span span) {
   cannot(std::move(name), span);
   diagnostics_.back().severity = text::Severity::warning;
-  diagnostics_.back().notes = {{.span = {}, .text = "it is written as its moves"}};
+  diagnostics_.back().notes = {{.span = span, .text = "it is written as its moves"}};
 }
 
 std::vector<text::Diagnostic> MovesInPlace::lower(ir::Program& program) {

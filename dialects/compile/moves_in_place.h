@@ -1,6 +1,7 @@
 // Statements that the other control has no word for, written as the moves that they make: CIP and CT, the drilling
-// cycles of lathes, G70 to G73 and CYCLE95. The program is run; where nothing from outside decides what it does, a
-// statement that makes the same moves each time is replaced by them, and the translation is run and compared.
+// cycles of lathes, figures of holes, G70 to G73 and CYCLE95. The program is run; where nothing from outside decides
+// what it does, a statement that makes the same moves each time is replaced by them, and the translation is run and
+// compared.
 #pragma once
 
 #include <cstddef>

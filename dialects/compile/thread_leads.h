@@ -1,4 +1,5 @@
-// The lead of a thread: K or I in each block (SINUMERIK), or F, which stays in effect as a feed.
+// The lead of a thread: K or I in each block (SINUMERIK), or F, which stays in effect as a feed. Of one that changes
+// (G34, G35), F is the change where letters are the lead, and K where F is.
 #pragma once
 
 #include <vector>

@@ -63,6 +63,7 @@ class Walk {
     for (const ir::Code& c : program_.codes_of(block)) {
       if (c.function == Function::repetitive_cycle && c.argument < kFirstWithoutShape)
         return has_row(to_, c.function, c.argument) ? WithoutEqual::no : WithoutEqual::removal;
+      if (c.function == Function::hole_pattern && !has_row(to_, c.function, c.argument)) return WithoutEqual::drilling;
       if (!sets_way(c)) continue;
       way_ = way_of(c);
       names = way_ != WithoutEqual::no;
@@ -99,7 +100,8 @@ std::string name_of(WithoutEqual kind, const ir::Program& program, const ir::Sta
     return std::string(program.strings.at(program.calls[statement.payload].name));
   for (const ir::Code& c : program.codes_of(program.blocks[statement.payload])) {
     const bool meant = c.function == Function::repetitive_cycle || c.function == Function::drill ||
-                       c.function == Function::arc_via || c.function == Function::arc_tangent;
+                       c.function == Function::arc_via || c.function == Function::arc_tangent ||
+                       c.function == Function::hole_pattern;
     if (meant && !c.span.empty()) return std::string(c.span.in(program.source.text()));
   }
   switch (kind) {

@@ -35,6 +35,7 @@ constexpr auto kGroups = std::to_array<GroupRow>({
     {Function::comp_left, ModalGroup::comp},
     {Function::comp_right, ModalGroup::comp},
     {Function::thread, ModalGroup::motion},
+    {Function::thread_changing, ModalGroup::motion},
     {Function::feed_inverse_time, ModalGroup::feed},
     {Function::plane_yz, ModalGroup::plane},
     {Function::machine_coordinates, ModalGroup::non_modal},

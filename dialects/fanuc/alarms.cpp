@@ -123,7 +123,7 @@ constexpr auto kAlarms = std::to_array<AlarmRow>({
     {syntax_error, "PS1115", write_only},
     {syntax_error, "PS1096", ir::kNameOfVariable},
     {unknown_name, "PS1098"},
-    // These ten are known from alarm lists and use, not from the fact sheet that the others were read from.
+    // These eleven are known from alarm lists and use, not from the fact sheet that the others were read from.
     {code_not_in_mode, "PS0176"},
     {code_not_in_mode, "PS0146", in_face},
     {curve_invalid, "PS5116"},
@@ -133,6 +133,7 @@ constexpr auto kAlarms = std::to_array<AlarmRow>({
     {measuring_invalid, "PS0082", beside_tool},
     {measuring_invalid, "PS0081", without_offset},
     {value_out_of_range, "PS0190", surface_axis},
+    {thread_invalid, "PS0313"},
 });
 
 }  // namespace

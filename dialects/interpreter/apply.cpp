@@ -10,6 +10,7 @@
 #include "dialects/interpreter/code_effects.h"
 #include "dialects/interpreter/drilling.h"
 #include "dialects/interpreter/frame_change.h"
+#include "dialects/interpreter/hole_pattern.h"
 #include "dialects/interpreter/move.h"
 #include "dialects/interpreter/nurbs_block.h"
 #include "dialects/interpreter/point_frame.h"
@@ -40,7 +41,14 @@ constexpr std::uint64_t kNumberWords = bit_of(Address::d) | bit_of(Address::h);
 constexpr double kFootPerMinute = 0.3048;  // in m/min
 
 // F without a point counts 0.01 mm/rev, 1 mm/min, and in inch a hundredth of these in inch (usual parameter settings).
-void set_feed(const PlainBlock& block, ModalState& state) {
+void set_feed(const PlainBlock& block, const BlockRules& rules, ModalState& state) {
+  // With G34 and G35 of SINUMERIK it is the change of the lead, and no feed is left. (PG, "Thread cutting with
+  // increasing or decreasing lead".)
+  if (state.modes.motion == Function::thread_changing && !rules.semantics.arc_radius_is_r) [[unlikely]] {
+    state.feed_unknown = false;
+    state.feed = 0.0;
+    return;
+  }
   state.feed_unknown = (block.unknown & kFeedWord) != 0;
   if (state.feed_unknown) {
     state.feed = 0.0;
@@ -192,6 +200,9 @@ void act_once(const PlainBlock& block, const BlockRules& rules, const Effects& e
     measure_tool(block, rules, state, out, result);
   } else if (effects.one_shot == Function::repetitive_cycle) {
     repetitive_block(block, rules, effects.argument, state, out, result);
+  } else if (effects.one_shot == Function::hole_pattern) {
+    result.moved = true;
+    drill_pattern(block, rules, effects.argument, state, out, result);
   } else if (effects.one_shot == Function::data_input) {
     result.sets_data = true;
   } else if (effects.one_shot == Function::transformation) {
@@ -318,7 +329,7 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
   if ((block.present & kToolWords) != 0 || block.tool_name != kNoText || effects.tool_change)
     set_tool(block, rules, state, effects);
   if ((block.present & kSpindleWords) != 0 && !times) set_speed(block, state, effects);
-  if (((block.present | block.unknown) & kFeedWord) != 0 && !times) set_feed(block, state);
+  if (((block.present | block.unknown) & kFeedWord) != 0 && !times) set_feed(block, rules, state);
   // D of G37 is how far from its place the touch may be.
   if ((block.present & kNumberWords) != 0 && effects.one_shot != Function::measure_tool)
     set_numbers(block, rules, state);

@@ -27,8 +27,15 @@ inline constexpr std::uint32_t kNoteIncrementalFromUnknown = 16;  // where the m
 inline constexpr std::uint32_t kNoteLevelUnknown = 32;            // drilling goes back to a level that is not known
 inline constexpr std::uint32_t kNoteSkip = 128;                   // where it ends, a signal decides
 inline constexpr std::uint32_t kNoteHoleWithoutDepth = 64;        // a drilling cycle without a bottom: nothing was cut
-inline constexpr std::uint32_t kNoteArcNotComputed = 1U << 16;    // it begins or ends where nobody knows
-inline constexpr std::uint32_t kNoteArcInFrame = 1U << 17;        // the frame makes something else of it
+inline constexpr std::uint32_t kNoteLeadChange = 1U << 8;         // by how much a lead changes, the block does not say
+inline constexpr std::uint32_t kNotePatternWithoutCycle = 1U << 9;  // a figure of holes: positions, and nothing is cut
+inline constexpr std::uint32_t kNotePatternWords = 1U << 10;        // … of which a word's meaning is not certain
+inline constexpr std::uint32_t kNoteMeasuringTool = 1U << 12;       // a touch ends it and sets the tool's length
+inline constexpr std::uint32_t kNotePolynomialStraight = 1U << 13;  // straight to the end of a polynomial
+inline constexpr std::uint32_t kNotePolynomialDiameter = 1U << 14;  // … whose coefficients are of a diameter
+inline constexpr std::uint32_t kNotePolynomialAlone = 1U << 15;     // words of a polynomial (PO) without POLY
+inline constexpr std::uint32_t kNoteArcNotComputed = 1U << 16;      // it begins or ends where nobody knows
+inline constexpr std::uint32_t kNoteArcInFrame = 1U << 17;          // the frame makes something else of it
 inline constexpr std::uint32_t kNoteCornerNotComputed = 1U << 18;
 inline constexpr std::uint32_t kNoteMeasuring = 1U << 19;  // where the move ends, a probe decides
 inline constexpr std::uint32_t kNoteSpline = 1U << 20;     // how it bends is taken as usual, and was not looked at
@@ -40,11 +47,6 @@ inline constexpr std::uint32_t kNoteDirectAngle = 1U << 25;     // an angle (,A)
 inline constexpr std::uint32_t kNoteTransformed = 1U << 26;     // a plane of X and C that its place is not known in
 inline constexpr std::uint32_t kNoteContourOffset = 1U << 28;   // OFFN beside the radius that is compensated
 inline constexpr std::uint32_t kNoteSplineStraight = 1U << 27;  // … straight to its point
-
-inline constexpr std::uint32_t kNoteMeasuringTool = 1U << 12;       // a touch ends it and sets the tool's length
-inline constexpr std::uint32_t kNotePolynomialStraight = 1U << 13;  // straight to the end of a polynomial
-inline constexpr std::uint32_t kNotePolynomialDiameter = 1U << 14;  // … whose coefficients are of a diameter
-inline constexpr std::uint32_t kNotePolynomialAlone = 1U << 15;     // words of a polynomial (PO) without POLY
 
 struct BlockResult {
   Flow flow = Flow::next;

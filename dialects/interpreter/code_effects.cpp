@@ -148,6 +148,7 @@ constexpr CodeRow kCodeRows[] = {
     {Function::skip_move, one_shot},
     {Function::measure_tool, one_shot},
     {Function::repetitive_cycle, one_shot},
+    {Function::hole_pattern, one_shot},
     {Function::comp_off, [](CodeContext& c) { comp(c, ir::CompSide::off); }},
     {Function::comp_left, [](CodeContext& c) { comp(c, ir::CompSide::left); }},
     {Function::comp_right, [](CodeContext& c) { comp(c, ir::CompSide::right); }},
@@ -199,6 +200,8 @@ void apply_codes(const PlainBlock& block, const BlockRules& rules, ModalState& s
       state.modes.motion = code.function;
       if (code.function == Function::spline) [[unlikely]]
         state.modes.spline = code.argument;
+      if (code.function == Function::thread_changing) [[unlikely]]
+        state.modes.lead_shrinks = code.argument == 1;
       state.modes.motion_given = state.modes.motion_modelled = true;
       if (state.drilling.active) state.drilling = {};
       if (state.turning.active) state.turning = {};

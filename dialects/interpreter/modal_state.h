@@ -31,7 +31,7 @@ struct PointFrame {
 
 // The modal codes and the programmable shift: what a subprogram with SAVE gives back when it returns.
 struct Modes {
-  ir::Function motion = ir::Function::rapid;  // rapid, linear, arc_cw, arc_ccw, thread
+  ir::Function motion = ir::Function::rapid;  // rapid, linear, arc_cw, arc_ccw, thread …
   bool motion_given = false;                  // by a code, or known from power-on
   bool motion_modelled = true;                // false: a cycle or curve is active that is not interpreted
   ir::Plane plane = ir::Plane::xy;
@@ -51,6 +51,7 @@ struct Modes {
   bool has_matrix = false;                   // it is not the identity
   AxisValues local_shift{};                  // of `shift`: what G52 says; the rest comes from frames about points
   std::array<PointFrame, 3> point_frames{};  // G51.1, G51, G68: the outer one first
+  bool lead_shrinks = false;                 // G35 of SINUMERIK, where a lead changes
   std::int16_t spline = 0;                   // which one, and how it begins and ends: ir/spline_use.h
   std::int16_t spline_begin = 0;
   std::int16_t spline_end = 0;

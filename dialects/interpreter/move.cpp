@@ -31,6 +31,7 @@ void move_by(Mover& mover, Function motion, const Target& target) {
     return mover.arc(motion == Function::arc_cw ? MotionKind::arc_cw : MotionKind::arc_ccw, target);
   if (motion == Function::arc_via) return mover.arc_via(target);
   if (motion == Function::arc_tangent) return mover.arc_tangent(target);
+  if (motion == Function::thread_changing) return mover.changing_thread(target);
   const bool threads = motion == Function::thread || motion == Function::tap || motion == Function::tap_retract;
   mover.straight(motion == Function::linear ? MotionKind::linear
                  : threads                  ? MotionKind::thread

@@ -1,6 +1,10 @@
 // Straight moves and threads, and what every move does to the state.
 #include "dialects/interpreter/mover.h"
 
+#include <cmath>
+
+#include "dialects/ir/thread_lead.h"
+
 namespace dripfeed::interpreter {
 
 using ir::Address;
@@ -32,6 +36,10 @@ ir::CompSide comp_of(const Modes& modes) {
 std::int32_t number_of(double value) {
   constexpr double kMost = 1e6;
   return value >= 0.0 && value <= kMost ? static_cast<std::int32_t>(value) : 0;
+}
+
+bool has_lead_letter(const PlainBlock& block) {
+  return block.has(Address::i) || block.has(Address::j) || block.has(Address::k);
 }
 
 }  // namespace
@@ -75,16 +83,50 @@ void Mover::straight(MotionKind kind, const Target& target) {
   const AxisValues start = state_.position;
   const std::uint16_t unknown_before = state_.unknown;
   emit(kind, target, feed);
-  if (kind != MotionKind::linear) {
-    state_.tangent_known = false;
-    return leave_corners();
-  }
+  if (kind != MotionKind::linear) return end_contour();
   for (std::size_t axis = 0; axis < 3; ++axis) state_.tangent[axis] = radius_of(axis, target.end[axis] - start[axis]);
   // An axis outside the plane may be one that the machine has not got.
   const auto unknown = static_cast<std::uint16_t>(unknown_before | state_.unknown);
   const PlaneAxes axes = axes_of(state_.modes.plane);
   state_.tangent_known = (unknown & 7U) == 0 || ((unknown >> axes.p | unknown >> axes.q) & 1U) == 0;
   finish_corner();
+}
+
+// Where K, I or J is the lead, F is its change; otherwise F is the lead and K the change. The lead counts along the
+// axis that moves most. (SINUMERIK PG, "Thread cutting with increasing or decreasing lead"; Fanuc 0i-F B-64604EN-1,
+// "Variable lead threading".)
+void Mover::changing_thread(const Target& target) {
+  const bool by_letters = !rules_.semantics.arc_radius_is_r;
+  const double first = by_letters && !has_lead_letter(block_) ? 0.0 : by_letters ? lead() : state_.feed;
+  const double change = lead_change(by_letters ? Address::f : Address::k);
+  double way = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    way = std::max(way, std::abs(radius_of(axis, target.end[axis] - state_.position[axis])));
+  const bool known = ((state_.unknown | target.unknown) & target.commanded) == 0;
+  if (first < 0.0 || (known && first > 0.0 && way > 0.0 && !(ir::lead_after(first, change, way) > 0.0))) {
+    result_.fault = text::DiagnosticId::thread_invalid;
+    result_.reason = first < 0.0 ? "its lead is below 0" : "its lead falls to 0 before its end";
+    return;
+  }
+  emit(MotionKind::thread, target, first).center[0] = change;
+  end_contour();
+}
+
+double Mover::lead_change(ir::Address address) const {
+  const bool inch = address == Address::f ? state_.modes.inch_feed : state_.modes.inch;
+  const bool counted = (block_.in_increments & bit_of(address)) != 0;
+  // A parameter decides what a number without a point counts; G70 and F what unit the change is in.
+  if (!block_.has(address) || counted || inch != state_.modes.inch) result_.notes |= kNoteLeadChange;
+  if (!block_.has(address)) return 0.0;
+  const double change = rules_.length_mm(block_, address, inch);
+  // The code itself says which way.
+  if (address == Address::f && change < 0.0) result_.notes |= kNoteLeadChange;
+  return state_.modes.lead_shrinks ? -change : change;
+}
+
+void Mover::end_contour() {
+  state_.tangent_known = false;
+  leave_corners();
 }
 
 void Mover::leave_corners() {

@@ -20,6 +20,8 @@ class Mover {
       : block_(block), rules_(rules), options_(options), state_(state), out_(out), result_(result) {}
 
   void straight(ir::MotionKind kind, const Target& target);
+  // G34, G35: a thread whose lead grows or shrinks. Fault thread_invalid: it falls to nothing on the way.
+  void changing_thread(const Target& target);
   // CIP: through the point that I1 J1 K1 name.
   void arc_via(Target target);
   // CT: leaves the move before it without a corner.
@@ -51,6 +53,10 @@ class Mover {
   }
   // Of a thread: K, I or J where one is given, otherwise F.
   [[nodiscard]] double lead() const;
+  // mm in each turn; 0 and a note where the block does not say it for certain.
+  [[nodiscard]] double lead_change(ir::Address address) const;
+  // The move belongs to no contour that a corner or a tangent could go on from.
+  void end_contour();
   ir::Motion& emit(ir::MotionKind kind, const Target& target, double feed);
   void fail(text::DiagnosticId id, double first, double second);
   std::optional<PlanePoint> fail_center(text::DiagnosticId id, double first, double second);

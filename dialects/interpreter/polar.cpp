@@ -59,11 +59,16 @@ void put_coordinates(PlainBlock& made, const BlockRules& rules, const ModalState
       made.unknown |= bit_of(letter);
       continue;
     }
-    put_absolute(made, letter, written_value(rules, state, axis, at[i]));
+    put_coordinate(made, rules, state, axis, at[i]);
   }
 }
 
 }  // namespace
+
+void put_coordinate(PlainBlock& made, const BlockRules& rules, const ModalState& state, std::size_t axis,
+                    double coordinate_mm) {
+  put_absolute(made, kLetters[axis], written_value(rules, state, axis, coordinate_mm));
+}
 
 bool has_polar_words(const PlainBlock& block) { return ((block.present | block.unknown) & kPolarWords) != 0; }
 

@@ -17,6 +17,9 @@ PlainBlock with_center_at_pole(const PlainBlock& block, const BlockRules& rules,
 // Under G16: the same block with coordinates in place of a radius and an angle in the plane's two letters. A radius by
 // an increment counts from where the tool stands, an angle by an increment from the last one.
 PlainBlock with_coordinates_of_letters(const PlainBlock& block, const BlockRules& rules, ModalState& state);
+// The block then names an absolute coordinate of X, Y or Z (`axis` 0 to 2): programmed, radius value, mm.
+void put_coordinate(PlainBlock& made, const BlockRules& rules, const ModalState& state, std::size_t axis,
+                    double coordinate_mm);
 // G110, G111, G112: the pole, from the last position, the zero point or the last pole.
 void set_pole(const PlainBlock& block, const BlockRules& rules, ir::Function function, ModalState& state);
 // Where the state stands in programmed coordinates of X Y Z: radius values, mm.

@@ -109,6 +109,9 @@ void TraceWriter::write_move(const ir::Motion& motion) {
   if (motion.kind == MotionKind::rapid) return;
   append_word("F", motion.feed);
   text_ += name_in(kFeedUnits, motion.feed_mode);
+  if (motion.kind != MotionKind::thread || motion.center[0] == 0.0) return;
+  append_word(motion.center[0] > 0.0 ? "+" : "", motion.center[0]);
+  text_ += "/rev2";
 }
 
 void TraceWriter::write_event(const ir::Motion& motion) {

@@ -4,9 +4,10 @@
 //   [@k:]LINE KIND words            @k NAME declares the k-th called program before its first line
 //   12 linear X10.0000 Y0.0000 Z-1.0000 F900.0000/min
 //   13 arc-cw X20.0000 Y0.0000 Z-1.0000 G17 I5.0000 J0.0000 K0.0000 F900.0000/min
-//   rapid … | thread … F1.5000/rev | dwell P1.5000 (s) | offset 2 | tool 6 [offset 16] | tool "NAME" |
-//   comp left|right|off | spindle cw|ccw S500.0000/rpm | spindle cw S200.0000/m_min [limit 3200.0000] | spindle off |
-//   coolant flood|mist|off | message "text" | stop program|optional | end
+//   rapid … | thread … F1.5000/rev [+0.1000/rev2: by which the lead grows in each turn] | dwell P1.5000 (s) | offset 2
+//   | tool 6 [offset 16] | tool "NAME" | comp left|right|off | spindle cw|ccw S500.0000/rpm | spindle cw
+//   S200.0000/m_min [limit 3200.0000] | spindle off | coolant flood|mist|off | message "text" | stop program|optional |
+//   end
 //
 // Every move prints all axes of the control in the order X Y Z A B C U V W; a move in machine coordinates ends with
 // G53. Within one block the order is: offset, tool, spindle on, coolant on, comp, the move or dwell, coolant off,

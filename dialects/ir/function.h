@@ -15,7 +15,7 @@ enum class Function : std::uint8_t {
   arc_cw,
   arc_ccw,
   thread,
-  thread_changing,  // G34, G35: its lead grows or shrinks along the way; argument 1: by what the word says, it shrinks
+  thread_changing,  // G34: its lead grows by a word's value in each turn; argument 1: it shrinks by it (G35)
   arc_via,          // CIP
   arc_tangent,      // CT
   spline,           // ASPLINE, BSPLINE, CSPLINE: argument as ir/spline_use.h
@@ -96,7 +96,6 @@ enum class Function : std::uint8_t {
   cycle_off,
   turning_cycle,     // argument: 0 along Z (G90), 1 thread (G92), 2 along X (G94)
   repetitive_cycle,  // argument: 0 to 6 as G70 to G76
-  circle_cut,        // G12, G13 of a mill: a whole circle from its centre and back; argument: 1 counterclockwise
   hole_pattern,      // G34 to G37.1 of a mill: the cycle in effect at each hole; argument as ir/hole_pattern.h
   return_to_initial,
   return_to_r,  // G98, G99 of mills

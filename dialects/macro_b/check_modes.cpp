@@ -19,12 +19,12 @@ using enum text::DiagnosticId;
 
 bool is_cut(Function f) {
   return f == Function::linear || f == Function::arc_cw || f == Function::arc_ccw || f == Function::thread ||
-         f == Function::nurbs || f == Function::drill;
+         f == Function::thread_changing || f == Function::nurbs || f == Function::drill;
 }
 
 // Controls that have alarms of their own for the feed of a tap and the lead of a thread.
 ir::AlarmDetail detail_of(const ir::Code& code) {
-  if (code.function == Function::thread) return ir::AlarmDetail::thread;
+  if (code.function == Function::thread || code.function == Function::thread_changing) return ir::AlarmDetail::thread;
   if (code.function != Function::drill) return ir::AlarmDetail::none;
   const auto cycle = static_cast<ir::DrillCycle>(code.argument % ir::kDrillAlongZ);
   const bool taps = cycle == ir::DrillCycle::tap_right || cycle == ir::DrillCycle::tap_left;

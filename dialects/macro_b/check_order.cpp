@@ -115,7 +115,7 @@ class OrderCheck {
     if (code.group == ir::ModalGroup::motion) {
       arc_ = f == Function::arc_cw || f == Function::arc_ccw;
       cuts_ = arc_ || f == Function::linear;
-      threads_ = f == Function::thread;
+      threads_ = f == Function::thread || f == Function::thread_changing;
       moves_known_ = true;
     }
     if (code.group == ir::ModalGroup::motion || f == Function::cycle_off) cycle_ = State::off;
@@ -178,7 +178,8 @@ class OrderCheck {
     }
     if (!inverse_time_ || !has_own_alarm(code_not_in_mode, ir::AlarmDetail::inverse_time)) return;
     const bool refused = code.function == Function::drill || code.function == Function::thread ||
-                         code.function == Function::turning_cycle || code.function == Function::repetitive_cycle;
+                         code.function == Function::thread_changing || code.function == Function::turning_cycle ||
+                         code.function == Function::repetitive_cycle;
     if (refused)
       findings_.add(code_not_in_mode, code.span, {std::string(written(code)), std::string(inverse_time_by_)},
                     ir::AlarmDetail::inverse_time);

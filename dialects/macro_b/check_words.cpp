@@ -38,7 +38,8 @@ BlockUse use_of(const ir::Program& program, const ir::Block& block) {
   for (const ir::Code& code : program.codes_of(block)) {
     use.arc |= code.function == Function::arc_cw || code.function == Function::arc_ccw;
     use.hole |= code.function == Function::drill;
-    use.other_words |= code.function == Function::not_modelled || code.function == Function::measure_tool;
+    use.other_words |= code.function == Function::not_modelled || code.function == Function::measure_tool ||
+                       code.function == Function::hole_pattern;
   }
   return use;
 }
@@ -73,6 +74,7 @@ class WordCheck {
     data_setting(block);
     beside_function(block);
     offset_number(block);
+    circle_cutting(block);
     std::array<bool, static_cast<std::size_t>(Address::count_)> seen{};
     for (const ir::Word& word : program_.words_of(block)) {
       bool& before = seen[static_cast<std::size_t>(word.address)];
@@ -184,6 +186,20 @@ class WordCheck {
       findings_.add(value_out_of_range, word.span,
                     {address_name(program_, word), std::string(text_of(program_, value.span)), "0",
                      text::format_shortest(kLastOffset)});
+    }
+  }
+
+  // G12 and G13 of a mill cut a circle, smaller by the offset that D names: without D an alarm (M700V/M70V programming
+  // manual, 13.10 "Circle cutting").
+  void circle_cutting(const ir::Block& block) {
+    const auto words = program_.words_of(block);
+    if (std::ranges::find(words, Address::d, &ir::Word::address) != words.end()) return;
+    for (const ir::Code& code : program_.codes_of(block)) {
+      if (code.function != Function::not_modelled) continue;
+      const std::string_view name = program_.strings.at(code.name);
+      if (name != "G12" && name != "G13") continue;
+      text::Diagnostic* finding = findings_.add(comp_without_number, code.span, {std::string(name)});
+      if (finding != nullptr) finding->severity = text::Severity::error;
     }
   }
 

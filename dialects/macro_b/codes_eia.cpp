@@ -1,6 +1,7 @@
 // Codes that Mazak's EIA and Mitsubishi's M800/M80, which are of one family, have alike and Fanuc has not.
 #include <array>
 
+#include "dialects/ir/hole_pattern.h"
 #include "dialects/macro_b/codes.h"
 
 namespace dripfeed::macro_b {
@@ -21,13 +22,14 @@ constexpr auto kAll = std::to_array<CodeRow>({
     {"G61.1", 611, Function::continuous_path, 0, ModalGroup::exact_stop, kList},
     {"G61.2", 612, Function::continuous_path, 0, ModalGroup::exact_stop, kList},
 });
-// Hole patterns.
+constexpr std::string_view kPatterns =
+    "M700V/M70V programming manual 13.2 (G34); the others from memory of the M800/M80 manual, special fixed cycles";
 constexpr auto kMill = std::to_array<CodeRow>({
-    {"G34", 340, Function::not_modelled, 0, ModalGroup::non_modal, kList},
-    {"G35", 350, Function::not_modelled, 0, ModalGroup::non_modal, kList},
-    {"G36", 360, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    {"G34", 340, Function::hole_pattern, ir::kHolesOnCircle, ModalGroup::non_modal, kPatterns},
+    {"G35", 350, Function::hole_pattern, ir::kHolesOnLine, ModalGroup::non_modal, kPatterns},
+    {"G36", 360, Function::hole_pattern, ir::kHolesOnArc, ModalGroup::non_modal, kPatterns},
     {"G37", 370, Function::measure_tool, 0, ModalGroup::non_modal, kList},
-    {"G37.1", 371, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    {"G37.1", 371, Function::hole_pattern, ir::kHolesOnGrid, ModalGroup::non_modal, kPatterns},
 });
 // clang-format on
 

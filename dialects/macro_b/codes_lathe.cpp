@@ -20,7 +20,7 @@ constexpr std::string_view kList = "0i-F B-64604EN-1, G code list; Mazak and Mit
 
 // clang-format off
 constexpr auto kLathe = std::to_array<CodeRow>({
-    {"G34", 340, Function::not_modelled, 0, ModalGroup::motion, kList},
+    {"G34", 340, Function::thread_changing, 0, ModalGroup::motion, kList},
     {"G36", 360, Function::measure_tool, 1, ModalGroup::non_modal, kList},
     {"G37.1", 371, Function::measure_tool, 2, ModalGroup::non_modal, kList},
     {"G37.2", 372, Function::measure_tool, 3, ModalGroup::non_modal, kList},

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "dialects/ir/axis_letters.h"
+#include "dialects/ir/hole_pattern.h"
 #include "dialects/macro_b/lower.h"
 #include "dialects/macro_b/variables.h"
 #include "dialects/passes/walk.h"
@@ -46,7 +47,8 @@ const ir::CodeRow* find_function(const ir::Control& control, Function function, 
                         function == Function::drill || function == Function::turning_cycle ||
                         function == Function::repetitive_cycle || function == Function::rotate ||
                         function == Function::scale || function == Function::mirror ||
-                        function == Function::set_coordinates || function == Function::transformation;
+                        function == Function::set_coordinates || function == Function::transformation ||
+                        function == Function::hole_pattern || function == Function::thread_changing;
   for (const auto table : {control.g_codes, control.m_codes}) {
     const auto row = std::ranges::find_if(
         table, [&](const ir::CodeRow& r) { return r.function == function && (!numbered || r.argument == argument); });
@@ -203,13 +205,15 @@ std::string ProgramPrinter::block(const ir::Block& block) const {
     out += part;
   };
   const auto codes = program_.codes_of(block);
+  const bool p_is_angle = std::ranges::any_of(
+      codes, [](const ir::Code& c) { return c.function == Function::hole_pattern && c.argument == ir::kHolesOnArc; });
   const auto add_part = [&](bool rest) {
     for (const ir::Code& c : codes) {
       if (in_rest(block, c.span) != rest) continue;
       if (const std::string written = code(c); !written.starts_with('M')) add(written);
     }
     for (const ir::Word& w : program_.words_of(block))
-      if (in_rest(block, w.span) == rest) add(word(w));
+      if (in_rest(block, w.span) == rest) add(word(w, p_is_angle));
     for (const ir::Code& c : codes) {
       if (in_rest(block, c.span) != rest) continue;
       if (const std::string written = code(c); written.starts_with('M')) add(written);
@@ -238,7 +242,7 @@ std::string ProgramPrinter::code(const ir::Code& code) const {
   return row == nullptr ? std::string() : std::string(row->name);
 }
 
-std::string ProgramPrinter::word(const ir::Word& word) const {
+std::string ProgramPrinter::word(const ir::Word& word, bool p_is_angle) const {
   std::string out;
   if (word.address <= Address::z) {
     out.push_back(static_cast<char>('A' + static_cast<int>(word.address)));
@@ -253,7 +257,7 @@ std::string ProgramPrinter::word(const ir::Word& word) const {
   if (value.op != Operator::constant) return out + expressions_.word_value(word.value);
   const bool is_axis = word.address == Address::h && ir::incremented_axis(control_, 'H').has_value();
   const bool counts = (kWholeAddresses.contains(out.front()) && !is_axis) || out == "S";
-  const bool whole = counts && value.value == std::floor(value.value);
+  const bool whole = counts && !(p_is_angle && word.address == Address::p) && value.value == std::floor(value.value);
   // T0606: two digits each for the tool and its offset.
   const bool pairs = out == "T" && control_.semantics.tool_word == ir::ToolWord::number_and_offset;
   if (whole) return out + fmt::format("{:0{}}", std::llround(value.value), pairs ? 4 : 0);

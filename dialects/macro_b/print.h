@@ -32,7 +32,8 @@ class ProgramPrinter {
   std::string labels_at(std::uint32_t index);
   std::string block(const ir::Block& block) const;
   std::string code(const ir::Code& code) const;
-  std::string word(const ir::Word& word) const;
+  // `p_is_angle`: P keeps its point.
+  std::string word(const ir::Word& word, bool p_is_angle) const;
   std::string assignment(const ir::Assign& assign) const;
   std::string jump(const ir::Jump& jump) const;
   std::string call(const ir::Call& call, std::string_view word) const;

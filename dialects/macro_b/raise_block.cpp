@@ -11,6 +11,7 @@
 
 #include "dialects/ir/cycle.h"
 #include "dialects/ir/frame_use.h"
+#include "dialects/ir/hole_pattern.h"
 #include "dialects/ir/transformation_use.h"
 #include "dialects/macro_b/findings.h"
 #include "dialects/macro_b/lower.h"
@@ -120,7 +121,10 @@ BlockRaiser::Traits BlockRaiser::traits_of(const std::vector<ir::Code>& codes,
     traits.tool_change |= c.function == Function::tool_change;
     traits.drills |= c.function == Function::drill;
     traits.repeats |= c.function == Function::repetitive_cycle;
-    traits.pattern |= c.function == Function::repetitive_cycle && c.argument == kPattern;
+    traits.counts_passes |= c.function == Function::repetitive_cycle && c.argument == kPattern;
+    traits.changes_lead |= c.function == Function::thread_changing;
+    traits.threads |= c.function == Function::thread || c.function == Function::thread_changing;
+    if (c.function == Function::hole_pattern) traits.pattern = c.argument;
     traits.comp |= c.function == Function::comp_left || c.function == Function::comp_right;
   }
   for (const ir::Word& w : words) {
@@ -207,7 +211,7 @@ void BlockRaiser::follow_way(const ir::Code& code) {
 
 // Words that count or weigh, with a letter that is a length elsewhere: holes (K), passes (R of G73), knots and weights.
 bool BlockRaiser::is_plain_number(const ir::Word& word, const Traits& traits) const {
-  if (word.address == Address::r) return traits.pattern || way_ == Way::curve;
+  if (word.address == Address::r) return traits.counts_passes || way_ == Way::curve;
   if (word.address != Address::k) return false;
   return way_ == Way::curve || (way_ == Way::holes && !(shifts_ && !plane_is_xy_));
 }
@@ -229,11 +233,19 @@ void BlockRaiser::word(const ir::Word& word, const Traits& traits) {
   if (traits.dwell && !from_.semantics.dwell_p_is_ms) return dwell_word(word);
   if (traits.repeats && word.address == Address::a) return draft_.words.push_back(word);  // the angle of a thread
   if (holds(kAxisLetters, word.address) && !traits.dwell) return axis_word(word);
+  if (traits.pattern >= 0 && (is_center(word) || word.address == Address::p)) return pattern_word(word, traits.pattern);
+  // What it counts without a point, a parameter decides.
+  const bool in_increments = from_.semantics.decimal_mode == ir::DecimalMode::least_increment &&
+                             program_.at(word.value).op == Operator::constant && !program_.at(word.value).has_point;
+  if (traits.changes_lead && !same_ && word.address == Address::k && in_increments)
+    return cannot(*statement_, "the change of a lead without a point");
   if (word.extension > 1) return cannot(*statement_, "a word with the number of a spindle or axis");
   ir::Word raised = word;
   raised.extension = 0;
   if (word.address == Address::spindle_limit) return speed_limit(word);
   if (word.address == Address::arc_radius) raised.address = Address::r;
+  // A lead by the letter of its axis: here it is F along either.
+  if (traits.threads && word.address == Address::i && !from_.semantics.arc_radius_is_r) raised.address = Address::f;
   if (is_center(word) && word.mode == ir::WordMode::absolute) return cannot(*statement_, "an absolute arc centre");
   if (word.address == Address::direct_angle) {
     // Not every mill has it.
@@ -252,7 +264,8 @@ void BlockRaiser::word(const ir::Word& word, const Traits& traits) {
   if (length || raised.address == Address::f) {
     const bool counts = length || from_.semantics.decimal_mode == ir::DecimalMode::calculator;
     if (counts) raised.value = with_point(raised.value, false);
-    if (raised.address == Address::f && feed_in_mm_ && !same_) raised.value = scaled(raised.value, 1.0 / 25.4);
+    if (raised.address == Address::f && feed_in_mm_ && !same_ && !traits.threads)
+      raised.value = scaled(raised.value, 1.0 / 25.4);
   }
   if (raised.address > Address::z && !(from_.dialect == to_.dialect)) {
     return cannot(*statement_, "a word that this control has no address for");
@@ -320,6 +333,15 @@ void BlockRaiser::speed_limit(const ir::Word& word) {
   if (find_function(to_, Function::set_coordinates, 0) == nullptr)
     return cannot(*statement_, "a limit of the spindle speed");
   before_.push_back({{code_of(Function::set_coordinates)}, {word_of(Address::s, word.value)}});
+}
+
+// Numbers of holes stay whole, angles are degrees, the rest are lengths.
+void BlockRaiser::pattern_word(ir::Word word, std::int16_t pattern) {
+  const bool grid = pattern == ir::kHolesOnGrid;
+  const bool count = word.address == Address::k || (grid && word.address == Address::p);
+  const bool angle = !grid && (word.address == Address::j || word.address == Address::p);
+  if (!count) word.value = with_point(word.value, angle);
+  draft_.words.push_back(word);
 }
 
 void BlockRaiser::tool_words(const Traits& traits) {

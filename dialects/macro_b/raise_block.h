@@ -40,8 +40,11 @@ class BlockRaiser {
     bool tool_change = false;
     bool comp = false;
     bool drills = false;
-    bool repeats = false;  // G70 to G76
-    bool pattern = false;  // G73 of these
+    bool repeats = false;        // G70 to G76
+    bool counts_passes = false;  // G73 of these
+    bool threads = false;
+    bool changes_lead = false;  // G34 of a lathe
+    std::int16_t pattern = -1;  // as ir/hole_pattern.h
     const ir::Word* tool = nullptr;
     const ir::Word* edge = nullptr;
     bool any_incremental = false;  // words that say so themselves, or by their letter
@@ -61,6 +64,7 @@ class BlockRaiser {
   void mill_tool(const Traits& traits);
   void length_offset(const Traits& traits);
   void speed_limit(const ir::Word& word);
+  void pattern_word(ir::Word word, std::int16_t pattern);
   void distance_frame(const Traits& traits);
   [[nodiscard]] bool keeps_rest(const ir::Block& old) const;
   void emit_all();

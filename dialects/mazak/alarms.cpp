@@ -104,6 +104,7 @@ constexpr auto kAlarms = std::to_array<AlarmRow>({
     {code_not_in_mode, "941", inverse_time},
     {rigid_tap_invalid, "952", speed_in_tap},
     {value_out_of_range, "809", surface_axis},
+    {thread_invalid, "909"},
     // Known from alarm lists and use, not from the fact sheet that the others were read from: which of its numbers
     // 911 to 918 says that a corner has no move, or one that is too short.
     {corner_without_move, "912"},

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "dialects/ir/cycle.h"
+#include "dialects/ir/hole_pattern.h"
 #include "dialects/mazak/tables.h"
 
 namespace dripfeed::mazak {
@@ -49,7 +50,7 @@ constexpr auto kMill = std::to_array<CodeRow>({
     {"G17.7", 177, Function::not_modelled, 0, ModalGroup::other, kList},
     {"G17.8", 178, Function::not_modelled, 0, ModalGroup::other, kList},
     {"G17.9", 179, Function::not_modelled, 0, ModalGroup::other, kList},
-    {"G34.1", 341, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    {"G34.1", 341, Function::hole_pattern, ir::kHolesOnCircle, ModalGroup::non_modal, kList},
     {"G71.1", 711, Function::not_modelled, 0, ModalGroup::cycle, kList},
     {"G72.1", 721, Function::not_modelled, 0, ModalGroup::cycle, kList},
     {"G75", 750, Function::not_modelled, 0, ModalGroup::cycle, kList},

@@ -1,6 +1,7 @@
 // Program errors (P...) of the M800/M80 alarm list.
 #include <array>
 
+#include "dialects/ir/alarm_details.h"
 #include "dialects/mitsubishi/tables.h"
 
 namespace dripfeed::mitsubishi {
@@ -108,6 +109,10 @@ constexpr auto kAlarms = std::to_array<AlarmRow>({
     {measuring_invalid, "P604"},
     {measuring_invalid, "P605", beside_tool},
     {measuring_invalid, "P606", without_offset},
+    {thread_invalid, "P93"},
+    {hole_pattern_invalid, "P221", ir::kNoHoles},
+    {hole_pattern_invalid, "P222", ir::kNoSpacing},
+    {hole_pattern_invalid, "P32", ir::kForeignWord},
     // Known from alarm lists and use: the fact sheet names the row (P48x, P390 to P397) and not the number.
     {code_not_in_mode, "P481"},
     {angle_unsolved, "P392"},

@@ -19,7 +19,7 @@ using ir::StatementKind;
 
 bool is_motion(Function f) {
   return f == Function::rapid || f == Function::linear || f == Function::arc_cw || f == Function::arc_ccw ||
-         f == Function::thread;
+         f == Function::thread || f == Function::thread_changing;
 }
 
 }  // namespace

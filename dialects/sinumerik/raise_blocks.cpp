@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "dialects/ir/frame_use.h"
@@ -117,8 +118,10 @@ class BlockRaiser {
     for (const ir::Code& c : codes_) {
       if (c.group != ModalGroup::motion) continue;
       arc_is_modal_ = c.function == Function::arc_cw || c.function == Function::arc_ccw;
-      thread_is_modal_ = c.function == Function::thread;
+      thread_is_modal_ = c.function == Function::thread || c.function == Function::thread_changing;
+      lead_changes_ = c.function == Function::thread_changing;
     }
+    if (lead_changes_ && !raising_.is_own() && moves()) changing_thread(span);
     for (const ir::Word& w : words_) word(w);
     if (!raising_.is_own()) doubled(block.first_word);
     block.code_count = static_cast<std::uint32_t>(program_.codes.size()) - block.first_code;
@@ -231,6 +234,7 @@ class BlockRaiser {
     if (c.function == Function::transformation && c.argument == ir::kTransformationEnds) return;
     if (std::ranges::find(kNeedless, c.function) != std::end(kNeedless)) return;
     if (ir::ends_frame(c.function, c.argument)) return;
+    if (c.function == Function::thread_changing) return;  // written in each block that moves
     if (c.function == Function::length_offset_plus) return length_offset(c);
     if (c.function == Function::length_offset_off) return add_word(Address::d, constant(0.0), c.span);
     if (c.function == Function::set_coordinates && speed_limit()) return;
@@ -240,6 +244,29 @@ class BlockRaiser {
       return raising_.cannot(written.empty() ? std::string(ir::name_of(c.function)) : std::string(written), c.span);
     }
     add(c, name);
+  }
+
+  // G34 or G35 by the sign of the change, G33 where it is 0. The lead and its change are said in each block.
+  void changing_thread(text::Span span) {
+    const ir::Word* k = find(Address::k);
+    const std::optional<double> change = k == nullptr ? std::nullopt : literal(*k);
+    if (!change) return raising_.cannot("a thread whose lead changes by a value that its block does not say", span);
+    if (find(Address::f) == nullptr && find(Address::i) == nullptr)
+      return raising_.cannot("a thread whose lead changes, without its lead in the block", span);
+    ir::Code code;
+    code.function = Function::thread_changing;
+    code.group = ModalGroup::motion;
+    code.letter = 'G';
+    code.span = span;
+    add(code, *change > 0.0 ? "G34" : *change < 0.0 ? "G35" : "G33");
+  }
+  // A number as it is written, with its sign and in the unit of lengths.
+  [[nodiscard]] std::optional<double> literal(const ir::Word& w) const {
+    if (w.value == ir::ExpressionId::none) return std::nullopt;
+    const ir::Expression& e = program_.at(w.value);
+    if (e.op == ir::Operator::constant) return e.value;
+    if (e.op != ir::Operator::negate || program_.at(e.a).op != ir::Operator::constant) return std::nullopt;
+    return -program_.at(e.a).value;
   }
 
   // G50 S3000, G92 S3000: a limit when no axis is in the block.
@@ -279,8 +306,16 @@ class BlockRaiser {
     if (w.address == Address::d && !from.d_selects_edge) return edge(w);
     if (w.address == Address::s && has(Function::set_coordinates)) w.address = Address::spindle_limit;
     // A thread's lead is K along Z and I along X here, F elsewhere.
-    if (w.address == Address::f && thread_is_modal_ && moves())
-      w.address = find(Address::z) != nullptr ? Address::k : Address::i;
+    if (lead_changes_ && !moves() && w.address == Address::f)
+      return raising_.cannot("a feed that is given while the lead of a thread changes", w.span);
+    if (lead_changes_ && moves() && w.address == Address::k) {
+      w.address = Address::f;
+      w.value = program_.add_constant(std::abs(literal(w).value_or(0.0)), w.span);
+      if (program_.at(w.value).value == 0.0) return;  // G33
+    } else if (w.address == Address::f && thread_is_modal_ && moves()) {
+      const bool along_z = find(Address::z) != nullptr || (from.incremental_letters_uvw && find(Address::w) != nullptr);
+      w.address = along_z ? Address::k : Address::i;
+    }
     if (w.address == Address::r && from.arc_radius_is_r) {
       if (!arc_is_modal_) return raising_.cannot("the word R", w.span);
       w.address = Address::arc_radius;
@@ -357,7 +392,8 @@ class BlockRaiser {
   bool dwell_ = false;
   bool arc_is_modal_ = false;
   bool thread_is_modal_ = false;
-  double tool_ = -1.0;  // the last one called, in the order of the text
+  bool lead_changes_ = false;  // … by G34
+  double tool_ = -1.0;         // the last one called, in the order of the text
 };
 
 }  // namespace

@@ -141,6 +141,7 @@ std::span<const ModalState::Row> ModalState::rows() {
       {Function::rapid, [](ModalState& m, const ir::Code&) { m.move(false); }},
       {Function::linear, [](ModalState& m, const ir::Code&) { m.move(true); }},
       {Function::thread, [](ModalState& m, const ir::Code&) { m.move(false); }},
+      {Function::thread_changing, [](ModalState& m, const ir::Code&) { m.move(false); }},
       {Function::tap, [](ModalState& m, const ir::Code&) { m.move(false); }},
       {Function::tap_retract, [](ModalState& m, const ir::Code&) { m.move(false); }},
       {Function::spline, [](ModalState& m, const ir::Code&) { m.move(true); }},

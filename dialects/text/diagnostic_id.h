@@ -122,6 +122,8 @@ enum class DiagnosticId : std::uint16_t {
   cycle_shape_not_monotonic,
   cycle_shape_too_long,
   curve_invalid,
+  thread_invalid,
+  hole_pattern_invalid,
   code_not_in_mode,
   vacant_value,
   limit_reached,

@@ -122,6 +122,13 @@ TEST(Stream, SaysWhatTheReaderSays) {
                            "X--1.\nM30\n",
                            "X1.Y2.;X3.\n;\nM30\n"})
     expect_same(text, fanuc(), mill);
+  const ir::Control lathe = fanuc().control(ir::MachineKind::lathe, ir::GSystem::a);
+  for (const char* text : {"G00 X20. Z5.\nG34 Z-30. F2. K0.1\nZ-60. F4. K0.1\nG01 X30.\nM30\n",
+                           "G00 X20. Z5.\nG34 Z-50. F2. K-0.1\nM30\n"})
+    expect_same(text, fanuc(), lathe);
+  const Dialect& m80 = *find_dialect("mitsubishi-m80");
+  expect_same("G90 G81 X0. Y0. Z-9. R2. L0 F99.\nG34 X10. Y0. I5. J30. K3\nG35 X0. Y0. I4. J90. K2\nX7.\nG80\nM30\n",
+              m80, m80.control(ir::MachineKind::mill, ir::GSystem::a));
 }
 
 TEST(Stream, SinumerikPlainBlocks) {
@@ -136,7 +143,8 @@ TEST(Stream, SinumerikPlainBlocks) {
     for (const char* other :
          {"R1=5\nX=R1\nM30\n", "X10 X20\nM30\n", "G1 X10 CR=5\nM30\n", "G96 S100\nM30\n", "X1EX2\nM30\n",
           "X1 =5\nM30\n", "MSG(\"A\")\nX1 F1\nM2\n", "G1 G0 X1\nM30\n", "%_N_A_MPF\n;$PATH=/_N_MPF_DIR\nX1\nM30\n",
-          "/X1\nM30\n", "G1 X\nM30\n", "AA: X1\nM30\n", "D1.5\nM30\n", "M17\n", "RET\n", "X1"})
+          "G0 X1 Z9\nG35 Z0 K2 F0.1\nZ-9 K1 F0.01\nG1 X5\nM30\n", "/X1\nM30\n", "G1 X\nM30\n", "AA: X1\nM30\n",
+          "D1.5\nM30\n", "M17\n", "RET\n", "X1"})
       expect_same(other, sinumerik(), control);
   }
 }

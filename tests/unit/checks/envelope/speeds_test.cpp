@@ -34,6 +34,18 @@ TEST(Speeds, ChecksFeedsOfEachMode) {
   EXPECT_EQ(run({cut}).findings.count(DiagnosticId::feed_too_high), 1U);
 }
 
+// 1 mm with 0.5 more in each turn is 3 after 8 mm: that fast the thread ends.
+TEST(Speeds, AThreadIsFastestWhereItsLeadIsLongest) {
+  ir::Motion cut = move(thread, 100, 0, 100, -8);
+  cut.feed_mode = ir::FeedMode::per_rev;
+  cut.spindle_rpm = 1000;
+  cut.feed = 1;
+  cut.center[0] = 0.5;
+  EXPECT_DOUBLE_EQ(run({cut}).feed_max_mm_min, 3000);
+  cut.center[0] = -0.05;
+  EXPECT_DOUBLE_EQ(run({cut}).feed_max_mm_min, 1000);
+}
+
 TEST(Speeds, ChecksTheSpindleAndSurfaceSpeed) {
   ir::Motion cut = move(linear, 100, 0, 20, 0);
   cut.spindle = ir::SpindleState::clockwise;

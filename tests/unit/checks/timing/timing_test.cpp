@@ -283,6 +283,25 @@ TEST(Timing, AWindowGivesWhatTheWholeProgramGives) {
   }
 }
 
+// 1 mm at first and 0.5 more in each turn are 8 mm in four turns; the lead of a cone counts along its longer axis.
+TEST(Timing, AThreadTakesItsTurns) {
+  const checks::Machine machine;  // no limits: turns alone take time
+  const auto seconds = [&](double x, double z, double lead, double change) {
+    Program program;
+    ir::Motion& cut = program.move(thread, x, 0, z, lead);
+    cut.feed_mode = ir::FeedMode::per_rev;
+    cut.spindle = ir::SpindleState::clockwise;
+    cut.spindle_rpm = 60;
+    cut.center[0] = change;
+    return program.run({.machine = machine}).cycle_s;
+  };
+  EXPECT_NEAR(seconds(0, -8, 1, 0), 8, 1e-12);
+  EXPECT_NEAR(seconds(0, -8, 1, 0.5), 4, 1e-12);
+  EXPECT_NEAR(seconds(0, -8, 3, -0.5), 4, 1e-12);
+  EXPECT_NEAR(seconds(3, -8, 1, 0.5), 4, 1e-12);
+  EXPECT_NEAR(seconds(3, -8, 1, 0), 8, 1e-12);
+}
+
 TEST(Timing, JerkMakesALongMoveExactlySoMuchLonger) {
   Program program;
   program.move(linear, 100, 0, 0, 6000);

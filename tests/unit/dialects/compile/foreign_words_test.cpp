@@ -25,7 +25,7 @@ struct Case {
 
 TEST(ForeignWords, VariablesOfTheControlAreNotPassedOn) {
   const Case cases[] = {
-      {"#1=#70001", "mazak", "fanuc", "#70001"},
+      {"#1=#51998", "mazak", "fanuc", "#51998"},
       {"#1=#70001", "fanuc", "mitsubishi-m80", "#70001"},
       {"#1=#100001", "mitsubishi-m80", "mazak", "#100001"},
       {"#60001=3", "mazak", "mitsubishi-m80", "#60001"},

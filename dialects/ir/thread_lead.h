@@ -1,0 +1,22 @@
+// Threads whose lead changes by the same amount in each turn: after n turns the lead is L + c n and the way
+// L n + c n² / 2, so that its square grows with the way: lead² = L² + 2 c way.
+#pragma once
+
+#include <cmath>
+
+namespace dripfeed::ir {
+
+// The lead in mm after a way along the thread's axis, from a lead at its start that is not below 0; 0 where it falls to
+// nothing before.
+inline double lead_after(double start_lead_mm, double change_mm, double way_mm) {
+  if (change_mm == 0.0) return start_lead_mm;
+  const double square = start_lead_mm * start_lead_mm + 2.0 * change_mm * way_mm;
+  return square > 0.0 ? std::sqrt(square) : 0.0;
+}
+
+// Way divided by turns.
+inline double mean_lead(double start_lead_mm, double change_mm, double way_mm) {
+  return (start_lead_mm + lead_after(start_lead_mm, change_mm, way_mm)) / 2.0;
+}
+
+}  // namespace dripfeed::ir
