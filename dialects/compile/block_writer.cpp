@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "dialects/compile/motion_codes.h"
+
 namespace dripfeed::compile {
 
 namespace {
@@ -13,24 +15,6 @@ namespace {
 using ir::Address;
 using ir::Function;
 using ir::MotionKind;
-
-struct KindRow {
-  MotionKind kind;
-  Function function;
-};
-constexpr auto kMoves = std::to_array<KindRow>({
-    {MotionKind::rapid, Function::rapid},
-    {MotionKind::linear, Function::linear},
-    {MotionKind::spline, Function::linear},  // a piece of a curve: its chord
-    {MotionKind::arc_cw, Function::arc_cw},
-    {MotionKind::arc_ccw, Function::arc_ccw},
-    {MotionKind::thread, Function::thread},
-});
-
-constexpr std::array kAxisAddresses = {Address::x, Address::y, Address::z, Address::a, Address::b,
-                                       Address::c, Address::u, Address::v, Address::w};
-static_assert(kAxisAddresses.size() == ir::kAxisCount);
-constexpr std::array kCenterAddresses = {Address::i, Address::j, Address::k};
 
 Function function_of(ir::Plane plane) {
   switch (plane) {
@@ -50,15 +34,6 @@ Function function_of(ir::FeedMode mode) {
   return Function::none;
 }
 
-Function function_of(ir::CompSide side) {
-  switch (side) {
-    case ir::CompSide::off: return Function::comp_off;
-    case ir::CompSide::left: return Function::comp_left;
-    case ir::CompSide::right: return Function::comp_right;
-  }
-  return Function::none;
-}
-
 Function function_of(ir::CoolantState state) {
   switch (state) {
     case ir::CoolantState::off: return Function::coolant_off;
@@ -68,7 +43,11 @@ Function function_of(ir::CoolantState state) {
   return Function::none;
 }
 
-bool is_arc(MotionKind kind) { return kind == MotionKind::arc_cw || kind == MotionKind::arc_ccw; }
+// A piece of a curve is its chord.
+Function function_of(const ir::Motion& motion) {
+  if (motion.kind == MotionKind::thread) return motion.center[0] != 0.0 ? Function::thread_changing : Function::thread;
+  return plain_function_of(motion.kind).value_or(Function::linear);
+}
 
 }  // namespace
 
@@ -184,17 +163,12 @@ bool BlockWriter::counts_along_x(const ir::Motion& motion) const {
 
 // The plane's two axes only; a zero is stated, too, so that no control asks for it.
 void BlockWriter::center(const ir::Motion& motion) {
-  for (std::size_t axis = 0; axis < kCenterAddresses.size(); ++axis) {
-    const bool normal = (motion.plane == ir::Plane::xy && axis == 2) || (motion.plane == ir::Plane::zx && axis == 1) ||
-                        (motion.plane == ir::Plane::yz && axis == 0);
-    if (!normal) add(kCenterAddresses[axis], motion.center[axis]);
-  }
+  for (std::size_t axis = 0; axis < kCenterAddresses.size(); ++axis)
+    if (is_in_plane(motion.plane, axis)) add(kCenterAddresses[axis], motion.center[axis]);
 }
 
 void BlockWriter::move(const ir::Motion& motion) {
-  const bool lead_changes = motion.kind == MotionKind::thread && motion.center[0] != 0.0;
-  const Function function =
-      lead_changes ? Function::thread_changing : std::ranges::find(kMoves, motion.kind, &KindRow::kind)->function;
+  const Function function = function_of(motion);
   // Controls refuse a thread while the feed is a time.
   if (motion.kind == MotionKind::thread && feed_mode_ == ir::FeedMode::inverse_time) {
     feed_mode_ = motion.feed_mode;
@@ -210,7 +184,7 @@ void BlockWriter::move(const ir::Motion& motion) {
   }
   if (is_arc(motion.kind)) center(motion);
   feed(motion);
-  if (lead_changes) add(Address::k, motion.center[0]);
+  if (function == Function::thread_changing) add(Address::k, motion.center[0]);
   block();
 }
 

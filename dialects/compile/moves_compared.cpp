@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "dialects/compile/motion_codes.h"
 #include "dialects/compile/moves_in_place.h"
 
 namespace dripfeed::compile {
@@ -18,8 +19,7 @@ struct PlacedMove {
 };
 
 bool is_move_on(const ir::Motion& m) {
-  return ir::is_move(m.kind) && (m.start != m.end || m.kind == ir::MotionKind::arc_cw ||
-                                 m.kind == ir::MotionKind::arc_ccw || (m.axes_unknown & m.axes_commanded) != 0);
+  return ir::is_move(m.kind) && (m.start != m.end || is_arc(m.kind) || (m.axes_unknown & m.axes_commanded) != 0);
 }
 
 // `origin_of`: the source's line for a line of the run.
@@ -50,8 +50,8 @@ class Comparison {
       const double end = axis == 0 ? a.end[axis] * x_factor_ : a.end[axis];
       if (!near(end, b.end[axis])) return false;
     }
-    const bool arc = a.kind == ir::MotionKind::arc_cw || a.kind == ir::MotionKind::arc_ccw;
-    if (arc && !std::ranges::equal(a.center, b.center, [&](double x, double y) { return near(x, y); })) return false;
+    if (is_arc(a.kind) && !std::ranges::equal(a.center, b.center, [&](double x, double y) { return near(x, y); }))
+      return false;
     if (a.spindle != b.spindle || !alike(a.spindle_rpm, b.spindle_rpm)) return false;
     return a.kind == ir::MotionKind::rapid || (alike(a.feed, b.feed) && a.feed_mode == b.feed_mode);
   }

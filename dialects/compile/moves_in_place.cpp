@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/compile/motion_codes.h"
 #include "dialects/ir/cycle.h"
 
 namespace dripfeed::compile {

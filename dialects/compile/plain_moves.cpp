@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "dialects/compile/motion_codes.h"
+
 namespace dripfeed::compile {
 
 namespace {
@@ -14,17 +16,6 @@ using ir::Address;
 using ir::Function;
 using ir::ModalGroup;
 using ir::MotionKind;
-
-struct KindRow {
-  MotionKind kind;
-  Function function;
-};
-constexpr auto kMoves = std::to_array<KindRow>({
-    {MotionKind::rapid, Function::rapid},
-    {MotionKind::linear, Function::linear},
-    {MotionKind::arc_cw, Function::arc_cw},
-    {MotionKind::arc_ccw, Function::arc_ccw},
-});
 
 // Events that come of a code or word of the block itself, which stays.
 struct EventRow {
@@ -39,24 +30,6 @@ constexpr auto kEvents = std::to_array<EventRow>({
     {MotionKind::comp, ModalGroup::comp, Address::other},
 });
 
-constexpr std::array kAxes = {Address::x, Address::y, Address::z, Address::a, Address::b,
-                              Address::c, Address::u, Address::v, Address::w};
-static_assert(kAxes.size() == ir::kAxisCount);
-constexpr std::array kCenters = {Address::i, Address::j, Address::k};
-
-bool is_arc(MotionKind kind) { return kind == MotionKind::arc_cw || kind == MotionKind::arc_ccw; }
-bool in_plane(ir::Plane plane, std::size_t axis) {
-  const std::size_t normal = plane == ir::Plane::xy ? 2 : plane == ir::Plane::zx ? 1 : 0;
-  return axis < 3 && axis != normal;
-}
-Function function_of(ir::CompSide side) {
-  switch (side) {
-    case ir::CompSide::off: return Function::comp_off;
-    case ir::CompSide::left: return Function::comp_left;
-    case ir::CompSide::right: return Function::comp_right;
-  }
-  return Function::none;
-}
 bool is_length(std::size_t axis) { return axis < 3 || axis > 5; }
 
 ir::Code code(Function function, ModalGroup group) {
@@ -72,11 +45,6 @@ std::unexpected<std::string> cannot(std::string_view what) { return std::unexpec
 
 ir::Code motion_code(Function function) { return code(function, ModalGroup::motion); }
 
-std::optional<Function> plain_function_of(MotionKind kind) {
-  const auto row = std::ranges::find(kMoves, kind, &KindRow::kind);
-  return row == kMoves.end() ? std::nullopt : std::optional(row->function);
-}
-
 double PlainMoves::rounded(double value_mm) const {
   const double places = std::pow(10.0, terms_.decimals) * (terms_.unit_mm == 1.0 ? 1.0 : 10.0);
   return std::nearbyint(value_mm / terms_.unit_mm * places) / places + 0.0;
@@ -86,7 +54,7 @@ ir::Word PlainMoves::position(std::size_t axis, double value) {
   const double places = std::pow(10.0, terms_.decimals);
   const double scaled = axis == 0 ? value * terms_.x_scale : value;
   const double said = is_length(axis) ? rounded(scaled) : std::nearbyint(scaled * places) / places + 0.0;
-  ir::Word made = ir::word(kAxes[axis], program_.add_constant(said));
+  ir::Word made = ir::word(kAxisAddresses[axis], program_.add_constant(said));
   made.mode = terms_.mode;
   return made;
 }
@@ -164,11 +132,11 @@ std::expected<void, std::string> PlainMoves::move(const ir::Motion& motion, Bloc
   std::vector<ir::Word> words;
   for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
     const bool named = (motion.axes_commanded & (1U << axis)) != 0;
-    if (named || (arc && in_plane(motion.plane, axis))) words.push_back(position(axis, motion.end[axis]));
+    if (named || (arc && is_in_plane(motion.plane, axis))) words.push_back(position(axis, motion.end[axis]));
   }
-  for (std::size_t axis = 0; arc && axis < kCenters.size(); ++axis)
-    if (in_plane(motion.plane, axis))
-      words.push_back(ir::word(kCenters[axis], program_.add_constant(rounded(motion.center[axis]))));
+  for (std::size_t axis = 0; arc && axis < kCenterAddresses.size(); ++axis)
+    if (is_in_plane(motion.plane, axis))
+      words.push_back(ir::word(kCenterAddresses[axis], program_.add_constant(rounded(motion.center[axis]))));
   if (feeds && feed_ != motion.feed) words.push_back(feed_word(motion.feed));
   if (feeds) feed_ = motion.feed;
   words.insert(words.end(), rest.words.begin(), rest.words.end());

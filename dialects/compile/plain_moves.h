@@ -35,8 +35,6 @@ struct BlockRest {
 };
 
 ir::Code motion_code(ir::Function function);
-// The code that makes such a move: none for a kind that has no plain one (a thread, a piece of a curve).
-std::optional<ir::Function> plain_function_of(ir::MotionKind kind);
 
 class PlainMoves {
  public:

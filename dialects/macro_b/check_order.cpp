@@ -272,7 +272,6 @@ class OrderCheck {
     for (const ir::Word& word : program_.words_of(block)) {
       const bool corner = word.address == ir::Address::chamfer || word.address == ir::Address::rounding;
       if (!corner || cycle_ != State::off || !moves_known_) continue;
-      const std::string name(text_of(program_, word.span));
       const bool led = moves || has_word(block, ir::Address::direct_angle);  // an angle may stand for a coordinate
       if (!led || !cuts_)
         add_corner(word.span, "before it");

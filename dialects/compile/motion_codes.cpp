@@ -1,0 +1,45 @@
+#include "dialects/compile/motion_codes.h"
+
+namespace dripfeed::compile {
+
+using ir::Function;
+using ir::MotionKind;
+
+std::optional<Function> plain_function_of(MotionKind kind) {
+  switch (kind) {
+    case MotionKind::rapid: return Function::rapid;
+    case MotionKind::linear: return Function::linear;
+    case MotionKind::arc_cw: return Function::arc_cw;
+    case MotionKind::arc_ccw: return Function::arc_ccw;
+    case MotionKind::spline:
+    case MotionKind::thread:
+    case MotionKind::dwell:
+    case MotionKind::offset:
+    case MotionKind::tool:
+    case MotionKind::comp:
+    case MotionKind::spindle:
+    case MotionKind::coolant:
+    case MotionKind::message:
+    case MotionKind::stop:
+    case MotionKind::end: break;
+  }
+  return std::nullopt;
+}
+
+Function function_of(ir::CompSide side) {
+  switch (side) {
+    case ir::CompSide::off: return Function::comp_off;
+    case ir::CompSide::left: return Function::comp_left;
+    case ir::CompSide::right: return Function::comp_right;
+  }
+  return Function::none;
+}
+
+bool is_arc(MotionKind kind) { return kind == MotionKind::arc_cw || kind == MotionKind::arc_ccw; }
+
+bool is_in_plane(ir::Plane plane, std::size_t axis) {
+  const std::size_t normal = plane == ir::Plane::xy ? 2 : plane == ir::Plane::zx ? 1 : 0;
+  return axis < kCenterAddresses.size() && axis != normal;
+}
+
+}  // namespace dripfeed::compile

@@ -1,0 +1,28 @@
+// What a motion is called in a block: its code, the letters of its axes and its centre.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "dialects/ir/function.h"
+#include "dialects/ir/motion.h"
+#include "dialects/ir/statement.h"
+
+namespace dripfeed::compile {
+
+// In the order of Motion::end and Motion::center.
+inline constexpr std::array kAxisAddresses = {ir::Address::x, ir::Address::y, ir::Address::z,
+                                              ir::Address::a, ir::Address::b, ir::Address::c,
+                                              ir::Address::u, ir::Address::v, ir::Address::w};
+static_assert(kAxisAddresses.size() == ir::kAxisCount);
+inline constexpr std::array kCenterAddresses = {ir::Address::i, ir::Address::j, ir::Address::k};
+
+// Nothing for what has no plain code: a thread, a piece of a curve, an event.
+std::optional<ir::Function> plain_function_of(ir::MotionKind kind);
+ir::Function function_of(ir::CompSide side);
+bool is_arc(ir::MotionKind kind);
+// Whether X, Y or Z (0 to 2) lies in the plane.
+bool is_in_plane(ir::Plane plane, std::size_t axis);
+
+}  // namespace dripfeed::compile
