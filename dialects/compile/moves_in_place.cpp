@@ -93,7 +93,6 @@ void MovesInPlace::say_written(std::string name, text::Span span) {
 }
 
 std::vector<text::Diagnostic> MovesInPlace::lower(ir::Program& program) {
-  if (program.sections.size() > 1) return {};
   kinds_ = without_equal(program, from_, to_);
   if (std::ranges::all_of(kinds_, [](WithoutEqual kind) { return kind == WithoutEqual::no; })) return {};
   if (const std::string what = obstacle(program); !what.empty()) {
@@ -119,6 +118,7 @@ std::vector<text::Diagnostic> MovesInPlace::lower(ir::Program& program) {
 
 // Why the run says nothing; empty when it does.
 std::string MovesInPlace::obstacle(const ir::Program& program) {
+  if (program.sections.size() > 1) return "another program in the same text";
   if (const std::optional<OutsideInfluence> outside = outside_influence(program)) return outside->what;
   const std::set<std::uint8_t> levels = skip_levels(program);
   if (levels.size() > 1) return "block skip of several levels";

@@ -30,7 +30,7 @@ class MovesInPlace {
   MovesInPlace(const ir::Control& from, const ir::Control& to, ProgramLibrary* library)
       : from_(from), to_(to), library_(library) {}
 
-  // Replaces what it can in a text of one program; what cannot be said so is an error at its block.
+  // Replaces what it can; what cannot be said so is an error at its block.
   std::vector<text::Diagnostic> lower(ir::Program& program);
   // Whether the translation, with the source's line for each of its lines, moves as the source did; an error at the
   // first line that does not. Nothing where nothing was replaced.

@@ -316,6 +316,20 @@ class Fanuc(Maker):
         return "\n".join(lines) + "\n%\n"
 
 
+class Figures(Fanuc):
+    """Mazak and Mitsubishi mills drill figures of holes."""
+
+    def pattern(self):
+        if self.chance.random() < 0.5:
+            return super().pattern()
+        self.put("G52 X0. Y0. Z0.\nG00 X5. Y5. Z30.")
+        self.put(self.one_of("G98", "G99") + f" {self.one_of('G81', 'G82', 'G85')} Z{self.number(-15, -4)} R2. L0 F120.")
+        for _ in range(self.chance.randint(1, 2)):
+            self.put(self.one_of(f"G34 X{self.number()} Y{self.number()} I{self.number(5, 20)} J{self.number(0, 90)} K{self.chance.randint(2, 6)}", f"G35 X{self.number()} Y{self.number()} I{self.number(3, 9)} J{self.number(0, 180)} K3",
+                                 f"G36 X{self.number()} Y{self.number()} I{self.number(5, 20)} J10. P15. K{self.chance.randint(2, 5)}", f"G37.1 X{self.number()} Y{self.number()} I5. P3 J{self.one_of('4.', '-4.')} K2"))
+        self.put("G80\nG00 Z30.")
+
+
 class FanucLathe(Maker):
     """Turning cycles, threads, the face and the cylinder, between moves, loops and jumps."""
 
@@ -390,6 +404,11 @@ class FanucLathe(Maker):
         self.put(f"G32 Z{self.number(-30, -5)} F{self.one_of('1.5', '2.')}" + self.one_of("", f"\nX44. Z{self.number(-40, -30)}"))
         self.put(self.one_of("G00 X60.", "G01 X60.", "G01 X60. F0.25", "F0.3\nG00 X60."))
 
+    def changing(self):
+        self.at(40, 5)
+        self.put(f"G34 Z{self.number(-30, -10)} F{self.one_of('1.5', '2.')} K{self.one_of('0.05', '-0.02', '0.1')}" + self.one_of("", "\nG34 X48. Z-45. F2. K0.05"))
+        self.put(self.one_of("G00 X60.\nG01 X61. F0.2", "G01 X60. F0.25"))
+
     def polar(self):
         self.at(50, 5)
         self.put("G98\nC0.\nG12.1")
@@ -411,7 +430,7 @@ class FanucLathe(Maker):
         self.put(f"N{label}")
 
     def statement(self):
-        kinds = [self.move, self.move, self.single, self.single, self.face, self.many, self.many, self.plain]
+        kinds = [self.move, self.move, self.single, self.single, self.face, self.many, self.many, self.plain, self.changing]
         if self.depth == 0:
             kinds += [self.stepped, self.jump] + ([self.removal, self.hole] if self.stands else [self.polar, self.cylinder])
         self.chance.choice(kinds)()
@@ -488,7 +507,7 @@ class SinumerikLathe(Maker):
         return "\n".join(["G18 G90 G95 G71 DIAMON G40", "T1 D1", "S500 M3", "R1=2", "G0 X60 Z5", "G1 F0.3"] + self.lines + ["G0 X100", "M30"] + self.shapes) + "\n"
 
 
-MAKERS = {"sinumerik-840d": [Sinumerik, SinumerikLathe], "fanuc": [Fanuc, FanucLathe], "mazak": [Fanuc, FanucLathe], "mitsubishi-m80": [Fanuc, FanucLathe]}
+MAKERS = {"sinumerik-840d": [Sinumerik, SinumerikLathe], "fanuc": [Fanuc, FanucLathe], "mazak": [Figures, FanucLathe], "mitsubishi-m80": [Figures, FanucLathe]}
 
 
 def dripfeed(binary, *arguments):
@@ -505,7 +524,7 @@ def moves_of(binary, path, dialect, kind="mill"):
     for line in out.splitlines():
         words = line.split(" ")
         if len(words) > 1 and words[1] in MOVES:
-            moves.append((words[1], {word[0]: word[1:] for word in words[2:] if word[:1].isalpha()}))
+            moves.append((words[1], dict(("change", word) if word.endswith("/rev2") else (word[0], word[1:]) for word in words[2:] if word)))
     return moves, None
 
 
@@ -559,6 +578,9 @@ def difference_by(a, b, detour, least):
             continue
         if one[0] != other[0] or math.dist(point(one[1]), point(other[1])) > TOLERANCE_MM:
             return f"move {n}: {one} / {other}"
+        changes = [value(move[1].get("change", "0")) or 0.0 for move in (one, other)]
+        if abs(changes[0] - changes[1]) > 1e-4:
+            return f"change of the lead of move {n}: {one} / {other}"
         feeds = [value(move[1].get("F", "0")) or 0.0 for move in (one, other)]
         # A time is that of a way, and of a short one the printed decimals are more.
         share = 1e-2 if one[1].get("F", "").endswith("/inv") else 1e-3
