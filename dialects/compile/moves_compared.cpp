@@ -18,7 +18,9 @@ struct PlacedMove {
   ir::Motion motion;
 };
 
-bool is_move_on(const ir::Motion& m) {
+// Dwells, and moves that lead somewhere.
+bool matters(const ir::Motion& m) {
+  if (m.kind == ir::MotionKind::dwell) return true;
   return ir::is_move(m.kind) && (m.start != m.end || is_arc(m.kind) || (m.axes_unknown & m.axes_commanded) != 0);
 }
 
@@ -30,7 +32,7 @@ std::vector<PlacedMove> moves_of(const RecordedRun& run, const std::vector<std::
     const std::uint32_t line = origin_of(visit.line);
     if (!std::ranges::binary_search(lines, line)) continue;
     for (const ir::Motion& m : run.motions_of(visit))
-      if (is_move_on(m)) out.push_back({line, m});
+      if (matters(m)) out.push_back({line, m});
   }
   return out;
 }
@@ -42,6 +44,7 @@ class Comparison {
         tolerance_mm_(1.1 * std::pow(10.0, -std::min(from.limits.linear_decimals, to.limits.linear_decimals))) {}
 
   [[nodiscard]] bool same(const ir::Motion& a, const ir::Motion& b) const {
+    if (a.kind == ir::MotionKind::dwell) return b.kind == a.kind && alike(a.feed, b.feed);
     if (a.kind != b.kind || a.machine_coordinates != b.machine_coordinates || a.comp != b.comp) return false;
     const std::uint16_t unknown = a.axes_unknown | b.axes_unknown;
     for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
@@ -50,9 +53,11 @@ class Comparison {
       const double end = axis == 0 ? a.end[axis] * x_factor_ : a.end[axis];
       if (!near(end, b.end[axis])) return false;
     }
-    if (is_arc(a.kind) && !std::ranges::equal(a.center, b.center, [&](double x, double y) { return near(x, y); }))
+    const bool has_center = is_arc(a.kind) || a.kind == ir::MotionKind::thread;
+    if (has_center && !std::ranges::equal(a.center, b.center, [&](double x, double y) { return near(x, y); }))
       return false;
-    if (a.spindle != b.spindle || !alike(a.spindle_rpm, b.spindle_rpm)) return false;
+    const bool same_speed = alike(a.spindle_rpm, b.spindle_rpm) && alike(a.surface_speed_m_min, b.surface_speed_m_min);
+    if (a.spindle != b.spindle || a.coolant != b.coolant || !same_speed) return false;
     return a.kind == ir::MotionKind::rapid || (alike(a.feed, b.feed) && a.feed_mode == b.feed_mode);
   }
 

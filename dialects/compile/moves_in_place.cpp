@@ -62,6 +62,17 @@ ir::FeedMode feed_mode_of(Function f) {
                                             : ir::FeedMode::per_min;
 }
 
+// Arcs and the finishing cut (G70) go along the contour itself; the other moves of a cycle are its own.
+bool compensates(const ir::Program& program, const ir::Statement& s, std::span<const ir::Motion> motions) {
+  const bool follows = s.kind == StatementKind::block &&
+                       std::ranges::any_of(program.codes_of(program.blocks[s.payload]), [](const ir::Code& c) {
+                         return c.function == Function::repetitive_cycle && c.argument == 0;
+                       });
+  return !follows && std::ranges::any_of(motions, [](const ir::Motion& m) {
+    return ir::is_move(m.kind) && m.comp != ir::CompSide::off;
+  });
+}
+
 // Levels of block skip that the program has.
 std::set<std::uint8_t> skip_levels(const ir::Program& program) {
   std::set<std::uint8_t> out;
@@ -178,6 +189,8 @@ void MovesInPlace::replace(ir::Program& program, std::uint32_t index, const pass
   for (const std::string& what :
        {same_each_time(s.line, motions), terms_at(program, index, flow, terms), rest_of(program, index, rest)})
     if (!what.empty()) return cannot(fmt::format("{} {}", name, what), s.span);
+  if (kinds_[index] != WithoutEqual::arc && compensates(program, s, motions))
+    return cannot(name + " where the radius is compensated, which a cycle may do in its own way,", s.span);
   PlainMoves moves(program, out, terms);
   if (const auto done = moves.write(motions, std::move(rest)); !done)
     return cannot(name + " with " + done.error(), s.span);

@@ -23,7 +23,6 @@ struct KindRow {
 };
 constexpr auto kKinds = std::to_array<KindRow>({
     {StatementKind::procedure, "a program with parameters"},
-    {StatementKind::modal_call, "a modal call"},
     {StatementKind::execute_text, "a text that is executed as a block"},
     {StatementKind::return_to, "a return to a block of the caller"},
 });
@@ -64,8 +63,8 @@ class Search {
   std::optional<OutsideInfluence> of_statement(const ir::Statement& s) {
     const auto row = std::ranges::find(kKinds, s.kind, &KindRow::kind);
     if (row != kKinds.end()) return OutsideInfluence{std::string(row->what), s.span};
-    if (s.kind == StatementKind::call && !passes::is_standard_cycle(program_, s))
-      return OutsideInfluence{"a call of another program", s.span};
+    const bool calls = s.kind == StatementKind::call || s.kind == StatementKind::modal_call;
+    if (calls && !passes::is_standard_cycle(program_, s)) return OutsideInfluence{"a call of another program", s.span};
     if (s.kind == StatementKind::native && !program_.natives[s.payload].effects_known)
       return OutsideInfluence{std::string(program_.strings.at(program_.natives[s.payload].name)), s.span};
     if (s.kind != StatementKind::block) return std::nullopt;

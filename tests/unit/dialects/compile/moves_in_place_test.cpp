@@ -63,6 +63,14 @@ TEST(MovesInPlace, ArcsAgainAndAgainInALoop) {
   }
 }
 
+TEST(MovesInPlace, BesideModalDrilling) {
+  const std::string made = expect_same_there(
+      "G17 G90 G71 G94\nS1000 M3\nG0 X0 Y0 Z5\nCIP X20 Y0 I1=10 J1=10 F200\nG0 Z5\nMCALL CYCLE81(5,0,2,-9)\nX5 Y5\nX9\n"
+      "MCALL\nG0 Z10\nM30\n",
+      "sinumerik-840d", "fanuc", MachineKind::mill);
+  EXPECT_NE(made.find("G81"), std::string::npos) << made;
+}
+
 TEST(MovesInPlace, TheFeedAndTheMotionBehindThem) {
   // Behind the arcs the modal motion is the arc's: X50 is one; G1 and a feed of its own follow, then a rapid.
   expect_same_there(
@@ -174,6 +182,12 @@ TEST(MovesInPlace, WhatOthersDecideIsRefused) {
     EXPECT_NE(here.find(one.reason), std::string::npos) << here;
     EXPECT_NE(here.find("CIP"), std::string::npos) << here;
   }
+  const std::string nose =
+      refusal(kLathe +
+                  "G42 G00 X61.\nG71 U2. R0.5\nG71 P10 Q20 U0.4 W0.1 F0.3\nN10 G00 X20.\nG01 Z-20. F0.1\nN20 X62.\n"
+                  "G40 G00 X100.\nM30\n%\n",
+              "fanuc", "sinumerik-840d", MachineKind::lathe);
+  EXPECT_NE(nose.find("G71 where the radius is compensated"), std::string::npos) << nose;
   const std::string two =
       refusal("%_N_A_MPF\nG17 G90 G71 G94\nG0 X0 Y0\nCIP X20 Y0 I1=10 J1=10 F200\nM30\n%_N_B_SPF\nM17\n",
               "sinumerik-840d", "fanuc", MachineKind::mill);
