@@ -1,10 +1,10 @@
 // Where the holes lie, in the plane's two axes p and q, from the place that the plane's letters name (the centre of a
 // circle or an arc, the first hole of the others):
 //
-//   G34 I J K     circle    I radius, J angle of the first hole, K holes all around: counterclockwise, below 0
-//   clockwise G35 I J K     line      I from hole to hole, J its angle, K holes G36 I J P K   arc       I radius, J
-//   angle of the first hole, P from hole to hole, K holes G37.1 I P J K grid      I along p, P columns, J along q, K
-//   rows; there and back from row to row
+//   G34 I J K     circle  I radius, J angle of the first hole, K holes all around: counterclockwise, below 0 clockwise
+//   G35 I J K     line    I from hole to hole, J its angle, K holes
+//   G36 I J P K   arc     I radius, J angle of the first hole, P from hole to hole, K holes
+//   G37.1 I P J K grid    I along p, P columns, J along q, K rows; there and back from row to row
 //
 // G34 is as the M700V/M70V programming manual has it (13.2, "Special fixed cycle": G00 between the holes, the tool ends
 // over the last one, other addresses are P32); the other three are from memory of the M800/M80 manual, same section,
