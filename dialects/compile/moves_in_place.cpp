@@ -31,8 +31,8 @@ bool is_tap(const ir::Code& c) {
 }
 
 bool is_own(const ir::Code& c) {
-  return c.group == ModalGroup::motion || c.group == ModalGroup::cycle || c.group == ModalGroup::return_level ||
-         c.function == Function::repetitive_cycle || c.function == Function::hole_pattern;
+  return c.group == ModalGroup::motion || c.group == ModalGroup::cycle || c.function == Function::repetitive_cycle ||
+         c.function == Function::hole_pattern;
 }
 
 // Words that mean the same beside any move.
@@ -42,6 +42,15 @@ bool is_of_arc(Address a) {
   return a <= Address::c || (a >= Address::u && a <= Address::z) || (a >= Address::i && a <= Address::k) ||
          a == Address::f || (a >= Address::arc_radius && a <= Address::opening_angle) ||
          (a >= Address::polar_angle && a <= Address::turns) || (a >= Address::via_i && a <= Address::via_k);
+}
+
+bool is_of_shape(const ir::Code& c) {
+  return c.number == ir::ExpressionId::none && (c.group == ModalGroup::motion || c.group == ModalGroup::comp ||
+                                                c.group == ModalGroup::feed || c.group == ModalGroup::distance);
+}
+bool is_word_of_shape(Address a) {
+  return is_of_arc(a) || a == Address::r || (a >= Address::chamfer && a <= Address::rounding) ||
+         a == Address::direct_angle;
 }
 
 bool same_moves(std::span<const ir::Motion> a, std::span<const ir::Motion> b) {
@@ -115,7 +124,7 @@ std::vector<text::Diagnostic> MovesInPlace::lower(ir::Program& program) {
   const passes::ModeFlow flow(program, from_);
   passes::Rewrite out(program);
   const auto count = static_cast<std::uint32_t>(program.statements.size());
-  find_compared_lines(program);
+  find_cycles(program);
   for (std::uint32_t i = 0; i < count; ++i) {
     out.at(i);
     if (kinds_[i] != WithoutEqual::no)
@@ -168,7 +177,7 @@ std::string MovesInPlace::run(const ir::Program& program, ProgramLibrary& librar
     if (!ends) return "a text that is no main program with its end";
     if (!runs_.back().is_whole) return "a run of that many moves";
   }
-  return {};
+  return lost_with_shape(program);
 }
 
 bool MovesInPlace::is_dropped(std::uint32_t line) const {
@@ -257,10 +266,13 @@ std::string MovesInPlace::rest_of(const ir::Program& program, std::uint32_t inde
     if (is_tap(c)) return "on a lathe";
     if (c.number != ir::ExpressionId::none) return "beside a code with a calculated number";
     if (is_own(c)) continue;
+    if (kinds_[index] == WithoutEqual::drilling && c.function == Function::machine_function)
+      return "with an M function, which the cycle gives its own time,";
     const bool ends = c.function == Function::coolant_off || c.function == Function::spindle_stop ||
                       c.function == Function::program_stop || c.function == Function::optional_stop;
     const bool sets = c.group == ModalGroup::plane || c.group == ModalGroup::distance || c.group == ModalGroup::unit ||
-                      c.group == ModalGroup::work_offset || c.group == ModalGroup::diameter;
+                      c.group == ModalGroup::work_offset || c.group == ModalGroup::diameter ||
+                      c.group == ModalGroup::return_level;
     (ends ? rest.after : sets ? rest.before : rest.codes).push_back(c);
   }
   const bool arc = kinds_[index] == WithoutEqual::arc;
@@ -314,24 +326,31 @@ MovesInPlace::Restored MovesInPlace::restored(const ir::Program& program, std::u
   return out;
 }
 
-// The replaced ones and all blocks of one move.
-void MovesInPlace::find_compared_lines(const ir::Program& program) {
-  std::set<std::uint32_t> several;
-  std::set<std::uint32_t> moving;
-  for (const RecordedRun& run : runs_) {
-    for (const Visit& visit : run.visits) {
-      const auto count =
-          std::ranges::count_if(run.motions_of(visit), [](const ir::Motion& m) { return ir::is_move(m.kind); });
-      if (count > 0) moving.insert(visit.line);
-      if (count > 1) several.insert(visit.line);
+// Kept lines of several moves, and where each line stands.
+void MovesInPlace::find_cycles(const ir::Program& program) {
+  for (const RecordedRun& run : runs_)
+    for (const Visit& visit : run.visits)
+      if (std::ranges::count_if(run.motions_of(visit), [](const ir::Motion& m) { return ir::is_move(m.kind); }) > 1)
+        cycles_.insert(visit.line);
+  for (const std::uint32_t line : owners_) cycles_.erase(line);
+  for (const ir::Statement& s : program.statements) spans_.try_emplace(s.line, s.span);
+}
+
+// The blocks of a shape go with it. They may hold nothing but moves: an M function, a limit of the speed or an
+// assignment would be lost.
+std::string MovesInPlace::lost_with_shape(const ir::Program& program) const {
+  for (const ir::Statement& s : program.statements) {
+    if (!is_dropped(s.line) || s.kind == StatementKind::empty) continue;
+    bool moves = s.kind == StatementKind::block && s.skip_level == 0;
+    if (moves) {
+      const ir::Block& block = program.blocks[s.payload];
+      moves =
+          block.rest_level == 0 && std::ranges::all_of(program.codes_of(block), is_of_shape) &&
+          std::ranges::all_of(program.words_of(block), [](const ir::Word& w) { return is_word_of_shape(w.address); });
     }
+    if (!moves) return "a shape that holds more than moves, in line " + std::to_string(s.line) + ",";
   }
-  for (const std::uint32_t line : moving)
-    if (!several.contains(line) || std::ranges::find(owners_, line) != owners_.end()) compared_.push_back(line);
-  for (const std::uint32_t line : compared_) {
-    const auto s = std::ranges::find(program.statements, line, &ir::Statement::line);
-    compared_spans_.push_back(s == program.statements.end() ? text::Span{} : s->span);
-  }
+  return {};
 }
 
 }  // namespace dripfeed::compile

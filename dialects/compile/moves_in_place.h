@@ -6,7 +6,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -55,20 +57,21 @@ class MovesInPlace {
   [[nodiscard]] std::optional<std::uint32_t> first_difference(const ir::Program& translation,
                                                               const std::vector<std::uint32_t>& origin_lines,
                                                               std::size_t setting) const;
-  void find_compared_lines(const ir::Program& program);
+  void find_cycles(const ir::Program& program);
+  [[nodiscard]] std::string lost_with_shape(const ir::Program& program) const;
   void cannot(std::string what, text::Span span);
   void say_written(std::string name, text::Span span);
 
   const ir::Control& from_;
   const ir::Control& to_;
   ProgramLibrary* library_;
-  std::vector<WithoutEqual> kinds_;         // by statement
-  std::vector<LineRange> shapes_;           // of the text
-  std::vector<std::uint32_t> owners_;       // lines of what is replaced
-  std::vector<std::uint32_t> settings_;     // of the switches of block skip
-  std::vector<RecordedRun> runs_;           // one a setting
-  std::vector<std::uint32_t> compared_;     // lines whose moves must be the same, in order
-  std::vector<text::Span> compared_spans_;  // beside them
+  std::vector<WithoutEqual> kinds_;            // by statement
+  std::vector<LineRange> shapes_;              // of the text
+  std::vector<std::uint32_t> owners_;          // lines of what is replaced
+  std::vector<std::uint32_t> settings_;        // of the switches of block skip
+  std::vector<RecordedRun> runs_;              // one a setting
+  std::map<std::uint32_t, text::Span> spans_;  // by line
+  std::set<std::uint32_t> cycles_;             // lines that make several moves and are kept
   std::vector<text::Diagnostic> diagnostics_;
 };
 

@@ -97,22 +97,15 @@ std::expected<void, std::string> PlainMoves::event(const ir::Motion& motion, con
     comp_ = function_of(motion.comp);
     return {};
   }
-  if (motion.kind != MotionKind::spindle) return cannot("a change of tool or coolant within it");
-  spindle(motion);
-  return {};
+  // A spindle that is stopped, oriented or turned back at the bottom of a hole: plain blocks would not wait for it.
+  return cannot(motion.kind == MotionKind::spindle ? "a spindle that stops or turns back within it"
+                                                   : "a change of tool or coolant within it");
 }
 
 void PlainMoves::dwell(double seconds) {
   const double value = terms_.dwell_p_is_ms ? seconds * 1000.0 : seconds;
   out_.emit_block({code(Function::dwell, ModalGroup::non_modal)},
                   {ir::word(terms_.dwell_p_is_ms ? Address::p : Address::f, program_.add_constant(value))});
-}
-
-void PlainMoves::spindle(const ir::Motion& motion) {
-  if (motion.spindle == ir::SpindleState::stopped)
-    return out_.emit_block({code(Function::spindle_stop, ModalGroup::spindle)}, {});
-  const bool right = motion.spindle == ir::SpindleState::clockwise;
-  out_.emit_block({code(right ? Function::spindle_cw : Function::spindle_ccw, ModalGroup::spindle)}, {});
 }
 
 std::expected<void, std::string> PlainMoves::move(const ir::Motion& motion, BlockRest& rest) {

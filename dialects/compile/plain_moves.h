@@ -51,7 +51,6 @@ class PlainMoves {
   std::expected<void, std::string> event(const ir::Motion& motion, const BlockRest& rest);
   std::expected<void, std::string> move(const ir::Motion& motion, BlockRest& rest);
   void dwell(double seconds);
-  void spindle(const ir::Motion& motion);
   void flush(BlockRest& rest);
   ir::Word position(std::size_t axis, double value);
   [[nodiscard]] double rounded(double value_mm) const;

@@ -197,6 +197,41 @@ TEST(MovesInPlace, WhatOthersDecideIsRefused) {
   EXPECT_NE(tap.find("G84 on a lathe"), std::string::npos) << tap;
 }
 
+// What goes along with a shape's blocks, and what counts on a cycle that is no longer there.
+TEST(MovesInPlace, WhatWouldBeLostIsRefused) {
+  const std::string rough = "G71 U2. R0.5\nG71 P10 Q20 U0.4 W0.1 F0.3\n";
+  const auto lathe = [&](const std::string& shape) {
+    return refusal(kLathe + rough + shape + "G00 X100.\nM30\n%\n", "fanuc", "sinumerik-840d", MachineKind::lathe);
+  };
+  for (const std::string shape :
+       {"N10 G00 X20. M68\nG01 Z-20. F0.1\nN20 X62.\n", "N10 G00 X20.\n#500=5\nN20 G01 X62. Z-9. F0.1\n",
+        "N10 G00 X20.\nG50 S800\nN20 G01 X62. Z-9. F0.1\n"}) {
+    const std::string here = lathe(shape);
+    EXPECT_NE(here.find("a shape that holds more than moves"), std::string::npos) << here;
+  }
+  // The second shape has the numbers of the first: which one is meant is not as it looks.
+  const std::string one = "N10 G00 X20.\nG01 Z-20. F0.1\nN20 X62.\n";
+  refusal(
+      kLathe + rough + one + "G00 X62. Z-18.\n" + rough + "N10 G00 X50.\nG01 Z-40. F0.1\nN20 X62.\nG00 X100.\nM30\n%\n",
+      "fanuc", "sinumerik-840d", MachineKind::lathe);
+  const std::string mill = "%\nO1\nG21 G17 G90 G94 G40\nS800 M03\nG00 X0. Y0. Z20.\n";
+  const std::string figure = "G34 X50. Y50. I20. J0. K4\n";
+  for (const std::string to : {"fanuc", "sinumerik-840d"}) {
+    // An oriented stop, a tap; holes and a level that count on the cycle behind the figure.
+    refusal(mill + "G98 G87 Z-10. R-15. Q0.2 F100. L0\n" + figure + "G80\nM30\n%\n", "mitsubishi-m80", to,
+            MachineKind::mill);
+    refusal(mill + "G98 G84 Z-10. R5. F100. L0\n" + figure + "G80\nM30\n%\n", "mitsubishi-m80", to, MachineKind::mill);
+    refusal(mill + "G98 G81 Z-5. R2. F100. L0\n" + figure + "X100. Y50.\nX100. Y60.\nG80\nM30\n%\n", "mitsubishi-m80",
+            to, MachineKind::mill);
+    refusal(mill + "G99 G81 Z-5. R2. F100. L0\n" + figure + "G98 G81 X100. Y50. Z-5. R2.\nX120.\nG80\nM30\n%\n",
+            "mitsubishi-m80", to, MachineKind::mill);
+    // A level that the figure's block says itself stays.
+    expect_same_there(
+        mill + "G99 G81 X5. Y5. Z-5. R2. F100.\nG98 " + figure + "G81 X100. Y50. Z-5. R2.\nX120.\nG80\nM30\n%\n",
+        "mitsubishi-m80", to, MachineKind::mill);
+  }
+}
+
 TEST(MovesInPlace, ACycleThatBecameMovesIsSaid) {
   const std::string text = kLathe + "G00 X0 Z5.\nG83 Z-30. R-3. Q5000 F0.1\nG80\nG00 Z20.\nM30\n%\n";
   const ConvertResult made = converted(text, "fanuc", "sinumerik-840d", MachineKind::lathe);

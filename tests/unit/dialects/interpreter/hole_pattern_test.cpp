@@ -1,6 +1,7 @@
 // G34 to G37.1: where the holes lie, by sines and cosines of a table, and that each is a hole of the cycle in effect.
 #include "dialects/ir/hole_pattern.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
