@@ -1,3 +1,4 @@
+// Tables of the few names that writers of blocks share.
 #include "dialects/compile/motion_codes.h"
 
 namespace dripfeed::compile {
