@@ -230,18 +230,17 @@ std::string MovesInPlace::terms_at(const ir::Program& program, std::uint32_t ind
   for (std::size_t mode = 0; mode < passes::kModes; ++mode)
     if ((*facts)[mode].agrees()) modes[mode] = (*facts)[mode].function;
   const ir::Statement& s = program.statements[index];
-  bool lengths_only = false;
   if (s.kind == StatementKind::block)
     for (const ir::Code& c : program.codes_of(program.blocks[s.payload]))
       if (const auto mode = passes::mode_of(c)) modes[passes::index_of(*mode)] = c.function;
   const auto at = [&](passes::Mode mode) { return modes[passes::index_of(mode)]; };
-  for (const ir::Code& c : program.codes) lengths_only |= c.function == Function::unit_inch && c.argument == 1;
-  if (lengths_only) return "beside G70, which leaves the feeds metric,";
+  const auto is_lengths_only = [](const ir::Code& c) { return c.function == Function::unit_inch && c.argument == 1; };
+  if (std::ranges::any_of(program.codes, is_lengths_only)) return "beside G70, which leaves the feeds metric,";
   if (at(passes::Mode::unit) == Function::none) return "where the unit of lengths is not known";
   if (at(passes::Mode::distance) == Function::none) return "where absolute or incremental is not known";
   if (at(passes::Mode::feed) == Function::none) return "where the kind of feed is not known";
   if (at(passes::Mode::plane) == Function::none) return "where the plane is not known";
-  terms.unit_mm = terms.feed_unit_mm = at(passes::Mode::unit) == Function::unit_inch ? 25.4 : 1.0;
+  terms.unit_mm = at(passes::Mode::unit) == Function::unit_inch ? 25.4 : 1.0;
   terms.plane = plane_of(at(passes::Mode::plane));
   terms.feed_mode = feed_mode_of(at(passes::Mode::feed));
   terms.dwell_p_is_ms = from_.semantics.dwell_p_is_ms;

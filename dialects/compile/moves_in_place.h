@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ namespace dripfeed::compile {
 
 class MovesInPlace {
  public:
+  // Of both runs, which are kept whole.
   static constexpr interpreter::Limits kRunLimits{.blocks = 1'000'000, .loop_passes = 1'000'000};
 
   // `library`: of contours; nullptr: there are none. The controls must outlive it.

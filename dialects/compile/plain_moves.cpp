@@ -60,7 +60,7 @@ ir::Word PlainMoves::position(std::size_t axis, double value) {
 }
 
 ir::Word PlainMoves::feed_word(double feed) {
-  const double unit = terms_.feed_mode == ir::FeedMode::inverse_time ? 1.0 : terms_.feed_unit_mm;
+  const double unit = terms_.feed_mode == ir::FeedMode::inverse_time ? 1.0 : terms_.unit_mm;
   return ir::word(Address::f, program_.add_constant(feed / unit));
 }
 

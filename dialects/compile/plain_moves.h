@@ -16,8 +16,7 @@ namespace dripfeed::compile {
 
 // What holds where the blocks are put.
 struct BlockTerms {
-  double unit_mm = 1.0;
-  double feed_unit_mm = 1.0;
+  double unit_mm = 1.0;  // of lengths and feeds
   double x_scale = 1.0;  // of the values that motions have for X
   ir::WordMode mode = ir::WordMode::as_modal;
   ir::Plane plane = ir::Plane::xy;

@@ -1,5 +1,5 @@
 // Which statements move in a way that the other control has no word for, but that could be written as plain moves: arcs
-// by a point in between or a tangent, drilling cycles of lathes, stock removal.
+// by a point in between or a tangent, drilling cycles of lathes, figures of holes, stock removal.
 #pragma once
 
 #include <string>
