@@ -9,10 +9,10 @@ using ir::MotionKind;
 std::optional<Function> plain_function_of(MotionKind kind) {
   switch (kind) {
     case MotionKind::rapid: return Function::rapid;
-    case MotionKind::linear: return Function::linear;
+    case MotionKind::linear:
+    case MotionKind::spline: return Function::linear;
     case MotionKind::arc_cw: return Function::arc_cw;
     case MotionKind::arc_ccw: return Function::arc_ccw;
-    case MotionKind::spline:
     case MotionKind::thread:
     case MotionKind::dwell:
     case MotionKind::offset:

@@ -18,7 +18,7 @@ inline constexpr std::array kAxisAddresses = {ir::Address::x, ir::Address::y, ir
 static_assert(kAxisAddresses.size() == ir::kAxisCount);
 inline constexpr std::array kCenterAddresses = {ir::Address::i, ir::Address::j, ir::Address::k};
 
-// Nothing for what has no plain code: a thread, a piece of a curve, an event.
+// Of a curve each chord is a straight cut. Nothing for what has no plain code: a thread, an event.
 std::optional<ir::Function> plain_function_of(ir::MotionKind kind);
 ir::Function function_of(ir::CompSide side);
 bool is_arc(ir::MotionKind kind);

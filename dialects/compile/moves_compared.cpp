@@ -69,10 +69,11 @@ class Comparison {
   // `of_cycle`: both are moves of a cycle that is said by another cycle.
   [[nodiscard]] bool same(const ir::Motion& a, const ir::Motion& b, bool of_cycle) const {
     if (a.kind == ir::MotionKind::dwell) return b.kind == a.kind && alike(a.feed, b.feed);
-    if (a.kind != b.kind && !(of_cycle && may_stand_for(a.kind, b.kind))) return false;
+    const bool chord = a.kind == ir::MotionKind::spline && b.kind == ir::MotionKind::linear;
+    if (a.kind != b.kind && !chord && !(of_cycle && may_stand_for(a.kind, b.kind))) return false;
     if (a.machine_coordinates != b.machine_coordinates || a.comp != b.comp || a.coolant != b.coolant) return false;
     if (!same_end(a, b)) return false;
-    if (a.kind != b.kind) return true;
+    if (a.kind != b.kind && !chord) return true;
     const bool has_center = is_arc(a.kind) || a.kind == ir::MotionKind::thread;
     if (has_center && !std::ranges::equal(a.center, b.center, [&](double x, double y) { return near(x, y); }))
       return false;

@@ -82,6 +82,10 @@ bool compensates(const ir::Program& program, const ir::Statement& s, std::span<c
   });
 }
 
+bool has_curve(std::span<const ir::Motion> motions) {
+  return std::ranges::any_of(motions, [](const ir::Motion& m) { return m.kind == ir::MotionKind::spline; });
+}
+
 // Levels of block skip that the program has.
 std::set<std::uint8_t> skip_levels(const ir::Program& program) {
   std::set<std::uint8_t> out;
@@ -198,12 +202,13 @@ void MovesInPlace::replace(ir::Program& program, std::uint32_t index, const pass
   for (const std::string& what :
        {same_each_time(s.line, motions), terms_at(program, index, flow, terms), rest_of(program, index, rest)})
     if (!what.empty()) return cannot(fmt::format("{} {}", name, what), s.span);
-  if (kinds_[index] != WithoutEqual::arc && compensates(program, s, motions))
-    return cannot(name + " where the radius is compensated, which a cycle may do in its own way,", s.span);
+  const bool plain_arc = kinds_[index] == WithoutEqual::arc && !has_curve(motions);
+  if (!plain_arc && compensates(program, s, motions))
+    return cannot(name + " where the radius is compensated, which the control may do in its own way,", s.span);
   PlainMoves moves(program, out, terms);
   if (const auto done = moves.write(motions, std::move(rest)); !done)
     return cannot(name + " with " + done.error(), s.span);
-  if (kinds_[index] != WithoutEqual::arc && !motions.empty()) say_written(name, s.span);
+  if (!plain_arc && !motions.empty()) say_written(name, s.span);
   if (const Restored again = restored(program, index, moves); !again.codes.empty() || !again.words.empty())
     out.emit_block(again.codes, again.words);
 }

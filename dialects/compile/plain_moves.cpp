@@ -110,7 +110,7 @@ void PlainMoves::dwell(double seconds) {
 
 std::expected<void, std::string> PlainMoves::move(const ir::Motion& motion, BlockRest& rest) {
   const std::optional<Function> function = plain_function_of(motion.kind);
-  if (!function) return cannot(motion.kind == MotionKind::spline ? "a curve in space" : "a thread within it");
+  if (!function) return cannot("a thread within it");
   if (motion.machine_coordinates || (motion.gaps & ir::kEndUnknown) != 0)
     return cannot("a place that is not known here");
   const bool arc = is_arc(motion.kind);

@@ -27,12 +27,13 @@ struct NoteRow {
   Report report;
 };
 // Notes that are counted like a code that is not interpreted.
-const std::array<NoteRow, 26>& counted_notes() {
-  static const std::array<NoteRow, 26> rows = {{
+const std::array<NoteRow, 27>& counted_notes() {
+  static const std::array<NoteRow, 27> rows = {{
       {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
       {kNoteReferenceUnknown, {"the way to the reference point", ir::Function::reference_return}},
       {kNoteArcNotComputed, {"arcs from or to a place that is not known"}},
-      {kNoteArcInFrame, {"arcs that a frame tilts or stretches"}},
+      {kNoteArcInFrame, {"arcs that a frame stretches"}},
+      {kNoteCompInFrame, {"compensation of the radius in a plane that a frame tilts"}},
       {kNoteCornerNotComputed, {"a chamfer or rounding that does not fit its corner"}},
       {kNoteLeadChange,
        {"the change of a thread's lead that its block does not say for certain", ir::Function::thread_changing}},

@@ -87,7 +87,20 @@ PlaneImage image_of(const Matrix& m, PlaneAxes axes) {
   const double first = std::hypot(pp, qp);
   const double second = std::hypot(pq, qq);
   const bool circles = std::abs(first - second) < 1e-9 && std::abs(pp * pq + qp * qq) < 1e-9;
-  return {.stays = out_of_plane < 1e-9 && circles, .mirrored = pp * qq - pq * qp < 0.0, .scale = first};
+  const bool tilted = !(out_of_plane < 1e-9);
+  return {.tilted = tilted, .stays = !tilted && circles, .mirrored = pp * qq - pq * qp < 0.0, .scale = first};
+}
+
+bool keeps_shapes(const Matrix& m) {
+  const auto product = [&](std::size_t a, std::size_t b) {
+    double sum = 0.0;
+    for (std::size_t row = 0; row < 3; ++row) sum += at(m, row, a) * at(m, row, b);
+    return sum;
+  };
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t b = 0; b <= a; ++b)
+      if (std::abs(product(a, b) - (a == b ? product(0, 0) : 0.0)) > 1e-9) return false;
+  return true;
 }
 
 }  // namespace dripfeed::interpreter

@@ -39,10 +39,13 @@ constexpr PlaneAxes axes_of(ir::Plane plane) {
 
 // What a frame does to arcs in a plane.
 struct PlaneImage {
-  bool stays = true;      // the plane is parallel to itself and circles stay circles
+  bool tilted = false;    // the plane is not parallel to itself any more
+  bool stays = true;      // it is, and circles stay circles
   bool mirrored = false;  // clockwise becomes counterclockwise
   double scale = 1.0;     // of radii
 };
 PlaneImage image_of(const Matrix& m, PlaneAxes axes);
+// Whether every circle stays a circle, wherever it lies: it turns, mirrors and scales all axes alike.
+bool keeps_shapes(const Matrix& m);
 
 }  // namespace dripfeed::interpreter

@@ -25,6 +25,11 @@ void settle(const Target& target, const MoveOptions& options, ModalState& state,
   state.position = target.end;
 }
 
+// Motions say their plane by its name, and the frame makes another one of it.
+bool compensates_in_tilted_plane(const Modes& modes) {
+  return modes.comp != ir::CompSide::off && image_of(modes.matrix, axes_of(modes.plane)).tilted;
+}
+
 // Left of the programmed path is right of its mirror image.
 ir::CompSide comp_of(const Modes& modes) {
   if (!modes.has_matrix || modes.comp == ir::CompSide::off) return modes.comp;
@@ -72,6 +77,8 @@ ir::Motion& emit_move(MotionKind kind, const Target& target, double feed, const 
   if (((state.unknown & target.incremental) | target.unknown) != 0) motion.gaps |= ir::kEndUnknown;
   motion.machine_coordinates = options.machine_coordinates;
   motion.exact_stop = options.exact_stop || state.modes.exact_stop;
+  if (state.modes.has_matrix && compensates_in_tilted_plane(state.modes)) [[unlikely]]
+    result.notes |= kNoteCompInFrame;
   const bool stands = kind == MotionKind::thread ? feed == 0.0 : feed <= 0.0;
   if (kind != MotionKind::rapid && stands && !state.feed_unknown) result.notes |= kNoteNoFeed;
   settle(target, options, state, result);

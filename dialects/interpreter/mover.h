@@ -10,6 +10,7 @@
 #include "dialects/interpreter/corner.h"
 #include "dialects/interpreter/frame.h"
 #include "dialects/interpreter/move.h"
+#include "dialects/interpreter/space_arc.h"
 
 namespace dripfeed::interpreter {
 
@@ -23,7 +24,7 @@ class Mover {
   // G34, G35: a thread whose lead grows or shrinks. Fault thread_invalid: it falls to nothing on the way.
   void changing_thread(const Target& target);
   // CIP: through the point that I1 J1 K1 name.
-  void arc_via(Target target);
+  void arc_via(const Target& target);
   // CT: leaves the move before it without a corner.
   void arc_tangent(const Target& target);
   void arc(ir::MotionKind kind, Target target);
@@ -79,6 +80,15 @@ class Mover {
   // TURN=n: n full circles before the arc; every axis outside the plane advances in proportion to the angle.
   void emit_turns(ir::MotionKind kind, PlaneAxes axes, PlanePoint center, double opening_deg, const Target& target);
   void emit_arc(ir::MotionKind kind, PlaneAxes axes, PlanePoint center, const Target& target);
+
+  // arcs that lie in no plane of the control's own: mover_space.cpp
+  // From where the block starts, radius values.
+  [[nodiscard]] Vector way_to_via() const;
+  [[nodiscard]] Vector way_to(const Target& target) const;
+  void arc_in_space(const SpaceArc& arc, const Target& target);
+  // By arc_cw, arc_ccw or arc_tangent in the plane as it is programmed, which the frame turns out of itself.
+  void arc_in_tilted_plane(ir::Function function, const Target& target);
+  void bring_out_of_tilted_plane(const ir::Motion& motion, const Target& target);
 
   // chamfers and roundings: mover_corner.cpp
   [[nodiscard]] PathPiece piece_of(const ir::Motion& motion, PlaneAxes axes) const;

@@ -3,6 +3,7 @@
 
 #include "dialects/interpreter/mover.h"
 #include "dialects/interpreter/polar.h"
+#include "dialects/interpreter/space_arc.h"
 
 namespace dripfeed::interpreter {
 
@@ -12,44 +13,45 @@ using ir::MotionKind;
 namespace {
 
 constexpr std::array kCenterAddresses = {Address::i, Address::j, Address::k};
+constexpr double kFlat_mm = 1e-9;
+
+// Of points of one line: whether the first lies on the way to the second.
+bool is_between(const Vector& via, const Vector& end) {
+  double along = 0.0;
+  double length2 = 0.0;
+  for (std::size_t axis = 0; axis < end.size(); ++axis) {
+    along += via[axis] * end[axis];
+    length2 += end[axis] * end[axis];
+  }
+  return along >= 0.0 && along <= length2 && length2 > 0.0;
+}
 
 }  // namespace
 
 // CIP: through the point that I1 J1 K1 name.
-void Mover::arc_via(Target target) {
+void Mover::arc_via(const Target& target) {
   const PlaneAxes axes = axes_of(state_.modes.plane);
-  constexpr std::array kVia = {Address::via_i, Address::via_j, Address::via_k};
-  const bool known = !starts_unknown(axes) && target.unknown == 0 &&
-                     (block_.unknown & (bit_of(Address::via_i) | bit_of(Address::via_j) | bit_of(Address::via_k))) == 0;
-  if (!known) return lose(target);
-  if (state_.modes.has_matrix) return lose(target, kNoteArcInFrame);
-  AxisValues via = state_.position;
-  for (std::size_t axis = 0; axis < kVia.size(); ++axis) {
-    if (!block_.has(kVia[axis])) continue;
-    const bool absolute = (block_.absolute & bit_of(kVia[axis])) != 0;
-    const bool adds = !absolute && (!state_.modes.absolute || (block_.incremental & bit_of(kVia[axis])) != 0);
-    double value = rules_.length_mm(block_, kVia[axis], state_.modes.inch);
-    if (axis == 0) value *= rules_.x_factor(state_.modes, adds);
-    via[axis] = adds ? state_.position[axis] + value : value + state_.modes.shift[axis] + state_.coordinate_shift[axis];
-  }
-  const bool tilted = std::abs(via[axes.normal] - state_.position[axes.normal]) > 1e-9 ||
-                      std::abs(target.end[axes.normal] - state_.position[axes.normal]) > 1e-9;
-  if (tilted) return lose(target, kNoteArcInFrame);
-  const PlanePoint a = {radius_of(axes.p, via[axes.p] - state_.position[axes.p]),
-                        radius_of(axes.q, via[axes.q] - state_.position[axes.q])};
-  const PlanePoint b = chord(axes, target);
-  const double area = 2.0 * (a.p * b.q - a.q * b.p);
-  if (std::abs(area) < 1e-9) return straight(MotionKind::linear, target);  // three points of a line
-  const double aa = a.p * a.p + a.q * a.q;
-  const double bb = b.p * b.p + b.q * b.q;
-  const PlanePoint center = {(b.q * aa - a.q * bb) / area, (a.p * bb - b.p * aa) / area};
-  emit_arc(area > 0.0 ? MotionKind::arc_ccw : MotionKind::arc_cw, axes, center, target);
+  constexpr std::uint64_t kVia = bit_of(Address::via_i) | bit_of(Address::via_j) | bit_of(Address::via_k);
+  if (starts_unknown(axes) || target.unknown != 0 || (block_.unknown & kVia) != 0) return lose(target);
+  if (state_.modes.has_matrix && !keeps_shapes(state_.modes.matrix)) return lose(target, kNoteArcInFrame);
+  if (state_.modes.has_matrix && (state_.unknown & 7U) != 0) return lose(target);
+  const Vector via = way_to_via();
+  const Vector end = way_to(target);
+  const bool rises = std::abs(via[axes.normal]) > kFlat_mm || std::abs(end[axes.normal]) > kFlat_mm;
+  if (rises && (state_.unknown >> axes.normal & 1U) != 0) return lose(target);
+  const std::optional<SpaceArc> arc = arc_through(via, end);
+  if (!arc.has_value()) return is_between(via, end) ? straight(MotionKind::linear, target) : lose(target);
+  if (rises) return arc_in_space(*arc, target);
+  const bool left = via[axes.p] * end[axes.q] > via[axes.q] * end[axes.p];
+  emit_arc(left ? MotionKind::arc_ccw : MotionKind::arc_cw, axes, {arc->center[axes.p], arc->center[axes.q]}, target);
 }
 
 // CT: leaves the move before it without a corner.
 void Mover::arc_tangent(const Target& target) {
   const PlaneAxes axes = axes_of(state_.modes.plane);
   if (starts_unknown(axes) || target.unknown != 0 || !state_.tangent_known) return lose(target);
+  if (state_.modes.has_matrix && !image_of(state_.modes.matrix, axes).stays)
+    return arc_in_tilted_plane(ir::Function::arc_tangent, target);
   const PlanePoint way = {state_.tangent[axes.p], state_.tangent[axes.q]};
   const PlanePoint to_end = chord(axes, target);
   const PlanePoint left = {-way.q, way.p};
@@ -64,7 +66,8 @@ void Mover::arc(MotionKind kind, Target target) {
   if (has_unknown_parts(target)) return lose(target);
   if (state_.modes.has_matrix) {
     image_ = image_of(state_.modes.matrix, axes);
-    if (!image_.stays) return lose(target, kNoteArcInFrame);
+    if (!image_.stays)
+      return arc_in_tilted_plane(kind == MotionKind::arc_ccw ? ir::Function::arc_ccw : ir::Function::arc_cw, target);
     if (image_.mirrored) kind = kind == MotionKind::arc_ccw ? MotionKind::arc_cw : MotionKind::arc_ccw;
   }
   if (rules_.semantics.arc_without_center_is_line && !has_center() && !block_.has(Address::r)) {

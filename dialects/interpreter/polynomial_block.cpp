@@ -11,9 +11,8 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <vector>
 
-#include "dialects/interpreter/curve_chords.h"
+#include "dialects/interpreter/chord_moves.h"
 #include "dialects/interpreter/mover.h"
 
 namespace dripfeed::interpreter {
@@ -93,43 +92,11 @@ class Polynomial {
     });
   }
 
-  // The ends of its chords.
-  [[nodiscard]] std::vector<AxisValues> chords() const {
-    std::vector<AxisValues> ends;
-    const auto point = [&](double t) { return at(t); };
-    const auto take = [&](const AxisValues& end) {
-      if (end != (ends.empty() ? start_ : ends.back())) ends.push_back(end);
-    };
-    CurveChords(point, take).run(0.0, 1.0);
-    return ends;
-  }
-
  private:
   AxisValues start_;
   AxisValues end_;
   const Bends& bends_;
 };
-
-double length_of(const AxisValues& a, const AxisValues& b, bool x_is_diameter) {
-  return std::hypot((b[0] - a[0]) / (x_is_diameter ? 2.0 : 1.0), b[1] - a[1], b[2] - a[2]);
-}
-
-void emit_chords(const std::vector<AxisValues>& ends, std::uint16_t commanded, const BlockRules& rules,
-                 ModalState& state, MotionBuffer& out, BlockResult& result) {
-  const bool shares_time = state.modes.feed_mode == ir::FeedMode::inverse_time;
-  double total = 0.0;
-  const AxisValues* from = &state.position;
-  for (const AxisValues& end : ends) {
-    total += length_of(*from, end, rules.x_is_diameter);
-    from = &end;
-  }
-  for (const AxisValues& end : ends) {
-    const double own = length_of(state.position, end, rules.x_is_diameter);
-    // The feed is 1 / time of the block.
-    const double feed = shares_time && own > 0.0 ? state.feed * total / own : state.feed;
-    emit_move(ir::MotionKind::spline, {.end = end, .commanded = commanded}, feed, {}, state, out, result);
-  }
-}
 
 void fail(BlockResult& result, std::string_view reason) {
   result.fault = text::DiagnosticId::curve_invalid;
@@ -168,7 +135,8 @@ void move_along_polynomial(const PlainBlock& block, const BlockRules& rules, con
   }
   if (curve.bent() == 0) return mover.straight(ir::MotionKind::linear, target);
   mover.leave_corners();
-  emit_chords(curve.chords(), moved, rules, state, out, result);
+  const auto at = [&](double t) { return curve.at(t); };
+  emit_chords(chords_of(state.position, at), moved, rules, state, out, result);
   const auto way = curve.end_tangent(rules.x_is_diameter);
   state.tangent_known = way.has_value();
   state.tangent = way.value_or(Vector{});

@@ -53,6 +53,29 @@ TEST(MovesInPlace, ArcsByAPointOrATangent) {
   }
 }
 
+// The chords of one that leaves its plane are straight cuts there, and whoever takes them over is told.
+TEST(MovesInPlace, AnArcInSpace) {
+  const std::string text = "G17 G90 G71 G94\nS1000 M3\nG0 X0 Y0 Z0\nCIP X10 I1=5 K1=5 F200\nX20 I1=15 K1=5\nM30\n";
+  const auto here = real_moves(run_text(text, control("sinumerik-840d", MachineKind::mill)).motions);
+  for (const std::string& to : kNumbered) {
+    const ConvertResult made = converted(text, "sinumerik-840d", to, MachineKind::mill);
+    const std::string told = said(made.diagnostics, text::Source("program", text));
+    EXPECT_FALSE(text::has_error(made.diagnostics)) << told;
+    EXPECT_NE(told.find("it is written as its moves"), std::string::npos) << told;
+    const auto there = real_moves(run_text(made.text, control(to, MachineKind::mill)).motions);
+    ASSERT_EQ(here.size(), there.size());
+    for (std::size_t i = 1; i < here.size(); ++i) {
+      EXPECT_EQ(there[i].kind, ir::MotionKind::linear);
+      for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(here[i].end[axis], there[i].end[axis], 0.6e-3);
+      EXPECT_EQ(there[i].feed, 200.0);
+    }
+  }
+  const std::string compensated =
+      refusal("G17 G90 G71 G94\nS1000 M3\nG0 X0 Y0 Z0\nG41 G1 X5 F200\nCIP X10 I1=7 K1=5\nG40 G1 X20\nM30\n",
+              "sinumerik-840d", "fanuc", MachineKind::mill);
+  EXPECT_NE(compensated.find("CIP where the radius is compensated"), std::string::npos) << compensated;
+}
+
 TEST(MovesInPlace, ArcsAgainAndAgainInALoop) {
   const std::string text =
       "DEF INT N\nG17 G90 G71 G94\nS1000 M3\nG0 Z5\nFOR N=1 TO 3\nG0 X0 Y0\nCIP X20 Y0 I1=10 J1=10 F200\nX0 I1=10 "
@@ -175,7 +198,6 @@ TEST(MovesInPlace, WhatOthersDecideIsRefused) {
            Case{"G0 X0 Y0\nCIP X20 Y0 I1=10 J1=10 F200\nM17\n", "no main program"},
            Case{"CIP X20 Y0 I1=10 J1=10 F200\nM30\n", "does not know"},
            Case{"G0 X0 Y0\n/1 X1\n/2 X2\nCIP X20 Y0 I1=10 J1=10 F200\nM30\n", "block skip of several levels"},
-           Case{"G0 X0 Y0\nCIP X20 Y20 Z10 I1=30 J1=10 K1=9 F200\nM30\n", ""},  // in space
        }) {
     const std::string here =
         refusal("G17 G90 G71 G94\nG0 Z5\n" + one.text, "sinumerik-840d", "fanuc", MachineKind::mill);
