@@ -228,9 +228,10 @@ struct Array {
   ir::SymbolId symbol = ir::SymbolId::none;
 };
 
+inline constexpr std::uint32_t kNoArray = 0xFFFFFFFFU;
 struct SymbolSlot {
   std::uint32_t slot = 0;  // strings: of the string frame
-  std::uint32_t array = 0xFFFFFFFFU;
+  std::uint32_t array = kNoArray;
 };
 
 struct Failure {

@@ -1,7 +1,7 @@
 // parse: tokens to statements, block by block. parse.cpp reads lines, parse_words.cpp words, parse_polynomial.cpp
 // those of POLY, parse_expression.cpp and parse_variable.cpp values, parse_flow.cpp jumps and structures,
-// parse_declarations.cpp PROC, DEF and EXTERN, parse_statements.cpp calls, messages and what is kept as written. Names
-// are resolved and statements ordered by Lowering; rules that need the whole program are validate's.
+// parse_declarations.cpp PROC, DEF and EXTERN, parse_calls.cpp calls, parse_statements.cpp messages and what is kept as
+// written. Names are resolved and statements ordered by Lowering; rules that need the whole program are validate's.
 #pragma once
 
 #include <cstdint>
@@ -127,24 +127,26 @@ class Parser {
   bool is_beyond(const ir::Symbol& symbol, std::uint32_t flat, text::Span head);
   bool skip_value_attributes();
 
-  // the rest: parse_statements.cpp
-  void assignment(ir::VariableId target, text::Span head);
-  void statement_of(const Keyword& keyword, text::Span head);
+  // calls and returns: parse_calls.cpp
   void call_by_name(ir::StringId name, text::Span head, ir::StatementKind kind = ir::StatementKind::call);
   void call_statement(text::Span head);
   void modal_call(text::Span head);
   void path_call(text::Span head);
   void external_call(text::Span head);
   void computed_call(ir::ExpressionId name, text::Span head);
+  void numbered_call(text::Span head, ir::StatementKind kind = ir::StatementKind::call);
+  void arguments(ir::Call& call);
+  void return_statement(text::Span head);
+  [[nodiscard]] bool returns_usually(std::uint8_t& levels, bool& has_target) const;
+
+  // the rest: parse_statements.cpp
+  void assignment(ir::VariableId target, text::Span head);
+  void statement_of(const Keyword& keyword, text::Span head);
   void execute_statement(text::Span head);
   void macro_definition(text::Span head);
   bool expand_macro();
-  void numbered_call(text::Span head, ir::StatementKind kind = ir::StatementKind::call);
-  void arguments(ir::Call& call);
   void message(text::Span head);
   void alarm(text::Span head);
-  void return_statement(text::Span head);
-  [[nodiscard]] bool returns_usually(std::uint8_t& levels, bool& has_target) const;
   void transformation(std::string_view name, text::Span head);
   void native(std::string_view name, bool effects_known, text::Span head);
   [[nodiscard]] bool acts_on_axes() const;
