@@ -201,10 +201,12 @@ struct CallArgument {
 struct CallSite {
   ir::CallKind kind = ir::CallKind::subprogram;
   std::string name;
-  Operand number = Operand::none;  // computed; the name is then "O" and four digits
-  Operand start = Operand::none;   // block number where it begins
-  bool itself = false;             // the calling program, from its block `start`
-  Operand text = Operand::none;    // the name is a text that is computed
+  Operand number = Operand::none;       // computed; the name is then "O" and four digits
+  Operand start = Operand::none;        // block number where it begins
+  bool itself = false;                  // the calling program, from its block `start`
+  Operand text = Operand::none;         // the name is a text that is computed
+  Operand first_label = Operand::none;  // of the part that is called, as texts
+  Operand last_label = Operand::none;
   std::uint32_t first_argument = 0;
   std::uint32_t argument_count = 0;
   CompiledProgram* target = nullptr;  // once it was looked up

@@ -32,6 +32,10 @@ std::optional<std::uint32_t> CallCompiler::compile_site(const ir::Call& call, te
   if (call.start != ir::ExpressionId::none) site.start = expressions_.compile_number(call.start).operand;
   if (call.number != ir::ExpressionId::none) site.number = expressions_.compile_number(call.number).operand;
   if (call.computed != ir::ExpressionId::none) site.text = expressions_.compile_string(call.computed).operand;
+  if (call.first_label != ir::ExpressionId::none) {
+    site.first_label = expressions_.compile_string(call.first_label).operand;
+    site.last_label = expressions_.compile_string(call.last_label).operand;
+  }
   site.first_argument = static_cast<std::uint32_t>(out.arguments.size());
   site.argument_count = static_cast<std::uint32_t>(arguments.size());
   out.arguments.insert(out.arguments.end(), arguments.begin(), arguments.end());

@@ -8,11 +8,22 @@
 #include "dialects/interpreter/jump_target.h"
 #include "dialects/interpreter/unknown.h"
 #include "dialects/ir/alarm_details.h"
+#include "dialects/ir/repetition.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::interpreter {
 
 using text::DiagnosticId;
+
+namespace {
+
+std::string upper(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return text;
+}
+
+}  // namespace
 
 void CallStack::start(CompiledProgram& main) {
   frames_.reserve(context_.limits.call_depth + std::size_t{1});
@@ -60,9 +71,7 @@ bool is_number_name(std::string_view name) {
 CompiledProgram* CallStack::find_program(const Instruction& i, CallSite& site) {
   if (site.itself) return program_;
   if (site.text != Operand::none) {
-    std::string name(ir::program_name_of_path(storage_.text(raw_of(site.text))));
-    std::ranges::transform(name, name.begin(),
-                           [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+    const std::string name = upper(std::string(ir::program_name_of_path(storage_.text(raw_of(site.text)))));
     CompiledProgram* target = programs_.find(name, *program_);
     if (target == nullptr) report_.fail(i, DiagnosticId::call_target_missing, {name});
     return target;
@@ -84,6 +93,27 @@ CompiledProgram* CallStack::find_program(const Instruction& i, CallSite& site) {
   CompiledProgram* target = programs_.find("O" + digits, *program_);
   if (target == nullptr) report_.fail(i, DiagnosticId::call_target_missing, {"O" + digits});
   return target;
+}
+
+// PGA, "Indirect subprogram call with specification of the calling program part": whether the block of the last label
+// runs, as with REPEAT, it does not say.
+std::optional<CallStack::Part> CallStack::find_part(const Instruction& i, const CallSite& site,
+                                                    const CompiledProgram& whole) {
+  const ir::Program& text = *whole.source;
+  const ir::Section all = {.first = 0, .last = static_cast<std::uint32_t>(text.statements.size())};
+  const ir::Section range = text.sections.empty() ? all : text.sections[whole.section];
+  const std::string first_name = upper(storage_.text(raw_of(site.first_label)));
+  const std::string last_name = upper(storage_.text(raw_of(site.last_label)));
+  const auto first = ir::labelled_block(text, range, first_name);
+  const auto last = ir::labelled_block(text, range, last_name);
+  if (!first || !last || last->last < first->first) {
+    const std::string& missing = first ? last_name : first_name;
+    report_.fail(i, DiagnosticId::jump_target_missing, {is_unknown(missing) ? "of a text that is not known" : missing});
+    return std::nullopt;
+  }
+  if (!last->is_bare) report_.count({.name = "whether CALL BLOCK runs the block of its last label"});
+  CompiledProgram& part = programs_.part_of(whole, last->last);
+  return Part{&part, find_text(part, first_name, 0, ir::JumpSearch::both)};
 }
 
 // Nesting is the control's limit and an alarm; depth is the run's.
@@ -142,6 +172,12 @@ std::optional<std::uint32_t> CallStack::call(const Instruction& i, std::uint32_t
                    ir::AlarmDetail::block_of_call);
       return std::nullopt;
     }
+  }
+  if (site.first_label != Operand::none) {
+    const std::optional<Part> part = find_part(i, site, *target);
+    if (!part.has_value()) return std::nullopt;
+    target = part->program;
+    begin = part->begin;
   }
   if (macro) {
     pass_locals(site, push(*target, next, true).bases);

@@ -85,6 +85,12 @@ class CallStack {
   Frame& push(CompiledProgram& target, std::uint32_t next, bool is_macro);
   void set_locals(const Bases& bases);
   CompiledProgram* find_program(const Instruction& i, CallSite& site);
+  // CALL … BLOCK … TO …: the part of the program, and where it begins; nullopt: an alarm.
+  struct Part {
+    CompiledProgram* program = nullptr;
+    std::uint32_t begin = 0;
+  };
+  std::optional<Part> find_part(const Instruction& i, const CallSite& site, const CompiledProgram& whole);
   bool has_room(const Instruction& i, bool macro);
   void pass_locals(const CallSite& site, const Bases& bases);
   void read_values(const CallSite& site, std::vector<PassedValue>& values) const;

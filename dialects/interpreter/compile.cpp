@@ -59,7 +59,7 @@ void lay_out_parameters(const ir::Program& program, CompiledProgram& out) {
 }  // namespace
 
 std::unique_ptr<CompiledProgram> compile(const ir::Program& program, std::uint32_t section, std::uint32_t index,
-                                         const CompileContext& context) {
+                                         const CompileContext& context, std::uint32_t last) {
   auto out = std::make_unique<CompiledProgram>();
   out->source = &program;
   out->section = section;
@@ -72,7 +72,7 @@ std::unique_ptr<CompiledProgram> compile(const ir::Program& program, std::uint32
     return out;
   }
   lay_out_parameters(program, *out);
-  StatementCompiler(builder).compile();
+  StatementCompiler(builder).compile(last);
   return out;
 }
 

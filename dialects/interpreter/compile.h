@@ -8,9 +8,10 @@
 
 namespace dripfeed::interpreter {
 
-// `section`: which of the text's programs, 0 when it has one; `index`: its number in RunNames::programs.
+// `section`: which of the text's programs, 0 when it has one; `index`: its number in RunNames::programs; `last`: the
+// statement behind which it returns, none: it goes to its end.
 std::unique_ptr<CompiledProgram> compile(const ir::Program& program, std::uint32_t section, std::uint32_t index,
-                                         const CompileContext& context);
+                                         const CompileContext& context, std::uint32_t last = ir::kNoIndex);
 // A text that runs inside of `host`: names that the host has declared are the host's own. The program's symbols of such
 // names become those of the host.
 std::unique_ptr<CompiledProgram> compile_text(ir::Program& program, const CompiledProgram& host,

@@ -22,12 +22,18 @@ CompiledProgram& ProgramTable::add(const ir::Program& program, std::string_view 
 }
 
 CompiledProgram& ProgramTable::add_section(const ir::Program& program, std::uint32_t section, std::string_view name) {
-  std::unique_ptr<CompiledProgram>& entry = programs_[{&program, section}];
+  std::unique_ptr<CompiledProgram>& entry = programs_[{.program = &program, .section = section}];
   if (entry == nullptr) {
     const auto index = static_cast<std::uint32_t>(context_.names.programs.size());
     context_.names.programs.emplace_back(name);
     entry = compile(program, section, index, context_);
   }
+  return *entry;
+}
+
+CompiledProgram& ProgramTable::part_of(const CompiledProgram& whole, std::uint32_t last) {
+  std::unique_ptr<CompiledProgram>& entry = programs_[{whole.source, whole.section, last}];
+  if (entry == nullptr) entry = compile(*whole.source, whole.section, whole.index, context_, last);
   return *entry;
 }
 

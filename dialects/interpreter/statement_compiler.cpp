@@ -34,7 +34,7 @@ StatementCompiler::StatementCompiler(CodeBuilder& builder)
       flow_(builder, expressions_),
       calls_(builder, expressions_) {}
 
-void StatementCompiler::compile() {
+void StatementCompiler::compile(std::uint32_t returns_behind) {
   builder_.out().works.push_back({.blocks = 1});  // a block without anything to compute
   const ir::Program& program = builder_.source();
   const auto count = static_cast<std::uint32_t>(program.statements.size());
@@ -49,6 +49,7 @@ void StatementCompiler::compile() {
     compile_statement(i);
     for (std::uint32_t id = 0; id < repeated_.size(); ++id)
       if (repeated_[id].last == i) flow_.compile_section_end(repeated_[id].repeat, id);
+    if (i == returns_behind) builder_.emit(Opcode::back, program.statements[i].span);
     code[i].end = builder_.here();
   }
   end_block();

@@ -14,8 +14,8 @@ namespace dripfeed::interpreter {
 class StatementCompiler {
  public:
   explicit StatementCompiler(CodeBuilder& builder);
-  // All statements of the program, and what happens at the end of its text.
-  void compile();
+  // All statements of the program, and what happens at the end of its text. It returns behind that statement, too.
+  void compile(std::uint32_t returns_behind = ir::kNoIndex);
 
  private:
   using Compile = void (StatementCompiler::*)(const ir::Statement&);

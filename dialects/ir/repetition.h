@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "dialects/ir/program.h"
@@ -20,6 +22,14 @@ struct RepeatedPart {
 
 // One for each repeat_section, in the order of the text. A label is looked for above the REPEAT first, then below it.
 std::vector<RepeatedPart> repeated_parts(const Program& program);
+
+// The first block of a part of the text that has a label, as labels are kept, or N and its number.
+struct LabelledBlock {
+  std::uint32_t first = kNoIndex;  // its statements
+  std::uint32_t last = kNoIndex;
+  bool is_bare = false;  // nothing but the label
+};
+std::optional<LabelledBlock> labelled_block(const Program& program, Section range, std::string_view name);
 
 // Whether the statement is the first of its block: the first one holds the block's tokens. Programs that were built
 // have none: there each statement is a block, but for those that follow on the same line of the same block.

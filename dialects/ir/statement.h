@@ -223,6 +223,8 @@ struct Call {
   ExpressionId computed = ExpressionId::none;  // the name when it is a text that is computed
   ExpressionId repeats = ExpressionId::none;   // none: once
   ExpressionId start = ExpressionId::none;     // block number in the called program; none: its beginning
+  ExpressionId first_label = ExpressionId::none;  // of a part of it, as texts; none: all of it
+  ExpressionId last_label = ExpressionId::none;
   std::uint32_t first_argument = 0;
   std::uint32_t argument_count = 0;
 };

@@ -69,6 +69,8 @@ void for_each_root(AnyProgram& program, const ir::Statement& statement, OnExpres
       root(c.computed);
       root(c.repeats);
       root(c.start);
+      root(c.first_label);
+      root(c.last_label);
       for (std::uint32_t i = 0; i < c.argument_count; ++i) root(program.arguments[c.first_argument + i].value);
       return;
     }

@@ -133,7 +133,9 @@ class Parser {
   void modal_call(text::Span head);
   void path_call(text::Span head);
   void external_call(text::Span head);
-  void computed_call(ir::ExpressionId name, text::Span head);
+  void computed_call(ir::ExpressionId name, ir::Call call, text::Span head);
+  bool part_labels(ir::Call& call, text::Span head);
+  void own_part_call(text::Span head);
   void numbered_call(text::Span head, ir::StatementKind kind = ir::StatementKind::call);
   void arguments(ir::Call& call);
   void return_statement(text::Span head);

@@ -12,6 +12,8 @@ using ir::StatementKind;
 using ir::TokenKind;
 using text::DiagnosticId;
 
+constexpr std::int64_t kHighestBlockNumber = 999'999'999;
+
 }  // namespace
 
 void Parser::call_by_name(ir::StringId name, text::Span head, StatementKind kind) {
@@ -43,24 +45,58 @@ void Parser::arguments(ir::Call& call) {
   program_.arguments.insert(program_.arguments.end(), given.begin(), given.end());
 }
 
-// CALL "NAME" or a text that is computed; a section (CALL BLOCK A TO B) is kept as written.
+// CALL "NAME" or a text that is computed; CALL "NAME" BLOCK "A" TO "B": a part of it.
 void Parser::call_statement(text::Span head) {
-  if (cursor_.is_name("BLOCK")) return native("CALL", false, head);
   operator_ = head;
-  computed_call(expression(), head);
-  if (!cursor_.at_block_end() && cursor_.is_name("BLOCK")) native("CALL", false, head);
+  if (cursor_.take_name("BLOCK")) return own_part_call(head);
+  ir::Call call;
+  const ir::ExpressionId name = expression();
+  if (cursor_.take_name("BLOCK") && !part_labels(call, head)) return;
+  computed_call(name, call, head);
+}
+
+bool Parser::part_labels(ir::Call& call, text::Span head) {
+  call.first_label = expression();
+  if (!cursor_.take_name("TO")) {
+    give_up(DiagnosticId::syntax_error, head, {"CALL BLOCK has no TO"});
+    return false;
+  }
+  call.last_label = expression();
+  return true;
+}
+
+// A part of the program itself is run as REPEAT does, with its variables. Which one, a text may decide in the run.
+void Parser::own_part_call(text::Span head) {
+  ir::Call labels;
+  if (!part_labels(labels, head)) return;
+  ir::Repeat repeat;
+  const auto name = [&](ir::ExpressionId id, ir::StringId& label, std::uint32_t& number) {
+    const ir::Expression& e = program_.at(id);
+    if (e.op != ir::Operator::string) return false;
+    const std::string_view written = program_.strings.at(e.string);
+    const auto block =
+        written.starts_with('N') || written.starts_with('n') ? text::parse_integer(written.substr(1)) : std::nullopt;
+    if (block && *block >= 0 && *block <= kHighestBlockNumber)
+      number = static_cast<std::uint32_t>(*block);
+    else
+      label = lower_.name(written);
+    return true;
+  };
+  if (!name(labels.first_label, repeat.first, repeat.first_number) ||
+      !name(labels.last_label, repeat.last, repeat.last_number))
+    return native("CALL", false, head);
+  lower_.add_repeat(repeat, to_here(head));
 }
 
 // A name that is written is known now, without its path and ending.
-void Parser::computed_call(ir::ExpressionId name, text::Span head) {
+void Parser::computed_call(ir::ExpressionId name, ir::Call call, text::Span head) {
   const ir::Expression& e = program_.at(name);
-  if (e.op == ir::Operator::string) {
-    const std::string written(ir::program_name_of_path(program_.strings.at(e.string)));
-    return call_by_name(lower_.name(written), head);
-  }
-  ir::Call call;
-  call.computed = name;
+  if (e.op == ir::Operator::string)
+    call.name = lower_.name(ir::program_name_of_path(program_.strings.at(e.string)));
+  else
+    call.computed = name;
   call.repeats = repeats_;
+  if (e.op == ir::Operator::string && cursor_.is_symbol('(')) arguments(call);
   has_call_ = true;
   lower_.add_call(StatementKind::call, call, to_here(head));
 }
@@ -100,9 +136,9 @@ void Parser::path_call(text::Span head) {
 // EXTCALL("path/name"): a program of another device.
 void Parser::external_call(text::Span head) {
   operator_ = head;
-  if (cursor_.kind() == TokenKind::string) return computed_call(expression(), head);
+  if (cursor_.kind() == TokenKind::string) return computed_call(expression(), {}, head);
   if (!cursor_.is_symbol('(')) return give_up(DiagnosticId::missing_bracket, head, {"("});
-  computed_call(parenthesized(), head);
+  computed_call(parenthesized(), {}, head);
 }
 
 // L100 and L0100 are two programs: the digits are the name.

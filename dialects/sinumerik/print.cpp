@@ -316,7 +316,21 @@ class Printer {
     out += s.saves_modal ? ") SAVE" : ")";
   }
 
+  // CALL "NAME" BLOCK "A" TO "B".
+  void part_call(const ir::Call& c, std::string& out) const {
+    out += "CALL ";
+    if (c.computed != ir::ExpressionId::none)
+      value(out, c.computed);
+    else
+      out += '"' + std::string(program_.strings.at(c.name)) + '"';
+    out += " BLOCK ";
+    value(out, c.first_label);
+    out += " TO ";
+    value(out, c.last_label);
+  }
+
   void call(const ir::Call& c, std::string& out) const {
+    if (c.first_label != ir::ExpressionId::none) return part_call(c, out);
     if (c.computed != ir::ExpressionId::none) {
       out += "CALL(";
       value(out, c.computed);

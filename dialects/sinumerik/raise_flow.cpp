@@ -52,6 +52,7 @@ void raise_call(const Raising& raising, const ir::Statement& s, bool locals) {
   ir::Call& call = program.calls[s.payload];
   if (call.number != ir::ExpressionId::none) return raising.cannot("a call of a computed program number", s.span);
   if (call.start != ir::ExpressionId::none) return raising.cannot("a call from a block of the program on", s.span);
+  if (call.first_label != ir::ExpressionId::none) return raising.cannot("a call of a part of a program", s.span);
   if (call.kind == ir::CallKind::macro && locals)
     return raising.cannot("a macro call beside local variables (#1 to #33), which it would overwrite here,", s.span);
   if (s.kind == StatementKind::modal_call && call.repeats != ir::ExpressionId::none)

@@ -218,6 +218,50 @@ TEST(SinumerikFlow, CallsByText) {
   EXPECT_EQ(alarm_of(run("CALL \"NOBODY\"\nM30\n")), "14011");
 }
 
+// PGA, "Indirect subprogram call with specification of the calling program part".
+TEST(SinumerikFlow, PartsOfProgramsAreCalled) {
+  const Texts called = {{"PARTS", "G0 X100\nP1:\nG0 Y1\nY2\nP2:\nN40 G0 Z1\nN50 Z2\nN60\nG0 Z9\nM17\n"}};
+  const auto part = [&](const std::string& line) {
+    return run("DEF STRING[10] A=\"P1\"\nG17 G90 G0 X0 Y0 Z0\n" + line + "\nM30\n", called);
+  };
+  for (const std::string line :
+       {"CALL \"PARTS\" BLOCK \"P1\" TO \"P2\"", "CALL \"/_N_SPF_DIR/_N_PARTS_SPF\" BLOCK A TO \"p2\"",
+        "CALL \"PA\"<<\"RTS\" BLOCK \"P\"<<1 TO \"P2\""}) {
+    const Result ran = part(line);
+    EXPECT_TRUE(ran.trace.contains(":3 rapid X0.0000 Y1.0000 Z0.0000\n")) << ran.trace;
+    EXPECT_TRUE(ran.trace.ends_with(":4 rapid X0.0000 Y2.0000 Z0.0000\n4 end\n")) << ran.trace;
+    EXPECT_TRUE(ran.result.not_interpreted.empty()) << line;
+  }
+  EXPECT_TRUE(moves(part("P=2 CALL \"PARTS\" BLOCK \"N40\" TO \"N60\"")).ends_with("Z2.0000\n"));
+  // What the last label's own block does then, the manual does not say.
+  const Result own = part("CALL \"PARTS\" BLOCK \"P1\" TO \"N50\"");
+  EXPECT_TRUE(own.names("whether CALL BLOCK runs the block of its last label"));
+  // The whole program, once more, is another one: nothing of the part stays with it.
+  const Result both = part("CALL \"PARTS\" BLOCK \"P1\" TO \"P2\"\nPARTS");
+  EXPECT_TRUE(both.trace.contains(":9 rapid X100.0000 Y2.0000 Z9.0000")) << both.trace;
+}
+
+TEST(SinumerikFlow, APartOfTheProgramItselfHasItsVariables) {
+  const std::string head = "DEF REAL A=3\nG17 G90 G0 X0 Y0 Z0\n";
+  const std::string tail = "\nGOTOF ENDE\nL1:\nG0 X=A\nA=A+1\nL2:\nENDE:\nM30\n";
+  const Result ran = run(head + "CALL BLOCK \"L1\" TO \"L2\"\nCALL BLOCK \"l1\" TO \"L2\"" + tail);
+  EXPECT_EQ(moves(ran),
+            "2 rapid X0.0000 Y0.0000 Z0.0000\n7 rapid X3.0000 Y0.0000 Z0.0000\n7 rapid X4.0000 Y0.0000 Z0.0000\n");
+  EXPECT_TRUE(run("DEF STRING[5] S=\"L1\"\n" + head + "CALL BLOCK S TO \"L2\"" + tail).names("CALL"));
+}
+
+TEST(SinumerikFlow, APartThatIsNotThereIsAnAlarm) {
+  const Texts called = {{"PARTS", "P1:\nG0 Y1\nP2:\nM17\n"}};
+  for (const std::string line : {"CALL \"PARTS\" BLOCK \"P1\" TO \"P3\"", "CALL \"PARTS\" BLOCK \"P2\" TO \"P1\"",
+                                 "CALL \"PARTS\" BLOCK \"N5\" TO \"P2\"", "CALL BLOCK \"P1\" TO \"P2\""}) {
+    const Result ran = run("G0 X0\n" + line + "\nM30\n", called);
+    ASSERT_EQ(ran.result.ended, interpreter::Ended::alarm) << line;
+    EXPECT_EQ(ran.result.diagnostics.back().diagnostic.id, text::DiagnosticId::jump_target_missing) << line;
+  }
+  const Result none = run("G0 X0\nCALL \"NOPE\" BLOCK \"P1\" TO \"P2\"\nM30\n", called);
+  EXPECT_EQ(none.result.diagnostics.back().diagnostic.id, text::DiagnosticId::call_target_missing);
+}
+
 TEST(SinumerikFlow, TextsAreExecutedInTheirProgram) {
   const Result ran =
       run("DEF REAL SIZE=2\nDEF REAL ROW[3]\nDEF STRING[20] N=\"ROW\"\nEXECSTRING(N<<\"[1]=SIZE*3\")\n"
