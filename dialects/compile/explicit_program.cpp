@@ -10,6 +10,7 @@
 #include "dialects/compile/block_writer.h"
 #include "dialects/compile/carried_words.h"
 #include "dialects/compile/dialect.h"
+#include "dialects/passes/rigid_taps.h"
 
 namespace dripfeed::compile {
 
@@ -59,6 +60,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
 
   void consume(std::span<const ir::Motion> motions) override {
     for (const ir::Motion& motion : motions) {
+      watch_spindle(motion);
       carry_until(motion.place.ordinal);
       if (!std::exchange(started_, true)) start(&motion);
       const std::uint32_t line = origin({line_of(motion.place), motion.place.ordinal});
@@ -70,6 +72,11 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
     }
   }
 
+  // A cut right behind another, with the spindle turned round between them: a tap. As a thread of a cycle, it is a
+  // rigid one (G84 with ,R1).
+  [[nodiscard]] bool turns_back() const { return turns_back_; }
+  [[nodiscard]] bool turns_back_in_thread() const { return turns_back_in_thread_; }
+
   void finish(const interpreter::RunResult& run) {
     if (!started_) start(nullptr);
     carry_until(~std::uint64_t{0});
@@ -79,6 +86,16 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   }
 
  private:
+  void watch_spindle(const ir::Motion& motion) {
+    if (!ir::is_move(motion.kind)) return;
+    const bool cuts = motion.kind == ir::MotionKind::linear || motion.kind == ir::MotionKind::thread;
+    const bool turned = cut_by_ != ir::SpindleState::stopped && motion.spindle != ir::SpindleState::stopped &&
+                        motion.spindle != cut_by_;
+    turns_back_ |= cuts && turned;
+    turns_back_in_thread_ |= motion.kind == ir::MotionKind::thread && turned;
+    cut_by_ = cuts ? motion.spindle : ir::SpindleState::stopped;
+  }
+
   void lose(const std::string& word) {
     if (lost_.insert(word).second) out_.lost.push_back(cannot_say(word));
   }
@@ -147,6 +164,9 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   std::set<std::string, std::less<>> lost_;
   bool started_ = false;
   bool ended_ = false;
+  ir::SpindleState cut_by_ = ir::SpindleState::stopped;  // of the cut before; stopped: there is none
+  bool turns_back_ = false;
+  bool turns_back_in_thread_ = false;
   bool in_call_ = false;
   std::uint32_t main_line_ = 0;
   std::vector<BlockOrigin> calls_;
@@ -180,19 +200,46 @@ std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made) {
 
 namespace {
 
-// G331 and G332 turn the spindle with the axis, one way in and the other out. A thread of plain blocks follows a
-// spindle that goes on turning: the tap would be torn out.
-bool taps(const ir::Program& program) {
-  return std::ranges::any_of(program.codes, [](const ir::Code& code) {
-    return code.function == ir::Function::tap || code.function == ir::Function::tap_retract;
+// What taps in a program's own words: with the spindle turned by its position, or in a compensating chuck.
+struct Taps {
+  bool cycles = false;
+  bool rigid = false;
+  bool floating = false;
+};
+
+// G331 and G332 turn the spindle with the axis, one way in and the other out, and so does G84 behind M29, as G84.2 or
+// with ,R1. A thread of plain blocks follows a spindle that goes on turning: the tap would be torn out.
+Taps taps_of(const ir::Program& program, const ir::Control& control) {
+  Taps out;
+  const auto any = [&](const auto& test) { return std::ranges::any_of(program.codes, test); };
+  const bool cycles = any([](const ir::Code& c) { return passes::is_tap(c); });
+  const bool announced = any([&](const ir::Code& c) { return passes::announces_rigid_tap(c, control); });
+  const bool written = any([&](const ir::Code& c) {
+    return passes::is_tap(c) && passes::is_written_rigid(c.span.in(program.source.text()));
   });
+  out.cycles = cycles;
+  out.rigid = (cycles && announced) || written || any([](const ir::Code& c) {
+                return c.function == ir::Function::tap || c.function == ir::Function::tap_retract;
+              });
+  const auto is_g63 = [](const ir::Code& c) {
+    return c.function == ir::Function::linear && c.group == ir::ModalGroup::non_modal;
+  };
+  out.floating = cycles || any(is_g63);
+  return out;
 }
 
-bool any_taps(const ir::Program& main, const std::vector<std::string>& called, interpreter::ProgramFinder& finder) {
-  if (taps(main)) return true;
-  for (std::size_t i = 1; i < called.size(); ++i)
-    if (const ir::Program* program = finder.find(called[i]); program != nullptr && taps(*program)) return true;
-  return false;
+Taps taps_of_all(const ir::Program& main, const ir::Control& control, const std::vector<std::string>& called,
+                 interpreter::ProgramFinder& finder) {
+  Taps out = taps_of(main, control);
+  for (std::size_t i = 1; i < called.size(); ++i) {
+    const ir::Program* program = finder.find(called[i]);
+    if (program == nullptr) continue;
+    const Taps more = taps_of(*program, control);
+    out.cycles |= more.cycles;
+    out.rigid |= more.rigid;
+    out.floating |= more.floating;
+  }
+  return out;
 }
 
 }  // namespace
@@ -212,8 +259,13 @@ ExplicitProgram explicit_program(const ir::Program& program, const ir::Control& 
   run.names = &names;
   out.run = interpreter::run(program, control, finder, recorder, run);
   recorder.finish(out.run);
-  if (any_taps(program, out.run.programs, finder))
-    out.lost.push_back(cannot_say("a tap that the axis turns the spindle for (G331, G332)"));
+  const Taps taps = taps_of_all(program, control, out.run.programs, finder);
+  if (taps.rigid || (taps.cycles && recorder.turns_back_in_thread())) {
+    out.lost.push_back(cannot_say("a tap that the axis turns the spindle for (G331, G332, M29)"));
+  } else if (taps.floating && recorder.turns_back()) {
+    out.lost.push_back(cannot_say("a tap, on whose moves feed override and feed hold then act,"));
+    out.lost.back().severity = text::Severity::warning;
+  }
   out.variable_names = std::move(names.variables);
   return out;
 }

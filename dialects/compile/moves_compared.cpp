@@ -1,6 +1,7 @@
 // The translation is run, too, and must move as the source did, from its first block to its last. Within a cycle that
 // both controls have, a rapid may stop on its way, chips may be broken by another speed back and a tap be said as a
-// thread: the passes that translate cycles know why.
+// thread: the passes that translate cycles know why. A tap that is said as a tap has the same lead, at the same speed;
+// how a spindle turns that its position is given for, a run does not say.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -82,7 +83,28 @@ class Comparison {
     return a.kind == ir::MotionKind::rapid || (alike(a.feed, b.feed) && a.feed_mode == b.feed_mode);
   }
 
+  // Both are moves of one tap.
+  [[nodiscard]] bool same_of_tap(const ir::Motion& a, const ir::Motion& b) const {
+    using enum ir::MotionKind;
+    const bool cut = a.kind == linear || a.kind == thread;
+    if (!cut) {
+      const bool same_kind = a.kind == b.kind && (a.kind == rapid || a.kind == dwell);
+      return same_kind && (a.kind == dwell ? alike(a.feed, b.feed) : a.comp == b.comp && same_end(a, b));
+    }
+    if ((b.kind != linear && b.kind != thread) || a.comp != b.comp || a.coolant != b.coolant || !same_end(a, b))
+      return false;
+    const bool floats = a.kind == linear && b.kind == linear;
+    const double lead = lead_mm(a);
+    return alike(a.spindle_rpm, b.spindle_rpm) && (!floats || a.spindle == b.spindle) &&
+           std::abs(lead - lead_mm(b)) <= kLeadShare * std::abs(lead);
+  }
+
  private:
+  static constexpr double kLeadShare = 2e-4;  // a lead has four decimals
+  static double lead_mm(const ir::Motion& m) {
+    const bool by_time = m.kind == ir::MotionKind::linear && m.feed_mode == ir::FeedMode::per_min;
+    return by_time ? m.feed / m.spindle_rpm : m.feed;
+  }
   static double diameter(const ir::Control& c) {
     return c.semantics.power_on_diameter == ir::DiameterMode::radius ? 1.0 : 2.0;
   }
@@ -135,8 +157,17 @@ std::optional<std::uint32_t> MovesInPlace::first_difference(const ir::Program& t
   const auto made = moves_of(
       run, [&](std::uint32_t line) { return line == 0 || line > origin_lines.size() ? 0 : origin_lines[line - 1]; });
   const Comparison comparison(from_, to_);
+  const auto tap_line = [&](std::uint32_t line) {
+    const auto at = tap_lines_.find(line);
+    return at == tap_lines_.end() ? 0U : at->second;
+  };
   const std::size_t shorter = std::min(wanted.size(), made.size());
   for (std::size_t i = 0; i < shorter; ++i) {
+    const std::uint32_t tap = tap_line(wanted[i].line);
+    if (tap != 0 && tap == tap_line(made[i].line)) {
+      if (!comparison.same_of_tap(wanted[i].motion, made[i].motion)) return wanted[i].line;
+      continue;
+    }
     const bool of_cycle = cycles_.contains(wanted[i].line) && made[i].line == wanted[i].line;
     if (!comparison.same(wanted[i].motion, made[i].motion, of_cycle)) return wanted[i].line;
   }

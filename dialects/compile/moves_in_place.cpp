@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include "dialects/compile/motion_codes.h"
-#include "dialects/ir/cycle.h"
 
 namespace dripfeed::compile {
 
@@ -23,16 +22,11 @@ using ir::ModalGroup;
 using ir::StatementKind;
 
 constexpr std::size_t kMostMoves = 20'000;  // of one statement
-constexpr double kSame_mm = 1e-9;
-
-bool is_tap(const ir::Code& c) {
-  const auto cycle = static_cast<ir::DrillCycle>(c.argument % ir::kDrillAlongZ);
-  return c.function == Function::drill && (cycle == ir::DrillCycle::tap_right || cycle == ir::DrillCycle::tap_left);
-}
 
 bool is_own(const ir::Code& c) {
   return c.group == ModalGroup::motion || c.group == ModalGroup::cycle || c.function == Function::repetitive_cycle ||
-         c.function == Function::hole_pattern;
+         c.function == Function::hole_pattern ||
+         (c.function == Function::linear && c.group == ModalGroup::non_modal);  // G63
 }
 
 // Words that mean the same beside any move.
@@ -51,15 +45,6 @@ bool is_of_shape(const ir::Code& c) {
 bool is_word_of_shape(Address a) {
   return is_of_arc(a) || a == Address::r || (a >= Address::chamfer && a <= Address::rounding) ||
          a == Address::direct_angle;
-}
-
-bool same_moves(std::span<const ir::Motion> a, std::span<const ir::Motion> b) {
-  const auto near = [](double x, double y) { return std::abs(x - y) <= kSame_mm; };
-  return std::ranges::equal(a, b, [&](const ir::Motion& m, const ir::Motion& n) {
-    return m.kind == n.kind && std::ranges::equal(m.end, n.end, near) && std::ranges::equal(m.center, n.center, near) &&
-           m.feed == n.feed && m.feed_mode == n.feed_mode && m.axes_commanded == n.axes_commanded &&
-           m.spindle == n.spindle && m.gaps == n.gaps && m.plane == n.plane;
-  });
 }
 
 ir::Plane plane_of(Function f) {
@@ -103,6 +88,24 @@ bool has_word(const ir::Program& program, const ir::Block& block, Address addres
 
 }  // namespace
 
+bool same_moves(std::span<const ir::Motion> a, std::span<const ir::Motion> b) {
+  constexpr double kSame_mm = 1e-9;
+  const auto near = [](double x, double y) { return std::abs(x - y) <= kSame_mm; };
+  // Where it leads that is written: the axes that are named, and those of an arc.
+  const auto same_end = [&](const ir::Motion& m, const ir::Motion& n) {
+    for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
+      const bool written = (m.axes_commanded & (1U << axis)) != 0 || (is_arc(m.kind) && is_in_plane(m.plane, axis));
+      if (written && !near(m.end[axis], n.end[axis])) return false;
+    }
+    return true;
+  };
+  return std::ranges::equal(a, b, [&](const ir::Motion& m, const ir::Motion& n) {
+    return m.kind == n.kind && m.axes_commanded == n.axes_commanded && m.plane == n.plane && same_end(m, n) &&
+           std::ranges::equal(m.center, n.center, near) && m.feed == n.feed && m.feed_mode == n.feed_mode &&
+           m.spindle == n.spindle && m.gaps == n.gaps;
+  });
+}
+
 void MovesInPlace::cannot(std::string what, text::Span span) {
   diagnostics_.push_back(
       text::make_diagnostic(text::DiagnosticId::cannot_translate, span, {std::move(what), to_.title}));
@@ -118,10 +121,12 @@ void MovesInPlace::say_written(std::string name, text::Span span) {
 
 std::vector<text::Diagnostic> MovesInPlace::lower(ir::Program& program) {
   kinds_ = without_equal(program, from_, to_);
+  find_taps(program);
   if (std::ranges::all_of(kinds_, [](WithoutEqual kind) { return kind == WithoutEqual::no; })) return {};
   if (const std::string what = obstacle(program); !what.empty()) {
     for (std::size_t i = 0; i < kinds_.size(); ++i)
-      if (const ir::Statement& s = program.statements[i]; kinds_[i] != WithoutEqual::no)
+      if (const ir::Statement& s = program.statements[i];
+          kinds_[i] != WithoutEqual::no && kinds_[i] != WithoutEqual::tap_part)
         cannot(name_of(kinds_[i], program, s) + " beside " + what, s.span);
     return std::move(diagnostics_);
   }
@@ -131,7 +136,11 @@ std::vector<text::Diagnostic> MovesInPlace::lower(ir::Program& program) {
   find_cycles(program);
   for (std::uint32_t i = 0; i < count; ++i) {
     out.at(i);
-    if (kinds_[i] != WithoutEqual::no)
+    if (kinds_[i] == WithoutEqual::tap)
+      replace_tap(program, i, flow, out);
+    else if (kinds_[i] == WithoutEqual::tap_part)
+      replace_tap_part(program, i, out);
+    else if (kinds_[i] != WithoutEqual::no)
       replace(program, i, flow, out);
     else if (!is_dropped(program.statements[i].line))
       out.keep();
@@ -150,7 +159,7 @@ std::string MovesInPlace::obstacle(const ir::Program& program) {
   if (!levels.empty()) settings_.push_back(1U << *levels.begin());
   shapes_ = shapes_of(program);
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
-    if (kinds_[i] == WithoutEqual::no) continue;
+    if (kinds_[i] == WithoutEqual::no || kinds_[i] == WithoutEqual::tap_part) continue;
     const std::uint32_t line = program.statements[i].line;
     if (std::ranges::find(owners_, line) != owners_.end()) return "another of its kind in the same line";
     owners_.push_back(line);
@@ -171,7 +180,7 @@ std::string MovesInPlace::run(const ir::Program& program, ProgramLibrary& librar
       if (d.diagnostic.severity == text::Severity::error)
         return "a run that ends in line " + std::to_string(d.line) + ": " + text::message_of(d.diagnostic) + ",";
     for (const interpreter::NotInterpreted& lost : result.not_interpreted)
-      if (!lost.effects_known && lost.function != Function::machine_function &&
+      if (!lost.effects_known && lost.name != "SPOS" && lost.function != Function::machine_function &&
           lost.function != Function::reference_return)
         return lost.name + ", which the run does not know,";
     const bool ends =
@@ -267,10 +276,10 @@ std::string MovesInPlace::rest_of(const ir::Program& program, std::uint32_t inde
   const ir::Block& block = program.blocks[s.payload];
   if (block.rest_level != 0) return "with block skip inside it";
   for (const ir::Code& c : program.codes_of(block)) {
-    if (is_tap(c)) return "on a lathe";
     if (c.number != ir::ExpressionId::none) return "beside a code with a calculated number";
     if (is_own(c)) continue;
-    if (kinds_[index] == WithoutEqual::drilling && c.function == Function::machine_function)
+    const bool drills = kinds_[index] == WithoutEqual::drilling || kinds_[index] == WithoutEqual::tap;
+    if (drills && c.function == Function::machine_function)
       return "with an M function, which the cycle gives its own time,";
     const bool ends = c.function == Function::coolant_off || c.function == Function::spindle_stop ||
                       c.function == Function::program_stop || c.function == Function::optional_stop;
@@ -306,6 +315,8 @@ MovesInPlace::Restored MovesInPlace::restored(const ir::Program& program, std::u
   bool moved = false;
   bool feeds = false;
   for (++visit; visit != run.visits.end() && !(moved && feeds); ++visit) {
+    const auto tap = tap_lines_.find(visit->line);
+    if (tap != tap_lines_.end() && tap->second == line && visit->line != line) continue;  // the way out
     const ir::Block* block = block_at(visit->line);
     const bool replaced = std::ranges::find(owners_, visit->line) != owners_.end();
     if (block != nullptr && !replaced) {

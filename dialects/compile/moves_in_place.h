@@ -1,7 +1,7 @@
 // Statements that the other control has no word for, written as the moves that they make: CIP and CT, the drilling
-// cycles of lathes, figures of holes, G70 to G73 and CYCLE95. The program is run; where nothing from outside decides
-// what it does, a statement that makes the same moves each time is replaced by them, and the translation is run and
-// compared.
+// cycles of lathes, figures of holes, G70 to G73 and CYCLE95; and the taps of lathes, each as a tap of its own. The
+// program is run; where nothing from outside decides what it does, a statement that makes the same moves each time is
+// replaced by them, and the translation is run and compared.
 #pragma once
 
 #include <cstddef>
@@ -17,6 +17,8 @@
 #include "dialects/compile/outside_influence.h"
 #include "dialects/compile/plain_moves.h"
 #include "dialects/compile/recorded_run.h"
+#include "dialects/compile/tap_moves.h"
+#include "dialects/compile/tap_statements.h"
 #include "dialects/compile/without_equal.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
@@ -24,6 +26,9 @@
 #include "dialects/text/diagnostic.h"
 
 namespace dripfeed::compile {
+
+// To the last digit; neither their lines nor the speed of the spindle.
+bool same_moves(std::span<const ir::Motion> a, std::span<const ir::Motion> b);
 
 class MovesInPlace {
  public:
@@ -48,7 +53,13 @@ class MovesInPlace {
   };
   [[nodiscard]] std::string obstacle(const ir::Program& program);
   [[nodiscard]] std::string run(const ir::Program& program, ProgramLibrary& library);
+  void find_taps(const ir::Program& program);
   void replace(ir::Program& program, std::uint32_t index, const passes::ModeFlow& flow, passes::Rewrite& out);
+  void replace_tap(ir::Program& program, std::uint32_t index, const passes::ModeFlow& flow, passes::Rewrite& out);
+  void replace_tap_part(const ir::Program& program, std::uint32_t index, passes::Rewrite& out) const;
+  [[nodiscard]] std::string same_tap_each_time(std::uint32_t line, const TapStatement& tap,
+                                               std::span<const ir::Motion>& motions) const;
+  [[nodiscard]] bool says_speed_behind(const RecordedRun& run, std::size_t visit) const;
   [[nodiscard]] std::string same_each_time(std::uint32_t line, std::span<const ir::Motion>& motions) const;
   [[nodiscard]] std::string terms_at(const ir::Program& program, std::uint32_t index, const passes::ModeFlow& flow,
                                      BlockTerms& terms) const;
@@ -67,13 +78,16 @@ class MovesInPlace {
   const ir::Control& from_;
   const ir::Control& to_;
   ProgramLibrary* library_;
-  std::vector<WithoutEqual> kinds_;            // by statement
-  std::vector<LineRange> shapes_;              // of the text
-  std::vector<std::uint32_t> owners_;          // lines of what is replaced
-  std::vector<std::uint32_t> settings_;        // of the switches of block skip
-  std::vector<RecordedRun> runs_;              // one a setting
-  std::map<std::uint32_t, text::Span> spans_;  // by line
-  std::set<std::uint32_t> cycles_;             // lines that make several moves and are kept
+  std::vector<WithoutEqual> kinds_;                   // by statement
+  std::vector<LineRange> shapes_;                     // of the text
+  std::vector<TapStatement> taps_;                    // by statement
+  std::map<std::uint32_t, std::uint32_t> tap_lines_;  // of a tap and its parts: the line of the tap
+  std::set<std::uint32_t> speed_lines_;               // that say a speed
+  std::vector<std::uint32_t> owners_;                 // lines of what is replaced
+  std::vector<std::uint32_t> settings_;               // of the switches of block skip
+  std::vector<RecordedRun> runs_;                     // one a setting
+  std::map<std::uint32_t, text::Span> spans_;         // by line
+  std::set<std::uint32_t> cycles_;                    // lines that make several moves and are kept
   std::vector<text::Diagnostic> diagnostics_;
 };
 

@@ -44,14 +44,16 @@ class PlainMoves {
   std::expected<void, std::string> write(std::span<const ir::Motion> motions, BlockRest rest);
   // What the last F said; nothing where none was said.
   [[nodiscard]] std::optional<double> last_feed() const { return feed_; }
+  // F was said beside the moves; nothing: it counts no longer.
+  void set_last_feed(std::optional<double> feed) { feed_ = feed; }
   ir::Word feed_word(double feed);
+  ir::Word position(std::size_t axis, double value);
+  void dwell(double seconds);
 
  private:
   std::expected<void, std::string> event(const ir::Motion& motion, const BlockRest& rest);
   std::expected<void, std::string> move(const ir::Motion& motion, BlockRest& rest);
-  void dwell(double seconds);
   void flush(BlockRest& rest);
-  ir::Word position(std::size_t axis, double value);
   [[nodiscard]] double rounded(double value_mm) const;
 
   ir::Program& program_;

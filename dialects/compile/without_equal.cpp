@@ -5,6 +5,7 @@
 #include <array>
 
 #include "dialects/ir/cycle.h"
+#include "dialects/passes/rigid_taps.h"
 
 namespace dripfeed::compile {
 
@@ -79,7 +80,7 @@ class Walk {
   [[nodiscard]] WithoutEqual way_of(const ir::Code& c) const {
     const bool arc = c.function == Function::arc_via || c.function == Function::arc_tangent;
     if (arc && !has_row(to_, c.function, c.argument)) return WithoutEqual::arc;
-    const bool lathe = c.function == Function::drill && c.argument >= ir::kDrillAlongZ;
+    const bool lathe = c.function == Function::drill && c.argument >= ir::kDrillAlongZ && !passes::is_tap(c);
     return lathe && !has_row(to_, c.function, c.argument) ? WithoutEqual::drilling : WithoutEqual::no;
   }
 
@@ -96,18 +97,21 @@ std::vector<WithoutEqual> without_equal(const ir::Program& program, const ir::Co
 }
 
 std::string name_of(WithoutEqual kind, const ir::Program& program, const ir::Statement& statement) {
-  if (statement.kind == StatementKind::call)
+  if (statement.kind == StatementKind::call || statement.kind == StatementKind::modal_call)
     return std::string(program.strings.at(program.calls[statement.payload].name));
   for (const ir::Code& c : program.codes_of(program.blocks[statement.payload])) {
-    const bool meant = c.function == Function::repetitive_cycle || c.function == Function::drill ||
-                       c.function == Function::arc_via || c.function == Function::arc_tangent ||
-                       c.function == Function::hole_pattern;
+    const bool meant =
+        c.function == Function::repetitive_cycle || c.function == Function::drill || c.function == Function::arc_via ||
+        c.function == Function::arc_tangent || c.function == Function::hole_pattern || c.function == Function::tap ||
+        c.function == Function::tap_retract || (c.function == Function::linear && c.group == ModalGroup::non_modal);
     if (meant && !c.span.empty()) return std::string(c.span.in(program.source.text()));
   }
   switch (kind) {
     case WithoutEqual::arc: return "an arc";
     case WithoutEqual::drilling: return "a drilling cycle of a lathe";
     case WithoutEqual::removal: return "stock removal";
+    case WithoutEqual::tap:
+    case WithoutEqual::tap_part: return "a tap";
     case WithoutEqual::no: break;
   }
   return {};

@@ -10,7 +10,8 @@
 
 namespace dripfeed::compile {
 
-enum class WithoutEqual : std::uint8_t { no, arc, drilling, removal };
+// Taps are told by tap_statements().
+enum class WithoutEqual : std::uint8_t { no, arc, drilling, removal, tap, tap_part };
 
 // For each statement, in the order of the text: what is in effect counts from the block that says it to the next one
 // that says something else.

@@ -89,7 +89,7 @@ class Drilling {
     modal_ = hole;
     native_ = fits_modal_cycle(*hole) && region_fits(hole->lead != 0.0 || hole->floats);
     if (native_) return define(*hole, true);
-    if (!has_moves(*hole)) return;
+    if (!has_moves(*hole)) return modal_.reset();  // told
     if (region_is_entered()) cannot("a modal call into which jumps lead");
   }
 

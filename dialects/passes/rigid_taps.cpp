@@ -37,10 +37,6 @@ Form form_of(const ir::Control& control) {
 bool is_m29(const ir::Code& c) { return c.function == Function::machine_function && c.argument == kRigidFunction; }
 
 DrillCycle cycle_of(const ir::Code& c) { return static_cast<DrillCycle>(c.argument % ir::kDrillAlongZ); }
-bool is_tap(const ir::Code& c) {
-  return c.function == Function::drill && (cycle_of(c) == DrillCycle::tap_right || cycle_of(c) == DrillCycle::tap_left);
-}
-
 class Taps {
  public:
   Taps(ir::Program& program, const ir::Control& from, const ir::Control& to)
@@ -111,8 +107,7 @@ class Taps {
   // Takes the source's word for it away.
   bool takes_rigid(const ir::Code& tap, std::vector<ir::Word>& words, const ir::Statement& s) {
     bool rigid = std::exchange(rigid_, false);
-    const std::string_view written = tap.span.in(program_.source.text());
-    if (said_ == Form::own_code) rigid = written.ends_with("84.2") || written.ends_with("84.3");
+    if (said_ == Form::own_code) rigid = is_written_rigid(tap.span.in(program_.source.text()));
     if (said_ != Form::comma_r) return rigid;
     for (const ir::Word& w : words) {
       if (w.address != Address::rounding) continue;
@@ -148,11 +143,27 @@ class Taps {
 
 }  // namespace
 
+bool is_tap(const ir::Code& code) {
+  return code.function == Function::drill &&
+         (cycle_of(code) == DrillCycle::tap_right || cycle_of(code) == DrillCycle::tap_left);
+}
+
+bool announces_rigid_tap(const ir::Code& code, const ir::Control& control) {
+  return form_of(control) == Form::m29 && is_m29(code);
+}
+
+bool is_written_rigid(std::string_view written) {
+  return written.ends_with("84.2") || written.ends_with("84.3") || written.ends_with("88.2");
+}
+
 bool feeds_taps_by_lead(const ir::Control& control) { return form_of(control) == Form::comma_r; }
 
 void add_rigid(ir::Program& program, const ir::Control& to, ir::Code& tap, std::vector<ir::Word>& words, Rewrite& out) {
   const Form form = form_of(to);
-  if (form == Form::own_code) tap.name = program.strings.add(cycle_of(tap) == DrillCycle::tap_left ? "G84.3" : "G84.2");
+  if (form == Form::own_code)
+    tap.name = program.strings.add(cycle_of(tap) == DrillCycle::tap_left ? "G84.3"
+                                   : tap.argument >= ir::kDrillAlongX    ? "G88.2"
+                                                                         : "G84.2");
   if (form == Form::comma_r) {
     ir::Word one;
     one.address = Address::rounding;

@@ -2,6 +2,7 @@
 // (Mazak G84.2, G84.3), the usual one of SINUMERIK (CYCLE84).
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "dialects/ir/control.h"
@@ -13,6 +14,13 @@ namespace dripfeed::passes {
 
 // Says rigid taps as `to` says them. Between controls of one dialect nothing changes.
 std::vector<text::Diagnostic> settle_taps(ir::Program& program, const ir::Control& from, const ir::Control& to);
+
+// G84 or G74, of a lathe along either axis.
+bool is_tap(const ir::Code& code);
+// M29, where the control begins rigid taps so.
+bool announces_rigid_tap(const ir::Code& code, const ir::Control& control);
+// Whether a tapping cycle that is written so is a rigid one (G84.2, G88.2).
+bool is_written_rigid(std::string_view written);
 
 // Whether F of a rigid tap is its lead, whatever the feed mode is (,R1).
 bool feeds_taps_by_lead(const ir::Control& control);

@@ -32,6 +32,8 @@ constexpr auto kNames = std::to_array<CodeName>({
     {Function::arc_cw, "G2"},
     {Function::arc_ccw, "G3"},
     {Function::thread, "G33"},
+    {Function::tap, "G331"},
+    {Function::tap_retract, "G332"},
     {Function::dwell, "G4"},
     {Function::exact_stop_once, "G9"},
     {Function::exact_stop_mode, "G60"},
@@ -191,6 +193,7 @@ class BlockRaiser {
     if (c.function == Function::work_offset) return name_of_offset(c.argument);
     if (c.function == Function::machine_function) return "M" + std::to_string(c.argument);
     if (const std::string_view frame = name_of_frame(c); !frame.empty()) return std::string(frame);
+    if (c.function == Function::linear && c.group == ModalGroup::non_modal) return "G63";
     if (c.function == Function::unit_inch && c.argument == 1) return "G70";
     if (c.function == Function::unit_mm && c.argument == 1) return "G71";
     const auto row = std::ranges::find(kNames, c.function, &CodeName::function);

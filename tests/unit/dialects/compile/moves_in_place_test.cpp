@@ -214,9 +214,6 @@ TEST(MovesInPlace, WhatOthersDecideIsRefused) {
       refusal("%_N_A_MPF\nG17 G90 G71 G94\nG0 X0 Y0\nCIP X20 Y0 I1=10 J1=10 F200\nM30\n%_N_B_SPF\nM17\n",
               "sinumerik-840d", "fanuc", MachineKind::mill);
   EXPECT_NE(two.find("CIP beside another program in the same text"), std::string::npos) << two;
-  const std::string tap =
-      refusal(kLathe + "G00 X0 Z5.\nG84 Z-20. R-2. F1.5\nG80\nM30\n%\n", "fanuc", "sinumerik-840d", MachineKind::lathe);
-  EXPECT_NE(tap.find("G84 on a lathe"), std::string::npos) << tap;
 }
 
 // What goes along with a shape's blocks, and what counts on a cycle that is no longer there.

@@ -1,0 +1,264 @@
+// Taps of lathes, from one control to the other. Oracle: the run of the source: ends, leads, speeds, dwells and how the
+// spindle turns behind; the words by hand from the manuals.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/dialects/compile/harness.h"
+
+namespace dripfeed::compile::test {
+namespace {
+
+using ir::MachineKind;
+using ir::MotionKind;
+
+const std::string kSinumerik = "sinumerik-840d";
+const std::string kNumbered = "%\nO1\nG21 G18 G40 G80 G97 G99 G54\nT0101\nG00 X0 Z5. S300 M03\n";
+const std::string kNumberedEnd = "G80\nG00 X100. Z50.\nG01 X99. F0.2\nM05\nM30\n%\n";
+const std::string kNamed = "G71 G90 G18 G95 G40 DIAMON G54\nT1 D1\nG97 S300 M3\nG0 X0 Z5\n";
+const std::string kNamedEnd = "G18\nG0 X100 Z50\nS200 M3\nG1 X99 F0.2\nM5\nM30\n";
+
+ConvertResult converted(const std::string& text, const std::string& from, const std::string& to,
+                        MachineKind kind = MachineKind::lathe, ir::GSystem system = ir::GSystem::a) {
+  ConvertRequest request;
+  request.source = text::Source("program", text);
+  request.from = find_dialect(from)->control(kind, system);
+  request.to = find_dialect(to)->control(kind, system);
+  return convert(request);
+}
+
+double lead_of(const ir::Motion& m) {
+  const bool by_time = m.kind == MotionKind::linear && m.feed_mode == ir::FeedMode::per_min && m.spindle_rpm > 0.0;
+  return by_time ? m.feed / m.spindle_rpm : m.feed;
+}
+
+// Moves and dwells; a rapid that only stops on the way of the next one is left out.
+std::vector<ir::Motion> ways_of(const std::vector<ir::Motion>& motions) {
+  std::vector<ir::Motion> out;
+  for (const ir::Motion& m : motions) {
+    const bool counts = m.kind == MotionKind::dwell || (ir::is_move(m.kind) && m.start != m.end);
+    if (counts) out.push_back(m);
+  }
+  return out;
+}
+
+std::string expect_same_there(const std::string& text, const std::string& from, const std::string& to,
+                              MachineKind kind = MachineKind::lathe, ir::GSystem system = ir::GSystem::a) {
+  SCOPED_TRACE(to);
+  const ConvertResult made = converted(text, from, to, kind, system);
+  EXPECT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+  const auto a = ways_of(run_text(text, find_dialect(from)->control(kind, system)).motions);
+  const auto b = ways_of(run_text(made.text, find_dialect(to)->control(kind, system)).motions);
+  EXPECT_GE(a.size(), 4U);
+  EXPECT_EQ(a.size(), b.size()) << made.text;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    const std::string where = made.text + ", way " + std::to_string(i);
+    for (std::size_t axis = 0; axis < 6; ++axis) EXPECT_NEAR(a[i].end[axis], b[i].end[axis], 1e-9) << where;
+    const bool rapid = a[i].kind == MotionKind::rapid;
+    EXPECT_EQ(rapid, b[i].kind == MotionKind::rapid) << where;
+    if (rapid) continue;
+    EXPECT_NEAR(lead_of(a[i]), lead_of(b[i]), 1e-9) << where;
+    EXPECT_EQ(a[i].kind == MotionKind::dwell, b[i].kind == MotionKind::dwell) << where;
+    EXPECT_NEAR(a[i].spindle_rpm, b[i].spindle_rpm, 1e-9) << where;
+    if (a[i].kind != MotionKind::linear || b[i].kind != MotionKind::linear) continue;
+    EXPECT_EQ(a[i].spindle, b[i].spindle) << where;
+  }
+  if (!a.empty() && !b.empty()) {
+    EXPECT_EQ(a.back().spindle, b.back().spindle) << made.text;
+  }
+  return made.text;
+}
+
+std::string refusal(const std::string& text, const std::string& from, const std::string& to,
+                    MachineKind kind = MachineKind::lathe) {
+  const ConvertResult made = converted(text, from, to, kind);
+  EXPECT_TRUE(text::has_error(made.diagnostics)) << made.text;
+  EXPECT_EQ(made.text, "");
+  return said(made.diagnostics, text::Source("program", text));
+}
+
+void expect_has(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << "no " << part << " in\n" << text;
+}
+void expect_has_not(const std::string& text, const std::string& part) {
+  EXPECT_EQ(text.find(part), std::string::npos) << part << " in\n" << text;
+}
+
+const std::vector<std::string> kControls = {"fanuc", "mazak", "mitsubishi-m80"};
+
+// --- to SINUMERIK
+
+// PG, "Tapping with compensating chuck (G63)": 300 turns of 1.5 mm are 450 mm a minute.
+TEST(LatheTap, FloatingBecomesG63) {
+  for (const std::string& from : kControls) {
+    const std::string made =
+        expect_same_there(kNumbered + "G84 Z-20. R-2. P500 F1.5\nZ-15.\n" + kNumberedEnd, from, kSinumerik);
+    expect_has(made, "G94\nG63 Z-20. F450\nG4 F0.5\nG63 Z3. M4\nG0 Z5.\nS300 M3\nG95\n");
+    expect_has(made, "G63 Z-15. F450");
+    const std::string by_time = expect_same_there(
+        kNumbered + "G98 G01 Z4. F100.\nG84 Z-20. R-2. F450.\nG80\nG01 Z6.\n" + kNumberedEnd, from, kSinumerik);
+    expect_has(by_time, "G63 Z-20. F450\nG63 Z2. M4\n");
+    expect_has_not(by_time, "G95");
+  }
+}
+
+TEST(LatheTap, FloatingFromTheSideOrFromAStop) {
+  const std::string made = expect_same_there(
+      kNumbered + "G00 X60. Z-5.\nG88 X20. R-2. F1.25\nW-10.\nG80\nM05\nG84 Z-30. R-2. F1.25\n" + kNumberedEnd, "fanuc",
+      kSinumerik);
+  expect_has(made, "G63 X20. F375\nG63 X56. M4\n");
+  expect_has(made, "S300 M3\nG0 Z-17.\n");
+}
+
+TEST(LatheTap, RigidBecomesG331AndG332) {
+  const std::string pair = "M19\nG331 Z-20. K1.5 S300\nG4 F0.5\nG332 Z3. K1.5\n";
+  const std::string tap = "G84 Z-20. R-2. P500 F1.5";
+  expect_has(expect_same_there(kNumbered + "M29 S300\n" + tap + "\n" + kNumberedEnd, "fanuc", kSinumerik), pair);
+  expect_has(expect_same_there(kNumbered + tap + " ,R1\n" + kNumberedEnd, "mitsubishi-m80", kSinumerik), pair);
+  expect_has(expect_same_there(kNumbered + "G84.2 Z-20. R-2. P500 F1.5\n" + kNumberedEnd, "mazak", kSinumerik), pair);
+  const std::string side = expect_same_there(
+      kNumbered + "G00 X60. Z-5.\nG98\nM29 S300\nG88 X20. R-2. F450.\nZ-9.\nG80\nG99\n" + kNumberedEnd, "fanuc",
+      kSinumerik);
+  expect_has(side, "G331 X20. I1.5 S300\nG332 X56. I1.5\nG0 X60.\n");
+  expect_has_not(side, "M29");
+  // ,R1: F is the lead in G98, too.
+  const std::string by_lead =
+      expect_same_there(kNumbered + "G98 G01 Z4. F100.\nG84 Z-20. R-2. F1.5 ,R1\nG80\nG99\n" + kNumberedEnd,
+                        "mitsubishi-m80", kSinumerik);
+  expect_has(by_lead, "G331 Z-20. K1.5 S300\n");
+}
+
+TEST(LatheTap, InchesAndLoops) {
+  const std::string inch =
+      "%\nO1\nG20 G18 G40 G80 G97 G99 G54\nT0101\nG00 X0 Z0.2 S300 M03\nM29 S300\nG84 Z-0.8 R-0.1 F0.05\nG80\nG00 "
+      "Z2.\nM30\n%\n";
+  expect_has(expect_same_there(inch, "fanuc", kSinumerik), "G331 Z-0.8 K0.05 S300\nG332 Z0.1 K0.05\n");
+  const std::string loop =
+      kNumbered + "#1=0\nWHILE[#1 LT 3]DO1\nG00 X[40.+#1] Z5.\nM29 S300\nG84 Z-20. R-2. F1.5\nG80\n#1=#1+1\nEND1\n" +
+      kNumberedEnd;
+  expect_has(expect_same_there(loop, "fanuc", kSinumerik), "WHILE");
+}
+
+TEST(LatheTap, WhatIsNotSureOfNumberedTapsIsRefused) {
+  const auto refused = [](const std::string& body, const std::string& why, const std::string& from = "fanuc") {
+    expect_has(refusal(kNumbered + body + kNumberedEnd, from, kSinumerik), why);
+  };
+  refused("G84 Z-20. R-2. Q5000 F1.5\n", "Q5000");
+  refused("G84 Z-20. R-2. F1.5 M68\n", "M function");
+  refused("G84 Z-20. R-2. F1.5 M04\n", "M04 in the same block");
+  refused("/M29 S300\nG84 Z-20. R-2. F1.5\n", "M29 that does not stand right before its tap");
+  refused("M29 S300\n#1=5\nG84 Z-20. R-2. F1.5\n", "M29 that does not stand right before its tap");
+  refused("/G84 Z-20. R-2. F1.5\n", "a switch may skip");
+  refused("G96 S100\nG84 Z-20. R-2. F1.5\nG97 S300\n", "a speed that is not known");
+  refused("#1=#5021\nG84 Z[#1-20.] R-2. F1.5\n", "G84 beside");
+  refused("#1=0\nWHILE[#1 LT 3]DO1\nG84 Z[-10.-#1] R-2. F1.5\nG80\n#1=#1+1\nEND1\n", "other moves each time");
+  refused("#1=0\nWHILE[#1 LT 3]DO1\nS[300+#1*50]\nG84 Z-10. R-2. F1.5\nG80\n#1=#1+1\nEND1\n", "other moves each time");
+  refused("G84 Z-20. R-2. F1.5 D3 ,R1\n", "D3", "mitsubishi-m80");
+}
+
+// --- from SINUMERIK
+
+TEST(LatheTap, CalledTapsBecomeG84OrG88) {
+  const std::string called = kNamed + "G17\nCYCLE84(5,0,2,-20,,1,3,,1.5,0,300,300)\n" + kNamedEnd;
+  expect_has(expect_same_there(called, kSinumerik, "fanuc"),
+             "G00 Z2.\nS300\nM29\nG84 Z-20. R0. P1000 F1.5\nG80\nG00 Z5.\nS300 M03\n");
+  expect_has(expect_same_there(called, kSinumerik, "mazak"), "G84.2 Z-20. R0. P1000 F1.5\nG80\n");
+  expect_has(expect_same_there(called, kSinumerik, "mitsubishi-m80"), "G84 Z-20. R0. P1000 F1.5 ,R1\nG80\n");
+  const std::string side = kNamed +
+                           "G0 X60 Z-10\nG19 G94 F100\nMCALL CYCLE84(60,40,2,20,,0,5,8,,0,300,300)\nZ-20\nZ-30\nMCALL\n"
+                           "G1 Z-35\nG18 G95\n" +
+                           kNamedEnd;
+  expect_has(expect_same_there(side, kSinumerik, "fanuc"),
+             "G00 X42.\nS300\nM29\nG88 X20. R0. F375.\nG80\nG00 X60.\nM05\n");
+  expect_has(expect_same_there(side, kSinumerik, "mazak"), "G88.2 X20. R0. F375.\n");
+  // ,R1: F is the lead.
+  expect_has(expect_same_there(side, kSinumerik, "mitsubishi-m80"), "G88 X20. R0. F1.25 ,R1\n");
+  const std::string made = expect_same_there(called, kSinumerik, "fanuc", MachineKind::lathe, ir::GSystem::b);
+  expect_has(made, "G98 G84 Z-20. R0. P1000 F1.5\n");
+}
+
+TEST(LatheTap, FloatingCallsBecomeG84) {
+  const std::string by_lead = kNamed + "G17\nCYCLE840(5,0,2,-20,,0,0,3,0,,1.5)\n" + kNamedEnd;
+  const std::string by_feed = kNamed + "F1.5\nG17\nCYCLE840(5,0,2,-20,,0.3,4,5,1)\n" + kNamedEnd;
+  for (const std::string& to : kControls) {
+    const std::string made = expect_same_there(by_lead, kSinumerik, to);
+    expect_has(made, "G00 Z2.\nG84 Z-20. R0. F1.5\nG80\nG00 Z5.\nS300 M03\n");
+    expect_has_not(made, "M29");
+    expect_has(expect_same_there(by_feed, kSinumerik, to), "G84 Z-20. R0. P300 F1.5\nG80\nG00 Z5.\nM05\n");
+  }
+}
+
+TEST(LatheTap, PairsBecomeG84) {
+  for (const std::string& to : kControls) {
+    const std::string rigid = expect_same_there(
+        kNamed + "SPOS=0\nG0 Z3\nG331 Z-20 K1.5 S300\nG4 F0.5\nG332 Z3 K1.5\n" + kNamedEnd, kSinumerik, to);
+    expect_has(rigid, "M05\nG00 Z3.\nS300\n");
+    expect_has(rigid, "Z-20. R0. P500 F1.5");
+    expect_has_not(rigid, "SPOS");
+    const std::string side =
+        expect_same_there(kNamed + "G0 X60 Z-9\nM19\nG331 X20 I1.5 S300\nG332 X60 I1.5\n" + kNamedEnd, kSinumerik, to);
+    expect_has(side, " X20. R0. F1.5");
+    const std::string floating =
+        expect_same_there(kNamed + "G94\nG63 Z-20 F450\nG63 Z5 M4\nG95\n" + kNamedEnd, kSinumerik, to);
+    expect_has(floating, "G84 Z-20. R0. F450.\nG80\nS300 M04\n");
+  }
+}
+
+TEST(LatheTap, WhatIsNotSureOfNamedTapsIsRefused) {
+  const auto refused = [](const std::string& body, const std::string& why) {
+    expect_has(refusal(kNamed + body + kNamedEnd, kSinumerik, "fanuc"), why);
+  };
+  const std::string left = "not right-handed";
+  refused("G17\nCYCLE84(5,0,2,-20,,0,3,,-1.5,0,300,300)\n", left);
+  refused("G17\nCYCLE84(5,0,2,-20,,0,3,-8,,0,300,300)\n", left);
+  refused("SPOS=0\nG331 Z-20 K-1.5 S300\nG332 Z5 K-1.5\n", left);
+  refused("M4\nG17\nCYCLE840(5,0,2,-20,,0,0,3,0,,1.5)\n", left);
+  refused("G63 Z-20 F1.5\nG63 Z5\n", left);  // the spindle goes on as it was
+  refused("G17\nCYCLE84(5,0,2,-20,,0,3,,1.5,90,300,300)\n", "an angle of its spindle");
+  refused("G17\nCYCLE84(5,0,2,-20,,0,3,,1.5,0,300,200)\n", "speed");
+  refused("G17\nCYCLE84(5,0,2,-20,,0,,,1.5,0,300,300)\n", "SDAC");
+  refused("G17\nCYCLE84(5,0,2,-20,,0,3,,1.5,0,300,300,1)\n", "an axis");
+  refused("G17\nCYCLE84(5,0,2,-20,,0,3,,1.5,0,300,300,0,0,0,1,5)\n", "pecks");
+  refused("CYCLE84(5,0,2,-20,,0,3,,1.5,0,300,300)\n", "CYCLE84 ");  // along Y
+  refused("G17\nCYCLE84(5,0,2,-20,,0,3,,1.5,0,200,200)\nG1 Z4 F0.2\n", "no speed is said");
+  refused("G17\nCYCLE840(5,0,2,-20,,0,4,3,11,,1.5)\n", "ENC");
+  refused("G331 Z-20 K1.5 S300\nG332 Z5 K1.5\n", "not brought to a stop");
+  refused("SPOS=0\nG331 Z-20 K1.5 S300\nG332 Z5 K1.25\n", "a lead");
+  refused("SPOS=0\nG331 Z-20 K1.5 S300\nG332 Z5 K1.5 S200\n", "a speed");
+  refused("SPOS=0\nG331 Z-20 K1.5 S300\nG332 Z8 K1.5\n", "does not lead back");
+  refused("SPOS=0\nG331 Z-20 K1.5 S300\nG0 Z5\n", "without its way back");
+  refused("SPOS=90\nG331 Z-20 K1.5 S300\nG332 Z5 K1.5\n", "no address for");
+  refused("G332 Z5 K1.5\n", "without G331");
+  refused("G63 Z-20 F1.5\nG0 Z5\n", "without its way back");
+  refused("G17\n/MCALL CYCLE84(5,0,2,-20,,0,3,,1.5,0,300,300)\nX1\nMCALL\n", "a switch may skip");
+}
+
+// A plain feed would stop at a feed hold while the spindle goes on.
+TEST(LatheTap, G63IsNoPlainFeed) {
+  expect_has(refusal("G17 G71 G90 G94 G40\nS300 M3\nG0 X0 Y0 Z5\nG63 Z-10 F300\nG63 Z5 M4\nG0 Z50\nM30\n", kSinumerik,
+                     "fanuc", MachineKind::mill),
+             "G63 on a mill");
+}
+
+TEST(LatheTap, AsPlainBlocks) {
+  const auto plain = [](const std::string& text, const std::string& from, const std::string& to) {
+    ConvertRequest request;
+    request.source = text::Source("program", text);
+    request.from = control(from, MachineKind::lathe);
+    request.to = control(to, MachineKind::lathe);
+    request.mode = ConvertMode::explicit_blocks;
+    return convert(request);
+  };
+  const ConvertResult floating = plain(kNumbered + "G84 Z-20. R-2. F1.5\n" + kNumberedEnd, "fanuc", kSinumerik);
+  EXPECT_FALSE(text::has_error(floating.diagnostics));
+  expect_has(said(floating.diagnostics, text::Source("", "")), "feed override and feed hold");
+  EXPECT_TRUE(text::has_error(
+      plain(kNumbered + "M29 S300\nG84 Z-20. R-2. F1.5\n" + kNumberedEnd, "fanuc", kSinumerik).diagnostics));
+  EXPECT_TRUE(text::has_error(
+      plain(kNumbered + "G84 Z-20. R-2. F1.5 ,R1\n" + kNumberedEnd, "mitsubishi-m80", "fanuc").diagnostics));
+  EXPECT_TRUE(
+      text::has_error(plain(kNumbered + "G84.2 Z-20. R-2. F1.5\n" + kNumberedEnd, "mazak", "fanuc").diagnostics));
+}
+
+}  // namespace
+}  // namespace dripfeed::compile::test
