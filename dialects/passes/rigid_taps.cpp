@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -62,10 +63,11 @@ class Taps {
     std::vector<ir::Code> codes(program_.codes_of(block).begin(), program_.codes_of(block).end());
     std::vector<ir::Word> words(program_.words_of(block).begin(), program_.words_of(block).end());
     take_modes(codes, words);
+    const bool adds_feed = feeds_again(codes, words);
     const auto tap = std::ranges::find_if(codes, is_tap);
     if (tap == codes.end()) {
       rigid_ = said_ == Form::m29 && std::ranges::any_of(codes, is_m29) && tap_follows(i);
-      if (!rigid_) return out_.keep();
+      if (!rigid_) return adds_feed ? out_.emit_block(codes, words) : out_.keep();
       std::erase_if(codes, is_m29);
       if (!codes.empty() || !words.empty()) out_.emit_block(codes, words);
       return;
@@ -100,8 +102,21 @@ class Taps {
                                                    {"a rigid tap whose feed or speed is not written", to_.title}));
       return;
     }
+    own_feed_ = *feed;
     feed->value =
         program_.add_constant(said_ == Form::comma_r ? value * speed_rpm_ : value / speed_rpm_, feed->span, true);
+  }
+
+  // The first block behind the cycle says F as it was written: it counts there, too, until another one does.
+  bool feeds_again(const std::vector<ir::Code>& codes, std::vector<ir::Word>& words) {
+    const bool says = std::ranges::find(words, Address::f, &ir::Word::address) != words.end();
+    const bool ends = std::ranges::any_of(codes, [](const ir::Code& c) {
+      return c.group == ir::ModalGroup::motion || c.group == ir::ModalGroup::cycle || c.function == Function::cycle_off;
+    });
+    if (!own_feed_ || (!says && !ends)) return false;
+    if (!says) words.push_back(*own_feed_);
+    own_feed_.reset();
+    return !says;
   }
 
   // Takes the source's word for it away.
@@ -136,8 +151,9 @@ class Taps {
   Form said_;
   Rewrite out_;
   bool rigid_ = false;
-  bool per_turn_ = false;   // G95
-  double speed_rpm_ = 0.0;  // the last S; 0: not known
+  bool per_turn_ = false;             // G95
+  double speed_rpm_ = 0.0;            // the last S; 0: not known
+  std::optional<ir::Word> own_feed_;  // of a tap whose F was converted
   std::vector<text::Diagnostic> diagnostics_;
 };
 

@@ -4,7 +4,7 @@
   tests/bench/translate_moves.py [--binary build/release/dripfeed] [--from sinumerik-840d|fanuc|all] [--programs 300] [--seed 1] [--keep FOLDER]
 
 Each second program is a mill's: variables, arrays, conditions, loops, jumps, a subprogram with arguments, frames, arcs and drilling and boring cycles of its
-control; the others are a lathe's: turning and thread cycles, polar and cylindrical interpolation. It is run, translated to every other control (macro and explicit), and run there. Compared: the end points of all moves, their kinds and feeds; a rapid
+control; the others are a lathe's: turning and thread cycles, taps, polar and cylindrical interpolation. It is run, translated to every other control (macro and explicit), and run there. Compared: the end points of all moves, their kinds and feeds; a rapid
 that only stops on the way of the next one is no difference (cycles come down to their reference plane in one move or in two). Counts what is the
 same, what is refused, and what differs, which is a fault: exits 1 when there is any. --keep saves those.
 """
@@ -381,6 +381,25 @@ class FanucLathe(Maker):
         self.put("G80\nG00 Z20.\nX60. Z-5.")
         self.put(f"G87 X{self.number(30, 50)} R-2. Q{self.chance.randint(2000, 6000)} F0.05\nZ{self.number(-20, -8)}\nG80")
 
+    def rigid(self, cycle, words):
+        return f"M29 S{TAP_RPM}\n{cycle} {words}"
+
+    def tap(self):
+        cycle, feed = self.one_of("G84", "G84", "G88"), self.one_of("1.5", "0.75", "2.")
+        self.put("G00 X60. Z5.") if cycle == "G88" else self.at(0, self.one_of(5, 20))
+        level = self.one_of("R-2.", "R-3.5", "R0", "R1.", "") if cycle == "G84" else self.one_of("R-2.", "R-4.")
+        words = (f"X{self.number(20, 45)}" if cycle == "G88" else f"Z{self.number(-30, -10)}") + f" {level}{self.one_of('', ' P500')} F{feed}"
+        by_time = self.chance.random() < 0.3
+        if by_time:
+            self.put("G98 G01 " + ("Z4.9" if cycle == "G88" else "X0.") + " F100.")
+        plain = words.replace(f"F{feed}", f"F{float(feed) * TAP_RPM:g}.") if by_time else words
+        self.put(self.rigid(cycle, words if by_time and "R1" in self.rigid("", "") else plain) if self.chance.random() < 0.5 else f"{cycle} {plain}")
+        for _ in range(self.chance.randint(0, 2)):
+            self.put(self.one_of(f"Z{self.number(-9, -5)}", "W-1.5 K2") if cycle == "G88" else f"Z{self.number(-25, -8)}")
+        self.put("G80" + self.one_of("\nG00 Z20.", "\nG00 Z20.\nG01 Z19.", "\nG01 X61." if cycle == "G88" else "\nG01 Z21."))
+        if by_time:
+            self.put("G99 F0.3")
+
     def removal(self):
         self.at(62, 2)
         first = 100 + self.label()
@@ -432,7 +451,7 @@ class FanucLathe(Maker):
     def statement(self):
         kinds = [self.move, self.move, self.single, self.single, self.face, self.many, self.many, self.plain, self.changing]
         if self.depth == 0:
-            kinds += [self.stepped, self.jump] + ([self.removal, self.hole] if self.stands else [self.polar, self.cylinder])
+            kinds += [self.stepped, self.jump] + ([self.removal, self.hole, self.tap, self.tap] if self.stands else [self.polar, self.cylinder])
         self.chance.choice(kinds)()
 
     def text(self):
@@ -441,6 +460,16 @@ class FanucLathe(Maker):
         if any("C" in line for line in self.lines):
             self.kind = "mill-turn"
         return "\n".join(["%", "O0001", "G21 G18 G99 G97 G40", "S500 M03", "#1=1.", "G00 X60. Z5.", "G01 F0.3"] + self.lines + ["G00 X100. Z50.", "M30", "%"]) + "\n"
+
+
+class MazakLathe(FanucLathe):
+    def rigid(self, cycle, words):
+        return f"{cycle}.2 {words}"
+
+
+class MitsubishiLathe(FanucLathe):
+    def rigid(self, cycle, words):
+        return f"{cycle} {words} ,R1"
 
 
 class SinumerikLathe(Maker):
@@ -463,6 +492,31 @@ class SinumerikLathe(Maker):
         self.put("DIAMON G17\nG0 X0 Z20")
         self.put(self.one_of(f"CYCLE81(10,0,2,{self.number(-20, -5)})", f"CYCLE83(10,0,2,{self.number(-30, -15)},,-6,,{self.number(1, 4)},0.5,0,1,{self.chance.randint(0, 1)})", f"CYCLE85(10,0,2,{self.number(-20, -5)},,0,0.1,0.2)"))
         self.put("G18")
+
+    def tap(self):
+        """By a call, once or modal, or by G331 or G63 and back; the spindle turns again behind it."""
+        side, lead, depth, dwell = self.chance.random() < 0.3, self.one_of("1.5", "0.75", "2"), self.number(-30, -5), self.one_of("", "0", "0.5")
+        self.put("DIAMON\n" + ("G0 X60 Z-5" if side else "G0 X0 Z20"))
+        place, start = ("60,45,2," + self.number(20, 40), "60") if side else ("10,0,2," + depth, "20")
+        axis, letter = ("X", "I") if side else ("Z", "K")
+        end = self.number(20, 40) if side else depth
+        kind = self.chance.randrange(4)
+        if kind < 2:
+            call = (f"CYCLE84({place},,{dwell},{self.one_of(3, 3, 5)},,{lead},0,{TAP_RPM},{TAP_RPM})" if kind == 0 else
+                    f"CYCLE840({place},,{dwell},{self.one_of(0, 4)},{self.one_of(3, 3, 4, 5)},{self.one_of(0, 20)},,{lead})")
+            self.put("G19" if side else "G17")
+            if self.chance.random() < 0.5:
+                self.put(call)
+            else:
+                self.put("MCALL " + call)
+                self.put("Z-7\nZ=IC(-2)" if side else f"X0\nX{self.number(0, 9)}")
+                self.put("MCALL")
+            self.put("G18")
+        elif kind == 2:
+            self.put(f"SPOS=0\nG331 {axis}{end} {letter}{lead} S{TAP_RPM}" + self.one_of("", "\nG4 F0.3") + f"\nG332 {axis}{start} {letter}{lead}")
+        else:
+            self.put(f"G63 {axis}{end} F{lead}" + self.one_of("", "\nG4 F0.3") + f"\nG63 {axis}{start} M4")
+        self.put(f"G0 Z30 S{TAP_RPM} M3" + self.one_of("\nG1 Z29 F0.3", "\nG1 X61", "\nX60"))
 
     def removal(self):
         label = f"PART{self.label()}"
@@ -496,7 +550,7 @@ class SinumerikLathe(Maker):
     def statement(self):
         kinds = [self.move, self.move, self.thread, self.thread, self.plain, self.switch]
         if self.depth == 0:
-            kinds += [self.jump] + ([self.removal, self.hole] if self.stands else [self.transmit, self.tracyl])
+            kinds += [self.jump] + ([self.removal, self.hole, self.tap, self.tap] if self.stands else [self.transmit, self.tracyl])
         self.chance.choice(kinds)()
 
     def text(self):
@@ -507,7 +561,7 @@ class SinumerikLathe(Maker):
         return "\n".join(["G18 G90 G95 G71 DIAMON G40", "T1 D1", "S500 M3", "R1=2", "G0 X60 Z5", "G1 F0.3"] + self.lines + ["G0 X100", "M30"] + self.shapes) + "\n"
 
 
-MAKERS = {"sinumerik-840d": [Sinumerik, SinumerikLathe], "fanuc": [Fanuc, FanucLathe], "mazak": [Figures, FanucLathe], "mitsubishi-m80": [Figures, FanucLathe]}
+MAKERS = {"sinumerik-840d": [Sinumerik, SinumerikLathe], "fanuc": [Fanuc, FanucLathe], "mazak": [Figures, MazakLathe], "mitsubishi-m80": [Figures, MitsubishiLathe]}
 
 
 def dripfeed(binary, *arguments):
@@ -558,11 +612,14 @@ def without_stops(moves, detour, least):
 
 
 def is_one_tap(one, other):
-    """A feed a minute of a spindle that turns at TAP_RPM, or its lead: the same thread."""
-    kinds = {one[0]: one[1], other[0]: other[1]}
-    if set(kinds) != {"linear", "thread"} or math.dist(point(one[1]), point(other[1])) > TOLERANCE_MM:
+    """A feed a minute of a spindle that turns at TAP_RPM, or its lead, as a thread or a feed: the same thread."""
+    if not {one[0], other[0]} <= {"linear", "thread"} or math.dist(point(one[1]), point(other[1])) > TOLERANCE_MM:
         return False
-    return abs(value(kinds["linear"].get("F", "0")) - TAP_RPM * value(kinds["thread"].get("F", "0"))) < 1e-3
+    feeds = [move[1].get("F", "0") for move in (one, other)]
+    if one[0] == other[0] and feeds[0].rsplit("/", 1)[-1] == feeds[1].rsplit("/", 1)[-1]:
+        return False
+    a, b = (value(feed) * (TAP_RPM if feed.endswith("/rev") else 1) for feed in feeds)
+    return abs(a - b) < 1e-3
 
 
 def difference(a, b):

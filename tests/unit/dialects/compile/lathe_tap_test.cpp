@@ -233,6 +233,16 @@ TEST(LatheTap, WhatIsNotSureOfNamedTapsIsRefused) {
   refused("G17\n/MCALL CYCLE84(5,0,2,-20,,0,3,,1.5,0,300,300)\nX1\nMCALL\n", "a switch may skip");
 }
 
+// F of the tap is its lead there, and the feed of the next cut here.
+TEST(LatheTap, TheFeedBehindATapOfAnotherNumberedControl) {
+  const std::string end = "G80\nG01 Z9.\nG00 X100.\nM30\n%\n";
+  const std::string by_time =
+      expect_same_there(kNumbered + "G98\nM29 S300\nG84 Z-20. R-2. F450.\nZ-9.\n" + end, "fanuc", "mitsubishi-m80");
+  expect_has(by_time, "G84 Z-20. R-2. F1.5 ,R1\nZ-9.\nG80 F450.\n");
+  expect_same_there(kNumbered + "G98\nG84 Z-20. R-2. F1.5 ,R1\nG01 Z9.\nG00 X100.\nM30\n%\n", "mitsubishi-m80",
+                    "fanuc");
+}
+
 // A plain feed would stop at a feed hold while the spindle goes on.
 TEST(LatheTap, G63IsNoPlainFeed) {
   expect_has(refusal("G17 G71 G90 G94 G40\nS300 M3\nG0 X0 Y0 Z5\nG63 Z-10 F300\nG63 Z5 M4\nG0 Z50\nM30\n", kSinumerik,

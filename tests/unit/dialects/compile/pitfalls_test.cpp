@@ -183,7 +183,7 @@ const std::vector<Pitfall>& pitfalls() {
        kMillF,
        "M29 S300\nG84 Z-9. R2. F450.\nG80\n",
        {"S300\n", "F1.5", ",R1\n"},
-       {"M29", "F450"}},
+       {"M29", "R2. F450"}},
       {"25 rigid taps", kF, kZ, kMacro, kMillF, "M29 S300\nG84 Z-9. R2. F450.\nG80\n", {"G84.2 Z-9."}, {"M29"}},
       {"25 rigid taps",
        kM,
