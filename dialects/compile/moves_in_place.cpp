@@ -82,6 +82,16 @@ std::set<std::uint8_t> skip_levels(const ir::Program& program) {
   return out;
 }
 
+// AXN of CYCLE83: the run goes along the axis that stands on the plane.
+bool names_axis(const ir::Program& program, const ir::Call& call) {
+  constexpr std::size_t kAxis = 12;
+  const auto arguments = program.arguments_of(call);
+  if (program.strings.at(call.name) != "CYCLE83" || arguments.size() <= kAxis) return false;
+  const ir::ExpressionId axis = arguments[kAxis].value;
+  if (axis == ir::ExpressionId::none) return false;
+  return program.at(axis).op != ir::Operator::constant || program.at(axis).value != 0.0;
+}
+
 bool has_word(const ir::Program& program, const ir::Block& block, Address address) {
   return std::ranges::find(program.words_of(block), address, &ir::Word::address) != program.words_of(block).end();
 }
@@ -272,6 +282,7 @@ std::string MovesInPlace::terms_at(const ir::Program& program, std::uint32_t ind
 std::string MovesInPlace::rest_of(const ir::Program& program, std::uint32_t index, BlockRest& rest) const {
   const ir::Statement& s = program.statements[index];
   if (s.skip_level != 0) return "that a switch may skip";
+  if (s.kind == StatementKind::call && names_axis(program, program.calls[s.payload])) return "with an axis of its own";
   if (s.kind != StatementKind::block) return {};
   const ir::Block& block = program.blocks[s.payload];
   if (block.rest_level != 0) return "with block skip inside it";

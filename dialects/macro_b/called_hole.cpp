@@ -174,6 +174,7 @@ class HoleReader {
     const std::optional<double> last = number_at(15, 0.0);
     const std::optional<double> surface = number(argument(1));
     if (!first || !each || !less || !kind || !last || !surface) return " with computed pecks";
+    if (number_at(12, 0.0) != 0.0) return " with an axis of its own (AXN)";
     if (*less != 0.0 || hole.dwell_s != 0.0 || number_at(10, 1.0).value_or(0.0) != 1.0)
       return " with pecks that grow less, dwells or feeds of their own";
     hole.peck = *first < kNotGiven ? std::abs(*surface - *first) : std::abs(*each);

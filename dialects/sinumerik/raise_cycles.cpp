@@ -288,6 +288,8 @@ class CycleRaiser {
     double lead = program_.at(after.feed.value).value;
     if (after.feed_mode.value == Function::feed_per_min) lead /= speed;
     if (!(speed > 0.0) || !(lead > 0.0)) return refuse("a tap without a feed or speed"), false;
+    const bool pecks = std::ranges::find(own_, Address::q, &ir::Word::address) != own_.end();
+    if (pecks) return refuse("a tap by pecks (Q)"), false;
     put(5, seconds(after));
     const Function spindle = after.spindle.value;
     put(6, constant(spindle == Function::spindle_cw ? 3.0 : spindle == Function::spindle_ccw ? 4.0 : 5.0));

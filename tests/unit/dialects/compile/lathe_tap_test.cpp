@@ -250,6 +250,21 @@ TEST(LatheTap, G63IsNoPlainFeed) {
              "G63 on a mill");
 }
 
+// Words of cycles that the runs leave out.
+TEST(LatheTap, PecksOfATapAndAnAxisOfADrillAreRefused) {
+  const std::string pecks = refusal(
+      "%\nO1\nG21 G17 G90 G94 G40 G54\nT1 M06\nS300 M03\nG00 X0 Y0 Z10.\nM29 S300\nG98 G84 X1. Z-10. R2. Q3. "
+      "F450.\nG80\n"
+      "M30\n%\n",
+      "fanuc", kSinumerik, MachineKind::mill);
+  expect_has(pecks, "a tap by pecks (Q)");
+  const std::string drill = "CYCLE83(60,0,2,-20,,,5,0,,,1,1,1)\n";
+  expect_has(refusal(kNamed + "G0 X60 Z5 F0.2\nG17\n" + drill + kNamedEnd, kSinumerik, "fanuc"), "an axis of its own");
+  expect_has(refusal("G17 G71 G90 G94 G40 G54\nT1 D1 M6\nG97 S300 M3\nG0 X0 Y0 Z60 F100\n" + drill + "M30\n",
+                     kSinumerik, "fanuc", MachineKind::mill),
+             "an axis of its own");
+}
+
 TEST(LatheTap, AsPlainBlocks) {
   const auto plain = [](const std::string& text, const std::string& from, const std::string& to) {
     ConvertRequest request;
