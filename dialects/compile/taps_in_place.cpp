@@ -16,6 +16,8 @@ using ir::Address;
 using ir::Function;
 using ir::StatementKind;
 
+bool is_thread(const ir::Motion& m) { return m.kind == ir::MotionKind::thread; }
+
 bool says_speed(const ir::Program& program, const ir::Statement& s) {
   return s.kind == StatementKind::block &&
          std::ranges::any_of(program.words_of(program.blocks[s.payload]),
@@ -59,9 +61,7 @@ void MovesInPlace::replace_tap(ir::Program& program, std::uint32_t index, const 
         return cannot(name + " at another speed than before it, behind which no speed is said,", s.span);
   }
   // What ,R1 says, the run shows.
-  const bool by_lead =
-      std::ranges::any_of(motions, [](const ir::Motion& m) { return m.kind == ir::MotionKind::thread; });
-  const bool rigid = tap.rigid || (by_lead && ir::has_numbered_variables(from_));
+  const bool rigid = tap.rigid || (ir::has_numbered_variables(from_) && std::ranges::any_of(motions, is_thread));
   TapMoves moves(program, out, terms, to_, rigid);
   if (const auto done = moves.write(motions, std::move(rest)); !done)
     return cannot(name + " with " + done.error(), s.span);
@@ -117,6 +117,14 @@ std::string MovesInPlace::same_tap_each_time(std::uint32_t line, const TapStatem
         return "that makes other moves each time";
       motions = here;
       found = true;
+      if (ir::has_numbered_variables(from_) && !here.empty()) {
+        const std::size_t first = run.visits[v].first_motion;
+        const ir::SpindleState before = first == 0 ? ir::SpindleState::stopped : run.motions[first - 1].spindle;
+        const bool rigid = tap.rigid || std::ranges::any_of(here, is_thread);
+        // G84 counts on M3 where the spindle only turns back, and what it makes of M4 is the machine's.
+        if (before == ir::SpindleState::counterclockwise || (!rigid && before == ir::SpindleState::stopped))
+          return "where the spindle does not turn by M3";
+      }
       const bool turns = !here.empty() && here.front().spindle != ir::SpindleState::stopped;
       if (tap.needs_stop && turns) return "where the spindle was not brought to a stop (SPOS)";
     }

@@ -102,12 +102,10 @@ TEST(LatheTap, FloatingBecomesG63) {
   }
 }
 
-TEST(LatheTap, FloatingFromTheSideOrFromAStop) {
-  const std::string made = expect_same_there(
-      kNumbered + "G00 X60. Z-5.\nG88 X20. R-2. F1.25\nW-10.\nG80\nM05\nG84 Z-30. R-2. F1.25\n" + kNumberedEnd, "fanuc",
-      kSinumerik);
+TEST(LatheTap, FloatingFromTheSide) {
+  const std::string made =
+      expect_same_there(kNumbered + "G00 X60. Z-5.\nG88 X20. R-2. F1.25\nW-10.\n" + kNumberedEnd, "fanuc", kSinumerik);
   expect_has(made, "G63 X20. F375\nG63 X56. M4\n");
-  expect_has(made, "S300 M3\nG0 Z-17.\n");
 }
 
 TEST(LatheTap, RigidBecomesG331AndG332) {
@@ -116,6 +114,9 @@ TEST(LatheTap, RigidBecomesG331AndG332) {
   expect_has(expect_same_there(kNumbered + "M29 S300\n" + tap + "\n" + kNumberedEnd, "fanuc", kSinumerik), pair);
   expect_has(expect_same_there(kNumbered + tap + " ,R1\n" + kNumberedEnd, "mitsubishi-m80", kSinumerik), pair);
   expect_has(expect_same_there(kNumbered + "G84.2 Z-20. R-2. P500 F1.5\n" + kNumberedEnd, "mazak", kSinumerik), pair);
+  const std::string stopped =
+      expect_same_there(kNumbered + "M05\nM29 S300\n" + tap + "\n" + kNumberedEnd, "fanuc", kSinumerik);
+  expect_has(stopped, pair + "G0 Z5.\nM5\n");
   const std::string side = expect_same_there(
       kNumbered + "G00 X60. Z-5.\nG98\nM29 S300\nG88 X20. R-2. F450.\nZ-9.\nG80\nG99\n" + kNumberedEnd, "fanuc",
       kSinumerik);
@@ -144,6 +145,8 @@ TEST(LatheTap, WhatIsNotSureOfNumberedTapsIsRefused) {
     expect_has(refusal(kNumbered + body + kNumberedEnd, from, kSinumerik), why);
   };
   refused("G84 Z-20. R-2. Q5000 F1.5\n", "Q5000");
+  refused("M05\nG84 Z-20. R-2. F1.5\n", "does not turn by M3");
+  refused("M04\nM29 S300\nG84 Z-20. R-2. F1.5\n", "does not turn by M3");
   refused("G84 Z-20. R-2. F1.5 M68\n", "M function");
   refused("G84 Z-20. R-2. F1.5 M04\n", "M04 in the same block");
   refused("/M29 S300\nG84 Z-20. R-2. F1.5\n", "M29 that does not stand right before its tap");
