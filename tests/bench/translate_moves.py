@@ -21,7 +21,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DIALECTS = ("fanuc", "mazak", "mitsubishi-m80", "sinumerik-840d")
-MOVES = {"rapid", "linear", "arc-cw", "arc-ccw", "thread"}
+MOVES = {"rapid", "linear", "arc-cw", "arc-ccw", "thread", "spline"}
 TAP_RPM = 500
 TOLERANCE_MM = 0.003  # printed with three or four decimals, and added up by increments
 
@@ -90,7 +90,8 @@ class Sinumerik(Maker):
     def arc(self):
         if self.stands and self.depth == 0:
             self.put("G0 Z30\nG1 " + self.one_of(f"X{self.number()} Y{self.number()}", "Y=IC(3)"))
-            self.put(f"CIP X{self.number()} Y{self.number()} I1={self.number()} J1={self.number()}\n" + self.one_of("G1", f"CT X{self.number()} Y{self.number()}\nG1", f"X{self.number()} Y{self.number()} I1={self.number()} J1={self.number()}\nG0"))
+            space = self.one_of("", f" Z{self.number()} K1={self.number()}")
+            self.put(f"CIP X{self.number()} Y{self.number()} I1={self.number()} J1={self.number()}{space}\n" + self.one_of("G1", f"CT X{self.number()} Y{self.number()}\nG1", f"X{self.number()} Y{self.number()} I1={self.number()} J1={self.number()}\nG0"))
             return
         radius = self.number(2, 9)
         self.put("G91")
@@ -597,6 +598,8 @@ def without_stops(moves, detour, least):
     """Moves without those of no length and without rapids that stop on the way of the next rapid."""
     out, at = [], (0.0, 0.0, 0.0, 0.0)
     for kind, words in moves:
+        if kind == "spline":  # a chord of a curve
+            kind = "linear"
         to = point(words)
         if kind in ("rapid", "linear") and math.dist(at, to) <= least:
             at = to
