@@ -235,7 +235,7 @@ Taps taps_of_all(const ir::Program& main, const ir::Control& control, const std:
     const ir::Program* program = finder.find(called[i]);
     if (program == nullptr) continue;
     const Taps more = taps_of(*program, control);
-    out.cycles |= more.cycles;
+    out.cycles |= more.cycles || called[i] == "CYCLE84" || called[i] == "CYCLE840";
     out.rigid |= more.rigid;
     out.floating |= more.floating;
   }

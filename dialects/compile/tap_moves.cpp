@@ -136,7 +136,7 @@ std::expected<void, std::string> TapMoves::write(std::span<const Motion> motions
 
 std::expected<void, std::string> TapMoves::say(const TapCut& tap) {
   const bool right =
-      rigid_ ? tap.lead_mm > 0.0 : tap.in == SpindleState::clockwise && tap.out == SpindleState::counterclockwise;
+      tap.lead_mm > 0.0 && (rigid_ || (tap.in == SpindleState::clockwise && tap.out == SpindleState::counterclockwise));
   if (!right) return cannot("a thread that is not right-handed, as far as is known here");
   if (terms_.feed_mode == ir::FeedMode::inverse_time) return cannot("feeds as times (G93)");
   if (ir::has_numbered_variables(to_)) return say_cycle(tap);

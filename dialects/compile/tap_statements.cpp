@@ -115,13 +115,17 @@ class TapWalk {
     bool names = false;
     for (const ir::Code& c : program_.codes_of(*block)) {
       if (c.group != ModalGroup::motion && c.group != ModalGroup::cycle && c.function != Function::cycle_off) continue;
+      const bool behind_another = taps_ && by_m29_;
       names = taps_ = is_foreign_tap(c);
       if (!taps_) continue;
+      by_m29_ = announced_;
+      shares_m29_ = behind_another && !announced_;
       rigid_ = announced_ || passes::is_written_rigid(c.span.in(program_.source.text()));
       announced_ = false;
     }
     if (!taps_ || (!names && !moves(index_))) return;
     out_[index_] = {.role = TapRole::tap, .rigid = rigid_, .fault = fault_of(*block)};
+    if (shares_m29_) out_[index_].fault = "that is a second one behind one M29";
     if (astray_) out_[index_].fault = "in a program with M29 that does not stand right before its tap";
   }
   // M29.
@@ -291,6 +295,8 @@ class TapWalk {
   bool astray_ = false;                // … somewhere else
   bool taps_ = false;                  // G84 is in effect
   bool rigid_ = false;                 // … and was announced
+  bool by_m29_ = false;                // … that way
+  bool shares_m29_ = false;            // … which was said before the tap before it
   std::optional<TapStatement> modal_;  // by MCALL
 };
 

@@ -46,6 +46,7 @@ inline constexpr std::uint32_t kNoteScaleUnit = 1U << 23;       // a parameter d
 inline constexpr std::uint32_t kNoteFrameValue = 1U << 24;      // a factor or angle that is left to a parameter
 inline constexpr std::uint32_t kNoteDirectAngle = 1U << 25;     // an angle (,A) of which no line came
 inline constexpr std::uint32_t kNoteTransformed = 1U << 26;     // a plane of X and C that its place is not known in
+inline constexpr std::uint32_t kNoteArcUndefined = 1U << 29;    // CIP through points that no circle goes through
 inline constexpr std::uint32_t kNoteContourOffset = 1U << 28;   // OFFN beside the radius that is compensated
 inline constexpr std::uint32_t kNoteSplineStraight = 1U << 27;  // … straight to its point
 

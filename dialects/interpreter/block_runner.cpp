@@ -27,12 +27,13 @@ struct NoteRow {
   Report report;
 };
 // Notes that are counted like a code that is not interpreted.
-const std::array<NoteRow, 27>& counted_notes() {
-  static const std::array<NoteRow, 27> rows = {{
+const std::array<NoteRow, 28>& counted_notes() {
+  static const std::array<NoteRow, 28> rows = {{
       {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
       {kNoteReferenceUnknown, {"the way to the reference point", ir::Function::reference_return}},
       {kNoteArcNotComputed, {"arcs from or to a place that is not known"}},
       {kNoteArcInFrame, {"arcs that a frame stretches"}},
+      {kNoteArcUndefined, {"CIP through points that make no circle"}},
       {kNoteCompInFrame, {"compensation of the radius in a plane that a frame tilts"}},
       {kNoteCornerNotComputed, {"a chamfer or rounding that does not fit its corner"}},
       {kNoteLeadChange,

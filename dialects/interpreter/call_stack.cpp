@@ -108,9 +108,13 @@ std::optional<CallStack::Part> CallStack::find_part(const Instruction& i, const 
   const auto last = ir::labelled_block(text, range, last_name);
   if (!first || !last || last->last < first->first) {
     const std::string& missing = first ? last_name : first_name;
-    report_.fail(i, DiagnosticId::jump_target_missing, {is_unknown(missing) ? "of a text that is not known" : missing});
+    const std::string place = first && last ? " behind " + first_name : "";
+    report_.fail(i, DiagnosticId::jump_target_missing,
+                 {is_unknown(missing) ? "of a text that is not known" : missing + place});
     return std::nullopt;
   }
+  if (!text.symbols.empty())
+    report_.count({.name = "the variables that a program defines before the part of it that is called"});
   if (!last->is_bare) report_.count({.name = "whether CALL BLOCK runs the block of its last label"});
   CompiledProgram& part = programs_.part_of(whole, last->last);
   return Part{&part, find_text(part, first_name, 0, ir::JumpSearch::both)};

@@ -35,7 +35,7 @@ class CurveChords {
   void run(double u0, double u1) { halve(u0, at_(u0), u1, at_(u1), 0); }
 
  private:
-  static constexpr int kDeepest = 12;  // halvings
+  static constexpr int kDeepest = 14;  // halvings
 
   // Looked at in three places, so that a curve that crosses its chord in the middle is seen.
   void halve(double u0, const AxisValues& a, double u1, const AxisValues& b, int depth) {

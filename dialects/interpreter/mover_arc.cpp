@@ -33,6 +33,8 @@ void Mover::arc_via(const Target& target) {
   const PlaneAxes axes = axes_of(state_.modes.plane);
   constexpr std::uint64_t kVia = bit_of(Address::via_i) | bit_of(Address::via_j) | bit_of(Address::via_k);
   if (starts_unknown(axes) || target.unknown != 0 || (block_.unknown & kVia) != 0) return lose(target);
+  // What the control makes of either, the manual does not say.
+  if ((block_.present & kVia) == 0 || block_.has(Address::turns)) return lose(target, kNoteArcUndefined);
   if (state_.modes.has_matrix && !keeps_shapes(state_.modes.matrix)) return lose(target, kNoteArcInFrame);
   if (state_.modes.has_matrix && (state_.unknown & 7U) != 0) return lose(target);
   const Vector via = way_to_via();
@@ -40,7 +42,8 @@ void Mover::arc_via(const Target& target) {
   const bool rises = std::abs(via[axes.normal]) > kFlat_mm || std::abs(end[axes.normal]) > kFlat_mm;
   if (rises && (state_.unknown >> axes.normal & 1U) != 0) return lose(target);
   const std::optional<SpaceArc> arc = arc_through(via, end);
-  if (!arc.has_value()) return is_between(via, end) ? straight(MotionKind::linear, target) : lose(target);
+  if (!arc.has_value())
+    return is_between(via, end) ? straight(MotionKind::linear, target) : lose(target, kNoteArcUndefined);
   if (rises) return arc_in_space(*arc, target);
   const bool left = via[axes.p] * end[axes.q] > via[axes.q] * end[axes.p];
   emit_arc(left ? MotionKind::arc_ccw : MotionKind::arc_cw, axes, {arc->center[axes.p], arc->center[axes.q]}, target);

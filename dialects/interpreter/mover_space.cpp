@@ -1,4 +1,6 @@
 // Arcs that lie in no plane of the control's own: CIP in space, and planes that a frame tilts. They come out as chords.
+#include <cmath>
+
 #include "dialects/interpreter/chord_moves.h"
 #include "dialects/interpreter/mover.h"
 #include "dialects/interpreter/polar.h"
@@ -14,6 +16,8 @@ namespace {
 constexpr std::array kViaAddresses = {Address::via_i, Address::via_j, Address::via_k};
 constexpr std::uint64_t kCorners =
     bit_of(Address::chamfer) | bit_of(Address::chamfer_length) | bit_of(Address::rounding);
+
+constexpr double kSame_mm = 1e-9;
 
 // The frame taken off: the axes stand where they are programmed.
 ModalState as_programmed(const BlockRules& rules, const ModalState& state) {
@@ -96,6 +100,9 @@ void Mover::arc_in_tilted_plane(Function function, const Target& target) {
   out_.capture(&made);
   Mover mover(block, rules_, options_, own, out_, result);
   const Target programmed = find_target(block, rules_, own, false);
+  // A full circle ends where it starts: what turning back and forth has rounded is no way.
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (std::abs(programmed.end[axis] - own.position[axis]) < kSame_mm) own.position[axis] = programmed.end[axis];
   if (function == Function::arc_tangent)
     mover.arc_tangent(programmed);
   else

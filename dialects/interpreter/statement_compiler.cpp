@@ -47,10 +47,10 @@ void StatementCompiler::compile(std::uint32_t returns_behind) {
   for (std::uint32_t i = first; i < last; ++i) {
     code[i].begin = builder_.here();
     compile_statement(i);
+    code[i].end = builder_.here();  // a loop that ends here leads to the end of the part, too
     for (std::uint32_t id = 0; id < repeated_.size(); ++id)
       if (repeated_[id].last == i) flow_.compile_section_end(repeated_[id].repeat, id);
     if (i == returns_behind) builder_.emit(Opcode::back, program.statements[i].span);
-    code[i].end = builder_.here();
   }
   end_block();
   builder_.emit(Opcode::text_end, ir::span_of_last(program, first, last));

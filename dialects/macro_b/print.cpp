@@ -49,9 +49,16 @@ const ir::CodeRow* find_function(const ir::Control& control, Function function, 
                         function == Function::scale || function == Function::mirror ||
                         function == Function::set_coordinates || function == Function::transformation ||
                         function == Function::hole_pattern || function == Function::thread_changing;
+  const auto fits = [&](const ir::CodeRow& r) {
+    return r.function == function && (!numbered || r.argument == argument);
+  };
   for (const auto table : {control.g_codes, control.m_codes}) {
-    const auto row = std::ranges::find_if(
-        table, [&](const ir::CodeRow& r) { return r.function == function && (!numbered || r.argument == argument); });
+    // G63 goes on without a stop as well, but for taps: without override and feed hold.
+    const auto usual = std::ranges::find_if(table, [&](const ir::CodeRow& r) {
+      return fits(r) && function == Function::continuous_path && r.name == "G64";
+    });
+    if (usual != table.end()) return &*usual;
+    const auto row = std::ranges::find_if(table, fits);
     if (row != table.end()) return &*row;
   }
   return nullptr;

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "dialects/ir/cycle.h"
+#include "dialects/passes/flow_graph.h"
+#include "dialects/passes/mode_flow.h"
 #include "dialects/passes/rewrite.h"
 
 namespace dripfeed::passes {
@@ -41,14 +43,22 @@ DrillCycle cycle_of(const ir::Code& c) { return static_cast<DrillCycle>(c.argume
 class Taps {
  public:
   Taps(ir::Program& program, const ir::Control& from, const ir::Control& to)
-      : program_(program), to_(to), said_(form_of(from)), out_(program) {}
+      : program_(program),
+        to_(to),
+        said_(form_of(from)),
+        flow_(program, from),
+        targets_(jump_targets(program)),
+        out_(program) {}
 
   std::vector<text::Diagnostic> run() {
     const auto count = static_cast<std::uint32_t>(program_.statements.size());
     for (std::uint32_t i = 0; i < count; ++i) {
       out_.at(i);
       const ir::Statement s = program_.statements[i];
-      if (s.kind == StatementKind::block && program_.blocks[s.payload].rest_level == 0)
+      const bool plain = s.kind == StatementKind::block && program_.blocks[s.payload].rest_level == 0;
+      if (own_feed_ && !goes_straight(i))
+        refuse(s, "a rigid tap whose feed counts otherwise here, with a jump before its end,");
+      if (plain)
         block(i, s);
       else
         out_.keep();
@@ -62,29 +72,79 @@ class Taps {
     const ir::Block block = program_.blocks[s.payload];
     std::vector<ir::Code> codes(program_.codes_of(block).begin(), program_.codes_of(block).end());
     std::vector<ir::Word> words(program_.words_of(block).begin(), program_.words_of(block).end());
-    take_modes(codes, words);
-    const bool adds_feed = feeds_again(codes, words);
+    const bool adds_feed = feeds_again(codes, words, s);
     const auto tap = std::ranges::find_if(codes, is_tap);
     if (tap == codes.end()) {
+      in_announced_tap_ = in_announced_tap_ && !ends_cycle(codes);
       rigid_ = said_ == Form::m29 && std::ranges::any_of(codes, is_m29) && tap_follows(i);
       if (!rigid_) return adds_feed ? out_.emit_block(codes, words) : out_.keep();
       std::erase_if(codes, is_m29);
       if (!codes.empty() || !words.empty()) out_.emit_block(codes, words);
       return;
     }
+    // Whether the spindle goes on being turned by its position, nothing that was found says.
+    if (std::exchange(in_announced_tap_, rigid_) && !rigid_) refuse(s, "a second tap behind one M29");
     const bool rigid = takes_rigid(*tap, words, s);
     if (rigid) {
-      convert_feed(words, s);
+      convert_feed(words, i);
       add_rigid(program_, to_, *tap, words, out_);
     }
     out_.emit_block(codes, words);
   }
 
-  void take_modes(const std::vector<ir::Code>& codes, const std::vector<ir::Word>& words) {
-    for (const ir::Code& code : codes)
-      if (code.group == ir::ModalGroup::feed) per_turn_ = code.function == Function::feed_per_rev;
-    for (const ir::Word& word : words)
-      if (word.address == Address::s && word.extension == 0) speed_rpm_ = constant_of(word);
+  void refuse(const ir::Statement& s, std::string what) {
+    own_feed_.reset();
+    diagnostics_.push_back(
+        text::make_diagnostic(text::DiagnosticId::cannot_translate, s.span, {std::move(what), to_.title}));
+  }
+  static bool ends_cycle(const std::vector<ir::Code>& codes) {
+    return std::ranges::any_of(codes, [](const ir::Code& c) {
+      return c.group == ir::ModalGroup::motion || c.group == ir::ModalGroup::cycle || c.function == Function::cycle_off;
+    });
+  }
+  // Whether the program comes to it from the statement before it alone, and always.
+  [[nodiscard]] bool goes_straight(std::uint32_t i) const {
+    const ir::Statement& s = program_.statements[i];
+    const bool passes_on = s.kind == StatementKind::block || s.kind == StatementKind::empty ||
+                           s.kind == StatementKind::assign || s.kind == StatementKind::message;
+    const bool may_be_skipped =
+        s.skip_level != 0 || (s.kind == StatementKind::block && program_.blocks[s.payload].rest_level != 0);
+    return passes_on && !targets_[i] && !may_be_skipped;
+  }
+  // The S that counts at the statement, in rev/min: the last one of a straight way there, or the only one that the
+  // program knows; nothing where that is not certain.
+  [[nodiscard]] std::optional<double> speed_at(std::uint32_t i) const {
+    for (;; --i) {
+      if (const ir::Word* word = speed_word(program_.statements[i])) return constant_of(*word);
+      if (i == 0 || !goes_straight(i)) return only_speed();
+    }
+  }
+  [[nodiscard]] const ir::Word* speed_word(const ir::Statement& s) const {
+    if (s.kind != StatementKind::block) return nullptr;
+    const auto words = program_.words_of(program_.blocks[s.payload]);
+    const auto word =
+        std::ranges::find_if(words, [](const ir::Word& w) { return w.address == Address::s && w.extension == 0; });
+    return word == words.end() ? nullptr : &*word;
+  }
+  [[nodiscard]] std::optional<double> only_speed() const {
+    std::optional<double> only;
+    for (const ir::Statement& s : program_.statements) {
+      if (s.kind == StatementKind::call || s.kind == StatementKind::modal_call) return std::nullopt;
+      const ir::Word* word = speed_word(s);
+      if (word == nullptr) continue;
+      const double speed_rpm = constant_of(*word);
+      if (only.value_or(speed_rpm) != speed_rpm) return std::nullopt;
+      only = speed_rpm;
+    }
+    return only;
+  }
+  // Nothing where ways that lead there bring different ones.
+  [[nodiscard]] std::optional<Function> feed_mode_at(std::uint32_t i) const {
+    for (const ir::Code& code : program_.codes_of(program_.blocks[program_.statements[i].payload]))
+      if (code.group == ir::ModalGroup::feed) return code.function;
+    const ModeFacts* facts = flow_.before(i);
+    if (facts == nullptr || !(*facts)[index_of(Mode::feed)].agrees()) return std::nullopt;
+    return (*facts)[index_of(Mode::feed)].function;
   }
   [[nodiscard]] double constant_of(const ir::Word& word) const {
     const bool known = word.value != ir::ExpressionId::none && program_.at(word.value).op == ir::Operator::constant;
@@ -93,27 +153,33 @@ class Taps {
 
   // Behind ,R1 F is the lead, in G94 too (Mitsubishi M800 programming manual, "Synchronous tapping"); elsewhere it is
   // the feed of its mode.
-  void convert_feed(std::vector<ir::Word>& words, const ir::Statement& s) {
-    if (per_turn_ || (said_ == Form::comma_r) == feeds_taps_by_lead(to_)) return;
+  void convert_feed(std::vector<ir::Word>& words, std::uint32_t i) {
+    if ((said_ == Form::comma_r) == feeds_taps_by_lead(to_)) return;
+    const ir::Statement s = program_.statements[i];
+    const std::optional<Function> mode = feed_mode_at(i);
+    if (!mode) return refuse(s, "a rigid tap where the kind of feed is not known");
+    if (*mode == Function::feed_per_rev) return;
     const auto feed = std::ranges::find(words, Address::f, &ir::Word::address);
     const double value = feed == words.end() ? 0.0 : constant_of(*feed);
-    if (value <= 0.0 || speed_rpm_ <= 0.0) {
-      diagnostics_.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, s.span,
-                                                   {"a rigid tap whose feed or speed is not written", to_.title}));
-      return;
-    }
+    const double speed_rpm = speed_at(i).value_or(0.0);
+    if (*mode != Function::feed_per_min || value <= 0.0 || speed_rpm <= 0.0)
+      return refuse(s, "a rigid tap whose feed or speed is not written, as far as is known here,");
     own_feed_ = *feed;
     feed->value =
-        program_.add_constant(said_ == Form::comma_r ? value * speed_rpm_ : value / speed_rpm_, feed->span, true);
+        program_.add_constant(said_ == Form::comma_r ? value * speed_rpm : value / speed_rpm, feed->span, true);
   }
 
-  // The first block behind the cycle says F as it was written: it counts there, too, until another one does.
-  bool feeds_again(const std::vector<ir::Code>& codes, std::vector<ir::Word>& words) {
-    const bool says = std::ranges::find(words, Address::f, &ir::Word::address) != words.end();
-    const bool ends = std::ranges::any_of(codes, [](const ir::Code& c) {
-      return c.group == ir::ModalGroup::motion || c.group == ir::ModalGroup::cycle || c.function == Function::cycle_off;
-    });
-    if (!own_feed_ || (!says && !ends)) return false;
+  // The first block behind the cycle says F as it was written: it counts there, too, until another one does. Under the
+  // cycle nothing may change the lead.
+  bool feeds_again(const std::vector<ir::Code>& codes, std::vector<ir::Word>& words, const ir::Statement& s) {
+    if (!own_feed_) return false;
+    const auto has = [&](Address a) { return std::ranges::find(words, a, &ir::Word::address) != words.end(); };
+    const bool ends = ends_cycle(codes);
+    const bool changes = has(Address::f) || has(Address::s) ||
+                         std::ranges::any_of(codes, [](const ir::Code& c) { return c.group == ir::ModalGroup::feed; });
+    if (!ends && changes) refuse(s, "a feed or speed that changes under a rigid tap whose feed counts otherwise here");
+    if (!ends || !own_feed_) return false;
+    const bool says = has(Address::f);
     if (!says) words.push_back(*own_feed_);
     own_feed_.reset();
     return !says;
@@ -139,8 +205,8 @@ class Taps {
   [[nodiscard]] bool tap_follows(std::uint32_t i) const {
     for (++i; i < program_.statements.size(); ++i) {
       const ir::Statement& s = program_.statements[i];
-      if (s.kind == StatementKind::empty && !s.is_label) continue;
-      return s.kind == StatementKind::block && !s.is_label &&
+      if (s.kind == StatementKind::empty && !targets_[i]) continue;
+      return s.kind == StatementKind::block && !targets_[i] &&
              std::ranges::any_of(program_.codes_of(program_.blocks[s.payload]), is_tap);
     }
     return false;
@@ -149,10 +215,11 @@ class Taps {
   ir::Program& program_;
   const ir::Control& to_;
   Form said_;
+  ModeFlow flow_;
+  std::vector<bool> targets_;  // of jumps
   Rewrite out_;
   bool rigid_ = false;
-  bool per_turn_ = false;             // G95
-  double speed_rpm_ = 0.0;            // the last S; 0: not known
+  bool in_announced_tap_ = false;     // M29 came before it
   std::optional<ir::Word> own_feed_;  // of a tap whose F was converted
   std::vector<text::Diagnostic> diagnostics_;
 };

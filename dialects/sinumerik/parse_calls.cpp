@@ -83,7 +83,8 @@ void Parser::own_part_call(text::Span head) {
     return true;
   };
   if (!name(labels.first_label, repeat.first, repeat.first_number) ||
-      !name(labels.last_label, repeat.last, repeat.last_number))
+      !name(labels.last_label, repeat.last, repeat.last_number) || repeats_ != ir::ExpressionId::none ||
+      !cursor_.at_block_end())
     return native("CALL", false, head);
   lower_.add_repeat(repeat, to_here(head));
 }
@@ -96,7 +97,8 @@ void Parser::computed_call(ir::ExpressionId name, ir::Call call, text::Span head
   else
     call.computed = name;
   call.repeats = repeats_;
-  if (e.op == ir::Operator::string && cursor_.is_symbol('(')) arguments(call);
+  const bool may_pass = e.op == ir::Operator::string && call.first_label == ir::ExpressionId::none;
+  if (may_pass && cursor_.is_symbol('(')) arguments(call);
   has_call_ = true;
   lower_.add_call(StatementKind::call, call, to_here(head));
 }

@@ -330,7 +330,12 @@ class Printer {
   }
 
   void call(const ir::Call& c, std::string& out) const {
-    if (c.first_label != ir::ExpressionId::none) return part_call(c, out);
+    c.first_label != ir::ExpressionId::none ? part_call(c, out) : whole_call(c, out);
+    if (c.repeats == ir::ExpressionId::none) return;
+    out += " P=";
+    value(out, c.repeats);
+  }
+  void whole_call(const ir::Call& c, std::string& out) const {
     if (c.computed != ir::ExpressionId::none) {
       out += "CALL(";
       value(out, c.computed);
@@ -346,9 +351,6 @@ class Printer {
       }
       out += ')';
     }
-    if (c.repeats == ir::ExpressionId::none) return;
-    out += " P=";
-    value(out, c.repeats);
   }
 
   void program_end(const ir::Statement& s, std::string& out) const {

@@ -128,6 +128,7 @@ class CycleRaiser {
                       {"the plane of the cycle", std::string(kTwoWays)});
     DrillBlock parts =
         drill_block(raising_, block, drilling_axis(after.plane.value), static_cast<DrillCycle>(after.cycle.value));
+    parts.redefines |= changes_tap(before, after);
     if (!parts.begins && parts.positions.empty() && !parts.drills && !parts.redefines) return out_.keep();
     parts.redefines |= parts.begins || !before.to_level.known || before.to_level.value != after.to_level.value;
     if (!parts.rest_codes.empty() || !parts.rest_words.empty()) out_.emit_block(parts.rest_codes, parts.rest_words);
@@ -147,6 +148,15 @@ class CycleRaiser {
     }
     if (!parts.drills || parts.positions.empty()) return;
     for (int n = 0; n < parts.repeats; ++n) out_.emit_block({motion_code(Function::rapid)}, parts.positions);
+  }
+
+  // CYCLE84 has the lead and the speed among its arguments.
+  static bool changes_tap(const DrillState& before, const DrillState& after) {
+    const bool taps = after.cycle.is(static_cast<std::int16_t>(DrillCycle::tap_right)) ||
+                      after.cycle.is(static_cast<std::int16_t>(DrillCycle::tap_left));
+    const auto same = [](const auto& a, const auto& b) { return a.known == b.known && a.value == b.value; };
+    return taps && !(same(before.feed, after.feed) && same(before.speed, after.speed) &&
+                     same(before.feed_mode, after.feed_mode) && same(before.spindle, after.spindle));
   }
 
   static constexpr auto kBackBore = static_cast<std::int16_t>(DrillCycle::back_bore);

@@ -192,6 +192,12 @@ TEST(SinumerikFlow, SectionsAreRepeated) {
   EXPECT_EQ(run("R1=0\nREPEAT AA BB P=2\nGOTOF EE\nAA: R1=R1+1\nBB: R1=R1+1\nEE: M30\n").value("R1"), 4.0);
 }
 
+TEST(SinumerikFlow, ASectionMayEndWithALoop) {
+  const Result ran =
+      run("R1=0\nGOTOF BEHIND\nAA: FOR R2=1 TO 2\nR1=R1+1\nBB: ENDFOR\nR1=R1+100\nBEHIND:\nREPEAT AA BB P=2\nM30\n");
+  EXPECT_EQ(ran.value("R1"), 4.0);
+}
+
 TEST(SinumerikFlow, SectionsNest) {
   EXPECT_EQ(run("R1=0 R2=0\nAA: R1=R1+1\nBB: R2=R2+1\nREPEATB BB P=1\nREPEAT AA P=1\nM30\n").value("R2"), 4.0);
   const Result missing = run("REPEAT NOWHERE P=2\nM30\n");
@@ -233,6 +239,12 @@ TEST(SinumerikFlow, PartsOfProgramsAreCalled) {
     EXPECT_TRUE(ran.result.not_interpreted.empty()) << line;
   }
   EXPECT_TRUE(moves(part("P=2 CALL \"PARTS\" BLOCK \"N40\" TO \"N60\"")).ends_with("Z2.0000\n"));
+  // A loop that ends at the last label ends the part; what the variables before it are, nobody said.
+  const Texts loop = {{"LOOPS", "DEF REAL RR\nP1: FOR R2=1 TO 2\nX=20+R2\nP2: ENDFOR\nX98\nM17\n"}};
+  const Result ended = run("G17 G90 G0 X0 Y0 Z0\nCALL \"LOOPS\" BLOCK \"P1\" TO \"P2\"\nM30\n", loop);
+  EXPECT_TRUE(ended.trace.contains("X22.0000")) << ended.trace;
+  EXPECT_FALSE(ended.trace.contains("X98")) << ended.trace;
+  EXPECT_TRUE(ended.names("the variables that a program defines before the part of it that is called"));
   // What the last label's own block does then, the manual does not say.
   const Result own = part("CALL \"PARTS\" BLOCK \"P1\" TO \"N50\"");
   EXPECT_TRUE(own.names("whether CALL BLOCK runs the block of its last label"));
@@ -247,6 +259,8 @@ TEST(SinumerikFlow, APartOfTheProgramItselfHasItsVariables) {
   const Result ran = run(head + "CALL BLOCK \"L1\" TO \"L2\"\nCALL BLOCK \"l1\" TO \"L2\"" + tail);
   EXPECT_EQ(moves(ran),
             "2 rapid X0.0000 Y0.0000 Z0.0000\n7 rapid X3.0000 Y0.0000 Z0.0000\n7 rapid X4.0000 Y0.0000 Z0.0000\n");
+  for (const std::string line : {"CALL BLOCK \"L1\" TO \"L2\" P=3", "P=3 CALL BLOCK \"L1\" TO \"L2\""})
+    EXPECT_TRUE(run(head + line + tail).names("CALL")) << line;
   EXPECT_TRUE(run("DEF STRING[5] S=\"L1\"\n" + head + "CALL BLOCK S TO \"L2\"" + tail).names("CALL"));
 }
 

@@ -3,8 +3,10 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "dialects/interpreter/curve_chords.h"
@@ -112,9 +114,10 @@ TEST(ArcInSpace, ATangentGoesOnFromIt) {
 TEST(ArcInSpace, WhatIsNoArc) {
   // In between on the same line: straight. Beside it, or back to the start: no circle.
   EXPECT_TRUE(run(kHead + "CIP X10 Z10 I1=5 K1=5\nM30\n").trace.contains("2 linear X10.0000 Y0.0000 Z10.0000"));
-  for (const std::string block : {"CIP X10 Z10 I1=20 K1=20", "CIP X0 Y0 I1=5 K1=5", "CIP X10 I1=12", "CIP X10 I1=-1"}) {
+  for (const std::string block : {"CIP X10 Z10 I1=20 K1=20", "CIP X0 Y0 I1=5 K1=5", "CIP X10 I1=12", "CIP X10 I1=-1",
+                                  "CIP X10 Y10", "CIP X10 I1=5 J1=5 TURN=1"}) {
     const Result ran = run(kHead + block + "\nM30\n");
-    EXPECT_TRUE(ran.names("arcs from or to a place that is not known")) << block << ran.trace;
+    EXPECT_TRUE(ran.names("CIP through points that make no circle")) << block << ran.trace;
     EXPECT_TRUE(chords(ran).empty());
   }
   const Result lost = run("G17 G90 G94 G1 X0 Y0 F500\nCIP X10 Z0 I1=5 K1=5\nM30\n");
@@ -188,6 +191,18 @@ TEST(TiltedPlane, EveryFormOfArc) {
       EXPECT_NEAR(before, sweep, 1e-9) << block;
     }
     EXPECT_EQ(at, moves.size()) << block;
+  }
+}
+
+// Turned back and forth the start is rounded; a full circle stays one.
+TEST(TiltedPlane, FullCircles) {
+  for (int n = 0; n < 60; ++n) {
+    const std::string place = fmt::format("X{:.3f} Y{:.3f}", 11.419 + 3.7 * n, 18.361 - 1.3 * n);
+    for (const auto& [block, turns] : {std::pair{" I5 J0", 1.0}, std::pair{" I3 J4 TURN=1", 2.0}}) {
+      const Result ran = run("G17 G90 G94 G64 F100 G0 X0 Y0 Z0\nROT X21\nAROT Y62\nG1 X15.3 Y4.7 Z-4.1\nG1 " + place +
+                             "\nG3 " + place + block + "\nM30\n");
+      EXPECT_NEAR(length_of(chords(ran)), turns * 10.0 * std::numbers::pi, 0.02) << place << block;
+    }
   }
 }
 
