@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "dialects/text/number.h"
 #include "tests/unit/dialects/compile/harness.h"
 
 namespace dripfeed::compile::test {
@@ -38,7 +38,8 @@ std::vector<std::string> cuts_of(const std::string& text, const std::string& dia
     if (!ir::is_move(m.kind) || m.kind == ir::MotionKind::rapid || m.start == m.end) continue;
     const bool by_time = m.kind != ir::MotionKind::thread && m.feed_mode == ir::FeedMode::per_min;
     const double lead = by_time ? m.feed / m.spindle_rpm : m.feed;
-    out.push_back(fmt::format("{:.3f} {:.3f} {:.4f}", m.end[0], m.end[2], lead));
+    out.push_back(text::format_fixed(m.end[0], 3) + " " + text::format_fixed(m.end[2], 3) + " " +
+                  text::format_fixed(lead, 4));
   }
   return out;
 }

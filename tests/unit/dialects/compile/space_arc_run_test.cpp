@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "dialects/interpreter/curve_chords.h"
+#include "dialects/text/number.h"
 #include "tests/unit/dialects/compile/sinumerik_run.h"
 
 namespace dripfeed::compile::test {
@@ -197,7 +197,8 @@ TEST(TiltedPlane, EveryFormOfArc) {
 // Turned back and forth the start is rounded; a full circle stays one.
 TEST(TiltedPlane, FullCircles) {
   for (int n = 0; n < 60; ++n) {
-    const std::string place = fmt::format("X{:.3f} Y{:.3f}", 11.419 + 3.7 * n, 18.361 - 1.3 * n);
+    const std::string place =
+        "X" + text::format_fixed(11.419 + 3.7 * n, 3) + " Y" + text::format_fixed(18.361 - 1.3 * n, 3);
     for (const auto& [block, turns] : {std::pair{" I5 J0", 1.0}, std::pair{" I3 J4 TURN=1", 2.0}}) {
       const Result ran = run("G17 G90 G94 G64 F100 G0 X0 Y0 Z0\nROT X21\nAROT Y62\nG1 X15.3 Y4.7 Z-4.1\nG1 " + place +
                              "\nG3 " + place + block + "\nM30\n");
