@@ -212,19 +212,15 @@ struct Taps {
 Taps taps_of(const ir::Program& program, const ir::Control& control) {
   Taps out;
   const auto any = [&](const auto& test) { return std::ranges::any_of(program.codes, test); };
-  const bool cycles = any([](const ir::Code& c) { return passes::is_tap(c); });
+  out.cycles = any(passes::is_tap);
   const bool announced = any([&](const ir::Code& c) { return passes::announces_rigid_tap(c, control); });
   const bool written = any([&](const ir::Code& c) {
     return passes::is_tap(c) && passes::is_written_rigid(c.span.in(program.source.text()));
   });
-  out.cycles = cycles;
-  out.rigid = (cycles && announced) || written || any([](const ir::Code& c) {
+  out.rigid = (out.cycles && announced) || written || any([](const ir::Code& c) {
                 return c.function == ir::Function::tap || c.function == ir::Function::tap_retract;
               });
-  const auto is_g63 = [](const ir::Code& c) {
-    return c.function == ir::Function::linear && c.group == ir::ModalGroup::non_modal;
-  };
-  out.floating = cycles || any(is_g63);
+  out.floating = out.cycles || any(passes::is_floating_tap);
   return out;
 }
 

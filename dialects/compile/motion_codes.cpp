@@ -1,6 +1,8 @@
 // Tables of the few names that writers of blocks share.
 #include "dialects/compile/motion_codes.h"
 
+#include <algorithm>
+
 namespace dripfeed::compile {
 
 using ir::Function;
@@ -34,6 +36,18 @@ Function function_of(ir::CompSide side) {
     case ir::CompSide::right: return Function::comp_right;
   }
   return Function::none;
+}
+
+ir::Code code_of(Function function, ir::ModalGroup group) {
+  ir::Code made;
+  made.function = function;
+  made.group = group;
+  return made;
+}
+
+bool has_row(const ir::Control& control, Function function, std::int16_t argument) {
+  return std::ranges::any_of(
+      control.g_codes, [&](const ir::CodeRow& row) { return row.function == function && row.argument == argument; });
 }
 
 bool is_arc(MotionKind kind) { return kind == MotionKind::arc_cw || kind == MotionKind::arc_ccw; }

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
+#include "dialects/ir/control.h"
 #include "dialects/ir/function.h"
 #include "dialects/ir/motion.h"
 #include "dialects/ir/statement.h"
@@ -21,6 +23,10 @@ inline constexpr std::array kCenterAddresses = {ir::Address::i, ir::Address::j, 
 // Of a curve each chord is a straight cut. Nothing for what has no plain code: a thread, an event.
 std::optional<ir::Function> plain_function_of(ir::MotionKind kind);
 ir::Function function_of(ir::CompSide side);
+// A code by what it does, without a number or name of its own.
+ir::Code code_of(ir::Function function, ir::ModalGroup group);
+// Whether the control has a G code that does this.
+bool has_row(const ir::Control& control, ir::Function function, std::int16_t argument);
 bool is_arc(ir::MotionKind kind);
 // Whether X, Y or Z (0 to 2) lies in the plane.
 bool is_in_plane(ir::Plane plane, std::size_t axis);

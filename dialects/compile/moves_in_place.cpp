@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "dialects/compile/motion_codes.h"
+#include "dialects/passes/rigid_taps.h"
 
 namespace dripfeed::compile {
 
@@ -25,8 +26,7 @@ constexpr std::size_t kMostMoves = 20'000;  // of one statement
 
 bool is_own(const ir::Code& c) {
   return c.group == ModalGroup::motion || c.group == ModalGroup::cycle || c.function == Function::repetitive_cycle ||
-         c.function == Function::hole_pattern ||
-         (c.function == Function::linear && c.group == ModalGroup::non_modal);  // G63
+         c.function == Function::hole_pattern || passes::is_floating_tap(c);
 }
 
 // Words that mean the same beside any move.

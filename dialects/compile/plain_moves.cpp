@@ -32,18 +32,11 @@ constexpr auto kEvents = std::to_array<EventRow>({
 
 bool is_length(std::size_t axis) { return axis < 3 || axis > 5; }
 
-ir::Code code(Function function, ModalGroup group) {
-  ir::Code made;
-  made.function = function;
-  made.group = group;
-  return made;
-}
-
 std::unexpected<std::string> cannot(std::string_view what) { return std::unexpected(std::string(what)); }
 
 }  // namespace
 
-ir::Code motion_code(Function function) { return code(function, ModalGroup::motion); }
+ir::Code motion_code(Function function) { return code_of(function, ModalGroup::motion); }
 
 double PlainMoves::rounded(double value_mm) const {
   const double places = std::pow(10.0, terms_.decimals) * (terms_.unit_mm == 1.0 ? 1.0 : 10.0);
@@ -104,7 +97,7 @@ std::expected<void, std::string> PlainMoves::event(const ir::Motion& motion, con
 
 void PlainMoves::dwell(double seconds) {
   const double value = terms_.dwell_p_is_ms ? seconds * 1000.0 : seconds;
-  out_.emit_block({code(Function::dwell, ModalGroup::non_modal)},
+  out_.emit_block({code_of(Function::dwell, ModalGroup::non_modal)},
                   {ir::word(terms_.dwell_p_is_ms ? Address::p : Address::f, program_.add_constant(value))});
 }
 
@@ -121,7 +114,7 @@ std::expected<void, std::string> PlainMoves::move(const ir::Motion& motion, Bloc
   codes.insert(codes.end(), rest.codes.begin(), rest.codes.end());
   rest.codes.clear();
   if (const Function comp = std::exchange(comp_, Function::none); comp != Function::none)
-    codes.push_back(code(comp, ModalGroup::comp));
+    codes.push_back(code_of(comp, ModalGroup::comp));
   std::vector<ir::Word> words;
   for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
     const bool named = (motion.axes_commanded & (1U << axis)) != 0;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "dialects/compile/motion_codes.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/passes/rigid_taps.h"
 
@@ -26,13 +27,6 @@ using ir::SpindleState;
 constexpr double kSame_mm = 1e-6;
 
 std::unexpected<std::string> cannot(std::string_view what) { return std::unexpected(std::string(what)); }
-
-ir::Code code(Function function, ModalGroup group) {
-  ir::Code made;
-  made.function = function;
-  made.group = group;
-  return made;
-}
 
 bool near(const std::array<double, ir::kAxisCount>& a, const std::array<double, ir::kAxisCount>& b) {
   return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) <= kSame_mm; });
@@ -129,7 +123,7 @@ std::expected<void, std::string> TapMoves::write(std::span<const Motion> motions
   }
   if (const auto done = flush(); !done) return done;
   if (!motions.empty() && state_ != motions.back().spindle) turn(motions.back().spindle, motions.back().spindle_rpm);
-  if (changed_feed_mode_) out_.emit_block({code(Function::feed_per_rev, ModalGroup::feed)}, {});
+  if (changed_feed_mode_) out_.emit_block({code_of(Function::feed_per_rev, ModalGroup::feed)}, {});
   if (!after.empty()) out_.emit_block(after, {});
   return {};
 }
@@ -146,7 +140,7 @@ std::expected<void, std::string> TapMoves::say(const TapCut& tap) {
 
 // The tool stands at R already, so that the cycle begins and ends there.
 std::expected<void, std::string> TapMoves::say_cycle(const TapCut& tap) {
-  ir::Code cycle = code(Function::drill, ModalGroup::cycle);
+  ir::Code cycle = code_of(Function::drill, ModalGroup::cycle);
   cycle.argument = ir::drill_argument(ir::DrillCycle::tap_right, tap.axis == 0 ? ir::kDrillAlongX : ir::kDrillAlongZ);
   const bool diameter = to_.semantics.power_on_diameter != ir::DiameterMode::radius;
   const double level_mm = tap.axis == 0 && diameter ? tap.level / 2.0 : tap.level;
@@ -165,9 +159,9 @@ std::expected<void, std::string> TapMoves::say_cycle(const TapCut& tap) {
   std::vector<ir::Code> codes = {cycle};
   const bool has_levels = std::ranges::any_of(
       to_.g_codes, [](const ir::CodeRow& row) { return row.function == Function::return_to_initial; });
-  if (has_levels) codes.insert(codes.begin(), code(Function::return_to_initial, ModalGroup::return_level));
+  if (has_levels) codes.insert(codes.begin(), code_of(Function::return_to_initial, ModalGroup::return_level));
   out_.emit_block(codes, words);
-  out_.emit_block({code(Function::cycle_off, ModalGroup::cycle)}, {});
+  out_.emit_block({code_of(Function::cycle_off, ModalGroup::cycle)}, {});
   state_.reset();
   if (!rigid_) state_ = tap.in;
   return {};
@@ -176,11 +170,11 @@ std::expected<void, std::string> TapMoves::say_cycle(const TapCut& tap) {
 void TapMoves::say_rigid(const TapCut& tap) {
   feed_per_minute();
   const Address lead = tap.axis == 0 ? Address::i : Address::k;
-  out_.emit_block({code(Function::spindle_orient, ModalGroup::spindle)}, {});
-  out_.emit_block({code(Function::tap, ModalGroup::motion)},
+  out_.emit_block({code_of(Function::spindle_orient, ModalGroup::spindle)}, {});
+  out_.emit_block({code_of(Function::tap, ModalGroup::motion)},
                   {plain_.position(tap.axis, tap.depth), length(lead, tap.lead_mm), number(Address::s, tap.speed_rpm)});
   if (tap.dwell_s > 0.0) plain_.dwell(tap.dwell_s);
-  out_.emit_block({code(Function::tap_retract, ModalGroup::motion)},
+  out_.emit_block({code_of(Function::tap_retract, ModalGroup::motion)},
                   {plain_.position(tap.axis, tap.level), length(lead, tap.lead_mm)});
   state_.reset();
 }
@@ -188,10 +182,10 @@ void TapMoves::say_rigid(const TapCut& tap) {
 void TapMoves::say_floating(const TapCut& tap) {
   feed_per_minute();
   const double feed = tap.lead_mm * tap.speed_rpm;
-  const ir::Code once = code(Function::linear, ModalGroup::non_modal);
+  const ir::Code once = code_of(Function::linear, ModalGroup::non_modal);
   out_.emit_block({once}, {plain_.position(tap.axis, tap.depth), length(Address::f, feed)});
   if (tap.dwell_s > 0.0) plain_.dwell(tap.dwell_s);
-  out_.emit_block({once, code(function_of(tap.out), ModalGroup::spindle)}, {plain_.position(tap.axis, tap.level)});
+  out_.emit_block({once, code_of(function_of(tap.out), ModalGroup::spindle)}, {plain_.position(tap.axis, tap.level)});
   state_ = tap.out;
   if (!changed_feed_mode_) plain_.set_last_feed(feed);
 }
@@ -199,14 +193,14 @@ void TapMoves::say_floating(const TapCut& tap) {
 // Behind a change of its mode the feed is to be said again (PG, "Feedrate (G93, G94, G95, F, FGROUP, FL, FGREF)").
 void TapMoves::feed_per_minute() {
   if (terms_.feed_mode == ir::FeedMode::per_min || std::exchange(changed_feed_mode_, true)) return;
-  out_.emit_block({code(Function::feed_per_min, ModalGroup::feed)}, {});
+  out_.emit_block({code_of(Function::feed_per_min, ModalGroup::feed)}, {});
   plain_.set_last_feed(std::nullopt);
 }
 
 void TapMoves::turn(SpindleState to, double speed_rpm) {
   std::vector<ir::Word> words;
   if (to != SpindleState::stopped && speed_rpm > 0.0) words.push_back(number(Address::s, speed_rpm));
-  out_.emit_block({code(function_of(to), ModalGroup::spindle)}, words);
+  out_.emit_block({code_of(function_of(to), ModalGroup::spindle)}, words);
   state_ = to;
 }
 

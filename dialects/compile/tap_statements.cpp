@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "dialects/compile/motion_codes.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/passes/rigid_taps.h"
 
@@ -34,16 +35,10 @@ constexpr auto kCalls = std::to_array<CallRow>({
     {.name = "CYCLE840", .rigid = false, .after = 7, .further = 11, .encoder = 8},
 });
 
-bool has_row(const ir::Control& control, std::int16_t argument) {
-  return std::ranges::any_of(control.g_codes, [&](const ir::CodeRow& row) {
-    return row.function == Function::drill && row.argument == argument;
-  });
-}
 bool taps_along_z(const ir::Control& control) {
-  return has_row(control, ir::drill_argument(ir::DrillCycle::tap_right, ir::kDrillAlongZ));
+  return has_row(control, Function::drill, ir::drill_argument(ir::DrillCycle::tap_right, ir::kDrillAlongZ));
 }
 bool is_lathe_tap(const ir::Code& c) { return passes::is_tap(c) && c.argument >= ir::kDrillAlongZ; }
-bool is_floating_move(const ir::Code& c) { return c.function == Function::linear && c.group == ModalGroup::non_modal; }
 
 bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
 // Of G84 and G88: Q would be pecks, D a spindle.
@@ -102,7 +97,7 @@ class TapWalk {
 
   // CYCLE84, CYCLE840 and G84 of mills are said elsewhere; G63 would become a plain feed.
   void mill() {
-    if (any_code(index_, is_floating_move)) out_[index_] = {.role = TapRole::tap, .fault = "on a mill"};
+    if (any_code(index_, passes::is_floating_tap)) out_[index_] = {.role = TapRole::tap, .fault = "on a mill"};
   }
 
   // --- G84 and G88
@@ -136,7 +131,9 @@ class TapWalk {
     astray_ |= !announced_;
     if (announced_) out_[index_].role = TapRole::part;
   }
-  [[nodiscard]] bool is_foreign_tap(const ir::Code& c) const { return is_lathe_tap(c) && !has_row(to_, c.argument); }
+  [[nodiscard]] bool is_foreign_tap(const ir::Code& c) const {
+    return is_lathe_tap(c) && !has_row(to_, c.function, c.argument);
+  }
 
   [[nodiscard]] std::string fault_of(const ir::Block& block) const {
     for (const ir::Word& w : program_.words_of(block))
@@ -216,7 +213,7 @@ class TapWalk {
     if (any_code(index_, goes_in)) return pair({.role = TapRole::tap, .rigid = true, .needs_stop = true}, goes_out);
     if (any_code(index_, goes_out))
       out_[index_] = {.role = TapRole::tap, .rigid = true, .fault = "without G331 right before it"};
-    if (any_code(index_, is_floating_move)) return pair({.role = TapRole::tap}, is_floating_move);
+    if (any_code(index_, passes::is_floating_tap)) return pair({.role = TapRole::tap}, passes::is_floating_tap);
     if (orients()) mark_orientation();
   }
 
@@ -244,8 +241,9 @@ class TapWalk {
     const ir::Block& block = program_.blocks[statement(i).payload];
     if (block.rest_level != 0 || statement(i).skip_level != 0) return "that a switch may skip";
     for (const ir::Code& c : program_.codes_of(block)) {
-      const bool own = c.function == Function::tap || c.function == Function::tap_retract || is_floating_move(c) ||
-                       c.function == Function::spindle_cw || c.function == Function::spindle_ccw;
+      const bool own = c.function == Function::tap || c.function == Function::tap_retract ||
+                       passes::is_floating_tap(c) || c.function == Function::spindle_cw ||
+                       c.function == Function::spindle_ccw;
       if (!own) return "with " + std::string(c.span.in(program_.source.text())) + " in the same block";
     }
     for (const ir::Word& w : program_.words_of(block)) {

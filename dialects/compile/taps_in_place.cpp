@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/compile/motion_codes.h"
 #include "dialects/compile/moves_in_place.h"
 #include "dialects/passes/rigid_taps.h"
 
@@ -79,11 +80,8 @@ void MovesInPlace::replace_tap_part(const ir::Program& program, std::uint32_t in
   const ir::Statement& s = program.statements[index];
   if (s.kind != StatementKind::block || taps_[index].owner != ir::kNoIndex) return;
   if (taps_[index].role == TapRole::orients) {
-    ir::Code stop;
-    stop.function = Function::spindle_stop;
-    stop.group = ir::ModalGroup::spindle;
     const bool said = program.codes_of(program.blocks[s.payload]).empty();  // by the code that stands for SPOS
-    if (!said) out.emit_block({stop}, {});
+    if (!said) out.emit_block({code_of(Function::spindle_stop, ir::ModalGroup::spindle)}, {});
     return;
   }
   const ir::Block& block = program.blocks[s.payload];

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "dialects/compile/motion_codes.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/passes/rigid_taps.h"
 
@@ -21,11 +22,6 @@ constexpr std::int16_t kFirstWithoutShape = 4;  // argument of repetitive_cycle:
 // Calls that drill and whose counterpart is a modal cycle of mills.
 constexpr auto kDrillingCalls = std::to_array<std::string_view>(
     {"CYCLE81", "CYCLE82", "CYCLE83", "CYCLE85", "CYCLE86", "CYCLE87", "CYCLE88", "CYCLE89"});
-
-bool has_row(const ir::Control& control, Function function, std::int16_t argument) {
-  return std::ranges::any_of(
-      control.g_codes, [&](const ir::CodeRow& row) { return row.function == function && row.argument == argument; });
-}
 
 bool moves(const ir::Word& w) {
   return w.address <= Address::c || (w.address >= Address::u && w.address <= Address::z) ||

@@ -1,4 +1,4 @@
-// A curve as chords: each lies within kCurveChord_mm of it.
+// A curve as chords: each lies within kCurveChord_mm of it, as far as kDeepest halvings go (a circle of 50 m).
 #pragma once
 
 #include <algorithm>

@@ -40,6 +40,7 @@ Form form_of(const ir::Control& control) {
 bool is_m29(const ir::Code& c) { return c.function == Function::machine_function && c.argument == kRigidFunction; }
 
 DrillCycle cycle_of(const ir::Code& c) { return static_cast<DrillCycle>(c.argument % ir::kDrillAlongZ); }
+
 class Taps {
  public:
   Taps(ir::Program& program, const ir::Control& from, const ir::Control& to)
@@ -229,6 +230,10 @@ class Taps {
 bool is_tap(const ir::Code& code) {
   return code.function == Function::drill &&
          (cycle_of(code) == DrillCycle::tap_right || cycle_of(code) == DrillCycle::tap_left);
+}
+
+bool is_floating_tap(const ir::Code& code) {
+  return code.function == Function::linear && code.group == ir::ModalGroup::non_modal;
 }
 
 bool announces_rigid_tap(const ir::Code& code, const ir::Control& control) {

@@ -17,6 +17,8 @@ std::vector<text::Diagnostic> settle_taps(ir::Program& program, const ir::Contro
 
 // G84 or G74, of a lathe along either axis.
 bool is_tap(const ir::Code& code);
+// G63: one way of a tap in a compensating chuck.
+bool is_floating_tap(const ir::Code& code);
 // M29, where the control begins rigid taps so.
 bool announces_rigid_tap(const ir::Code& code, const ir::Control& control);
 // Whether a tapping cycle that is written so is a rigid one (G84.2, G88.2).

@@ -8,6 +8,7 @@
 
 #include "dialects/ir/frame_use.h"
 #include "dialects/ir/transformation_use.h"
+#include "dialects/passes/rigid_taps.h"
 #include "dialects/sinumerik/codes.h"
 #include "dialects/sinumerik/name_index.h"
 #include "dialects/sinumerik/raise.h"
@@ -193,7 +194,7 @@ class BlockRaiser {
     if (c.function == Function::work_offset) return name_of_offset(c.argument);
     if (c.function == Function::machine_function) return "M" + std::to_string(c.argument);
     if (const std::string_view frame = name_of_frame(c); !frame.empty()) return std::string(frame);
-    if (c.function == Function::linear && c.group == ModalGroup::non_modal) return "G63";
+    if (passes::is_floating_tap(c)) return "G63";
     if (c.function == Function::unit_inch && c.argument == 1) return "G70";
     if (c.function == Function::unit_mm && c.argument == 1) return "G71";
     const auto row = std::ranges::find(kNames, c.function, &CodeName::function);
