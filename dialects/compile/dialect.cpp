@@ -1,9 +1,10 @@
-// The table of dialects. What only SINUMERIK takes (a control without G-code systems) is evened out here.
+// The table of dialects. What only SINUMERIK has (no G-code systems but in ISO mode) is evened out here.
 #include "dialects/compile/dialect.h"
 
 #include <algorithm>
 #include <array>
 
+#include "dialects/compile/iso_mode.h"
 #include "dialects/fanuc/fanuc.h"
 #include "dialects/mazak/mazak.h"
 #include "dialects/mitsubishi/mitsubishi.h"
@@ -13,7 +14,12 @@ namespace dripfeed::compile {
 
 namespace {
 
-ir::Control sinumerik_control(ir::MachineKind kind, ir::GSystem) { return sinumerik::control(kind); }
+// Siemens mode knows no G-code systems; ISO mode of a lathe does.
+ir::Control sinumerik_control(ir::MachineKind kind, ir::GSystem g_system) {
+  ir::Control control = sinumerik::control(kind);
+  control.g_system = kind == ir::MachineKind::mill ? ir::GSystem::a : g_system;
+  return control;
+}
 
 constexpr std::array kDialects = {
     Dialect{"fanuc", "Fanuc Custom Macro B", fanuc::control, fanuc::infer_control, fanuc::read, fanuc::plain_scanner,
@@ -22,8 +28,8 @@ constexpr std::array kDialects = {
             mazak::validate, mazak::raise, mazak::print},
     Dialect{"mitsubishi-m80", "Mitsubishi M70, M80", mitsubishi::control, mitsubishi::infer_control, mitsubishi::read,
             mitsubishi::plain_scanner, mitsubishi::validate, mitsubishi::raise, mitsubishi::print},
-    Dialect{"sinumerik-840d", "SINUMERIK 840D sl", sinumerik_control, sinumerik::infer_control, sinumerik::read,
-            sinumerik::plain_scanner, sinumerik::validate, sinumerik::raise, sinumerik::print, CommentStyle::semicolon,
+    Dialect{"sinumerik-840d", "SINUMERIK 840D sl", sinumerik_control, sinumerik::infer_control, read_sinumerik,
+            sinumerik::plain_scanner, validate_sinumerik, sinumerik::raise, sinumerik::print, CommentStyle::semicolon,
             sinumerik::standard_cycle},
 };
 

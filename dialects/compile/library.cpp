@@ -4,14 +4,24 @@
 #include <utility>
 
 #include "dialects/compile/dialect.h"
+#include "dialects/compile/iso_mode.h"
 
 namespace dripfeed::compile {
 
 ProgramLibrary::ProgramLibrary(ir::Control control, FindText find_text)
-    : control_(std::move(control)), find_text_(std::move(find_text)) {}
+    : control_(std::move(control)), find_text_(std::move(find_text)) {
+  if (has_iso_mode(control_)) iso_ = iso_control(control_);
+}
 
-const ir::Program* ProgramLibrary::find(std::string_view name) {
-  if (const auto known = by_name_.find(name); known != by_name_.end()) {
+const ir::Program* ProgramLibrary::find(std::string_view name) { return find(name, false); }
+
+const ir::Program* ProgramLibrary::find_foreign(std::string_view name) {
+  return has_iso_mode(control_) ? find(name, true) : nullptr;
+}
+
+const ir::Program* ProgramLibrary::find(std::string_view name, bool in_iso_mode) {
+  ByName& known_names = in_iso_mode ? iso_by_name_ : by_name_;
+  if (const auto known = known_names.find(name); known != known_names.end()) {
     return known->second == nullptr ? nullptr : &known->second->read.program;
   }
   const Dialect* dialect = find_dialect(control_.dialect);
@@ -21,13 +31,22 @@ const ir::Program* ProgramLibrary::find(std::string_view name) {
     if (const std::string_view text = dialect->standard_program(name); !text.empty())
       source.emplace(std::string(name), std::string(text));
   if (!source) {
-    by_name_.emplace(name, nullptr);
+    known_names.emplace(name, nullptr);
     return nullptr;
   }
-  loaded_.push_back(std::make_unique<Loaded>(std::string(name), dialect->read(*source, control_)));
+  ir::Control control = control_;
+  control.semantics.starts_in_iso_mode = in_iso_mode && !begins_with_procedure(source->text());
+  loaded_.push_back(std::make_unique<Loaded>(std::string(name), dialect->read(*source, control)));
   loaded_.back()->read.program.is_standard = is_standard;
-  by_name_.emplace(name, loaded_.back().get());
+  known_names.emplace(name, loaded_.back().get());
   return &loaded_.back()->read.program;
+}
+
+interpreter::ProgramFinder::ForeignText ProgramLibrary::foreign_text(const ir::Program& host) {
+  if (!has_iso_mode(control_)) return {};
+  std::unique_ptr<ir::ReadResult>& parts = iso_parts_[&host];
+  if (parts == nullptr) parts = std::make_unique<ir::ReadResult>(read_iso_parts(host, iso_));
+  return {&parts->program, &iso_};
 }
 
 std::unique_ptr<ir::Program> ProgramLibrary::read_text(std::string_view text) {

@@ -27,6 +27,9 @@ class ProgramLibrary : public interpreter::ProgramFinder {
 
   // nullptr when there is no such program. Valid as long as the library.
   const ir::Program* find(std::string_view name) override;
+  // A program that is called in ISO mode (SINUMERIK).
+  const ir::Program* find_foreign(std::string_view name) override;
+  ForeignText foreign_text(const ir::Program& host) override;
   // nullptr when it cannot be read without an error.
   std::unique_ptr<ir::Program> read_text(std::string_view text) override;
   // What reading the programs gave, by name, in the order they were asked for.
@@ -37,10 +40,16 @@ class ProgramLibrary : public interpreter::ProgramFinder {
   [[nodiscard]] const std::vector<std::unique_ptr<Loaded>>& loaded() const { return loaded_; }
 
  private:
+  using ByName = std::map<std::string, const Loaded*, std::less<>>;  // nullptr: asked for and not there
+  const ir::Program* find(std::string_view name, bool in_iso_mode);
+
   ir::Control control_;
+  ir::Control iso_;  // as it is in ISO mode; of a SINUMERIK
   FindText find_text_;
   std::vector<std::unique_ptr<Loaded>> loaded_;
-  std::map<std::string, const Loaded*, std::less<>> by_name_;  // nullptr: asked for and not there
+  ByName by_name_;
+  ByName iso_by_name_;
+  std::map<const ir::Program*, std::unique_ptr<ir::ReadResult>> iso_parts_;  // by the program that they stand in
 };
 
 }  // namespace dripfeed::compile

@@ -113,6 +113,7 @@ enum class Opcode : std::uint8_t {
   repeat_section,  // back to a, number b times; section c
   section_end,     // of section c: to a when it is being repeated
   execute_text,    // string a as a block
+  foreign_part,    // part a in the control's other language; behind it, to b
   apply,           // block template a
   call,            // call site a
   modal_call,      // from here on call site a behind each block that moves, number b times
@@ -120,7 +121,7 @@ enum class Opcode : std::uint8_t {
   passes,      // an alarm unless number a is one that a program can run
   skip_given,  // to b when parameter a was given
   load_given,  // a: whether parameter b was given; not known where the program runs by itself
-  back,        // of a subprogram, and of a further ones
+  back,        // of a subprogram, and of a further ones; b 1: from a foreign part, to the program that it stands in
   back_to,     // … to the block with number a in the caller, and of b further ones
   program_end,
   text_end,
@@ -204,6 +205,7 @@ struct CallSite {
   Operand number = Operand::none;       // computed; the name is then "O" and four digits
   Operand start = Operand::none;        // block number where it begins
   bool itself = false;                  // the calling program, from its block `start`
+  bool in_other_language = false;       // … of the control
   Operand text = Operand::none;         // the name is a text that is computed
   Operand first_label = Operand::none;  // of the part that is called, as texts
   Operand last_label = Operand::none;
@@ -248,6 +250,7 @@ struct Report {
   bool is_input = false;  // a value that the control or its surroundings hold
 };
 
+class BlockRules;
 struct CompiledProgram {
   const ir::Program* source = nullptr;
   std::uint32_t section = 0;  // of the source
@@ -273,8 +276,10 @@ struct CompiledProgram {
   std::vector<Failure> failures;
   std::vector<Report> reports;
 
-  bool keeps_place = false;  // what it does is done by the block that calls it
-  bool is_text = false;      // runs in the frame of the program that has it executed
+  bool keeps_place = false;           // what it does is done by the block that calls it
+  bool is_text = false;               // runs in the frame of the program that has it executed
+  bool is_foreign = false;            // in the control's other language
+  const BlockRules* rules = nullptr;  // by which its blocks are understood
   bool has_procedure = false;
   bool saves_modal = false;
   std::vector<Parameter> parameters;

@@ -27,6 +27,7 @@ std::optional<std::uint32_t> CallCompiler::compile_site(const ir::Call& call, te
   for (const ir::Argument& argument : program.arguments_of(call)) arguments.push_back(compile_argument(argument, keep));
 
   CallSite site{.kind = call.kind, .name = std::string(program.strings.at(call.name))};
+  site.in_other_language = call.in_other_language || out.is_foreign;
   site.itself = call.name == ir::StringId::none && call.number == ir::ExpressionId::none &&
                 call.computed == ir::ExpressionId::none;
   if (call.start != ir::ExpressionId::none) site.start = expressions_.compile_number(call.start).operand;

@@ -38,7 +38,18 @@ void CallStack::enter(Frame& frame) {
   program_ = frame.program;
   storage_.enter(*program_, frame.bases);
   report_.enter(*program_);
+  if (program_->rules != entered_rules_) enter_language();
   if (!program_->keeps_place) out_.place.program = program_->index;
+}
+
+// What a modal cycle or call of one language does in the other no manual at hand says.
+void CallStack::enter_language() {
+  if (entered_rules_ != nullptr && (state_.drilling.active || state_.turning.active || has_modal())) {
+    report_.count({.name = "a modal cycle or call that goes on in the control's other language"});
+    state_.unknown = kAllAxes;
+  }
+  entered_rules_ = program_->rules;
+  rules_ = *entered_rules_;
 }
 
 bool CallStack::is_unknown_call(const Instruction& i) const {
@@ -59,6 +70,15 @@ bool CallStack::enter_text(const Instruction& i, CompiledProgram& text, std::uin
   return true;
 }
 
+bool CallStack::enter_part(const Instruction& i, CompiledProgram& part, std::uint32_t next) {
+  if (frames_.size() > context_.limits.call_depth) return report_.fail_limit(i, "call depth");
+  Frame& frame = push(part, next, false);
+  frame.is_part = true;
+  ++parts_;
+  enter(frame);
+  return true;
+}
+
 namespace {
 
 // O1234, and no name of a file.
@@ -72,12 +92,12 @@ CompiledProgram* CallStack::find_program(const Instruction& i, CallSite& site) {
   if (site.itself) return program_;
   if (site.text != Operand::none) {
     const std::string name = upper(std::string(ir::program_name_of_path(storage_.text(raw_of(site.text)))));
-    CompiledProgram* target = programs_.find(name, *program_);
+    CompiledProgram* target = programs_.find(name, *program_, site.in_other_language);
     if (target == nullptr) report_.fail(i, DiagnosticId::call_target_missing, {name});
     return target;
   }
   if (site.number == Operand::none) {
-    if (site.target == nullptr) site.target = programs_.find(site.name, *program_);
+    if (site.target == nullptr) site.target = programs_.find(site.name, *program_, site.in_other_language);
     if (site.target == nullptr)
       report_.fail(i, DiagnosticId::call_target_missing, {site.name},
                    is_number_name(site.name) ? ir::AlarmDetail::none : ir::AlarmDetail::by_name);
@@ -90,7 +110,7 @@ CompiledProgram* CallStack::find_program(const Instruction& i, CallSite& site) {
   }
   std::string digits = std::to_string(static_cast<std::uint32_t>(number));
   if (digits.size() < 4) digits.insert(0, 4 - digits.size(), '0');
-  CompiledProgram* target = programs_.find("O" + digits, *program_);
+  CompiledProgram* target = programs_.find("O" + digits, *program_, site.in_other_language);
   if (target == nullptr) report_.fail(i, DiagnosticId::call_target_missing, {"O" + digits});
   return target;
 }
@@ -122,7 +142,7 @@ std::optional<CallStack::Part> CallStack::find_part(const Instruction& i, const 
 
 // Nesting is the control's limit and an alarm; depth is the run's.
 bool CallStack::has_room(const Instruction& i, bool macro) {
-  const auto subprograms = static_cast<std::uint32_t>(frames_.size() - 1) - macros_;
+  const auto subprograms = static_cast<std::uint32_t>(frames_.size() - 1) - macros_ - parts_;
   const std::uint32_t depth = (macro ? macros_ : subprograms) + 1;
   const std::uint32_t nesting = macro ? context_.control.limits.macro_nesting : context_.control.limits.call_nesting;
   if (nesting > 0 && depth > nesting)
@@ -350,6 +370,7 @@ std::uint32_t CallStack::go_back() {
   const Frame left = frames_.back();
   frames_.pop_back();
   if (left.is_macro) --macros_;
+  if (left.is_part) --parts_;
   if (left.is_modal) --modal_frames_;
   Frame& caller = frames_.back();
   enter(caller);

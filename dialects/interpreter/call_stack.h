@@ -17,9 +17,16 @@ namespace dripfeed::interpreter {
 
 class CallStack {
  public:
-  CallStack(const CompileContext& context, ProgramTable& programs, Storage& storage, ModalState& state,
-            MotionBuffer& out, RunReport& report)
-      : context_(context), programs_(programs), storage_(storage), state_(state), out_(out), report_(report) {}
+  // `rules` become those of whatever program is entered.
+  CallStack(const CompileContext& context, ProgramTable& programs, Storage& storage, BlockRules& rules,
+            ModalState& state, MotionBuffer& out, RunReport& report)
+      : context_(context),
+        programs_(programs),
+        storage_(storage),
+        rules_(rules),
+        state_(state),
+        out_(out),
+        report_(report) {}
 
   void start(CompiledProgram& main);
   // The running program.
@@ -32,6 +39,10 @@ class CallStack {
   [[nodiscard]] bool is_unknown_call(const Instruction& i) const;
   // Enters a text that is executed as a block, in the frame of the running program.
   bool enter_text(const Instruction& i, CompiledProgram& text, std::uint32_t next);
+  // Enters a part of the running program in the control's other language; it is no level of calls. False when the run
+  // has ended.
+  bool enter_part(const Instruction& i, CompiledProgram& part, std::uint32_t next);
+  [[nodiscard]] bool in_foreign_part() const { return frames_.back().is_part; }
   // Enters a program without arguments that no call site names; `next` as for call(). False when the run has ended.
   bool enter_program(const Instruction& i, CompiledProgram& target, std::uint32_t next);
   [[nodiscard]] std::size_t depth() const { return frames_.size(); }
@@ -58,6 +69,7 @@ class CallStack {
     bool is_macro = false;
     bool is_modal = false;
     bool is_external = false;
+    bool is_part = false;          // of the program below, in the control's other language
     std::uint32_t times_left = 0;  // of a modal call
     std::bitset<kParametersAtMost> given;
     Modes modes;  // of the caller, when the program gives them back
@@ -82,6 +94,7 @@ class CallStack {
   };
 
   void enter(Frame& frame);
+  void enter_language();
   Frame& push(CompiledProgram& target, std::uint32_t next, bool is_macro);
   void set_locals(const Bases& bases);
   CompiledProgram* find_program(const Instruction& i, CallSite& site);
@@ -101,12 +114,15 @@ class CallStack {
   const CompileContext& context_;
   ProgramTable& programs_;
   Storage& storage_;
+  BlockRules& rules_;
   ModalState& state_;
   MotionBuffer& out_;
   RunReport& report_;
   std::vector<Frame> frames_;
   CompiledProgram* program_ = nullptr;
-  std::uint32_t macros_ = 0;  // macro calls among the frames
+  const BlockRules* entered_rules_ = nullptr;  // of program_
+  std::uint32_t macros_ = 0;                   // macro calls among the frames
+  std::uint32_t parts_ = 0;                    // foreign parts among them
   std::uint32_t modal_frames_ = 0;
   std::optional<ModalCall> modal_;
   std::vector<PassedValue> passing_;  // of the call that is being made

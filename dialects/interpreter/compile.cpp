@@ -62,6 +62,7 @@ std::unique_ptr<CompiledProgram> compile(const ir::Program& program, std::uint32
                                          const CompileContext& context, std::uint32_t last) {
   auto out = std::make_unique<CompiledProgram>();
   out->source = &program;
+  out->rules = &context.rules;
   out->section = section;
   out->index = index;
   out->keeps_place = program.is_standard;
@@ -76,10 +77,27 @@ std::unique_ptr<CompiledProgram> compile(const ir::Program& program, std::uint32
   return out;
 }
 
+std::unique_ptr<CompiledProgram> compile_foreign(const ir::Program& foreign, text::Span part,
+                                                 const CompiledProgram& host, const CompileContext& context) {
+  auto out = std::make_unique<CompiledProgram>();
+  out->source = &foreign;
+  out->rules = &context.rules;
+  out->index = host.index;
+  out->is_foreign = true;
+  CodeBuilder builder(*out, context);
+  const auto begin_of = [](const ir::Statement& s) { return s.span.begin; };
+  const auto first = std::ranges::lower_bound(foreign.statements, part.begin, {}, begin_of);
+  const auto last = std::ranges::lower_bound(first, foreign.statements.end(), part.end, {}, begin_of);
+  StatementCompiler(builder).compile_part(static_cast<std::uint32_t>(first - foreign.statements.begin()),
+                                          static_cast<std::uint32_t>(last - foreign.statements.begin()));
+  return out;
+}
+
 std::unique_ptr<CompiledProgram> compile_text(ir::Program& program, const CompiledProgram& host,
                                               const CompileContext& context) {
   auto out = std::make_unique<CompiledProgram>();
   out->source = &program;
+  out->rules = host.rules;
   out->index = host.index;
   out->keeps_place = out->is_text = true;
   out->arrays = host.arrays;

@@ -27,6 +27,16 @@ class ProgramFinder {
   virtual ~ProgramFinder() = default;
   // nullptr: there is none. What it returns must live until the run has ended.
   virtual const ir::Program* find(std::string_view name) = 0;
+  // A program that is called in the control's other language (ISOCALL), and begins in it unless its text says
+  // otherwise.
+  virtual const ir::Program* find_foreign(std::string_view) { return nullptr; }
+  // The foreign parts of a program, read in the other language: a text of the same length, with blanks for the rest,
+  // and the control as it is in that language. nullptr when nobody can read them.
+  struct ForeignText {
+    const ir::Program* program = nullptr;
+    const ir::Control* control = nullptr;
+  };
+  virtual ForeignText foreign_text(const ir::Program&) { return {}; }
   // A text that a program wants executed (EXECSTRING), read in its own language; nullptr when nobody can.
   virtual std::unique_ptr<ir::Program> read_text(std::string_view) { return nullptr; }
 };

@@ -24,7 +24,7 @@ constexpr double truth(bool value) { return value ? 1.0 : 0.0; }
 // What may not stand in the shape of a cycle.
 constexpr bool leaves_shape(Opcode op) {
   return op == Opcode::call || op == Opcode::back || op == Opcode::back_to || op == Opcode::program_end ||
-         op == Opcode::text_end || op == Opcode::modal_call;
+         op == Opcode::text_end || op == Opcode::modal_call || op == Opcode::foreign_part;
 }
 
 }  // namespace
@@ -33,11 +33,12 @@ Machine::Machine(const ir::Control& control, ProgramFinder& finder, ir::MotionSi
     : control_(control),
       options_(options),
       names_(options.names != nullptr ? *options.names : own_names_),
-      rules_(control),
+      own_rules_(control),
+      rules_(own_rules_),
       arithmetic_(control.semantics),
       variables_(control),
       context_{control,
-               rules_,
+               own_rules_,
                arithmetic_,
                variables_,
                options.limits,
@@ -50,7 +51,7 @@ Machine::Machine(const ir::Control& control, ProgramFinder& finder, ir::MotionSi
       state_(initial_state(control)),
       out_(sink),
       report_(control, options.limits, names_, out_),
-      stack_(context_, programs_, storage_, state_, out_, report_),
+      stack_(context_, programs_, storage_, rules_, state_, out_, report_),
       access_(control, arithmetic_, variables_, storage_, shared_, state_, report_),
       frames_(rules_, storage_, shared_, state_, report_),
       blocks_(control, rules_, arithmetic_, storage_, access_, shared_, frames_, state_, out_, report_),
@@ -213,6 +214,7 @@ void Machine::execute(std::uint32_t next) {
       case Opcode::repeat_section:
       case Opcode::section_end:
       case Opcode::execute_text:
+      case Opcode::foreign_part:
       case Opcode::call:
       case Opcode::modal_call:
       case Opcode::modal_end:
@@ -265,6 +267,7 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
   if (i.op == Opcode::output) return output(i);
   if (i.op == Opcode::repeat_section) return repeat_section(i, next);
   if (i.op == Opcode::execute_text) return execute_text(i, next);
+  if (i.op == Opcode::foreign_part) return enter_foreign_part(i, next);
   if (i.op == Opcode::back) return go_back(i, next);
   if (i.op == Opcode::back_to) return go_back_to(i, next);
   if (i.op == Opcode::program_end) return end_program(i, next);

@@ -79,6 +79,7 @@ class Machine {
   bool repeat_section(const Instruction& i, std::uint32_t& next);
   void end_section(const Instruction& i, std::uint32_t& next);
   bool execute_text(const Instruction& i, std::uint32_t& next);
+  bool enter_foreign_part(const Instruction& i, std::uint32_t& next);
   // A condition on a value that is not known; true when it is taken as fulfilled.
   bool decide_unknown(const Instruction& i);
   void define_shared_data();
@@ -96,7 +97,8 @@ class Machine {
   const RunOptions& options_;
   RunNames own_names_;
   RunNames& names_;
-  BlockRules rules_;
+  const BlockRules own_rules_;
+  BlockRules rules_;  // of the running program: a control may have a second language
   Arithmetic arithmetic_;
   VariableMap variables_;
   SharedData shared_;

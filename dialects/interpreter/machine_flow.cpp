@@ -113,6 +113,16 @@ bool Machine::execute_text(const Instruction& i, std::uint32_t& next) {
   return true;
 }
 
+// Blocks that nobody can read are kept as written; they follow, and each says so.
+bool Machine::enter_foreign_part(const Instruction& i, std::uint32_t& next) {
+  CompiledProgram* part = programs_.foreign_part(stack_.program(), i.a);
+  if (part == nullptr) return true;
+  if (++passes_ > options_.limits.loop_passes) return report_.fail_limit(i, "loop passes");
+  if (!stack_.enter_part(i, *part, i.b)) return false;
+  next = 0;
+  return true;
+}
+
 // The same jump back twice, and nothing decided between: the program goes on so for ever.
 bool Machine::end_endless(const Instruction& i) {
   report_.say(i, DiagnosticId::endless_loop);
@@ -219,6 +229,10 @@ bool Machine::leave_program(std::uint32_t& next) {
 
 // The end of a subprogram in the main program ends it; or it starts again without end, of which one pass is enough.
 bool Machine::go_back(const Instruction& i, std::uint32_t& next) {
+  if (stack_.in_foreign_part()) {
+    next = stack_.go_back();
+    if (i.b == 1) return true;
+  }
   for (std::uint32_t further = i.a; further > 0 && !stack_.in_main(); --further)
     if (!leave_program(next)) return false;
   if (!stack_.in_main()) return leave_program(next);
@@ -234,7 +248,10 @@ bool Machine::go_back_to(const Instruction& i, std::uint32_t& next) {
   if (by_text && stack_.in_main()) return go_back(i, next);
   const double value = by_text ? 0.0 : storage_.reg(i.a);
   const std::string text = by_text ? storage_.text(i.a) : std::string();
-  for (std::uint32_t level = 0; level <= i.b && !stack_.in_main(); ++level) next = stack_.go_back();
+  // Of the main program, from a foreign part: to a block of that part.
+  const bool stays = stack_.in_foreign_part() && stack_.depth() == 2;
+  if (stack_.in_foreign_part() && !stays) next = stack_.go_back();
+  for (std::uint32_t level = 0; level <= i.b && !stack_.in_main() && !stays; ++level) next = stack_.go_back();
   if (by_text && is_unknown(text)) {
     report_.count({.name = "a return to a label that is not known"});
     return true;
@@ -253,6 +270,7 @@ bool Machine::go_back_to(const Instruction& i, std::uint32_t& next) {
 }
 
 bool Machine::end_program(const Instruction&, std::uint32_t& next) {
+  if (stack_.in_foreign_part()) next = stack_.go_back();
   if (!stack_.in_main() && control_.semantics.end_in_subprogram_returns) return leave_program(next);
   emit_event(ir::MotionKind::end, state_, out_);
   return report_.end(Ended::end);

@@ -37,11 +37,25 @@ CompiledProgram& ProgramTable::part_of(const CompiledProgram& whole, std::uint32
   return *entry;
 }
 
-CompiledProgram* ProgramTable::find(std::string_view name, const CompiledProgram& caller) {
+CompiledProgram* ProgramTable::find(std::string_view name, const CompiledProgram& caller, bool in_other_language) {
+  if (in_other_language) {
+    const ir::Program* program = finder_.find_foreign(name);
+    return program == nullptr ? nullptr : &add(*program, name);
+  }
   for (const ir::Program* text : {caller.source, main_})
     if (const auto section = section_named(*text, name)) return &add_section(*text, *section, name);
   const ir::Program* program = finder_.find(name);
   return program == nullptr ? nullptr : &add(*program, name);
+}
+
+CompiledProgram* ProgramTable::foreign_part(const CompiledProgram& host, std::uint32_t part) {
+  if (const auto known = foreign_parts_.find({&host, part}); known != foreign_parts_.end()) return known->second.get();
+  std::unique_ptr<CompiledProgram>& entry = foreign_parts_[{&host, part}];
+  const ProgramFinder::ForeignText text = finder_.foreign_text(*host.source);
+  if (text.program == nullptr) return nullptr;
+  if (other_language_ == nullptr) other_language_ = std::make_unique<Language>(*text.control, context_);
+  entry = compile_foreign(*text.program, host.source->foreign_parts[part].text, host, other_language_->context);
+  return entry.get();
 }
 
 }  // namespace dripfeed::interpreter

@@ -51,10 +51,21 @@ void SharedAccess::say_input(std::string name) {
   report_.count({.name = std::move(name), .function = ir::Function::not_modelled, .is_input = true});
 }
 
+// $C_X and $C_X_PROG. Of several I, J or K the first alone is known by its place.
+std::optional<double> SharedAccess::call_argument(const ir::SystemVariableRow& row, const Indices& indices) const {
+  const std::uint32_t locals = storage_.bases().local;
+  if (locals == 0 || indices[0] > 0) return std::nullopt;  // no macro is running
+  const double value = storage_.local_at(locals + row.first - 1);
+  if (row.kind == ir::SystemValue::call_argument_given) return is_vacant(value) ? 0.0 : 1.0;
+  return value_or_zero(value);
+}
+
 std::optional<double> SharedAccess::answer(const Instruction& i, const Indices& indices) const {
   if (i.detail == 0) return std::nullopt;
   const ir::SystemVariableRow& row = control_.system_variables[i.detail - 1U];
   if (row.kind == ir::SystemValue::settable_frame) return frames_.settable_part(indices);
+  if (row.kind == ir::SystemValue::call_argument || row.kind == ir::SystemValue::call_argument_given)
+    return call_argument(row, indices);
   return answer_system(control_, row, indices, state_);
 }
 

@@ -35,6 +35,7 @@ class SharedAccess {
   bool store_text(const Instruction& i);
   bool refer(const Instruction& i);
   // Of a system variable that the modal state answers.
+  [[nodiscard]] std::optional<double> call_argument(const ir::SystemVariableRow& row, const Indices& indices) const;
   [[nodiscard]] std::optional<double> answer(const Instruction& i, const Indices& indices) const;
   bool may_write(const Instruction& i);
   void say_input(std::string name);

@@ -35,26 +35,58 @@ StatementCompiler::StatementCompiler(CodeBuilder& builder)
       calls_(builder, expressions_) {}
 
 void StatementCompiler::compile(std::uint32_t returns_behind) {
-  builder_.out().works.push_back({.blocks = 1});  // a block without anything to compute
   const ir::Program& program = builder_.source();
-  const auto count = static_cast<std::uint32_t>(program.statements.size());
   const bool whole = program.sections.empty();
   const std::uint32_t first = whole ? 0 : program.sections[builder_.out().section].first;
-  const std::uint32_t last = whole ? count : program.sections[builder_.out().section].last;
+  const std::uint32_t last =
+      whole ? static_cast<std::uint32_t>(program.statements.size()) : program.sections[builder_.out().section].last;
+  compile_statements(first, last, returns_behind);
+  builder_.emit(Opcode::text_end, ir::span_of_last(program, first, last));
+  flow_.settle(code_, first, last);
+}
+
+void StatementCompiler::compile_part(std::uint32_t first, std::uint32_t last) {
+  compile_statements(first, last, ir::kNoIndex);
+  builder_.emit(Opcode::back, ir::span_of_last(builder_.source(), first, last), 0, 1);
+  flow_.settle(code_, first, last);
+}
+
+void StatementCompiler::compile_statements(std::uint32_t first, std::uint32_t last, std::uint32_t returns_behind) {
+  builder_.out().works.push_back({.blocks = 1});  // a block without anything to compute
+  const ir::Program& program = builder_.source();
   builder_.reserve();
   repeated_ = ir::repeated_parts(program);
-  std::vector<StatementCode> code(count);
+  code_.resize(program.statements.size());
   for (std::uint32_t i = first; i < last; ++i) {
-    code[i].begin = builder_.here();
-    compile_statement(i);
-    code[i].end = builder_.here();  // a loop that ends here leads to the end of the part, too
+    code_[i].begin = builder_.here();
+    if (!begin_foreign_part(i)) compile_statement(i);
+    end_foreign_part(i);
+    code_[i].end = builder_.here();  // a loop that ends here leads to the end of the part, too
     for (std::uint32_t id = 0; id < repeated_.size(); ++id)
       if (repeated_[id].last == i) flow_.compile_section_end(repeated_[id].repeat, id);
     if (i == returns_behind) builder_.emit(Opcode::back, program.statements[i].span);
   }
   end_block();
-  builder_.emit(Opcode::text_end, ir::span_of_last(program, first, last));
-  flow_.settle(code, first, last);
+}
+
+// True when the statement does nothing else.
+bool StatementCompiler::begin_foreign_part(std::uint32_t statement) {
+  const auto& parts = builder_.source().foreign_parts;
+  while (next_part_ < parts.size() && parts[next_part_].last <= statement) ++next_part_;
+  if (next_part_ == parts.size() || parts[next_part_].first != statement) return false;
+  const ir::Statement& first = builder_.source().statements[statement];
+  const bool switches = first.span.begin < parts[next_part_].text.begin;  // it is no block of the part
+  if (switches && is_left_out(first)) return true;
+  if (switches) begin_block(first);
+  part_instruction_ = builder_.emit(Opcode::foreign_part, first.span, next_part_);
+  return switches;
+}
+
+void StatementCompiler::end_foreign_part(std::uint32_t statement) {
+  if (part_instruction_ == ir::kNoIndex || builder_.source().foreign_parts[next_part_].last != statement + 1) return;
+  end_block();
+  builder_.at(part_instruction_).b = builder_.here();
+  part_instruction_ = ir::kNoIndex;
 }
 
 // Structures have no skip: a control refuses it, and half of one would be another program.

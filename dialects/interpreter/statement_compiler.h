@@ -16,6 +16,8 @@ class StatementCompiler {
   explicit StatementCompiler(CodeBuilder& builder);
   // All statements of the program, and what happens at the end of its text. It returns behind that statement, too.
   void compile(std::uint32_t returns_behind = ir::kNoIndex);
+  // The statements [first, last), and a return from the foreign part that they are.
+  void compile_part(std::uint32_t first, std::uint32_t last);
 
  private:
   using Compile = void (StatementCompiler::*)(const ir::Statement&);
@@ -25,6 +27,10 @@ class StatementCompiler {
   };
   static const Row kRows[];
 
+  void compile_statements(std::uint32_t first, std::uint32_t last, std::uint32_t returns_behind);
+  // Around the statements that keep a foreign part as written.
+  bool begin_foreign_part(std::uint32_t statement);
+  void end_foreign_part(std::uint32_t statement);
   void compile_statement(std::uint32_t index);
   [[nodiscard]] bool is_left_out(const ir::Statement& statement) const;
   void compile_block(const ir::Statement& statement);
@@ -55,6 +61,9 @@ class StatementCompiler {
   FlowCompiler flow_;
   CallCompiler calls_;
   std::uint32_t block_instruction_ = ir::kNoIndex;
+  std::vector<StatementCode> code_;  // by statement
+  std::uint32_t next_part_ = 0;      // of the program's foreign ones
+  std::uint32_t part_instruction_ = ir::kNoIndex;
   std::vector<ir::RepeatedPart> repeated_;  // their place here is their number
 };
 

@@ -11,6 +11,7 @@ namespace {
 
 // The instruction that begins the block at `offset` of the text; instructions stand in the order of the text.
 std::uint32_t instruction_at(const CompiledProgram& program, std::uint32_t offset) {
+  if (offset == 0) return 0;
   for (std::uint32_t i = 0; i < program.code.size(); ++i)
     if (program.code[i].op == Opcode::block && program.spans[i].begin >= offset) return i;
   return static_cast<std::uint32_t>(program.code.size() - 1);  // text_end

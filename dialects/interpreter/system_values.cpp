@@ -151,6 +151,8 @@ std::optional<double> answer_system(const ir::Control& control, const ir::System
     case ir::SystemValue::settable_frame:
     case ir::SystemValue::active_frame:
     case ir::SystemValue::total_frame:
+    case ir::SystemValue::call_argument:
+    case ir::SystemValue::call_argument_given:
     case ir::SystemValue::machine_position:
     case ir::SystemValue::work_offset_value:
     case ir::SystemValue::comp_number:
@@ -202,6 +204,8 @@ std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number
     case SystemValue::settable_frame:
     case SystemValue::active_frame:
     case SystemValue::total_frame:
+    case SystemValue::call_argument:
+    case SystemValue::call_argument_given:
     case SystemValue::work_offset_value:
     case SystemValue::block_number:
     case SystemValue::program_number: break;

@@ -12,6 +12,8 @@ constexpr ir::VariableRange kNeutralRanges[] = {
     {ir::Bank::hash, 100, 999, ir::VariableUse::common, true},
     {ir::Bank::r, 0, 999, ir::VariableUse::common, true},
 };
+// Where the arguments of a macro call lie on a control without numbered variables (G65 in SINUMERIK's ISO mode).
+constexpr ir::VariableRange kArguments = {ir::Bank::hash, 1, 33, ir::VariableUse::local, false};
 // No control has more; a profile that says so is cut here instead of filling the memory.
 constexpr std::uint32_t kSlotsAtMost = 1U << 20;
 
@@ -32,6 +34,11 @@ VariableMap::VariableMap(const ir::Control& control)
       count += range.last - range.first + 1;
     }
     ranges_.push_back({range, first_slot});
+  }
+  const auto holds_arguments = [](const Range& r) { return r.range.use == ir::VariableUse::local; };
+  if (std::ranges::none_of(ranges_, holds_arguments)) {
+    ranges_.push_back({kArguments, local_count_, true});
+    local_count_ += kArguments.last;
   }
 }
 
@@ -59,7 +66,7 @@ std::vector<VariableMap::Named> VariableMap::list() const {
   std::vector<Named> result;
   for (const ir::VariableUse use : {ir::VariableUse::local, ir::VariableUse::common, ir::VariableUse::permanent})
     for (const Range& r : ranges_)
-      if (r.range.use == use)
+      if (r.range.use == use && !r.is_hidden)
         for (std::uint32_t i = 0; i <= r.range.last - r.range.first; ++i)
           result.push_back({r.range.bank, r.range.first + i,
                             use == ir::VariableUse::local ? SlotKind::local : SlotKind::global, r.first_slot + i});

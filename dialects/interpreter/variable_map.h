@@ -50,6 +50,7 @@ class VariableMap {
   struct Range {
     ir::VariableRange range;
     std::uint32_t first_slot = 0;  // local, global
+    bool is_hidden = false;        // no program names them
   };
   std::vector<Range> ranges_;
   std::span<const ir::SystemVariableRow> system_variables_;

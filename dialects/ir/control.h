@@ -51,11 +51,13 @@ enum class SystemValue : std::uint8_t {
   spindle_direction,
   constant,  // SystemVariableRow::first
   programmable_frame,
-  base_frame,          // in effect
-  base_frame_in_data,  // in memory: the next selection of a work offset takes it
-  settable_frame,      // in memory, by number
-  active_frame,        // the settable one in effect
-  total_frame,         // the settable one and the programmable one in it
+  base_frame,           // in effect
+  base_frame_in_data,   // in memory: the next selection of a work offset takes it
+  settable_frame,       // in memory, by number
+  active_frame,         // the settable one in effect
+  total_frame,          // the settable one and the programmable one in it
+  call_argument,        // of the last macro call; SystemVariableRow::first is the number of its local variable
+  call_argument_given,  // … 1 when it was given
 };
 struct SystemVariableRow {
   std::string_view name;    // "$P_EP"; empty for numbered ones

@@ -52,6 +52,7 @@ struct Program {
   std::vector<OutputPart> output_parts;
   std::vector<Section> sections;  // empty: all statements are one program
   std::vector<Repeat> repeats;
+  std::vector<ForeignPart> foreign_parts;  // in order
   std::vector<Expression> expressions;
   std::vector<Variable> variables;
   std::vector<Symbol> symbols;

@@ -65,6 +65,11 @@ struct Semantics {
   double thread_first_cut_mm = 0.3;  // G76 without Q
   double thread_least_cut_mm = 0.05;
 
+  // The other language of a SINUMERIK, ISO mode: machine (Function Manual ISO Dialects).
+  bool starts_in_iso_mode = false;                         // G291 is in effect where a program begins (MD20150)
+  DecimalMode iso_decimal_mode = DecimalMode::calculator;  // MD10884 EXTERN_FLOATINGPOINT_PROG; from memory
+  bool iso_decimal_mode_confirmed = false;
+
   // State at power-on or reset; `known` is false where the machine decides and nobody confirmed.
   bool power_on_known = false;
   Function power_on_motion = Function::rapid;

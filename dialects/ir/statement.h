@@ -225,6 +225,7 @@ struct Call {
   ExpressionId start = ExpressionId::none;     // block number in the called program; none: its beginning
   ExpressionId first_label = ExpressionId::none;  // of a part of it, as texts; none: all of it
   ExpressionId last_label = ExpressionId::none;
+  bool in_other_language = false;  // ISOCALL: the program begins in the control's other language
   std::uint32_t first_argument = 0;
   std::uint32_t argument_count = 0;
 };
@@ -271,6 +272,14 @@ struct Section {
   StringId name = StringId::none;  // as calls name it: "O0012"
   std::uint32_t first = 0;
   std::uint32_t last = 0;
+};
+
+// Blocks in the other language of a control (SINUMERIK's ISO mode). The statements [first, last) keep them as written;
+// `text` is what stands between the blocks that switch.
+struct ForeignPart {
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+  text::Span text;
 };
 
 struct Label {

@@ -119,6 +119,7 @@ class StatementRaiser {
   void call(const ir::Statement& s) {
     const ir::Call& call = program_.calls[s.payload];
     if (call.computed != ExpressionId::none) return blocks_.cannot(s, "a call of a program whose name is computed");
+    if (call.in_other_language) return blocks_.cannot(s, "a call in ISO mode (ISOCALL)");
     if (call.first_label != ExpressionId::none) return blocks_.cannot(s, "a call of a part of a program");
     // Numbered subprograms of other controls keep their number: L100 is O0100.
     const std::string_view name = program_.strings.at(call.name);

@@ -160,7 +160,8 @@ ModeFlow::Part& ModeFlow::part_at(std::uint32_t statement) {
 ModeFlow::Part* ModeFlow::called_by(const ir::Statement& s) {
   const ir::Call& call = program_.calls[s.payload];
   if (call.kind == ir::CallKind::external || call.name == ir::StringId::none) return nullptr;
-  if (call.start != ir::ExpressionId::none || call.first_label != ir::ExpressionId::none) return nullptr;
+  if (call.start != ir::ExpressionId::none || call.first_label != ir::ExpressionId::none || call.in_other_language)
+    return nullptr;
   const auto part = std::ranges::find(parts_, call.name, &Part::name);
   return part == parts_.end() ? nullptr : &*part;
 }

@@ -134,6 +134,7 @@ constexpr auto kKeywords = std::to_array<Keyword>({
   statement("MCALL", Verb::call_modal),
   statement("PCALL", Verb::call_path),
   statement("EXTCALL", Verb::call_external),
+  statement("ISOCALL", Verb::call_iso),
   statement("EXECSTRING", Verb::execute),
   statement("DEFINE", Verb::macro),
   statement("RET", Verb::return_word),

@@ -55,6 +55,7 @@ enum class Verb : std::uint8_t {
   call,
   call_path,      // PCALL
   call_external,  // EXTCALL
+  call_iso,       // ISOCALL
   execute,        // EXECSTRING
   macro,          // DEFINE … AS
   call_modal,

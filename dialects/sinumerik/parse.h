@@ -19,6 +19,9 @@
 
 namespace dripfeed::sinumerik {
 
+// Of the native statements that keep a foreign part.
+inline constexpr std::string_view kInIsoMode = "ISO mode";
+
 class Parser {
  public:
   // `program` has its source and its tokens.
@@ -29,6 +32,9 @@ class Parser {
   // lines: parse.cpp
   void line();
   bool iso_line(text::Span start);
+  [[nodiscard]] bool ends_iso_mode() const;
+  void begin_iso_mode(std::uint32_t statement, std::uint32_t text_begin);
+  void end_iso_mode(std::uint32_t text_end);
   void block_head();
   bool label_here();
   [[nodiscard]] text::Span short_label() const;
@@ -133,6 +139,7 @@ class Parser {
   void modal_call(text::Span head);
   void path_call(text::Span head);
   void external_call(text::Span head);
+  void iso_call(text::Span head);
   void computed_call(ir::ExpressionId name, ir::Call call, text::Span head);
   bool part_labels(ir::Call& call, text::Span head);
   void own_part_call(text::Span head);
@@ -197,7 +204,7 @@ class Parser {
   };
   std::vector<Macro> macros_;  // DEFINE … AS
   bool in_macro_ = false;
-  bool in_iso_ = false;  // behind G291
+  bool in_iso_ = false;  // behind G291: the last of the foreign parts is open
 };
 
 }  // namespace dripfeed::sinumerik

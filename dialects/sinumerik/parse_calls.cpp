@@ -97,7 +97,8 @@ void Parser::computed_call(ir::ExpressionId name, ir::Call call, text::Span head
   else
     call.computed = name;
   call.repeats = repeats_;
-  const bool may_pass = e.op == ir::Operator::string && call.first_label == ir::ExpressionId::none;
+  const bool may_pass =
+      e.op == ir::Operator::string && call.first_label == ir::ExpressionId::none && !call.in_other_language;
   if (may_pass && cursor_.is_symbol('(')) arguments(call);
   has_call_ = true;
   lower_.add_call(StatementKind::call, call, to_here(head));
@@ -141,6 +142,14 @@ void Parser::external_call(text::Span head) {
   if (cursor_.kind() == TokenKind::string) return computed_call(expression(), {}, head);
   if (!cursor_.is_symbol('(')) return give_up(DiagnosticId::missing_bracket, head, {"("});
   computed_call(parenthesized(), {}, head);
+}
+
+// ISOCALL "NAME": the program begins in ISO mode (PGA, "Indirect call of a program programmed in ISO language").
+void Parser::iso_call(text::Span head) {
+  operator_ = head;
+  ir::Call call;
+  call.in_other_language = true;
+  computed_call(expression(), call, head);
 }
 
 // L100 and L0100 are two programs: the digits are the name.

@@ -49,6 +49,7 @@ void Parser::flow(Verb verb, text::Span head) {
     case Verb::call:
     case Verb::call_path:
     case Verb::call_external:
+    case Verb::call_iso:
     case Verb::execute:
     case Verb::macro:
     case Verb::call_modal:

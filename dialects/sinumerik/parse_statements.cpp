@@ -19,9 +19,9 @@ constexpr std::uint32_t kLongestMacro_bytes = 256;
 
 // Statements that are kept as written and after which axes may be anywhere: cycles, frames, texts.
 bool may_move(std::string_view name) {
-  constexpr std::string_view kNames[] = {"ISOCALL", "CALL",  "EXECTAB", "RET",      "LONGHOLE",  "POLFA", "G291",
-                                         "ROTS",    "AROTS", "CROTS",   "TRAANG",   "TRAORI",    "PO",    "MEASA",
-                                         "MEAWA",   "MEAC",  "POSP",    "PRESETON", "PRESETONS", "GEOAX"};
+  constexpr std::string_view kNames[] = {"CALL",  "EXECTAB", "RET",    "LONGHOLE", "POLFA",     "ROTS",
+                                         "AROTS", "CROTS",   "TRAANG", "TRAORI",   "PO",        "MEASA",
+                                         "MEAWA", "MEAC",    "POSP",   "PRESETON", "PRESETONS", "GEOAX"};
   // Settings of the path, and a contour that is only named.
   if (name == "CYCLE832" || name == "CYCLE62") return false;
   return name.starts_with("CYCLE") || name.starts_with("POCKET") || name.starts_with("SLOT") ||
@@ -66,6 +66,7 @@ void Parser::statement_of(const Keyword& keyword, text::Span head) {
     case Verb::call_modal: return modal_call(head);
     case Verb::call_path: return path_call(head);
     case Verb::call_external: return external_call(head);
+    case Verb::call_iso: return iso_call(head);
     case Verb::execute: return execute_statement(head);
     case Verb::macro: return macro_definition(head);
     case Verb::return_word: return return_statement(head);

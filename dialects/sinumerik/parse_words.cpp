@@ -259,8 +259,10 @@ void Parser::g_code(text::Span head) {
                                  span, may_be_macro);
   }
   if (n == 75 && reference_approach(head)) return;
-  in_iso_ = code->row.name == "G291";
-  if (in_iso_) return native(code->row.name, false, span);
+  if (code->row.name == "G291") {
+    begin_iso_mode(lower_.first_statement(), cursor_.line_end());
+    return lower_.keep_as_native(kInIsoMode, false, span, true);
+  }
   lower_.add_code(*code, span);
 }
 

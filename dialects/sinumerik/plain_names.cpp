@@ -30,26 +30,26 @@ constexpr std::string_view kAddress[] = {
 
 // Statements that are kept as they are written, effects unknown.
 constexpr std::string_view kNative[] = {
-    "ISOCALL",  "CALLPATH",   "EXECTAB",   "REDEF",     "UNDEF",     "ID",       "IDS",        "WHEN",     "WHENEVER",
-    "FROM",     "EVERY",      "DO",        "CANCEL",    "CANCELSUB", "LOCK",     "UNLOCK",     "SETINT",   "DISABLE",
-    "ENABLE",   "CLRINT",     "INIT",      "START",     "WAITM",     "WAITMC",   "WAITE",      "SETM",     "CLEARM",
-    "WAITENC",  "WAITV",      "SETMS",     "SPCON",     "SPCOF",     "FGROUP",   "FCTDEF",     "FTOC",     "FTOCON",
-    "FTOCOF",   "PUTFTOC",    "PUTFTOCF",  "SYNFCT",    "GEOAX",     "GET",      "GETD",       "RELEASE",  "AXTOCHAN",
-    "TRANSMIT", "TRACYL",     "TRAANG",    "TRAORI",    "TRACON",    "TRACOOF",  "TRAFOON",    "PRESETON", "PRESETONS",
-    "DELDTG",   "COUPDEF",    "COUPDEL",   "COUPON",    "COUPONC",   "COUPOF",   "COUPOFS",    "COUPRES",  "TRAILON",
-    "TRAILOF",  "LEADON",     "LEADOF",    "EGDEF",     "EGON",      "EGONSYN",  "EGONSYNE",   "EGOFS",    "EGOFC",
-    "EGDEL",    "TANG",       "TANGON",    "TANGOF",    "TANGDEL",   "TLIFT",    "CTABDEF",    "CTABEND",  "CTABDEL",
-    "CTABLOCK", "CTABUNLOCK", "MASLON",    "MASLOF",    "MASLDEF",   "MASLDEL",  "PUNCHACC",   "PON",      "PONS",
-    "SON",      "SONS",       "SPOF",      "PDELAYON",  "PDELAYOF",  "SPP",      "SPN",        "CONTPRON", "CONTDCON",
-    "EXECUTE",  "DIAMONA",    "DIAM90A",   "DIAMOFA",   "DIAMCHANA", "DIAMCHAN", "DACA",       "NEWT",     "DELT",
-    "SETPIECE", "SETTA",      "RESETMON",  "DELDL",     "SETDNO",    "DZERO",    "DELTOOLENV", "TOOLENV",  "TCARR",
-    "TCOABS",   "TCOFR",      "TCOFRX",    "TCOFRY",    "TCOFRZ",    "TCI",      "TCA",        "MVTOOL",   "NEWCONF",
-    "CUTMOD",   "CUTMODK",    "PREC",      "STOPREOF",  "RDISABLE",  "INITIAL",  "OVERSTORE",  "LIFTFAST", "POLFA",
-    "POLF",     "POLFMASK",   "POLFMLIN",  "POLFMIN",   "FXSOF",     "IPOBRKA",  "ADISPOSA",   "COARSEA",  "FINEA",
-    "IPOENDA",  "AXCTSWE",    "AXCTSWED",  "PROTA",     "PROTD",     "PROTSET",  "NPROT",      "NPROTDEF", "CPROT",
-    "CPROTDEF", "CPDEF",      "CPDEL",     "CPLDEF",    "CPLDEL",    "CPON",     "CPOF",       "CPLON",    "CPLOF",
-    "TML",      "AUXFUDEL",   "AUXFUDELG", "AUXFUMSEQ", "AUXFUSYNC", "ORIROTA",  "ORIROTR",    "ORIROTT",  "ORIROTC",
-    "ORIRESET", "SPLINEPATH", "POLYPATH"};
+    "CALLPATH",   "EXECTAB",   "REDEF",     "UNDEF",     "ID",       "IDS",        "WHEN",     "WHENEVER",  "FROM",
+    "EVERY",      "DO",        "CANCEL",    "CANCELSUB", "LOCK",     "UNLOCK",     "SETINT",   "DISABLE",   "ENABLE",
+    "CLRINT",     "INIT",      "START",     "WAITM",     "WAITMC",   "WAITE",      "SETM",     "CLEARM",    "WAITENC",
+    "WAITV",      "SETMS",     "SPCON",     "SPCOF",     "FGROUP",   "FCTDEF",     "FTOC",     "FTOCON",    "FTOCOF",
+    "PUTFTOC",    "PUTFTOCF",  "SYNFCT",    "GEOAX",     "GET",      "GETD",       "RELEASE",  "AXTOCHAN",  "TRANSMIT",
+    "TRACYL",     "TRAANG",    "TRAORI",    "TRACON",    "TRACOOF",  "TRAFOON",    "PRESETON", "PRESETONS", "DELDTG",
+    "COUPDEF",    "COUPDEL",   "COUPON",    "COUPONC",   "COUPOF",   "COUPOFS",    "COUPRES",  "TRAILON",   "TRAILOF",
+    "LEADON",     "LEADOF",    "EGDEF",     "EGON",      "EGONSYN",  "EGONSYNE",   "EGOFS",    "EGOFC",     "EGDEL",
+    "TANG",       "TANGON",    "TANGOF",    "TANGDEL",   "TLIFT",    "CTABDEF",    "CTABEND",  "CTABDEL",   "CTABLOCK",
+    "CTABUNLOCK", "MASLON",    "MASLOF",    "MASLDEF",   "MASLDEL",  "PUNCHACC",   "PON",      "PONS",      "SON",
+    "SONS",       "SPOF",      "PDELAYON",  "PDELAYOF",  "SPP",      "SPN",        "CONTPRON", "CONTDCON",  "EXECUTE",
+    "DIAMONA",    "DIAM90A",   "DIAMOFA",   "DIAMCHANA", "DIAMCHAN", "DACA",       "NEWT",     "DELT",      "SETPIECE",
+    "SETTA",      "RESETMON",  "DELDL",     "SETDNO",    "DZERO",    "DELTOOLENV", "TOOLENV",  "TCARR",     "TCOABS",
+    "TCOFR",      "TCOFRX",    "TCOFRY",    "TCOFRZ",    "TCI",      "TCA",        "MVTOOL",   "NEWCONF",   "CUTMOD",
+    "CUTMODK",    "PREC",      "STOPREOF",  "RDISABLE",  "INITIAL",  "OVERSTORE",  "LIFTFAST", "POLFA",     "POLF",
+    "POLFMASK",   "POLFMLIN",  "POLFMIN",   "FXSOF",     "IPOBRKA",  "ADISPOSA",   "COARSEA",  "FINEA",     "IPOENDA",
+    "AXCTSWE",    "AXCTSWED",  "PROTA",     "PROTD",     "PROTSET",  "NPROT",      "NPROTDEF", "CPROT",     "CPROTDEF",
+    "CPDEF",      "CPDEL",     "CPLDEF",    "CPLDEL",    "CPON",     "CPOF",       "CPLON",    "CPLOF",     "TML",
+    "AUXFUDEL",   "AUXFUDELG", "AUXFUMSEQ", "AUXFUSYNC", "ORIROTA",  "ORIROTR",    "ORIROTT",  "ORIROTC",   "ORIRESET",
+    "SPLINEPATH", "POLYPATH"};
 
 // Standard cycles: they move and are not read.
 constexpr std::string_view kCycle[] = {

@@ -329,6 +329,13 @@ class Printer {
     value(out, c.last_label);
   }
 
+  void iso_call(const ir::Call& c, std::string& out) const {
+    out += "ISOCALL ";
+    if (c.computed != ir::ExpressionId::none)
+      value(out, c.computed);
+    else
+      out += '"' + std::string(program_.strings.at(c.name)) + '"';
+  }
   void call(const ir::Call& c, std::string& out) const {
     c.first_label != ir::ExpressionId::none ? part_call(c, out) : whole_call(c, out);
     if (c.repeats == ir::ExpressionId::none) return;
@@ -336,6 +343,7 @@ class Printer {
     value(out, c.repeats);
   }
   void whole_call(const ir::Call& c, std::string& out) const {
+    if (c.in_other_language) return iso_call(c, out);
     if (c.computed != ir::ExpressionId::none) {
       out += "CALL(";
       value(out, c.computed);

@@ -53,6 +53,7 @@ void raise_call(const Raising& raising, const ir::Statement& s, bool locals) {
   if (call.number != ir::ExpressionId::none) return raising.cannot("a call of a computed program number", s.span);
   if (call.start != ir::ExpressionId::none) return raising.cannot("a call from a block of the program on", s.span);
   if (call.first_label != ir::ExpressionId::none) return raising.cannot("a call of a part of a program", s.span);
+  if (call.in_other_language) return raising.cannot("a call in ISO mode (ISOCALL)", s.span);
   if (call.kind == ir::CallKind::macro && locals)
     return raising.cannot("a macro call beside local variables (#1 to #33), which it would overwrite here,", s.span);
   if (s.kind == StatementKind::modal_call && call.repeats != ir::ExpressionId::none)

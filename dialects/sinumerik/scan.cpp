@@ -128,9 +128,17 @@ class Words {
   std::uint32_t seen_ = 0;  // addresses of the block, a bit each
 };
 
+// In ISO mode no block is one of Siemens mode.
+class NoPlainBlocks final : public ir::PlainScanner {
+ public:
+  ir::PlainScan scan(std::string_view, ir::PlainBatch&) override { return {0, ir::PlainStop::not_plain}; }
+  [[nodiscard]] std::string_view name() const override { return {}; }
+};
+
 }  // namespace
 
 std::unique_ptr<ir::PlainScanner> plain_scanner(const ir::Control& control) {
+  if (control.semantics.starts_in_iso_mode) return std::make_unique<NoPlainBlocks>();
   return std::make_unique<ir::BlockScanner<Words>>(Words(control));
 }
 

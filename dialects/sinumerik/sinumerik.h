@@ -1,10 +1,11 @@
 // dialects/sinumerik: reader, checker and writer of SINUMERIK 840D sl part programs (also 810D and 840D powerline): the
-// code, alarm, keyword and system variable tables and the rules that are Siemens' own. ISO dialect mode is another
-// language and not read here. What a program does when it runs is the interpreter's; nothing here knows a machine, a
-// file or another dialect.
+// code, alarm, keyword and system variable tables and the rules that are Siemens' own. ISO mode is another
+// language: where it stands is said (ir::ForeignPart), what it says is not read here. What a program does when it runs
+// is the interpreter's; nothing here knows a machine, a file or another dialect.
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "dialects/ir/control.h"
@@ -33,6 +34,11 @@ std::unique_ptr<ir::PlainScanner> plain_scanner(const ir::Control& control);
 // What the control would alarm on, or what can be seen from the program to be wrong, in the order of the text; those of
 // reading are not repeated.
 std::vector<text::Diagnostic> validate(const ir::Program& program, const ir::Control& control, ir::Delivery delivery);
+
+// The alarms of ISO mode, and what only it alarms on, in blocks that were read in its language for the control as it is
+// there.
+std::span<const ir::AlarmRow> iso_alarms();
+std::vector<text::Diagnostic> validate_iso(const ir::Program& program, const ir::Control& control);
 
 // Text of a standard cycle that the control brings along: CYCLE81 to CYCLE89, CYCLE97, HOLES1, HOLES2; empty for
 // others. A program of that name that the caller has goes before it.

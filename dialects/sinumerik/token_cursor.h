@@ -33,6 +33,12 @@ class TokenCursor {
   [[nodiscard]] std::uint32_t previous_end() const { return previous_end_; }
   [[nodiscard]] std::string_view whole() const { return text_; }
 
+  // Where the line ends, behind its EOB.
+  [[nodiscard]] std::uint32_t line_end() const {
+    TokenCursor probe = *this;
+    while (!probe.at_text_end() && probe.kind() != ir::TokenKind::eob) probe.step();
+    return probe.span().end;
+  }
   // To the next token, whatever it is.
   void step() { ++at_; }
   // To the next token but blanks; at the end of the text it stays there.

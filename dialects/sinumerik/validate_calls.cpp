@@ -83,7 +83,7 @@ class Calls {
   }
 
   void call(const ir::Call& call, text::Span span) {
-    if (call.name == ir::StringId::none || call.first_label != ir::ExpressionId::none) return;
+    if (call.name == ir::StringId::none || call.first_label != ir::ExpressionId::none || call.in_other_language) return;
     const std::string name(check_.program.strings.at(call.name));
     const auto found = std::ranges::find(procedures_, name, &Procedure::name);
     if (found == procedures_.end()) return;

@@ -177,6 +177,12 @@ void read_control(ObjectReader& object, machine::ControlSettings& control) {
   if (const auto mode = object.choice("decimal_mode", kDecimalModes))
     control.decimal_mode = static_cast<ir::DecimalMode>(*mode);
   object.flag("decimal_mode_confirmed", control.decimal_mode_confirmed);
+  object.object("iso_mode", [&](ObjectReader& o) {
+    if (const auto mode = o.choice("decimal_mode", kDecimalModes))
+      control.iso_decimal_mode = static_cast<ir::DecimalMode>(*mode);
+    o.flag("decimal_mode_confirmed", control.iso_decimal_mode_confirmed);
+    o.flag("from_start", control.starts_in_iso_mode);
+  });
   object.number("increment_mm", control.increment_mm, 0.0, 1.0);
   object.integer("block_length_bytes", control.block_length_bytes, 1, 65'536);
   object.integer("axes_at_once", control.axes_at_once, 1, 32);

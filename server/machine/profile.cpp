@@ -236,6 +236,9 @@ ir::Control control_of(const Profile& profile, ir::Control control) {
   if (!settings.title.empty()) control.title = settings.title;
   if (settings.decimal_mode) semantics.decimal_mode = *settings.decimal_mode;
   semantics.decimal_mode_confirmed = settings.decimal_mode_confirmed;
+  if (settings.iso_decimal_mode) semantics.iso_decimal_mode = *settings.iso_decimal_mode;
+  semantics.iso_decimal_mode_confirmed = settings.iso_decimal_mode_confirmed;
+  semantics.starts_in_iso_mode = settings.starts_in_iso_mode;
   if (settings.power_on_unit) semantics.power_on_unit = *settings.power_on_unit;
   if (settings.power_on_distance) semantics.power_on_distance = *settings.power_on_distance;
   if (settings.power_on_feed) semantics.power_on_feed = *settings.power_on_feed;

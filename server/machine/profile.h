@@ -50,7 +50,11 @@ struct ControlSettings {
   std::optional<double> arc_tolerance_factor;  // … as a part of the radius, where that is more (MD21010)
   std::optional<std::uint32_t> reference_fixed_point;  // G75 FP= of it is where the other controls go by G28 (MD30600)
   bool splines_confirmed = false;                      // somebody held a spline of the machine against ours
-  std::optional<bool> arc_without_center_is_line;      // Fanuc 3403#5 = 0; otherwise an alarm
+  // ISO mode of a SINUMERIK.
+  std::optional<ir::DecimalMode> iso_decimal_mode;  // MD10884
+  bool iso_decimal_mode_confirmed = false;
+  bool starts_in_iso_mode = false;                 // G291 is in effect where a program begins
+  std::optional<bool> arc_without_center_is_line;  // Fanuc 3403#5 = 0; otherwise an alarm
   // Parameters of cycles, mm.
   std::optional<double> chip_break_mm;
   std::optional<double> peck_clearance_mm;

@@ -1,4 +1,4 @@
-// SINUMERIK axes that move beside the path, frames and other languages that are not followed, and calls whose arguments
+// SINUMERIK axes that move beside the path, frames, and calls whose arguments
 // do not fit. The oracle of each is the rule of the Programming Manuals Fundamentals (PG) and Job Planning (PGA), or
 // the alarm of the Diagnostics Manual, that it names.
 #include "tests/unit/dialects/compile/sinumerik_run.h"
@@ -58,14 +58,6 @@ TEST(SinumerikAxes, CodesByGroupAndNumber) {
   const Result ran = after_head("G[14]=2 G[1]=1 X1\nX1\nG[6]=R1\n");
   EXPECT_TRUE(ran.trace.contains("4 rapid X2.0000"));
   EXPECT_TRUE(ran.names("G[]"));
-}
-
-// Function Manual ISO Dialects: G291 to G290.
-TEST(SinumerikAxes, AnotherLanguageIsNotRead) {
-  const Result ran = after_head("G291\nG81 X5. Z-5. R2.\nG80\nG290\nG0 Y1\n");
-  EXPECT_TRUE(ran.names("G291"));
-  EXPECT_EQ(ran.motions.size(), 3U);  // the two moves in this language, and the end
-  EXPECT_NE(ran.motions.back().axes_unknown & 1U, 0U);
 }
 
 // Each program of a stream has names of its own: the caller's INT is not the called program's REAL.

@@ -38,10 +38,8 @@ struct Result {
 
 using Texts = std::map<std::string, std::string, std::less<>>;
 
-inline Result run(const std::string& text, const Texts& called = {}, ir::MachineKind kind = ir::MachineKind::mill,
-                  std::vector<interpreter::InitialValue> state = {}, std::uint64_t loop_passes = 100'000) {
-  ir::Control control = test::control("sinumerik-840d", kind);
-  control.semantics.power_on_known = true;
+inline Result run_on(const ir::Control& control, const std::string& text, const Texts& called = {},
+                     std::vector<interpreter::InitialValue> state = {}, std::uint64_t loop_passes = 100'000) {
   const text::Source source("TEST.MPF", text);
   const ir::ReadResult read = find_dialect(control.dialect)->read(source, control);
   EXPECT_FALSE(text::has_error(read.diagnostics)) << said(read.diagnostics, source) << text;
@@ -64,6 +62,13 @@ inline Result run(const std::string& text, const Texts& called = {}, ir::Machine
   out.trace = writer.text();
   out.motions = motions.all;
   return out;
+}
+
+inline Result run(const std::string& text, const Texts& called = {}, ir::MachineKind kind = ir::MachineKind::mill,
+                  std::vector<interpreter::InitialValue> state = {}, std::uint64_t loop_passes = 100'000) {
+  ir::Control control = test::control("sinumerik-840d", kind);
+  control.semantics.power_on_known = true;
+  return run_on(control, text, called, std::move(state), loop_passes);
 }
 
 inline std::string moves(const Result& run) {

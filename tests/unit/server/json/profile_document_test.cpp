@@ -27,7 +27,8 @@ constexpr std::string_view kProfile = R"({
   "tools": [{"number": 1, "offset": 1, "nose_radius_mm": 0.8, "tip": 3}],
   "work_offsets": [{"number": 1, "X_mm": 5.5}, {"number": 2}],
   "control": {"decimal_mode": "calculator", "g_system": "B", "increment_mm": 0.001, "block_length_bytes": 128, "axes_at_once": 3,
-              "arcs": {"tolerance_mm": 0.03, "tolerance_factor": 0.002}, "splines_confirmed": true, "reference_fixed_point": 2, "arc_without_center": "alarm",
+              "arcs": {"tolerance_mm": 0.03, "tolerance_factor": 0.002}, "splines_confirmed": true,
+              "iso_mode": {"decimal_mode": "least-increment", "decimal_mode_confirmed": true, "from_start": true}, "reference_fixed_point": 2, "arc_without_center": "alarm",
               "power_on": {"unit": "inch", "plane": "yz"},
               "variables": [{"bank": "#", "first": 100, "last": 199, "use": "common", "writable": true}]},
   "timing": {"sample_time_ms": 8, "look_ahead_blocks": 20, "cost": {"block_ms": 1.5, "function_ms": 0.25}},
@@ -71,6 +72,9 @@ TEST(ProfileDocument, EveryMemberArrives) {
   EXPECT_EQ(p.control.arc_tolerance_mm, 0.03);
   EXPECT_EQ(p.control.arc_tolerance_factor, 0.002);
   EXPECT_TRUE(p.control.splines_confirmed);
+  EXPECT_EQ(p.control.iso_decimal_mode, ir::DecimalMode::least_increment);
+  EXPECT_TRUE(p.control.iso_decimal_mode_confirmed);
+  EXPECT_TRUE(p.control.starts_in_iso_mode);
   EXPECT_EQ(p.control.reference_fixed_point, 2U);
   EXPECT_EQ(p.control.arc_without_center_is_line, false);
   EXPECT_EQ(p.control.power_on_unit, ir::Function::unit_inch);

@@ -212,6 +212,8 @@ TEST(Control, TheProfileLiesOverTheUsualControl) {
   profile.control.increment_mm = 0.0001;
   profile.control.power_on_unit = ir::Function::unit_inch;
   profile.control.power_on_confirmed = true;
+  profile.control.iso_decimal_mode = ir::DecimalMode::least_increment;
+  profile.control.starts_in_iso_mode = true;
   profile.control.decimal_mode = ir::DecimalMode::calculator;
   profile.control.variables = {{.bank = ir::Bank::r, .first = 0, .last = 99}};
   profile.control.block_length_bytes = 80;
@@ -222,6 +224,8 @@ TEST(Control, TheProfileLiesOverTheUsualControl) {
   EXPECT_EQ(set.semantics.least_increment_mm, 0.0001);
   EXPECT_EQ(set.semantics.power_on_unit, ir::Function::unit_inch);
   EXPECT_TRUE(set.semantics.power_on_known);
+  EXPECT_EQ(set.semantics.iso_decimal_mode, ir::DecimalMode::least_increment);
+  EXPECT_TRUE(set.semantics.starts_in_iso_mode);
   EXPECT_EQ(set.semantics.decimal_mode, ir::DecimalMode::calculator);
   ASSERT_EQ(set.variables.size(), 1U);
   EXPECT_EQ(set.variables.front().last, 99U);
