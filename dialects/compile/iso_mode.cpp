@@ -20,7 +20,8 @@ using text::DiagnosticId;
 
 constexpr bool ends_line(char c) { return c == '\n' || c == '\r'; }
 
-// Without what a semicolon makes a comment, as in Siemens mode; in brackets it is part of one already.
+// Capital letters, as small ones mean the same on this control, and without what a semicolon makes a comment, as in
+// Siemens mode; in brackets it is part of one already.
 void copy_part(std::string_view from, std::span<char> to) {
   int brackets = 0;
   bool is_comment = false;
@@ -33,7 +34,7 @@ void copy_part(std::string_view from, std::span<char> to) {
     }
     brackets += static_cast<int>(c == '(') - static_cast<int>(c == ')');
     is_comment |= c == ';' && brackets <= 0;
-    if (!is_comment) to[i] = c;
+    if (!is_comment) to[i] = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
   }
 }
 

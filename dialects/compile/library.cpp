@@ -53,7 +53,8 @@ std::unique_ptr<ir::Program> ProgramLibrary::read_text(std::string_view text) {
   const Dialect* dialect = find_dialect(control_.dialect);
   if (dialect == nullptr) return nullptr;
   ir::ReadResult read = dialect->read(text::Source("EXECSTRING", std::string(text)), control_);
-  if (text::has_error(read.diagnostics)) return nullptr;
+  // A block cannot change the language of those that follow it.
+  if (text::has_error(read.diagnostics) || !read.program.foreign_parts.empty()) return nullptr;
   return std::make_unique<ir::Program>(std::move(read.program));
 }
 

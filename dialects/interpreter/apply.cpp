@@ -162,12 +162,31 @@ void dwell(const PlainBlock& block, const BlockRules& rules, ModalState& state, 
   state.clock_ms += seconds * 1000.0;
 }
 
+// How the frames of a control's two languages lie in each other is not followed. One that is taken back leaves none.
+void note_language_of_frame(const BlockRules& rules, ModalState& state, BlockResult& result) {
+  Modes& modes = state.modes;
+  const bool is_none =
+      !modes.has_matrix && modes.shift == AxisValues{} && std::ranges::none_of(modes.point_frames, &PointFrame::active);
+  modes.frame_languages |= static_cast<std::uint8_t>(rules.other_language ? 2 : 1);
+  if (modes.frame_languages == 3) {
+    result.notes |= kNoteFramesOfBoth;
+    state.unknown = kAllAxes;
+  }
+  if (is_none) modes.frame_languages = 0;
+}
+
 void frame(const PlainBlock& block, const BlockRules& rules, const Effects& effects, ModalState& state,
            BlockResult& result) {
-  if (effects.argument == ir::kFrameEnds) return end_point_frame(block, rules, effects.one_shot, state);
-  if (effects.argument != ir::kFrameAboutPoint)
-    return change_frame(block, rules, effects.one_shot, effects.argument == ir::kFrameReplaces, state);
+  if (effects.argument == ir::kFrameEnds) {
+    if (end_point_frame(block, rules, effects.one_shot, state)) note_language_of_frame(rules, state, result);
+    return;
+  }
+  if (effects.argument != ir::kFrameAboutPoint) {
+    change_frame(block, rules, effects.one_shot, effects.argument == ir::kFrameReplaces, state);
+    return note_language_of_frame(rules, state, result);
+  }
   const PointFrameGap gap = set_point_frame(block, rules, effects.one_shot, state);
+  note_language_of_frame(rules, state, result);
   if (gap == PointFrameGap::factor_unit) result.notes |= kNoteScaleUnit;
   if (gap == PointFrameGap::factor || gap == PointFrameGap::angle) result.notes |= kNoteFrameValue;
 }
@@ -178,8 +197,10 @@ void act_once(const PlainBlock& block, const BlockRules& rules, const Effects& e
     dwell(block, rules, state, out);
   } else if (effects.one_shot == Function::local_shift || effects.one_shot == Function::local_shift_add) {
     shift_locally(block, rules, effects.argument == 1, effects.one_shot == Function::local_shift_add, state);
+    note_language_of_frame(rules, state, result);
   } else if (effects.one_shot == Function::axial_shift) {
     shift_axes(block, rules, effects.argument == 1, state);
+    note_language_of_frame(rules, state, result);
   } else if (effects.one_shot >= Function::rotate && effects.one_shot <= Function::mirror) {
     frame(block, rules, effects, state, result);
   } else if (effects.one_shot >= Function::pole_from_last && effects.one_shot <= Function::pole_from_pole) {

@@ -34,6 +34,7 @@ inline constexpr std::uint32_t kNoteCompInFrame = 1U << 11;         // the radiu
 inline constexpr std::uint32_t kNoteMeasuringTool = 1U << 12;       // a touch ends it and sets the tool's length
 inline constexpr std::uint32_t kNotePolynomialStraight = 1U << 13;  // straight to the end of a polynomial
 inline constexpr std::uint32_t kNotePolynomialDiameter = 1U << 14;  // … whose coefficients are of a diameter
+inline constexpr std::uint32_t kNoteFramesOfBoth = 1U << 31;        // one language changes a frame beside the other's
 inline constexpr std::uint32_t kNotePolynomialAlone = 1U << 15;     // words of a polynomial (PO) without POLY
 inline constexpr std::uint32_t kNoteArcNotComputed = 1U << 16;      // it begins or ends where nobody knows
 inline constexpr std::uint32_t kNoteArcInFrame = 1U << 17;          // the frame makes an ellipse of it

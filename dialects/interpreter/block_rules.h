@@ -38,6 +38,7 @@ class BlockRules {
   bool taper_alarm = false;         // a turning cycle whose taper is longer than its move
   bool coordinate_alarm = false;    // a computed coordinate of more than kMostCounted
   bool tool_at_once = false;        // T takes effect without M6
+  bool other_language = false;      // of the control: SINUMERIK's ISO mode
   double increments_per_mm = 1000.0;
   double increments_per_degree = 1000.0;
 

@@ -27,8 +27,8 @@ struct NoteRow {
   Report report;
 };
 // Notes that are counted like a code that is not interpreted.
-const std::array<NoteRow, 28>& counted_notes() {
-  static const std::array<NoteRow, 28> rows = {{
+const std::array<NoteRow, 29>& counted_notes() {
+  static const std::array<NoteRow, 29> rows = {{
       {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
       {kNoteReferenceUnknown, {"the way to the reference point", ir::Function::reference_return}},
       {kNoteArcNotComputed, {"arcs from or to a place that is not known"}},
@@ -40,6 +40,7 @@ const std::array<NoteRow, 28>& counted_notes() {
        {"the change of a thread's lead that its block does not say for certain", ir::Function::thread_changing}},
       {kNotePatternWithoutCycle, {"a figure of holes without a drilling cycle", ir::Function::hole_pattern}},
       {kNotePatternWords, {"a word of a figure of holes that may mean something else", ir::Function::hole_pattern}},
+      {kNoteFramesOfBoth, {"a frame of one of the control's languages beside one of the other"}},
       {kNoteMeasuring, {"MEAS: where the probe touches"}},
       {kNoteSpline, {"how a spline bends, taken as usual and not looked at", ir::Function::spline}},
       {kNoteContourOffset, {"OFFN: an offset of the contour beside the tool's radius"}},

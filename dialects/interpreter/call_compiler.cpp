@@ -132,7 +132,7 @@ bool CallCompiler::number_arguments(const ir::Call& call, std::uint32_t first) {
     if (letter < 'A' || letter > 'Z' || kLetterNumbers[static_cast<std::size_t>(letter - 'A')] == 0) return false;
     std::uint32_t& local = out.arguments[first + i].local;
     local = kLetterNumbers[static_cast<std::size_t>(letter - 'A')];
-    if (letter < 'I' || letter > 'K') continue;
+    if (out.is_foreign || letter < 'I' || letter > 'K') continue;  // ISO mode knows them by their letters
     const auto place = static_cast<std::uint32_t>(letter - 'I');
     if (triplets == 0 || place < next_in_triplet) ++triplets;
     if (triplets > kTriplets) return false;

@@ -44,8 +44,12 @@ void CallStack::enter(Frame& frame) {
 
 // What a modal cycle or call of one language does in the other no manual at hand says.
 void CallStack::enter_language() {
-  if (entered_rules_ != nullptr && (state_.drilling.active || state_.turning.active || has_modal())) {
-    report_.count({.name = "a modal cycle or call that goes on in the control's other language"});
+  const bool cycle = state_.drilling.active || state_.turning.active || has_modal();
+  if (entered_rules_ != nullptr && program_->rules->semantics.incremental_letters_uvw && !state_.modes.absolute)
+    report_.count({.name = "increments (G91) where the control's other language has them by U and W"});
+  if (entered_rules_ != nullptr && (cycle || state_.modes.polar_words)) {
+    report_.count({.name = cycle ? "a modal cycle or call that goes on in the control's other language"
+                                 : "polar words (G16) that go on in the control's other language"});
     state_.unknown = kAllAxes;
   }
   entered_rules_ = program_->rules;
@@ -143,8 +147,11 @@ std::optional<CallStack::Part> CallStack::find_part(const Instruction& i, const 
 // Nesting is the control's limit and an alarm; depth is the run's.
 bool CallStack::has_room(const Instruction& i, bool macro) {
   const auto subprograms = static_cast<std::uint32_t>(frames_.size() - 1) - macros_ - parts_;
-  const std::uint32_t depth = (macro ? macros_ : subprograms) + 1;
-  const std::uint32_t nesting = macro ? context_.control.limits.macro_nesting : context_.control.limits.call_nesting;
+  // A control without macros of its own counts them with its subprograms (G65 in SINUMERIK's ISO mode).
+  const bool together = !ir::has_numbered_variables(context_.control);
+  const std::uint32_t depth = (together ? macros_ + subprograms : macro ? macros_ : subprograms) + 1;
+  const std::uint32_t nesting =
+      macro && !together ? context_.control.limits.macro_nesting : context_.control.limits.call_nesting;
   if (nesting > 0 && depth > nesting)
     return report_.fail(i, DiagnosticId::call_nesting_too_deep, {std::to_string(depth), std::to_string(nesting)},
                         macro ? ir::AlarmDetail::macro_call : ir::AlarmDetail::none);
@@ -371,9 +378,9 @@ std::uint32_t CallStack::go_back() {
   frames_.pop_back();
   if (left.is_macro) --macros_;
   if (left.is_part) --parts_;
-  if (left.is_modal) --modal_frames_;
   Frame& caller = frames_.back();
   enter(caller);
+  if (left.is_modal) --modal_frames_;
   out_.place.line = caller.line;
   if (left.program->saves_modal) {
     // Another offset again: how far the two are apart is not known.

@@ -45,7 +45,7 @@ class CodeBuilder {
   [[nodiscard]] const ir::Expression* find_literal(ir::ExpressionId id) const;
 
   // Makes room for what a program of plain blocks needs, so that a long one is not copied while it grows.
-  void reserve();
+  void reserve(std::uint32_t statements);
   // Appends and returns the instruction's index.
   std::uint32_t emit(Opcode op, text::Span span, std::uint32_t a = 0, std::uint32_t b = 0, std::uint32_t c = 0,
                      std::uint8_t extra = 0);

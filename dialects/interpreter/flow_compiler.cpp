@@ -196,26 +196,33 @@ void FlowCompiler::compile_return_jump(const ir::Jump& jump, text::Span span) {
                 to.is_string() ? std::uint8_t{1} : std::uint8_t{0});
 }
 
-void FlowCompiler::settle(const std::vector<StatementCode>& code, std::uint32_t first, std::uint32_t last) {
+void FlowCompiler::settle(std::span<const StatementCode> code, std::uint32_t first) {
   CompiledProgram& out = builder_.out();
-  for (const ir::Label& label : builder_.source().labels) {
-    const bool behind = label.statement >= code.size();
-    if (!behind && (label.statement < first || label.statement >= last)) continue;
-    const std::uint32_t at = behind ? builder_.here() : code[label.statement].begin;
+  const auto& labels = builder_.source().labels;
+  const auto all = static_cast<std::uint32_t>(builder_.source().statements.size());
+  const std::uint32_t last = first + static_cast<std::uint32_t>(code.size());
+  const auto take = [&](const ir::Label& label, std::uint32_t at) {
     if (label.name == ir::StringId::none)
       out.numbers[label.number].push_back(at);
     else
       out.labels[std::string(builder_.source().strings.at(label.name))].push_back(at);
+  };
+  // A text may have thousands of foreign parts; its labels stand in order, as they were read.
+  auto label = out.is_foreign ? std::ranges::lower_bound(labels, first, {}, &ir::Label::statement) : labels.begin();
+  for (; label != labels.end() && !(out.is_foreign && label->statement >= last); ++label) {
+    if (first <= label->statement && label->statement < last) take(*label, code[label->statement - first].begin);
+    if (label->statement >= all) take(*label, builder_.here());  // behind the last one
   }
   for (auto& entry : out.numbers) std::ranges::sort(entry.second);
   for (auto& entry : out.labels) std::ranges::sort(entry.second);
-  for (const Branch& branch : branches_) settle_branch(branch, code);
+  for (const Branch& branch : branches_) settle_branch(branch, code, first);
   for (const LabelJump& jump : jumps_) settle_jump(jump);
 }
 
-void FlowCompiler::settle_branch(const Branch& branch, const std::vector<StatementCode>& code) {
+void FlowCompiler::settle_branch(const Branch& branch, std::span<const StatementCode> code, std::uint32_t first) {
   Instruction& instruction = builder_.at(branch.instruction);
-  const StatementCode& range = code[branch.statement];
+  const bool is_here = branch.statement >= first && branch.statement - first < code.size();
+  const StatementCode range = is_here ? code[branch.statement - first] : StatementCode{};
   const std::uint32_t to = branch.edge == Edge::begin ? range.begin : range.end;
   (instruction.op == Opcode::branch_false ? instruction.b : instruction.a) = to;
 }

@@ -33,6 +33,7 @@ void take_back_shifts(const PlainBlock& block, const BlockRules& rules, ModalSta
   for_each_axis_word(block, rules, state.modes, false, [&](std::size_t axis, double, bool) {
     state.coordinate_shift[axis] = state.modes.local_shift[axis] = 0.0;
   });
+  if (state.modes.frame_languages == 1 && rules.other_language) return;  // the frame in effect is none of this language
   compose_frames(rules, state.modes);
 }
 

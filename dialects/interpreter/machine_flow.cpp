@@ -17,7 +17,10 @@ namespace {
 using text::DiagnosticId;
 
 constexpr std::size_t kMotionsOfAShape = 100'000;
+constexpr const char* kAcross = "a jump between blocks of the control's two languages";
 constexpr double kLastBlockNumber = 99999999.0;
+// In the text that the running piece is one of: it has pieces in another language.
+bool has_pieces(const CompiledProgram& program) { return program.is_foreign || !program.source->foreign_parts.empty(); }
 std::string block_number_name(double value) { return "N" + text::format_shortest(std::round(value_or_zero(value))); }
 
 }  // namespace
@@ -57,6 +60,7 @@ bool Machine::jump(const Instruction& i, std::uint32_t& next) {
       by_text ? find_text(stack_.program(), storage_.text(i.a), next - 1, search)
               : find_number(stack_.program(), access_.whole_number(value, kLastBlockNumber), next - 1, search);
   if (to == kNoTarget) {
+    if (has_pieces(stack_.program())) return report_.fail(i, DiagnosticId::not_interpreted, {kAcross});
     const bool passed_over = i.c == 1;
     return passed_over || report_.fail(i, DiagnosticId::jump_target_missing,
                                        {by_text ? storage_.text(i.a) : block_number_name(value)});
@@ -229,12 +233,18 @@ bool Machine::leave_program(std::uint32_t& next) {
 
 // The end of a subprogram in the main program ends it; or it starts again without end, of which one pass is enough.
 bool Machine::go_back(const Instruction& i, std::uint32_t& next) {
-  if (stack_.in_foreign_part()) {
-    next = stack_.go_back();
-    if (i.b == 1) return true;
+  const bool ends_part = i.b == 1;
+  // M99 of ISO mode starts the main program again.
+  if (stack_.in_foreign_part() && stack_.depth() == 2 && !ends_part) {
+    report_.say(i, DiagnosticId::endless_loop);
+    return report_.end(Ended::end);
   }
-  for (std::uint32_t further = i.a; further > 0 && !stack_.in_main(); --further)
+  if (stack_.in_foreign_part()) next = stack_.go_back();
+  if (ends_part) return true;
+  for (std::uint32_t further = i.a; further > 0 && !stack_.in_main(); --further) {
     if (!leave_program(next)) return false;
+    if (stack_.in_foreign_part()) next = stack_.go_back();
+  }
   if (!stack_.in_main()) return leave_program(next);
   if (control_.semantics.return_in_main_restarts)
     report_.say(i, DiagnosticId::endless_loop);
@@ -251,7 +261,10 @@ bool Machine::go_back_to(const Instruction& i, std::uint32_t& next) {
   // Of the main program, from a foreign part: to a block of that part.
   const bool stays = stack_.in_foreign_part() && stack_.depth() == 2;
   if (stack_.in_foreign_part() && !stays) next = stack_.go_back();
-  for (std::uint32_t level = 0; level <= i.b && !stack_.in_main() && !stays; ++level) next = stack_.go_back();
+  for (std::uint32_t level = 0; level <= i.b && !stack_.in_main() && !stays; ++level) {
+    if (level > 0 && stack_.in_foreign_part()) next = stack_.go_back();
+    if (!stack_.in_main()) next = stack_.go_back();
+  }
   if (by_text && is_unknown(text)) {
     report_.count({.name = "a return to a label that is not known"});
     return true;
@@ -261,6 +274,8 @@ bool Machine::go_back_to(const Instruction& i, std::uint32_t& next) {
   const std::uint32_t to = by_text ? find_text(stack_.program(), text, next - 1, ir::JumpSearch::both)
                                    : find_number(stack_.program(), access_.whole_number(value, kLastBlockNumber),
                                                  next - 1, ir::JumpSearch::both);
+  if (to == kNoTarget && has_pieces(stack_.program()))
+    return report_.fail(from, DiagnosticId::not_interpreted, {kAcross});
   if (to == kNoTarget)
     return report_.fail(from, DiagnosticId::jump_target_missing, {by_text ? text : block_number_name(value)},
                         ir::AlarmDetail::block_of_call);
@@ -270,8 +285,10 @@ bool Machine::go_back_to(const Instruction& i, std::uint32_t& next) {
 }
 
 bool Machine::end_program(const Instruction&, std::uint32_t& next) {
+  const std::uint32_t line = out_.place.line;
   if (stack_.in_foreign_part()) next = stack_.go_back();
   if (!stack_.in_main() && control_.semantics.end_in_subprogram_returns) return leave_program(next);
+  out_.place.line = line;
   emit_event(ir::MotionKind::end, state_, out_);
   return report_.end(Ended::end);
 }

@@ -55,8 +55,9 @@ struct Modes {
   std::int16_t spline = 0;                   // which one, and how it begins and ends: ir/spline_use.h
   std::int16_t spline_begin = 0;
   std::int16_t spline_end = 0;
-  bool polar_words = false;  // G16: the plane's two letters are a radius and an angle
-  FrameValue settable;       // of the active work offset
+  bool polar_words = false;          // G16: the plane's two letters are a radius and an angle
+  std::uint8_t frame_languages = 0;  // in which the programmable frame was made: 1 the control's own, 2 its other one
+  FrameValue settable;               // of the active work offset
   bool settable_known = false;
 };
 

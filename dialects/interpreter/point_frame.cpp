@@ -131,8 +131,9 @@ PointFrameGap set_point_frame(const PlainBlock& block, const BlockRules& rules, 
   return gap;
 }
 
-void end_point_frame(const PlainBlock& block, const BlockRules& rules, Function function, ModalState& state) {
+bool end_point_frame(const PlainBlock& block, const BlockRules& rules, Function function, ModalState& state) {
   PointFrame& frame = frame_of(function, state.modes);
+  if (!frame.active) return false;
   const std::uint32_t named = center_of(block, rules, state).named;
   if (function == Function::mirror && named != 0) {
     for (std::size_t axis = 0; axis < frame.center.size(); ++axis) {
@@ -145,6 +146,7 @@ void end_point_frame(const PlainBlock& block, const BlockRules& rules, Function 
     frame = {};
   }
   compose_frames(rules, state.modes);
+  return true;
 }
 
 }  // namespace dripfeed::interpreter

@@ -21,7 +21,7 @@ enum class PointFrameGap : std::uint8_t { none, factor_unit, factor, angle };
 PointFrameGap set_point_frame(const PlainBlock& block, const BlockRules& rules, ir::Function function,
                               ModalState& state);
 // G69, G50; G50.1 ends the axes that it names, or all.
-void end_point_frame(const PlainBlock& block, const BlockRules& rules, ir::Function function, ModalState& state);
+bool end_point_frame(const PlainBlock& block, const BlockRules& rules, ir::Function function, ModalState& state);
 // Shift and matrix of the modes anew, from the local shift and the three.
 void compose_frames(const BlockRules& rules, Modes& modes);
 

@@ -1,6 +1,8 @@
 // Compiling on the first call.
 #include "dialects/interpreter/program_table.h"
 
+#include <optional>
+
 #include "dialects/interpreter/compile.h"
 
 namespace dripfeed::interpreter {
@@ -12,6 +14,14 @@ std::optional<std::uint32_t> section_named(const ir::Program& program, std::stri
   for (std::uint32_t i = 0; i < program.sections.size(); ++i)
     if (program.strings.at(program.sections[i].name) == name) return i;
   return std::nullopt;
+}
+
+bool begins_with_procedure(const ir::Program& program, std::uint32_t section) {
+  const ir::Section& range = program.sections[section];
+  for (std::uint32_t i = range.first; i < range.last; ++i)
+    if (program.statements[i].kind != ir::StatementKind::empty)
+      return program.statements[i].kind == ir::StatementKind::procedure;
+  return false;
 }
 
 }  // namespace
@@ -39,6 +49,9 @@ CompiledProgram& ProgramTable::part_of(const CompiledProgram& whole, std::uint32
 
 CompiledProgram* ProgramTable::find(std::string_view name, const CompiledProgram& caller, bool in_other_language) {
   if (in_other_language) {
+    // A file of the same stream was read in the control's own language, which is right where it says so itself.
+    if (const auto section = section_named(*main_, name))
+      return begins_with_procedure(*main_, *section) ? &add_section(*main_, *section, name) : nullptr;
     const ir::Program* program = finder_.find_foreign(name);
     return program == nullptr ? nullptr : &add(*program, name);
   }
@@ -53,7 +66,10 @@ CompiledProgram* ProgramTable::foreign_part(const CompiledProgram& host, std::ui
   std::unique_ptr<CompiledProgram>& entry = foreign_parts_[{&host, part}];
   const ProgramFinder::ForeignText text = finder_.foreign_text(*host.source);
   if (text.program == nullptr) return nullptr;
-  if (other_language_ == nullptr) other_language_ = std::make_unique<Language>(*text.control, context_);
+  if (other_language_ == nullptr) {
+    other_language_ = std::make_unique<Language>(*text.control, context_);
+    other_language_->rules.other_language = true;
+  }
   entry = compile_foreign(*text.program, host.source->foreign_parts[part].text, host, other_language_->context);
   return entry.get();
 }

@@ -42,26 +42,26 @@ void StatementCompiler::compile(std::uint32_t returns_behind) {
       whole ? static_cast<std::uint32_t>(program.statements.size()) : program.sections[builder_.out().section].last;
   compile_statements(first, last, returns_behind);
   builder_.emit(Opcode::text_end, ir::span_of_last(program, first, last));
-  flow_.settle(code_, first, last);
+  flow_.settle(code_, first);
 }
 
 void StatementCompiler::compile_part(std::uint32_t first, std::uint32_t last) {
   compile_statements(first, last, ir::kNoIndex);
   builder_.emit(Opcode::back, ir::span_of_last(builder_.source(), first, last), 0, 1);
-  flow_.settle(code_, first, last);
+  flow_.settle(code_, first);
 }
 
 void StatementCompiler::compile_statements(std::uint32_t first, std::uint32_t last, std::uint32_t returns_behind) {
   builder_.out().works.push_back({.blocks = 1});  // a block without anything to compute
   const ir::Program& program = builder_.source();
-  builder_.reserve();
-  repeated_ = ir::repeated_parts(program);
-  code_.resize(program.statements.size());
+  builder_.reserve(last - first);
+  if (!program.repeats.empty()) repeated_ = ir::repeated_parts(program);
+  code_.resize(last - first);
   for (std::uint32_t i = first; i < last; ++i) {
-    code_[i].begin = builder_.here();
+    code_[i - first].begin = builder_.here();
     if (!begin_foreign_part(i)) compile_statement(i);
     end_foreign_part(i);
-    code_[i].end = builder_.here();  // a loop that ends here leads to the end of the part, too
+    code_[i - first].end = builder_.here();  // a loop that ends here leads to the end of the part, too
     for (std::uint32_t id = 0; id < repeated_.size(); ++id)
       if (repeated_[id].last == i) flow_.compile_section_end(repeated_[id].repeat, id);
     if (i == returns_behind) builder_.emit(Opcode::back, program.statements[i].span);
@@ -87,6 +87,14 @@ void StatementCompiler::end_foreign_part(std::uint32_t statement) {
   end_block();
   builder_.at(part_instruction_).b = builder_.here();
   part_instruction_ = ir::kNoIndex;
+  const auto& statements = builder_.source().statements;
+  const bool is_switch =
+      builder_.source().foreign_parts[next_part_].ends_by_switch && statement + 1 < statements.size();
+  if (is_switch && is_left_out(statements[statement + 1]))
+    builder_.emit(
+        Opcode::report, statements[statement + 1].span,
+        builder_.add_report("a switch of the language that block skip leaves out", ir::Function::not_modelled, false),
+        1);
 }
 
 // Structures have no skip: a control refuses it, and half of one would be another program.

@@ -61,7 +61,7 @@ class StatementCompiler {
   FlowCompiler flow_;
   CallCompiler calls_;
   std::uint32_t block_instruction_ = ir::kNoIndex;
-  std::vector<StatementCode> code_;  // by statement
+  std::vector<StatementCode> code_;  // by statement, from the first that is compiled
   std::uint32_t next_part_ = 0;      // of the program's foreign ones
   std::uint32_t part_instruction_ = ir::kNoIndex;
   std::vector<ir::RepeatedPart> repeated_;  // their place here is their number

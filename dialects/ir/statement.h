@@ -280,6 +280,7 @@ struct ForeignPart {
   std::uint32_t first = 0;
   std::uint32_t last = 0;
   text::Span text;
+  bool ends_by_switch = false;  // the block behind it switches back
 };
 
 struct Label {

@@ -25,6 +25,9 @@ class Lowering {
   // One line of the text: begin, then anything of what is below, then end.
   // Of the line that is being read.
   [[nodiscard]] std::uint32_t first_statement() const { return first_statement_; }
+  [[nodiscard]] bool is_first_in_line() const {
+    return program_.statements.size() == first_statement_ && !has_pending_block();
+  }
   void begin_line(std::uint32_t line, std::uint32_t first_token);
   void set_skip_level(std::uint8_t level) { skip_level_ = level; }
   void add_label(std::string_view name, text::Span span);

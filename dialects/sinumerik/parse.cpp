@@ -25,7 +25,7 @@ Parser::Parser(ir::Program& program, const ir::Control& control, std::vector<tex
 void Parser::run() {
   if (control_.semantics.starts_in_iso_mode) begin_iso_mode(0, 0);
   while (!cursor_.at_text_end()) line();
-  if (in_iso_) end_iso_mode(static_cast<std::uint32_t>(program_.source.text().size()));
+  if (in_iso_) end_iso_mode(static_cast<std::uint32_t>(program_.source.text().size()), false);
   if (!program_.sections.empty())
     program_.sections.back().last = static_cast<std::uint32_t>(program_.statements.size());
 }
@@ -53,63 +53,6 @@ void Parser::line() {
   finish_line(start);
 }
 
-// Behind G291 the blocks are those of another language, and are kept as written until G290, which stands alone in its
-// block; only their end is seen. Comments stand in brackets there, or behind a semicolon as here.
-bool Parser::iso_line(text::Span start) {
-  cursor_.skip_blanks();
-  const bool ends = ends_iso_mode();
-  if (ends) end_iso_mode(start.begin);
-  if (ends || cursor_.at_block_end()) return false;
-  const text::Span head = cursor_.span();
-  std::uint32_t end = kNoNumber;
-  int comment = 0;
-  for (TokenCursor probe = cursor_; !probe.at_block_end(); probe.advance()) {
-    comment += static_cast<int>(probe.is_symbol('(')) - static_cast<int>(probe.is_symbol(')'));
-    const TokenCursor next = probe.after();
-    if (comment > 0 || probe.kind() != TokenKind::address || next.kind() != TokenKind::number) continue;
-    const std::uint32_t number = whole_number(next.text());
-    if (to_upper(probe.first()) == 'M' && (number == 2 || number == 30)) end = 30;
-    if (to_upper(probe.first()) == 'M' && (number == 17 || number == 99)) end = 17;
-  }
-  if (end != kNoNumber) lower_.add_m_code(end, 0, head);
-  skip_block();
-  lower_.keep_as_native(kInIsoMode, false, to_here(head), true);
-  finish_line(start);
-  return true;
-}
-
-// G290, or the next file of a stream.
-bool Parser::ends_iso_mode() const {
-  TokenCursor probe = cursor_;
-  if (probe.kind() == TokenKind::tape_mark) return probe.text().starts_with("%_N_");
-  const auto is_code = [&probe](char letter) {
-    return probe.kind() == TokenKind::address && probe.span().size() == 1 && to_upper(probe.first()) == letter &&
-           probe.after().kind() == TokenKind::number;
-  };
-  if (probe.kind() == TokenKind::skip) probe.advance();
-  if (is_code('N')) {
-    probe.advance();
-    probe.advance();
-  }
-  if (!is_code('G') || whole_number(probe.after().text()) != 290) return false;
-  probe.advance();
-  probe.advance();
-  return probe.at_block_end();
-}
-
-// The part begins with the statement that switches, and with the text behind its block.
-void Parser::begin_iso_mode(std::uint32_t statement, std::uint32_t text_begin) {
-  if (std::exchange(in_iso_, true)) return;
-  program_.foreign_parts.push_back({.first = statement, .last = statement, .text = {text_begin, text_begin}});
-}
-
-void Parser::end_iso_mode(std::uint32_t text_end) {
-  in_iso_ = false;
-  ir::ForeignPart& part = program_.foreign_parts.back();
-  part.last = static_cast<std::uint32_t>(program_.statements.size());
-  part.text.end = text_end;
-}
-
 void Parser::finish_line(text::Span start) {
   if (repeats_ != ir::ExpressionId::none && !has_call_) {
     ir::Word p;
@@ -123,6 +66,8 @@ void Parser::finish_line(text::Span start) {
   if (!cursor_.at_text_end()) cursor_.step();
   lower_.end_line(cursor_.index(), {start.begin, end.begin});
   ++line_;
+  if (std::exchange(resumes_iso_, false))
+    begin_iso_mode(static_cast<std::uint32_t>(program_.statements.size()), cursor_.span().begin);
 }
 
 // The characters that the control cannot read are reported, and no fault that follows from them.

@@ -31,10 +31,6 @@ class Parser {
  private:
   // lines: parse.cpp
   void line();
-  bool iso_line(text::Span start);
-  [[nodiscard]] bool ends_iso_mode() const;
-  void begin_iso_mode(std::uint32_t statement, std::uint32_t text_begin);
-  void end_iso_mode(std::uint32_t text_end);
   void block_head();
   bool label_here();
   [[nodiscard]] text::Span short_label() const;
@@ -75,6 +71,18 @@ class Parser {
 
   // parse_fixed_point.cpp: behind G75; false, and nothing read, where it is not the way to the reference point.
   bool reference_approach(text::Span head);
+
+  // ISO mode: parse_iso.cpp. True when the line was kept as written.
+  bool iso_line(text::Span start);
+  void switch_line(text::Span start);
+  [[nodiscard]] bool switches_mode(std::uint32_t code) const;
+  [[nodiscard]] bool names_switch() const;
+  static TokenCursor behind_comments(TokenCursor at);
+  void begin_iso_mode(std::uint32_t statement, std::uint32_t text_begin);
+  void end_iso_mode(std::uint32_t text_end, bool by_switch);
+  [[nodiscard]] bool calls_from_iso_mode() const;
+  [[nodiscard]] TokenCursor behind_block_number() const;
+  static bool is_code(const TokenCursor& at, char letter);
 
   // values: parse_expression.cpp
   ir::ExpressionId expression();
@@ -204,7 +212,8 @@ class Parser {
   };
   std::vector<Macro> macros_;  // DEFINE … AS
   bool in_macro_ = false;
-  bool in_iso_ = false;  // behind G291: the last of the foreign parts is open
+  bool resumes_iso_ = false;  // the line calls as Siemens mode does, in ISO mode
+  bool in_iso_ = false;       // behind G291: the last of the foreign parts is open
 };
 
 }  // namespace dripfeed::sinumerik

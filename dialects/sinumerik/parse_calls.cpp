@@ -18,6 +18,7 @@ constexpr std::int64_t kHighestBlockNumber = 999'999'999;
 
 void Parser::call_by_name(ir::StringId name, text::Span head, StatementKind kind) {
   ir::Call call;
+  call.in_other_language = resumes_iso_;
   call.name = name;
   call.repeats = repeats_;
   if (cursor_.is_symbol('(')) arguments(call);
@@ -92,13 +93,14 @@ void Parser::own_part_call(text::Span head) {
 // A name that is written is known now, without its path and ending.
 void Parser::computed_call(ir::ExpressionId name, ir::Call call, text::Span head) {
   const ir::Expression& e = program_.at(name);
+  const bool is_iso_call = call.in_other_language;
   if (e.op == ir::Operator::string)
     call.name = lower_.name(ir::program_name_of_path(program_.strings.at(e.string)));
   else
     call.computed = name;
+  call.in_other_language |= resumes_iso_;
   call.repeats = repeats_;
-  const bool may_pass =
-      e.op == ir::Operator::string && call.first_label == ir::ExpressionId::none && !call.in_other_language;
+  const bool may_pass = e.op == ir::Operator::string && call.first_label == ir::ExpressionId::none && !is_iso_call;
   if (may_pass && cursor_.is_symbol('(')) arguments(call);
   has_call_ = true;
   lower_.add_call(StatementKind::call, call, to_here(head));

@@ -259,7 +259,10 @@ void Parser::g_code(text::Span head) {
                                  span, may_be_macro);
   }
   if (n == 75 && reference_approach(head)) return;
+  if (code->row.name == "G291" && in_macro_) return native(code->row.name, false, span);
   if (code->row.name == "G291") {
+    const bool is_alone = cursor_.at_block_end() && lower_.is_first_in_line();
+    if (!is_alone) return give_up(DiagnosticId::statement_not_alone, span, {"G291"});
     begin_iso_mode(lower_.first_statement(), cursor_.line_end());
     return lower_.keep_as_native(kInIsoMode, false, span, true);
   }

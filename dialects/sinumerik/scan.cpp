@@ -79,7 +79,8 @@ class Words {
     if (number.end == nullptr || number.digits > kMostDigits || class_of(*number.end) == Class::other) return nullptr;
     const bool is_code = letter == 'G' || letter == 'M' || letter == 'N';
     if (is_code && (is_signed || number.has_point)) return nullptr;
-    const std::uint32_t bit = 1U << (letter - 'A');
+    const std::uint32_t bit =
+        1U << (static_cast<std::uint32_t>(letter - 'A') & 31U);  // of a letter: the classes see to that
     if (letter == 'N') {
       const bool heads = block.first == nullptr && (std::exchange(seen_, seen_ | bit) & bit) == 0;
       return heads && number.digits <= 8 ? number.end : nullptr;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
@@ -147,7 +148,7 @@ void read_code_call(ObjectReader& object, machine::ControlSettings& control) {
     return object.fault("code", "must be a G or M code");
   if (call.program == 0) return object.fault("program", "is missing");
   call.letter = code.front();
-  call.number10 = static_cast<std::int32_t>(*number * 10.0 + 0.5);
+  call.number10 = static_cast<std::int32_t>(std::lround(*number * 10.0));
   control.code_calls.push_back(call);
 }
 

@@ -99,12 +99,21 @@ TEST(IsoMode, MacrosReadTheirArguments) {
             "linear X55.0000 Y44.0000 Z5.0000 F500.0000/min\n"
             "linear X5.0000 Y44.0000 Z5.0000 F500.0000/min\n"
             "linear X5.0000 Y4.0000 Z5.0000 F500.0000/min\n");
+  // A letter is a letter, in whatever order they stand.
+  const Texts one = {{"O0012", "PROC O0012\nR1=$C_I R2=$C_K R3=10+$C_D R4=10+$C_D_PROG\nM17\n"}};
+  const Result letters = after_head("G291\nG65 P12 K3. I4.\nG290\n", one);
+  EXPECT_EQ(letters.value("R1"), 4.0);
+  EXPECT_EQ(letters.value("R2"), 3.0);
+  EXPECT_EQ(letters.value("R3"), 10.0);
+  EXPECT_EQ(letters.value("R4"), 10.0);
   // Outside of a macro nothing was passed.
   EXPECT_TRUE(after_head("R1=$C_X\n").names("$C_X"));
 }
 
 TEST(IsoMode, ModalMacrosFollowEachMove) {
   const Texts called = {{"O0010", "PROC M0010\nG91\nG0 Z=$C_Z\nG90\nM17\n"}};
+  EXPECT_FALSE(after_head("G291\nG66 P10 Z-1.\nG0 X1.\nX2.\nG67\nG290\n", called)
+                   .names("a modal cycle or call that goes on in the control's other language"));
   EXPECT_EQ(path(after_head("G291\nG66 P10 Z-1.\nG0 X1.\nX2.\nG67\nX3.\nG290\n", called)),
             path(after_head("G0 X1\nZ4\nX2\nZ3\nX3\n")));
 }
@@ -120,6 +129,86 @@ TEST(IsoMode, SubprogramsAreCalledAndReturn) {
   EXPECT_EQ(alarm_of(after_head("ISOCALL \"NOWHERE\"\n")), "14011");
   EXPECT_EQ(path(after_head("DEF STRING[20] NAME=\"SUB\"\nISOCALL NAME\n", called)),
             path(after_head("G0 X9 Y0\nG1 X10 Y1\nX13\nX16\n")));
+}
+
+// What ISO mode takes of Siemens mode: calls (Diagnostics Manual, alarm 12710). What they call begins in ISO mode, too.
+TEST(IsoMode, CallsAreWrittenAsInSiemensModeToo) {
+  const Texts called = {{"SUB", "G0 X9. Y0.\nM99\n"}, {"WAY", "PROC WAY(REAL XA)\nG0 X=XA\nM17\n"}};
+  EXPECT_EQ(path(after_head("G291\nG0 X1.\nSUB\nY2.\nN9 WAY(4)\nCALL \"SUB\"\nY3.\nG290\nG0 X=1+1\n", called)),
+            path(after_head("G0 X1\nX9 Y0\nY2\nX4\nX9 Y0\nY3\nX2\n")));
+}
+
+TEST(IsoMode, SwitchesThatBlockSkipLeavesOutAreSaid) {
+  const std::string_view name = "a switch of the language that block skip leaves out";
+  EXPECT_FALSE(after_head("G291\nG0 X1.\n/G290\nG0 X2\n").names(name));
+  EXPECT_TRUE(run_on(iso_mill(), std::string(kHead) + "G291\nG0 X1.\n/G290\nG0 X2\nM30\n", {}, {}, 100, 2).names(name));
+}
+
+TEST(IsoMode, SwitchesStandAlone) {
+  EXPECT_TRUE(text::has_error(faults_of("G17 G71 G90 G94\nG291 G0 X1\nG290\nM30\n")));
+  EXPECT_TRUE(text::has_error(faults_of("G17 G71 G90 G94\nX3 G291\nG290\nM30\n")));
+  EXPECT_TRUE(text::has_error(faults_of("G17 G71 G90 G94\nG291\nG0 X1.\nG290 X5.\nG290\nM30\n")));
+  EXPECT_EQ(path(after_head("N10 G291 ;c\ng0 x1.\nG291 (again)\nX2.\nN20 G290 (back)\nX=3\n")),
+            path(after_head("G0 X1\nX2\nX3\n")));
+  EXPECT_EQ(path(after_head("G291\nG0 X1.\n:20 G290\nX=3\n")), path(after_head("G0 X1\nX3\n")));
+  // A text that is executed does not change the language of the blocks behind it.
+  EXPECT_TRUE(after_head("EXECSTRING(\"G291\")\nG0 X1\n").names("EXECSTRING"));
+}
+
+// Which frame lies in which is not followed: it is said. A code that takes nothing back is no frame.
+TEST(IsoMode, FramesOfBothLanguagesAreSaid) {
+  const std::string_view name = "a frame of one of the control's languages beside one of the other";
+  EXPECT_EQ(path(after_head("ROT RPL=90\nG291\nG69 G50\nG0 X2. Y0.\nG290\n")),
+            path(after_head("ROT RPL=90\nG0 X2 Y0\n")));
+  EXPECT_TRUE(after_head("ROT RPL=90\nG291\nG68 X0. Y0. R90.\nG290\n").names(name));
+  EXPECT_TRUE(after_head("TRANS X5\nG291\nG52 X10.\nG290\n").names(name));
+  EXPECT_TRUE(after_head("G291\nG68 X0. Y0. R90.\nG290\nATRANS X1\n").names(name));
+  EXPECT_TRUE(after_head("G291\nG68 X0. Y0. R90.\nG290\n$P_PFRAME=CTRANS(X,5)\n").names(name));
+  const Result apart =
+      after_head("TRANS X5\nG0 X1\nTRANS\nG291\nG68 X0. Y0. R90.\nX1. Y0.\nG69\nG290\nTRANS X5\nX1 Y0\n");
+  EXPECT_FALSE(apart.names(name));
+  EXPECT_EQ(path(apart), path(after_head("G0 X6\nX0 Y1\nX6 Y0\n")));
+  EXPECT_TRUE(
+      after_head("G291\nG16 X10. Y30.\nG290\n").names("polar words (G16) that go on in the control's other language"));
+}
+
+// A file with its head begins in ISO mode where it is called there, and so does each of a stream on a machine that
+// wakes up in it.
+TEST(IsoMode, HeadsDoNotEndIt) {
+  ir::Control counts = iso_mill();
+  counts.semantics.iso_decimal_mode = ir::DecimalMode::least_increment;
+  const Texts called = {{"O0010", "%_N_O0010_SPF\n;$PATH=/_N_SPF_DIR\nG0 X5000\nM99\n"}};
+  EXPECT_TRUE(
+      moves(run_on(counts, std::string(kHead) + "G291\nM98 P10\nG290\nM30\n", called)).contains("3 rapid X5.0000"));
+  counts.semantics.starts_in_iso_mode = true;
+  EXPECT_TRUE(run_on(counts, "%_N_MAIN_MPF\nG0 X0 Y3000 Z0\nM30\n").trace.contains("Y3.0000"));
+}
+
+// RET and M99 leave whole programs, whatever parts they have.
+TEST(IsoMode, PartsAreLeftWithTheirPrograms) {
+  const Texts called = {{"SUBA", "G291\nM98 P22\nG0 X8.\nG290\nX9\nM17\n"}, {"O0022", "G290\nRET(,,2)\n"}};
+  EXPECT_EQ(path(after_head("SUBA\nX3\n", called)), path(after_head("X3\n")));
+  const Result across = after_head("G291\nM99 P50\nG290\nN50 G0 X3\n");
+  EXPECT_EQ(across.result.ended, interpreter::Ended::alarm);
+  EXPECT_EQ(alarm_of(across), "");  // not one of the control's: it is the run that does not know
+  EXPECT_TRUE(after_head("G291\nG0 X1.\nM30\nG290\n").trace.contains("5 end"));
+}
+
+// Called programs that stand in the same text: of those in Siemens mode PROC says so.
+TEST(IsoMode, FilesOfOneStreamAreFound) {
+  const std::string main = "%_N_MAIN_MPF\n" + std::string(kHead) + "G291\nM98 P12\nG290\nM30\n%_N_O0012_SPF\n";
+  EXPECT_TRUE(run(main + "PROC O0012\nG0 X=1+1\nM17\n").trace.contains("rapid X2.0000"));
+  const Texts other = {{"O0012", "G0 X9.\nM99\n"}};
+  EXPECT_EQ(alarm_of(run(main + "G0 X1.\nM17\n", other)), "14011");
+}
+
+// One program may have thousands of parts, each as cheap as a call.
+TEST(IsoMode, ManyPartsAreManyCalls) {
+  std::string text(kHead);
+  for (int n = 0; n < 20'000; ++n) text += "G291\nG1 X1.\nG290\nX2\n";
+  const Result ran = run(text + "M30\n");
+  EXPECT_EQ(ran.result.blocks, 80'003U);
+  EXPECT_EQ(ran.result.ended, interpreter::Ended::end);
 }
 
 // A part of a program is no level of calls: the control takes 16.
@@ -138,6 +227,11 @@ TEST(IsoMode, ProgramEndsWhereItsPartSaysSo) {
   EXPECT_EQ(path(after_head("G291\nG0 X1.\nM30\nG0 X2.\nG290\nG0 X3\n")), path(after_head("G0 X1\n")));
   // M30 of a subprogram returns on this control.
   EXPECT_EQ(path(after_head("ISOCALL \"SUB\"\nG0 X3\n", {{"SUB", "G0 X1.\nM30\n"}})), path(after_head("G0 X1\nX3\n")));
+  // M99 of the main program starts it again, without end.
+  EXPECT_TRUE(std::ranges::any_of(after_head("G291\nG0 X1.\nM99\nG290\n").result.diagnostics,
+                                  [](const interpreter::RunDiagnostic& d) {
+                                    return d.line == 5 && d.diagnostic.id == text::DiagnosticId::endless_loop;
+                                  }));
   // M99 P of the main program goes to its own block.
   EXPECT_EQ(path(after_head("G291\nM99 P7\nG0 X2.\nN7 G0 X3.\nG290\n")), path(after_head("G0 X3\n")));
 }

@@ -39,7 +39,8 @@ struct Result {
 using Texts = std::map<std::string, std::string, std::less<>>;
 
 inline Result run_on(const ir::Control& control, const std::string& text, const Texts& called = {},
-                     std::vector<interpreter::InitialValue> state = {}, std::uint64_t loop_passes = 100'000) {
+                     std::vector<interpreter::InitialValue> state = {}, std::uint64_t loop_passes = 100'000,
+                     std::uint32_t skip_switches = 0) {
   const text::Source source("TEST.MPF", text);
   const ir::ReadResult read = find_dialect(control.dialect)->read(source, control);
   EXPECT_FALSE(text::has_error(read.diagnostics)) << said(read.diagnostics, source) << text;
@@ -54,6 +55,7 @@ inline Result run_on(const ir::Control& control, const std::string& text, const 
   options.want_variables = true;
   options.names = &names;
   options.limits.loop_passes = loop_passes;
+  options.skip_switches = skip_switches;
   interpreter::TraceWriter writer(control, names);
   Motions motions;
   FanOut both({&writer, &motions});
