@@ -20,21 +20,28 @@ using text::DiagnosticId;
 
 constexpr bool ends_line(char c) { return c == '\n' || c == '\r'; }
 
-// Capital letters, as small ones mean the same on this control, and without what a semicolon makes a comment, as in
-// Siemens mode; in brackets it is part of one already.
+// Capital letters, as small ones mean the same on this control. Without what a semicolon makes a comment, as in Siemens
+// mode (in brackets it is part of one already), and without the % of a tape and the O number of a program, which begin
+// and end nothing inside of a text.
 void copy_part(std::string_view from, std::span<char> to) {
+  enum class Place : std::uint8_t { line_begin, program_number, block, comment };
+  Place place = Place::line_begin;
   int brackets = 0;
-  bool is_comment = false;
   for (std::size_t i = 0; i < from.size(); ++i) {
-    const char c = from[i];
+    const char c = from[i] >= 'a' && from[i] <= 'z' ? static_cast<char>(from[i] - 'a' + 'A') : from[i];
     if (ends_line(c)) {
       brackets = 0;
-      is_comment = false;
+      place = Place::line_begin;
       continue;
     }
     brackets += static_cast<int>(c == '(') - static_cast<int>(c == ')');
-    is_comment |= c == ';' && brackets <= 0;
-    if (!is_comment) to[i] = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    if ((c == ';' && brackets <= 0) || (c == '%' && place == Place::line_begin))
+      place = Place::comment;
+    else if (c == 'O' && place == Place::line_begin)
+      place = Place::program_number;
+    else if (place == Place::program_number ? c < '0' || c > '9' : place == Place::line_begin && c != ' ' && c != '\t')
+      place = Place::block;
+    if (place == Place::block) to[i] = c;
   }
 }
 
@@ -108,18 +115,19 @@ std::span<const ir::CodeRow> iso_m_codes() {
   return rows;
 }
 
-// A part is no program: what every program has, its host has.
+// A part is no program: what every program has, its host has, and which way the run goes is to be seen there.
 bool concerns_host(const text::Diagnostic& d) {
   constexpr DiagnosticId kIds[] = {DiagnosticId::missing_program_number, DiagnosticId::missing_tape_mark,
-                                   DiagnosticId::missing_program_end};
+                                   DiagnosticId::missing_program_end, DiagnosticId::unreachable,
+                                   DiagnosticId::endless_loop};
   return std::ranges::find(kIds, d.id) != std::end(kIds);
 }
 
 void join(std::vector<text::Diagnostic>& all, std::vector<text::Diagnostic> more, const ir::Program& host) {
   const auto is_outside = [&host](const text::Diagnostic& d) {
-    return std::ranges::none_of(host.foreign_parts, [&d](const ir::ForeignPart& part) {
-      return part.text.begin <= d.span.begin && d.span.begin < part.text.end;
-    });
+    const auto begin_of = [](const ir::ForeignPart& part) { return part.text.begin; };
+    const auto behind = std::ranges::upper_bound(host.foreign_parts, d.span.begin, {}, begin_of);
+    return behind == host.foreign_parts.begin() || std::prev(behind)->text.end <= d.span.begin;
   };
   std::erase_if(more, [&](const text::Diagnostic& d) { return concerns_host(d) || is_outside(d); });
   all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
@@ -155,6 +163,10 @@ ir::Control iso_control(const ir::Control& sinumerik) {
   s.arc_tolerance_mm = own.arc_tolerance_mm;
   s.arc_tolerance_factor = own.arc_tolerance_factor;
   s.arc_without_center_is_line = false;
+  s.chip_break_retract_mm = own.chip_break_retract_mm;
+  s.peck_clearance_mm = own.peck_clearance_mm;
+  s.cycle_depth_mm = own.cycle_depth_mm;
+  s.cycle_retract_mm = own.cycle_retract_mm;
   s.end_in_subprogram_returns = own.end_in_subprogram_returns;
   return c;
 }

@@ -76,7 +76,7 @@ class Parser {
   bool iso_line(text::Span start);
   void switch_line(text::Span start);
   [[nodiscard]] bool switches_mode(std::uint32_t code) const;
-  [[nodiscard]] bool names_switch() const;
+  [[nodiscard]] std::uint32_t named_switch() const;
   static TokenCursor behind_comments(TokenCursor at);
   void begin_iso_mode(std::uint32_t statement, std::uint32_t text_begin);
   void end_iso_mode(std::uint32_t text_end, bool by_switch);

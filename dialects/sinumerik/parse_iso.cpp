@@ -1,5 +1,6 @@
 // Where ISO mode begins and ends in a text. What its blocks say is another reader's.
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "dialects/sinumerik/codes.h"
@@ -51,7 +52,8 @@ bool Parser::iso_line(text::Span start) {
     if (to_upper(probe.first()) == 'M' && (number == 17 || number == 99)) end = 17;
   }
   if (end != kNoNumber) lower_.add_m_code(end, 0, head);
-  if (names_switch()) report(DiagnosticId::statement_not_alone, head, {"G290"});
+  if (const std::uint32_t code = named_switch(); code != 0)
+    report(DiagnosticId::statement_not_alone, head, {"G" + std::to_string(code)});
   skip_block();
   lower_.keep_as_native(kInIsoMode, false, to_here(head), true);
   finish_line(start);
@@ -110,16 +112,16 @@ TokenCursor Parser::behind_comments(TokenCursor at) {
   return at;
 }
 
-// Of a block that does not switch: the switch in it is not alone.
-bool Parser::names_switch() const {
+// Of a block that does not switch: the switch in it, which is not alone; 0 without one.
+std::uint32_t Parser::named_switch() const {
   int comment = 0;
   for (TokenCursor probe = cursor_; !probe.at_block_end(); probe.advance()) {
     comment += static_cast<int>(probe.is_symbol('(')) - static_cast<int>(probe.is_symbol(')'));
     if (comment > 0 || !is_code(probe, 'G')) continue;
     const std::uint32_t number = whole_number(probe.after().text());
-    if (number == kSiemensMode || number == kIsoMode) return true;
+    if (number == kSiemensMode || number == kIsoMode) return number;
   }
-  return false;
+  return 0;
 }
 
 // The part begins with the statement that switches, and with the text behind its block.
