@@ -68,7 +68,9 @@ std::unique_ptr<CompiledProgram> compile(const ir::Program& program, std::uint32
   out->keeps_place = program.is_standard;
   const bool fits = lay_out_symbols(program, context.limits, context.shared, *out);
   CodeBuilder builder(*out, context);
-  if (!fits) {
+  if (!fits) {  // none has a place
+    out->symbols.clear();
+    out->arrays.clear();
     builder.emit_failure({}, text::DiagnosticId::limit_reached, {"variables"});
     return out;
   }

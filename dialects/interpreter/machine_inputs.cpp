@@ -125,7 +125,7 @@ void Machine::set_initial_values(const CompiledProgram& main) {
     if (main.source == nullptr) continue;  // a stream declares no names
     const ir::Program& source = *main.source;
     bool declared = false;
-    for (std::size_t s = 0; s < source.symbols.size(); ++s) {
+    for (std::size_t s = 0; s < main.symbols.size(); ++s) {
       const ir::Symbol& symbol = source.symbols[s];
       if (symbol.is_global || symbol.type == ir::ValueType::string || symbol.dimension1 > 0 ||
           source.strings.at(symbol.name) != value.name)

@@ -1,6 +1,7 @@
 // Assignments, messages and alarms, and what is kept as it is written: synchronized actions, cycles, couplings,
 // transformations. Those lose no verdict silently: a Native names itself, and only a few are known to do nothing.
 #include <algorithm>
+#include <utility>
 
 #include "dialects/ir/transformation_use.h"
 #include "dialects/sinumerik/name_index.h"
@@ -142,12 +143,12 @@ void Parser::transformation(std::string_view name, text::Span head) {
   ir::ExpressionId diameter = ir::ExpressionId::none;
   if (cursor_.take('(')) {
     ++brackets_;
-    for (bool first = true; !cursor_.is_symbol(')') && !cursor_.at_block_end(); first = false) {
-      if (cursor_.take(',')) continue;
-      const ir::ExpressionId value = binary(kWeakestRank);
-      if (first) diameter = value;
-      if (faulty_) break;
-    }
+    bool first = true;
+    do {
+      const bool left_out = cursor_.is_symbol(',') || cursor_.is_symbol(')');
+      const ir::ExpressionId value = left_out ? ir::ExpressionId::none : binary(kWeakestRank);
+      if (std::exchange(first, false)) diameter = value;
+    } while (cursor_.take(','));
     --brackets_;
     expect(')');
   }

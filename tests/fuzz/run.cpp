@@ -47,7 +47,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   interpreter::RunOptions options;
   options.limits = kLimits;
   options.want_variables = true;
-  const interpreter::RunResult run = compile::execute(read.program, control, nullptr, watch, options);
+  compile::ProgramLibrary library(control, {});  // of the control's own cycles and second language
+  const interpreter::RunResult run = compile::execute(read.program, control, &library, watch, options);
   fuzz::require(run.motions == watch.count, "every motion is counted");
   fuzz::require(run.blocks <= kLimits.blocks + 1, "the limit of blocks holds");
   const bool alarmed = run.ended == interpreter::Ended::alarm || run.ended == interpreter::Ended::limit;

@@ -285,6 +285,14 @@ TEST(SinumerikFlow, TextsAreExecutedInTheirProgram) {
   EXPECT_TRUE(ran.trace.contains("6 rapid X2.0000"));
 }
 
+// More than a run keeps: it ends, and none of the names has a value.
+TEST(SinumerikFlow, MoreVariablesThanARunKeeps) {
+  const Result ran = run("DEF REAL F\nDEF REAL A[1000,1000,2]\nG0 X1\nM30\n", {}, ir::MachineKind::mill,
+                         {{.bank = ir::Bank::named, .name = "F", .value = 3.0}});
+  EXPECT_EQ(ran.result.ended, interpreter::Ended::limit);
+  EXPECT_TRUE(ran.motions.empty());
+}
+
 TEST(SinumerikFlow, MacrosAreReadInThePlaceOfTheirNames) {
   const Result ran = run("DEFINE UP AS G0 Z=R1\nDEFINE G301 AS G91 G1 X-1 F50\nR1=20\nUP\nG301\nM30\n");
   EXPECT_EQ(moves(ran), "4 rapid X0.0000 Y0.0000 Z20.0000\n5 linear X-1.0000 Y0.0000 Z20.0000 F50.0000/min\n");

@@ -34,6 +34,14 @@ TEST(Lower, OneLineGivesItsAssignmentsThenItsBlockThenItsJump) {
   EXPECT_EQ(kinds(good("G0 X5 M30")), "block end");
 }
 
+// Whatever stands in its brackets, the block comes to its end.
+TEST(Lower, TransformationsWithAnythingInTheirBrackets) {
+  EXPECT_EQ(kinds(good("TRANSMIT(1)")), "block");
+  EXPECT_EQ(kinds(good("TRACYL(40,,1)")), "block");
+  EXPECT_NE(faults_of("TRANSMIT(1,0,.,-1)"), "");
+  EXPECT_NE(faults_of("TRACYL(=)"), "");
+}
+
 TEST(Lower, AnAssignmentBetweenWordsThatUseVariablesIsNotGuessed) {
   EXPECT_EQ(kinds(good("G0 X=R1 R1=1 Y=R1")), "native");
 }
