@@ -44,9 +44,9 @@ const ir::Program* ProgramLibrary::find(std::string_view name, bool in_iso_mode)
 
 interpreter::ProgramFinder::ForeignText ProgramLibrary::foreign_text(const ir::Program& host) {
   if (!has_iso_mode(control_)) return {};
-  std::unique_ptr<ir::ReadResult>& parts = iso_parts_[&host];
-  if (parts == nullptr) parts = std::make_unique<ir::ReadResult>(read_iso_parts(host, iso_));
-  return {&parts->program, &iso_};
+  const auto [parts, is_new] = iso_parts_.try_emplace(host.source.text().data());
+  if (is_new) parts->second = {.host = host.source, .read = read_iso_parts(host, iso_)};
+  return {&parts->second.read.program, &iso_};
 }
 
 std::unique_ptr<ir::Program> ProgramLibrary::read_text(std::string_view text) {

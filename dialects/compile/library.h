@@ -49,7 +49,12 @@ class ProgramLibrary : public interpreter::ProgramFinder {
   std::vector<std::unique_ptr<Loaded>> loaded_;
   ByName by_name_;
   ByName iso_by_name_;
-  std::map<const ir::Program*, std::unique_ptr<ir::ReadResult>> iso_parts_;  // by the program that they stand in
+  // By the text that they stand in, which is held so that no other comes to lie there.
+  struct IsoParts {
+    text::Source host;
+    ir::ReadResult read;
+  };
+  std::map<const char*, IsoParts> iso_parts_;
 };
 
 }  // namespace dripfeed::compile

@@ -20,7 +20,7 @@ enum class PointFrameGap : std::uint8_t { none, factor_unit, factor, angle };
 // `function` is rotate, scale or mirror. A coordinate of the center that is not named is where the tool stands.
 PointFrameGap set_point_frame(const PlainBlock& block, const BlockRules& rules, ir::Function function,
                               ModalState& state);
-// G69, G50; G50.1 ends the axes that it names, or all.
+// G69, G50; G50.1 ends the axes that it names, or all. False, and nothing changed, where there is none to be ended.
 bool end_point_frame(const PlainBlock& block, const BlockRules& rules, ir::Function function, ModalState& state);
 // Shift and matrix of the modes anew, from the local shift and the three.
 void compose_frames(const BlockRules& rules, Modes& modes);

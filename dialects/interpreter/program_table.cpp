@@ -62,16 +62,13 @@ CompiledProgram* ProgramTable::find(std::string_view name, const CompiledProgram
 }
 
 CompiledProgram* ProgramTable::foreign_part(const CompiledProgram& host, std::uint32_t part) {
-  if (const auto known = foreign_parts_.find({&host, part}); known != foreign_parts_.end()) return known->second.get();
-  std::unique_ptr<CompiledProgram>& entry = foreign_parts_[{&host, part}];
+  const auto [entry, is_new] = foreign_parts_.try_emplace({&host, part});
+  if (!is_new) return entry->second.get();
   const ProgramFinder::ForeignText text = finder_.foreign_text(*host.source);
   if (text.program == nullptr) return nullptr;
-  if (other_language_ == nullptr) {
-    other_language_ = std::make_unique<Language>(*text.control, context_);
-    other_language_->rules.other_language = true;
-  }
-  entry = compile_foreign(*text.program, host.source->foreign_parts[part].text, host, other_language_->context);
-  return entry.get();
+  if (other_language_ == nullptr) other_language_ = std::make_unique<Language>(*text.control, context_);
+  entry->second = compile_foreign(*text.program, host.source->foreign_parts[part].text, host, other_language_->context);
+  return entry->second.get();
 }
 
 }  // namespace dripfeed::interpreter

@@ -18,7 +18,8 @@ class ProgramTable {
   // The program's section of that name, its first one without such.
   CompiledProgram& add(const ir::Program& program, std::string_view name);
   // Looked for in the text of the caller, in the main program's text, and then by the finder; nullptr when nobody has
-  // it. `in_other_language`: a program that begins in the control's other language, by the finder alone.
+  // it. `in_other_language`: a program that begins in the control's other language: by the finder, or a file of the
+  // main program's text that says itself in which language it is.
   CompiledProgram* find(std::string_view name, const CompiledProgram& caller, bool in_other_language = false);
   // A part of the program in that language; nullptr when nobody can read it.
   CompiledProgram* foreign_part(const CompiledProgram& host, std::uint32_t part);
@@ -36,7 +37,9 @@ class ProgramTable {
     CompileContext context;
     Language(const ir::Control& control, const CompileContext& own)
         : rules(control), context{control,   rules,      own.arithmetic, own.variables,    own.limits,
-                                  own.names, own.shared, own.observed,   own.skip_switches} {}
+                                  own.names, own.shared, own.observed,   own.skip_switches} {
+      rules.other_language = true;
+    }
   };
 
   struct Key {

@@ -34,8 +34,8 @@ class SharedAccess {
   bool load_text(const Instruction& i);
   bool store_text(const Instruction& i);
   bool refer(const Instruction& i);
-  // Of a system variable that the modal state answers.
   [[nodiscard]] std::optional<double> call_argument(const ir::SystemVariableRow& row, const Indices& indices) const;
+  // Of a system variable that the modal state answers.
   [[nodiscard]] std::optional<double> answer(const Instruction& i, const Indices& indices) const;
   bool may_write(const Instruction& i);
   void say_input(std::string name);

@@ -319,18 +319,14 @@ class Printer {
   // CALL "NAME" BLOCK "A" TO "B".
   void part_call(const ir::Call& c, std::string& out) const {
     out += "CALL ";
-    if (c.computed != ir::ExpressionId::none)
-      value(out, c.computed);
-    else
-      out += '"' + std::string(program_.strings.at(c.name)) + '"';
+    quoted_name(c, out);
     out += " BLOCK ";
     value(out, c.first_label);
     out += " TO ";
     value(out, c.last_label);
   }
 
-  void iso_call(const ir::Call& c, std::string& out) const {
-    out += "ISOCALL ";
+  void quoted_name(const ir::Call& c, std::string& out) const {
     if (c.computed != ir::ExpressionId::none)
       value(out, c.computed);
     else
@@ -343,7 +339,10 @@ class Printer {
     value(out, c.repeats);
   }
   void whole_call(const ir::Call& c, std::string& out) const {
-    if (c.in_other_language) return iso_call(c, out);
+    if (c.in_other_language) {
+      out += "ISOCALL ";
+      return quoted_name(c, out);
+    }
     if (c.computed != ir::ExpressionId::none) {
       out += "CALL(";
       value(out, c.computed);
