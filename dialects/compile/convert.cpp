@@ -16,6 +16,8 @@
 #include "dialects/compile/moves_in_place.h"
 #include "dialects/compile/settle_faces.h"
 #include "dialects/compile/several_programs.h"
+#include "dialects/compile/source_lines.h"
+#include "dialects/compile/splice_iso.h"
 #include "dialects/compile/target_axes.h"
 #include "dialects/compile/thread_leads.h"
 #include "dialects/passes/absolute_centers.h"
@@ -119,6 +121,11 @@ class Converter {
     if (!text::has_error(result_.diagnostics)) refuse_faulty(read.program);
     if (text::has_error(result_.diagnostics)) return;
     if (request_.mode == ConvertMode::macro) {
+      if (uses_iso_mode(read.program)) {
+        in_place_.run_as(read.program);
+        append(result_.diagnostics, splice_iso_parts(read.program, request_.from, request_.to));
+        if (text::has_error(result_.diagnostics)) return;
+      }
       append(result_.diagnostics, in_place_.lower(read.program));
       told_ = result_.diagnostics.size();
       append(result_.diagnostics, settle_leads(read.program, request_.from, request_.to));
@@ -270,9 +277,7 @@ class Converter {
   // The line of the source that a line of the translation, from 0, came from; empty where none did.
   [[nodiscard]] text::Span span_of_origin(std::size_t line) const {
     const std::uint32_t origin = line < result_.origin_lines.size() ? result_.origin_lines[line] : 0;
-    const std::string_view written = request_.source.line(origin);
-    const auto at = static_cast<std::uint32_t>(written.empty() ? 0 : written.data() - request_.source.text().data());
-    return {at, at + static_cast<std::uint32_t>(written.size())};
+    return span_of_line(request_.source, origin);
   }
 
   // What the other control would alarm on is no translation either.

@@ -38,6 +38,10 @@ class Definitions {
     const auto shift = static_cast<std::uint32_t>(head_.size());
     program_.statements.insert(program_.statements.begin(), head_.begin(), head_.end());
     for (ir::Label& label : program_.labels) label.statement += shift;
+    for (ir::ForeignPart& part : program_.foreign_parts) {
+      part.first += shift;
+      part.last += shift;
+    }
     for (ir::Structure& structure : program_.structures) structure.partner = ir::kNoIndex;
     (void)ir::match_structures(program_);  // halves have been told
   }

@@ -10,14 +10,19 @@
 #include "dialects/compile/block_writer.h"
 #include "dialects/compile/carried_words.h"
 #include "dialects/compile/dialect.h"
+#include "dialects/compile/source_lines.h"
 #include "dialects/passes/rigid_taps.h"
 
 namespace dripfeed::compile {
 
 namespace {
 
-text::Diagnostic cannot_say(std::string_view what) {
-  return text::make_diagnostic(text::DiagnosticId::cannot_translate, {}, {std::string(what), "plain blocks"});
+text::Diagnostic cannot_say(std::string_view what, text::Span span) {
+  return text::make_diagnostic(text::DiagnosticId::cannot_translate, span, {std::string(what), "plain blocks"});
+}
+// Lines of called programs are none of the text.
+text::Span span_in_main(const ExplicitProgram& made, std::uint32_t program, std::uint32_t line) {
+  return program == 0 ? span_of_line(made.source, line) : text::Span{};
 }
 
 // The control that the explicit blocks are written for: neutral, but with the tool words of the source.
@@ -97,7 +102,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   }
 
   void lose(const std::string& word) {
-    if (lost_.insert(word).second) out_.lost.push_back(cannot_say(word));
+    if (lost_.insert(word).second) out_.lost.push_back(cannot_say(word, span_of_line(out_.source, main_line_)));
   }
 
   struct Pending {
@@ -184,13 +189,13 @@ std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made) {
   for (const interpreter::RunDiagnostic& fault : run.diagnostics) out.push_back(fault.diagnostic);
   for (const interpreter::NotInterpreted& lost : run.not_interpreted) {
     if (lost.effects_known || is_carried(lost.function)) continue;
-    out.push_back(cannot_say(lost.name));
+    out.push_back(cannot_say(lost.name, span_in_main(made, lost.program, lost.first_line)));
     // Its chords are written; whether the control bends as we do is for somebody to look at.
     if (lost.function == ir::Function::spline) out.back().severity = text::Severity::warning;
   }
   // What is carried is taken from the text, where the number of such a code does not stand.
   for (const interpreter::ComputedCodeUse& code : run.computed_codes) {
-    if (is_carried(code.function)) out.push_back(cannot_say("a calculated code, here " + code.name));
+    if (is_carried(code.function)) out.push_back(cannot_say("a calculated code, here " + code.name, {}));
   }
   out.insert(out.end(), made.lost.begin(), made.lost.end());
   const bool broke_off = run.ended == interpreter::Ended::alarm || run.ended == interpreter::Ended::limit;
@@ -205,6 +210,7 @@ struct Taps {
   bool cycles = false;
   bool rigid = false;
   bool floating = false;
+  text::Span first;  // of them, in the main program
 };
 
 // G331 and G332 turn the spindle with the axis, one way in and the other out, and so does G84 behind M29, as G84.2 or
@@ -221,7 +227,23 @@ Taps taps_of(const ir::Program& program, const ir::Control& control) {
                 return c.function == ir::Function::tap || c.function == ir::Function::tap_retract;
               });
   out.floating = out.cycles || any(passes::is_floating_tap);
+  const auto taps = [](const ir::Code& c) {
+    return passes::is_tap(c) || passes::is_floating_tap(c) || c.function == ir::Function::tap ||
+           c.function == ir::Function::tap_retract;
+  };
+  if (const auto first = std::ranges::find_if(program.codes, taps); first != program.codes.end())
+    out.first = first->span;
   return out;
+}
+
+// Where the main program calls it; empty where another one does.
+text::Span call_of(const ir::Program& main, std::string_view name) {
+  const auto calls = [&](const ir::Statement& s) {
+    return (s.kind == ir::StatementKind::call || s.kind == ir::StatementKind::modal_call) &&
+           main.strings.at(main.calls[s.payload].name) == name;
+  };
+  const auto call = std::ranges::find_if(main.statements, calls);
+  return call == main.statements.end() ? text::Span{} : call->span;
 }
 
 Taps taps_of_all(const ir::Program& main, const ir::Control& control, const std::vector<std::string>& called,
@@ -234,6 +256,7 @@ Taps taps_of_all(const ir::Program& main, const ir::Control& control, const std:
     out.cycles |= more.cycles || called[i] == "CYCLE84" || called[i] == "CYCLE840";
     out.rigid |= more.rigid;
     out.floating |= more.floating;
+    if (out.first.empty() && (more.cycles || more.rigid || more.floating)) out.first = call_of(main, called[i]);
   }
   return out;
 }
@@ -245,6 +268,7 @@ ExplicitProgram explicit_program(const ir::Program& program, const ir::Control& 
   ExplicitProgram out;
   out.program.name = program.name;
   out.control = explicit_control(control);
+  out.source = program.source;
   CarriedBlocks carried(program, control.semantics, finder);
   interpreter::RunNames names;
   Recorder recorder(program, out, carried, names, options.want_changes);
@@ -257,9 +281,9 @@ ExplicitProgram explicit_program(const ir::Program& program, const ir::Control& 
   recorder.finish(out.run);
   const Taps taps = taps_of_all(program, control, out.run.programs, finder);
   if (taps.rigid || (taps.cycles && recorder.turns_back_in_thread())) {
-    out.lost.push_back(cannot_say("a tap that the axis turns the spindle for (G331, G332, M29)"));
+    out.lost.push_back(cannot_say("a tap that the axis turns the spindle for (G331, G332, M29)", taps.first));
   } else if (taps.floating && recorder.turns_back()) {
-    out.lost.push_back(cannot_say("a tap, on whose moves feed override and feed hold then act,"));
+    out.lost.push_back(cannot_say("a tap, on whose moves feed override and feed hold then act,", taps.first));
     out.lost.back().severity = text::Severity::warning;
   }
   out.variable_names = std::move(names.variables);

@@ -30,6 +30,7 @@ struct ExplicitProgram {
   ir::Program program;
   ir::Control control;  // that `program` is written for
   std::vector<BlockOrigin> origins;
+  text::Source source;                      // of what was run; empty for a program that was built
   std::vector<LoggedChange> changes;        // filled when wanted
   std::vector<std::string> variable_names;  // VariableChange::variable
   interpreter::RunResult run;               // with the diagnostics of running

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <deque>
 
+#include "dialects/compile/shape_blocks.h"
 #include "dialects/interpreter/repetitive.h"
 #include "dialects/passes/flow_graph.h"
 
@@ -125,6 +126,7 @@ LatheFlow::LatheFlow(const ir::Program& program, const ir::Control& control)
       control_(control),
       rules_(control),
       modes_(program, control),
+      in_shape_(blocks_of_shapes(program)),
       before_(program.statements.size() + 1) {
   passes::FlowGraph graph(program);
   std::deque<std::uint32_t> work;
@@ -216,6 +218,7 @@ bool LatheFlow::is_increment_of_c(const ir::Word& word) const {
 
 LatheState LatheFlow::after(std::uint32_t statement, LatheState state) const {
   const ir::Statement& s = program_.statements[statement];
+  if (in_shape_[statement]) return state;
   if (s.kind == StatementKind::block) {
     const ir::Block& block = program_.blocks[s.payload];
     take_codes(block, statement, state);

@@ -94,6 +94,7 @@ class LatheFlow {
   const ir::Control& control_;
   interpreter::BlockRules rules_;
   passes::ModeFlow modes_;
+  std::vector<bool> in_shape_;  // by statement
   std::vector<std::optional<LatheState>> before_;
 };
 

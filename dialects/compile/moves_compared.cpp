@@ -133,14 +133,15 @@ class Comparison {
 
 std::vector<text::Diagnostic> MovesInPlace::compare(const ir::Program& translation,
                                                     const std::vector<std::uint32_t>& origin_lines) const {
-  if (owners_.empty()) return {};
+  if (owners_.empty() && !as_read_) return {};
   for (std::size_t setting = 0; setting < runs_.size(); ++setting) {
     const std::optional<std::uint32_t> line = first_difference(translation, origin_lines, setting);
     if (!line) continue;
     const auto span = spans_.find(*line);
+    const std::string_view what = owners_.empty() ? "what moves here in a program with ISO mode"
+                                                  : "what moves here beside statements that are written as their moves";
     return {text::make_diagnostic(text::DiagnosticId::cannot_translate,
-                                  span == spans_.end() ? text::Span{} : span->second,
-                                  {"what moves here beside statements that are written as their moves", to_.title})};
+                                  span == spans_.end() ? text::Span{} : span->second, {std::string(what), to_.title})};
   }
   return {};
 }
@@ -173,7 +174,7 @@ std::optional<std::uint32_t> MovesInPlace::first_difference(const ir::Program& t
   }
   if (wanted.size() != made.size()) return wanted.size() > shorter ? wanted[shorter].line : made[shorter].line;
   if (run.is_whole && run.result.ended == interpreter::Ended::end) return std::nullopt;
-  return owners_.front();
+  return owners_.empty() ? wanted.empty() ? 1 : wanted.back().line : owners_.front();
 }
 
 }  // namespace dripfeed::compile

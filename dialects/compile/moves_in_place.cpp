@@ -82,16 +82,6 @@ std::set<std::uint8_t> skip_levels(const ir::Program& program) {
   return out;
 }
 
-// AXN of CYCLE83: the run goes along the axis that stands on the plane.
-bool names_axis(const ir::Program& program, const ir::Call& call) {
-  constexpr std::size_t kAxis = 12;
-  const auto arguments = program.arguments_of(call);
-  if (program.strings.at(call.name) != "CYCLE83" || arguments.size() <= kAxis) return false;
-  const ir::ExpressionId axis = arguments[kAxis].value;
-  if (axis == ir::ExpressionId::none) return false;
-  return program.at(axis).op != ir::Operator::constant || program.at(axis).value != 0.0;
-}
-
 bool has_word(const ir::Program& program, const ir::Block& block, Address address) {
   return std::ranges::find(program.words_of(block), address, &ir::Word::address) != program.words_of(block).end();
 }
@@ -132,8 +122,10 @@ void MovesInPlace::say_written(std::string name, text::Span span) {
 std::vector<text::Diagnostic> MovesInPlace::lower(ir::Program& program) {
   kinds_ = without_equal(program, from_, to_);
   find_taps(program);
-  if (std::ranges::all_of(kinds_, [](WithoutEqual kind) { return kind == WithoutEqual::no; })) return {};
+  const bool replaces = std::ranges::any_of(kinds_, [](WithoutEqual kind) { return kind != WithoutEqual::no; });
+  if (!replaces && !as_read_) return {};
   if (const std::string what = obstacle(program); !what.empty()) {
+    runs_.clear();
     for (std::size_t i = 0; i < kinds_.size(); ++i)
       if (const ir::Statement& s = program.statements[i];
           kinds_[i] != WithoutEqual::no && kinds_[i] != WithoutEqual::tap_part)
@@ -184,7 +176,7 @@ std::string MovesInPlace::run(const ir::Program& program, ProgramLibrary& librar
     interpreter::RunOptions options;
     options.limits = kRunLimits;
     options.skip_switches = switches;
-    runs_.push_back(record(program, from_, library, options, shapes_, owners_));
+    runs_.push_back(record(as_read_ ? *as_read_ : program, from_, library, options, shapes_, owners_));
     const interpreter::RunResult& result = runs_.back().result;
     for (const interpreter::RunDiagnostic& d : result.diagnostics)
       if (d.diagnostic.severity == text::Severity::error)
@@ -282,7 +274,6 @@ std::string MovesInPlace::terms_at(const ir::Program& program, std::uint32_t ind
 std::string MovesInPlace::rest_of(const ir::Program& program, std::uint32_t index, BlockRest& rest) const {
   const ir::Statement& s = program.statements[index];
   if (s.skip_level != 0) return "that a switch may skip";
-  if (s.kind == StatementKind::call && names_axis(program, program.calls[s.payload])) return "with an axis of its own";
   if (s.kind != StatementKind::block) return {};
   const ir::Block& block = program.blocks[s.payload];
   if (block.rest_level != 0) return "with block skip inside it";

@@ -39,10 +39,13 @@ class MovesInPlace {
   MovesInPlace(const ir::Control& from, const ir::Control& to, ProgramLibrary* library)
       : from_(from), to_(to), library_(library) {}
 
+  // The program as it was read, whose ISO parts are spliced where lower() gets it: this is what is run, and compared
+  // wherever nothing from outside decides what it does.
+  void run_as(const ir::Program& program) { as_read_ = program; }
   // Replaces what it can; what cannot be said so is an error at its block.
   std::vector<text::Diagnostic> lower(ir::Program& program);
   // Whether the translation, with the source's line for each of its lines, moves as the source did; an error at the
-  // first line that does not. Nothing where nothing was replaced.
+  // first line that does not. Nothing where nothing was replaced or spliced.
   [[nodiscard]] std::vector<text::Diagnostic> compare(const ir::Program& translation,
                                                       const std::vector<std::uint32_t>& origin_lines) const;
 
@@ -78,6 +81,7 @@ class MovesInPlace {
   const ir::Control& from_;
   const ir::Control& to_;
   ProgramLibrary* library_;
+  std::optional<ir::Program> as_read_;                // of run_as()
   std::vector<WithoutEqual> kinds_;                   // by statement
   std::vector<LineRange> shapes_;                     // of the text
   std::vector<TapStatement> taps_;                    // by statement

@@ -38,6 +38,12 @@ ir::Program program_of(const ir::Program& text, const ir::Section& section) {
   std::erase_if(out.labels,
                 [&](const ir::Label& l) { return l.statement < section.first || l.statement >= section.last; });
   for (ir::Label& label : out.labels) label.statement -= section.first;
+  std::erase_if(out.foreign_parts,
+                [&](const ir::ForeignPart& part) { return part.first < section.first || part.last > section.last; });
+  for (ir::ForeignPart& part : out.foreign_parts) {
+    part.first -= section.first;
+    part.last -= section.first;
+  }
   for (ir::Structure& structure : out.structures) structure.partner = ir::kNoIndex;
   (void)ir::match_structures(out);  // the reader has told of halves
   return out;

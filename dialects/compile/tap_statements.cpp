@@ -26,13 +26,13 @@ struct CallRow {
   std::string_view name;
   bool rigid;
   std::size_t after;      // SDAC
-  std::size_t further;    // the first of those that must be nothing
+  std::size_t axis;       // AXN, which the run follows; what is behind it must be nothing
   std::size_t angle = 0;  // POSS; 0: it has none
   std::size_t encoder = 0;
 };
 constexpr auto kCalls = std::to_array<CallRow>({
-    {.name = "CYCLE84", .rigid = true, .after = 6, .further = 12, .angle = 9},
-    {.name = "CYCLE840", .rigid = false, .after = 7, .further = 11, .encoder = 8},
+    {.name = "CYCLE84", .rigid = true, .after = 6, .axis = 12, .angle = 9},
+    {.name = "CYCLE840", .rigid = false, .after = 7, .axis = 11, .encoder = 8},
 });
 
 bool taps_along_z(const ir::Control& control) {
@@ -196,8 +196,9 @@ class TapWalk {
       const std::optional<double> encoder = at(row.encoder);
       if (encoder != 0.0 && encoder != 1.0 && encoder != 20.0) return "with that way of its encoder (ENC)";
     }
-    for (std::size_t further = row.further; further < arguments.size(); ++further)
-      if (at(further) != 0.0) return "with pecks, an axis or a unit of its own";
+    if (!at(row.axis)) return "with a computed axis (AXN)";
+    for (std::size_t further = row.axis + 1; further < arguments.size(); ++further)
+      if (at(further) != 0.0) return "with pecks or a unit of its own";
     return {};
   }
 

@@ -29,6 +29,10 @@ class Leads {
     for (index_ = 0; index_ < count; ++index_) {
       out_.at(index_);
       statement_ = program_.statements[index_];
+      if (ir::is_foreign(program_, index_)) {
+        out_.keep();  // in ISO mode F is the lead, as it is there
+        continue;
+      }
       if (changes_lead(index_)) {
         changing();
         continue;

@@ -257,8 +257,9 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
   if (i.op == Opcode::store_system) return access_.store_system(i);
   if (i.op == Opcode::jump_number || i.op == Opcode::jump_text) return jump(i, next);
   if (shape_.active() && leaves_shape(i.op)) {
-    // The text may end with the shape.
-    if (i.op == Opcode::text_end && shape_.ends_before(next - 1)) return end_shape(next);
+    // The text, or the part in another language, may end with the shape.
+    const bool ends_text = i.op == Opcode::text_end || (i.op == Opcode::back && i.b == 1);
+    if (ends_text && shape_.ends_before(next - 1)) return end_shape(next);
     return report_.fail(i, DiagnosticId::cycle_shape_invalid, {"a call, a return or the program's end stands in it"});
   }
   if (i.op == Opcode::call) return call(i, next);

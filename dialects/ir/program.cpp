@@ -1,6 +1,8 @@
 // The arenas' adders, and the matching of structures, which every dialect needs in the same way.
 #include "dialects/ir/program.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace dripfeed::ir {
@@ -160,6 +162,11 @@ int operand_count(Operator op) {
   if (op <= Operator::string) return 0;
   if (op <= Operator::to_lower) return 1;
   return op < Operator::bound ? 2 : 3;
+}
+
+bool is_foreign(const Program& program, std::uint32_t statement) {
+  const auto behind = std::ranges::upper_bound(program.foreign_parts, statement, {}, &ForeignPart::first);
+  return behind != program.foreign_parts.begin() && statement < std::prev(behind)->last;
 }
 
 std::string print_same(const Program& program) {

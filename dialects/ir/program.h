@@ -88,6 +88,9 @@ std::string_view program_name_of_path(std::string_view path);
 // How many operands an operator takes (0 for leaves).
 int operand_count(Operator op);
 
+// Whether the statement came from one of the program's parts in another language.
+bool is_foreign(const Program& program, std::uint32_t statement);
+
 // The tokens one after the other: the text of the program byte for byte, whatever it was read from.
 std::string print_same(const Program& program);
 

@@ -135,8 +135,7 @@ class HoleReader {
     if (*nominal != 0.0 || *lead == 0.0) return " without the lead of its thread (PIT)";
     if (*angle != 0.0) return " with an angle of its spindle";
     if (*speed <= 0.0 || (*out != 0.0 && *out != *speed)) return " without one speed for both ways";
-    for (std::size_t further = 12; further < arguments_.size(); ++further)
-      if (number_at(further, 0.0) != 0.0) return " with pecks, an axis or a unit of its own";
+    if (has_own_axis(12) || has_more_than(13)) return " with pecks, an axis or a unit of its own";
     hole.cycle = *lead < 0.0 ? DrillCycle::tap_left : DrillCycle::tap_right;
     hole.lead = std::abs(*lead);
     hole.speed = *speed;
@@ -157,6 +156,7 @@ class HoleReader {
     if (*reversed != 0.0 && *reversed != 3.0 && *reversed != 4.0) return " with that way of its spindle (SDR)";
     const bool by_lead = *encoder != 1.0;
     if (by_lead && (*nominal != 0.0 || *lead == 0.0)) return " without the lead of its thread (PIT)";
+    if (has_own_axis(11) || has_more_than(12)) return " with an axis or a unit of its own";
     if (*encoder == 0.0) hole.dwell_s = 0.0;
     hole.floats = true;
     hole.lead = by_lead ? std::abs(*lead) : 0.0;
@@ -174,7 +174,7 @@ class HoleReader {
     const std::optional<double> last = number_at(15, 0.0);
     const std::optional<double> surface = number(argument(1));
     if (!first || !each || !less || !kind || !last || !surface) return " with computed pecks";
-    if (number_at(12, 0.0) != 0.0) return " with an axis of its own (AXN)";
+    if (has_own_axis(12)) return " with an axis of its own (AXN)";
     if (*less != 0.0 || hole.dwell_s != 0.0 || number_at(10, 1.0).value_or(0.0) != 1.0)
       return " with pecks that grow less, dwells or feeds of their own";
     hole.peck = *first < kNotGiven ? std::abs(*surface - *first) : std::abs(*each);
@@ -184,6 +184,17 @@ class HoleReader {
     return {};
   }
 
+  // AXN: another one than that which stands on the plane.
+  [[nodiscard]] bool has_own_axis(std::size_t place) const {
+    const std::optional<double> axis = number_at(place, 0.0);
+    return axis != 0.0 && axis != 3.0;
+  }
+  // Something from `place` on that is not 0.
+  [[nodiscard]] bool has_more_than(std::size_t place) const {
+    for (; place < arguments_.size(); ++place)
+      if (number_at(place, 0.0) != 0.0) return true;
+    return false;
+  }
   [[nodiscard]] ExpressionId argument(std::size_t place) const {
     return place < arguments_.size() ? arguments_[place].value : ExpressionId::none;
   }

@@ -2,6 +2,7 @@
 // cut. The blocks are looked at in the order of the text; what a call, a jump or a label may have set is not asked for.
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <string>
 
 #include <fmt/format.h>
@@ -102,9 +103,18 @@ class CycleCheck {
       findings_.add(cycle_shape_missing, code.span, {fmt::format("{}", *first), fmt::format("{}", *last)});
       return;
     }
+    for (const ir::Label* label : {begin, end}) named_twice(code, *label);
     if (!begins_straight(begin->statement))
       findings_.add(cycle_shape_invalid, code.span, {fmt::format("N{} is no G00 or G01 move", *first)});
     blocks_of(code, *begin, *end);
+  }
+
+  // Which of the two the control takes, depends on where it begins to look.
+  void named_twice(const ir::Code& code, const ir::Label& label) {
+    const ir::Label* other = labels_.other(label);
+    if (other == nullptr || !told_.insert(label.number).second) return;
+    text::Diagnostic* finding = findings_.add(label_defined_twice, other->span, {fmt::format("N{}", label.number)});
+    if (finding != nullptr) finding->notes.push_back({code.span, "the cycle that names it"});
   }
 
   // The first of two blocks: G71 U(depth), G72 W(depth), G73 R(passes).
@@ -162,8 +172,9 @@ class CycleCheck {
   Findings& findings_;
   LabelIndex labels_;
   WaysIn ways_in_;
-  bool depth_known_ = false;  // Q, since the last cycle ended
-  bool speed_known_ = false;  // S
+  bool depth_known_ = false;      // Q, since the last cycle ended
+  bool speed_known_ = false;      // S
+  std::set<std::uint32_t> told_;  // block numbers
 };
 
 }  // namespace

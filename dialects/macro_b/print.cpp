@@ -92,7 +92,7 @@ bool comes_back(const ir::Program& program) {
   const auto has = [&](StatementKind kind) {
     return std::ranges::find(program.statements, kind, &ir::Statement::kind) != program.statements.end();
   };
-  return has(StatementKind::subprogram_return) && !has(StatementKind::program_end);
+  return (has(StatementKind::subprogram_return) || has(StatementKind::return_to)) && !has(StatementKind::program_end);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "dialects/macro_b/raise_drilling.h"
 #include "dialects/macro_b/raise_frames.h"
 #include "dialects/macro_b/raise_parameters.h"
+#include "dialects/macro_b/raise_passed.h"
 #include "dialects/passes/allocation.h"
 #include "dialects/passes/foreign_variables.h"
 #include "dialects/passes/labels.h"
@@ -54,6 +55,7 @@ class StatementRaiser {
     const auto count = static_cast<std::uint32_t>(program_.statements.size());
     for (std::uint32_t i = 0; i < count; ++i) {
       out_.at(i);
+      index_ = i;
       statement(program_.statements[i]);
     }
     out_.finish();
@@ -63,7 +65,7 @@ class StatementRaiser {
   // By value: the list that it comes from is only read while the new one is written.
   void statement(const ir::Statement& s) {
     switch (s.kind) {
-      case StatementKind::block: return blocks_.block(s);
+      case StatementKind::block: return blocks_.block(s, index_);
       case StatementKind::call: return call(s);
       case StatementKind::alarm: return alarm(s);
       case StatementKind::message: return message(s);
@@ -193,6 +195,7 @@ class StatementRaiser {
   ir::Program& program_;
   bool same_dialect_;
   bool from_numbers_;
+  std::uint32_t index_ = 0;
   passes::Rewrite out_;
   BlockRaiser blocks_;
 };
@@ -279,6 +282,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
     if (is_l_number(p.name)) p.name = fmt::format("O{:0>4}", p.name.substr(1));
     rules.shares = has_company(p);
     append(result.diagnostics, raise_calls(p, to));
+    raise_passed(p, from);
     RaisedParameters parameters = raise_parameters(p, to);
     rules.fixed.merge(parameters.numbers);
     append(result.diagnostics, std::move(parameters.diagnostics));

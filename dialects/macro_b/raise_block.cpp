@@ -16,6 +16,7 @@
 #include "dialects/macro_b/findings.h"
 #include "dialects/macro_b/lower.h"
 #include "dialects/macro_b/print.h"
+#include "dialects/passes/mode_flow.h"
 
 namespace dripfeed::macro_b {
 
@@ -35,7 +36,6 @@ constexpr int kToBaseLetter = 'X' - 'U';      // U V W are increments of X Y Z
 constexpr std::int16_t kLengthsOnly = 1;      // argument of unit_inch: feeds stay in mm
 constexpr std::int16_t kWholeShift = 1;       // argument of local_shift
 constexpr std::int16_t kPattern = 3;          // argument of repetitive_cycle: G73
-constexpr double kToolPlaces = 100.0;         // T0606: two digits for the offset
 
 bool holds(std::string_view letters, Address address) { return letters.contains(letter_of(address)); }
 
@@ -69,7 +69,13 @@ BlockRaiser::BlockRaiser(ir::Program& program, const ir::Control& from, const ir
       edges_(from.semantics.d_selects_edge),
       plane_is_xy_(from.semantics.power_on_plane == Function::plane_xy),
       inch_(from.semantics.power_on_unit == Function::unit_inch),
-      diameter_(from.semantics.power_on_diameter) {}
+      diameter_(from.semantics.power_on_diameter) {
+  if (!edges_ || same_) return;
+  tools_.emplace(program);
+  calls_others_ = std::ranges::any_of(program.statements, [&](const ir::Statement& s) {
+    return passes::is_call(s.kind) && !passes::is_standard_cycle(program, s);
+  });
+}
 
 void BlockRaiser::cannot(const ir::Statement& statement, std::string what) {
   if (program_.source.text().empty()) what += fmt::format(" (line {})", statement.line);
@@ -82,8 +88,10 @@ void BlockRaiser::leave_out(const ir::Statement& statement, std::string what) {
   diagnostics_.back().severity = text::Severity::warning;
 }
 
-void BlockRaiser::block(const ir::Statement& statement) {
+void BlockRaiser::block(const ir::Statement& statement, std::uint32_t index) {
   statement_ = &statement;
+  index_ = index;
+  foreign_ = ir::is_foreign(program_, index);
   const ir::Block old = program_.blocks[statement.payload];
   const auto old_codes = program_.codes_of(old);
   const auto old_words = program_.words_of(old);
@@ -100,10 +108,9 @@ void BlockRaiser::block(const ir::Statement& statement) {
   for (const ir::Code& c : codes) code(c);
   const Traits traits = traits_of(codes, words);
   for (const ir::Word& w : words) word(w, traits);
-  if (traits.tool != nullptr || traits.edge != nullptr) tool_words(traits);
-  // Where D names an edge, compensation takes its radius from there; here it needs the number of an offset.
-  const bool by_number = to_.semantics.tool_word == ir::ToolWord::number && tool_ != ExpressionId::none;
-  if (traits.comp && edges_ && !same_ && by_number) draft_.words.push_back(word_of(Address::d, tool_));
+  const bool changes = tools_ && !foreign_ && traits.tool_change;
+  if (traits.tool != nullptr || traits.edge != nullptr || changes) tool_words(traits);
+  if (traits.comp && tools_ && !foreign_) compensation_number();
   if (shifts_whole_ && !same_) whole_shift();
   distance_frame(traits);
   if (!same_) split_m_codes();
@@ -128,8 +135,8 @@ BlockRaiser::Traits BlockRaiser::traits_of(const std::vector<ir::Code>& codes,
     traits.comp |= c.function == Function::comp_left || c.function == Function::comp_right;
   }
   for (const ir::Word& w : words) {
-    if (w.address == Address::t) traits.tool = &w;
-    if (w.address == Address::d && edges_) traits.edge = &w;
+    if (w.address == Address::t && !foreign_) traits.tool = &w;
+    if (w.address == Address::d && edges_ && !foreign_) traits.edge = &w;
     if (!holds(kAxisLetters, w.address) || traits.dwell) continue;
     traits.any_incremental |= is_incremental(w);
     traits.any_absolute |= !is_incremental(w);
@@ -344,51 +351,9 @@ void BlockRaiser::pattern_word(ir::Word word, std::int16_t pattern) {
   draft_.words.push_back(word);
 }
 
-void BlockRaiser::tool_words(const Traits& traits) {
-  if (traits.tool != nullptr) tool_ = traits.tool->value;
-  if (same_ || (!edges_ && from_.semantics.tool_word == to_.semantics.tool_word)) {
-    if (traits.tool != nullptr) draft_.words.push_back(*traits.tool);
-    if (traits.edge != nullptr) draft_.words.push_back(*traits.edge);
-    return;
-  }
-  if (tool_ != ExpressionId::none && program_.at(tool_).op == Operator::string) {
-    return cannot(*statement_, "a tool with a name");
-  }
-  if (from_.semantics.tool_word == ir::ToolWord::number_and_offset && !edges_) {
-    return cannot(*statement_, "a tool word with an offset number");
-  }
-  if (to_.semantics.tool_word == ir::ToolWord::number_and_offset) return lathe_tool(traits);
-  mill_tool(traits);
-}
-
-// T0606: each tool has the offset of its own number; edge 0 takes the offset away.
-void BlockRaiser::lathe_tool(const Traits& traits) {
-  if (tool_ == ExpressionId::none) return cannot(*statement_, "an edge before a tool");
-  const bool off = has_constant(traits.edge, 0.0);
-  if (traits.edge != nullptr && !off && !has_constant(traits.edge, 1.0))
-    return cannot(*statement_, "a second edge of a tool");
-  draft_.words.push_back(word_of(Address::t, scaled(tool_, off ? kToolPlaces : kToolPlaces + 1.0)));
-}
-
-void BlockRaiser::mill_tool(const Traits& traits) {
-  if (traits.tool != nullptr) draft_.words.push_back(*traits.tool);
-  if (traits.edge != nullptr) length_offset(traits);
-}
-
-// D1 turns the tool's length on: G43 H with the tool's number, in a block behind the tool change.
-void BlockRaiser::length_offset(const Traits& traits) {
-  if (has_constant(traits.edge, 0.0)) {
-    after_.push_back({{code_of(Function::length_offset_off)}, {}});
-  } else if (tool_ == ExpressionId::none || !has_constant(traits.edge, 1.0)) {
-    cannot(*statement_, "an edge that is not the first of a known tool");
-  } else {
-    after_.push_back({{code_of(Function::length_offset_plus)}, {word_of(Address::h, tool_)}});
-  }
-}
-
-bool BlockRaiser::has_constant(const ir::Word* word, double value) const {
-  if (word == nullptr) return false;
-  const ir::Expression& e = program_.at(word->value);
+bool BlockRaiser::is_constant(ExpressionId id, double value) const {
+  if (id == ExpressionId::none) return false;
+  const ir::Expression& e = program_.at(id);
   return e.op == Operator::constant && e.value == value;
 }
 
@@ -411,17 +376,40 @@ ExpressionId BlockRaiser::with_point(ExpressionId value, bool rotary) {
   return program_.add_constant(number, e.span, true);
 }
 
-// One M code a block: the others follow in blocks of their own.
+// One M code a block: the others follow in blocks of their own. Of a block that moves, what starts the spindle or the
+// coolant comes before it, unless it also stops one.
 void BlockRaiser::split_m_codes() {
-  bool first = true;
-  std::vector<Draft> extra;
-  std::erase_if(draft_.codes, [&](const ir::Code& c) {
-    if (c.letter != 'M') return false;
-    if (std::exchange(first, false)) return false;
-    extra.push_back({{c}, {}});
-    return true;
-  });
-  after_.insert(after_.begin(), extra.begin(), extra.end());
+  const auto turns = [](const ir::Code& c) {
+    return c.function == Function::spindle_cw || c.function == Function::spindle_ccw;
+  };
+  const auto starts = [&](const ir::Code& c) {
+    return turns(c) || c.function == Function::coolant_mist || c.function == Function::coolant_flood;
+  };
+  const auto stops = [](const ir::Code& c) {
+    return c.function == Function::spindle_stop || c.function == Function::coolant_off;
+  };
+  const auto is_m = [](const ir::Code& c) { return c.letter == 'M'; };
+  const bool in_front =
+      std::ranges::any_of(draft_.words, [](const ir::Word& w) { return holds(kAxisLetters, w.address); }) &&
+      std::ranges::none_of(draft_.codes, stops);
+  // M0 and M1 hold when all else is done.
+  const auto holds_program = [](const ir::Code& c) {
+    return c.function == Function::program_stop || c.function == Function::optional_stop;
+  };
+  std::ranges::stable_sort(draft_.codes, {}, holds_program);
+  // The spindle stays with its S.
+  auto kept = in_front ? std::ranges::find_if(draft_.codes, turns) : draft_.codes.end();
+  if (kept == draft_.codes.end()) kept = std::ranges::find_if(draft_.codes, is_m);
+  std::vector<ir::Code> codes;
+  std::vector<Draft> behind;
+  for (auto code = draft_.codes.begin(); code != draft_.codes.end(); ++code) {
+    if (code == kept || !is_m(*code))
+      codes.push_back(*code);
+    else
+      (in_front && starts(*code) ? before_ : behind).push_back({{*code}, {}});
+  }
+  draft_.codes = std::move(codes);
+  after_.insert(after_.begin(), behind.begin(), behind.end());
 }
 
 // What the switch leaves out is still the same words of the same block.

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
 #include "dialects/passes/rewrite.h"
+#include "dialects/passes/tool_flow.h"
 #include "dialects/text/diagnostic.h"
 
 namespace dripfeed::macro_b {
@@ -18,8 +20,8 @@ class BlockRaiser {
   BlockRaiser(ir::Program& program, const ir::Control& from, const ir::Control& to, passes::Rewrite& out,
               std::vector<text::Diagnostic>& diagnostics);
 
-  // The block statement that `out` is at: emits what says the same on the target, one block or several.
-  void block(const ir::Statement& statement);
+  // The block statement that `out` is at, by its index: emits what says the same on the target, one block or several.
+  void block(const ir::Statement& statement, std::uint32_t index);
   // Something of the statement that the target cannot say.
   void cannot(const ir::Statement& statement, std::string what);
   // … which changes neither a move nor a value: a warning.
@@ -60,9 +62,21 @@ class BlockRaiser {
   void axis_word(ir::Word word);
   void dwell_word(const ir::Word& word);
   void tool_words(const Traits& traits);
-  void lathe_tool(const Traits& traits);
-  void mill_tool(const Traits& traits);
-  void length_offset(const Traits& traits);
+  void lathe_tool(const Traits& traits, ir::ExpressionId edge);
+  void length_offset(const Traits& traits, ir::ExpressionId edge);
+  [[nodiscard]] Draft length_of(ir::ExpressionId tool) const;
+  void change_first(const Traits& traits, Draft length);
+  void compensation_number();
+  [[nodiscard]] passes::ToolState tool_state() const;
+  [[nodiscard]] ir::ExpressionId edge_of(const Traits& traits) const;
+  // The tool that D means, or that is in: nothing, and told, where it is not known; none where no tool was named.
+  std::optional<ir::ExpressionId> tool_of(const Traits& traits);
+  std::optional<ir::ExpressionId> tool_in(const passes::ToolState& state);
+  [[nodiscard]] bool lacks_edge();
+  [[nodiscard]] bool plane_is_always_xy() const;
+  [[nodiscard]] bool calls_next() const;
+  [[nodiscard]] std::optional<bool> moves_without_edge(const ir::Statement& s) const;
+  void tell(std::string what, std::string why);
   void speed_limit(const ir::Word& word);
   void pattern_word(ir::Word word, std::int16_t pattern);
   void distance_frame(const Traits& traits);
@@ -76,7 +90,7 @@ class BlockRaiser {
   ir::Word word_of(ir::Address address, ir::ExpressionId value) const;
   ir::ExpressionId scaled(ir::ExpressionId value, double factor);
   ir::ExpressionId with_point(ir::ExpressionId value, bool rotary);
-  [[nodiscard]] bool has_constant(const ir::Word* word, double value) const;
+  [[nodiscard]] bool is_constant(ir::ExpressionId id, double value) const;
   [[nodiscard]] bool is_incremental(const ir::Word& word) const;
 
   ir::Program& program_;
@@ -84,8 +98,14 @@ class BlockRaiser {
   const ir::Control& to_;
   passes::Rewrite& out_;
   std::vector<text::Diagnostic>& diagnostics_;
-  bool same_;   // the same codes on both sides
-  bool edges_;  // D is an edge of the tool
+  bool same_;                  // the same codes on both sides
+  bool edges_;                 // D is an edge of the tool
+  bool calls_others_ = false;  // programs that are not the control's own
+  bool foreign_ = false;  // the block is of another language of its control, whose T, D and H are those of the target
+  std::optional<passes::ToolFlow> tools_;  // where D is an edge
+  std::vector<bool> lacks_edge_;           // by statement, once it is asked for
+  bool stands_on_xy_ = false;              // all tools do
+  std::uint32_t index_ = 0;
   enum class Way : std::uint8_t { other, holes, curve };
   Way way_ = Way::other;
   bool shifts_ = false;  // the cycle goes aside at the bottom, by I, J or K
@@ -96,7 +116,6 @@ class BlockRaiser {
   bool counts_factors_ = false;  // the block has a factor without a point
   bool shifts_whole_ = false;    // the block's shift takes away those of axes that it does not name
   ir::DiameterMode diameter_;
-  ir::ExpressionId tool_ = ir::ExpressionId::none;  // number of the last T
   const ir::Statement* statement_ = nullptr;
   std::vector<Draft> before_;
   Draft draft_;

@@ -15,12 +15,19 @@
 #include <cmath>
 #include <expected>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "dialects/ir/cycle.h"
 #include "dialects/macro_b/called_hole.h"
 #include "dialects/passes/flow_graph.h"
+#include "dialects/passes/mode_flow.h"
+#include "dialects/passes/motion_flow.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/rigid_taps.h"
 
@@ -45,8 +52,12 @@ class Drilling {
         to_(to),
         out_(program),
         is_target_(passes::jump_targets(program)),
+        modes_(program, from),
+        motions_(passes::motions_before(program)),
         plane_(from.semantics.power_on_plane) {
     incremental_ = from.semantics.power_on_distance == Function::incremental;
+    for (std::uint32_t i = 0; i < program.statements.size(); ++i)
+      if (program.statements[i].kind == StatementKind::go_to) jumps_.push_back(i);
     turning_.feed_mode = from.semantics.power_on_feed;
   }
 
@@ -56,6 +67,7 @@ class Drilling {
       out_.at(i);
       index_ = i;
       statement_ = program_.statements[i];
+      motion_ = motions_[i];
       if (is_target_[i] || (statement_.kind >= StatementKind::if_begin && statement_.kind <= StatementKind::loop_end))
         forget();
       statement();
@@ -84,13 +96,19 @@ class Drilling {
 
   void begin() {
     if (modal_ || native_) close();
-    const std::optional<Hole> hole = hole_of(program_.calls[statement_.payload]);
+    const ir::Call& call = program_.calls[statement_.payload];
+    if (!is_drilling_cycle(std::string(program_.strings.at(call.name)))) {
+      forget();
+      return out_.keep();
+    }
+    const std::optional<Hole> hole = hole_of(call);
     if (!hole) return;  // told
+    if (calls_in_region()) return cannot("a call of another program behind MCALL");
+    if (jumps_across_region()) return cannot("a modal call that jumps lead into or out of");
     modal_ = hole;
     native_ = fits_modal_cycle(*hole) && region_fits(hole->lead != 0.0 || hole->floats);
     if (native_) return define(*hole, true);
     if (!has_moves(*hole)) return modal_.reset();  // told
-    if (region_is_entered()) cannot("a modal call into which jumps lead");
   }
 
   void end() {
@@ -106,6 +124,7 @@ class Drilling {
       out_.emit_block({code(Function::cycle_off)}, {});
       out_.emit_block({code(Function::rapid)}, {});
       turn_again(*modal_);
+      if (height_ != number(modal_->back)) height_.reset();  // as a hole was drilled or not
     }
     modal_.reset();
     native_ = false;
@@ -125,7 +144,8 @@ class Drilling {
       define(*hole, false);
       out_.emit_block({code(Function::cycle_off)}, {});
       turn_again(*hole);
-      if (motion_) out_.emit_block({code(*motion_)}, {});
+      motion_again(true);
+      height_ = number(hole->back);
     } else if (has_moves(*hole)) {
       moves(*hole);
     }
@@ -133,6 +153,7 @@ class Drilling {
 
   // Nothing when it cannot be said here, which is told.
   std::optional<Hole> hole_of(const ir::Call& call) {
+    settle_plane();
     std::expected<Hole, std::string> hole = called_hole(program_, call);
     if (hole) return *hole;
     cannot(std::move(hole.error()));
@@ -162,28 +183,86 @@ class Drilling {
       const ir::Block& block = program_.blocks[s.payload];
       for (const ir::Code& c : program_.codes_of(block)) {
         if (c.group == ir::ModalGroup::motion && c.function != Function::rapid) return false;
-        if (c.group == ir::ModalGroup::plane || c.group == ir::ModalGroup::frame) return false;
+        if (c.group == ir::ModalGroup::plane || c.group == ir::ModalGroup::frame ||
+            c.group == ir::ModalGroup::work_offset || c.group == ir::ModalGroup::unit ||
+            c.group == ir::ModalGroup::length_offset || c.function == Function::tool_change ||
+            c.function == Function::machine_coordinates || c.function == Function::reference_return)
+          return false;
         if (taps && (c.group == ir::ModalGroup::feed || c.group == ir::ModalGroup::spindle)) return false;
       }
       for (const ir::Word& w : program_.words_of(block)) {
-        if (w.address == Address::z || w.address == Address::r || w.address == Address::q || w.address == Address::l)
+        if (w.address == Address::z || w.address == Address::r || w.address == Address::q || w.address == Address::l ||
+            w.address == Address::d || w.address == Address::t)
           return false;
         if (taps && (w.address == Address::f || w.address == Address::s)) return false;
       }
     }
     return true;
   }
-  [[nodiscard]] bool region_is_entered() const {
+  // Its moves would be followed by holes, too.
+  [[nodiscard]] bool calls_in_region() const {
     for (std::uint32_t i = index_ + 1; i < program_.statements.size(); ++i) {
       const ir::Statement& s = program_.statements[i];
       if (s.kind == StatementKind::modal_call || s.kind == StatementKind::modal_call_end) return false;
-      if (is_target_[i] || s.kind == StatementKind::go_to) return true;
+      if (s.kind == StatementKind::call && !passes::is_standard_cycle(program_, s)) return true;
+    }
+    return false;
+  }
+  [[nodiscard]] bool jumps_across_region() const {
+    std::uint32_t end = index_ + 1;
+    const auto& statements = program_.statements;
+    while (end < statements.size() && statements[end].kind != StatementKind::modal_call &&
+           statements[end].kind != StatementKind::modal_call_end)
+      ++end;
+    const auto is_inside = [&](std::uint32_t i) { return i > index_ && i <= end; };
+    for (const std::uint32_t i : jumps_) {
+      const std::uint32_t target = passes::target_of(program_, i);
+      if (target == ir::kNoIndex ? is_inside(i) : is_inside(i) != is_inside(target)) return true;
     }
     return false;
   }
 
+  // Which axis stands on the plane.
+  void settle_plane() {
+    const passes::ModeFacts* facts = modes_.before(index_);
+    if (facts == nullptr) return;
+    const passes::ModeFact& fact = (*facts)[passes::index_of(passes::Mode::plane)];
+    if (is_known("the plane", fact)) plane_ = fact.function;
+  }
+  // What a caller or a called program may have set is taken as it is here, and told.
+  bool is_known(std::string_view what, const passes::ModeFact& fact) {
+    const bool differs = fact.other != Function::none || (fact.function == Function::none && !fact.inherited);
+    const bool is_certain = fact.agrees() && fact.changer == ir::kNoIndex;
+    if (!is_certain && told_.insert({std::string(what), differs}).second) {
+      std::string ways = fmt::format("{}", fmt::join(modes_.ways(fact), ", or "));
+      if (fact.changer != ir::kNoIndex)
+        ways +=
+            fmt::format(", which what line {} calls or does may have changed", program_.statements[fact.changer].line);
+      diagnostics_.push_back(text::make_diagnostic(text::DiagnosticId::unknown_modal_state, statement_.span,
+                                                   {std::string(what), std::move(ways)}));
+      if (!differs) diagnostics_.back().severity = text::Severity::warning;
+    }
+    return !differs && fact.function != Function::none;
+  }
+
+  // The words of a hole are absolute, and behind them is again what was: G90 or G91. Where the order of the text says
+  // another than the ways here do, theirs is said; where they differ, nothing can be.
+  void settle_distance() {
+    const passes::ModeFacts* facts = modes_.before(index_);
+    if (facts == nullptr) return;
+    const passes::ModeFact& fact = (*facts)[passes::index_of(passes::Mode::distance)];
+    if (statement_.kind == StatementKind::block) {
+      for (const ir::Code& c : program_.codes_of(program_.blocks[statement_.payload]))
+        if (passes::mode_of(c) == passes::Mode::distance) return;
+    }
+    if (!is_known("absolute or incremental", fact) || (fact.function == Function::incremental) == incremental_) return;
+    incremental_ = !incremental_;
+    out_.emit_block({code(fact.function)}, {});
+  }
+
   // `modal`: the holes follow (K0); otherwise one is drilled here.
   void define(const Hole& hole, bool modal) {
+    settle_distance();
     DrillCycle cycle = hole.cycle;
     if (hole.floats && cutting_way(hole) == Function::spindle_ccw) cycle = DrillCycle::tap_left;
     if (hole.breaks_chips) cycle = DrillCycle::chip_break;
@@ -254,17 +333,18 @@ class Drilling {
   }
 
   void pecks(const Hole& hole) {
+    settle_distance();
     out_.emit_block({code(Function::rapid)}, {absolute(Address::z, hole.back)});
     define(hole, false);
     out_.emit_block({code(Function::cycle_off)}, {});
     turn_again(hole);
-    if (!motion_) return cannot("the motion code in effect behind a cycle, which is not known here,");
-    out_.emit_block({code(*motion_)}, {});
+    motion_again(true);
     height_ = number(hole.back);
   }
 
   void moves(const Hole& hole) {
     if (hole.cycle == DrillCycle::deep_hole || hole.lead != 0.0 || hole.floats) return pecks(hole);
+    settle_distance();
     const Address axis = plane_ == Function::plane_zx   ? Address::y
                          : plane_ == Function::plane_yz ? Address::x
                                                         : Address::z;
@@ -289,8 +369,7 @@ class Drilling {
     }
     out_.emit_block({code(Function::rapid)}, {absolute(axis, hole.back)});
     shift_back(hole, axis);
-    if (motion_ && *motion_ != Function::rapid) out_.emit_block({code(*motion_)}, {});
-    if (!motion_) cannot("the motion code in effect behind a cycle, which is not known here,");
+    motion_again(false);
     height_ = number(hole.back);
   }
 
@@ -320,7 +399,9 @@ class Drilling {
 
   // HOLES1(SPCA, SPCO, STA1, FDIS, DBH, NUM), HOLES2(CPA, CPO, RAD, STA1, INDA, NUM): positions in rapid.
   void holes(const std::string& name, const ir::Call& call) {
+    settle_plane();
     if (plane_ != Function::plane_xy) return cannot(name + " in another plane than G17");
+    settle_distance();
     arguments_.assign(program_.arguments_of(call).begin(), program_.arguments_of(call).end());
     std::array<double, 6> v{};
     for (std::size_t i = 0; i < v.size(); ++i) {
@@ -339,9 +420,15 @@ class Drilling {
       native_ ? out_.emit_block({}, {x, y}) : out_.emit_block({code(Function::rapid)}, {x, y});
       if (modal_ && !native_) moves(*modal_);
     }
-    if (!native_ && motion_ && *motion_ != Function::rapid) out_.emit_block({code(*motion_)}, {});
+    if (!native_) motion_again(false);
   }
 
+  // The motion code that was in effect; `always`: behind G80, where another than G00 is not certain either.
+  void motion_again(bool always) {
+    if (motion_ && (always || *motion_ != Function::rapid)) out_.emit_block({code(*motion_)}, {});
+    if (!motion_ && passes::needs_motion(program_, index_))
+      cannot("the motion code in effect behind a cycle, which is not known here,");
+  }
   // --- blocks
 
   void block() {
@@ -351,18 +438,27 @@ class Drilling {
     bool own_words = false;
     for (const ir::Code& c : codes) {
       if (c.group == ir::ModalGroup::motion) motion_ = c.function;
+      // A cycle by its code, of a program's other language: where it leaves the tool is not followed.
+      if (c.group == ir::ModalGroup::motion || c.group == ir::ModalGroup::cycle)
+        in_cycle_ = c.group == ir::ModalGroup::cycle;
+      if (c.function == Function::cycle_off) in_cycle_ = false;
       if (c.group == ir::ModalGroup::plane) plane_ = c.function;
       if (c.function == Function::absolute || c.function == Function::incremental)
         incremental_ = c.function == Function::incremental;
       own_words |= c.group == ir::ModalGroup::non_modal || c.group == ir::ModalGroup::frame;
-      const bool other_height = c.group == ir::ModalGroup::frame || c.group == ir::ModalGroup::work_offset ||
-                                c.group == ir::ModalGroup::unit || c.group == ir::ModalGroup::plane ||
-                                c.function == Function::machine_coordinates || c.function == Function::reference_return;
+      const bool stays = c.function == Function::dwell || c.function == Function::exact_stop_once;
+      const bool other_height = (c.group == ir::ModalGroup::non_modal && !stays) || c.group == ir::ModalGroup::frame ||
+                                c.group == ir::ModalGroup::work_offset || c.group == ir::ModalGroup::unit ||
+                                c.group == ir::ModalGroup::plane || c.group == ir::ModalGroup::length_offset ||
+                                c.function == Function::cycle_off;
       if (other_height) height_.reset();
     }
     const bool moves_axes =
         !own_words && std::ranges::any_of(words, [](const ir::Word& w) { return is_axis(w.address); });
-    if (!own_words) take_height(words);
+    if (in_cycle_ || statement_.skip_level != 0 || old.rest_level != 0)
+      height_.reset();
+    else if (!own_words)
+      take_height(words, incremental_here(codes));
     take_turning(codes, words);
     if (native_) {
       std::vector<ir::Code> others;
@@ -388,12 +484,23 @@ class Drilling {
     }
   }
 
-  void take_height(std::span<const ir::Word> words) {
+  // On all ways; nothing where they differ.
+  [[nodiscard]] std::optional<bool> incremental_here(std::span<const ir::Code> codes) const {
+    for (const ir::Code& c : codes)
+      if (passes::mode_of(c) == passes::Mode::distance) return c.function == Function::incremental;
+    const passes::ModeFacts* facts = modes_.before(index_);
+    if (facts == nullptr) return std::nullopt;
+    const passes::ModeFact& fact = (*facts)[passes::index_of(passes::Mode::distance)];
+    if (fact.other != Function::none) return std::nullopt;
+    return fact.function == Function::none ? incremental_ : fact.function == Function::incremental;
+  }
+
+  void take_height(std::span<const ir::Word> words, std::optional<bool> incremental) {
     for (const ir::Word& w : words) {
       if (w.address == Address::d || w.address == Address::t) height_.reset();
       if (w.address != Address::z) continue;
       const bool absolute_word =
-          w.mode == ir::WordMode::absolute || (w.mode == ir::WordMode::as_modal && !incremental_);
+          w.mode == ir::WordMode::absolute || (w.mode == ir::WordMode::as_modal && incremental == false);
       height_ = absolute_word ? number(w.value) : std::nullopt;
     }
   }
@@ -432,6 +539,10 @@ class Drilling {
   const ir::Control& to_;
   passes::Rewrite out_;
   std::vector<bool> is_target_;  // of a jump
+  std::vector<std::uint32_t> jumps_;
+  passes::ModeFlow modes_;
+  std::vector<std::optional<Function>> motions_;
+  std::set<std::pair<std::string, bool>> told_;  // and whether it was an error
   std::vector<text::Diagnostic> diagnostics_;
   ir::Statement statement_;
   std::uint32_t index_ = 0;
@@ -440,6 +551,7 @@ class Drilling {
   bool native_ = false;  // … said by a modal cycle of these controls
   // In the order of the text.
   std::optional<Function> motion_;
+  bool in_cycle_ = false;
   Function plane_;
   bool incremental_ = false;
   std::optional<double> height_;

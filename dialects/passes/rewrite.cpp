@@ -78,6 +78,10 @@ std::vector<std::uint32_t> Rewrite::finish() {
     section.first = place_of(section.first);
     section.last = place_of(section.last);
   }
+  for (ir::ForeignPart& part : program_.foreign_parts) {
+    part.first = place_of(part.first);
+    part.last = place_of(part.last);
+  }
   program_.statements = std::exchange(statements_, {});
   new_labels_.clear();
   for (ir::Structure& structure : program_.structures) structure.partner = ir::kNoIndex;

@@ -1,5 +1,5 @@
 // A program's statements written anew: each old one is kept, dropped or replaced by several, and labels, partners
-// and the places of several programs are put right at the end. The arenas only grow.
+// and the places of several programs and of parts in another language are put right at the end. The arenas only grow.
 #pragma once
 
 #include <cstdint>

@@ -100,6 +100,10 @@ void insert_first(ir::Program& program, std::span<const ir::Code> codes) {
   for (ir::Structure& structure : program.structures) {
     if (structure.partner != ir::kNoIndex) ++structure.partner;
   }
+  for (ir::ForeignPart& part : program.foreign_parts) {
+    ++part.first;
+    ++part.last;
+  }
 }
 
 }  // namespace dripfeed::passes

@@ -9,6 +9,7 @@
 #include "dialects/ir/frame_use.h"
 #include "dialects/ir/transformation_use.h"
 #include "dialects/passes/rigid_taps.h"
+#include "dialects/passes/tool_flow.h"
 #include "dialects/sinumerik/codes.h"
 #include "dialects/sinumerik/name_index.h"
 #include "dialects/sinumerik/raise.h"
@@ -94,12 +95,20 @@ class BlockRaiser {
   explicit BlockRaiser(const Raising& raising)
       : raising_(raising),
         program_(raising.program),
-        inch_(raising.from.semantics.power_on_unit == Function::unit_inch) {}
+        inch_(raising.from.semantics.power_on_unit == Function::unit_inch) {
+    if (raising.is_own() || raising.from.semantics.tool_word != ir::ToolWord::number) return;
+    const passes::ToolFlow flow(program_);
+    for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
+      const passes::ToolState* before = flow.before(i);
+      tools_.push_back(before == nullptr ? passes::ToolState() : flow.after(i, *before));
+    }
+  }
 
   void run() {
     old_codes_.swap(program_.codes);
     old_words_.swap(program_.words);
-    for (const ir::Statement& s : program_.statements) {
+    for (index_ = 0; index_ < program_.statements.size(); ++index_) {
+      const ir::Statement& s = program_.statements[index_];
       const bool ends = s.kind == StatementKind::program_end;
       if (s.kind != StatementKind::block && !(ends && s.payload != ir::kNoIndex)) continue;
       rewrite(program_.blocks[s.payload], s.span);
@@ -113,10 +122,11 @@ class BlockRaiser {
     codes_ = std::span(old_codes_).subspan(old.first_code, old.code_count);
     words_ = std::span(old_words_).subspan(old.first_word, old.word_count);
     block.first_code = static_cast<std::uint32_t>(program_.codes.size());
-    block.first_word = static_cast<std::uint32_t>(program_.words.size());
+    block.first_word = first_word_ = static_cast<std::uint32_t>(program_.words.size());
     dwell_ = has(Function::dwell);
     if (has(Function::unit_inch)) inch_ = true;
     if (has(Function::unit_mm)) inch_ = false;
+    follow_offsets();
     for (const ir::Code& c : codes_) code(c);
     for (const ir::Code& c : codes_) {
       if (c.group != ModalGroup::motion) continue;
@@ -126,6 +136,7 @@ class BlockRaiser {
     }
     if (lead_changes_ && !raising_.is_own() && moves()) changing_thread(span);
     for (const ir::Word& w : words_) word(w);
+    if (!tools_.empty() && find(Address::d) == nullptr) numberless_compensation(span);
     if (!raising_.is_own()) doubled(block.first_word);
     block.code_count = static_cast<std::uint32_t>(program_.codes.size()) - block.first_code;
     block.word_count = static_cast<std::uint32_t>(program_.words.size()) - block.first_word;
@@ -283,12 +294,40 @@ class BlockRaiser {
   // length.
   void length_offset(const ir::Code& c) {
     const ir::Word* h = find(Address::h);
-    const bool constant_h = h != nullptr && program_.at(h->value).op == ir::Operator::constant;
+    if (h == nullptr) return raising_.cannot("G43 whose H was said before", c.span);
+    const bool constant_h = program_.at(h->value).op == ir::Operator::constant;
     if (!constant_h) return raising_.cannot("a tool length with a computed number", c.span);
     const double number = program_.at(h->value).value;
-    if (number == 0.0) return add_word(Address::d, constant(0.0), h->span);
-    if (number != tool_) return raising_.cannot("the length offset of another tool", h->span);
-    add_word(Address::d, constant(1.0), h->span);
+    if (number == 0.0) {
+      length_ = Length::off;
+      return add_word(Address::d, constant(0.0), h->span);
+    }
+    if (is_tool(number, "the length offset of another tool", h->span)) add_edge(h->span);
+  }
+
+  // Whether the number is that of the tool in the spindle; otherwise it is told.
+  bool is_tool(double number, std::string_view otherwise, text::Span span) {
+    if (tools_.empty()) {
+      if (number != tool_) raising_.cannot(std::string(otherwise), span);
+      return number == tool_;
+    }
+    using Known = passes::ToolState::Known;
+    const passes::ToolState& state = tools_[index_];
+    if (state.in.known == Known::differs) {
+      raising_.cannot("an offset beside a tool that is not known here, or not the same on all ways here,", span);
+      return false;
+    }
+    const ir::Expression* tool = state.in.known == Known::tool ? &program_.at(state.in.value) : nullptr;
+    const bool same = tool != nullptr && tool->op == ir::Operator::constant && tool->value == number;
+    if (!same) raising_.cannot(std::string(otherwise), span);
+    if (same && state.caller != ir::kNoIndex) {
+      raising_.report(text::DiagnosticId::unknown_modal_state, span,
+                      {"the tool in the spindle", "it is taken as the one of T above, which what line " +
+                                                      std::to_string(program_.statements[state.caller].line) +
+                                                      " calls may have changed"});
+      raising_.diagnostics.back().severity = text::Severity::warning;
+    }
+    return same;
   }
 
   ir::ExpressionId constant(double value) { return program_.add_constant(value, {}, false); }
@@ -306,6 +345,7 @@ class BlockRaiser {
     if (no_address) return raising_.cannot("the word " + std::string(raising_.text_of(w.span)), w.span);
     if (w.address == Address::t) return tool_word(w);
     if (w.address == Address::h && has(Function::length_offset_plus)) return;
+    if (w.address == Address::h && !tools_.empty()) return modal_length(w);
     // A compensation number of the other control is the edge of its own tool here.
     if (w.address == Address::d && !from.d_selects_edge) return edge(w);
     if (w.address == Address::s && has(Function::set_coordinates)) w.address = Address::spindle_limit;
@@ -379,11 +419,54 @@ class BlockRaiser {
     add_word(Address::d, constant(1.0), w.span);
   }
 
+  // What is in effect, in the order of the text.
+  void follow_offsets() {
+    if (has(Function::length_offset_plus)) length_ = Length::on;
+    if (has(Function::length_offset_off)) length_ = Length::off;
+    if (has(Function::comp_off)) compensates_ = false;
+    if (starts_compensation()) compensates_ = true;
+  }
+  [[nodiscard]] bool starts_compensation() const { return has(Function::comp_left) || has(Function::comp_right); }
+
+  // The radius of the tool in the spindle needs no number here. D0 would take its length away, too, and another D bring
+  // it in.
   void edge(const ir::Word& w) {
     const ir::Expression e = program_.at(w.value);
-    if (e.op == ir::Operator::constant && (e.value == tool_ || e.value == 0.0))
-      return add_word(Address::d, constant(e.value == 0.0 ? 0.0 : 1.0), w.span);
-    raising_.cannot("a compensation number that is not the tool's", w.span);
+    constexpr std::string_view kOther = "a compensation number that is not the tool's";
+    if (e.op != ir::Operator::constant) return raising_.cannot(std::string(kOther), w.span);
+    number_ = e.value;
+    if (e.value == 0.0) {
+      if (compensates_) raising_.cannot("compensation without a radius (D0)", w.span);
+      return;
+    }
+    if (!is_tool(e.value, kOther, w.span)) return;
+    if (length_ == Length::off)
+      return raising_.cannot("a radius where the length is off, which D would bring in again,", w.span);
+    add_edge(w.span);
+  }
+  void numberless_compensation(text::Span span) {
+    if (!starts_compensation() || !number_) return;
+    if (*number_ == 0.0) return raising_.cannot("compensation without a radius (D0)", span);
+    (void)is_tool(*number_, "the compensation number of another tool, which is still in effect,", span);
+  }
+  // D1, which a block says once.
+  void add_edge(text::Span span) {
+    const auto own = std::span(program_.words).subspan(first_word_);
+    const bool is_said = std::ranges::any_of(
+        own, [&](const ir::Word& w) { return w.address == Address::d && program_.at(w.value).value == 1.0; });
+    if (!is_said) add_word(Address::d, constant(1.0), span);
+  }
+
+  // H behind G43: another length, or none.
+  void modal_length(const ir::Word& w) {
+    const ir::Expression e = program_.at(w.value);
+    if (length_ != Length::on || e.op != ir::Operator::constant) return raising_.cannot("H without G43", w.span);
+    if (e.value != 0.0) {
+      (void)is_tool(e.value, "the length offset of another tool", w.span);
+      return;
+    }
+    length_ = Length::off;
+    add_word(Address::d, constant(0.0), w.span);
   }
 
   const Raising& raising_;
@@ -396,8 +479,16 @@ class BlockRaiser {
   bool dwell_ = false;
   bool arc_is_modal_ = false;
   bool thread_is_modal_ = false;
-  bool lead_changes_ = false;  // … by G34
-  double tool_ = -1.0;         // the last one called, in the order of the text
+  bool lead_changes_ = false;             // … by G34
+  double tool_ = -1.0;                    // of T0606: the last one called, in the order of the text
+  std::vector<passes::ToolState> tools_;  // behind each statement, where T is a number alone
+  std::uint32_t index_ = 0;
+  std::uint32_t first_word_ = 0;  // of the block at hand
+  // In the order of the text.
+  enum class Length : std::uint8_t { unsaid, on, off };
+  Length length_ = Length::unsaid;
+  bool compensates_ = false;
+  std::optional<double> number_;  // of D
 };
 
 }  // namespace

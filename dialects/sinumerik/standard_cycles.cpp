@@ -66,6 +66,13 @@ TOOLAX=AXNAME("X")
 FIRST=AXNAME("Y")
 SECOND=AXNAME("Z")
 ENDIF)"},
+    // AXN: another axis of the plane (G18 with 1 drills along Z); 0 and 3 are the one that stands on it.
+    {"axis", R"(IF AXN==1
+TOOLAX=FIRST
+ENDIF
+IF AXN==2
+TOOLAX=SECOND
+ENDIF)"},
     // 61101: the reference plane does not lie between retraction plane and depth.
     {"depth", R"(IF RTP<RFP
 SIDE=-1

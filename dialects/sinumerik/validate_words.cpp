@@ -17,8 +17,8 @@ using ir::Function;
 using ir::StatementKind;
 using text::DiagnosticId;
 
-// G0 and G1 as far as they are certain: behind labels, jumps, calls and native statements the motion code may be
-// another.
+// G0, G1, CIP and CT as far as they are certain: behind labels, jumps, calls and native statements the motion code may
+// be another.
 class LineWords {
  public:
   explicit LineWords(const Check& check) : check_(check) {}
@@ -28,7 +28,7 @@ class LineWords {
       const bool others = s.kind == StatementKind::call || s.kind == StatementKind::modal_call ||
                           s.kind == StatementKind::go_to || ir::is_structure(s.kind) ||
                           s.kind == StatementKind::native || s.is_label;
-      if (others) line_ = {};
+      if (others) line_ = found_ = {};
       if (s.kind == StatementKind::block) block(check_.block_of(s));
     }
   }
@@ -37,14 +37,18 @@ class LineWords {
   void block(const ir::Block& block) {
     bool own_words = false;
     for (const ir::Code& code : check_.program.codes_of(block)) {
-      if (code.number != ir::ExpressionId::none) line_ = {};
+      if (code.number != ir::ExpressionId::none) line_ = found_ = {};
       own_words |= code.group == ir::ModalGroup::non_modal || code.group == ir::ModalGroup::frame ||
                    code.function == Function::not_modelled || code.function == Function::transformation;
       if (code.group != ir::ModalGroup::motion) continue;
       const bool line = code.function == Function::rapid || code.function == Function::linear;
       line_ = line ? code.span : text::Span{};
+      const bool found = code.function == Function::arc_via || code.function == Function::arc_tangent;
+      found_ = found ? code.span : text::Span{};
     }
-    if (line_.empty() || own_words) return;
+    if (own_words) return;
+    if (!found_.empty()) arc_that_is_found(block);
+    if (line_.empty()) return;
     for (const ir::Word& word : check_.program.words_of(block)) {
       if (!is_of_arc(word.address)) continue;
       const std::string written(check_.text_of(word.span));
@@ -56,13 +60,26 @@ class LineWords {
     }
   }
 
+  // CIP and CT find the circle themselves. What the control does with a radius beside them no manual says.
+  void arc_that_is_found(const ir::Block& block) {
+    for (const ir::Word& word : check_.program.words_of(block)) {
+      if (!is_of_arc(word.address) || word.address == Address::turns) continue;
+      text::Diagnostic& told = check_.report(DiagnosticId::syntax_error, word.span,
+                                             {std::string(check_.text_of(word.span)) + " belongs to G2 or G3, and " +
+                                              std::string(check_.text_of(found_)) + " finds its circle without it"});
+      told.severity = text::Severity::warning;
+      told.alarm.clear();
+    }
+  }
+
   static bool is_of_arc(Address a) {
     return (a >= Address::i && a <= Address::k) || a == Address::arc_radius || a == Address::opening_angle ||
            a == Address::turns;
   }
 
   const Check& check_;
-  text::Span line_;  // G0 or G1 in effect
+  text::Span line_;   // G0 or G1 in effect
+  text::Span found_;  // CIP or CT in effect
 };
 
 // G4, frames, poles and G25, G26 stand without auxiliary functions, tools and feeds (12120).

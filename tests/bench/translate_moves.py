@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Programs of moves made by chance, translated and run on both sides: a translation is the same moves, or it is refused. (translate_random.py: calls.)
 
-  tests/bench/translate_moves.py [--binary build/release/dripfeed] [--from sinumerik-840d|fanuc|all] [--programs 300] [--seed 1] [--keep FOLDER]
+  tests/bench/translate_moves.py [--binary build/release/dripfeed] [--from sinumerik-840d|iso-mode|fanuc|all] [--programs 300] [--seed 1] [--keep FOLDER]
 
 Each second program is a mill's: variables, arrays, conditions, loops, jumps, a subprogram with arguments, frames, arcs and drilling and boring cycles of its
 control; the others are a lathe's: turning and thread cycles, taps, polar and cylindrical interpolation. It is run, translated to every other control (macro and explicit), and run there. Compared: the end points of all moves, their kinds and feeds; a rapid
@@ -562,7 +562,76 @@ class SinumerikLathe(Maker):
         return "\n".join(["G18 G90 G95 G71 DIAMON G40", "T1 D1", "S500 M3", "R1=2", "G0 X60 Z5", "G1 F0.3"] + self.lines + ["G0 X100", "M30"] + self.shapes) + "\n"
 
 
-MAKERS = {"sinumerik-840d": [Sinumerik, SinumerikLathe], "fanuc": [Fanuc, FanucLathe], "mazak": [Figures, MazakLathe], "mitsubishi-m80": [Figures, MitsubishiLathe]}
+class IsoMill(Fanuc):
+    """What stands between G291 and G290: no variables."""
+
+    def value(self, depth=0):
+        return self.number(0, 9)
+
+    def bounded(self):
+        return self.number()
+
+    def put(self, line):
+        super().put("\n".join(part for part in line.split("\n") if not part.startswith("G52")) or "G04 P100")
+
+    def polar(self):
+        self.put(f"G16\nG01 X{self.number(3, 20)} Y{self.chance.randint(0, 350)}.\nG15")
+
+    def modes(self):
+        self.put(self.one_of("G91\nG01 X1. Y-2.", "G90", "G20\nG01 X0.5 F12.", "G21 G01 X3. F300.", "G00", "G94", "G93\nG01 X5. F2.\nG94 F300.", "/G01 X4.", "(A COMMENT) G01 Z30. ; another", "M98 P9002" if self.shares else "G04 X1.", "N7 X5.", "g01 x7. y8.", "G28 X0. Y0. Z50.", "G43 H1 Z30.\nG49"))
+
+    def part(self, alone, shares):
+        self.shares = shares
+        kinds = [self.move, self.move, self.arc, self.modes] + ([self.drill, self.polar, self.pattern, self.tap, self.helix, self.units] if alone else [])
+        for _ in range(self.chance.randint(1, 4)):
+            self.chance.choice(kinds)()
+        return "G291\n" + "\n".join(self.lines) + "\nG290"
+
+
+class IsoLathe(FanucLathe):
+    def move(self):
+        self.put(self.one_of("G00 ", "G01 ") + self.one_of(f"X{self.number(20, 90)}", f"Z{self.number(-40, 5)}", f"U{self.number(-3, 3)} W{self.number(-3, 3)}", "T0101", "X1.\nX40."))
+
+    def part(self, alone, shares):
+        kinds = [self.move, self.move, self.single, self.face, self.many, self.plain, self.changing] + ([self.removal, self.hole, self.tap] if alone else [])
+        for _ in range(self.chance.randint(1, 3)):
+            self.chance.choice(kinds)()
+        lines = [line for line in self.lines if "#" not in line]
+        return "G291\n" + "\n".join(lines) + self.one_of("\n", "\nG00 X60.\nG290\nG1 X61 F0.3\n").removesuffix("\n") + "\nG290"
+
+
+class SinumerikIso(Sinumerik):
+    """Parts in the control's other language."""
+
+    def statement(self):
+        if self.chance.random() < 0.7:
+            return super().statement()
+        self.put(IsoMill(self.chance.random()).part(self.depth == 0, self.calls))
+
+    def frame(self):
+        self.move()
+
+    def drill(self):
+        """How far above the last peck the next one begins, a parameter says where it does not stand in the cycle: in mm."""
+        self.put("G710 F300")
+        super().drill()
+
+    def text(self):
+        """A frame of one language beside one of the other is refused."""
+        text = "\n".join(line for line in super().text().split("\n") if line != "TRANS")
+        return text + "%_N_O9002_SPF\nG0 Z33\nM17\n" if self.calls else text
+
+
+class SinumerikLatheIso(SinumerikLathe):
+    def statement(self):
+        if self.chance.random() < 0.6:
+            return super().statement()
+        made = IsoLathe(self.chance.random())
+        made.labels = self.labels = self.labels + 20
+        self.put("DIAMON\n" + made.part(self.depth == 0 and self.stands, False))
+
+
+MAKERS = {"sinumerik-840d": [Sinumerik, SinumerikLathe], "iso-mode": [SinumerikIso, SinumerikLatheIso], "fanuc": [Fanuc, FanucLathe], "mazak": [Figures, MazakLathe], "mitsubishi-m80": [Figures, MitsubishiLathe]}
 
 
 def dripfeed(binary, *arguments):
@@ -654,6 +723,7 @@ def try_one(binary, dialect, seed, keep):
     makers = MAKERS[dialect]
     maker = makers[seed % len(makers)](seed)
     text = maker.text()
+    dialect = "sinumerik-840d" if dialect == "iso-mode" else dialect
     kind, results = maker.kind, []
     with tempfile.TemporaryDirectory() as name:
         source = pathlib.Path(name) / "program.nc"
@@ -696,6 +766,7 @@ def main():
                 for target, mode, what, *detail in results:
                     counts[(target, mode, what)] += 1
                     if what == "refused":
+                        if "program with ISO" in detail[0]: examples.append(f"  seed {seed} to {target} refused by comparison")
                         refusals[detail[0]] += 1
                     if what == "DIFFERS":
                         examples.append(f"  seed {seed} to {target} {mode}: {detail[0]}")

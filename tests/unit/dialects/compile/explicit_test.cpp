@@ -56,7 +56,9 @@ TEST(Explicit, ATapThatTurnsTheSpindleIsRefused) {
   const std::string head = "G17 G90 G94 G710 G40 G54\nT4 D1 M6\nS400 M3\nG0 X0 Y0 Z5\n";
   for (const std::string tap : {"G331 Z-10 K1\nG332 Z5 K1\n", "CYCLE84(20,0,3,-12,,0,3,,1.5,0,400,400)\n"}) {
     request.source = text::Source("program", head + tap + "M30\n");
-    EXPECT_TRUE(text::has_error(convert(request).diagnostics)) << tap;
+    const ConvertResult refused = convert(request);
+    EXPECT_TRUE(text::has_error(refused.diagnostics)) << tap;
+    EXPECT_EQ(refused.diagnostics.front().span.begin, head.size()) << tap;
   }
   request.source = text::Source("program", head + "G33 Z-10 K1\nM4\nG33 Z5 K1\nM30\n");
   EXPECT_FALSE(text::has_error(convert(request).diagnostics));

@@ -345,15 +345,24 @@ TEST(IsoMode, PlacesAreThoseOfTheText) {
   EXPECT_TRUE(fault->span.in(text).starts_with("T")) << fault->span.in(text);
 }
 
-TEST(IsoMode, ConvertingKeepsOrRefusesIt) {
+// The blocks that a cycle names may be the last ones before the switch.
+TEST(IsoMode, AShapeEndsWithItsPart) {
+  const std::string head = "G18 G90 G71 G95 DIAMON F0.2\nT1 D1\nG97 S500 M3\nG0 X50 Z5\nG291\nG0 X42. Z2.\n";
+  const std::string cycle = "G71 U2. R0.5\nG71 P10 Q20 U0.4 W0.1 F0.3\nN10 G0 X20.\nG1 Z-10. F0.1\nN20 X42.\n";
+  const ir::Control control = iso_lathe(ir::GSystem::a);
+  const Result last = run_on(control, head + cycle + "G290\nG0 X60\nM30\n");
+  const Result before = run_on(control, head + cycle + "S500\nG290\nG0 X60\nM30\n");
+  EXPECT_EQ(last.result.ended, interpreter::Ended::end);
+  EXPECT_EQ(path(last), path(before));
+  EXPECT_GT(last.motions.size(), 20U);
+}
+
+TEST(IsoMode, ConvertingKeepsItOrMakesItBlocks) {
   const ir::Control control = iso_mill();
   const std::string text = std::string(kHead) + "G291\nG0 X1.\nG290\nISOCALL \"SUB\"\nM30\n";
   ConvertRequest request{.source = text::Source("TEST.MPF", text), .from = control, .to = control};
   EXPECT_EQ(convert(request).text, text);
   request.to = test::control("fanuc", ir::MachineKind::mill);
-  const ConvertResult refused = convert(request);
-  EXPECT_TRUE(text::has_error(refused.diagnostics));
-  EXPECT_TRUE(refused.text.empty());
   ProgramLibrary library(control, [](std::string_view name) -> std::optional<text::Source> {
     if (name != "SUB") return std::nullopt;
     return text::Source("SUB", "G1 X7. F100.\nM99\n");

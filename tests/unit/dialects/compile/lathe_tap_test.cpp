@@ -220,7 +220,8 @@ TEST(LatheTap, WhatIsNotSureOfNamedTapsIsRefused) {
   refused("G17\nCYCLE84(5,0,2,-20,,0,3,,1.5,90,300,300)\n", "an angle of its spindle");
   refused("G17\nCYCLE84(5,0,2,-20,,0,3,,1.5,0,300,200)\n", "speed");
   refused("G17\nCYCLE84(5,0,2,-20,,0,,,1.5,0,300,300)\n", "SDAC");
-  refused("G17\nCYCLE84(5,0,2,-20,,0,3,,1.5,0,300,300,1)\n", "an axis");
+  refused("G17\nCYCLE84(5,0,2,-20,,0,3,,1.5,0,300,300,2)\n", "CYCLE84 ");  // along Y
+  refused("G17\nCYCLE84(5,0,2,-20,,0,3,,1.5,0,300,300,0,1)\n", "a unit of its own");
   refused("G17\nCYCLE84(5,0,2,-20,,0,3,,1.5,0,300,300,0,0,0,1,5)\n", "pecks");
   refused("CYCLE84(5,0,2,-20,,0,3,,1.5,0,300,300)\n", "CYCLE84 ");  // along Y
   refused("G17\nCYCLE84(5,0,2,-20,,0,3,,1.5,0,200,200)\nG1 Z4 F0.2\n", "no speed is said");
@@ -253,7 +254,7 @@ TEST(LatheTap, G63IsNoPlainFeed) {
              "G63 on a mill");
 }
 
-// Words of cycles that the runs leave out.
+// Words that the cycles of the other controls have not.
 TEST(LatheTap, PecksOfATapAndAnAxisOfADrillAreRefused) {
   const std::string pecks = refusal(
       "%\nO1\nG21 G17 G90 G94 G40 G54\nT1 M06\nS300 M03\nG00 X0 Y0 Z10.\nM29 S300\nG98 G84 X1. Z-10. R2. Q3. "
@@ -261,11 +262,22 @@ TEST(LatheTap, PecksOfATapAndAnAxisOfADrillAreRefused) {
       "M30\n%\n",
       "fanuc", kSinumerik, MachineKind::mill);
   expect_has(pecks, "a tap by pecks (Q)");
-  const std::string drill = "CYCLE83(60,0,2,-20,,,5,0,,,1,1,1)\n";
-  expect_has(refusal(kNamed + "G0 X60 Z5 F0.2\nG17\n" + drill + kNamedEnd, kSinumerik, "fanuc"), "an axis of its own");
-  expect_has(refusal("G17 G71 G90 G94 G40 G54\nT1 D1 M6\nG97 S300 M3\nG0 X0 Y0 Z60 F100\n" + drill + "M30\n",
-                     kSinumerik, "fanuc", MachineKind::mill),
-             "an axis of its own");
+  const std::string head = "G17 G71 G90 G94 G40 G54\nT1 D1 M6\nG97 S300 M3\nG0 X0 Y0 Z60 F100\n";
+  for (const std::string cycle : {"CYCLE83(60,0,2,-20,,,5,0,,,1,1,1)\n", "CYCLE84(60,0,2,-20,,0,3,,1.5,0,300,300,1)\n",
+                                  "CYCLE840(60,0,2,-20,,0,4,3,0,,1.5,2)\n", "CYCLE840(60,0,2,-20,,0,4,3,0,,1.5,0,1)\n"})
+    expect_has(refusal(head + cycle + "M30\n", kSinumerik, "fanuc", MachineKind::mill), "of its own");
+}
+
+// AXN: in G18 the first axis of the plane is Z, the second X (Cycles Programming Manual, CYCLE83).
+TEST(LatheTap, CyclesAlongAnAxisOfThePlane) {
+  for (const std::string to : {"fanuc", "mazak", "mitsubishi-m80"}) {
+    const std::string drilled = "G0 X0 Z5 F0.2\nCYCLE83(5,0,2,-20,,,5,0,,,1,1,1)\n";
+    expect_same_there(kNamed + drilled + kNamedEnd, kSinumerik, to);
+    const std::string tapped = "CYCLE84(5,0,2,-20,,0,3,,1.5,0,300,300,1)\n";
+    expect_has(expect_same_there(kNamed + tapped + kNamedEnd, kSinumerik, to), "Z-20.");
+    const std::string floats = "CYCLE840(5,0,2,-20,,0,4,3,0,,1.5,1)\n";
+    expect_same_there(kNamed + floats + kNamedEnd, kSinumerik, to);
+  }
 }
 
 TEST(LatheTap, AsPlainBlocks) {

@@ -9,6 +9,25 @@ namespace {
 
 // --- standard cycles
 
+// AXN: the first or second axis of the plane; 0 and 3 are the one that stands on it.
+TEST(SinumerikCycles, DrillAlongAnotherAxisOfThePlane) {
+  const std::string turned = "G18 G90 G94 F100 S400 M3\nG0 X0 Y0 Z50\n";
+  const std::string standing = "G17 G90 G94 F100 S400 M3\nG0 X0 Y0 Z50\n";
+  struct Row {
+    std::string begin;
+    std::string end;
+  };
+  for (const Row& row :
+       {Row{"CYCLE83(20,0,3,-12,,,5,0,0.5,,1,1", ",2)"}, Row{"CYCLE84(20,0,3,-12,,0,3,,1.5,0,400,400", ")"},
+        Row{"CYCLE840(20,0,3,-12,,0,4,3,0,,1.5", ")"}}) {
+    const std::string in_g17 = moves(run(standing + row.begin + ",0" + row.end + "\nM30\n"));
+    EXPECT_EQ(moves(run(turned + row.begin + ",1" + row.end + "\nM30\n")), in_g17);
+    EXPECT_EQ(moves(run(standing + row.begin + ",3" + row.end + "\nM30\n")), in_g17);
+    const std::string along_x = moves(run(turned + row.begin + ",2" + row.end + "\nM30\n"));
+    EXPECT_NE(along_x.find("X-12.0000 Y0.0000 Z50.0000"), std::string::npos) << along_x;
+  }
+}
+
 TEST(SinumerikCycles, Drilling) {
   // PGZ, CYCLE81: to RFP + SDIS by rapid, to the depth by feed, to RTP by rapid; DPR counts from RFP.
   const Result ran = run("G17 G90 G0 X1 Y2 Z50\nF100\nCYCLE81(20,0,2,-12)\nCYCLE82(20,5,2,,10,0.5)\nG0 X0\nM30\n");
@@ -17,6 +36,12 @@ TEST(SinumerikCycles, Drilling) {
             "3 linear X1.0000 Y2.0000 Z-12.0000 F100.0000/min\n3 rapid X1.0000 Y2.0000 Z20.0000\n"
             "4 rapid X1.0000 Y2.0000 Z7.0000\n4 linear X1.0000 Y2.0000 Z-5.0000 F100.0000/min\n4 dwell P0.5000\n"
             "4 rapid X1.0000 Y2.0000 Z20.0000\n5 rapid X0.0000 Y2.0000 Z20.0000\n");
+}
+
+// PGZ: a drilling pattern leaves the modes of its caller as they were.
+TEST(SinumerikCycles, PatternsLeaveTheModes) {
+  const Result ran = run("G17 G90 G94 F100\nG0 X0 Y0 Z10\nG91 G1\nHOLES1(0,0,0,10,10,2)\nX5\nM30\n");
+  EXPECT_TRUE(moves(ran).ends_with("5 linear X25.0000 Y0.0000 Z10.0000 F100.0000/min\n")) << moves(ran);
 }
 
 TEST(SinumerikCycles, DeepHoles) {
