@@ -28,9 +28,6 @@ constexpr double kFeedsPerUnit = 100.0;  // F20 is 0.2 mm per revolution, and a 
 // Letters of a macro call that are lengths.
 constexpr std::string_view kLengthLetters = "ABCIJKQRUVWXYZ";
 
-bool is_rotary(Address a) { return a <= Address::c; }
-bool is_axis(Address a) { return is_rotary(a) || (a >= Address::u && a <= Address::z); }
-
 // What a number without a point is.
 enum class Counts : std::uint8_t { nothing, length, angle, feed, unknown };
 
@@ -85,7 +82,7 @@ class Increments {
     const bool center = a >= Address::i && a <= Address::k;
     const bool radius = a == Address::r || a == Address::arc_radius;
     if (has(block, Function::dwell) || a == Address::p) return Counts::nothing;
-    if (is_axis(a)) return is_rotary(a) ? Counts::angle : Counts::length;
+    if (ir::is_axis(a)) return ir::is_rotary_axis(a) ? Counts::angle : Counts::length;
     if (a == Address::f) return Counts::feed;
     if (has(block, Function::rotate)) return radius ? Counts::angle : Counts::nothing;
     if (has(block, Function::scale)) return Counts::nothing;  // a factor: what it counts is settled elsewhere

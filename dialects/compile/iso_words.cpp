@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "dialects/ir/cycle.h"
+
 namespace dripfeed::compile {
 
 namespace {
@@ -13,7 +15,6 @@ using ir::ExpressionId;
 using ir::Function;
 using ir::ModalGroup;
 
-constexpr std::int16_t kFirstWithoutShape = 4;  // argument of repetitive_cycle: G74
 constexpr double kMsPerSecond = 1000.0;
 
 struct IncrementRow {
@@ -32,10 +33,7 @@ bool sets_way(const ir::Code& c) {
 }
 bool has_own_r(const ir::Code& c) { return std::ranges::find(kWithOwnR, c.function) != std::end(kWithOwnR); }
 // G71 U1: a depth; G10 U0.1: an offset that is changed by it.
-bool has_own_letters(const ir::Code& c) {
-  return c.function == Function::data_input ||
-         (c.function == Function::repetitive_cycle && c.argument < kFirstWithoutShape);
-}
+bool has_own_letters(const ir::Code& c) { return c.function == Function::data_input || ir::follows_shape(c); }
 bool dwells(const ir::Code& c) { return c.function == Function::dwell; }
 
 }  // namespace

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
 
 #include "dialects/compile/shape_blocks.h"
 #include "dialects/interpreter/repetitive.h"
+#include "dialects/ir/cycle.h"
 #include "dialects/passes/flow_graph.h"
+#include "dialects/passes/state_flow.h"
 
 namespace dripfeed::compile {
 
@@ -20,7 +21,6 @@ using ir::Function;
 using ir::ModalGroup;
 using ir::StatementKind;
 
-constexpr std::int16_t kFirstWithoutShape = 4;  // of repetitive_cycle: G74
 constexpr std::int16_t kThreadCycle = 6;        // G76
 constexpr double kCountedFeedsPerUnit = 100.0;  // F20 is 0.2 mm per turn
 
@@ -129,25 +129,16 @@ LatheFlow::LatheFlow(const ir::Program& program, const ir::Control& control)
       in_shape_(blocks_of_shapes(program)),
       before_(program.statements.size() + 1) {
   passes::FlowGraph graph(program);
-  std::deque<std::uint32_t> work;
   const std::uint32_t first = program.sections.empty() ? 0 : program.sections.front().first;
   const bool is_main = !is_subprogram(program, passes::section_of(program, first));
-  for (const std::uint32_t entry : graph.entries()) {
-    before_[entry] = entry <= first && is_main ? start() : LatheState();
-    work.push_back(entry);
-  }
-  while (!work.empty()) {
-    const std::uint32_t i = work.front();
-    work.pop_front();
-    if (i >= program.statements.size()) continue;
-    LatheState out = after(i, *before_[i]);
-    if (may_be_skipped(program, program.statements[i])) out.meet(*before_[i]);
-    for (const std::uint32_t next : graph.after(i)) {
-      const bool is_new = !before_[next].has_value();
-      if (is_new) before_[next] = out;
-      if (is_new || before_[next]->meet(out)) work.push_back(next);
-    }
-  }
+  for (const std::uint32_t entry : graph.entries()) before_[entry] = entry <= first && is_main ? start() : LatheState();
+  const auto after_or_skipped = [this](std::uint32_t i, const LatheState& state) {
+    LatheState out = after(i, state);
+    if (may_be_skipped(program_, program_.statements[i])) out.meet(state);
+    return out;
+  };
+  passes::spread_states(program, graph, before_, after_or_skipped,
+                        [](LatheState& state, const LatheState& with) { return state.meet(with); });
 }
 
 LatheState LatheFlow::start() const {
@@ -315,8 +306,7 @@ std::optional<LatheFlow::Repeated> LatheFlow::repeat(std::uint32_t statement, co
   const std::optional<Function> unit = mode(passes::Mode::unit, statement);
   const std::optional<Function> distance = mode(passes::Mode::distance, statement);
   const bool by_letter = control_.semantics.incremental_letters_uvw;
-  if (code == codes.end() || code->argument < kFirstWithoutShape || !unit || (!distance && !by_letter))
-    return std::nullopt;
+  if (code == codes.end() || ir::follows_shape(*code) || !unit || (!distance && !by_letter)) return std::nullopt;
   interpreter::PlainBlock plain;
   for (const ir::Word& w : program_.words_of(block)) {
     if (w.value == ir::ExpressionId::none || w.address == Address::n) continue;

@@ -19,6 +19,7 @@
 #include "dialects/compile/lathe_flow.h"
 #include "dialects/compile/thread_call.h"
 #include "dialects/compile/thread_leads.h"
+#include "dialects/ir/cycle.h"
 #include "dialects/passes/rewrite.h"
 
 namespace dripfeed::compile {
@@ -33,13 +34,11 @@ using ir::StatementKind;
 
 constexpr std::int16_t kThread = 1;  // arguments of turning_cycle
 constexpr std::int16_t kAlongX = 2;
-constexpr std::int16_t kFirstWithoutShape = 4;  // of repetitive_cycle: G74
 constexpr std::size_t kMostMoves = 20'000;
 
 bool has_row(const ir::Control& control, Function function) {
   return std::ranges::find(control.g_codes, function, &ir::CodeRow::function) != control.g_codes.end();
 }
-bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
 
 class Lowering {
  public:
@@ -77,7 +76,7 @@ class Lowering {
     const ir::Block block = program_.blocks[statement_.payload];
     const auto codes = program_.codes_of(block);
     const auto repeats = std::ranges::find(codes, Function::repetitive_cycle, &ir::Code::function);
-    if (repeats != codes.end() && repeats->argument >= kFirstWithoutShape && !has_row(to_, Function::repetitive_cycle))
+    if (repeats != codes.end() && !ir::follows_shape(*repeats) && !has_row(to_, Function::repetitive_cycle))
       return repetitive(before, block);
     if (has_row(to_, Function::turning_cycle)) return out_.keep();
     const auto turns = std::ranges::find(codes, Function::turning_cycle, &ir::Code::function);
@@ -158,7 +157,7 @@ class Lowering {
         const std::optional<ExpressionId> end = end_of(before, w, *axis);
         if (!end) return std::nullopt;
         (*axis == Address::x ? pass.x : pass.z) = *end;
-      } else if (is_axis(w.address) || w.address == Address::q) {
+      } else if (ir::is_axis(w.address) || w.address == Address::q) {
         cannot("a turning cycle with the word " + std::string(w.span.in(program_.source.text())));
         return std::nullopt;
       } else {

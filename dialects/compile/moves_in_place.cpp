@@ -33,8 +33,8 @@ bool is_own(const ir::Code& c) {
 bool stays(Address a) { return a == Address::s || a == Address::t || a == Address::m || a == Address::d; }
 // Words of an arc; those of a cycle are all that do not stay.
 bool is_of_arc(Address a) {
-  return a <= Address::c || (a >= Address::u && a <= Address::z) || (a >= Address::i && a <= Address::k) ||
-         a == Address::f || (a >= Address::arc_radius && a <= Address::opening_angle) ||
+  return ir::is_axis(a) || (a >= Address::i && a <= Address::k) || a == Address::f ||
+         (a >= Address::arc_radius && a <= Address::opening_angle) ||
          (a >= Address::polar_angle && a <= Address::turns) || (a >= Address::via_i && a <= Address::via_k);
 }
 

@@ -41,9 +41,7 @@ constexpr auto kFrames = std::to_array<ir::Function>({
 });
 
 bool has_axes(const ir::Program& program, const ir::Block& block) {
-  return std::ranges::any_of(program.words_of(block), [](const ir::Word& w) {
-    return w.address <= ir::Address::c || (w.address >= ir::Address::u && w.address <= ir::Address::z);
-  });
+  return std::ranges::any_of(program.words_of(block), ir::is_axis, &ir::Word::address);
 }
 
 class Search {

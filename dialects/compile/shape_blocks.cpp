@@ -5,13 +5,12 @@
 #include <cstdint>
 #include <optional>
 
+#include "dialects/ir/cycle.h"
 #include "dialects/passes/flow_graph.h"
 
 namespace dripfeed::compile {
 
 namespace {
-
-constexpr std::int16_t kFirstWithoutShape = 4;  // argument of repetitive_cycle: G74
 
 std::optional<double> number(const ir::Program& program, const ir::Block& block, ir::Address address) {
   const auto words = program.words_of(block);
@@ -40,10 +39,7 @@ std::vector<bool> blocks_of_shapes(const ir::Program& program) {
   for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
     if (program.statements[i].kind != ir::StatementKind::block) continue;
     const ir::Block& block = program.blocks[program.statements[i].payload];
-    const auto names = [](const ir::Code& c) {
-      return c.function == ir::Function::repetitive_cycle && c.argument < kFirstWithoutShape;
-    };
-    if (std::ranges::none_of(program.codes_of(block), names)) continue;
+    if (std::ranges::none_of(program.codes_of(block), ir::follows_shape)) continue;
     const auto first = number(program, block, ir::Address::p);
     const auto last = number(program, block, ir::Address::q);
     if (!first || !last) continue;

@@ -12,6 +12,7 @@
 #include "dialects/compile/iso_increments.h"
 #include "dialects/compile/iso_mode.h"
 #include "dialects/compile/iso_words.h"
+#include "dialects/ir/cycle.h"
 #include "dialects/ir/frame_use.h"
 #include "dialects/passes/flow_graph.h"
 #include "dialects/passes/rewrite.h"
@@ -83,12 +84,6 @@ bool is_polar(const ir::Word& w) {
   return w.address == ir::Address::polar_angle || w.address == ir::Address::polar_radius;
 }
 bool names_polar(const ir::Code& c) { return c.function == Function::polar_words_on; }
-
-// G70 to G73.
-bool names_shape(const ir::Code& c) {
-  constexpr std::int16_t kFirstWithoutShape = 4;
-  return c.function == Function::repetitive_cycle && c.argument < kFirstWithoutShape;
-}
 
 class Splicing {
  public:
@@ -240,7 +235,7 @@ class Splicing {
       cannot("a frame of ISO mode beside one of Siemens mode", s.span);
     if (own_.poles && std::ranges::any_of(codes, names_polar))
       cannot("G16 of ISO mode beside poles of Siemens mode", s.span);
-    if (std::ranges::any_of(codes, names_shape)) refuse_shape_elsewhere(s, words);
+    if (std::ranges::any_of(codes, ir::follows_shape)) refuse_shape_elsewhere(s, words);
     if (calls_each_move_) cannot("a block of ISO mode behind MCALL", s.span);
     ir::Block made = old;
     made.first_code = static_cast<std::uint32_t>(program_.codes.size());

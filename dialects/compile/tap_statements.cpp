@@ -40,11 +40,10 @@ bool taps_along_z(const ir::Control& control) {
 }
 bool is_lathe_tap(const ir::Code& c) { return passes::is_tap(c) && c.argument >= ir::kDrillAlongZ; }
 
-bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
 // Of G84 and G88: Q would be pecks, D a spindle.
 bool is_of_tap(Address a) {
-  return is_axis(a) || a == Address::h || a == Address::r || a == Address::p || a == Address::f || a == Address::k ||
-         a == Address::l || a == Address::s || a == Address::rounding;
+  return ir::is_axis(a) || a == Address::h || a == Address::r || a == Address::p || a == Address::f ||
+         a == Address::k || a == Address::l || a == Address::s || a == Address::rounding;
 }
 
 class TapWalk {
@@ -76,8 +75,7 @@ class TapWalk {
   }
   [[nodiscard]] bool moves(std::uint32_t i) const {
     const ir::Block* block = block_at(i);
-    return block != nullptr &&
-           std::ranges::any_of(program_.words_of(*block), [](const ir::Word& w) { return is_axis(w.address); });
+    return block != nullptr && std::ranges::any_of(program_.words_of(*block), ir::is_axis, &ir::Word::address);
   }
   [[nodiscard]] std::optional<double> number(ir::ExpressionId id) const {
     if (id == ir::ExpressionId::none) return 0.0;

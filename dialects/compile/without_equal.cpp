@@ -17,15 +17,13 @@ using ir::Function;
 using ir::ModalGroup;
 using ir::StatementKind;
 
-constexpr std::int16_t kFirstWithoutShape = 4;  // argument of repetitive_cycle: G74
-
 // Calls that drill and whose counterpart is a modal cycle of mills.
 constexpr auto kDrillingCalls = std::to_array<std::string_view>(
     {"CYCLE81", "CYCLE82", "CYCLE83", "CYCLE85", "CYCLE86", "CYCLE87", "CYCLE88", "CYCLE89"});
 
 bool moves(const ir::Word& w) {
-  return w.address <= Address::c || (w.address >= Address::u && w.address <= Address::z) ||
-         w.address == Address::polar_angle || w.address == Address::polar_radius || w.address == Address::named_axis;
+  return ir::is_axis(w.address) || w.address == Address::polar_angle || w.address == Address::polar_radius ||
+         w.address == Address::named_axis;
 }
 
 class Walk {
@@ -58,8 +56,7 @@ class Walk {
   WithoutEqual of_block(const ir::Block& block) {
     bool names = false;
     for (const ir::Code& c : program_.codes_of(block)) {
-      if (c.function == Function::repetitive_cycle && c.argument < kFirstWithoutShape)
-        return has_row(to_, c.function, c.argument) ? WithoutEqual::no : WithoutEqual::removal;
+      if (ir::follows_shape(c)) return has_row(to_, c.function, c.argument) ? WithoutEqual::no : WithoutEqual::removal;
       if (c.function == Function::hole_pattern && !has_row(to_, c.function, c.argument)) return WithoutEqual::drilling;
       if (!sets_way(c)) continue;
       way_ = way_of(c);

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "dialects/ir/statement.h"
+
 namespace dripfeed::ir {
 
 // Argument of Function::drill.
@@ -28,6 +30,13 @@ inline constexpr std::int16_t kDrillAlongZ = 100;
 inline constexpr std::int16_t kDrillAlongX = 200;
 constexpr std::int16_t drill_argument(DrillCycle cycle, std::int16_t along = 0) {
   return static_cast<std::int16_t>(static_cast<std::int16_t>(cycle) + along);
+}
+
+// Of Function::repetitive_cycle, whose argument is the last digit of G70 to G76: those up to G73 follow a shape, which
+// is blocks of the program.
+inline constexpr std::int16_t kPatternRepeat = 3;
+constexpr bool follows_shape(const Code& code) {
+  return code.function == Function::repetitive_cycle && code.argument <= kPatternRepeat;
 }
 
 }  // namespace dripfeed::ir

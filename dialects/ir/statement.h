@@ -80,6 +80,11 @@ enum class Address : std::uint8_t {
   count_,
 };
 
+// A, B and C turn, U to Z go along; which of them a machine has is its control's to say.
+constexpr bool is_rotary_axis(Address a) { return a <= Address::c; }
+constexpr bool is_linear_axis(Address a) { return a >= Address::u && a <= Address::z; }
+constexpr bool is_axis(Address a) { return is_rotary_axis(a) || is_linear_axis(a); }
+
 enum class WordMode : std::uint8_t { as_modal, absolute, incremental };  // AC(), IC()
 
 struct Word {

@@ -21,8 +21,6 @@ using ir::Function;
 using ir::StatementKind;
 using enum text::DiagnosticId;
 
-constexpr std::int16_t kLastCycleWithShape = 3;  // G70 to G73
-
 const ir::Word* find_word(std::span<const ir::Word> words, Address address) {
   const auto found = std::ranges::find(words, address, &ir::Word::address);
   return found == words.end() ? nullptr : &*found;
@@ -64,7 +62,7 @@ class CycleCheck {
       const bool ends = code.function == Function::cycle_off || code.group == ir::ModalGroup::motion;
       if (ends && !section_.is_subprogram) depth_known_ = false;
       if (code.function == Function::drill) drill(code, words);
-      if (code.function == Function::repetitive_cycle && code.argument <= kLastCycleWithShape) shape(at, code, words);
+      if (ir::follows_shape(code)) shape(at, code, words);
     }
   }
 

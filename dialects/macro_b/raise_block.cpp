@@ -35,7 +35,6 @@ constexpr std::int16_t kLastPlainOffset = 6;  // G59
 constexpr int kToBaseLetter = 'X' - 'U';      // U V W are increments of X Y Z
 constexpr std::int16_t kLengthsOnly = 1;      // argument of unit_inch: feeds stay in mm
 constexpr std::int16_t kWholeShift = 1;       // argument of local_shift
-constexpr std::int16_t kPattern = 3;          // argument of repetitive_cycle: G73
 
 bool holds(std::string_view letters, Address address) { return letters.contains(letter_of(address)); }
 
@@ -128,7 +127,7 @@ BlockRaiser::Traits BlockRaiser::traits_of(const std::vector<ir::Code>& codes,
     traits.tool_change |= c.function == Function::tool_change;
     traits.drills |= c.function == Function::drill;
     traits.repeats |= c.function == Function::repetitive_cycle;
-    traits.counts_passes |= c.function == Function::repetitive_cycle && c.argument == kPattern;
+    traits.counts_passes |= c.function == Function::repetitive_cycle && c.argument == ir::kPatternRepeat;
     traits.changes_lead |= c.function == Function::thread_changing;
     traits.threads |= c.function == Function::thread || c.function == Function::thread_changing;
     if (c.function == Function::hole_pattern) traits.pattern = c.argument;

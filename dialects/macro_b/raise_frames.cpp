@@ -34,8 +34,6 @@ constexpr std::array kLengths = {Address::x, Address::y, Address::z};
 // How far a chain was built: what comes before in the chain cannot be added behind it.
 enum class Stage : std::uint8_t { nothing, shift, mirror, scale, rotation, unknown };
 
-bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
-
 class Frames {
  public:
   Frames(ir::Program& program, const ir::Control& to)
@@ -105,7 +103,7 @@ class Frames {
     }
     const std::string_view name = program_.strings.at(code.name);
     const bool bare = std::ranges::none_of(
-        words, [](const ir::Word& w) { return is_axis(w.address) || w.address == Address::frame_angle; });
+        words, [](const ir::Word& w) { return ir::is_axis(w.address) || w.address == Address::frame_angle; });
     if (bare) return;
     change(code.function, name, words);
   }
@@ -130,7 +128,7 @@ class Frames {
     if (stage_ == Stage::unknown) return cannot("ATRANS, which adds to a frame that is not known here,");
     if (stage_ > Stage::shift) return cannot("ATRANS behind another part of the frame");
     const bool others = std::ranges::any_of(words, [](const ir::Word& w) {
-      return is_axis(w.address) && std::ranges::find(kLengths, w.address) == kLengths.end();
+      return ir::is_axis(w.address) && std::ranges::find(kLengths, w.address) == kLengths.end();
     });
     if (others || others_shifted_) return cannot("ATRANS of other axes than X, Y and Z");
     if (std::ranges::any_of(shift_, [](const auto& one) { return !one.has_value(); }))
@@ -221,7 +219,7 @@ class Frames {
     ir::Word w;
     w.address = address;
     w.value = program_.add_constant(0.0);
-    if (is_axis(address)) w.mode = ir::WordMode::absolute;
+    if (ir::is_axis(address)) w.mode = ir::WordMode::absolute;
     return w;
   }
   static ir::Code plain(Function function, std::int16_t argument) {

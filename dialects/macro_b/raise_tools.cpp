@@ -21,7 +21,6 @@ using passes::ToolState;
 
 constexpr double kToolPlaces = 100.0;  // T0606: two digits for the offset
 
-bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
 bool changes_tool(const ir::Code& c) { return c.function == Function::tool_change; }
 
 }  // namespace
@@ -137,7 +136,7 @@ BlockRaiser::Draft BlockRaiser::length_of(ExpressionId tool) const {
 
 // The tool change, then its length, then what the block does; all in one order where nothing moves.
 void BlockRaiser::change_first(const Traits& traits, Draft length) {
-  const bool moves = std::ranges::any_of(draft_.words, [](const ir::Word& w) { return is_axis(w.address); });
+  const bool moves = std::ranges::any_of(draft_.words, ir::is_axis, &ir::Word::address);
   if (!moves) {
     if (!length.empty()) after_.push_back(std::move(length));
     return;
@@ -207,7 +206,7 @@ std::optional<bool> BlockRaiser::moves_without_edge(const ir::Statement& s) cons
   });
   const bool moves = !stays && std::ranges::any_of(words, [this](const ir::Word& w) {
     const bool across = stands_on_xy_ && (w.address == Address::x || w.address == Address::y);
-    return is_axis(w.address) && !across;
+    return ir::is_axis(w.address) && !across;
   });
   return moves ? std::optional(true) : std::nullopt;
 }

@@ -19,9 +19,6 @@ using ir::StatementKind;
 bool is_center(const ir::Word& w) {
   return w.address == Address::i || w.address == Address::j || w.address == Address::k;
 }
-bool is_axis(const ir::Word& w) {
-  return w.address <= Address::c || (w.address >= Address::u && w.address <= Address::z);
-}
 bool is_radius(const ir::Word& w) { return w.address == Address::r || w.address == Address::arc_radius; }
 
 bool is_arc(Function f) { return f == Function::arc_cw || f == Function::arc_ccw; }
@@ -55,7 +52,7 @@ class ArcWords {
     const bool center = std::ranges::any_of(words, is_center);
     const bool radius = std::ranges::any_of(words, is_radius);
     if (center && radius && block.rest_level == 0) return take_radius(block);
-    if (center || radius || std::ranges::none_of(words, is_axis)) return;
+    if (center || radius || std::ranges::none_of(words, ir::is_axis, &ir::Word::address)) return;
     diagnostics_.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, s.span,
                                                  {"an arc without a centre or radius", to_.title}));
   }

@@ -14,7 +14,6 @@ using ir::Address;
 using ir::StatementKind;
 using Motion = std::optional<ir::Function>;
 
-bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
 bool says_motion(const ir::Code& c) { return c.group == ir::ModalGroup::motion; }
 
 Motion after(const ir::Program& program, std::uint32_t statement, Motion motion) {
@@ -62,7 +61,7 @@ bool needs_motion(const ir::Program& program, std::uint32_t statement) {
     if (s.kind != StatementKind::block || s.skip_level != 0) return true;
     const ir::Block& block = program.blocks[s.payload];
     if (std::ranges::any_of(program.codes_of(block), says_motion)) return false;
-    if (std::ranges::any_of(program.words_of(block), [](const ir::Word& w) { return is_axis(w.address); })) return true;
+    if (std::ranges::any_of(program.words_of(block), ir::is_axis, &ir::Word::address)) return true;
   }
   return false;
 }

@@ -38,10 +38,8 @@ constexpr std::array kRows = {
 };
 const ModeRow& row_of(std::size_t mode) { return kRows[mode]; }
 
-bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
 bool is_length(Address a) {
-  return (a >= Address::u && a <= Address::z) || a == Address::i || a == Address::j || a == Address::k ||
-         a == Address::r;
+  return ir::is_linear_axis(a) || a == Address::i || a == Address::j || a == Address::k || a == Address::r;
 }
 
 bool is_counted_feed(const ir::Program& program, const ir::Word& w) {
@@ -90,7 +88,7 @@ Traits traits_of(const ir::Program& program, const ir::Block& block) {
     const ir::Expression& e = program.at(w.value);
     t.counted_feed |= is_counted_feed(program, w);
     t.counted_length |= is_length(w.address) && e.op == ir::Operator::constant && !e.has_point && e.value != 0.0;
-    if (!is_axis(w.address)) continue;
+    if (!ir::is_axis(w.address)) continue;
     t.axis_word = true;
     t.x_word |= w.address == Address::x;
     t.modal_axis_word |= w.mode == ir::WordMode::as_modal;

@@ -12,19 +12,15 @@
 
 namespace dripfeed::passes {
 
-// `start` where programs begin; `after(statement, state)` is the state behind it; `meet(state, with)` leaves what both
-// have and returns whether that is less than before. What block skip may leave out is met with not having been run.
-// Nothing where no way leads, as in parts that are only run and come back; one more than the statements, for the end.
+// `before` holds the state where runs begin, nothing elsewhere, and one more than the statements, for the end.
+// `after(statement, state)` is the state behind it; `meet(state, with)` leaves what both have and returns whether that
+// is less than before. What block skip may leave out is met with not having been run. Nothing where no way leads.
 template <class State, class After, class Meet>
-std::vector<std::optional<State>> states_before(const ir::Program& program, const State& start, After&& after,
-                                                Meet&& meet) {
-  std::vector<std::optional<State>> before(program.statements.size() + 1);
-  FlowGraph graph(program);
+void spread_states(const ir::Program& program, FlowGraph& graph, std::vector<std::optional<State>>& before,
+                   After&& after, Meet&& meet) {
   std::deque<std::uint32_t> work;
-  for (const std::uint32_t entry : graph.entries_for_good()) {
-    before[entry] = start;
-    work.push_back(entry);
-  }
+  for (std::uint32_t i = 0; i < before.size(); ++i)
+    if (before[i].has_value()) work.push_back(i);
   while (!work.empty()) {
     const std::uint32_t i = work.front();
     work.pop_front();
@@ -37,6 +33,16 @@ std::vector<std::optional<State>> states_before(const ir::Program& program, cons
       if (is_new || meet(*before[next], out)) work.push_back(next);
     }
   }
+}
+
+// From `start` where programs begin, not where parts do that are only run and come back.
+template <class State, class After, class Meet>
+std::vector<std::optional<State>> states_before(const ir::Program& program, const State& start, After&& after,
+                                                Meet&& meet) {
+  std::vector<std::optional<State>> before(program.statements.size() + 1);
+  FlowGraph graph(program);
+  for (const std::uint32_t entry : graph.entries_for_good()) before[entry] = start;
+  spread_states(program, graph, before, after, meet);
   return before;
 }
 

@@ -12,7 +12,6 @@ using ir::DrillCycle;
 using ir::Function;
 using ir::Operator;
 
-bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
 bool is_cycle_word(Address a) {
   return a == Address::r || a == Address::q || a == Address::p || a == Address::k || a == Address::l;
 }
@@ -43,7 +42,7 @@ DrillBlock drill_block(const Raising& raising, const ir::Block& block, Address a
       parts.redefines |= !repeats;
       parts.drills |= w.address == axis || w.address == Address::r;
       if (repeats) parts.repeats = repeats_of(raising, w);
-    } else if (is_axis(w.address)) {
+    } else if (ir::is_axis(w.address)) {
       parts.positions.push_back(w);
       parts.drills = true;
     } else {

@@ -120,8 +120,7 @@ void Parser::word(ir::Address address, std::uint8_t extension, ir::StringId name
   }
   w.span = to_here(head);
   lower_.add_word(w);
-  const bool is_axis = address <= Address::c || (address >= Address::u && address <= Address::z);
-  if (w.address != Address::other || !is_axis) return;
+  if (w.address != Address::other || !ir::is_axis(address)) return;
   // X=CAC(2), X=DAC(10): where the axis is then only the machine knows.
   ir::Code code{
       .function = ir::Function::not_modelled, .group = ir::ModalGroup::non_modal, .name = w.name, .span = w.span};

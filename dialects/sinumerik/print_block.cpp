@@ -17,10 +17,10 @@ using ir::Address;
 constexpr int kPlainDecimals = 6;
 constexpr int kComputedDecimals = 4;
 
-bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z) || a == Address::named_axis; }
+bool is_of_axis(Address a) { return ir::is_axis(a) || a == Address::named_axis; }
 // Values with a decimal point always: positions and what belongs to them.
 bool has_point(Address a) {
-  return is_axis(a) || (a >= Address::i && a <= Address::k) || a == Address::arc_radius || a == Address::chamfer ||
+  return is_of_axis(a) || (a >= Address::i && a <= Address::k) || a == Address::arc_radius || a == Address::chamfer ||
          a == Address::chamfer_length || (a >= Address::via_i && a <= Address::modal_rounding) ||
          a == Address::rounding || a == Address::named_axis;
 }
@@ -115,9 +115,9 @@ void BlockPrinter::append(std::string& out, const ir::Block& b) const {
     if (!is_m(codes[i]) && !twin) separated(out, code(codes[i]));
   }
   for (const ir::Word& w : words)
-    if (is_axis(w.address)) separated(out, word(w, words));
+    if (is_of_axis(w.address)) separated(out, word(w, words));
   for (const ir::Word& w : words)
-    if (!is_axis(w.address) && !ir::is_coefficient(w.address)) separated(out, word(w, words));
+    if (!is_of_axis(w.address) && !ir::is_coefficient(w.address)) separated(out, word(w, words));
   for (const ir::Code& c : codes)
     if (is_m(c)) separated(out, code(c));
 }

@@ -39,8 +39,6 @@ using ir::StatementKind;
 constexpr std::string_view kTwoWays = "two ways lead to this block and differ";
 constexpr double kMostRepeats = 100.0;
 
-bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
-
 // RTP, RFP and DP.
 struct Levels {
   ExpressionId back = ExpressionId::none;
@@ -89,7 +87,7 @@ class CycleRaiser {
              c.function == Function::data_input || c.function == Function::set_coordinates;
     });
     if (!own_words &&
-        std::ranges::any_of(words, [](const ir::Word& w) { return is_axis(w.address) || w.address == Address::r; }))
+        std::ranges::any_of(words, [](const ir::Word& w) { return ir::is_axis(w.address) || w.address == Address::r; }))
       raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span,
                       {"the drilling cycle", std::string(kTwoWays)});
     out_.keep();

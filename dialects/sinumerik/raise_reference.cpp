@@ -25,7 +25,6 @@ using ir::Function;
 using ir::StatementKind;
 
 bool is_reference(const ir::Code& c) { return c.function == Function::reference_return; }
-bool is_axis(Address a) { return a <= Address::c || (a >= Address::u && a <= Address::z); }
 
 class ReferenceRaiser {
  public:
@@ -205,7 +204,7 @@ class ReferenceRaiser {
   }
   [[nodiscard]] std::optional<Address> axis(const ir::Word& w) const {
     const Address address = in_axes(w).address;
-    return w.value != ir::ExpressionId::none && is_axis(address) ? std::optional(address) : std::nullopt;
+    return w.value != ir::ExpressionId::none && ir::is_axis(address) ? std::optional(address) : std::nullopt;
   }
   // G75 wants the machine's own names (X1=).
   ir::Word machine_axis(Address axis) {

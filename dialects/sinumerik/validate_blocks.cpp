@@ -18,7 +18,6 @@ constexpr std::uint32_t kMostMFunctions = 5;
 constexpr std::uint32_t kMostHFunctions = 3;
 constexpr std::uint32_t kMostSpeeds = 3;
 
-bool is_axis(ir::Address a) { return a <= ir::Address::c || (a >= ir::Address::u && a <= ir::Address::z); }
 char letter_of(ir::Address a) { return static_cast<char>('A' + static_cast<int>(a)); }
 
 // The control's own group of a code as it is written; 0 for M functions.
@@ -93,11 +92,11 @@ void check_addresses(const Check& check, const ir::Block& block) {
   for (const ir::Word& word : check.program.words_of(block)) {
     const bool no_address =
         word.address == ir::Address::e || word.address == ir::Address::o || word.address == ir::Address::q;
-    const bool no_axis = check.control.from_profile && is_axis(word.address) &&
+    const bool no_axis = check.control.from_profile && ir::is_axis(word.address) &&
                          check.control.axes.find(letter_of(word.address)) == std::string::npos;
     if (no_address || no_axis)
       check.report(DiagnosticId::unknown_address, word.span, {std::string(1, letter_of(word.address))});
-    if (dwell != codes.end() && is_axis(word.address)) {
+    if (dwell != codes.end() && ir::is_axis(word.address)) {
       check.report(DiagnosticId::statement_not_alone, dwell->span, {"G4"}).alarm = "12120";
       return;
     }

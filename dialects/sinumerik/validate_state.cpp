@@ -15,9 +15,6 @@ using ir::Function;
 using ir::StatementKind;
 using text::DiagnosticId;
 
-bool is_linear_axis(ir::Address a) { return a >= ir::Address::u && a <= ir::Address::z; }
-bool is_axis(ir::Address a) { return a <= ir::Address::c || is_linear_axis(a); }
-
 class ModalState {
  public:
   explicit ModalState(const Check& check)
@@ -72,11 +69,11 @@ class ModalState {
 
   void moves(const ir::Block& block, const ir::Statement& s) {
     for (const ir::Word& word : check_.program.words_of(block)) {
-      if (!is_axis(word.address)) continue;
+      if (!ir::is_axis(word.address)) continue;
       diameter(word);
       if (inherits_) continue;
       once(motion_, DiagnosticId::motion_without_code, word.span, axis_name(word));
-      if (is_linear_axis(word.address)) once(unit_, DiagnosticId::unit_not_stated, s.span);
+      if (ir::is_linear_axis(word.address)) once(unit_, DiagnosticId::unit_not_stated, s.span);
       if (word.mode == ir::WordMode::as_modal && !machine_coordinates_)
         once(distance_, DiagnosticId::distance_mode_not_stated, s.span);
       if (cuts_) feed(s);

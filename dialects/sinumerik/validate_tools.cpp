@@ -40,7 +40,7 @@ class Tools {
         const bool none = value.op == ir::Operator::constant && value.value == 0.0;
         off_ = none ? word.span : text::Span{};
       }
-      moves = moves || word.address <= Address::c || (word.address >= Address::u && word.address <= Address::z);
+      moves = moves || ir::is_axis(word.address);
     }
     for (const ir::Code& code : check_.program.codes_of(block)) take(code);
     // The speed may stand in the block of G96 or behind it.

@@ -24,7 +24,8 @@ bool allocate(const std::filesystem::path& path, std::uint64_t bytes) {
 
 }  // namespace
 
-Ballast::Ballast(std::filesystem::path path, std::uint64_t bytes) : path_(std::move(path)), bytes_(bytes) {
+Ballast::Ballast(std::filesystem::path path, std::uint64_t bytes, Room room)
+    : path_(std::move(path)), bytes_(bytes), room_(std::move(room)) {
   is_whole_ = allocate(path_, bytes_);
   if (!is_whole_) spdlog::error("{}: no room for {} bytes: the disk is full", path_.string(), bytes_);
 }
@@ -39,11 +40,15 @@ bool Ballast::give_up() {
 
 void Ballast::restore() {
   if (is_whole_.load()) return;
-  std::error_code unknown;  // then there is no room that we know of
-  const std::filesystem::space_info space = std::filesystem::space(path_.parent_path(), unknown);
-  if (unknown || space.available < 2 * bytes_ || !allocate(path_, bytes_)) return;
+  if (room_(path_.parent_path()) < 2 * bytes_ || !allocate(path_, bytes_)) return;
   spdlog::info("the disk has room again: {} is whole", path_.string());
   is_whole_ = true;
+}
+
+std::uint64_t Ballast::room_of_disk(const std::filesystem::path& folder) {
+  std::error_code unknown;
+  const std::filesystem::space_info space = std::filesystem::space(folder, unknown);
+  return unknown ? 0 : space.available;
 }
 
 Result<void> refuse_on_full_disk(const Ballast* ballast) {

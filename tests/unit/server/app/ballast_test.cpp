@@ -50,14 +50,24 @@ TEST_F(BallastTest, ADiskWithoutRoomHasNone) {
 }
 
 TEST_F(BallastTest, IsTakenBackOnlyWhereThereIsRoomBesideIt) {
-  const auto space = std::filesystem::space(folder_.path());
-  Ballast ballast(path(), kSmall);
+  std::uint64_t room = 2 * kSmall - 1;
+  Ballast ballast(path(), kSmall, [&](const std::filesystem::path& folder) {
+    EXPECT_EQ(folder, folder_.path());
+    return room;
+  });
   ASSERT_TRUE(ballast.give_up());
-  Ballast large(folder_.file("large"), space.available * 3 / 4);
-  const bool was_whole = large.is_whole();
-  static_cast<void>(large.give_up());
-  large.restore();
-  EXPECT_FALSE(large.is_whole()) << was_whole;
+  ballast.restore();
+  EXPECT_FALSE(ballast.is_whole());
+  EXPECT_FALSE(is_there());
+  room = 2 * kSmall;
+  ballast.restore();
+  EXPECT_TRUE(ballast.is_whole());
+  EXPECT_TRUE(is_there());
+}
+
+TEST_F(BallastTest, KnowsTheRoomOfItsDisk) {
+  EXPECT_GT(Ballast::room_of_disk(folder_.path()), 0U);
+  EXPECT_EQ(Ballast::room_of_disk(folder_.file("no/such/folder")), 0U);
 }
 
 TEST_F(BallastTest, WhatRunsIsFinishedAndNothingNewBegins) {

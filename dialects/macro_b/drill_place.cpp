@@ -1,0 +1,166 @@
+#include "dialects/macro_b/drill_place.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "dialects/macro_b/called_hole.h"
+#include "dialects/passes/flow_graph.h"
+#include "dialects/passes/motion_flow.h"
+
+namespace dripfeed::macro_b {
+
+namespace {
+
+using ir::Address;
+using ir::Function;
+using ir::ModalGroup;
+using ir::StatementKind;
+
+// Behind them the number of a height is another height.
+constexpr ModalGroup kOtherHeights[] = {ModalGroup::frame, ModalGroup::work_offset, ModalGroup::unit, ModalGroup::plane,
+                                        ModalGroup::length_offset};
+
+bool changes_height(const ir::Code& c) {
+  const bool stays = c.function == Function::dwell || c.function == Function::exact_stop_once;
+  return (c.group == ModalGroup::non_modal && !stays) || c.function == Function::cycle_off ||
+         std::ranges::find(kOtherHeights, c.group) != std::end(kOtherHeights);
+}
+
+bool is_distance(const ir::Code& c) { return passes::mode_of(c) == passes::Mode::distance; }
+
+bool meets_ways(StatementKind kind) { return kind >= StatementKind::if_begin && kind <= StatementKind::loop_end; }
+
+}  // namespace
+
+DrillPlace::DrillPlace(const ir::Program& program, const ir::Control& from, const ir::Control& to)
+    : program_(program),
+      to_(to),
+      is_target_(passes::jump_targets(program)),
+      modes_(program, from),
+      motions_(passes::motions_before(program)),
+      plane_(from.semantics.power_on_plane),
+      incremental_(from.semantics.power_on_distance == Function::incremental) {
+  state.turning.feed_mode = from.semantics.power_on_feed;
+}
+
+void DrillPlace::move_to(std::uint32_t index) {
+  index_ = index;
+  motion_ = motions_[index];
+  if (is_target_[index] || meets_ways(statement().kind)) forget();
+}
+
+// --- over all ways
+
+void DrillPlace::settle_plane() {
+  const passes::ModeFacts* facts = modes_.before(index_);
+  if (facts == nullptr) return;
+  const passes::ModeFact& fact = (*facts)[passes::index_of(passes::Mode::plane)];
+  if (is_known("the plane", fact)) plane_ = fact.function;
+}
+
+std::optional<Function> DrillPlace::settle_distance() {
+  const passes::ModeFacts* facts = modes_.before(index_);
+  if (facts == nullptr) return std::nullopt;
+  if (statement().kind == StatementKind::block &&
+      std::ranges::any_of(program_.codes_of(program_.blocks[statement().payload]), is_distance))
+    return std::nullopt;
+  const passes::ModeFact& fact = (*facts)[passes::index_of(passes::Mode::distance)];
+  if (!is_known("absolute or incremental", fact) || (fact.function == Function::incremental) == incremental_)
+    return std::nullopt;
+  incremental_ = !incremental_;
+  return fact.function;
+}
+
+bool DrillPlace::is_known(std::string_view what, const passes::ModeFact& fact) {
+  const bool differs = fact.other != Function::none || (fact.function == Function::none && !fact.inherited);
+  const bool is_certain = fact.agrees() && fact.changer == ir::kNoIndex;
+  if (!is_certain && told_.insert({std::string(what), differs}).second) {
+    std::string ways = fmt::format("{}", fmt::join(modes_.ways(fact), ", or "));
+    if (fact.changer != ir::kNoIndex)
+      ways +=
+          fmt::format(", which what line {} calls or does may have changed", program_.statements[fact.changer].line);
+    diagnostics_.push_back(text::make_diagnostic(text::DiagnosticId::unknown_modal_state, statement().span,
+                                                 {std::string(what), std::move(ways)}));
+    if (!differs) diagnostics_.back().severity = text::Severity::warning;
+  }
+  return !differs && fact.function != Function::none;
+}
+
+std::optional<bool> DrillPlace::is_incremental(std::span<const ir::Code> codes) const {
+  const auto said = std::ranges::find_if(codes, is_distance);
+  if (said != codes.end()) return said->function == Function::incremental;
+  const passes::ModeFacts* facts = modes_.before(index_);
+  if (facts == nullptr) return std::nullopt;
+  const passes::ModeFact& fact = (*facts)[passes::index_of(passes::Mode::distance)];
+  if (fact.other != Function::none) return std::nullopt;
+  return fact.function == Function::none ? incremental_ : fact.function == Function::incremental;
+}
+
+// --- in the order of the text
+
+void DrillPlace::take_block() {
+  const ir::Block& block = program_.blocks[statement().payload];
+  for (const ir::Code& c : program_.codes_of(block)) take_code(c);
+  if (in_cycle_ || statement().skip_level != 0 || block.rest_level != 0)
+    state.height.reset();
+  else if (!has_own_words(program_.codes_of(block)))
+    take_height(block);
+  take_turning(block);
+}
+
+void DrillPlace::take_code(const ir::Code& c) {
+  if (c.group == ModalGroup::motion) motion_ = c.function;
+  if (c.group == ModalGroup::motion || c.group == ModalGroup::cycle) in_cycle_ = c.group == ModalGroup::cycle;
+  if (c.function == Function::cycle_off) in_cycle_ = false;
+  if (c.group == ModalGroup::plane) plane_ = c.function;
+  if (c.function == Function::absolute || c.function == Function::incremental)
+    incremental_ = c.function == Function::incremental;
+  if (changes_height(c)) state.height.reset();
+}
+
+void DrillPlace::take_height(const ir::Block& block) {
+  const std::optional<bool> incremental = is_incremental(program_.codes_of(block));
+  for (const ir::Word& w : program_.words_of(block)) {
+    if (w.address == Address::d || w.address == Address::t) state.height.reset();
+    if (w.address != Address::z) continue;
+    const bool is_absolute =
+        w.mode == ir::WordMode::absolute || (w.mode == ir::WordMode::as_modal && incremental == false);
+    state.height = is_absolute ? constant_value(program_, w.value) : std::nullopt;
+  }
+}
+
+void DrillPlace::take_turning(const ir::Block& block) {
+  Turning& turning = state.turning;
+  for (const ir::Code& c : program_.codes_of(block)) {
+    if (c.function == Function::dwell) return;  // its F and S are times
+    if (c.group == ModalGroup::feed) turning.feed_mode = c.function;
+    if (c.group == ModalGroup::surface_speed) turning = {};
+    if (c.function == Function::spindle_cw || c.function == Function::spindle_ccw) turning.spindle = c.function;
+    if (c.function == Function::spindle_stop || c.function == Function::spindle_orient) turning.spindle.reset();
+  }
+  for (const ir::Word& w : program_.words_of(block)) {
+    if (w.address == Address::f) turning.feed = constant_value(program_, w.value);
+    if (w.address == Address::s) turning.speed = w.extension > 1 ? std::nullopt : constant_value(program_, w.value);
+  }
+}
+
+// --- what is told
+
+void DrillPlace::tell(std::string what) {
+  cannot(std::move(what));
+  diagnostics_.back().severity = text::Severity::warning;
+}
+
+void DrillPlace::cannot(std::string what) {
+  diagnostics_.push_back(
+      text::make_diagnostic(text::DiagnosticId::cannot_translate, statement().span, {std::move(what), to_.title}));
+}
+
+bool has_own_words(std::span<const ir::Code> codes) {
+  return std::ranges::any_of(
+      codes, [](const ir::Code& c) { return c.group == ModalGroup::non_modal || c.group == ModalGroup::frame; });
+}
+
+}  // namespace dripfeed::macro_b
