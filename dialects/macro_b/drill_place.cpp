@@ -1,3 +1,4 @@
+// What is not plainly known is asked of all ways to the place, and told where they differ.
 #include "dialects/macro_b/drill_place.h"
 
 #include <algorithm>

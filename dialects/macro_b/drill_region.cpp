@@ -1,3 +1,4 @@
+// Looked at statement by statement; nothing is kept.
 #include "dialects/macro_b/drill_region.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// A cycle where its levels are numbers and it begins where the call does; otherwise rapid to RFP+SDIS, feed to DP, back.
 #include "dialects/macro_b/hole_writer.h"
 
 #include "dialects/ir/cycle.h"

@@ -1,3 +1,4 @@
+// Tables of functions; offsets and M functions are counted.
 #include "dialects/sinumerik/code_names.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Every number is compared with the tool in the spindle; what cannot be compared is told.
 #include "dialects/sinumerik/tool_offsets.h"
 
 #include <algorithm>

@@ -258,9 +258,14 @@ Result<store::Job> Jobs::cancel(store::Id id, std::string_view actor) {
   if (!job) return std::unexpected(from_store(job.error()));
   if (job->state == store::JobState::queued) return cancel_queued(*job, actor);
   if (job->state != store::JobState::armed) return command(id, feed::Command::cancel, "job.cancel", "", actor);
-  const auto disarmed = command(id, feed::Command::disarm, "job.cancel", "", actor);
-  if (!disarmed || disarmed->state != store::JobState::queued) return disarmed;
-  return cancel_queued(*disarmed, actor);
+  auto disarmed = command(id, feed::Command::disarm, "job.cancel", "", actor);
+  if (disarmed) return disarmed->state == store::JobState::queued ? cancel_queued(*disarmed, actor) : disarmed;
+  // The control may have asked for it in between; after a round its row says so.
+  keeper_.round();
+  const auto now = store_.jobs().get(id);
+  if (!now) return std::unexpected(from_store(now.error()));
+  if (now->state == store::JobState::armed) return disarmed;
+  return command(id, feed::Command::cancel, "job.cancel", "", actor);
 }
 
 Result<store::Job> Jobs::cancel_queued(const store::Job& job, std::string_view actor) {

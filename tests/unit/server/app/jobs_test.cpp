@@ -307,6 +307,20 @@ TEST_F(JobsTest, CancelEndsAJobInAnyState) {
   EXPECT_FALSE(sends_on_dc1());
 }
 
+// The row still says armed when the first bytes have gone out.
+TEST_F(JobsTest, CancelReachesAJobThatTheControlHasJustAskedFor) {
+  const store::Job job = shop_.add_job(kLathe, text_);
+  for (int i = 0; i < 20; ++i) {
+    const store::Job asked = must(shop_.jobs.add(job.release, "anna"));
+    must(shop_.jobs.arm(asked.id, std::nullopt, "olga"));
+    shop_.links.receive(url_of(kLathe), kDc1);
+    must(shop_.jobs.cancel(asked.id, "olga"));
+    shop_.run(1s);
+    EXPECT_EQ(shop_.state(asked.id), JobState::cancelled);
+    EXPECT_FALSE(shop_.job(asked.id).torn);
+  }
+}
+
 TEST_F(JobsTest, CommandsForAJobThatIsNotOnTheLineAreRefused) {
   const store::Job job = shop_.add_job(kLathe, text_);
   const Error error = refusal(shop_.jobs.stop(job.id, "olga"));
