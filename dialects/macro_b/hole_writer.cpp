@@ -1,4 +1,4 @@
-// A cycle where its levels are numbers and it begins where the call does; otherwise rapid to RFP+SDIS, feed to DP, back.
+// A cycle where its levels are numbers and the tool stands where it would begin; otherwise its moves one by one.
 #include "dialects/macro_b/hole_writer.h"
 
 #include "dialects/ir/cycle.h"
