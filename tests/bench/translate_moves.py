@@ -718,6 +718,9 @@ def difference_by(a, b, detour, least):
     return "" if len(a) == len(b) else f"{len(a)} moves / {len(b)} moves"
 
 
+MOST_MM = 99999.999  # what controls with numbers of eight digits can write at three places
+
+
 def try_one(binary, dialect, seed, keep):
     """[(target, mode, what)] of one program."""
     makers = MAKERS[dialect]
@@ -731,6 +734,8 @@ def try_one(binary, dialect, seed, keep):
         original, why = moves_of(binary, source, dialect, kind)
         if original is None:
             return [("", "", "not run")]
+        if any(abs(float(words[axis])) > MOST_MM for _, words in original for axis in "XYZ" if axis in words):
+            return [("", "", "beyond eight digits")]
         for target in DIALECTS:
             for mode in ("macro", "explicit"):
                 if target == dialect:
