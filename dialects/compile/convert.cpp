@@ -13,6 +13,7 @@
 #include "dialects/compile/dialect.h"
 #include "dialects/compile/explicit_program.h"
 #include "dialects/compile/lower_turning.h"
+#include "dialects/compile/machine_moves.h"
 #include "dialects/compile/moves_in_place.h"
 #include "dialects/compile/settle_faces.h"
 #include "dialects/compile/several_programs.h"
@@ -24,6 +25,7 @@
 #include "dialects/passes/arc_words.h"
 #include "dialects/passes/labels.h"
 #include "dialects/passes/machine_functions.h"
+#include "dialects/passes/main_return.h"
 #include "dialects/passes/polar_positions.h"
 #include "dialects/passes/rigid_taps.h"
 #include "dialects/passes/settle_modes.h"
@@ -120,7 +122,9 @@ class Converter {
     append(result_.diagnostics, unmatched_structures(read.program, request_.from));
     if (!text::has_error(result_.diagnostics)) refuse_faulty(read.program);
     if (text::has_error(result_.diagnostics)) return;
+    append(result_.diagnostics, unlike_machine_moves(read.program, request_.from, request_.to));
     if (request_.mode == ConvertMode::macro) {
+      if (!ir::has_numbered_variables(request_.to)) passes::returns_of_main_as_jumps(read.program);
       if (uses_iso_mode(read.program)) {
         in_place_.run_as(read.program);
         append(result_.diagnostics, splice_iso_parts(read.program, request_.from, request_.to));

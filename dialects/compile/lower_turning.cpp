@@ -106,6 +106,7 @@ class Lowering {
 
   void pass(const LatheState& before, const ir::Block& block, std::int16_t cycle, bool begins) {
     if (block.rest_level != 0) return cannot("block skip inside a block");
+    if (!settle_distance()) return;
     std::vector<ir::Code> rest_codes;
     std::vector<ir::Word> rest;
     for (const ir::Code& c : program_.codes_of(block))
@@ -210,6 +211,7 @@ class Lowering {
 
   void repetitive(const LatheState& before, const ir::Block& block) {
     if (block.rest_level != 0) return cannot("block skip inside a block");
+    if (!settle_distance()) return;
     first_codes_.clear();
     first_words_.clear();
     LatheState here = before;
@@ -318,6 +320,19 @@ class Lowering {
     if (!before.motion.value && flow_.needs_motion(index_))
       return unknown("the motion behind the cycle", "two ways lead to this block and differ");
     if (!codes.empty() || !words.empty()) out_.emit_block(codes, words);
+  }
+
+  // The words that are written are absolute: where increments have no letters of their own, under G91 each says so.
+  bool settle_distance() {
+    mode_ = ir::WordMode::as_modal;
+    if (from_.semantics.incremental_letters_uvw) return true;
+    const std::optional<Function> distance = flow_.mode(passes::Mode::distance, index_);
+    if (!distance) {
+      unknown("absolute or incremental", "two ways lead to this block and differ");
+      return false;
+    }
+    if (*distance == Function::incremental) mode_ = ir::WordMode::absolute;
+    return true;
   }
 
   // --- small parts

@@ -362,6 +362,10 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
   if (own_feed) [[unlikely]]
     set_block_feed(block, state);
 
+  // M functions beside a hole act when its first positioning begins (Fanuc, "Canned cycle for drilling").
+  const bool ends_first = state.drilling.active && effects.one_shot == Function::none;
+  if (ends_first) [[unlikely]]
+    finish(effects, state, out);
   if (effects.one_shot != Function::none) {
     act_once(block, rules, effects, state, out, result);
   } else if (names_polar(block, effects, state)) {
@@ -388,7 +392,7 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
     follow_spline(rules, state, out);
   if (result.fault != text::DiagnosticId::count_) return result;
 
-  finish(effects, state, out);
+  if (!ends_first) finish(effects, state, out);
   result.flow = effects.flow;
   return result;
 }

@@ -126,7 +126,8 @@ std::optional<Flow> BlockRunner::apply_block(const Instruction& i) {
   const BlockResult result = apply(block_, rules_, state_, out_);
   // A corner may take pieces of the move before it back.
   made_ = out_.count() >= before ? out_.count() - before : 1;
-  moved_ = (block_.present & rules_.axis_addresses) != 0 && made_ > 0 && result.moved;
+  constexpr std::uint64_t kPolar = bit_of(ir::Address::polar_angle) | bit_of(ir::Address::polar_radius);
+  moved_ = (block_.present & (rules_.axis_addresses | kPolar)) != 0 && made_ > 0 && result.moved;
   needs_shape_ = result.needs_shape;
   if (result.sets_data) set_data();
   if (result.notes != 0) take_notes(i, result.notes);

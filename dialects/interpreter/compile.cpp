@@ -41,8 +41,13 @@ bool lay_out_symbols(const ir::Program& program, const Limits& limits, SharedDat
   return true;
 }
 
-void lay_out_parameters(const ir::Program& program, CompiledProgram& out) {
-  for (const ir::Statement& statement : program.statements) {
+// Of the section's own head, the first PROC there.
+void lay_out_parameters(const ir::Program& program, std::uint32_t section, CompiledProgram& out) {
+  const bool is_only = program.sections.empty();
+  const std::size_t first = is_only ? 0 : program.sections[section].first;
+  const std::size_t last = is_only ? program.statements.size() : program.sections[section].last;
+  for (std::size_t at = first; at < last; ++at) {
+    const ir::Statement& statement = program.statements[at];
     if (statement.kind != ir::StatementKind::procedure || statement.payload == ir::kNoIndex) continue;
     const ir::Structure& head = program.structures[statement.payload];
     out.has_procedure = true;
@@ -74,7 +79,7 @@ std::unique_ptr<CompiledProgram> compile(const ir::Program& program, std::uint32
     builder.emit_failure({}, text::DiagnosticId::limit_reached, {"variables"});
     return out;
   }
-  lay_out_parameters(program, *out);
+  lay_out_parameters(program, section, *out);
   StatementCompiler(builder).compile(last);
   return out;
 }

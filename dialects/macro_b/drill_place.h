@@ -27,7 +27,8 @@ struct Turning {
 
   // A tap may be said by its feed, and feed and speed again behind it.
   [[nodiscard]] bool is_known() const {
-    return feed_mode == ir::Function::feed_per_min && feed.has_value() && speed.has_value();
+    const bool by_path = feed_mode == ir::Function::feed_per_min || feed_mode == ir::Function::feed_per_rev;
+    return by_path && feed.has_value() && speed.has_value();
   }
 };
 

@@ -100,12 +100,15 @@ void HoleWriter::write_cycle(const Hole& hole, bool modal) {
 }
 
 void HoleWriter::add_tap(const Hole& hole, ir::Code& drill, std::vector<ir::Word>& words) {
+  const Turning& turning = place_.state.turning;
+  const bool per_turn = turning.feed_mode == Function::feed_per_rev;
   if (hole.floats) {
-    words.push_back(word(Address::f, constant(hole.lead * *place_.state.turning.speed)));
+    words.push_back(word(Address::f, constant(per_turn ? hole.lead : hole.lead * *turning.speed)));
     return;
   }
   out_.emit_block({}, {word(Address::s, whole(hole.speed))});
-  words.push_back(word(Address::f, constant(passes::feeds_taps_by_lead(to_) ? hole.lead : hole.lead * hole.speed)));
+  words.push_back(
+      word(Address::f, constant(per_turn || passes::feeds_taps_by_lead(to_) ? hole.lead : hole.lead * hole.speed)));
   passes::add_rigid(program_, to_, drill, words, out_);
 }
 
@@ -150,7 +153,7 @@ void HoleWriter::cut(const Hole& hole, Address axis) {
   }
   out_.emit_block({code(Function::rapid)}, {absolute(axis, hole.level)});
   std::vector<ir::Word> in = {absolute(axis, hole.depth)};
-  if (hole.feed_in > 0.0) in.push_back(word(Address::f, constant(hole.feed_in)));
+  if (hole.feed_in > 0.0) in.push_back(feed(hole.feed_in));
   out_.emit_block({code(Function::linear)}, in);
   if (hole.dwell_s > 0.0) out_.emit_block({code(Function::dwell)}, {word(Address::f, constant(hole.dwell_s))});
 }
@@ -162,7 +165,7 @@ void HoleWriter::draw_out(const Hole& hole, const PlaneAxes& axes) {
   shift(hole, axes, 1.0, hole.lift);
   if (hole.cycle == DrillCycle::feed_out || hole.cycle == DrillCycle::feed_out_dwell) {
     std::vector<ir::Word> out = {absolute(axes.normal, hole.level)};
-    if (hole.feed_out > 0.0) out.push_back(word(Address::f, constant(hole.feed_out)));
+    if (hole.feed_out > 0.0) out.push_back(feed(hole.feed_out));
     out_.emit_block({code(Function::linear)}, out);
   }
   out_.emit_block({code(Function::rapid)}, {absolute(axes.normal, hole.back)});
@@ -197,6 +200,12 @@ void HoleWriter::motion_again(bool always) {
 }
 
 void HoleWriter::emit_code(Function function) { out_.emit_block({code(function)}, {}); }
+
+// It stays in effect.
+ir::Word HoleWriter::feed(double value) {
+  place_.state.turning.feed = value;
+  return word(Address::f, constant(value));
+}
 
 ir::Word HoleWriter::absolute(Address address, ExpressionId value) {
   ir::Word w = word(address, value);

@@ -60,6 +60,7 @@ class HoleWriter {
   ir::ExpressionId whole(double value) { return program_.add_constant(value, {}, false); }
   ir::Word absolute(ir::Address address, ir::ExpressionId value);
   ir::Word by(ir::Address axis, double way);
+  ir::Word feed(double value);
 
   ir::Program& program_;
   const ir::Control& to_;

@@ -396,19 +396,31 @@ void BlockRaiser::split_m_codes() {
     return c.function == Function::program_stop || c.function == Function::optional_stop;
   };
   std::ranges::stable_sort(draft_.codes, {}, holds_program);
-  // The spindle stays with its S.
-  auto kept = in_front ? std::ranges::find_if(draft_.codes, turns) : draft_.codes.end();
+  // The last one that starts something stays with the move, those ahead of it go in front: the spindle with its S.
+  auto kept = draft_.codes.end();
+  for (auto code = draft_.codes.begin(); in_front && code != draft_.codes.end(); ++code)
+    if (starts(*code)) kept = code;
   if (kept == draft_.codes.end()) kept = std::ranges::find_if(draft_.codes, is_m);
   std::vector<ir::Code> codes;
   std::vector<Draft> behind;
   for (auto code = draft_.codes.begin(); code != draft_.codes.end(); ++code) {
-    if (code == kept || !is_m(*code))
+    if (code == kept || !is_m(*code)) {
       codes.push_back(*code);
-    else
-      (in_front && starts(*code) ? before_ : behind).push_back({{*code}, {}});
+    } else if (in_front && starts(*code)) {
+      before_.push_back({{*code}, {}});
+      if (turns(*code)) move_words(Address::s, draft_, before_.back());
+    } else {
+      behind.push_back({{*code}, {}});
+    }
   }
   draft_.codes = std::move(codes);
   after_.insert(after_.begin(), behind.begin(), behind.end());
+}
+
+void BlockRaiser::move_words(Address address, Draft& from, Draft& to) {
+  const auto is_one = [address](const ir::Word& w) { return w.address == address; };
+  std::ranges::copy_if(from.words, std::back_inserter(to.words), is_one);
+  std::erase_if(from.words, is_one);
 }
 
 // What the switch leaves out is still the same words of the same block.

@@ -62,7 +62,8 @@ class BlockRaiser {
   void axis_word(ir::Word word);
   void dwell_word(const ir::Word& word);
   void tool_words(const Traits& traits);
-  void lathe_tool(const Traits& traits, ir::ExpressionId edge);
+  void prepare(const Traits& traits);
+  void lathe_tool(ir::ExpressionId tool, ir::ExpressionId edge);
   void length_offset(const Traits& traits, ir::ExpressionId edge);
   [[nodiscard]] Draft length_of(ir::ExpressionId tool) const;
   void change_first(const Traits& traits, Draft length);
@@ -84,6 +85,7 @@ class BlockRaiser {
   void emit_all();
   void emit(const Draft& draft);
   void split_m_codes();
+  static void move_words(ir::Address address, Draft& from, Draft& to);
   void whole_shift();
 
   ir::Code code_of(ir::Function function, std::int16_t argument = 0) const;

@@ -190,6 +190,7 @@ class Frames {
   void scale(const std::vector<ir::Word>& words) {
     constexpr std::array kFactors = {Address::i, Address::j, Address::k};
     std::vector<ir::Word> all;
+    all.reserve(2 * kLengths.size());
     for (const Address axis : kLengths) all.push_back(zero(axis));
     for (std::size_t i = 0; i < kLengths.size(); ++i) {
       const ir::Word* factor = find(words, kLengths[i]);

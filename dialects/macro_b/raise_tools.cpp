@@ -35,10 +35,24 @@ void BlockRaiser::tool_words(const Traits& traits) {
     return cannot(*statement_, "a tool with a name");
   const bool on_lathe = to_.semantics.tool_word == ir::ToolWord::number_and_offset;
   if (!on_lathe && traits.tool != nullptr) draft_.words.push_back(*traits.tool);
-  // T that only prepares: what stands beside it comes with M6.
-  if (traits.tool != nullptr && !traits.tool_change && !tools_->changes_at_once()) return;
+  if (traits.tool != nullptr && !traits.tool_change && !tools_->changes_at_once()) return prepare(traits);
   const ExpressionId edge = edge_of(traits);
-  on_lathe ? lathe_tool(traits, edge) : length_offset(traits, edge);
+  if (!on_lathe) return length_offset(traits, edge);
+  if (const std::optional<ExpressionId> tool = tool_of(traits)) lathe_tool(*tool, edge);
+}
+
+// T that only prepares. D beside it comes with M6, and acts on the tool that is in the spindle until then.
+void BlockRaiser::prepare(const Traits& traits) {
+  const ToolState* before = tools_->before(index_);
+  if (traits.edge == nullptr || before == nullptr || before->in.known == ToolState::Known::none) return;
+  const ExpressionId edge = traits.edge->value;
+  if (before->has_edge && is_constant(edge, 1.0)) return;
+  const std::optional<ExpressionId> tool = tool_in(*before);
+  if (!tool) return;
+  if (to_.semantics.tool_word == ir::ToolWord::number_and_offset) return lathe_tool(*tool, edge);
+  if (is_constant(edge, 0.0)) return change_first(traits, {{code_of(Function::length_offset_off)}, {}});
+  if (!is_constant(edge, 1.0)) return cannot(*statement_, "an edge that is not the first of a known tool");
+  change_first(traits, length_of(*tool));
 }
 
 ToolState BlockRaiser::tool_state() const {
@@ -88,14 +102,12 @@ void BlockRaiser::compensation_number() {
 }
 
 // T0606: each tool has the offset of its own number; edge 0 takes the offset away.
-void BlockRaiser::lathe_tool(const Traits& traits, ExpressionId edge) {
-  const std::optional<ExpressionId> tool = tool_of(traits);
-  if (!tool) return;
-  if (*tool == ExpressionId::none) return cannot(*statement_, "an edge before a tool");
+void BlockRaiser::lathe_tool(ExpressionId tool, ExpressionId edge) {
+  if (tool == ExpressionId::none) return cannot(*statement_, "an edge before a tool");
   const bool off = is_constant(edge, 0.0);
   if (edge != ExpressionId::none && !off && !is_constant(edge, 1.0))
     return cannot(*statement_, "a second edge of a tool");
-  draft_.words.push_back(word_of(Address::t, scaled(*tool, off ? kToolPlaces : kToolPlaces + 1.0)));
+  draft_.words.push_back(word_of(Address::t, scaled(tool, off ? kToolPlaces : kToolPlaces + 1.0)));
 }
 
 // D1 turns the tool's length on: G43 H with the tool's number.

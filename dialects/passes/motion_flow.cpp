@@ -10,7 +10,6 @@ namespace dripfeed::passes {
 
 namespace {
 
-using ir::Address;
 using ir::StatementKind;
 using Motion = std::optional<ir::Function>;
 

@@ -91,7 +91,8 @@ void ToolFlow::take_block(const ir::Block& block, ToolState& state) const {
   const bool length = std::ranges::any_of(codes, [](const ir::Code& c) {
     return c.function == Function::length_offset_plus || c.function == Function::length_offset_minus;
   });
-  state.has_edge |= length || (edge != words.end() && tool == words.end());
+  // D beside a T that only prepares acts on the tool that is in, too.
+  state.has_edge |= length || (edge != words.end() && (tool == words.end() || state.in.known == Known::tool));
 }
 
 bool ToolFlow::same_value(ExpressionId a, ExpressionId b) const {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <deque>
 
 #include "dialects/passes/flow_graph.h"
 #include "dialects/passes/mode_flow.h"
+#include "dialects/passes/state_flow.h"
 
 namespace dripfeed::sinumerik {
 
@@ -23,6 +23,12 @@ bool is_motion(Function f) {
 }
 
 }  // namespace
+
+bool has_own_words(const ir::Code& c) {
+  if (c.function == Function::exact_stop_once || c.function == Function::no_effect) return false;
+  return c.group == ModalGroup::non_modal || c.group == ModalGroup::frame || c.function == Function::not_modelled ||
+         c.function == Function::machine_coordinates || c.number != ir::ExpressionId::none;
+}
 
 ir::Address drilling_axis(Function plane) {
   if (plane == Function::plane_zx) return Address::y;
@@ -78,24 +84,14 @@ DrillFlow::DrillFlow(const ir::Program& program, const ir::Control& from)
   start.inch.set(from.semantics.power_on_unit == Function::unit_inch);
   start.feed_mode.set(from.semantics.power_on_feed);
   start.spindle.set(Function::spindle_stop);
-  std::deque<std::uint32_t> work;
   for (const std::uint32_t entry : graph.entries()) {
     before_[entry] = start;
     if (entry != 0) before_[entry]->forget();
-    work.push_back(entry);
   }
-  while (!work.empty()) {
-    const std::uint32_t i = work.front();
-    work.pop_front();
-    if (i >= program.statements.size()) continue;
-    DrillState out = step(*before_[i], program.statements[i]);
-    if (program.statements[i].skip_level != 0) out.meet(*before_[i]);
-    for (const std::uint32_t next : graph.after(i)) {
-      const bool is_new = !before_[next].has_value();
-      if (is_new) before_[next] = out;
-      if (is_new || before_[next]->meet(out)) work.push_back(next);
-    }
-  }
+  passes::spread_states(
+      program, graph, before_,
+      [this](std::uint32_t i, const DrillState& state) { return step(state, program_.statements[i]); },
+      [](DrillState& state, const DrillState& with) { return state.meet(with); });
 }
 
 const DrillState* DrillFlow::before(std::uint32_t statement) const {
@@ -119,11 +115,7 @@ DrillState DrillFlow::after(const DrillState& state, const ir::Block& block) con
   DrillState out = state;
   const auto codes = program_.codes_of(block);
   for (const ir::Code& code : codes) take_code(code, out);
-  // Words of these are no positions, or leave the axis where only the machine knows.
-  const bool own_words = std::ranges::any_of(codes, [](const ir::Code& c) {
-    return c.group == ModalGroup::non_modal || c.group == ModalGroup::frame || c.function == Function::not_modelled ||
-           c.function == Function::machine_coordinates || c.number != ir::ExpressionId::none;
-  });
+  const bool own_words = std::ranges::any_of(codes, has_own_words);
   const bool dwell = std::ranges::find(codes, Function::dwell, &ir::Code::function) != codes.end();
   if (own_words && !dwell) out.height.forget();
   if (!own_words) take_words(program_.words_of(block), !out.cycle.is(DrillState::kNone), out);

@@ -1,5 +1,6 @@
 // CYCLE81 to CYCLE89 and the rows and circles of holes (PGZ, "Drilling cycles and drilling patterns"). The lead of a
-// tap is K whatever its axis: the interpreter takes I, J and K alike.
+// tap is K whatever its axis: the interpreter takes I, J and K alike. Behind CYCLE84 the spindle has the speed again
+// that it had before the call.
 #include <array>
 
 #include "dialects/sinumerik/cycle_texts.h"
@@ -104,8 +105,9 @@ M17
     {"CYCLE84",
      R"(PROC CYCLE84(@hole, REAL DTB, INT SDAC, REAL MPIT, REAL PIT, REAL POSS, REAL SST, REAL SST1, INT AXN, INT PITA, INT TECHNO, INT VARI, REAL DAM, REAL VRT, STRING[15] PITM, STRING[20] PTAB, STRING[20] PTABA, @screen) SAVE DISPLOF
 @axes
-DEF REAL LEAD
+DEF REAL LEAD, SPEED
 DEF INT SIZE
+SPEED=$P_S
 @lead
 @plane
 @axis
@@ -120,6 +122,9 @@ G4 F=DTB
 ENDIF
 G332 AX[TOOLAX]=RFP+SIDE*SDIS K=LEAD S=SST1
 G0 AX[TOOLAX]=RTP
+IF SPEED>0
+S=SPEED
+ENDIF
 IF SDAC==3
 M3
 ENDIF

@@ -10,6 +10,7 @@
 // one is known, otherwise $P_EP, the programmed place at that block. The hole is the same; pecks go by the distances
 // that the other control has in its parameters. What has no cycle with the same bottom is an error at its block.
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,21 +65,38 @@ class CycleRaiser {
     if (block.rest_level != 0) return raising_.cannot("block skip inside a block", s.span);
     if (!after.cycle.known) return undecided(block);
     if (!is) return end(before, block);
+    if (std::ranges::any_of(program_.codes_of(block), has_own_words)) return beside(block);
     drill(before, after, block);
   }
 
   // A block that may or may not drill: words of shifts, data and the like never do.
   void undecided(const ir::Block& block) {
     const auto words = program_.words_of(block);
-    const bool own_words = std::ranges::any_of(program_.codes_of(block), [](const ir::Code& c) {
-      return c.group == ir::ModalGroup::non_modal || c.group == ir::ModalGroup::frame ||
-             c.function == Function::data_input || c.function == Function::set_coordinates;
-    });
+    const bool own_words = std::ranges::any_of(program_.codes_of(block), has_own_words);
     if (!own_words &&
         std::ranges::any_of(words, [](const ir::Word& w) { return ir::is_axis(w.address) || w.address == Address::r; }))
       raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span,
                       {"the drilling cycle", std::string(kTwoWays)});
     out_.keep();
+  }
+
+  // A dwell, a shift or data while a cycle is in effect: no position, and no hole. What moves by rules of its own would
+  // be followed by one here.
+  void beside(const ir::Block& block) {
+    for (const ir::Code& c : program_.codes_of(block)) {
+      const bool stays = c.group == ir::ModalGroup::frame || std::ranges::find(kStaying, c.function) != kStaying.end();
+      if (has_own_words(c) && !stays) return refuse_in_cycle(c);
+      if (c.function == Function::drill || changes_return(c)) return refuse_in_cycle(c);
+    }
+    out_.keep();
+  }
+  static constexpr std::array kStaying = {Function::dwell, Function::local_shift, Function::data_input,
+                                          Function::set_coordinates};
+  static bool changes_return(const ir::Code& c) {
+    return c.function == Function::return_to_initial || c.function == Function::return_to_r;
+  }
+  void refuse_in_cycle(const ir::Code& c) {
+    raising_.cannot(std::string(raising_.text_of(c.span)) + " in a block of a drilling cycle", c.span);
   }
 
   void end_modal() {
@@ -114,9 +132,9 @@ class CycleRaiser {
                       {"the plane of the cycle", std::string(kTwoWays)});
     DrillBlock parts =
         drill_block(raising_, block, drilling_axis(after.plane.value), static_cast<DrillCycle>(after.cycle.value));
-    parts.redefines |= changes_tap(before, after);
+    parts.redefines |= changes_tap(before, after) || changes_level(before, after);
     if (!parts.begins && parts.positions.empty() && !parts.drills && !parts.redefines) return out_.keep();
-    parts.redefines |= parts.begins || !before.to_level.known || before.to_level.value != after.to_level.value;
+    parts.redefines |= parts.begins || !before.to_level.known;
     if (!parts.rest_codes.empty() || !parts.rest_words.empty()) out_.emit_block(parts.rest_codes, parts.rest_words);
     if (parts.repeats > kMostRepeats)
       return raising_.cannot("a cycle that is repeated " + text::format_shortest(parts.repeats) + " times",
@@ -136,6 +154,10 @@ class CycleRaiser {
     for (int n = 0; n < parts.repeats; ++n) out_.emit_block({motion_code(Function::rapid)}, parts.positions);
   }
 
+  // G98 or G99 by itself.
+  static bool changes_level(const DrillState& before, const DrillState& after) {
+    return before.to_level.known != after.to_level.known || before.to_level.value != after.to_level.value;
+  }
   // CYCLE84 has the lead and the speed among its arguments.
   static bool changes_tap(const DrillState& before, const DrillState& after) {
     const bool taps = after.cycle.is(static_cast<std::int16_t>(DrillCycle::tap_right)) ||

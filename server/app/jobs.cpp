@@ -206,7 +206,7 @@ Result<store::Job> Jobs::disarm_after(const store::Job& job, const std::string& 
 }
 
 Result<store::Job> Jobs::command(store::Id id, feed::Command command, std::string_view action, std::string_view reason,
-                                 std::string_view actor, std::string note) {
+                                 std::string_view actor, std::string_view note) {
   const auto job = store_.jobs().get(id);
   if (!job) return std::unexpected(from_store(job.error()));
   const auto line = line_with(*job);

@@ -48,7 +48,7 @@ class Jobs {
   Result<std::string> file_name(const machine::Profile& profile, store::Id program);
   // `note`: what stands in the ledger, where something does.
   Result<store::Job> command(store::Id job, feed::Command command, std::string_view action, std::string_view reason,
-                             std::string_view actor, std::string note = {});
+                             std::string_view actor, std::string_view note = {});
   Result<store::Job> confirm_torn_answer(std::string_view machine, std::string_view reason, std::string_view actor);
   Result<store::Job> cancel_queued(const store::Job& job, std::string_view actor);
   Result<store::Job> disarm_after(const store::Job& job, const std::string& why, std::string_view actor);

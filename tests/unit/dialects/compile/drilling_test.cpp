@@ -200,5 +200,39 @@ TEST(DrillingFromSinumerik, WhatHasNoEqualIsAnErrorWithItsPlace) {
   expect_refused(kOwnHead + "CYCLE86(40,2,1,-20,,0,3,1,1,1,30)\nM30\n", kTo, "fanuc", "CYCLE86");
 }
 
+// A level that is said by itself counts from there on (a retract past a clamp).
+TEST(DrillingToSinumerik, AReturnLevelByItself) {
+  for (const std::string level : {"G98\n", "G98 M08\n", "G90 G98\n"}) {
+    const std::string to = expect_same_holes(
+        kHead + "G99 G81 X10. Z-5. R2. F100.\nX20.\n" + level + "X30.\nG99\nX40.\nG80\nM30\n", "fanuc", kTo);
+    EXPECT_TRUE(to.contains("MCALL CYCLE81(40,2,,-5)\nG0 X30.\nMCALL CYCLE81(2,2,,-5)\nG0 X40.\n")) << to;
+  }
+}
+
+// Words of a dwell or a shift are no positions and no words of the cycle.
+TEST(DrillingToSinumerik, DwellsAndShiftsBetweenHoles) {
+  const std::string to =
+      expect_same_holes(kHead + "G98 G82 X1. Z-5. R2. P100 F100.\nG4 P200\nG04 X2.\nX3.\nG80\nM30\n", "fanuc", kTo);
+  EXPECT_TRUE(to.contains("G4 F0.2\nG4 F2\nG0 X3.")) << to;
+  expect_same_holes(kHead + "G98 G81 X1. Z-5. R2. F100.\nG52 X10. Y5.\nX2. Y0\nG52 X0 Y0\nX3.\nG80\nM30\n", "fanuc",
+                    kTo);
+  expect_refused(kHead + "G98 G81 X1. Z-5. R2. F100.\nG53 X20. Y5.\nX3.\nG80\nM30\n", "fanuc", kTo,
+                 "G53 in a block of a drilling cycle");
+  expect_refused(kHead + "G98 G81 X1. Z-5. R2. F100.\nG28 Z40.\nX3.\nG80\nM30\n", "fanuc", kTo, "PS0044");
+}
+
+// CYCLE84 leaves the speed as it was, CYCLE85 its own feed; a lead is a feed per turn where G95 is in effect.
+TEST(DrillingFromSinumerik, WhatACycleLeavesInEffect) {
+  const std::string tap = "CYCLE84(40,0,2,-15,,,3,,1.25,0,500,500)\n";
+  const ConvertResult per_minute = translated(
+      kOwnHead + "MCALL CYCLE85(2,0,2,-5,,,100,300)\nX10\nMCALL\nG0 Z40\n" + tap + "G1 X70\nM30\n", kTo, "fanuc");
+  EXPECT_TRUE(per_minute.text.contains("G84 Z-15. R2. F625.\nG80\nS800 F300. M03\n")) << per_minute.text;
+  const ConvertResult per_turn =
+      translated("G71 G17 G90 G95 G40\nS800 M3\nG0 X0 Y0 Z40\nF0.12\n" + tap + "G1 X70\nM30\n", kTo, "fanuc");
+  EXPECT_TRUE(per_turn.text.contains("F1.25\nG80\nS800 F0.12 M03\n")) << per_turn.text;
+  const Played ran = run_text(kOwnHead + tap + "G1 X70\nM30\n", control(kTo, ir::MachineKind::mill));
+  EXPECT_EQ(ran.motions.back().spindle_rpm, 800.0);
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test

@@ -147,5 +147,33 @@ TEST(ReturnsToABlock, OfTheCallerInTheSameText) {
   EXPECT_EQ(places(motions.all), (std::vector<double>{0, 5, 2})) << made.text;
 }
 
+// M99 of a main program begins it again, M99 P1 there is a jump; of a program that is called both return.
+TEST(ReturnsOfAMainProgram, AreJumpsToSinumerik) {
+  const auto [there, text] = places_there(
+      "%\nO1\nG21 G17 G90 G54 G94\n#100=0\nN1 #100=#100+1\nG0 X#100\nIF[#100GE3]GOTO 9\nM99 P1\nN9 X20.\nM30\n%\n",
+      "fanuc", kOwn);
+  EXPECT_EQ(there, (std::vector<double>{1, 2, 3, 20})) << text;
+  const ConvertResult again = translated("%\nO1\nG21 G17 G90 G54 G94\nG0 X0.\n/M99\nX20.\nM30\n%\n", "fanuc", kOwn);
+  EXPECT_TRUE(again.text.contains("/ GOTOS\n")) << again.text;
+  const ConvertResult called = translated(
+      "%\nO1\nG21 G17 G90 G54 G94\nM98 P2\nM30\nO2\nG0 X1.\nIF[#500EQ1]GOTO 5\nM99\nN5 X2.\nM99\n%\n", "fanuc", kOwn);
+  EXPECT_TRUE(called.text.contains("M17\n")) << called.text;
+  EXPECT_FALSE(called.text.contains("GOTOS")) << called.text;
+}
+
+// G53 goes at rapid and not beside G91; SUPA as programmed.
+TEST(MachineMoves, AreTheSameOnlyByRapid) {
+  const auto errors = [](const std::string& blocks, const std::string& from, const std::string& to) {
+    const std::string text =
+        from == kOwn ? "G17 G71 G90 G94\n" + blocks + "M30\n" : "%\nO1\nG17 G21 G90 G94 G54\n" + blocks + "M30\n%\n";
+    return said(translated(text, from, to).diagnostics, text::Source("p", text));
+  };
+  EXPECT_TRUE(errors("G1 X100 F200\nSUPA X50\n", kOwn, "fanuc").contains("by another motion than G0"));
+  EXPECT_TRUE(errors("G1 X100. F200.\nG53 Z0.\n", "fanuc", kOwn).contains("by another motion than G0"));
+  EXPECT_TRUE(errors("G0 X1.\nG91 G53 X5.\nG90\n", "fanuc", kOwn).contains("beside G91"));
+  EXPECT_FALSE(errors("G1 X100. F200.\nG0 G53 Z0.\n", "fanuc", kOwn).contains("machine"));
+  EXPECT_FALSE(errors("G1 X100. F200.\nG53 Z0.\n", "fanuc", "mazak").contains("machine"));
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test

@@ -224,7 +224,6 @@ TEST(LatheTap, WhatIsNotSureOfNamedTapsIsRefused) {
   refused("G17\nCYCLE84(5,0,2,-20,,0,3,,1.5,0,300,300,0,1)\n", "a unit of its own");
   refused("G17\nCYCLE84(5,0,2,-20,,0,3,,1.5,0,300,300,0,0,0,1,5)\n", "pecks");
   refused("CYCLE84(5,0,2,-20,,0,3,,1.5,0,300,300)\n", "CYCLE84 ");  // along Y
-  refused("G17\nCYCLE84(5,0,2,-20,,0,3,,1.5,0,200,200)\nG1 Z4 F0.2\n", "no speed is said");
   refused("G17\nCYCLE840(5,0,2,-20,,0,4,3,11,,1.5)\n", "ENC");
   refused("G331 Z-20 K1.5 S300\nG332 Z5 K1.5\n", "not brought to a stop");
   refused("SPOS=0\nG331 Z-20 K1.5 S300\nG332 Z5 K1.25\n", "a lead");
@@ -298,6 +297,22 @@ TEST(LatheTap, AsPlainBlocks) {
       plain(kNumbered + "G84 Z-20. R-2. F1.5 ,R1\n" + kNumberedEnd, "mitsubishi-m80", "fanuc").diagnostics));
   EXPECT_TRUE(
       text::has_error(plain(kNumbered + "G84.2 Z-20. R-2. F1.5\n" + kNumberedEnd, "mazak", "fanuc").diagnostics));
+}
+
+// Where G91 is a mode (systems B and C), the ends of the moves that stand for a cycle are absolute all the same.
+TEST(LatheCycles, BesideG91AreAbsoluteMoves) {
+  const std::string head = "%\nO1\nG21 G18 G40 G95 G90\nT0101\nG97 G00 X50. Z2. S1000 M03\n";
+  const std::string end = "G90\nG00 X60.\nM30\n%\n";
+  for (const std::string cycle :
+       {"G91 G77 X-4. Z-10. F0.2\n", "G91 G78 X-4. Z-10. F1.5\n", "G91 G75 X-10. Z-9. P2000 Q3000 F0.2\n"}) {
+    const std::string text = head + cycle + end;
+    const ConvertResult made = converted(text, "fanuc", kSinumerik, MachineKind::lathe, ir::GSystem::b);
+    ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("p", text));
+    const auto before = run_text(text, find_dialect("fanuc")->control(MachineKind::lathe, ir::GSystem::b)).motions;
+    const auto after =
+        run_text(made.text, find_dialect(kSinumerik)->control(MachineKind::lathe, ir::GSystem::b)).motions;
+    expect_same(ways_of(before), ways_of(after), 1e-4, made.text);
+  }
 }
 
 }  // namespace

@@ -171,5 +171,26 @@ TEST(SinumerikModalCalls, ACallThatLacksItsProgramIsAnAlarm) {
   EXPECT_TRUE(run("MCALL POCKET3(1,2)\nG0 X1\nMCALL\nM30\n").names("POCKET3"));
 }
 
+// MCALL acts behind each block that moves along the path, by polar words, too.
+TEST(SinumerikCycles, AModalCallFollowsPolarPositions) {
+  const Result ran =
+      run("G17 G90 G94 F100\nG0 X0 Y0 Z50\nG111 X10 Y10\nMCALL CYCLE81(50,0,2,-5)\nAP=0 RP=20\nAP=90\nMCALL\nM30\n");
+  EXPECT_TRUE(ran.trace.contains("linear X30.0000 Y10.0000 Z-5.0000")) << ran.trace;
+  EXPECT_TRUE(ran.trace.contains("linear X10.0000 Y30.0000 Z-5.0000")) << ran.trace;
+}
+
+// Each PROC of a text has the parameters of its own head.
+TEST(SinumerikPrograms, EachHasItsOwnParameters) {
+  const Result ran =
+      run("%_N_MAIN_MPF\nG17 G90 G71 G94\nG0 Y0\nSUBA(3)\nSUBB(4,5)\nSUBC(6)\nM30\n%_N_SUBA_SPF\nPROC SUBA(REAL "
+          "RA)\nX=RA\nRET\n"
+          "%_N_SUBB_SPF\nPROC SUBB(REAL QA, REAL QB)\nX=QA Y=QB\nRET\n%_N_SUBC_SPF\nPROC SUBC(REAL PA)\nX=PA\nRET\n");
+  std::string places;
+  for (const ir::Motion& m : ran.motions)
+    if (ir::is_move(m.kind))
+      places += std::to_string(static_cast<int>(m.end[0])) + " " + std::to_string(static_cast<int>(m.end[1])) + "\n";
+  EXPECT_EQ(places, "0 0\n3 0\n4 5\n6 5\n");
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test

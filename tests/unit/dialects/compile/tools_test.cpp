@@ -41,6 +41,20 @@ TEST(Tools, ATThatPreparesChangesNothing) {
   expect_has(made, "G49\nG43 H5\nM06\nG43 H6\nG41 X40. D6\n");
 }
 
+// D1 T6 behind the change: the edge of the tool that is in, and T6 gets ready.
+TEST(Tools, DBesideThePreparedToolActsAtOnce) {
+  const std::string next = made_of(kHead + "T5\nM6\nD1 T6\nG0 X0 Y0 Z50\nG1 Z0\nG0 Z100\nM6\nD1 T7\nZ20\nM30\n");
+  expect_has(next, "M06\nT6\nG43 H5\nG00 X0.");
+  expect_has(next, "M06\nG43 H6\nT7\nZ20.");
+  expect_has(made_of(kHead + "T5 M6\nD1\nG0 Z50\nT6 D0\nG0 X10\nM6\nD1\nZ20\nM30\n"), "T6\nG49\n");
+  expect_not(made_of(kHead + "T5 M6\nD1\nG0 Z50\nT6 D1\nG0 X10\nM6\nZ20\nM30\n"), "T6\nG43");
+}
+
+// What starts stands in the order that the program has, in front of the move.
+TEST(Tools, TheSpindleTurnsBeforeTheCoolantFlows) {
+  expect_has(made_of("G17 G90 G71 G94\nG0 X0 Y0 Z50 S1000 M3 M8\nM30\n"), "S1000 M03\nG00 X0. Y0. Z50. M08\n");
+}
+
 TEST(Tools, DBesideItsTool) {
   expect_has(made_of(kHead + "T5 D1\nM6\nG0 X0 Y0 Z50\nG41 G1 X10\nX20\nG40 X30\nM30\n"), "D5");
   // Without M6 a T brings its tool in.

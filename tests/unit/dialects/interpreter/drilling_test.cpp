@@ -210,5 +210,16 @@ TEST(Drilling, AnInitialLevelThatIsNotKnownStaysSo) {
   EXPECT_EQ(ran.result.not_interpreted[0].name, "the way back to an initial level that is not known");
 }
 
+// M functions beside a hole act when its first positioning begins (Fanuc, "Canned cycle for drilling").
+TEST(Drilling, MFunctionsActBeforeTheHole) {
+  Builder b;
+  b.block({{Function::coolant_flood}}, {});
+  start_at(b, 50.0);
+  b.block({code(DrillCycle::drill), {Function::return_to_r}, {Function::coolant_off}},
+          {{Address::x, 10.0}, {Address::z, -5.0}, {Address::r, 2.0}, {Address::f, 100.0}});
+  const std::string trace = drilled(b, mill_control()).trace;
+  EXPECT_LT(trace.find("coolant off"), trace.find("rapid X10.0000")) << trace;
+}
+
 }  // namespace
 }  // namespace dripfeed::test

@@ -327,8 +327,7 @@ TEST_F(KeeperTest, AStartWithNothingArmedIsToldOnceEach) {
   shop.round();
   shop.round();
   EXPECT_EQ(alarms(), 1);
-  EXPECT_EQ(shop.told().back(),
-            "alarm lathe the control asked for a program (DC1); nothing is armed, nothing was sent");
+  EXPECT_EQ(shop.last_told(), "alarm lathe the control asked for a program (DC1); nothing is armed, nothing was sent");
   shop.links.receive(url_of(kLathe), kDc1);
   shop.round();
   EXPECT_EQ(alarms(), 2);

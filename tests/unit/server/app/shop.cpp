@@ -113,6 +113,12 @@ std::vector<std::string> Shop::told() const {
   return all;
 }
 
+std::string Shop::last_told() const {
+  std::vector<std::string> all = told();
+  std::erase_if(all, [](const std::string& text) { return text.starts_with("machine "); });
+  return all.empty() ? std::string() : all.back();
+}
+
 std::vector<std::string> Shop::audited(store::Id id) {
   std::vector<std::string> all;
   const auto page = must(store.audit().list({.limit = store::kPageLimitMax, .after = {}}, "job/" + std::to_string(id)));

@@ -77,6 +77,8 @@ class Shop {
   [[nodiscard]] store::JobState state(store::Id id) { return job(id).state; }
   // Texts of the events so far, "KIND MACHINE TEXT" each.
   [[nodiscard]] std::vector<std::string> told() const;
+  // The last one but for the machine's, which come when the keeper gets round to it.
+  [[nodiscard]] std::string last_told() const;
   // Actions on a job in the audit, oldest first: "ACTION: DETAIL".
   [[nodiscard]] std::vector<std::string> audited(store::Id job);
   [[nodiscard]] std::vector<store::LedgerRow> ledger_of(store::Id job);

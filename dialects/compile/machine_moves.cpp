@@ -1,0 +1,82 @@
+// The motion and G90 or G91 in effect, on all ways.
+#include "dialects/compile/machine_moves.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "dialects/passes/mode_flow.h"
+#include "dialects/passes/motion_flow.h"
+
+namespace dripfeed::compile {
+
+namespace {
+
+using ir::Function;
+
+constexpr std::string_view kOther = "a move to a place of the machine by another motion than G0";
+constexpr std::string_view kUnknown =
+    "a move to a place of the machine where G0 or another motion is not known, taken as G0,";
+constexpr std::string_view kIncrement = "a move to a place of the machine beside G91";
+
+bool goes_to_machine(const ir::Code& c) { return c.function == Function::machine_coordinates; }
+
+class MachineMoves {
+ public:
+  MachineMoves(const ir::Program& program, const ir::Control& from, const ir::Control& to)
+      : program_(program), to_(to), motions_(passes::motions_before(program)), modes_(program, from) {}
+
+  std::vector<text::Diagnostic> run() {
+    for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
+      const ir::Statement& s = program_.statements[i];
+      if (s.kind != ir::StatementKind::block) continue;
+      const ir::Block& block = program_.blocks[s.payload];
+      if (std::ranges::any_of(program_.codes_of(block), goes_to_machine) &&
+          std::ranges::any_of(program_.words_of(block), ir::is_axis, &ir::Word::address))
+        look(i, s, block);
+    }
+    return std::move(diagnostics_);
+  }
+
+ private:
+  void look(std::uint32_t i, const ir::Statement& s, const ir::Block& block) {
+    std::optional<Function> motion = motions_[i];
+    std::optional<Function> distance;
+    if (const passes::ModeFacts* facts = modes_.before(i); facts != nullptr)
+      distance = (*facts)[passes::index_of(passes::Mode::distance)].function;
+    for (const ir::Code& c : program_.codes_of(block)) {
+      if (c.group == ir::ModalGroup::motion) motion = c.function;
+      if (passes::mode_of(c) == passes::Mode::distance) distance = c.function;
+    }
+    const auto by_mode = [](const ir::Word& w) { return ir::is_axis(w.address) && w.mode == ir::WordMode::as_modal; };
+    if (distance == Function::incremental && std::ranges::any_of(program_.words_of(block), by_mode))
+      tell(kIncrement, s, text::Severity::error);
+    else if (!motion)
+      tell(kUnknown, s, text::Severity::warning);
+    else if (*motion != Function::rapid)
+      tell(kOther, s, text::Severity::error);
+  }
+
+  void tell(std::string_view what, const ir::Statement& s, text::Severity severity) {
+    diagnostics_.push_back(
+        text::make_diagnostic(text::DiagnosticId::cannot_translate, s.span, {std::string(what), to_.title}));
+    diagnostics_.back().severity = severity;
+  }
+
+  const ir::Program& program_;
+  const ir::Control& to_;
+  std::vector<std::optional<Function>> motions_;
+  passes::ModeFlow modes_;
+  std::vector<text::Diagnostic> diagnostics_;
+};
+
+}  // namespace
+
+std::vector<text::Diagnostic> unlike_machine_moves(const ir::Program& program, const ir::Control& from,
+                                                   const ir::Control& to) {
+  const bool alike = ir::has_numbered_variables(from) == ir::has_numbered_variables(to);
+  if (alike || std::ranges::none_of(program.codes, goes_to_machine)) return {};
+  return MachineMoves(program, from, to).run();
+}
+
+}  // namespace dripfeed::compile
