@@ -294,7 +294,10 @@ class Converter {
       if (one.severity != text::Severity::error) continue;
       const std::uint32_t line = written.position(one.span.begin).line;
       one.span = span_of_origin(line - 1);
-      one.notes = {{.span = {}, .text = "translated to \"" + std::string(written.line(line)) + "\""}};
+      // The alarm is the other control's.
+      const std::string alarm = one.alarm.empty() ? "" : ", which is " + one.alarm + " on " + request_.to.title;
+      one.alarm.clear();
+      one.notes = {{.span = one.span, .text = "translated to \"" + std::string(written.line(line)) + "\"" + alarm}};
       result_.diagnostics.push_back(std::move(one));
     }
     if (!text::has_error(result_.diagnostics))

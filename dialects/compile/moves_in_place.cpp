@@ -184,7 +184,7 @@ std::string MovesInPlace::run(const ir::Program& program, ProgramLibrary& librar
     for (const interpreter::NotInterpreted& lost : result.not_interpreted)
       if (!lost.effects_known && lost.name != "SPOS" && lost.function != Function::machine_function &&
           lost.function != Function::reference_return)
-        return lost.name + ", which the run does not know,";
+        return lost.name + " in line " + std::to_string(lost.first_line) + ", which the run does not know,";
     const bool ends =
         result.ended == interpreter::Ended::end && std::ranges::any_of(program.statements, [&](const ir::Statement& s) {
           return s.line == result.last.line && s.kind == StatementKind::program_end;

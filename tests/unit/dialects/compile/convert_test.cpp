@@ -368,5 +368,17 @@ TEST(Dialects, AreFoundByNameAndText) {
   EXPECT_EQ(inferred(""), dialects().front().name);
 }
 
+// The alarm of what was written is the other control's.
+TEST(Convert, AFaultOfTheTranslationNamesTheControlThatHasIt) {
+  const std::string text = "G17 G90 G71 G54 G94\nG0 X0 Y0 Z50 S1000 M3\nG93 F2\nG1 X40\nM30\n";
+  const ConvertResult made = translated(text, "sinumerik-840d", "fanuc");
+  ASSERT_TRUE(text::has_error(made.diagnostics));
+  const text::Diagnostic& one = made.diagnostics.back();
+  EXPECT_EQ(text::Source("p", text).position(one.span.begin).line, 4U);
+  EXPECT_EQ(one.alarm, "");
+  ASSERT_EQ(one.notes.size(), 1U);
+  EXPECT_EQ(one.notes[0].text, "translated to \"G01 X40.\", which is PS1202 on Fanuc 0i-MF");
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test
