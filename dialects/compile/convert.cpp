@@ -145,6 +145,7 @@ class Converter {
       settle(read.program);
       if (read.program.sections.size() > 1) {
         drop_unread_arguments(read.program, request_.from, request_.to);
+        if (&from_ != &to_ && ir::has_numbered_variables(request_.to)) call_parameters_as_macros(read.program);
         common_.emplace(read.program, request_.from, request_.to, request_.library);
         several(read.program);
       } else {
@@ -192,13 +193,14 @@ class Converter {
   // What only one of the two can say, before anything is asked of the ways through the program.
   void lower(ir::Program& program) {
     if (&from_ == &to_) return;
-    append(result_.diagnostics, passes::lower_polar_positions(program, request_.from, request_.to));
     if (!ir::has_numbered_variables(request_.to)) {
       append(result_.diagnostics, passes::lower_computed_jumps(program).diagnostics);
     } else if (std::ranges::any_of(program.statements, repeats_a_part)) {
       passes::FreeNumbers numbers(program, kHighestBlockNumber);
       append(result_.diagnostics, passes::lower_repeated_parts(program, numbers).diagnostics);
     }
+    // Behind the jumps that repeat: they lead there with other modes, too.
+    append(result_.diagnostics, passes::lower_polar_positions(program, request_.from, request_.to));
   }
 
   // With what the control's definition files declare; what was run has it by then.

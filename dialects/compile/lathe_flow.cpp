@@ -68,7 +68,7 @@ bool is_subprogram(const ir::Program& program, const passes::StatementRange& ran
   bool returns = false;
   for (std::uint32_t i = range.first; i < range.last; ++i) {
     if (program.statements[i].kind == StatementKind::program_end) return false;
-    returns |= program.statements[i].kind == StatementKind::subprogram_return;
+    returns |= passes::returns(program.statements[i].kind);
   }
   return returns;
 }

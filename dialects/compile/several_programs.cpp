@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <span>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "dialects/passes/flow_graph.h"
 #include "dialects/passes/walk.h"
 
 namespace dripfeed::compile {
@@ -25,6 +27,17 @@ bool is_numbered(std::string_view name, char letter) {
 
 bool has(const ir::Program& program, StatementKind kind) {
   return std::ranges::find(program.statements, kind, &ir::Statement::kind) != program.statements.end();
+}
+
+bool has_parameters(const ir::Program& text, const ir::Section& section) {
+  for (std::uint32_t i = section.first; i < section.last; ++i) {
+    const ir::Statement& s = text.statements[i];
+    if (s.kind != StatementKind::procedure || s.payload == ir::kNoIndex) continue;
+    const ir::Structure& head = text.structures[s.payload];
+    const auto symbols = std::span(text.symbols).subspan(head.first_symbol, head.symbol_count);
+    return std::ranges::any_of(symbols, &ir::Symbol::is_parameter);
+  }
+  return false;
 }
 
 }  // namespace
@@ -74,7 +87,8 @@ std::string JoinedPrograms::name_there(const ir::Program& program) {
     name = "L" + name.substr(1);
   if (!tape_of_files && is_numbered(name, 'L')) name = fmt::format("O{:0>4}", name.substr(1));
   // A subprogram can be called by a file's name; two main programs would both be O0001.
-  const bool by_name = has(program, StatementKind::subprogram_return) && !has(program, StatementKind::program_end);
+  const bool comes_back = std::ranges::any_of(program.statements, passes::returns, &ir::Statement::kind);
+  const bool by_name = comes_back && !has(program, StatementKind::program_end);
   const bool findable = tape_of_files || is_numbered(name, 'O') || by_name || names_.empty();
   if (!findable) cannot("the name of the program " + name, span_of(program));
   // An end of the program in a called one ends all; SINUMERIK's goes back to the caller.
@@ -147,6 +161,15 @@ ir::PrintResult JoinedPrograms::take() {
   joined_.text += kTapeMark;
   joined_.origin_lines.push_back(0);
   return std::move(joined_);
+}
+
+void call_parameters_as_macros(ir::Program& text) {
+  std::vector<ir::StringId> names;
+  for (const ir::Section& section : text.sections)
+    if (has_parameters(text, section)) names.push_back(section.name);
+  for (ir::Call& call : text.calls)
+    if (call.kind == ir::CallKind::subprogram && std::ranges::find(names, call.name) != names.end())
+      call.kind = ir::CallKind::macro;
 }
 
 }  // namespace dripfeed::compile

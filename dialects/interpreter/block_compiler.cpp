@@ -24,6 +24,15 @@ bool takes_axis_words(const ir::Code& code) {
          code.function == Function::data_input || code.function == Function::repetitive_cycle;
 }
 
+// G05.1 Q1, G08 P1: their words mean nothing to a cycle that is in effect.
+bool idles_with_words(const ir::Code& code) {
+  return code.function == Function::no_effect && code.group == ir::ModalGroup::non_modal;
+}
+bool is_of_idle_code(const ir::Word& word) {
+  return word.address == Address::p || word.address == Address::q || word.address == Address::l ||
+         word.address == Address::r;
+}
+
 std::string_view name_of_code(const ir::Program& program, const ir::Code& code) {
   if (code.name != ir::StringId::none) return program.strings.at(code.name);
   return ir::name_of(code.function);
@@ -41,8 +50,11 @@ void BlockCompiler::compile(const ir::Block& block, text::Span span) {
   words_belong_to_code_ = std::ranges::any_of(builder_.source().codes_of(block), takes_axis_words);
   compile_codes(block);
   const bool skips = builder_.context().skips(block.rest_level);
-  for (const ir::Word& word : builder_.source().words_of(block))
+  const bool idles = std::ranges::any_of(builder_.source().codes_of(block), idles_with_words);
+  for (const ir::Word& word : builder_.source().words_of(block)) {
+    if (idles && is_of_idle_code(word)) continue;
     if (!skips || !in_rest(block, word.span)) compile_word(word);
+  }
 
   made.word_count = static_cast<std::uint16_t>(index_in(out.words) - made.first_word);
   made.code_count = static_cast<std::uint16_t>(index_in(out.codes) - made.first_code);

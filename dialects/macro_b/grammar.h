@@ -72,6 +72,7 @@ struct Grammar {
   bool packed_calls = true;              // M98 P51234: five times O1234
   char start_letter = 'Q';               // of M98: the block in the called program where it begins
   bool logic_in_conditions = true;       // [a GT b] AND [c LT d]
+  bool long_tool_words = false;          // T001001 of a lathe: three digits each for the tool and its offset
 };
 
 // The keywords of Custom Macro B; other controls append theirs.

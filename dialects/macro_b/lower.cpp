@@ -101,7 +101,8 @@ void BlockLowering::add_code(const RawWord& word, std::int32_t number10) {
     code.function = row->function;
     code.argument = row->argument;
     code.group = row->group;
-    if (row->function == Function::not_modelled || row->function == Function::no_effect ||
+    const bool is_variant = row->function == Function::continuous_path && row->name != "G64";
+    if (row->function == Function::not_modelled || row->function == Function::no_effect || is_variant ||
         row->function == Function::approach || row->function == Function::stroke_check) {
       code.name = program_.strings.add(row->name);
     }
@@ -155,7 +156,24 @@ void BlockLowering::add_word(const RawWord& raw) {
   }
   if (is_linear(raw.letter)) word.value = in_increments(word.value, control_.semantics.least_increment_mm);
   if (is_rotary(raw.letter)) word.value = in_increments(word.value, control_.semantics.least_increment_deg);
+  if (raw.letter == 'T') word.value = with_short_offset(word);
   program_.words.push_back(word);
+}
+
+// T001001 is T0101: the number itself does not tell how it was written.
+ExpressionId BlockLowering::with_short_offset(const ir::Word& word) {
+  constexpr double kLong = 1000.0;
+  constexpr double kShort = 100.0;
+  constexpr std::ptrdiff_t kLongDigits = 6;
+  if (!grammar_.long_tool_words || control_.semantics.tool_word != ir::ToolWord::number_and_offset) return word.value;
+  const std::string_view written = word.span.in(program_.source.text());
+  const ir::Expression e = program_.at(word.value);
+  if (e.op != Operator::constant ||
+      std::ranges::count_if(written, [](char c) { return c >= '0' && c <= '9'; }) != kLongDigits)
+    return word.value;
+  const double tool = std::floor(e.value / kLong);
+  const double offset = e.value - tool * kLong;
+  return offset < kShort ? program_.add_constant(tool * kShort + offset, e.span, e.has_point) : word.value;
 }
 
 void BlockLowering::emit_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place) {

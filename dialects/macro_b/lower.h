@@ -61,7 +61,8 @@ class BlockLowering {
  private:
   [[nodiscard]] const ir::CodeRow* row_of(char letter, std::int32_t number10) const;
   void add_code(const RawWord& word, std::int32_t number10);
-  void add_word(const RawWord& word);
+  void add_word(const RawWord& raw);
+  ir::ExpressionId with_short_offset(const ir::Word& word);
   void lower_call_block(CallWord kind, std::size_t at, std::span<const RawWord> words, const BlockPlace& place);
   // Whether the block begins a list of parameters; it is then lowered.
   bool begins_data(CallWord kind, std::span<const RawWord> words, const BlockPlace& place);

@@ -14,6 +14,7 @@
 #include "dialects/ir/hole_pattern.h"
 #include "dialects/macro_b/lower.h"
 #include "dialects/macro_b/variables.h"
+#include "dialects/passes/flow_graph.h"
 #include "dialects/passes/walk.h"
 #include "dialects/text/number.h"
 
@@ -89,10 +90,9 @@ bool is_file_name(std::string_view name) {
 }
 
 bool comes_back(const ir::Program& program) {
-  const auto has = [&](StatementKind kind) {
-    return std::ranges::find(program.statements, kind, &ir::Statement::kind) != program.statements.end();
-  };
-  return (has(StatementKind::subprogram_return) || has(StatementKind::return_to)) && !has(StatementKind::program_end);
+  return std::ranges::any_of(program.statements, passes::returns, &ir::Statement::kind) &&
+         std::ranges::find(program.statements, StatementKind::program_end, &ir::Statement::kind) ==
+             program.statements.end();
 }
 
 }  // namespace
@@ -243,7 +243,8 @@ std::string ProgramPrinter::code(const ir::Code& code) const {
   if (code.function == Function::work_offset && code.argument > kLastPlainOffset) {
     return fmt::format("G54.1 P{}", code.argument - kExtendedOffset);
   }
-  if (code.function == Function::drill && code.name != ir::StringId::none)
+  if ((code.function == Function::drill || code.function == Function::continuous_path) &&
+      code.name != ir::StringId::none)
     return std::string(program_.strings.at(code.name));
   const ir::CodeRow* row = find_function(control_, code.function, code.argument);
   return row == nullptr ? std::string() : std::string(row->name);

@@ -38,6 +38,12 @@ constexpr std::int16_t kWholeShift = 1;       // argument of local_shift
 
 bool holds(std::string_view letters, Address address) { return letters.contains(letter_of(address)); }
 
+// Of G05, G05.1, G08, G61.1 and the like.
+bool is_of_named_code(const ir::Word& word) {
+  return word.address == Address::p || word.address == Address::q || word.address == Address::l ||
+         word.address == Address::r;
+}
+
 bool is_center(const ir::Word& word) { return holds(kCenterLetters, word.address); }
 
 // Functions that say nothing on a control that is always so; and how splines end, where they themselves are refused.
@@ -98,6 +104,7 @@ void BlockRaiser::block(const ir::Statement& statement, std::uint32_t index) {
   const std::vector<ir::Word> words(old_words.begin(), old_words.end());
   draft_ = {};
   shifts_whole_ = false;
+  leaves_words_ = false;
   before_.clear();
   after_.clear();
   counts_factors_ = std::ranges::any_of(words, [&](const ir::Word& w) {
@@ -106,7 +113,8 @@ void BlockRaiser::block(const ir::Statement& statement, std::uint32_t index) {
   });
   for (const ir::Code& c : codes) code(c);
   const Traits traits = traits_of(codes, words);
-  for (const ir::Word& w : words) word(w, traits);
+  for (const ir::Word& w : words)
+    if (!leaves_words_ || !is_of_named_code(w)) word(w, traits);
   const bool changes = tools_ && !foreign_ && traits.tool_change;
   if (traits.tool != nullptr || traits.edge != nullptr || changes) tool_words(traits);
   if (traits.comp && tools_ && !foreign_) compensation_number();
@@ -194,6 +202,7 @@ void BlockRaiser::code(const ir::Code& code) {
     return draft_.codes.push_back(extended);
   }
   if (f == Function::transformation && code.argument == ir::kTransformationEnds && !begins_transformation()) return;
+  if (f == Function::no_effect || f == Function::continuous_path) return code_by_name(code);
   if (is_said_by_table(f) && find_function(to_, f, code.argument) != nullptr) {
     ir::Code raised = code_of(f, code.argument);
     raised.span = code.span;
@@ -203,6 +212,20 @@ void BlockRaiser::code(const ir::Code& code) {
   if (goes_without_saying(f) || ir::ends_frame(f, code.argument)) return;
   const std::string_view name = program_.strings.at(code.name);
   cannot(*statement_, name.empty() ? std::string(ir::name_of(f)) : std::string(name));
+}
+
+// Look-ahead, smoothing, high precision: by the same name, with its words, or not at all, which is told. G61.1 is G64
+// where it has no name. What only ends something has nothing to end here.
+void BlockRaiser::code_by_name(const ir::Code& code) {
+  const std::string_view name = program_.strings.at(code.name);
+  const auto row = std::ranges::find(to_.g_codes, name, &ir::CodeRow::name);
+  if (row != to_.g_codes.end() && row->function == code.function) return draft_.codes.push_back(code);
+  const bool goes_on = code.function == Function::continuous_path;
+  if (goes_on) draft_.codes.push_back(code_of(code.function, code.argument));
+  if (code.group == ir::ModalGroup::frame || name.empty() || name == "G64") return;
+  leaves_words_ = true;
+  cannot(*statement_, std::string(name) + (goes_on ? ", said as G64," : ""));
+  diagnostics_.back().severity = text::Severity::warning;
 }
 
 // What moves, as the blocks behind it count on it.

@@ -55,6 +55,7 @@ class BlockRaiser {
 
   Traits traits_of(const std::vector<ir::Code>& codes, const std::vector<ir::Word>& words) const;
   void code(const ir::Code& code);
+  void code_by_name(const ir::Code& code);
   void follow_way(const ir::Code& code);
   [[nodiscard]] bool is_plain_number(const ir::Word& word, const Traits& traits) const;
   [[nodiscard]] bool begins_transformation() const;
@@ -116,6 +117,7 @@ class BlockRaiser {
   bool inch_ = false;
   bool feed_in_mm_ = false;      // inch for lengths only
   bool counts_factors_ = false;  // the block has a factor without a point
+  bool leaves_words_ = false;    // of a code that is not said here
   bool shifts_whole_ = false;    // the block's shift takes away those of axes that it does not name
   ir::DiameterMode diameter_;
   const ir::Statement* statement_ = nullptr;

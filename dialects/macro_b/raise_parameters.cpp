@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "dialects/passes/flow_graph.h"
 #include "dialects/passes/macro_arguments.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/walk.h"
@@ -181,8 +182,7 @@ std::vector<text::Diagnostic> raise_calls(ir::Program& program, const ir::Contro
 
 bool has_company(const ir::Program& program) {
   return std::ranges::any_of(program.statements, [](const ir::Statement& s) {
-    return is_call(s.kind) || s.kind == StatementKind::procedure || s.kind == StatementKind::subprogram_return ||
-           s.kind == StatementKind::return_to;
+    return is_call(s.kind) || s.kind == StatementKind::procedure || passes::returns(s.kind);
   });
 }
 

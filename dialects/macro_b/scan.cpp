@@ -34,6 +34,8 @@ constexpr std::array<Class, 256> make_classes() {
 constexpr std::array<Class, 256> kClasses = make_classes();
 Class class_of(char c) { return kClasses[static_cast<unsigned char>(c)]; }
 
+constexpr std::ptrdiff_t kShortPair = 4;  // digits of T0101
+
 // Without the codes that make their block a call or data.
 ir::PlainCodeIndex index_codes(const ir::Control& control, std::span<const ir::CodeRow> table, char letter) {
   ir::PlainCodeIndex index;
@@ -49,6 +51,7 @@ class Words {
         highest_block_number_(grammar.highest_block_number),
         g_codes_(index_codes(control, control.g_codes, 'G')),
         m_codes_(index_codes(control, control.m_codes, 'M')),
+        pairs_by_digits_(grammar.long_tool_words && control.semantics.tool_word == ir::ToolWord::number_and_offset),
         a_may_be_an_angle_(control.kind == ir::MachineKind::lathe && !control.axes.contains('A')),
         control_(&control) {}
 
@@ -101,6 +104,7 @@ class Words {
     if (number.end == nullptr || number.digits > most_digits_ || class_of(*number.end) == Class::other) return nullptr;
     if (letter == 'N' || letter == 'O') return is_signed ? nullptr : head(letter, number, block);
     block.take(begin, number.end);
+    if (letter == 'T' && pairs_by_digits_ && number.end - at > kShortPair) return nullptr;
     if (letter == 'A' && a_may_be_an_angle_) return nullptr;
     if (letter == 'G' || letter == 'M') return minus ? nullptr : code(letter, number, block);
     block.add_word(static_cast<ir::Address>(letter - 'A'), minus ? -number.value : number.value, number.has_point);
@@ -123,6 +127,8 @@ class Words {
     const ir::CodeRow* row = (letter == 'G' ? g_codes_ : m_codes_).find(number10);
     if (row == nullptr) return letter == 'M' ? builder_code(number, block) : nullptr;
     if (ir::ends_program(row->function)) return std::exchange(block.ends_program, true) ? nullptr : number.end;
+    // The words beside it are its own.
+    if (row->function == Function::no_effect && row->group == ir::ModalGroup::non_modal) return nullptr;
     if (row->function == Function::no_effect) block.report(row->name, row->function);
     block.add_code(row->function, row->argument, row->group);
     return number.end;
@@ -144,6 +150,7 @@ class Words {
   std::uint32_t highest_block_number_;
   ir::PlainCodeIndex g_codes_;
   ir::PlainCodeIndex m_codes_;
+  bool pairs_by_digits_;    // T001001: how many are written counts
   bool a_may_be_an_angle_;  // of a line: the reader decides by the whole block
   const ir::Control* control_;
   bool at_start_ = true;  // nothing but blank lines so far

@@ -26,7 +26,7 @@ constexpr auto kOwn = std::to_array<CodeRow>({
     {"G45.1", 451, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G50.2", 502, Function::no_effect, 0, ModalGroup::other, kList},
     {"G51.2", 512, Function::not_modelled, 0, ModalGroup::other, kList},
-    {"G52.5", 525, Function::no_effect, 0, ModalGroup::work_offset, kList},
+    {"G52.5", 525, Function::not_modelled, 0, ModalGroup::work_offset, kList},
     {"G53.5", 535, Function::not_modelled, 0, ModalGroup::work_offset, kList},
     {"G61.4", 614, Function::continuous_path, 0, ModalGroup::exact_stop, kList},
     {"G68.5", 685, Function::not_modelled, 0, ModalGroup::frame, kList},

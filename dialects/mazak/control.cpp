@@ -32,7 +32,8 @@ const macro_b::Grammar& grammar() {
                                             .drip_forbids_conditions = true,
                                             .drip_forbids_output = true,
                                             .packed_calls = false,
-                                            .start_letter = 'Q'};
+                                            .start_letter = 'Q',
+                                            .long_tool_words = true};
   return kGrammar;
 }
 

@@ -36,8 +36,8 @@ constexpr auto kOwn = std::to_array<CodeRow>({
 constexpr auto kMill = std::to_array<CodeRow>({
     {"G12", 120, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G13", 130, Function::not_modelled, 0, ModalGroup::non_modal, kList},
-    {"G38", 380, Function::no_effect, 0, ModalGroup::non_modal, kList},
-    {"G39", 390, Function::no_effect, 0, ModalGroup::non_modal, kList},
+    {"G38", 380, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    {"G39", 390, Function::not_modelled, 0, ModalGroup::non_modal, kList},
 });
 // clang-format on
 

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "dialects/passes/flow_graph.h"
+#include "dialects/passes/motion_flow.h"
 
 namespace dripfeed::passes {
 
@@ -21,16 +23,25 @@ bool is_center(const ir::Word& w) {
 }
 bool is_radius(const ir::Word& w) { return w.address == Address::r || w.address == Address::arc_radius; }
 
+// AR, AP and RP, a point in between.
+bool is_other_form(const ir::Word& w) {
+  return w.address == Address::opening_angle || w.address == Address::polar_angle ||
+         w.address == Address::polar_radius || (w.address >= Address::via_i && w.address <= Address::via_k);
+}
+
 bool is_arc(Function f) { return f == Function::arc_cw || f == Function::arc_ccw; }
 
 class ArcWords {
  public:
-  ArcWords(ir::Program& program, const ir::Control& to) : program_(program), to_(to) {}
+  ArcWords(ir::Program& program, const ir::Control& from, const ir::Control& to)
+      : program_(program), to_(to), takes_radius_(from.semantics.arc_radius_is_r), motions_(motions_before(program)) {}
 
   std::vector<text::Diagnostic> run() {
     for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
       if (section_of(program_, i).first == i) arc_ = false;
       const ir::Statement& s = program_.statements[i];
+      // A missing centre is an alarm there: only where it is certain.
+      if (!takes_radius_) arc_ = motions_[i].has_value() && is_arc(*motions_[i]);
       if (s.kind == StatementKind::block) block(s);
     }
     return std::move(diagnostics_);
@@ -51,8 +62,10 @@ class ArcWords {
     const auto words = program_.words_of(block);
     const bool center = std::ranges::any_of(words, is_center);
     const bool radius = std::ranges::any_of(words, is_radius);
-    if (center && radius && block.rest_level == 0) return take_radius(block);
-    if (center || radius || std::ranges::none_of(words, ir::is_axis, &ir::Word::address)) return;
+    if (center && radius && takes_radius_ && block.rest_level == 0) return take_radius(block);
+    if (center || radius || std::ranges::any_of(words, is_other_form) ||
+        std::ranges::none_of(words, ir::is_axis, &ir::Word::address))
+      return;
     diagnostics_.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, s.span,
                                                  {"an arc without a centre or radius", to_.title}));
   }
@@ -68,6 +81,8 @@ class ArcWords {
 
   ir::Program& program_;
   const ir::Control& to_;
+  bool takes_radius_;  // where there is a centre, too
+  std::vector<std::optional<Function>> motions_;
   bool arc_ = false;
   std::vector<text::Diagnostic> diagnostics_;
 };
@@ -75,8 +90,8 @@ class ArcWords {
 }  // namespace
 
 std::vector<text::Diagnostic> settle_arcs(ir::Program& program, const ir::Control& from, const ir::Control& to) {
-  if (from.dialect == to.dialect || !from.semantics.arc_radius_is_r) return {};
-  return ArcWords(program, to).run();
+  if (from.dialect == to.dialect) return {};
+  return ArcWords(program, from, to).run();
 }
 
 }  // namespace dripfeed::passes

@@ -35,7 +35,7 @@ void returns_of_main_as_jumps(ir::Program& program) {
   bool main = false;
   for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
     ir::Statement& s = program.statements[i];
-    if (s.kind != StatementKind::subprogram_return && s.kind != StatementKind::return_to) continue;
+    if (!returns(s.kind)) continue;
     if (i >= range.last) {
       range = section_of(program, i);
       main = is_main(program, range);

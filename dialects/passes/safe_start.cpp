@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "dialects/passes/flow_graph.h"
+
 namespace dripfeed::passes {
 
 namespace {
@@ -23,9 +25,8 @@ struct Start {
 
 // A subprogram runs in its caller's modes.
 bool is_subprogram(const ir::Program& program) {
-  return std::ranges::any_of(program.statements, [](const ir::Statement& s) {
-    return s.kind == StatementKind::procedure || s.kind == StatementKind::subprogram_return;
-  });
+  return std::ranges::any_of(
+      program.statements, [](const ir::Statement& s) { return s.kind == StatementKind::procedure || returns(s.kind); });
 }
 
 // What is said up to the first block that moves; nothing when none does or another program may say it.

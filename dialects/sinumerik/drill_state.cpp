@@ -25,7 +25,7 @@ bool is_motion(Function f) {
 }  // namespace
 
 bool has_own_words(const ir::Code& c) {
-  if (c.function == Function::exact_stop_once || c.function == Function::no_effect) return false;
+  if (c.function == Function::exact_stop_once) return false;
   return c.group == ModalGroup::non_modal || c.group == ModalGroup::frame || c.function == Function::not_modelled ||
          c.function == Function::machine_coordinates || c.number != ir::ExpressionId::none;
 }

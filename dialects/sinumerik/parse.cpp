@@ -100,7 +100,9 @@ void Parser::tape_head() {
   if (head.size() > 4 && head[head.size() - 4] == '_') head.remove_suffix(4);
   if (head.empty() || !std::ranges::all_of(head, is_name_character)) return;
   const std::string name(UpperName(head).view());
-  if (std::exchange(has_head_, true)) {
+  const bool has_blocks = std::ranges::any_of(
+      program_.statements, [](const ir::Statement& s) { return s.kind != ir::StatementKind::empty; });
+  if (std::exchange(has_head_, true) || has_blocks) {
     open_section(name);
     lower_.begin_program();
     macros_.clear();

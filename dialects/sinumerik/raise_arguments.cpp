@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "dialects/passes/flow_graph.h"
 #include "dialects/passes/macro_arguments.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/set_on_all_ways.h"
@@ -34,10 +35,9 @@ using ir::StatementKind;
 constexpr std::size_t kMostVariants = 3;  // variables that may be empty in one block
 
 bool is_subprogram(const ir::Program& program) {
-  const auto has = [&](StatementKind kind) {
-    return std::ranges::find(program.statements, kind, &ir::Statement::kind) != program.statements.end();
-  };
-  return has(StatementKind::subprogram_return) && !has(StatementKind::program_end);
+  return std::ranges::any_of(program.statements, passes::returns, &ir::Statement::kind) &&
+         std::ranges::find(program.statements, StatementKind::program_end, &ir::Statement::kind) ==
+             program.statements.end();
 }
 
 // What the names are made of.

@@ -65,6 +65,7 @@ class BlockRaiser {
     block.first_code = static_cast<std::uint32_t>(program_.codes.size());
     block.first_word = static_cast<std::uint32_t>(program_.words.size());
     dwell_ = has(Function::dwell);
+    loses_code_ = false;
     if (has(Function::unit_inch)) inch_ = true;
     if (has(Function::unit_mm)) inch_ = false;
     tools_.begin_block(statement, block.first_word, codes_, words_);
@@ -149,6 +150,7 @@ class BlockRaiser {
       return program_.codes.push_back(c);  // settled
     // What would begin it is refused: by itself it ends nothing.
     if (c.function == Function::transformation && c.argument == ir::kTransformationEnds) return;
+    if (c.function == Function::no_effect || c.function == Function::continuous_path) tell_lost(c);
     if (std::ranges::find(kNeedless, c.function) != std::end(kNeedless)) return;
     if (ir::ends_frame(c.function, c.argument)) return;
     if (c.function == Function::thread_changing) return;  // written in each block that moves
@@ -161,6 +163,17 @@ class BlockRaiser {
       return raising_.cannot(written.empty() ? std::string(ir::name_of(c.function)) : std::string(written), c.span);
     }
     add(c, name);
+  }
+
+  // Look-ahead, smoothing, high precision of the other control, with their words.
+  void tell_lost(const ir::Code& c) {
+    if (c.name == ir::StringId::none || c.group == ModalGroup::frame) return;
+    loses_code_ = true;
+    raising_.cannot(std::string(program_.strings.at(c.name)), c.span);
+    raising_.diagnostics.back().severity = text::Severity::warning;
+  }
+  static bool is_of_lost_code(Address a) {
+    return a == Address::p || a == Address::q || a == Address::l || a == Address::r;
   }
 
   // G34 or G35 by the sign of the change, G33 where it is 0. The lead and its change are said in each block.
@@ -199,6 +212,7 @@ class BlockRaiser {
     const ir::Semantics& from = raising_.from.semantics;
     if (w.value == ir::ExpressionId::none) return;
     if (std::ranges::any_of(codes_, is_fixed_point)) return program_.words.push_back(w);
+    if (loses_code_ && is_of_lost_code(w.address)) return;
     if (dwell_) return dwell_word(w);
     w.value = in_units(w);
     if (from.incremental_letters_uvw) incremental_letter(w);
@@ -271,6 +285,7 @@ class BlockRaiser {
   // In the order of the text.
   bool inch_;
   bool dwell_ = false;
+  bool loses_code_ = false;
   bool arc_is_modal_ = false;
   bool thread_is_modal_ = false;
   bool lead_changes_ = false;  // … by G34

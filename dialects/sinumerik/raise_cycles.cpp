@@ -90,8 +90,8 @@ class CycleRaiser {
     }
     out_.keep();
   }
-  static constexpr std::array kStaying = {Function::dwell, Function::local_shift, Function::data_input,
-                                          Function::set_coordinates};
+  static constexpr std::array kStaying = {Function::no_effect, Function::dwell, Function::local_shift,
+                                          Function::data_input, Function::set_coordinates};
   static bool changes_return(const ir::Code& c) {
     return c.function == Function::return_to_initial || c.function == Function::return_to_r;
   }

@@ -380,5 +380,34 @@ TEST(Convert, AFaultOfTheTranslationNamesTheControlThatHasIt) {
   EXPECT_EQ(one.notes[0].text, "translated to \"G01 X40.\", which is PS1202 on Fanuc 0i-MF");
 }
 
+// A code without effect on the path keeps its name and words where the other control has it, and goes with them where
+// it has not, which is told; a cycle in effect takes none of the words.
+TEST(Convert, CodesWithoutEffectGoWithTheirWords) {
+  const std::string head = "%\nO1\nG21 G17 G90 G94 G54\nS500 M3\nG0 X0. Y0. Z50.\n";
+  const std::string text = head + "G98 G83 X10. Y0. Z-20. R2. Q5. F100.\nG05.1 Q1\nX20.\nG80\nM30\n%\n";
+  const ConvertResult kept = translated(text, "fanuc", "mitsubishi-m80");
+  EXPECT_TRUE(kept.text.contains("\nG05.1 Q1\nX20.")) << kept.text;
+  const ConvertResult dropped = translated(text, "fanuc", "sinumerik-840d");
+  EXPECT_TRUE(dropped.text.contains("G0 X10. Y0.\nG0 X20.\nMCALL")) << dropped.text;
+  EXPECT_TRUE(said(dropped.diagnostics, text::Source("p", text)).contains("7:1: warning[cannot-translate]: G05.1"));
+  const auto before = moves_of(run_text(text, control("fanuc", ir::MachineKind::mill)).motions);
+  const std::string plain = head + "G98 G83 X10. Y0. Z-20. R2. Q5. F100.\n\nX20.\nG80\nM30\n%\n";
+  expect_same(before, moves_of(run_text(plain, control("fanuc", ir::MachineKind::mill)).motions), 1e-9, "Q of G83");
+  const ConvertResult none = translated(head + "G109 L1\nG0 X1.\nM30\n%\n", "mazak", "fanuc");
+  EXPECT_FALSE(none.text.contains("L1")) << none.text;
+  // High precision is not G64.
+  EXPECT_TRUE(translated(head + "G61.1\nG1 X1. F100.\nM30\n%\n", "mazak", "mitsubishi-m80").text.contains("G61.1\n"));
+  const ConvertResult to_fanuc = translated(head + "G61.1\nG1 X1. F100.\nM30\n%\n", "mazak", "fanuc");
+  EXPECT_TRUE(to_fanuc.text.contains("G64\n")) << to_fanuc.text;
+  ASSERT_FALSE(to_fanuc.diagnostics.empty());
+}
+
+// Straight on by a parameter there (3403#5), an alarm here.
+TEST(Convert, AnArcWithoutACentreIsNotPassedOn) {
+  const std::string text = "G17 G71 G90 G94 G54\nG0 X0 Y0\nG2 X20 Y20 CR=20 F100\nX30\nM30\n";
+  const ConvertResult made = translated(text, "sinumerik-840d", "fanuc");
+  EXPECT_TRUE(said(made.diagnostics, text::Source("p", text)).contains("4:1: error[cannot-translate]: an arc without"));
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test

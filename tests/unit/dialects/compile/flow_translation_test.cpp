@@ -175,5 +175,21 @@ TEST(MachineMoves, AreTheSameOnlyByRapid) {
   EXPECT_FALSE(errors("G1 X100. F200.\nG53 Z0.\n", "fanuc", "mazak").contains("machine"));
 }
 
+// A part that is run again begins with what is in effect behind it: positions by angle count otherwise beside G91.
+TEST(RepeatedParts, PolarPositionsInThemAreOfAllWays) {
+  const std::string text =
+      kOwnStart + "PART:\nG111 X10 Y10\nG1 AP=90 RP=5 F100\nG91\nPARTEND:\nREPEAT PART PARTEND P=1\nM30\n";
+  const ConvertResult made = translated(text, kOwn, "fanuc");
+  EXPECT_TRUE(said(made.diagnostics, text::Source("p", text)).contains("absolute or incremental is not known"))
+      << made.text;
+}
+
+// What stands before the first head of a file is a program, too.
+TEST(SeveralPrograms, TheFirstMayHaveNoHead) {
+  const auto [there, text] =
+      places_there("G17 G90 G71 G94 G54\nG0 X0 Y0\nSUB1\nM30\n%_N_SUB1_SPF\nG0 X5\nRET\n", kOwn, "fanuc");
+  EXPECT_EQ(there, (std::vector<double>{0, 5})) << text;
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test

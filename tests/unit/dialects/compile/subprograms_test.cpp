@@ -351,5 +351,31 @@ TEST(Subprograms, NamesBeyondTheLocalVariablesNeedAllCallersAndCalls) {
   EXPECT_NE(refused(with_many_names("IF R5>9\nCUT\nENDIF\n")).find(needs), std::string::npos) << "it calls itself";
 }
 
+// What its caller has in effect stays, also where a program returns only to a block of the caller (M99 P).
+TEST(Subprograms, OneThatReturnsToABlockHasNoStartOfItsOwn) {
+  const std::string text =
+      "%\nO1\nG21 G17 G90 G94 G40 G49 G80\nG54\nG0 X0 Y0 Z50.\nG1 F100\nG91\nM98 P3\nX9.\nN10 X10.\nM30\nO3\nY3.\nM99 "
+      "P10\n%\n";
+  for (const std::string to : {"mazak", "sinumerik-840d"}) {
+    const ConvertResult made = translated(text, "fanuc", to);
+    ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("p", text));
+    expect_same(moves_of(run_text(text, control("fanuc", ir::MachineKind::mill)).motions),
+                moves_of(run_text(made.text, control(to, ir::MachineKind::mill)).motions), 1e-9, made.text);
+  }
+}
+
+// Parameters that are not given are their defaults at each call.
+TEST(Subprograms, ParametersStartAnewAtEachCall) {
+  const std::string text =
+      "%_N_MAIN_MPF\nG17 G90 G71 G54 G94\nG1 X0 Y0 F100\nINNER P3\nOTHER\nM30\n%_N_INNER_SPF\nPROC INNER(REAL "
+      "T=5)\nX=T\nT=T+1\nRET\n"
+      "%_N_OTHER_SPF\nPROC OTHER(REAL Q=9)\nY=Q\nRET\n";
+  const ConvertResult made = translated(text, "sinumerik-840d", "fanuc");
+  ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("p", text));
+  EXPECT_TRUE(made.text.contains("G65 <INNER> L3\nG65 <OTHER>\n")) << made.text;
+  expect_same(moves_of(run_text(text, control("sinumerik-840d", ir::MachineKind::mill)).motions),
+              moves_of(run_text(made.text, control("fanuc", ir::MachineKind::mill)).motions), 1e-9, made.text);
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test

@@ -226,5 +226,24 @@ TEST(Tools, ModesAroundAHole) {
   expect_not(round.substr(round.find("Z-5.")), "G91");
 }
 
+// Mazak: the digits say how T is divided.
+TEST(Tools, SixDigitsAreThreeForTheToolAndThreeForItsOffset) {
+  const auto on_lathe = [](const std::string& dialect) { return control(dialect, MachineKind::lathe); };
+  const std::string text = "%\nO1\nG21 G18 G97 G99\nT001001\nG0 X50. Z2.\nT010010\nG0 X60.\nT0303\nG0 X70.\nM30\n%\n";
+  ConvertRequest request;
+  request.source = text::Source("program", text);
+  request.from = on_lathe("mazak");
+  request.to = on_lathe("fanuc");
+  const ConvertResult made = convert(request);
+  ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, request.source);
+  expect_has(made.text, "T0101\nG00 X50.");
+  expect_has(made.text, "T1010\nG00 X60.");
+  expect_has(made.text, "T0303\nG00 X70.");
+  std::vector<std::int64_t> tools;
+  for (const ir::Motion& m : run_text(text, on_lathe("mazak")).motions)
+    if (m.kind == ir::MotionKind::tool) tools.push_back(m.number);
+  EXPECT_EQ(tools, (std::vector<std::int64_t>{1, 10, 3}));
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test
