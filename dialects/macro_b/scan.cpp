@@ -59,10 +59,14 @@ class Words {
   static bool ends_line(char eob) { return eob != ';'; }
 
   const char* scan(const char* at, ScannedBlock& block) {
+    idles_ = false;
+    const std::size_t first_word = block.batch->words.size();
     while (at != nullptr) {
       switch (class_of(*at)) {
         case Class::white: ++at; break;
-        case Class::eob: return at;
+        case Class::eob:
+          if (idles_) drop_idle_words(*block.batch, first_word);
+          return at;
         case Class::letter:
           at = word(at, block);
           at_start_ = false;
@@ -79,6 +83,17 @@ class Words {
   }
 
  private:
+  // G05.1 Q1, G08 P1: no words of a cycle that is in effect.
+  static void drop_idle_words(ir::PlainBatch& batch, std::size_t first_word) {
+    const auto is_own = [](const ir::PlainWord& w) {
+      return w.address == ir::Address::p || w.address == ir::Address::q || w.address == ir::Address::l ||
+             w.address == ir::Address::r;
+    };
+    batch.words.erase(
+        std::remove_if(batch.words.begin() + static_cast<std::ptrdiff_t>(first_word), batch.words.end(), is_own),
+        batch.words.end());
+  }
+
   // '%' before anything else, and what stands behind it on its line.
   static const char* leader(const char* at) {
     while (*at != '\n' && *at != '\r') ++at;
@@ -127,8 +142,7 @@ class Words {
     const ir::CodeRow* row = (letter == 'G' ? g_codes_ : m_codes_).find(number10);
     if (row == nullptr) return letter == 'M' ? builder_code(number, block) : nullptr;
     if (ir::ends_program(row->function)) return std::exchange(block.ends_program, true) ? nullptr : number.end;
-    // The words beside it are its own.
-    if (row->function == Function::no_effect && row->group == ir::ModalGroup::non_modal) return nullptr;
+    idles_ |= row->function == Function::no_effect && row->group == ir::ModalGroup::non_modal;
     if (row->function == Function::no_effect) block.report(row->name, row->function);
     block.add_code(row->function, row->argument, row->group);
     return number.end;
@@ -153,6 +167,7 @@ class Words {
   bool pairs_by_digits_;    // T001001: how many are written counts
   bool a_may_be_an_angle_;  // of a line: the reader decides by the whole block
   const ir::Control* control_;
+  bool idles_ = false;    // the block at hand has a code whose words do nothing
   bool at_start_ = true;  // nothing but blank lines so far
   std::string name_;
 };
