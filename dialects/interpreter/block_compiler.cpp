@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "dialects/ir/alarm_details.h"
+#include "dialects/ir/idle_code.h"
 
 namespace dripfeed::interpreter {
 
@@ -24,15 +25,6 @@ bool takes_axis_words(const ir::Code& code) {
          code.function == Function::data_input || code.function == Function::repetitive_cycle;
 }
 
-// G05.1 Q1, G08 P1: their words mean nothing to a cycle that is in effect.
-bool idles_with_words(const ir::Code& code) {
-  return code.function == Function::no_effect && code.group == ir::ModalGroup::non_modal;
-}
-bool is_of_idle_code(const ir::Word& word) {
-  return word.address == Address::p || word.address == Address::q || word.address == Address::l ||
-         word.address == Address::r;
-}
-
 std::string_view name_of_code(const ir::Program& program, const ir::Code& code) {
   if (code.name != ir::StringId::none) return program.strings.at(code.name);
   return ir::name_of(code.function);
@@ -50,9 +42,10 @@ void BlockCompiler::compile(const ir::Block& block, text::Span span) {
   words_belong_to_code_ = std::ranges::any_of(builder_.source().codes_of(block), takes_axis_words);
   compile_codes(block);
   const bool skips = builder_.context().skips(block.rest_level);
-  const bool idles = std::ranges::any_of(builder_.source().codes_of(block), idles_with_words);
+  const bool idles = std::ranges::any_of(builder_.source().codes_of(block),
+                                         [](const ir::Code& c) { return ir::idles(c.function, c.group); });
   for (const ir::Word& word : builder_.source().words_of(block)) {
-    if (idles && is_of_idle_code(word)) continue;
+    if (idles && ir::is_word_of_idle_code(word.address)) continue;
     if (!skips || !in_rest(block, word.span)) compile_word(word);
   }
 

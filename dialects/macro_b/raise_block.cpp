@@ -12,6 +12,7 @@
 #include "dialects/ir/cycle.h"
 #include "dialects/ir/frame_use.h"
 #include "dialects/ir/hole_pattern.h"
+#include "dialects/ir/idle_code.h"
 #include "dialects/ir/transformation_use.h"
 #include "dialects/macro_b/findings.h"
 #include "dialects/macro_b/lower.h"
@@ -37,12 +38,6 @@ constexpr std::int16_t kLengthsOnly = 1;      // argument of unit_inch: feeds st
 constexpr std::int16_t kWholeShift = 1;       // argument of local_shift
 
 bool holds(std::string_view letters, Address address) { return letters.contains(letter_of(address)); }
-
-// Of G05, G05.1, G08, G61.1 and the like.
-bool is_of_named_code(const ir::Word& word) {
-  return word.address == Address::p || word.address == Address::q || word.address == Address::l ||
-         word.address == Address::r;
-}
 
 bool is_center(const ir::Word& word) { return holds(kCenterLetters, word.address); }
 
@@ -114,7 +109,7 @@ void BlockRaiser::block(const ir::Statement& statement, std::uint32_t index) {
   for (const ir::Code& c : codes) code(c);
   const Traits traits = traits_of(codes, words);
   for (const ir::Word& w : words)
-    if (!leaves_words_ || !is_of_named_code(w)) word(w, traits);
+    if (!leaves_words_ || !ir::is_word_of_idle_code(w.address)) word(w, traits);
   const bool changes = tools_ && !foreign_ && traits.tool_change;
   if (traits.tool != nullptr || traits.edge != nullptr || changes) tool_words(traits);
   if (traits.comp && tools_ && !foreign_) compensation_number();
@@ -396,54 +391,6 @@ ExpressionId BlockRaiser::with_point(ExpressionId value, bool rotary) {
     number /= inch_ && !rotary ? per_unit * 10.0 : per_unit;
   }
   return program_.add_constant(number, e.span, true);
-}
-
-// One M code a block: the others follow in blocks of their own. Of a block that moves, what starts the spindle or the
-// coolant comes before it, unless it also stops one.
-void BlockRaiser::split_m_codes() {
-  const auto turns = [](const ir::Code& c) {
-    return c.function == Function::spindle_cw || c.function == Function::spindle_ccw;
-  };
-  const auto starts = [&](const ir::Code& c) {
-    return turns(c) || c.function == Function::coolant_mist || c.function == Function::coolant_flood;
-  };
-  const auto stops = [](const ir::Code& c) {
-    return c.function == Function::spindle_stop || c.function == Function::coolant_off;
-  };
-  const auto is_m = [](const ir::Code& c) { return c.letter == 'M'; };
-  const bool in_front =
-      std::ranges::any_of(draft_.words, [](const ir::Word& w) { return holds(kAxisLetters, w.address); }) &&
-      std::ranges::none_of(draft_.codes, stops);
-  // M0 and M1 hold when all else is done.
-  const auto holds_program = [](const ir::Code& c) {
-    return c.function == Function::program_stop || c.function == Function::optional_stop;
-  };
-  std::ranges::stable_sort(draft_.codes, {}, holds_program);
-  // The last one that starts something stays with the move, those ahead of it go in front: the spindle with its S.
-  auto kept = draft_.codes.end();
-  for (auto code = draft_.codes.begin(); in_front && code != draft_.codes.end(); ++code)
-    if (starts(*code)) kept = code;
-  if (kept == draft_.codes.end()) kept = std::ranges::find_if(draft_.codes, is_m);
-  std::vector<ir::Code> codes;
-  std::vector<Draft> behind;
-  for (auto code = draft_.codes.begin(); code != draft_.codes.end(); ++code) {
-    if (code == kept || !is_m(*code)) {
-      codes.push_back(*code);
-    } else if (in_front && starts(*code)) {
-      before_.push_back({{*code}, {}});
-      if (turns(*code)) move_words(Address::s, draft_, before_.back());
-    } else {
-      behind.push_back({{*code}, {}});
-    }
-  }
-  draft_.codes = std::move(codes);
-  after_.insert(after_.begin(), behind.begin(), behind.end());
-}
-
-void BlockRaiser::move_words(Address address, Draft& from, Draft& to) {
-  const auto is_one = [address](const ir::Word& w) { return w.address == address; };
-  std::ranges::copy_if(from.words, std::back_inserter(to.words), is_one);
-  std::erase_if(from.words, is_one);
 }
 
 // What the switch leaves out is still the same words of the same block.

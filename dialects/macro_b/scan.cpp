@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dialects/ir/block_scanner.h"
+#include "dialects/ir/idle_code.h"
 #include "dialects/macro_b/call_words.h"
 #include "dialects/macro_b/lower.h"
 #include "dialects/text/scan_decimal.h"
@@ -85,10 +86,7 @@ class Words {
  private:
   // G05.1 Q1, G08 P1: no words of a cycle that is in effect.
   static void drop_idle_words(ir::PlainBatch& batch, std::size_t first_word) {
-    const auto is_own = [](const ir::PlainWord& w) {
-      return w.address == ir::Address::p || w.address == ir::Address::q || w.address == ir::Address::l ||
-             w.address == ir::Address::r;
-    };
+    const auto is_own = [](const ir::PlainWord& w) { return ir::is_word_of_idle_code(w.address); };
     batch.words.erase(
         std::remove_if(batch.words.begin() + static_cast<std::ptrdiff_t>(first_word), batch.words.end(), is_own),
         batch.words.end());
@@ -142,7 +140,7 @@ class Words {
     const ir::CodeRow* row = (letter == 'G' ? g_codes_ : m_codes_).find(number10);
     if (row == nullptr) return letter == 'M' ? builder_code(number, block) : nullptr;
     if (ir::ends_program(row->function)) return std::exchange(block.ends_program, true) ? nullptr : number.end;
-    idles_ |= row->function == Function::no_effect && row->group == ir::ModalGroup::non_modal;
+    idles_ |= ir::idles(row->function, row->group);
     if (row->function == Function::no_effect) block.report(row->name, row->function);
     block.add_code(row->function, row->argument, row->group);
     return number.end;

@@ -11,7 +11,7 @@ namespace {
 
 using ir::StatementKind;
 
-bool is_main(const ir::Program& program, const StatementRange& range) {
+bool has_end(const ir::Program& program, const StatementRange& range) {
   const auto begin = program.statements.begin();
   return std::any_of(begin + range.first, begin + range.last,
                      [](const ir::Statement& s) { return s.kind == StatementKind::program_end; });
@@ -38,10 +38,15 @@ void returns_of_main_as_jumps(ir::Program& program) {
     if (!returns(s.kind)) continue;
     if (i >= range.last) {
       range = section_of(program, i);
-      main = is_main(program, range);
+      main = has_end(program, range);
     }
     if (main) as_jump(program, s);
   }
+}
+
+bool is_subprogram(const ir::Program& program) {
+  return std::ranges::any_of(program.statements, returns, &ir::Statement::kind) &&
+         !has_end(program, {.first = 0, .last = static_cast<std::uint32_t>(program.statements.size())});
 }
 
 }  // namespace dripfeed::passes

@@ -7,5 +7,7 @@
 namespace dripfeed::passes {
 
 void returns_of_main_as_jumps(ir::Program& program);
+// A program that returns and has no end of its own.
+bool is_subprogram(const ir::Program& program);
 
 }  // namespace dripfeed::passes

@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "dialects/passes/flow_graph.h"
 #include "dialects/passes/macro_arguments.h"
+#include "dialects/passes/main_return.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/set_on_all_ways.h"
 #include "dialects/passes/walk.h"
@@ -34,12 +34,6 @@ using ir::StatementKind;
 
 constexpr std::size_t kMostVariants = 3;  // variables that may be empty in one block
 
-bool is_subprogram(const ir::Program& program) {
-  return std::ranges::any_of(program.statements, passes::returns, &ir::Statement::kind) &&
-         std::ranges::find(program.statements, StatementKind::program_end, &ir::Statement::kind) ==
-             program.statements.end();
-}
-
 // What the names are made of.
 struct Local {
   ir::SymbolId symbol = ir::SymbolId::none;
@@ -55,7 +49,7 @@ class Macro {
     find_locals();
     if (locals_.empty()) return {};
     const auto unset = passes::reads_before_set(program_, [this](const ir::Variable& v) { return local_of(v); });
-    const bool takes = is_subprogram(program_) && std::ranges::any_of(unset, [](const passes::UnsetRead& read) {
+    const bool takes = passes::is_subprogram(program_) && std::ranges::any_of(unset, [](const passes::UnsetRead& read) {
                          return passes::position_of_local(read.watched).has_value();
                        });
     if (!takes && !calls(ir::CallKind::macro)) return {};

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "dialects/ir/frame_use.h"
+#include "dialects/ir/idle_code.h"
 #include "dialects/ir/transformation_use.h"
 #include "dialects/sinumerik/code_names.h"
 #include "dialects/sinumerik/codes.h"
@@ -172,9 +173,6 @@ class BlockRaiser {
     raising_.cannot(std::string(program_.strings.at(c.name)), c.span);
     raising_.diagnostics.back().severity = text::Severity::warning;
   }
-  static bool is_of_lost_code(Address a) {
-    return a == Address::p || a == Address::q || a == Address::l || a == Address::r;
-  }
 
   // G34 or G35 by the sign of the change, G33 where it is 0. The lead and its change are said in each block.
   void changing_thread(text::Span span) {
@@ -212,7 +210,7 @@ class BlockRaiser {
     const ir::Semantics& from = raising_.from.semantics;
     if (w.value == ir::ExpressionId::none) return;
     if (std::ranges::any_of(codes_, is_fixed_point)) return program_.words.push_back(w);
-    if (loses_code_ && is_of_lost_code(w.address)) return;
+    if (loses_code_ && ir::is_word_of_idle_code(w.address)) return;
     if (dwell_) return dwell_word(w);
     w.value = in_units(w);
     if (from.incremental_letters_uvw) incremental_letter(w);

@@ -1,0 +1,59 @@
+// Several M functions of a block: one of them stays, the others get blocks of their own around it.
+#include <algorithm>
+#include <iterator>
+
+#include "dialects/macro_b/raise_block.h"
+
+namespace dripfeed::macro_b {
+
+using ir::Address;
+using ir::Function;
+
+// One M code a block: the others follow in blocks of their own. Of a block that moves, what starts the spindle or the
+// coolant comes before it, unless it also stops one.
+void BlockRaiser::split_m_codes() {
+  const auto turns = [](const ir::Code& c) {
+    return c.function == Function::spindle_cw || c.function == Function::spindle_ccw;
+  };
+  const auto starts = [&](const ir::Code& c) {
+    return turns(c) || c.function == Function::coolant_mist || c.function == Function::coolant_flood;
+  };
+  const auto stops = [](const ir::Code& c) {
+    return c.function == Function::spindle_stop || c.function == Function::coolant_off;
+  };
+  const auto is_m = [](const ir::Code& c) { return c.letter == 'M'; };
+  const bool in_front =
+      std::ranges::any_of(draft_.words, ir::is_axis, &ir::Word::address) && std::ranges::none_of(draft_.codes, stops);
+  // M0 and M1 hold when all else is done.
+  const auto holds_program = [](const ir::Code& c) {
+    return c.function == Function::program_stop || c.function == Function::optional_stop;
+  };
+  std::ranges::stable_sort(draft_.codes, {}, holds_program);
+  // The last one that starts something stays with the move, those ahead of it go in front: the spindle with its S.
+  auto kept = draft_.codes.end();
+  for (auto code = draft_.codes.begin(); in_front && code != draft_.codes.end(); ++code)
+    if (starts(*code)) kept = code;
+  if (kept == draft_.codes.end()) kept = std::ranges::find_if(draft_.codes, is_m);
+  std::vector<ir::Code> codes;
+  std::vector<Draft> behind;
+  for (auto code = draft_.codes.begin(); code != draft_.codes.end(); ++code) {
+    if (code == kept || !is_m(*code)) {
+      codes.push_back(*code);
+    } else if (in_front && starts(*code)) {
+      before_.push_back({{*code}, {}});
+      if (turns(*code)) move_words(Address::s, draft_, before_.back());
+    } else {
+      behind.push_back({{*code}, {}});
+    }
+  }
+  draft_.codes = std::move(codes);
+  after_.insert(after_.begin(), behind.begin(), behind.end());
+}
+
+void BlockRaiser::move_words(Address address, Draft& from, Draft& to) {
+  const auto is_one = [address](const ir::Word& w) { return w.address == address; };
+  std::ranges::copy_if(from.words, std::back_inserter(to.words), is_one);
+  std::erase_if(from.words, is_one);
+}
+
+}  // namespace dripfeed::macro_b
