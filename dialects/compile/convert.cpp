@@ -15,6 +15,7 @@
 #include "dialects/compile/lower_turning.h"
 #include "dialects/compile/machine_moves.h"
 #include "dialects/compile/moves_in_place.h"
+#include "dialects/compile/parameter_calls.h"
 #include "dialects/compile/settle_faces.h"
 #include "dialects/compile/several_programs.h"
 #include "dialects/compile/source_lines.h"
@@ -132,6 +133,8 @@ class Converter {
       }
       append(result_.diagnostics, in_place_.lower(read.program));
       told_ = result_.diagnostics.size();
+      // A contour is entered from its cycle, which the steps behind this do not know.
+      if (read.program.sections.size() > 1 && text::has_error(result_.diagnostics)) return;
       append(result_.diagnostics, settle_leads(read.program, request_.from, request_.to));
       append(result_.diagnostics, lower_turning(read.program, request_.from, request_.to));
       append(result_.diagnostics, settle_faces(read.program, request_.from, request_.to));
@@ -143,9 +146,10 @@ class Converter {
       if (read.program.sections.size() == 1) read.program.sections.clear();
       if (read.program.sections.empty()) lower(read.program);
       settle(read.program);
+      if (&from_ != &to_ && ir::has_numbered_variables(request_.to))
+        call_parameters_as_macros(read.program, request_.library);
       if (read.program.sections.size() > 1) {
         drop_unread_arguments(read.program, request_.from, request_.to);
-        if (&from_ != &to_ && ir::has_numbered_variables(request_.to)) call_parameters_as_macros(read.program);
         common_.emplace(read.program, request_.from, request_.to, request_.library);
         several(read.program);
       } else {

@@ -14,6 +14,7 @@ namespace {
 
 using ir::Function;
 
+// Where one of the two goes at rapid by itself.
 constexpr std::string_view kOther = "a move to a place of the machine by another motion than G0";
 constexpr std::string_view kUnknown =
     "a move to a place of the machine where G0 or another motion is not known, taken as G0,";
@@ -24,7 +25,12 @@ bool goes_to_machine(const ir::Code& c) { return c.function == Function::machine
 class MachineMoves {
  public:
   MachineMoves(const ir::Program& program, const ir::Control& from, const ir::Control& to)
-      : program_(program), to_(to), motions_(passes::motions_before(program)), modes_(program, from) {}
+      : program_(program),
+        to_(to),
+        one_is_rapid_(from.semantics.machine_move == ir::MachineMove::rapid ||
+                      to.semantics.machine_move == ir::MachineMove::rapid),
+        motions_(passes::motions_before(program)),
+        modes_(program, from) {}
 
   std::vector<text::Diagnostic> run() {
     for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
@@ -48,9 +54,14 @@ class MachineMoves {
       if (c.group == ir::ModalGroup::motion) motion = c.function;
       if (passes::mode_of(c) == passes::Mode::distance) distance = c.function;
     }
-    const auto by_mode = [](const ir::Word& w) { return ir::is_axis(w.address) && w.mode == ir::WordMode::as_modal; };
-    if (distance == Function::incremental && std::ranges::any_of(program_.words_of(block), by_mode))
+    const auto is_increment = [&](const ir::Word& w) {
+      return ir::is_axis(w.address) && (w.mode == ir::WordMode::incremental ||
+                                        (w.mode == ir::WordMode::as_modal && distance == Function::incremental));
+    };
+    if (std::ranges::any_of(program_.words_of(block), is_increment))
       tell(kIncrement, s, text::Severity::error);
+    else if (!one_is_rapid_)
+      return;
     else if (!motion)
       tell(kUnknown, s, text::Severity::warning);
     else if (*motion != Function::rapid)
@@ -65,6 +76,7 @@ class MachineMoves {
 
   const ir::Program& program_;
   const ir::Control& to_;
+  bool one_is_rapid_;
   std::vector<std::optional<Function>> motions_;
   passes::ModeFlow modes_;
   std::vector<text::Diagnostic> diagnostics_;
@@ -74,8 +86,8 @@ class MachineMoves {
 
 std::vector<text::Diagnostic> unlike_machine_moves(const ir::Program& program, const ir::Control& from,
                                                    const ir::Control& to) {
-  const bool alike = ir::has_numbered_variables(from) == ir::has_numbered_variables(to);
-  if (alike || std::ranges::none_of(program.codes, goes_to_machine)) return {};
+  if (from.semantics.machine_move == to.semantics.machine_move || std::ranges::none_of(program.codes, goes_to_machine))
+    return {};
   return MachineMoves(program, from, to).run();
 }
 

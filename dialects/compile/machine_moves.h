@@ -1,5 +1,5 @@
-// Moves to places of the machine (G53, SUPA): by G0 both mean the same. G53 goes at rapid whatever is in effect and is
-// left out beside G91 (Fanuc, "Machine coordinate system"), SUPA goes as programmed (PG, "Deselecting frames").
+// Moves to places of the machine (G53, SUPA): absolute and by G0 they mean the same on all controls, other ones do not
+// (ir::MachineMove).
 #pragma once
 
 #include <vector>

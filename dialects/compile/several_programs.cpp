@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
-#include <span>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -27,17 +26,6 @@ bool is_numbered(std::string_view name, char letter) {
 
 bool has(const ir::Program& program, StatementKind kind) {
   return std::ranges::find(program.statements, kind, &ir::Statement::kind) != program.statements.end();
-}
-
-bool has_parameters(const ir::Program& text, const ir::Section& section) {
-  for (std::uint32_t i = section.first; i < section.last; ++i) {
-    const ir::Statement& s = text.statements[i];
-    if (s.kind != StatementKind::procedure || s.payload == ir::kNoIndex) continue;
-    const ir::Structure& head = text.structures[s.payload];
-    const auto symbols = std::span(text.symbols).subspan(head.first_symbol, head.symbol_count);
-    return std::ranges::any_of(symbols, &ir::Symbol::is_parameter);
-  }
-  return false;
 }
 
 }  // namespace
@@ -160,15 +148,6 @@ ir::PrintResult JoinedPrograms::take() {
   joined_.text += kTapeMark;
   joined_.origin_lines.push_back(0);
   return std::move(joined_);
-}
-
-void call_parameters_as_macros(ir::Program& text) {
-  std::vector<ir::StringId> names;
-  for (const ir::Section& section : text.sections)
-    if (has_parameters(text, section)) names.push_back(section.name);
-  for (ir::Call& call : text.calls)
-    if (call.kind == ir::CallKind::subprogram && std::ranges::find(names, call.name) != names.end())
-      call.kind = ir::CallKind::macro;
 }
 
 }  // namespace dripfeed::compile

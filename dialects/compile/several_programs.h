@@ -45,8 +45,4 @@ class JoinedPrograms {
   std::vector<text::Diagnostic> diagnostics_;
 };
 
-// A program that has parameters starts each time with those that are given and none of the last call's: where they are
-// local variables, a call without arguments must be a macro call, too.
-void call_parameters_as_macros(ir::Program& text);
-
 }  // namespace dripfeed::compile

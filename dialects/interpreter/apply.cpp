@@ -309,7 +309,9 @@ void act(const PlainBlock& block, const BlockRules& rules, const Effects& effect
   } else if (state.modes.motion == Function::nurbs && state.modes.motion_modelled) {
     add_to_curve(block, rules, state, out, result);
   } else if (has_move(block, rules, state)) {
-    move(block, rules, {effects.machine_coordinates, effects.exact_stop, effects.move_once}, state, out, result);
+    const bool at_rapid = effects.machine_coordinates && rules.semantics.machine_move == ir::MachineMove::rapid;
+    const Function motion = at_rapid ? Function::rapid : effects.move_once;
+    move(block, rules, {effects.machine_coordinates, effects.exact_stop, motion}, state, out, result);
   } else {
     return;
   }

@@ -42,14 +42,15 @@ inline constexpr std::uint32_t kNoteCornerNotComputed = 1U << 18;
 inline constexpr std::uint32_t kNoteMeasuring = 1U << 19;  // where the move ends, a probe decides
 inline constexpr std::uint32_t kNoteSpline = 1U << 20;     // how it bends is taken as usual, and was not looked at
 inline constexpr std::uint32_t kNoteArcIsLine = 1U << 21;  // neither centre nor radius: straight, as a parameter says
-inline constexpr std::uint32_t kNoteCycleInFrame = 1U << 22;    // the frame turns or stretches the axis of a hole
-inline constexpr std::uint32_t kNoteScaleUnit = 1U << 23;       // a parameter decides what a factor counts
-inline constexpr std::uint32_t kNoteFrameValue = 1U << 24;      // a factor or angle that is left to a parameter
-inline constexpr std::uint32_t kNoteDirectAngle = 1U << 25;     // an angle (,A) of which no line came
-inline constexpr std::uint32_t kNoteTransformed = 1U << 26;     // a plane of X and C that its place is not known in
-inline constexpr std::uint32_t kNoteArcUndefined = 1U << 29;    // CIP through points that no circle goes through
-inline constexpr std::uint32_t kNoteContourOffset = 1U << 28;   // OFFN beside the radius that is compensated
-inline constexpr std::uint32_t kNoteSplineStraight = 1U << 27;  // … straight to its point
+inline constexpr std::uint32_t kNoteCycleInFrame = 1U << 22;      // the frame turns or stretches the axis of a hole
+inline constexpr std::uint32_t kNoteScaleUnit = 1U << 23;         // a parameter decides what a factor counts
+inline constexpr std::uint32_t kNoteFrameValue = 1U << 24;        // a factor or angle that is left to a parameter
+inline constexpr std::uint32_t kNoteDirectAngle = 1U << 25;       // an angle (,A) of which no line came
+inline constexpr std::uint32_t kNoteTransformed = 1U << 26;       // a plane of X and C that its place is not known in
+inline constexpr std::uint32_t kNoteMachineIncrement = 1U << 30;  // G53 beside G91: no move came out
+inline constexpr std::uint32_t kNoteArcUndefined = 1U << 29;      // CIP through points that no circle goes through
+inline constexpr std::uint32_t kNoteContourOffset = 1U << 28;     // OFFN beside the radius that is compensated
+inline constexpr std::uint32_t kNoteSplineStraight = 1U << 27;    // … straight to its point
 
 struct BlockResult {
   Flow flow = Flow::next;

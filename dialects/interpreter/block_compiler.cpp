@@ -42,6 +42,8 @@ void BlockCompiler::compile(const ir::Block& block, text::Span span) {
   words_belong_to_code_ = std::ranges::any_of(builder_.source().codes_of(block), takes_axis_words);
   compile_codes(block);
   const bool skips = builder_.context().skips(block.rest_level);
+  drills_ = std::ranges::any_of(builder_.source().codes_of(block),
+                                [](const ir::Code& c) { return c.function == Function::drill; });
   const bool idles = std::ranges::any_of(builder_.source().codes_of(block),
                                          [](const ir::Code& c) { return ir::idles(c.function, c.group); });
   for (const ir::Word& word : builder_.source().words_of(block)) {
@@ -83,6 +85,8 @@ void BlockCompiler::compile_word(const ir::Word& word) {
   // A named word with an extension is carried out by a code of its line: it neither moves nor changes anything itself.
   const bool carried_out = word.address == Address::other && word.extension != 0;
   if (!is_interpreted(word)) return report(name_of(word), Function::not_modelled, carried_out);
+  if (word.address == Address::e && drills_)
+    return report("E beside a drilling cycle", Function::drill, true);  // Mazak's second feed of G85
   if (word.address == Address::named_axis) return put_named_axis(word);
   // MEAW measures and goes on to its end: only what it measured is not known.
   if (word.address == Address::measuring && word.name != ir::StringId::none)

@@ -27,8 +27,8 @@ struct NoteRow {
   Report report;
 };
 // Notes that are counted like a code that is not interpreted.
-const std::array<NoteRow, 29>& counted_notes() {
-  static const std::array<NoteRow, 29> rows = {{
+const std::array<NoteRow, 30>& counted_notes() {
+  static const std::array<NoteRow, 30> rows = {{
       {kNoteMoveNotModelled, {"moves under a cycle that is not interpreted"}},
       {kNoteReferenceUnknown, {"the way to the reference point", ir::Function::reference_return}},
       {kNoteArcNotComputed, {"arcs from or to a place that is not known"}},
@@ -49,6 +49,9 @@ const std::array<NoteRow, 29>& counted_notes() {
       {kNotePolynomialDiameter, {"POLY: what the coefficients of a diameter count"}},
       {kNotePolynomialAlone, {"PO: coefficients where POLY is not in effect"}},
       {kNoteIncrementalFromUnknown, {"increments from a position that is not known", ir::Function::incremental}},
+      {kNoteMachineIncrement,
+       {"an increment to a place of the machine (G53, SUPA beside G91), which does not go there",
+        ir::Function::machine_coordinates}},
       {kNoteLevelUnknown, {"the way back to an initial level that is not known", ir::Function::drill}},
       {kNoteSkip, {"the end of a skip move (G31), which a signal decides", ir::Function::skip_move}},
       {kNoteMeasuringTool,

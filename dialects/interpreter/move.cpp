@@ -47,6 +47,17 @@ void leave_place(const PlainBlock& block, const BlockRules& rules, ModalState& s
   state.tangent_known = false;
 }
 
+// G53 beside G91, or with the letters of increments.
+void move_by_machine_increment(const PlainBlock& block, const BlockRules& rules, const MoveOptions& options,
+                               ModalState& state, MotionBuffer& out, BlockResult& result) {
+  const Target target = find_any_target(block, rules, state, false);
+  if (rules.semantics.machine_move == ir::MachineMove::programmed && target.incremental == target.commanded)
+    return move(block, rules, {false, options.exact_stop, options.motion}, state, out, result);
+  result.notes |= kNoteMachineIncrement;
+  state.unknown |= target.commanded;
+  state.tangent_known = false;
+}
+
 }  // namespace
 
 void move(const PlainBlock& block, const BlockRules& rules, const MoveOptions& options, ModalState& state,
@@ -63,6 +74,8 @@ void move(const PlainBlock& block, const BlockRules& rules, const MoveOptions& o
   if (is_direct_line(block, state)) [[unlikely]]
     return move_direct(block, rules, options, state, out, result);
   const Target target = find_any_target(block, rules, state, options.machine_coordinates);
+  if (options.machine_coordinates && target.incremental != 0) [[unlikely]]
+    return move_by_machine_increment(block, rules, options, state, out, result);
   if (!state.modes.motion_modelled) {
     result.notes |= kNoteMoveNotModelled;
     state.unknown |= target.commanded;

@@ -11,12 +11,13 @@ namespace dripfeed::interpreter {
 
 Target find_target(const PlainBlock& block, const BlockRules& rules, const ModalState& state, bool machine) {
   Target target{.end = state.position};
-  for_each_axis_word(block, rules, state.modes, !state.modes.absolute && !machine,
+  for_each_axis_word(block, rules, state.modes, !state.modes.absolute,
                      [&](std::size_t axis, double value, bool incremental) {
                        const auto bit = static_cast<std::uint16_t>(1U << axis);
                        target.commanded |= bit;
                        if (machine) {
                          target.end[axis] = value;
+                         if (incremental) target.incremental |= bit;
                        } else if (incremental) {
                          target.end[axis] = state.position[axis] + value;
                          target.incremental |= bit;

@@ -19,6 +19,11 @@ enum class RoundUpMode : std::uint8_t { away_from_zero, next_larger };  // FUP, 
 enum class DiameterMode : std::uint8_t { radius, diameter, diameter_absolute_only };
 enum class ToolWord : std::uint8_t { number, number_and_offset };  // T6; T0606
 enum class FeedMode : std::uint8_t { per_min, per_rev, inverse_time };
+// G53, SUPA. rapid: at rapid whatever is in effect, and left out where it would be an increment (Fanuc, "Selecting a
+// machine coordinate system"). programmed: by the motion in effect, increments as increments (Mitsubishi M700V
+// programming manual, 14.4). without_frames: by the motion in effect; whether increments take the shifts along, setting
+// data decides (SINUMERIK).
+enum class MachineMove : std::uint8_t { rapid, programmed, without_frames };
 enum class Plane : std::uint8_t { xy, zx, yz };
 
 struct Semantics {
@@ -45,12 +50,13 @@ struct Semantics {
   bool arc_radius_is_r = true;              // R; otherwise CR=
   bool dwell_p_is_ms = true;                // G04 P in ms, X/U in s; otherwise G4 F in s
   bool arc_without_center_is_line = false;  // G02 without I J K R goes straight (Fanuc 3403#5 = 0); otherwise an alarm
-  double scale_unit = 0.001;                // what a factor of G51 without a point counts (5400#7)
-  bool scale_unit_known = false;            // … on every such control, or looked at
-  double arc_tolerance_mm = 0.02;           // start and end radius may differ by this (3410; MD21000)
-  double arc_tolerance_factor = 0.0;        // … or by this part of the radius, where that is more (MD21010)
-  int reference_fixed_point = 0;            // machine: the fixed point (G75 FP=) at the reference point; 0: none said
-  bool spline_form_known = false;           // machine: how a spline bends between its points was looked at
+  MachineMove machine_move = MachineMove::rapid;
+  double scale_unit = 0.001;          // what a factor of G51 without a point counts (5400#7)
+  bool scale_unit_known = false;      // … on every such control, or looked at
+  double arc_tolerance_mm = 0.02;     // start and end radius may differ by this (3410; MD21000)
+  double arc_tolerance_factor = 0.0;  // … or by this part of the radius, where that is more (MD21010)
+  int reference_fixed_point = 0;      // machine: the fixed point (G75 FP=) at the reference point; 0: none said
+  bool spline_form_known = false;     // machine: how a spline bends between its points was looked at
 
   // Cycles: what parameters decide. Neither changes the hole, only the way to it.
   double chip_break_retract_mm = 1.0;  // machine: G73 goes back by this between pecks (5114)

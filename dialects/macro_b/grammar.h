@@ -73,6 +73,7 @@ struct Grammar {
   char start_letter = 'Q';               // of M98: the block in the called program where it begins
   bool logic_in_conditions = true;       // [a GT b] AND [c LT d]
   bool long_tool_words = false;          // T001001 of a lathe: three digits each for the tool and its offset
+  bool second_tool_is_next = false;      // T2 T3 M6: T3 is made ready for the next change
 };
 
 // The keywords of Custom Macro B; other controls append theirs.

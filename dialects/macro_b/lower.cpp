@@ -277,6 +277,7 @@ void BlockLowering::lower(std::span<const RawWord> words, const BlockPlace& plac
   }
   name_direct_angle(first_code, first_word);
   if (ends) return emit_ending_block(first_code, first_word, place);
+  if (grammar_.second_tool_is_next && changes_tool(first_code)) return emit_tool_change(first_code, first_word, place);
   emit_block(first_code, first_word, place);
 }
 

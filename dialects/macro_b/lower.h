@@ -77,6 +77,8 @@ class BlockLowering {
   void set_called_program(ir::Call& call, const RawWord& word);
   void emit_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place);
   void emit_ending_block(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place);
+  [[nodiscard]] bool changes_tool(std::uint32_t first_code) const;
+  void emit_tool_change(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place);
   void name_contour_control(std::uint32_t first_code, std::uint32_t first_word);
   void number_extended_offset(std::uint32_t first_code, std::uint32_t first_word);
   void name_direct_angle(std::uint32_t first_code, std::uint32_t first_word);

@@ -263,6 +263,9 @@ void BlockRaiser::word(const ir::Word& word, const Traits& traits) {
                              program_.at(word.value).op == Operator::constant && !program_.at(word.value).has_point;
   if (traits.changes_lead && !same_ && word.address == Address::k && in_increments)
     return cannot(*statement_, "the change of a lead without a point");
+  // Mazak's second feed of G85, which others do not have.
+  if (!same_ && word.address == Address::e && way_ == Way::holes)
+    return cannot(*statement_, "the word E beside a drilling cycle");
   if (word.extension > 1) return cannot(*statement_, "a word with the number of a spindle or axis");
   ir::Word raised = word;
   raised.extension = 0;

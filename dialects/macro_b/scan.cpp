@@ -53,6 +53,7 @@ class Words {
         g_codes_(index_codes(control, control.g_codes, 'G')),
         m_codes_(index_codes(control, control.m_codes, 'M')),
         pairs_by_digits_(grammar.long_tool_words && control.semantics.tool_word == ir::ToolWord::number_and_offset),
+        second_tool_is_next_(grammar.second_tool_is_next),
         a_may_be_an_angle_(control.kind == ir::MachineKind::lathe && !control.axes.contains('A')),
         control_(&control) {}
 
@@ -61,6 +62,7 @@ class Words {
 
   const char* scan(const char* at, ScannedBlock& block) {
     idles_ = false;
+    has_tool_ = false;
     const std::size_t first_word = block.batch->words.size();
     while (at != nullptr) {
       switch (class_of(*at)) {
@@ -118,6 +120,8 @@ class Words {
     if (letter == 'N' || letter == 'O') return is_signed ? nullptr : head(letter, number, block);
     block.take(begin, number.end);
     if (letter == 'T' && pairs_by_digits_ && number.end - at > kShortPair) return nullptr;
+    if (letter == 'T' && second_tool_is_next_ && std::exchange(has_tool_, true)) return nullptr;
+    if (letter == 'E') return nullptr;  // of a thread or a cycle: the reader decides by the whole block
     if (letter == 'A' && a_may_be_an_angle_) return nullptr;
     if (letter == 'G' || letter == 'M') return minus ? nullptr : code(letter, number, block);
     block.add_word(static_cast<ir::Address>(letter - 'A'), minus ? -number.value : number.value, number.has_point);
@@ -162,11 +166,13 @@ class Words {
   std::uint32_t highest_block_number_;
   ir::PlainCodeIndex g_codes_;
   ir::PlainCodeIndex m_codes_;
-  bool pairs_by_digits_;    // T001001: how many are written counts
+  bool pairs_by_digits_;  // T001001: how many are written counts
+  bool second_tool_is_next_;
   bool a_may_be_an_angle_;  // of a line: the reader decides by the whole block
   const ir::Control* control_;
-  bool idles_ = false;    // the block at hand has a code whose words do nothing
-  bool at_start_ = true;  // nothing but blank lines so far
+  bool has_tool_ = false;  // the block at hand has a T
+  bool idles_ = false;     // the block at hand has a code whose words do nothing
+  bool at_start_ = true;   // nothing but blank lines so far
   std::string name_;
 };
 

@@ -33,7 +33,8 @@ const macro_b::Grammar& grammar() {
                                             .drip_forbids_output = true,
                                             .packed_calls = false,
                                             .start_letter = 'Q',
-                                            .long_tool_words = true};
+                                            .long_tool_words = true,
+                                            .second_tool_is_next = true};
   return kGrammar;
 }
 
@@ -50,6 +51,7 @@ ir::Control control(ir::MachineKind kind, ir::GSystem system) {
        .system_variables = system_variables(),
        .alarms = alarms(),
        .variables = variable_ranges()});
+  c.semantics.machine_move = ir::MachineMove::programmed;  // as its relative; from memory
   c.semantics.scale_unit = 1e-6;
   c.semantics.scale_unit_known = true;
   // #3000 = n: alarms 980 to 999 for n up to 20, 979 for all above.

@@ -49,6 +49,7 @@ ir::Control control(ir::MachineKind kind, ir::GSystem system) {
        .system_variables = system_variables(),
        .alarms = alarms(),
        .variables = variable_ranges()});
+  c.semantics.machine_move = ir::MachineMove::programmed;
   c.semantics.scale_unit = 1e-6;
   c.semantics.scale_unit_known = true;
   return c;

@@ -29,6 +29,7 @@ ir::Semantics semantics(bool lathe) {
   s.incremental_letters_uvw = false;
   s.tool_word = ir::ToolWord::number;
   s.arc_radius_is_r = false;
+  s.machine_move = ir::MachineMove::without_frames;
   s.dwell_p_is_ms = false;
   // MD21000 CIRCLE_ERROR_CONST and MD21010 CIRCLE_ERROR_FACTOR, of which the larger counts (Diagnostics Guide, alarm
   // 14040); their standard values from memory.

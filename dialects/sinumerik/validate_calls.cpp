@@ -1,9 +1,8 @@
 // Calls against what EXTERN declares of the called program: how many arguments, which of them by reference, texts and
 // numbers. Of other programs nothing is known here; a run that finds them says the rest.
 #include <algorithm>
-#include <optional>
 
-#include "dialects/sinumerik/name_index.h"
+#include "dialects/sinumerik/declared_programs.h"
 #include "dialects/sinumerik/validate.h"
 
 namespace dripfeed::sinumerik {
@@ -11,53 +10,7 @@ namespace dripfeed::sinumerik {
 namespace {
 
 using ir::StatementKind;
-using ir::TokenKind;
 using text::DiagnosticId;
-
-struct Declared {
-  bool by_reference = false;
-  bool is_string = false;
-  bool is_axis = false;
-  std::uint32_t dimensions = 0;
-
-  friend bool operator==(const Declared&, const Declared&) = default;
-};
-struct Procedure {
-  std::string name;  // upper case
-  std::vector<Declared> parameters;
-};
-
-// EXTERN NAME(REAL, VAR INT, STRING[20]): the declaration is kept as its tokens.
-std::optional<Procedure> read_declaration(const Check& check, const ir::Statement& s) {
-  Procedure procedure;
-  bool open = false;
-  Declared parameter;
-  bool any = false;
-  bool bracket = false;  // [10,5] of an array, or the length of a STRING
-  for (std::uint32_t t = s.tokens.first; t < s.tokens.last; ++t) {
-    const ir::Token& token = check.program.tokens[t];
-    const std::string_view text = check.text_of(token.span);
-    if (token.kind == TokenKind::comment || token.kind == TokenKind::eob) break;
-    if (token.kind == TokenKind::symbol && text == "(") open = true;
-    if (text == "[" || text == "]") bracket = text == "[";
-    if (text == "[" || (bracket && text == ",")) ++parameter.dimensions;
-    if (bracket) continue;
-    if (token.kind == TokenKind::symbol && open && (text == "," || text == ")")) {
-      if (any) procedure.parameters.push_back(parameter);
-      parameter = {};
-      any = false;
-      if (text == ")") return procedure;
-    }
-    if (token.kind != TokenKind::name) continue;
-    if (!open && !same_name(text, "EXTERN")) procedure.name = UpperName(text).view();
-    if (!open) continue;
-    any = true;
-    parameter.by_reference = parameter.by_reference || same_name(text, "VAR");
-    parameter.is_string = parameter.is_string || same_name(text, "STRING");
-    parameter.is_axis = parameter.is_axis || same_name(text, "AXIS");
-  }
-  return std::nullopt;  // without a list nothing is declared
-}
 
 class Calls {
  public:
@@ -66,7 +19,7 @@ class Calls {
   void run() {
     for (const ir::Statement& s : check_.program.statements)
       if (s.kind == StatementKind::declaration)
-        if (auto procedure = read_declaration(check_, s)) declare(std::move(*procedure), s.span);
+        if (auto procedure = declared_program(check_.program, s)) declare(std::move(*procedure), s.span);
     if (procedures_.empty()) return;
     for (const ir::Statement& s : check_.program.statements)
       if (s.kind == StatementKind::call || s.kind == StatementKind::modal_call)
@@ -75,8 +28,8 @@ class Calls {
 
  private:
   // The same list once more says nothing new.
-  void declare(Procedure procedure, text::Span span) {
-    const auto found = std::ranges::find(procedures_, procedure.name, &Procedure::name);
+  void declare(DeclaredProgram procedure, text::Span span) {
+    const auto found = std::ranges::find(procedures_, procedure.name, &DeclaredProgram::name);
     if (found == procedures_.end()) return procedures_.push_back(std::move(procedure));
     if (found->parameters != procedure.parameters)
       check_.report(DiagnosticId::name_defined_twice, span, {procedure.name}).alarm = "12480";
@@ -85,9 +38,9 @@ class Calls {
   void call(const ir::Call& call, text::Span span) {
     if (call.name == ir::StringId::none || call.first_label != ir::ExpressionId::none || call.in_other_language) return;
     const std::string name(check_.program.strings.at(call.name));
-    const auto found = std::ranges::find(procedures_, name, &Procedure::name);
+    const auto found = std::ranges::find(procedures_, name, &DeclaredProgram::name);
     if (found == procedures_.end()) return;
-    const std::vector<Declared>& wanted = found->parameters;
+    const std::vector<DeclaredParameter>& wanted = found->parameters;
     const auto given = check_.program.arguments_of(call);
     if (given.size() > wanted.size()) return count(name, wanted.size(), given.size(), span, "12340");
     for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -105,7 +58,7 @@ class Calls {
         .alarm = alarm;
   }
 
-  void argument(const Declared& wanted, ir::ExpressionId value) {
+  void argument(const DeclaredParameter& wanted, ir::ExpressionId value) {
     const ir::Expression& e = check_.program.at(value);
     const std::string written(check_.text_of(e.span));
     if (wanted.by_reference && e.op != ir::Operator::variable)
@@ -119,7 +72,7 @@ class Calls {
   }
 
   // VAR REAL[10] takes a whole array of as many dimensions, VAR REAL one variable.
-  void dimensions(const Declared& wanted, const ir::Expression& e, const std::string& written) {
+  void dimensions(const DeclaredParameter& wanted, const ir::Expression& e, const std::string& written) {
     const ir::Variable& v = check_.program.at(e.variable);
     if (v.bank != ir::Bank::named || v.symbol == ir::SymbolId::none) return;
     const ir::Symbol& symbol = check_.program.at(v.symbol);
@@ -136,7 +89,7 @@ class Calls {
   }
 
   const Check& check_;
-  std::vector<Procedure> procedures_;
+  std::vector<DeclaredProgram> procedures_;
 };
 
 }  // namespace

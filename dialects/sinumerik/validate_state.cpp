@@ -36,9 +36,12 @@ class ModalState {
       if (code.function == Function::rapid && code.group == ir::ModalGroup::non_modal) return;  // POS
       take(code);
     }
-    for (const ir::Word& word : check_.program.words_of(block))
-      if ((word.address == ir::Address::f || word.address == ir::Address::block_feed) && !words_are_no_move_)
-        feed_span_ = feed_span_.empty() ? word.span : feed_span_;
+    has_feed_ = false;
+    for (const ir::Word& word : check_.program.words_of(block)) {
+      if ((word.address != ir::Address::f && word.address != ir::Address::block_feed) || words_are_no_move_) continue;
+      has_feed_ = true;
+      feed_span_ = feed_span_.empty() ? word.span : feed_span_;
+    }
     if (!words_are_no_move_) moves(block, s);
   }
 
@@ -60,10 +63,15 @@ class ModalState {
     cuts_ = cuts;
   }
 
+  void feed_in(bool inverse_time) {
+    feed_mode_ = true;
+    inverse_time_ = inverse_time;
+  }
+
   // CIP, splines: a motion, of which only that it is one is known.
   void unread(const ir::Code& code) {
     if (code.group == ir::ModalGroup::motion) move(false);
-    if (code.group == ir::ModalGroup::feed) feed_mode_ = true;
+    if (code.group == ir::ModalGroup::feed) feed_in(false);
     if (code.group == ir::ModalGroup::non_modal) words_are_no_move_ = true;  // an axis that is somewhere
   }
 
@@ -81,6 +89,11 @@ class ModalState {
   }
 
   void feed(const ir::Statement& s) {
+    // G93: the time of each block is its own. (PG, "Feedrate".)
+    if (inverse_time_ && !has_feed_ && !feed_span_.empty()) {
+      check_.report(DiagnosticId::no_feed, s.span);
+      has_feed_ = true;  // once a block
+    }
     if (feed_span_.empty()) {
       check_.report(DiagnosticId::no_feed, s.span);
       feed_span_ = s.span;  // said once
@@ -126,6 +139,8 @@ class ModalState {
   bool distance_ = false;
   bool feed_mode_ = false;
   bool plane_ = false;
+  bool inverse_time_ = false;
+  bool has_feed_ = false;  // F or FB of the block at hand
   bool incremental_ = false;
   bool doubles_ = false;  // DIAMON was stated
   bool machine_coordinates_ = false;
@@ -156,9 +171,9 @@ std::span<const ModalState::Row> ModalState::rows() {
       {Function::unit_mm, [](ModalState& m, const ir::Code&) { m.unit_ = true; }},
       {Function::absolute, [](ModalState& m, const ir::Code&) { m.distance_ = true, m.incremental_ = false; }},
       {Function::incremental, [](ModalState& m, const ir::Code&) { m.distance_ = m.incremental_ = true; }},
-      {Function::feed_per_min, [](ModalState& m, const ir::Code&) { m.feed_mode_ = true; }},
-      {Function::feed_per_rev, [](ModalState& m, const ir::Code&) { m.feed_mode_ = true; }},
-      {Function::feed_inverse_time, [](ModalState& m, const ir::Code&) { m.feed_mode_ = true; }},
+      {Function::feed_per_min, [](ModalState& m, const ir::Code&) { m.feed_in(false); }},
+      {Function::feed_per_rev, [](ModalState& m, const ir::Code&) { m.feed_in(false); }},
+      {Function::feed_inverse_time, [](ModalState& m, const ir::Code&) { m.feed_in(true); }},
       {Function::diameter_on, [](ModalState& m, const ir::Code&) { m.doubles_ = true; }},
       {Function::diameter_off, [](ModalState& m, const ir::Code&) { m.doubles_ = false; }},
       {Function::diameter_absolute_only, [](ModalState& m, const ir::Code&) { m.doubles_ = false; }},

@@ -201,6 +201,31 @@ TEST(Arguments, AreNotTheLocalVariablesOfACallerByM98) {
   EXPECT_FALSE(text::has_error(file_as("O9010", macro, "fanuc", kSinumerik).diagnostics));
 }
 
+// M98 would leave what the last call gave in #1: each call starts with its own, or with none.
+TEST(Arguments, AreNewAtEachCallOfAProgramInAnotherFile) {
+  const std::string main = "G17 G710 G90 G94\nG0 X0 Y0 Z10\nDIVE(4)\nDIVE\nDIVE\nX1\nL0100\nM30\n";
+  const Files files = {{"DIVE", "PROC DIVE(REAL DEPTH=1)\nG0 Y=DEPTH Z=DEPTH\nX7 Z5\nM17\n"},
+                       {"L0100", "G0 Y=IC(1)\nM17\n"}};
+  ConvertRequest request;
+  request.source = text::Source("MAIN", main);
+  request.from = mill(kSinumerik);
+  request.to = mill("fanuc");
+  ProgramLibrary library(request.from, [&](std::string_view name) -> std::optional<text::Source> {
+    const auto file = files.find(std::string(name));
+    return file == files.end() ? std::nullopt : std::optional(text::Source(file->first, file->second));
+  });
+  request.library = &library;
+  const ConvertResult made = convert(request);
+  EXPECT_NE(made.text.find("G65 <DIVE> A4.\nG65 <DIVE>\nG65 <DIVE>\n"), std::string::npos) << made.text;
+  EXPECT_NE(made.text.find("M98 P0100"), std::string::npos) << made.text;
+
+  request.library = nullptr;
+  request.source = text::Source("MAIN", "EXTERN DIVE(REAL)\nEXTERN WAIT\n" + main);
+  const ConvertResult declared = convert(request);
+  EXPECT_NE(declared.text.find("G65 <DIVE> A4.\nG65 <DIVE>\nG65 <DIVE>\n"), std::string::npos) << declared.text;
+  EXPECT_NE(declared.text.find("M98 P0100"), std::string::npos) << declared.text;
+}
+
 TEST(Arguments, OfModalCallsAreKept) {
   expect_files_kept("%\nO0001\nG21 G17 G90 G94\nG00 X0 Y0 Z5.\nG66 P9010 A4.\nX10.\nY10.\nG67\nX0\nM30\n%\n",
                     {{"O9010", "%\nO9010\nG00 Z-#1\nZ5.\nM99\n%\n"}}, "fanuc", kSinumerik);

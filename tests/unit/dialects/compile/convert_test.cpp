@@ -370,14 +370,14 @@ TEST(Dialects, AreFoundByNameAndText) {
 
 // The alarm of what was written is the other control's.
 TEST(Convert, AFaultOfTheTranslationNamesTheControlThatHasIt) {
-  const std::string text = "G17 G90 G71 G54 G94\nG0 X0 Y0 Z50 S1000 M3\nG93 F2\nG1 X40\nM30\n";
-  const ConvertResult made = translated(text, "sinumerik-840d", "fanuc");
+  const std::string text = "%\nO1\nG17 G21 G90 G94 G54\nS1000 M3\nG0 X0 Y0 Z50.\nG83 Z-5. R2. F100\nG80\nM30\n%\n";
+  const ConvertResult made = translated(text, "mitsubishi-m80", "fanuc");
   ASSERT_TRUE(text::has_error(made.diagnostics));
   const text::Diagnostic& one = made.diagnostics.back();
-  EXPECT_EQ(text::Source("p", text).position(one.span.begin).line, 4U);
+  EXPECT_EQ(text::Source("p", text).position(one.span.begin).line, 6U);
   EXPECT_EQ(one.alarm, "");
   ASSERT_EQ(one.notes.size(), 1U);
-  EXPECT_EQ(one.notes[0].text, "translated to \"G01 X40.\", which is PS1202 on Fanuc 0i-MF");
+  EXPECT_EQ(one.notes[0].text, "translated to \"G83 Z-5. R2. F100\", which is PS0045 on Fanuc 0i-MF");
 }
 
 // A code without effect on the path keeps its name and words where the other control has it, and goes with them where

@@ -221,6 +221,16 @@ TEST(DrillingToSinumerik, DwellsAndShiftsBetweenHoles) {
   expect_refused(kHead + "G98 G81 X1. Z-5. R2. F100.\nG28 Z40.\nX3.\nG80\nM30\n", "fanuc", kTo, "PS0044");
 }
 
+// Mazak's second feed, of the way out of a reamed hole.
+TEST(DrillingToOthers, EOfMazakIsRefusedAndSaid) {
+  const std::string text = kHead + "G98 G85 X1. Z-5. R2. F100. E200.\nX3.\nG80\nM30\n";
+  for (const std::string& to : {std::string("fanuc"), std::string("mitsubishi-m80"), kTo})
+    EXPECT_TRUE(text::has_error(translated(text, "mazak", to).diagnostics)) << to;
+  const Played played = run_text(text, control("mazak", ir::MachineKind::mill));
+  EXPECT_TRUE(std::ranges::any_of(played.result.not_interpreted,
+                                  [](const auto& one) { return one.name == "E beside a drilling cycle"; }));
+}
+
 // CYCLE84 leaves the speed as it was, CYCLE85 its own feed; a lead is a feed per turn where G95 is in effect.
 TEST(DrillingFromSinumerik, WhatACycleLeavesInEffect) {
   const std::string tap = "CYCLE84(40,0,2,-15,,,3,,1.25,0,500,500)\n";

@@ -172,7 +172,11 @@ TEST(MachineMoves, AreTheSameOnlyByRapid) {
   EXPECT_TRUE(errors("G1 X100. F200.\nG53 Z0.\n", "fanuc", kOwn).contains("by another motion than G0"));
   EXPECT_TRUE(errors("G0 X1.\nG91 G53 X5.\nG90\n", "fanuc", kOwn).contains("beside G91"));
   EXPECT_FALSE(errors("G1 X100. F200.\nG0 G53 Z0.\n", "fanuc", kOwn).contains("machine"));
-  EXPECT_FALSE(errors("G1 X100. F200.\nG53 Z0.\n", "fanuc", "mazak").contains("machine"));
+  EXPECT_TRUE(errors("G1 X100. F200.\nG53 Z0.\n", "fanuc", "mazak").contains("by another motion than G0"));
+  EXPECT_TRUE(errors("G1 X100. F200.\nG53 Z0.\n", "mitsubishi-m80", "fanuc").contains("by another motion than G0"));
+  EXPECT_FALSE(errors("G1 X100. F200.\nG53 Z0.\n", "mitsubishi-m80", "mazak").contains("machine"));
+  EXPECT_FALSE(errors("G1 X100. F200.\nG53 Z0.\n", "mitsubishi-m80", kOwn).contains("machine"));
+  EXPECT_TRUE(errors("G0 X1.\nG91 G53 X5.\nG90\n", "mitsubishi-m80", "fanuc").contains("beside G91"));
 }
 
 // A part that is run again begins with what is in effect behind it: positions by angle count otherwise beside G91.

@@ -31,6 +31,13 @@ void expect_not(const std::string& text, std::string_view part) {
   EXPECT_EQ(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
+std::string told(const std::string& dialect, const std::string& text) {
+  const ir::Control own = control(dialect, MachineKind::mill);
+  const text::Source source("program", text);
+  const ir::ReadResult read = find_dialect(dialect)->read(source, own);
+  return said(find_dialect(dialect)->validate(read.program, own, ir::Delivery::memory), source);
+}
+
 TEST(Tools, ATThatPreparesChangesNothing) {
   const std::string made =
       made_of(kHead +
@@ -48,6 +55,25 @@ TEST(Tools, DBesideThePreparedToolActsAtOnce) {
   expect_has(next, "M06\nG43 H6\nT7\nZ20.");
   expect_has(made_of(kHead + "T5 M6\nD1\nG0 Z50\nT6 D0\nG0 X10\nM6\nD1\nZ20\nM30\n"), "T6\nG49\n");
   expect_not(made_of(kHead + "T5 M6\nD1\nG0 Z50\nT6 D1\nG0 X10\nM6\nZ20\nM30\n"), "T6\nG43");
+}
+
+// T2 T3 M6 of Mazak: T2 is put in and T3 made ready; T0 there: none is.
+TEST(Tools, MazakNamesTheNextToolBesideTheChange) {
+  const std::string text = "%\nO1\nG21 G17 G90 G94\nT2 T3 M6\nG0 X0.\nT4 M6\nX1.\nN5 T05 T0 M06\nX2.\nM30\n%\n";
+  std::string tools;
+  for (const ir::Motion& m : run_text(text, control("mazak", MachineKind::mill)).motions)
+    if (m.kind == ir::MotionKind::tool) tools += std::to_string(m.number) + " ";
+  EXPECT_EQ(tools, "2 4 5 ");
+  for (const std::string to : {"fanuc", "mitsubishi-m80", "sinumerik-840d"}) {
+    const ConvertResult made = translated(text, "mazak", to);
+    EXPECT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
+    const std::string change = to == "sinumerik-840d" ? "T2 M6\nT3\n" : "T2 M06\nT3\n";
+    expect_has(made.text, change);
+    expect_not(made.text, "T0");
+  }
+  const std::string twice = "%\nO1\nG21 G17 G90 G94\nT2 T3 M6\nG0 X0.\nM30\n%\n";
+  EXPECT_TRUE(told("mazak", twice).empty()) << told("mazak", twice);
+  EXPECT_TRUE(told("fanuc", twice).contains("the address T stands twice"));
 }
 
 // What starts stands in the order that the program has, in front of the move.

@@ -257,6 +257,27 @@ TEST(Modes, MachineCoordinatesAreForOneBlock) {
   EXPECT_EQ(ran.motions[2].axes_unknown & 7U, 4U);
 }
 
+// Fanuc goes to places of the machine at rapid and leaves increments out; Mitsubishi goes as programmed (M700V
+// programming manual, 14.4).
+TEST(Modes, MovesToThePlacesOfTheMachineAreOfTheControl) {
+  Builder b;
+  b.block({{Function::linear}}, {{Address::x, 1.0}, {Address::z, 3.0}, {Address::f, 100.0}});
+  b.block({{Function::machine_coordinates}}, {{Address::z, 0.0}});
+  b.block({}, {{Address::z, 4.0}});
+  b.block({{Function::incremental}, {Function::machine_coordinates}}, {{Address::x, 5.0}});
+  b.end();
+  ir::Control control = mill_control();
+  const Ran fanuc = run_program(b.build(), control);
+  EXPECT_EQ(fanuc.trace,
+            "1 linear X1.0000 Y0.0000 Z3.0000 F100.0000/min\n2 rapid X1.0000 Y0.0000 Z0.0000 G53\n"
+            "3 linear X1.0000 Y0.0000 Z4.0000 F100.0000/min\n5 end\n");
+  EXPECT_EQ(fanuc.motions.back().axes_unknown & 1U, 1U);
+  control.semantics.machine_move = ir::MachineMove::programmed;
+  EXPECT_EQ(run_program(b.build(), control).trace,
+            "1 linear X1.0000 Y0.0000 Z3.0000 F100.0000/min\n2 linear X1.0000 Y0.0000 Z0.0000 G53 F100.0000/min\n"
+            "3 linear X1.0000 Y0.0000 Z4.0000 F100.0000/min\n4 linear X6.0000 Y0.0000 Z4.0000 F100.0000/min\n5 end\n");
+}
+
 TEST(Modes, MoveWithoutACodeIsTheUsualOneAndSaidOnce) {
   ir::Control control = mill_control();
   control.semantics.power_on_known = false;
