@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "dialects/passes/length_flow.h"
 #include "dialects/passes/mode_flow.h"
 #include "dialects/passes/motion_flow.h"
 
@@ -20,6 +21,11 @@ constexpr std::string_view kUnknown =
     "a move to a place of the machine where G0 or another motion is not known, taken as G0,";
 constexpr std::string_view kIncrement = "a move to a place of the machine beside G91";
 
+// MD10760 G53_TOOLCORR (ISO Milling, "Machine coordinate system").
+constexpr std::string_view kLength =
+    "SUPA where the length of a tool may be in effect, which MD10760 leaves out or keeps (D0 in the block says that it "
+    "is left out),";
+
 bool goes_to_machine(const ir::Code& c) { return c.function == Function::machine_coordinates; }
 
 class MachineMoves {
@@ -30,7 +36,9 @@ class MachineMoves {
         one_is_rapid_(from.semantics.machine_move == ir::MachineMove::rapid ||
                       to.semantics.machine_move == ir::MachineMove::rapid),
         motions_(passes::motions_before(program)),
-        modes_(program, from) {}
+        modes_(program, from),
+        from_(from),
+        lengths_(program, from) {}
 
   std::vector<text::Diagnostic> run() {
     for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
@@ -60,12 +68,17 @@ class MachineMoves {
     };
     if (std::ranges::any_of(program_.words_of(block), is_increment))
       tell(kIncrement, s, text::Severity::error);
-    else if (!one_is_rapid_)
-      return;
-    else if (!motion)
+    else if (one_is_rapid_ && !motion)
       tell(kUnknown, s, text::Severity::warning);
-    else if (*motion != Function::rapid)
+    else if (one_is_rapid_ && *motion != Function::rapid)
       tell(kOther, s, text::Severity::error);
+    // The others leave the length out.
+    if (keeps_length(i, block)) tell(kLength, s, text::Severity::error);
+  }
+
+  [[nodiscard]] bool keeps_length(std::uint32_t i, const ir::Block& block) const {
+    return from_.semantics.machine_move == ir::MachineMove::without_frames &&
+           passes::moves_length_to_machine(program_, block, from_) && lengths_.at(i) != passes::ToolLength::off;
   }
 
   void tell(std::string_view what, const ir::Statement& s, text::Severity severity) {
@@ -79,6 +92,8 @@ class MachineMoves {
   bool one_is_rapid_;
   std::vector<std::optional<Function>> motions_;
   passes::ModeFlow modes_;
+  const ir::Control& from_;
+  passes::LengthFlow lengths_;
   std::vector<text::Diagnostic> diagnostics_;
 };
 

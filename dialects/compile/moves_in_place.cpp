@@ -291,8 +291,11 @@ std::string MovesInPlace::rest_of(const ir::Program& program, std::uint32_t inde
     (ends ? rest.after : sets ? rest.before : rest.codes).push_back(c);
   }
   const bool arc = kinds_[index] == WithoutEqual::arc;
+  // D of G71 and G76 in one block is a depth.
+  const bool has_depth = std::ranges::any_of(
+      program.codes_of(block), [](const ir::Code& c) { return c.function == Function::repetitive_cycle; });
   for (const ir::Word& w : program.words_of(block)) {
-    const bool own = arc ? is_of_arc(w.address) : !stays(w.address);
+    const bool own = arc ? is_of_arc(w.address) : !stays(w.address) || (has_depth && w.address == Address::d);
     if (!own && !stays(w.address)) return "with the word " + std::string(w.span.in(program.source.text()));
     if (!own) rest.words.push_back(w);
   }

@@ -5,19 +5,14 @@
 #include <optional>
 #include <string_view>
 
+#include "dialects/text/upper_case.h"
+
 namespace dripfeed::compile {
 
 namespace {
 
 using ir::Address;
 using ir::Function;
-
-std::string upper(std::string_view text) {
-  std::string out(text);
-  std::ranges::transform(out, out.begin(),
-                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-  return out;
-}
 
 class Shapes {
  public:
@@ -67,7 +62,7 @@ class Shapes {
   }
   [[nodiscard]] std::uint32_t line_of(std::string_view name) const {
     const auto label = std::ranges::find_if(program_.labels, [&](const ir::Label& l) {
-      return l.name != ir::StringId::none && upper(program_.strings.at(l.name)) == upper(name);
+      return l.name != ir::StringId::none && text::upper_case(program_.strings.at(l.name)) == text::upper_case(name);
     });
     return label == program_.labels.end() ? 0 : program_.statements[label->statement].line;
   }

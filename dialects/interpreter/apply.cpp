@@ -301,9 +301,9 @@ void announce(ModalState& state, MotionBuffer& out) {
 namespace {
 
 void act(const PlainBlock& block, const BlockRules& rules, const Effects& effects, ModalState& state, MotionBuffer& out,
-         BlockResult& result) {
+         BlockResult& result, const PlainBlock* letters = nullptr) {
   if (state.drilling.active) {
-    drill_holes(block, rules, state, out, result);
+    drill_holes(block, rules, state, out, result, letters);
   } else if (state.turning.active) {
     turn_once(block, rules, state, out, result);
   } else if (state.modes.motion == Function::nurbs && state.modes.motion_modelled) {
@@ -371,7 +371,7 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
   if (effects.one_shot != Function::none) {
     act_once(block, rules, effects, state, out, result);
   } else if (names_polar(block, effects, state)) {
-    act(with_coordinates_of_letters(block, rules, state), rules, effects, state, out, result);
+    act(with_coordinates_of_letters(block, rules, state), rules, effects, state, out, result, &block);
   } else if (state.transformation.shape != Transformation::Shape::none && !effects.machine_coordinates) [[unlikely]] {
     act_transformed(block, rules, effects, state, out, result);
   } else {

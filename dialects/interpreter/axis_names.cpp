@@ -1,10 +1,9 @@
 // Further names are kept where the names of global data are.
 #include "dialects/interpreter/axis_names.h"
 
-#include <algorithm>
-
 #include "dialects/interpreter/trace.h"
 #include "dialects/interpreter/unknown.h"
+#include "dialects/text/upper_case.h"
 
 namespace dripfeed::interpreter {
 
@@ -15,9 +14,7 @@ constexpr double kFirstFurther = static_cast<double>(ir::kAxisCount);
 }  // namespace
 
 double axis_number(SharedData& shared, std::string_view name) {
-  std::string upper(name);
-  std::ranges::transform(upper, upper.begin(),
-                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  const std::string upper = text::upper_case(name);
   const std::size_t letter = upper.size() == 1 ? kAxisLetters.find(upper.front()) : std::string_view::npos;
   return letter != std::string_view::npos ? static_cast<double>(letter) : kFirstFurther + shared.id_of(upper);
 }

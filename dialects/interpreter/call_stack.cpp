@@ -10,20 +10,11 @@
 #include "dialects/ir/alarm_details.h"
 #include "dialects/ir/repetition.h"
 #include "dialects/text/number.h"
+#include "dialects/text/upper_case.h"
 
 namespace dripfeed::interpreter {
 
 using text::DiagnosticId;
-
-namespace {
-
-std::string upper(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-  return text;
-}
-
-}  // namespace
 
 void CallStack::start(CompiledProgram& main) {
   frames_.reserve(context_.limits.call_depth + std::size_t{1});
@@ -95,7 +86,7 @@ bool is_number_name(std::string_view name) {
 CompiledProgram* CallStack::find_program(const Instruction& i, CallSite& site) {
   if (site.itself) return program_;
   if (site.text != Operand::none) {
-    const std::string name = upper(std::string(ir::program_name_of_path(storage_.text(raw_of(site.text)))));
+    const std::string name = text::upper_case(std::string(ir::program_name_of_path(storage_.text(raw_of(site.text)))));
     CompiledProgram* target = programs_.find(name, *program_, site.in_other_language);
     if (target == nullptr) report_.fail(i, DiagnosticId::call_target_missing, {name});
     return target;
@@ -126,8 +117,8 @@ std::optional<CallStack::Part> CallStack::find_part(const Instruction& i, const 
   const ir::Program& text = *whole.source;
   const ir::Section all = {.first = 0, .last = static_cast<std::uint32_t>(text.statements.size())};
   const ir::Section range = text.sections.empty() ? all : text.sections[whole.section];
-  const std::string first_name = upper(storage_.text(raw_of(site.first_label)));
-  const std::string last_name = upper(storage_.text(raw_of(site.last_label)));
+  const std::string first_name = text::upper_case(storage_.text(raw_of(site.first_label)));
+  const std::string last_name = text::upper_case(storage_.text(raw_of(site.last_label)));
   const auto first = ir::labelled_block(text, range, first_name);
   const auto last = ir::labelled_block(text, range, last_name);
   if (!first || !last || last->last < first->first) {

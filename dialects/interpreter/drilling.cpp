@@ -12,9 +12,11 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "dialects/interpreter/axis_words.h"
 #include "dialects/interpreter/move.h"
+#include "dialects/interpreter/polar.h"
 
 namespace dripfeed::interpreter {
 
@@ -56,8 +58,10 @@ constexpr double kStepsAtMost = 1'000'000.0;  // pecks of all holes of a block
 
 class Driller {
  public:
-  Driller(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out, BlockResult& result)
+  Driller(const PlainBlock& block, const PlainBlock* letters, const BlockRules& rules, ModalState& state,
+          MotionBuffer& out, BlockResult& result)
       : block_(block),
+        letters_(letters),
         rules_(rules),
         state_(state),
         out_(out),
@@ -82,7 +86,10 @@ class Driller {
     if (pecks() && d_.peck_mm <= 0.0 && rules_.semantics.pecks_need_depth)
       return fail(text::DiagnosticId::peck_without_depth);
     if (holes * pecks_of_a_hole() > kStepsAtMost) return fail(text::DiagnosticId::limit_reached);
-    for (double n = 1.0; n <= holes && result_.fault == text::DiagnosticId::count_; ++n) hole();
+    for (double n = 1.0; n <= holes && result_.fault == text::DiagnosticId::count_; ++n) {
+      if (n > 1.0 && letters_ != nullptr) place_ = with_coordinates_of_letters(*letters_, rules_, state_);
+      hole(place_ ? *place_ : block_);
+    }
   }
 
  private:
@@ -173,8 +180,9 @@ class Driller {
 
   // --- one hole
 
-  void hole() {
-    position();
+  // `place`: the block whose words say where.
+  void hole(const PlainBlock& place) {
+    position(place);
     if (!d_.has_depth) {
       result_.notes |= kNoteHoleWithoutDepth;
       return;
@@ -197,9 +205,9 @@ class Driller {
   }
 
   // The axes beside the drilling axis, all at once.
-  void position() {
+  void position(const PlainBlock& place) {
     const auto own = static_cast<std::uint16_t>(1U << axis_);
-    Target target = find_any_target(block_, rules_, state_, false);
+    Target target = find_any_target(place, rules_, state_, false);
     target.end[axis_] = state_.position[axis_];
     target.commanded &= static_cast<std::uint16_t>(~own);
     target.incremental &= static_cast<std::uint16_t>(~own);
@@ -293,6 +301,8 @@ class Driller {
   void fail(text::DiagnosticId id) { result_.fault = id; }
 
   const PlainBlock& block_;
+  const PlainBlock* letters_;
+  std::optional<PlainBlock> place_;  // of a hole that is not the first
   const BlockRules& rules_;
   ModalState& state_;
   MotionBuffer& out_;
@@ -314,8 +324,8 @@ void begin_drilling(std::int16_t argument, ModalState& state) {
 }
 
 void drill_holes(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out,
-                 BlockResult& result) {
-  Driller(block, rules, state, out, result).run();
+                 BlockResult& result, const PlainBlock* letters) {
+  Driller(block, letters, rules, state, out, result).run();
 }
 
 }  // namespace dripfeed::interpreter

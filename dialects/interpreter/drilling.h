@@ -8,8 +8,9 @@ namespace dripfeed::interpreter {
 
 // A drilling code; `argument` as Function::drill has it. Keeps the words of the cycle before it.
 void begin_drilling(std::int16_t argument, ModalState& state);
-// Carries out the block under the active cycle: takes its words, then drills where it says so.
+// Carries out the block under the active cycle: takes its words, then drills where it says so. `letters`: the block as
+// written where its letters are a radius and an angle (G16), which each repetition adds again; otherwise nullptr.
 void drill_holes(const PlainBlock& block, const BlockRules& rules, ModalState& state, MotionBuffer& out,
-                 BlockResult& result);
+                 BlockResult& result, const PlainBlock* letters = nullptr);
 
 }  // namespace dripfeed::interpreter

@@ -1,6 +1,5 @@
 // CYCLE95: its contour is run first, as a subprogram or as the blocks between two labels, and nothing that it does is
 // seen; then the cycle is cut.
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -9,6 +8,8 @@
 #include "dialects/interpreter/spline_block.h"
 #include "dialects/interpreter/transformed.h"
 #include "dialects/interpreter/unknown.h"
+#include "dialects/ir/repetition.h"
+#include "dialects/text/upper_case.h"
 
 namespace dripfeed::interpreter {
 
@@ -79,9 +80,7 @@ bool Machine::begin_contour(const Instruction& i, std::uint32_t& next) {
 }
 
 bool Machine::run_contour_program(const Instruction& i, const std::string& written, std::uint32_t& next) {
-  std::string name(ir::program_name_of_path(written));
-  std::ranges::transform(name, name.begin(),
-                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  const std::string name = text::upper_case(ir::program_name_of_path(written));
   CompiledProgram* target = programs_.find(name, stack_.program());
   if (target == nullptr) return report_.fail(i, DiagnosticId::call_target_missing, {name});
   if (!target->parameters.empty())
@@ -96,17 +95,21 @@ bool Machine::run_contour_program(const Instruction& i, const std::string& writt
 // "BEGIN:END": blocks of the calling program, from the one label's to the other's.
 bool Machine::run_contour_labels(const Instruction& i, const std::string& name, std::uint32_t& next) {
   const std::size_t colon = name.find(':');
-  const auto label = [&](std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-    return find_text(stack_.program(), text, next - 1, ir::JumpSearch::both);
+  const auto label = [&](const std::string& wanted) {
+    return find_text(stack_.program(), wanted, next - 1, ir::JumpSearch::both);
   };
-  const std::uint32_t first = label(name.substr(0, colon));
-  const std::uint32_t last = label(name.substr(colon + 1));
+  const std::string end_name = text::upper_case(name.substr(colon + 1));
+  const std::uint32_t first = label(text::upper_case(name.substr(0, colon)));
+  const std::uint32_t last = label(end_name);
   if (first == kNoTarget || last == kNoTarget || last < first)
     return report_.fail(i, DiagnosticId::jump_target_missing, {name});
   state_.repetitive.cycle = 1;  // the shape is kept, not cut
   shape_.begin(next - 1, last, next, state_, out_.place);
+  const ir::Program& source = *stack_.program().source;
+  const ir::Section all = {.first = 0, .last = static_cast<std::uint32_t>(source.statements.size())};
+  const auto end =
+      ir::labelled_block(source, source.sections.empty() ? all : source.sections[stack_.program().section], end_name);
+  if (end && end->is_bare) shape_.end_in_front_of_last();
   contour_.active = true;
   contour_.in_program = false;
   out_.capture(&contour_.motions);

@@ -9,6 +9,7 @@ void ShapeRun::begin(std::uint32_t cycle, std::uint32_t last, std::uint32_t resu
                      ir::Place place) {
   active_ = true;
   reached_ = false;
+  runs_last_ = true;
   cycle_ = cycle;
   last_ = last;
   resume_ = resume;

@@ -13,13 +13,15 @@ class ShapeRun {
  public:
   // Instructions: of the cycle's block, of the shape's last block, and behind the cycle.
   void begin(std::uint32_t cycle, std::uint32_t last, std::uint32_t resume, const ModalState& state, ir::Place place);
+  // `last` is the block behind the shape: a label that stands alone ends it.
+  void end_in_front_of_last() { runs_last_ = false; }
   void end() { active_ = false; }
 
   [[nodiscard]] bool active() const { return active_; }
-  // True for a block other than the last one, once that has been run.
+  // True for a block behind the last one, once that has been run.
   bool ends_before(std::uint32_t instruction) {
     if (instruction == last_) reached_ = true;
-    return reached_ && instruction != last_;
+    return reached_ && (instruction != last_ || !runs_last_);
   }
   // G70: the shape itself is cut.
   [[nodiscard]] bool finishes() const { return before_.repetitive.cycle == 0; }
@@ -35,6 +37,7 @@ class ShapeRun {
  private:
   bool active_ = false;
   bool reached_ = false;
+  bool runs_last_ = true;
   std::uint32_t cycle_ = 0;
   std::uint32_t last_ = 0;
   std::uint32_t resume_ = 0;

@@ -180,6 +180,7 @@ class HoleReader {
     hole.peck = *first < kNotGiven ? std::abs(*surface - *first) : std::abs(*each);
     if (hole.peck <= 0.0) return " without a depth of its pecks";
     hole.breaks_chips = *kind == 0.0;
+    hole.pecks_below_level = number_at(2, 0.0) != 0.0;
     hole.dwell_s = *last;
     return {};
   }

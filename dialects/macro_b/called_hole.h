@@ -19,6 +19,7 @@ struct Hole {
   ir::ExpressionId level = ir::ExpressionId::none;  // RFP and SDIS
   ir::ExpressionId depth = ir::ExpressionId::none;
   double dwell_s = 0.0;
+  bool pecks_below_level = false;  // the first peck is counted from below `level`
   double peck = 0.0;
   bool breaks_chips = false;
   double feed_in = 0.0;  // CYCLE85; 0: the one in effect

@@ -87,6 +87,7 @@ void HoleWriter::write_cycle(const Hole& hole, bool modal) {
     cycle = DrillCycle::chip_break;
     place_.tell("the way back between the pecks at the feed, which G73 goes at rapid,");
   }
+  if (hole.pecks_below_level) place_.tell("pecks from the reference plane, which a cycle here counts from R,");
   ir::Code drill = code(Function::drill);
   drill.argument = ir::drill_argument(cycle);
   std::vector<ir::Word> words = {absolute(Address::z, hole.depth), absolute(Address::r, hole.level)};

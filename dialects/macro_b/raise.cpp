@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -21,6 +22,7 @@
 #include "dialects/passes/allocation.h"
 #include "dialects/passes/foreign_variables.h"
 #include "dialects/passes/labels.h"
+#include "dialects/passes/outside_values.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/safe_start.h"
 #include "dialects/passes/structures.h"
@@ -257,6 +259,22 @@ void refuse_unsayable(const ir::Program& program, const ir::Control& to, const G
   }
 }
 
+// R parameters keep what was set last; the variables that they become are empty until somebody sets them.
+void tell_outside(std::span<const passes::OutsideValue> outside, std::span<const passes::AllocatedVariable> placed,
+                  const ir::Control& to, std::vector<text::Diagnostic>& diagnostics) {
+  for (const passes::OutsideValue& value : outside) {
+    const auto place = std::ranges::find_if(placed, [&](const passes::AllocatedVariable& v) {
+      return v.from_bank == ir::Bank::r && v.from_number <= value.number && value.number < v.from_number + v.count;
+    });
+    if (place == placed.end()) continue;
+    const std::string what =
+        fmt::format("the value of R{}, which nothing here sets before it is read (#{}, empty until it is set),",
+                    value.number, place->number + value.number - place->from_number);
+    diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, value.span, {what, to.title}));
+    diagnostics.back().severity = text::Severity::warning;
+  }
+}
+
 }  // namespace
 
 ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const ir::Control& to,
@@ -296,7 +314,10 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   append(result.diagnostics, passes::lower_logic(p, numbers).diagnostics);
   append(result.diagnostics, passes::limit_loop_nesting(p, numbers, to.limits.loop_nesting).diagnostics);
   if (from.dialect != to.dialect && by_number) append(result.diagnostics, passes::settle_variables(p, from, to));
-  append(result.diagnostics, passes::allocate_variables(p, from, to, ir::Bank::hash, rules).diagnostics);
+  const std::vector<passes::OutsideValue> outside = passes::outside_values(p, from, ir::Bank::r);
+  passes::AllocationReport placed = passes::allocate_variables(p, from, to, ir::Bank::hash, rules);
+  append(result.diagnostics, std::move(placed.diagnostics));
+  if (!by_number) tell_outside(outside, placed.variables, to, result.diagnostics);
   check_system_variables(p, to, result.diagnostics);
   if (!text::has_error(result.diagnostics)) refuse_unsayable(p, to, grammar, result.diagnostics);
   for (text::Diagnostic& d : result.diagnostics) d.alarm = ir::alarm_of(to, d.id);

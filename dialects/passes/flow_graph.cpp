@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string_view>
+
+#include "dialects/ir/repetition.h"
+#include "dialects/text/upper_case.h"
 
 namespace dripfeed::passes {
 
@@ -64,12 +68,28 @@ bool jumps_anywhere(std::string_view native) {
 
 namespace {
 
-bool names_blocks(const ir::Program& program, const ir::Call& call) {
-  if (program.strings.at(call.name) != "CYCLE95" || call.argument_count == 0) return false;
+// The name of a contour; nullptr where the call has none.
+const ir::Expression* contour_of(const ir::Program& program, const ir::Call& call) {
+  if (program.strings.at(call.name) != "CYCLE95" || call.argument_count == 0) return nullptr;
   const ir::ExpressionId name = program.arguments_of(call).front().value;
-  if (name == ir::ExpressionId::none) return false;
-  const ir::Expression& e = program.at(name);
-  return e.op != ir::Operator::string || program.strings.at(e.string).contains(':');
+  return name == ir::ExpressionId::none ? nullptr : &program.at(name);
+}
+
+// CYCLE95("BEGIN:END") runs the blocks between its labels: where they begin, kNoIndex for other contours.
+std::uint32_t contour_begin(const ir::Program& program, std::uint32_t call) {
+  const ir::Expression* contour = contour_of(program, program.calls[program.statements[call].payload]);
+  if (contour == nullptr || contour->op != ir::Operator::string) return ir::kNoIndex;
+  const std::string_view name = program.strings.at(contour->string);
+  if (!name.contains(':')) return ir::kNoIndex;
+  const StatementRange own = section_of(program, call);
+  const auto block = ir::labelled_block(program, {.first = own.first, .last = own.last},
+                                        text::upper_case(name.substr(0, name.find(':'))));
+  return block ? block->first : ir::kNoIndex;
+}
+
+bool names_computed_blocks(const ir::Program& program, const ir::Call& call) {
+  const ir::Expression* contour = contour_of(program, call);
+  return contour != nullptr && contour->op != ir::Operator::string;
 }
 
 }  // namespace
@@ -79,8 +99,7 @@ FlowGraph::FlowGraph(const ir::Program& program) : program_(program) {}
 std::vector<std::uint32_t> FlowGraph::entries() const {
   const bool open = std::ranges::any_of(program_.statements, [this](const ir::Statement& s) {
     if (s.kind == StatementKind::repeat_section || s.kind == StatementKind::execute_text) return true;
-    // CYCLE95("BEGIN:END") runs the blocks between its labels.
-    if (s.kind == StatementKind::call) return names_blocks(program_, program_.calls[s.payload]);
+    if (s.kind == StatementKind::call) return names_computed_blocks(program_, program_.calls[s.payload]);
     return s.kind == StatementKind::native && jumps_anywhere(program_.strings.at(program_.natives[s.payload].name));
   });
   return entries_of(open || jumps_to_computed());
@@ -152,6 +171,10 @@ const std::vector<std::uint32_t>& FlowGraph::after(std::uint32_t i) {
     case StatementKind::native:
       if (program_.strings.at(program_.natives[s.payload].name) != "RET") after_.push_back(i + 1);
       break;
+    case StatementKind::call:
+      after_.push_back(i + 1);
+      if (const std::uint32_t contour = contour_begin(program_, i); contour != ir::kNoIndex) after_.push_back(contour);
+      break;
     case StatementKind::empty:
     case StatementKind::block:
     case StatementKind::assign:
@@ -159,7 +182,6 @@ const std::vector<std::uint32_t>& FlowGraph::after(std::uint32_t i) {
     case StatementKind::repeat_begin:
     case StatementKind::loop_begin:
     case StatementKind::define:
-    case StatementKind::call:
     case StatementKind::procedure:
     case StatementKind::declaration:
     case StatementKind::modal_call:

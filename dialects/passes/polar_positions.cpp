@@ -34,6 +34,7 @@ bool sets_pole(const ir::Code& c) {
 bool switches_letters(const ir::Code& c) {
   return c.function == Function::polar_words_on || c.function == Function::polar_words_off;
 }
+bool counts_holes(const ir::Word& w) { return w.address == Address::k || w.address == Address::l; }
 bool is_arc(Function f) { return f == Function::arc_cw || f == Function::arc_ccw; }
 
 struct Plane {
@@ -150,8 +151,11 @@ class PolarPositions {
   void block(const ir::Statement& s) {
     const ir::Block block = program_.blocks[s.payload];
     const std::vector<ir::Code> codes = list(program_.codes_of(block));
-    for (const ir::Code& c : codes)
+    for (const ir::Code& c : codes) {
       if (c.group == ModalGroup::motion) motion_ = c.function;
+      if (c.function == Function::drill) drills_ = true;
+      if (c.group == ModalGroup::motion || c.function == Function::cycle_off) drills_ = false;
+    }
     const bool pole = std::ranges::any_of(codes, sets_pole);
     const bool words = std::ranges::any_of(program_.words_of(block), is_polar);
     const bool switches = std::ranges::any_of(codes, switches_letters);
@@ -210,11 +214,13 @@ class PolarPositions {
 
   void position(const std::vector<ir::Code>& codes, const std::vector<ir::Word>& words, const Plane& plane) {
     bool moves = false;
+    std::vector<ir::Word> angles;  // that add to the one before
     for (const ir::Word& w : words) {
       const bool radius = w.address == (letters_ ? plane.p : Address::polar_radius);
       const bool angle = w.address == (letters_ ? plane.q : Address::polar_angle);
       if (!radius && !angle) continue;
       moves = true;
+      if (angle && adds(w, codes)) angles.push_back(w);
       if (!take(radius ? radius_ : angle_, w, radius, codes)) return;
     }
     std::vector<ir::Code> kept = codes;
@@ -225,17 +231,39 @@ class PolarPositions {
     if (!radius_ || !angle_) return refuse("a polar position whose radius or angle is not known here");
     if (!pole[0] || !pole[1]) return refuse("a polar position whose pole is not known here");
     if (motion_ == Function::none && has_arcs_) return refuse("a polar position whose motion is not known here");
-    emit(kept, with_coordinates(words, plane, pole, counts_from_zero(codes)));
+    const bool repeats = drills_ && letters_ && !angles.empty() && std::ranges::any_of(words, counts_holes);
+    if (repeats)
+      each_hole(kept, words, angles.front(), plane, counts_from_zero(codes));
+    else
+      emit(kept, with_coordinates(words, plane, pole, counts_from_zero(codes)));
     drop_what_may_change();
+  }
+
+  // G91 Y45. K7 under G16: seven holes, each 45 degrees further.
+  void each_hole(const std::vector<ir::Code>& codes, std::vector<ir::Word> words, const ir::Word& angle,
+                 const Plane& plane, bool absolute) {
+    constexpr double kMostHoles = 1000.0;
+    const auto count = number(std::ranges::find_if(words, counts_holes)->value);
+    if (!count || *count < 1.0 || *count > kMostHoles)
+      return refuse("a number of holes by angle that is not known here");
+    std::erase_if(words, counts_holes);
+    emit(codes, with_coordinates(words, plane, zero(), absolute));
+    for (double n = 2.0; n <= *count; ++n) {
+      angle_ = sum(*angle_, angle.value);
+      emit({}, with_coordinates({}, plane, zero(), absolute));
+    }
   }
 
   // The block's radius or angle; false when it was refused.
   bool take(Value& value, const ir::Word& w, bool radius, const std::vector<ir::Code>& codes) {
-    const bool adds = w.mode == ir::WordMode::incremental || (letters_ && !counts_from_zero(codes));
-    if (adds && letters_ && radius) return refuse("a radius from where the tool stands"), false;
-    if (adds && !value) return refuse("a polar increment to a value that is not known here"), false;
-    value = adds ? sum(*value, w.value) : w.value;
+    const bool further = adds(w, codes);
+    if (further && letters_ && radius) return refuse("a radius from where the tool stands"), false;
+    if (further && !value) return refuse("a polar increment to a value that is not known here"), false;
+    value = further ? sum(*value, w.value) : w.value;
     return true;
+  }
+  [[nodiscard]] bool adds(const ir::Word& w, const std::vector<ir::Code>& codes) const {
+    return w.mode == ir::WordMode::incremental || (letters_ && !counts_from_zero(codes));
   }
 
   std::vector<ir::Word> with_coordinates(const std::vector<ir::Word>& words, const Plane& plane, const Pole& pole,
@@ -337,6 +365,7 @@ class PolarPositions {
   Value radius_;
   Value angle_;
   bool letters_ = false;
+  bool drills_ = false;  // a drilling cycle is in effect, in the order of the text
   std::uint32_t index_ = 0;
   std::uint32_t made_ = 0;
 };

@@ -86,6 +86,7 @@ class Taps {
     // Whether the spindle goes on being turned by its position, nothing that was found says.
     if (std::exchange(in_announced_tap_, rigid_) && !rigid_) refuse(s, "a second tap behind one M29");
     const bool rigid = takes_rigid(*tap, words, s);
+    if (!rigid) tell_taken_as_rigid(s);
     if (rigid) {
       convert_feed(words, i);
       add_rigid(program_, to_, *tap, words, out_);
@@ -97,6 +98,12 @@ class Taps {
     own_feed_.reset();
     diagnostics_.push_back(
         text::make_diagnostic(text::DiagnosticId::cannot_translate, s.span, {std::move(what), to_.title}));
+  }
+  // SINUMERIK names rigid taps and those in a compensating chuck apart; a rigid one is right in either chuck.
+  void tell_taken_as_rigid(const ir::Statement& s) {
+    if (form_of(to_) != Form::usual || std::exchange(told_rigid_, true)) return;
+    refuse(s, "a tap that a parameter makes rigid or not (Fanuc 5200#0), written as a rigid one,");
+    diagnostics_.back().severity = text::Severity::warning;
   }
   static bool ends_cycle(const std::vector<ir::Code>& codes) {
     return std::ranges::any_of(codes, [](const ir::Code& c) {
@@ -220,6 +227,7 @@ class Taps {
   std::vector<bool> targets_;  // of jumps
   Rewrite out_;
   bool rigid_ = false;
+  bool told_rigid_ = false;
   bool in_announced_tap_ = false;     // M29 came before it
   std::optional<ir::Word> own_feed_;  // of a tap whose F was converted
   std::vector<text::Diagnostic> diagnostics_;

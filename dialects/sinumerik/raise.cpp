@@ -8,7 +8,10 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "dialects/passes/allocation.h"
+#include "dialects/passes/outside_values.h"
 #include "dialects/sinumerik/sinumerik.h"
 
 namespace dripfeed::sinumerik {
@@ -44,15 +47,26 @@ void tell_shared(const Raising& raising, const passes::AllocatedVariable& v) {
   raising.diagnostics.back().severity = text::Severity::warning;
 }
 
+// #101 is empty when the control wakes up; an R parameter holds what was left in it.
+void tell_outside(const Raising& raising, const passes::OutsideValue& value) {
+  raising.cannot(fmt::format("the value of #{}, which nothing here sets before it is read (an R parameter keeps what "
+                             "was set last),",
+                             value.number),
+                 value.span);
+  raising.diagnostics.back().severity = text::Severity::warning;
+}
+
 }  // namespace
 
 void raise_variables(const Raising& raising, std::set<ir::SymbolId> kept) {
   ir::Program& program = raising.program;
+  const std::vector<passes::OutsideValue> outside = passes::outside_values(program, raising.from, ir::Bank::hash);
   passes::AllocationReport report = passes::allocate_variables(program, raising.from, raising.to, ir::Bank::r,
                                                                {.fixed = {}, .kept = std::move(kept)});
   for (text::Diagnostic& d : report.diagnostics) raising.diagnostics.push_back(std::move(d));
   // A number that one name has to itself keeps the name for the printer's comment.
   for (const passes::AllocatedVariable& v : report.variables) tell_shared(raising, v);
+  for (const passes::OutsideValue& value : outside) tell_outside(raising, value);
   std::map<std::uint32_t, ir::SymbolId> names;
   for (const passes::AllocatedVariable& v : report.variables) {
     if (v.symbol == ir::SymbolId::none || v.count != 1) continue;
@@ -95,6 +109,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
     raise_frames(raising);
   }
   raise_reference(raising);
+  raise_machine_moves(raising);
   raise_blocks(raising);
   if (!raising.is_own()) {
     raise_modes(raising);

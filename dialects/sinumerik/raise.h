@@ -38,7 +38,9 @@ void raise_flow(const Raising& raising);         // raise_flow.cpp: jumps, calls
 void raise_cycles(const Raising& raising);       // raise_cycles.cpp: modal drilling becomes MCALL
 void raise_frames(const Raising& raising);       // raise_frames.cpp: G68, G51, G51.1 become chains of frames
 void raise_reference(const Raising& raising);    // raise_reference.cpp: G28 becomes G75
-void raise_blocks(const Raising& raising);       // raise_blocks.cpp: codes and words
+// raise_machine_moves.cpp: places of the machine are those of the spindle, not of the tool
+void raise_machine_moves(const Raising& raising);
+void raise_blocks(const Raising& raising);  // raise_blocks.cpp: codes and words
 // raise_blocks.cpp: U V W H of a lathe are increments of X Y Z C.
 void incremental_letter(ir::Word& w);
 void raise_modes(const Raising& raising);  // raise_modes.cpp: feed and surface speed in one group; the safe start

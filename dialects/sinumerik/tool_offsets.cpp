@@ -52,6 +52,7 @@ void ToolOffsets::end_block(text::Span span) {
 
 // G43 H6 is edge 1 of tool 6: lengths belong to the tool here. Another number than the tool's is another tool's length.
 void ToolOffsets::length_on(const ir::Code& code) {
+  if (code.argument == kLengthAgain) return add_edge(code.span);
   const ir::Word* h = find(words_, Address::h);
   if (h == nullptr) return raising_.cannot("G43 whose H was said before", code.span);
   const ir::Expression& number = program_.at(h->value);
@@ -109,6 +110,7 @@ void ToolOffsets::tool(const ir::Word& w) {
   const double offset = std::trunc(e.value) - tool * kToolPlaces;
   last_tool_ = tool;
   if (tool != 0.0) add(Address::t, tool, w.span);
+  length_ = offset == 0.0 ? Length::off : Length::on;
   if (offset == 0.0) return add(Address::d, 0.0, w.span);
   if (tool != 0.0 && offset != tool) return raising_.cannot("the offset of another tool", w.span);
   add(Address::d, 1.0, w.span);

@@ -13,6 +13,9 @@
 
 namespace dripfeed::sinumerik {
 
+// Argument of Function::length_offset_plus: the length that was in effect before D0, of the tool that is in.
+inline constexpr std::int16_t kLengthAgain = -1;
+
 // Follows the blocks in the order of the text, and the tool in the spindle on all ways where T is a number alone.
 class ToolOffsets {
  public:

@@ -221,6 +221,19 @@ TEST(DrillingToSinumerik, DwellsAndShiftsBetweenHoles) {
   expect_refused(kHead + "G98 G81 X1. Z-5. R2. F100.\nG28 Z40.\nX3.\nG80\nM30\n", "fanuc", kTo, "PS0044");
 }
 
+// Whether G84 alone is a rigid tap, a parameter decides; where pecks count from, the cycle.
+TEST(DrillingToSinumerik, WhatThePictureOfTheHoleLeavesOpenIsSaid) {
+  const auto told = [](const std::string& text, const std::string& from, const std::string& to) {
+    return said(translated(text, from, to).diagnostics, text::Source("p", text));
+  };
+  const std::string tap = "G98 G84 X1. Z-5. R2. F600.\nG80\nM30\n";
+  EXPECT_TRUE(told(kHead + "S600 M3\n" + tap, "fanuc", kTo).contains("written as a rigid one"));
+  EXPECT_FALSE(told(kHead + "S600 M3\nM29 S600\n" + tap, "fanuc", kTo).contains("written as a rigid one"));
+  const std::string own = "G17 G90 G710 G94 F100 S1000 M3\nT1 D1 M6\nG0 X0 Y0 Z10\n";
+  EXPECT_TRUE(told(own + "CYCLE83(10,0,2,-20,,-5,,0,0,0,1,1)\nM30\n", kTo, "fanuc").contains("counts from R"));
+  EXPECT_FALSE(told(own + "CYCLE83(10,0,0,-20,,-5,,0,0,0,1,1)\nM30\n", kTo, "fanuc").contains("counts from R"));
+}
+
 // Mazak's second feed, of the way out of a reamed hole.
 TEST(DrillingToOthers, EOfMazakIsRefusedAndSaid) {
   const std::string text = kHead + "G98 G85 X1. Z-5. R2. F100. E200.\nX3.\nG80\nM30\n";

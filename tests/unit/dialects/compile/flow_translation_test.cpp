@@ -179,6 +179,52 @@ TEST(MachineMoves, AreTheSameOnlyByRapid) {
   EXPECT_TRUE(errors("G0 X1.\nG91 G53 X5.\nG90\n", "mitsubishi-m80", "fanuc").contains("beside G91"));
 }
 
+// G53 leaves the length of the tool out; whether SUPA does, a machine data decides, and D0 says so.
+TEST(MachineMoves, LeaveTheLengthOfTheToolOut) {
+  const std::string head = "%\nO1\nG90 G21 G17 G94\nT1 M6\nG54 G0 X10. Y10.\nG43 Z10. H1\nG0 Z100.\n";
+  const std::string mill = translated(head + "G53 Z0.\nX20.\nG53 X0.\nG49\nG53 Z0.\nM30\n%\n", "fanuc", kOwn).text;
+  EXPECT_TRUE(mill.contains("SUPA Z0. D0\nD1\nX20.\nSUPA X0.\nD0\nSUPA Z0.\n")) << mill;
+
+  ConvertRequest request;
+  request.source =
+      text::Source("p", "%\nO1\nG21 G18 G97 G99\nT0101\nG0 X50. Z5.\nG53 X200.\nT0100\nG53 X210.\nM30\n%\n");
+  request.from = control("fanuc", ir::MachineKind::lathe);
+  request.to = control(kOwn, ir::MachineKind::lathe);
+  const std::string lathe = convert(request).text;
+  EXPECT_TRUE(lathe.contains("SUPA X200. D0\nD1\nT1 D0\nSUPA X210.\n")) << lathe;
+
+  const std::string sub = "%\nO2\nG53 G0 Z0\nM99\n%\n";
+  EXPECT_TRUE(said(translated(sub, "fanuc", kOwn).diagnostics, text::Source("p", sub)).contains("MD10760"));
+
+  const std::string own = "G17 G90 G71 G94\nSUPA G0 Z0\nT1 D1\nM6\nG0 X0 Y0\nZ10\n";
+  EXPECT_FALSE(text::has_error(translated(own + "SUPA Z0 D0\nM30\n", kOwn, "fanuc").diagnostics));
+  EXPECT_FALSE(text::has_error(translated(own + "SUPA X0\nM30\n", kOwn, "fanuc").diagnostics));
+  const ConvertResult keeps = translated(own + "SUPA Z0\nM30\n", kOwn, "fanuc");
+  ASSERT_TRUE(text::has_error(keeps.diagnostics));
+  EXPECT_TRUE(said(keeps.diagnostics, text::Source("p", own + "SUPA Z0\nM30\n")).starts_with("p:7:1: error"));
+}
+
+// What an operator has typed in is elsewhere on another control, and nobody has typed it there.
+TEST(OutsideValues, AreToldByName) {
+  const auto told = [](const std::string& text, const std::string& from, const std::string& to) {
+    return said(translated(text, from, to).diagnostics, text::Source("p", text));
+  };
+  const std::string own = kOwnStart + "R5=3\nG0 X=R1+R5\nY=R2\nR3=R3+1\nM30\n";
+  for (const std::string& to : dialect_names()) {
+    if (to == kOwn) continue;
+    const std::string all = told(own, kOwn, to);
+    EXPECT_TRUE(all.contains("the value of R1, which nothing here sets")) << all;
+    EXPECT_TRUE(all.contains("R3, which") && all.contains("(#102, empty")) << all;
+    EXPECT_FALSE(all.contains("value of R5")) << all;
+  }
+  const std::string macro = "%\nO1\nG21 G17 G90 G54 G94\n#102=2\nG0 X[#101+#102]\nM30\n%\n";
+  EXPECT_TRUE(told(macro, "fanuc", kOwn).contains("the value of #101, which nothing here sets"));
+  EXPECT_FALSE(told(macro, "fanuc", kOwn).contains("#102, which"));
+  EXPECT_FALSE(told(macro, "fanuc", "mazak").contains("which nothing here sets"));
+  // A subprogram has them from its caller.
+  EXPECT_FALSE(told("G0 X=R1\nM17\n", kOwn, "fanuc").contains("which nothing here sets"));
+}
+
 // A part that is run again begins with what is in effect behind it: positions by angle count otherwise beside G91.
 TEST(RepeatedParts, PolarPositionsInThemAreOfAllWays) {
   const std::string text =

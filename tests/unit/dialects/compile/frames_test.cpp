@@ -162,6 +162,22 @@ TEST(PolarToSinumerik, BecomeCoordinates) {
   EXPECT_TRUE(drilled.text.contains("MCALL CYCLE81(2,2,,-5)\nG0 X43.3013 Y25.\nG0 X0. Y50.\nMCALL\n")) << drilled.text;
 }
 
+// The classic circle of holes: each repetition adds the angle again.
+TEST(PolarToSinumerik, HolesByRepeatedAngles) {
+  const std::string text =
+      kHead + "G00 Z20.\nG16\nG99 G81 X50. Y0. Z-5. R2. F100.\nG91 Y90. K3\nG80 G15 G90\nX1. Y2.\nM30\n";
+  const auto holes = [](const std::string& program, const std::string& dialect) {
+    std::vector<std::pair<double, double>> places;
+    for (const ir::Motion& m : run_text(program, control(dialect, ir::MachineKind::mill)).motions)
+      if (m.kind == ir::MotionKind::linear && m.end[2] == -5.0)
+        places.emplace_back(std::round(m.end[0]), std::round(m.end[1]));
+    return places;
+  };
+  const std::vector<std::pair<double, double>> expected = {{50, 0}, {0, 50}, {-50, 0}, {0, -50}};
+  EXPECT_EQ(holes(text, "fanuc"), expected);
+  EXPECT_EQ(holes(translated(text, "fanuc", kTo).text, kTo), expected);
+}
+
 TEST(PolarToSinumerik, WhatIsNotKnownIsAnErrorWithItsPlace) {
   expect_refused(kHead + "G16\nG91 G00 X5. Y30.\nG15\nG90 X1. Y2.\nM30\n", "fanuc", kTo, "from where the tool stands");
   expect_refused(kHead + "G16\n#1=0\nWHILE[#1LT3]DO1\nG00 X5. Y[#1*30.]\n#1=#1+1\nEND1\nG15\nM30\n", "fanuc", kTo,

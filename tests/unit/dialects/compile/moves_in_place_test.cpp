@@ -143,6 +143,28 @@ TEST(MovesInPlace, AContourBetweenLabels) {
   }
 }
 
+// The end's label alone on its line: the contour is what stands before it. All blocks are numbered, and no number is a
+// way into the program.
+TEST(MovesInPlace, AContourThatEndsBeforeItsLabel) {
+  const std::string blocks =
+      "N5 G18 G90 G95 G71 DIAMOF\nN10 G97 S500 M3\nN20 G0 X41 Z5\nN30 CYCLE95(\"START:END\",5,0,0,0,0.3,0.2,0.15,1)\n"
+      "N40 G0 X50\nN50 M30\nSTART:\nN60 G1 X10 Z0\nN70 Z-20\nN80 X40 Z-30\n";
+  expect_same_there(blocks + "END:\nN90 M30\n", "sinumerik-840d", "fanuc", MachineKind::lathe);
+  const ir::Control lathe = control("sinumerik-840d", MachineKind::lathe);
+  const std::string in_line = blocks.substr(0, blocks.find("N80")) + "END: X40 Z-30\nN90 M30\n";
+  const std::vector<ir::Motion> alone = run_text(blocks + "END:\nN90 M30\n", lathe).motions;
+  EXPECT_GT(alone.size(), 10U);
+  expect_same(real_moves(run_text(in_line, lathe).motions), real_moves(alone), 1e-9, in_line);
+}
+
+// D of G71 in one block is its depth and no offset.
+TEST(MovesInPlace, StockRemovalInOneBlock) {
+  const std::string made = expect_same_there(
+      kLathe + "G71 P1 Q2 U0.4 W0.1 D2000 F0.25\nN1 G00 X20.\nG01 Z-10.\nN2 X60.\nG00 X100. Z50.\nM30\n%\n", "fanuc",
+      "sinumerik-840d", MachineKind::lathe);
+  EXPECT_TRUE(made.contains("Z-9.9")) << made;
+}
+
 TEST(MovesInPlace, HolesOfALathe) {
   const std::string text = kLathe +
                            "G00 X0 Z5.\nG83 Z-30. R-3. Q5000 P500 F0.1\nG80\nG00 Z20.\nX60. Z-10.\n"

@@ -114,6 +114,15 @@ TEST(SinumerikCycles, ThreadsAreCutToTheirDepth) {
   EXPECT_TRUE(ran.trace.contains("thread X38.0000 Z-32.0000 F2.0000/rev")) << ran.trace;
 }
 
+// MPIT 24 is M24, whose lead is 3 (ISO 261).
+TEST(SinumerikCycles, ThreadsByTheirSize) {
+  const std::string head = "G18 G90 G95 G0 X60 Z10 S500 M3\n";
+  const Result ran = run(head + "CYCLE97(,24,0,-30,24,24,4,2,1.84,0,0,0,4,0,3,1)\nM30\n", {}, ir::MachineKind::lathe);
+  EXPECT_TRUE(ran.trace.contains("thread X20.3200 Z-32.0000 F3.0000/rev")) << ran.trace;
+  EXPECT_EQ(alarm_of(run(head + "CYCLE97(,,0,-30,24,24,4,2,1,0,0,0,4,0,3,1)\nM30\n", {}, ir::MachineKind::lathe)),
+            "61001");
+}
+
 TEST(SinumerikCycles, AProgramOfTheUserGoesBefore) {
   const Texts called = {{"CYCLE81", "PROC CYCLE81(REAL A)\nR1=A\nRET\n"}};
   EXPECT_EQ(run("CYCLE81(7)\nM30\n", called).value("R1"), 7.0);

@@ -1,0 +1,74 @@
+// The other controls leave the length of the tool out where they go to a place of the machine. Whether SINUMERIK does,
+// MD10760 G53_TOOLCORR decides (ISO Milling, "Machine coordinate system"); D0 says so on all machines.
+//
+//   G43 H1 …                 D1 …
+//   G53 Z0.                  SUPA Z0 D0
+//                            D1
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "dialects/passes/length_flow.h"
+#include "dialects/passes/rewrite.h"
+#include "dialects/sinumerik/raise.h"
+#include "dialects/sinumerik/tool_offsets.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using ir::Function;
+using passes::ToolLength;
+
+ir::Code code_of(Function function, std::int16_t argument, text::Span span) {
+  ir::Code code;
+  code.function = function;
+  code.argument = argument;
+  code.group = ir::ModalGroup::length_offset;
+  code.letter = 'G';
+  code.span = span;
+  return code;
+}
+
+}  // namespace
+
+void raise_machine_moves(const Raising& raising) {
+  ir::Program& program = raising.program;
+  if (raising.from.semantics.d_selects_edge) return;
+  const auto goes = [&](const ir::Statement& s) {
+    return s.kind == ir::StatementKind::block &&
+           passes::moves_length_to_machine(program, program.blocks[s.payload], raising.from);
+  };
+  if (std::ranges::none_of(program.statements, goes)) return;
+  const passes::LengthFlow flow(program, raising.from);
+  passes::Rewrite out(program);
+  const auto count = static_cast<std::uint32_t>(program.statements.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    out.at(i);
+    const ir::Statement s = program.statements[i];
+    const ToolLength length = goes(s) ? flow.at(i) : ToolLength::off;
+    if (length == ToolLength::unknown) {
+      raising.cannot(
+          "a move to a place of the machine where the length of a tool may be in effect, which MD10760 leaves out or "
+          "keeps,",
+          s.span);
+      raising.diagnostics.back().severity = text::Severity::warning;
+    }
+    if (length != ToolLength::on) {
+      out.keep();
+      continue;
+    }
+    const ir::Block block = program.blocks[s.payload];
+    const auto codes = program.codes_of(block);
+    const auto words = program.words_of(block);
+    std::vector<ir::Code> all(codes.begin(), codes.end());
+    all.push_back(code_of(Function::length_offset_off, 0, s.span));
+    out.emit_block(all, {words.begin(), words.end()});
+    out.last().skip_level = s.skip_level;
+    out.emit_block({code_of(Function::length_offset_plus, kLengthAgain, s.span)}, {});
+    out.last().skip_level = s.skip_level;
+  }
+  out.finish();
+}
+
+}  // namespace dripfeed::sinumerik
