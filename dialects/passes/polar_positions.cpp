@@ -248,7 +248,7 @@ class PolarPositions {
       return refuse("a number of holes by angle that is not known here");
     std::erase_if(words, counts_holes);
     emit(codes, with_coordinates(words, plane, zero(), absolute));
-    for (double n = 2.0; n <= *count; ++n) {
+    for (auto left = static_cast<std::uint32_t>(*count); left > 1; --left) {
       angle_ = sum(*angle_, angle.value);
       emit({}, with_coordinates({}, plane, zero(), absolute));
     }
