@@ -293,7 +293,8 @@ std::optional<double> SystemValues::offset_mm(std::int32_t offset, std::size_t a
   const std::uint32_t number = number_of_offset(offset) + static_cast<std::uint32_t>(index);
   const auto kept = [&](std::uint32_t row) -> std::optional<double> {
     const auto found = written_.find(key_of(row, number));
-    if (found == written_.end()) return std::nullopt;
+    // It may have been set to a value that is not known.
+    if (found == written_.end() || !std::isfinite(found->second)) return std::nullopt;
     return state.modes.inch && !is_rotary(axis) ? found->second * 25.4 : found->second;
   };
   if (offset > kExtendedOffset) return kept(kExtendedOffsetRow);
@@ -311,7 +312,7 @@ void SystemValues::move_offset(std::uint32_t number, double value, ModalState& s
   const std::uint32_t first = number_of_offset(offset);
   const std::size_t place = place_of(number - first);
   if (place >= ir::kAxisCount) return;
-  if (const auto before = offset_mm(offset, place, state)) {
+  if (const auto before = offset_mm(offset, place, state); before && std::isfinite(value)) {
     state.position[place] += *before - (state.modes.inch && !is_rotary(place) ? value * 25.4 : value);
   } else {
     state.unknown |= static_cast<std::uint16_t>(1U << place);

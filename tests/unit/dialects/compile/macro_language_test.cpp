@@ -166,6 +166,15 @@ TEST(MacroLanguage, ComputedJumpsAndNestedLoops) {
   EXPECT_EQ(value_of(r, "#103"), 6.0);
 }
 
+// An offset that is set to a value that only the control knows, and then to another: where the axis is, nobody knows.
+TEST(MacroLanguage, AnOffsetOfAnUnknownValue) {
+  const Result ran = run("%\nO1\nG90 G54 G00 X0. Y5.\n#5222=#5122\n#5222=0\n#101=#5042\nG91 Y1.\nM30\n%\n");
+  EXPECT_FALSE(ran.trace.contains("nan")) << ran.trace;
+  EXPECT_TRUE(std::ranges::any_of(ran.result.not_interpreted, [](const interpreter::NotInterpreted& one) {
+    return one.name == "increments from a position that is not known";
+  })) << ran.trace;
+}
+
 TEST(MacroLanguage, OffsetsThatAreSetMoveThePosition) {
   // G54 X is 100 before; set to 130 the same place is 30 less in the offset.
   const Result r =
