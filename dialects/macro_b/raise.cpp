@@ -38,6 +38,9 @@ using ir::StatementKind;
 constexpr double kHighestAlarm = 200.0;      // of #3000 = n
 constexpr double kForeignAlarms = 65'000.0;  // user alarms of controls that count from there
 
+// Tolerance and smoothing of the path: how the machine follows what is programmed, not what that is.
+constexpr std::string_view kSmoothing = "CYCLE832";
+
 // L100
 bool is_l_number(std::string_view name) {
   return name.size() > 1 && name.front() == 'L' && name.find_first_not_of("0123456789", 1) == std::string_view::npos;
@@ -170,7 +173,9 @@ class StatementRaiser {
   void native(const ir::Statement& s) {
     const ir::Native& native = program_.natives[s.payload];
     if (same_dialect_ && s.tokens.first != s.tokens.last) return out_.keep();
-    if (!native.effects_known) blocks_.cannot(s, std::string(program_.strings.at(native.name)));
+    const std::string name(program_.strings.at(native.name));
+    if (name == kSmoothing) return blocks_.leave_out(s, name);
+    if (!native.effects_known) blocks_.cannot(s, name);
   }
 
   // The end's statement has a block that holds its code alone.

@@ -86,6 +86,7 @@ class BlockRaiser {
   void emit_all();
   void emit(const Draft& draft);
   void split_m_codes();
+  void say_speed(Draft& turn);
   static void move_words(ir::Address address, Draft& from, Draft& to);
   void whole_shift();
 

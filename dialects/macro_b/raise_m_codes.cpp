@@ -1,6 +1,7 @@
 // Several M functions of a block: one of them stays, the others get blocks of their own around it.
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 #include "dialects/macro_b/raise_block.h"
 
@@ -36,18 +37,32 @@ void BlockRaiser::split_m_codes() {
   if (kept == draft_.codes.end()) kept = std::ranges::find_if(draft_.codes, is_m);
   std::vector<ir::Code> codes;
   std::vector<Draft> behind;
+  std::optional<std::size_t> turn_in_front;
   for (auto code = draft_.codes.begin(); code != draft_.codes.end(); ++code) {
     if (code == kept || !is_m(*code)) {
       codes.push_back(*code);
     } else if (in_front && starts(*code)) {
       before_.push_back({{*code}, {}});
-      if (turns(*code)) move_words(Address::s, draft_, before_.back());
+      if (turns(*code)) turn_in_front = before_.size() - 1;
     } else {
       behind.push_back({{*code}, {}});
     }
   }
   draft_.codes = std::move(codes);
+  if (turn_in_front) say_speed(before_[*turn_in_front]);
   after_.insert(after_.begin(), behind.begin(), behind.end());
+}
+
+// S goes with the spindle, and with S what it counts: G96 or G97, with the axis (P) of G96.
+void BlockRaiser::say_speed(Draft& turn) {
+  const auto counts_speed = [](const ir::Code& c) {
+    return c.function == Function::surface_speed_on || c.function == Function::surface_speed_off;
+  };
+  const bool counts = std::ranges::any_of(draft_.codes, counts_speed);
+  std::ranges::copy_if(draft_.codes, std::inserter(turn.codes, turn.codes.begin()), counts_speed);
+  std::erase_if(draft_.codes, counts_speed);
+  move_words(Address::s, draft_, turn);
+  if (counts) move_words(Address::p, draft_, turn);
 }
 
 void BlockRaiser::move_words(Address address, Draft& from, Draft& to) {

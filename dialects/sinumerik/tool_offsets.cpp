@@ -103,16 +103,18 @@ void ToolOffsets::compensation_number(const ir::Word& w) {
 void ToolOffsets::tool(const ir::Word& w) {
   const ir::Expression e = program_.at(w.value);
   const bool is_number = e.op == ir::Operator::constant;
-  if (is_number) last_tool_ = e.value;
-  if (raising_.from.semantics.tool_word != ir::ToolWord::number_and_offset) return program_.words.push_back(w);
+  if (raising_.from.semantics.tool_word != ir::ToolWord::number_and_offset) {
+    if (is_number) last_tool_ = e.value;
+    return program_.words.push_back(w);
+  }
   if (!is_number) return raising_.cannot("a computed tool word", w.span);
   const double tool = std::trunc(e.value / kToolPlaces);
   const double offset = std::trunc(e.value) - tool * kToolPlaces;
-  last_tool_ = tool;
+  if (tool != 0.0) last_tool_ = tool;  // T6 is another offset of the tool that is in
   if (tool != 0.0) add(Address::t, tool, w.span);
   length_ = offset == 0.0 ? Length::off : Length::on;
   if (offset == 0.0) return add(Address::d, 0.0, w.span);
-  if (tool != 0.0 && offset != tool) return raising_.cannot("the offset of another tool", w.span);
+  if (offset != last_tool_) return raising_.cannot("the offset of another tool", w.span);
   add(Address::d, 1.0, w.span);
 }
 

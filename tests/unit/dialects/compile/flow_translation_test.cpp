@@ -204,6 +204,17 @@ TEST(MachineMoves, LeaveTheLengthOfTheToolOut) {
   EXPECT_TRUE(said(keeps.diagnostics, text::Source("p", own + "SUPA Z0\nM30\n")).starts_with("p:7:1: error"));
 }
 
+// How the machine follows the path is no part of it: told and left out.
+TEST(Smoothing, OfAnotherControlIsLeftOut) {
+  const std::string text = kOwnStart + "CYCLE832(0.01,1)\nG1 X10 F500\nCYCLE832()\nX20\nM30\n";
+  for (const std::string& to : dialect_names()) {
+    if (to == kOwn) continue;
+    const ConvertResult made = translated(text, kOwn, to);
+    EXPECT_TRUE(made.text.contains("G01 X10. F500.\nX20.\n")) << made.text;
+    EXPECT_TRUE(said(made.diagnostics, text::Source("p", text)).contains("p:3:1: warning[cannot-translate]: CYCLE832"));
+  }
+}
+
 // What an operator has typed in is elsewhere on another control, and nobody has typed it there.
 TEST(OutsideValues, AreToldByName) {
   const auto told = [](const std::string& text, const std::string& from, const std::string& to) {

@@ -345,6 +345,29 @@ TEST(LoweredTurning, WhatIsNotKnownIsRefused) {
 }
 
 // The angle of a G76 in one block is no axis of the machine.
+// S counts as G96 or G97 of its block says, wherever the spindle's M goes.
+TEST(LoweredTurning, SpeedsGoWithWhatTheyCount) {
+  const std::string text =
+      "%\nO1\nG21 G18 G40 G97 G99\nT0101\nG50 S2000\nG0 G96 X60. Z5. S250 M3 M8\nG1 Z-10. F0.2\n"
+      "G0 G97 X100. Z50. S800 M4 M8\nM30\n%\n";
+  for (const std::string to : {"mazak", "mitsubishi-m80"}) {
+    const std::string made = lathe_translated(text, "fanuc", to).text;
+    EXPECT_TRUE(made.contains("G96 S250 M03\nG00 X60. Z5. M08\n")) << made;
+    EXPECT_TRUE(made.contains("G97 S800 M04\nG00 X100. Z50. M08\n")) << made;
+  }
+}
+
+// T6 of a lathe is offset 6 of the tool that is in.
+TEST(LoweredTurning, AnOffsetWithoutATool) {
+  const auto told = [](const std::string& tools) {
+    const std::string text = "%\nO1\nG21 G18 G40 G97 G99\n" + tools + "G0 X20. Z5.\nM30\n%\n";
+    return said(lathe_translated(text, "fanuc", "sinumerik-840d").diagnostics, text::Source("p", text));
+  };
+  EXPECT_TRUE(told("T6\n").contains("the offset of another tool"));
+  EXPECT_TRUE(told("T0101\nT6\n").contains("the offset of another tool"));
+  EXPECT_FALSE(told("T0606\nT6\n").contains("the offset of another tool"));
+}
+
 TEST(Repetitive, AnAngleIsNoAxis) {
   const std::vector<Move> actual = cut("G00 X34. Z4.\nG76 X27.6 Z-20. K1.2 D400 A29 F2.\n");
   ASSERT_GT(actual.size(), 1U);
