@@ -30,6 +30,13 @@ ir::Code code_of(Function function, std::int16_t argument, text::Span span) {
   return code;
 }
 
+// A caller or a called program decides. Taken away it would be missed: the tool would come down by its length.
+void tell_taken_as_on(const Raising& raising, text::Span span) {
+  raising.report(text::DiagnosticId::unknown_modal_state, span,
+                 {"whether the length of the tool is in effect", "it is taken away here and put back behind it (D1)"});
+  raising.diagnostics.back().severity = text::Severity::warning;
+}
+
 }  // namespace
 
 void raise_machine_moves(const Raising& raising) {
@@ -47,14 +54,8 @@ void raise_machine_moves(const Raising& raising) {
     out.at(i);
     const ir::Statement s = program.statements[i];
     const ToolLength length = goes(s) ? flow.at(i) : ToolLength::off;
-    if (length == ToolLength::unknown) {
-      raising.cannot(
-          "a move to a place of the machine where the length of a tool may be in effect, which MD10760 leaves out or "
-          "keeps,",
-          s.span);
-      raising.diagnostics.back().severity = text::Severity::warning;
-    }
-    if (length != ToolLength::on) {
+    if (length == ToolLength::unknown) tell_taken_as_on(raising, s.span);
+    if (length == ToolLength::off) {
       out.keep();
       continue;
     }
