@@ -167,6 +167,12 @@ std::optional<Function> LatheFlow::mode(passes::Mode mode, std::uint32_t stateme
   return fact.agrees() ? std::optional(fact.function) : std::nullopt;
 }
 
+bool LatheFlow::goes_on_with(Function feed, std::uint32_t statement) const {
+  const passes::ModeFacts* facts = modes_.before(statement);
+  const bool known = facts != nullptr && (*facts)[passes::index_of(passes::Mode::feed)].agrees();
+  return known && (*facts)[passes::index_of(passes::Mode::feed)].function == feed;
+}
+
 std::optional<double> LatheFlow::number(const ir::Word& word, std::uint32_t statement) const {
   if (word.value == ir::ExpressionId::none) return std::nullopt;
   const ir::Expression& e = program_.at(word.value);
@@ -237,7 +243,8 @@ void LatheFlow::take_codes(const ir::Block& block, std::uint32_t statement, Lath
     if (c.group == ModalGroup::unit)
       for (Known<double>* length : {&state.feed, &state.end_x, &state.end_z, &state.taper})
         if (!length->is(0.0)) length->value.reset();
-    if (c.group == ModalGroup::feed) state.feed.value.reset();
+    // G97 of SINUMERIK is of that group, too, and leaves a feed per turn one.
+    if (c.group == ModalGroup::feed && !goes_on_with(c.function, statement)) state.feed.value.reset();
     if (c.group != ModalGroup::motion) continue;
     const bool turns = c.function == Function::turning_cycle;
     state.cycle.value = turns ? c.argument : LatheState::kNone;
@@ -379,16 +386,34 @@ namespace {
 // What a statement does to something that stays in effect.
 enum class Use : std::uint8_t { none, sets, needs };
 
-// Along the text behind the statement, as far as that is the only way. `use_of`: of a block or a call.
+// Where the program goes on elsewhere, or nobody knows how: what is in effect may be needed there.
+bool leaves(const ir::Program& program, const ir::Statement& s) {
+  constexpr std::array kElsewhere = {StatementKind::subprogram_return, StatementKind::return_to,
+                                     StatementKind::modal_call,        StatementKind::modal_call_end,
+                                     StatementKind::repeat_section,    StatementKind::execute_text};
+  if (s.kind == StatementKind::native) return !program.natives[s.payload].effects_known;
+  return std::ranges::find(kElsewhere, s.kind) != kElsewhere.end();
+}
+
+// On some way behind the statement. `use_of`: of a block or a call.
 template <class UseOf>
 bool is_needed_behind(const ir::Program& program, std::uint32_t statement, UseOf use_of) {
-  for (std::uint32_t i = statement + 1; i < program.statements.size(); ++i) {
+  passes::FlowGraph graph(program);
+  std::vector<bool> seen(program.statements.size());
+  std::vector<std::uint32_t> open = graph.after(statement);
+  while (!open.empty()) {
+    const std::uint32_t i = open.back();
+    open.pop_back();
+    if (i >= program.statements.size() || seen[i]) continue;
+    seen[i] = true;
     const ir::Statement& s = program.statements[i];
-    if (s.is_label || s.kind == StatementKind::program_end) return s.is_label;
-    if (s.kind == StatementKind::empty || s.kind == StatementKind::message || s.kind == StatementKind::assign) continue;
-    if (s.kind != StatementKind::block && s.kind != StatementKind::call) return true;
-    const Use use = use_of(s);
-    if (use != Use::none) return use == Use::needs;
+    if (leaves(program, s)) return true;
+    const bool uses = s.kind == StatementKind::block || s.kind == StatementKind::call;
+    const Use use = uses ? use_of(s) : Use::none;
+    if (use == Use::needs) return true;
+    if (use == Use::sets && s.skip_level == 0) continue;
+    const std::vector<std::uint32_t> next = graph.after(i);
+    open.insert(open.end(), next.begin(), next.end());
   }
   return false;
 }

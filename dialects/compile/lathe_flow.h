@@ -78,12 +78,14 @@ class LatheFlow {
   };
   [[nodiscard]] std::optional<Repeated> repeat(std::uint32_t statement, const LatheState& state) const;
   [[nodiscard]] bool is_increment_of_c(const ir::Word& word) const;
-  // Looked for along the text behind the statement, as far as that is the only way: whether a cut may follow before a
-  // feed is given; whether a block may follow that moves without saying how.
+  // On some way behind the statement: whether a cut may follow before a feed is given; whether a block may follow that
+  // moves without saying how.
   [[nodiscard]] bool needs_feed(std::uint32_t statement) const;
   [[nodiscard]] bool needs_motion(std::uint32_t statement) const;
 
  private:
+  // Whether the kind of feed is the one that was in effect before the statement.
+  [[nodiscard]] bool goes_on_with(ir::Function feed, std::uint32_t statement) const;
   [[nodiscard]] LatheState start() const;
   [[nodiscard]] LatheState after(std::uint32_t statement, LatheState state) const;
   void take_codes(const ir::Block& block, std::uint32_t statement, LatheState& state) const;

@@ -357,6 +357,24 @@ TEST(LoweredTurning, SpeedsGoWithWhatTheyCount) {
   }
 }
 
+// The usual thread of a program's own: cuts in a loop. G97 leaves a feed per turn one, and behind the loop nothing
+// cuts.
+TEST(LoweredTurning, ThreadsInALoop) {
+  const std::string head = "DEF INT CUT\nG18 G54 G90 G710 DIAMON\nT2 D1\nG95 F0.2\nG97 S600 M3\nG0 X24 Z5\n";
+  const std::string loop = "FOR CUT=1 TO 4\nG0 X=20-CUT*0.4\nG33 Z-12 K1.5\nG0 X24\nG0 Z5\nENDFOR\n";
+  const std::string own = head + loop + "G1 X22\nG0 X100\nM30\n";
+  for (const std::string to : {"fanuc", "mazak", "mitsubishi-m80"}) {
+    const ConvertResult made = lathe_translated(own, "sinumerik-840d", to);
+    ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("p", own));
+    expect_same(real_moves(run_text(own, control("sinumerik-840d", ir::MachineKind::lathe)).motions),
+                real_moves(run_text(made.text, control(to, ir::MachineKind::lathe)).motions), 1e-9, made.text);
+  }
+  const std::string feed = "DEF INT CUT\nG18 G54 G90 G710 DIAMON\nT2 D1\nG95 F=R1\nG97 S600 M3\nG0 X24 Z5\n";
+  EXPECT_FALSE(
+      text::has_error(lathe_translated(feed + loop + "G0 X100\nM30\n", "sinumerik-840d", "fanuc").diagnostics));
+  EXPECT_TRUE(text::has_error(lathe_translated(feed + loop + "G1 X22\nM30\n", "sinumerik-840d", "fanuc").diagnostics));
+}
+
 // T6 of a lathe is offset 6 of the tool that is in.
 TEST(LoweredTurning, AnOffsetWithoutATool) {
   const auto told = [](const std::string& tools) {
