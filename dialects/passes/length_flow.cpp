@@ -1,4 +1,4 @@
-// A main program begins without a length.
+// A main program begins without a length, a subprogram with its caller's.
 #include "dialects/passes/length_flow.h"
 
 #include <algorithm>
@@ -18,6 +18,7 @@ using ir::StatementKind;
 
 constexpr double kToolPlaces = 100.0;  // T0101: two digits for the offset
 
+// Whether that is less than before.
 bool meet(ToolLength& length, ToolLength with) {
   if (length == with || length == ToolLength::unknown) return false;
   length = ToolLength::unknown;
@@ -27,12 +28,14 @@ bool meet(ToolLength& length, ToolLength with) {
 }  // namespace
 
 LengthFlow::LengthFlow(const ir::Program& program, const ir::Control& control)
-    : program_(program),
-      control_(control),
-      before_(states_before(
-          program, is_subprogram(program) ? ToolLength::unknown : ToolLength::off,
-          [this](std::uint32_t i, ToolLength length) { return after(i, length); },
-          [](ToolLength& length, ToolLength with) { return meet(length, with); })) {}
+    : program_(program), control_(control), before_(program.statements.size() + 1) {
+  FlowGraph graph(program);
+  for (const std::uint32_t entry : graph.entries_for_good())
+    before_[entry] = is_subprogram(program, section_of(program, entry)) ? ToolLength::unknown : ToolLength::off;
+  spread_states(
+      program, graph, before_, [this](std::uint32_t i, ToolLength length) { return after(i, length); },
+      [](ToolLength& length, ToolLength with) { return meet(length, with); });
+}
 
 ToolLength LengthFlow::at(std::uint32_t statement) const {
   if (!before_[statement].has_value()) return ToolLength::unknown;

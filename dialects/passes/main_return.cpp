@@ -44,9 +44,14 @@ void returns_of_main_as_jumps(ir::Program& program) {
   }
 }
 
+bool is_subprogram(const ir::Program& program, const StatementRange& range) {
+  const auto begin = program.statements.begin();
+  return std::any_of(begin + range.first, begin + range.last, [](const ir::Statement& s) { return returns(s.kind); }) &&
+         !has_end(program, range);
+}
+
 bool is_subprogram(const ir::Program& program) {
-  return std::ranges::any_of(program.statements, returns, &ir::Statement::kind) &&
-         !has_end(program, {.first = 0, .last = static_cast<std::uint32_t>(program.statements.size())});
+  return is_subprogram(program, {.first = 0, .last = static_cast<std::uint32_t>(program.statements.size())});
 }
 
 }  // namespace dripfeed::passes

@@ -53,7 +53,8 @@ void raise_machine_moves(const Raising& raising) {
   for (std::uint32_t i = 0; i < count; ++i) {
     out.at(i);
     const ir::Statement s = program.statements[i];
-    const ToolLength length = goes(s) ? flow.at(i) : ToolLength::off;
+    const bool looks = goes(s) && program.blocks[s.payload].rest_level == 0;  // otherwise it is refused
+    const ToolLength length = looks ? flow.at(i) : ToolLength::off;
     if (length == ToolLength::unknown) tell_taken_as_on(raising, s.span);
     if (length == ToolLength::off) {
       out.keep();

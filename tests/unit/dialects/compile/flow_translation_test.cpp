@@ -201,6 +201,8 @@ TEST(MachineMoves, LeaveTheLengthOfTheToolOut) {
   const std::string own = "G17 G90 G71 G94\nSUPA G0 Z0\nT1 D1\nM6\nG0 X0 Y0\nZ10\n";
   EXPECT_FALSE(text::has_error(translated(own + "SUPA Z0 D0\nM30\n", kOwn, "fanuc").diagnostics));
   EXPECT_FALSE(text::has_error(translated(own + "SUPA X0\nM30\n", kOwn, "fanuc").diagnostics));
+  const std::string called = "%_N_A_MPF\n" + own + "B\nM30\n%_N_B_SPF\nSUPA G0 Z0\nM17\n";
+  EXPECT_TRUE(text::has_error(translated(called, kOwn, "fanuc").diagnostics));
   const ConvertResult keeps = translated(own + "SUPA Z0\nM30\n", kOwn, "fanuc");
   ASSERT_TRUE(text::has_error(keeps.diagnostics));
   EXPECT_TRUE(said(keeps.diagnostics, text::Source("p", own + "SUPA Z0\nM30\n")).starts_with("p:7:1: error"));
