@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace dripfeed::sinumerik {
 
@@ -19,9 +20,19 @@ const ir::Word* find(std::span<const ir::Word> words, Address address) {
   return found == words.end() ? nullptr : &*found;
 }
 
+// T6 and T9 alone: the tools stand side by side on the slide, and no turret is turned.
+bool names_offsets_only(const ir::Program& program) {
+  return std::ranges::all_of(program.words, [&](const ir::Word& w) {
+    if (w.address != Address::t || w.value == ir::ExpressionId::none) return true;
+    const ir::Expression& e = program.at(w.value);
+    return e.op == ir::Operator::constant && e.value < kToolPlaces;
+  });
+}
+
 }  // namespace
 
-ToolOffsets::ToolOffsets(const Raising& raising) : raising_(raising), program_(raising.program) {
+ToolOffsets::ToolOffsets(const Raising& raising)
+    : raising_(raising), program_(raising.program), names_offsets_only_(names_offsets_only(raising.program)) {
   if (raising.is_own() || raising.from.semantics.tool_word != ir::ToolWord::number) return;
   const passes::ToolFlow flow(program_);
   for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
@@ -108,9 +119,11 @@ void ToolOffsets::tool(const ir::Word& w) {
     return program_.words.push_back(w);
   }
   if (!is_number) return raising_.cannot("a computed tool word", w.span);
-  const double tool = std::trunc(e.value / kToolPlaces);
-  const double offset = std::trunc(e.value) - tool * kToolPlaces;
-  if (tool != 0.0) last_tool_ = tool;  // T6 is another offset of the tool that is in
+  const double offset = std::fmod(std::trunc(e.value), kToolPlaces);
+  const bool is_alone = names_offsets_only_ && offset != 0.0;
+  const double tool = is_alone ? offset : std::trunc(e.value / kToolPlaces);
+  if (is_alone) tell_taken_as_tool(w.span);
+  if (tool != 0.0) last_tool_ = tool;  // otherwise T6 is another offset of the tool that is in
   if (tool != 0.0) add(Address::t, tool, w.span);
   length_ = offset == 0.0 ? Length::off : Length::on;
   if (offset == 0.0) return add(Address::d, 0.0, w.span);
@@ -135,6 +148,12 @@ bool ToolOffsets::is_tool(double number, std::string_view otherwise, text::Span 
   if (!same) raising_.cannot(std::string(otherwise), span);
   if (same && state.caller != ir::kNoIndex) tell_caller(state.caller, span);
   return same;
+}
+
+void ToolOffsets::tell_taken_as_tool(text::Span span) {
+  if (std::exchange(told_tool_, true)) return;
+  raising_.cannot("an offset without a tool, taken as that of the tool of its number,", span);
+  raising_.diagnostics.back().severity = text::Severity::warning;
 }
 
 void ToolOffsets::tell_caller(std::uint32_t caller, text::Span span) {

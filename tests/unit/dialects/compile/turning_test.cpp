@@ -375,13 +375,16 @@ TEST(LoweredTurning, ThreadsInALoop) {
   EXPECT_TRUE(text::has_error(lathe_translated(feed + loop + "G1 X22\nM30\n", "sinumerik-840d", "fanuc").diagnostics));
 }
 
-// T6 of a lathe is offset 6 of the tool that is in.
+// T6 of a lathe is offset 6 of the tool that is in; where no T names a tool, it is that of tool 6.
 TEST(LoweredTurning, AnOffsetWithoutATool) {
   const auto told = [](const std::string& tools) {
     const std::string text = "%\nO1\nG21 G18 G40 G97 G99\n" + tools + "G0 X20. Z5.\nM30\n%\n";
     return said(lathe_translated(text, "fanuc", "sinumerik-840d").diagnostics, text::Source("p", text));
   };
-  EXPECT_TRUE(told("T6\n").contains("the offset of another tool"));
+  const std::string gang = "%\nO1\nG21 G18 G40 G97 G99\nT6\nG0 X20. Z5.\nT9\nX30.\nT0\nM30\n%\n";
+  const std::string made = lathe_translated(gang, "fanuc", "sinumerik-840d").text;
+  EXPECT_TRUE(made.contains("T6 D1\n") && made.contains("T9 D1\n") && made.contains("\nD0\n")) << made;
+  EXPECT_TRUE(told("T6\n").contains("warning[cannot-translate]: an offset without a tool"));
   EXPECT_TRUE(told("T0101\nT6\n").contains("the offset of another tool"));
   EXPECT_FALSE(told("T0606\nT6\n").contains("the offset of another tool"));
 }
