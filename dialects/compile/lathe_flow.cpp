@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "dialects/compile/shape_blocks.h"
 #include "dialects/interpreter/repetitive.h"
@@ -161,16 +162,14 @@ std::optional<Function> LatheFlow::mode(passes::Mode mode, std::uint32_t stateme
   if (s.kind == StatementKind::block)
     for (const ir::Code& c : program_.codes_of(program_.blocks[s.payload]))
       if (passes::mode_of(c) == mode) return c.function;
+  return mode_before(mode, statement);
+}
+
+std::optional<Function> LatheFlow::mode_before(passes::Mode mode, std::uint32_t statement) const {
   const passes::ModeFacts* facts = modes_.before(statement);
   if (facts == nullptr) return std::nullopt;
   const passes::ModeFact& fact = (*facts)[passes::index_of(mode)];
   return fact.agrees() ? std::optional(fact.function) : std::nullopt;
-}
-
-bool LatheFlow::goes_on_with(Function feed, std::uint32_t statement) const {
-  const passes::ModeFacts* facts = modes_.before(statement);
-  const bool known = facts != nullptr && (*facts)[passes::index_of(passes::Mode::feed)].agrees();
-  return known && (*facts)[passes::index_of(passes::Mode::feed)].function == feed;
 }
 
 std::optional<double> LatheFlow::number(const ir::Word& word, std::uint32_t statement) const {
@@ -244,7 +243,8 @@ void LatheFlow::take_codes(const ir::Block& block, std::uint32_t statement, Lath
       for (Known<double>* length : {&state.feed, &state.end_x, &state.end_z, &state.taper})
         if (!length->is(0.0)) length->value.reset();
     // G97 of SINUMERIK is of that group, too, and leaves a feed per turn one.
-    if (c.group == ModalGroup::feed && !goes_on_with(c.function, statement)) state.feed.value.reset();
+    if (c.group == ModalGroup::feed && mode_before(passes::Mode::feed, statement) != c.function)
+      state.feed.value.reset();
     if (c.group != ModalGroup::motion) continue;
     const bool turns = c.function == Function::turning_cycle;
     state.cycle.value = turns ? c.argument : LatheState::kNone;
@@ -399,13 +399,12 @@ bool leaves(const ir::Program& program, const ir::Statement& s) {
 template <class UseOf>
 bool is_needed_behind(const ir::Program& program, std::uint32_t statement, UseOf use_of) {
   passes::FlowGraph graph(program);
-  std::vector<bool> seen(program.statements.size());
+  std::set<std::uint32_t> seen;  // a few as a rule
   std::vector<std::uint32_t> open = graph.after(statement);
   while (!open.empty()) {
     const std::uint32_t i = open.back();
     open.pop_back();
-    if (i >= program.statements.size() || seen[i]) continue;
-    seen[i] = true;
+    if (i >= program.statements.size() || !seen.insert(i).second) continue;
     const ir::Statement& s = program.statements[i];
     if (leaves(program, s)) return true;
     const bool uses = s.kind == StatementKind::block || s.kind == StatementKind::call;

@@ -84,8 +84,7 @@ class LatheFlow {
   [[nodiscard]] bool needs_motion(std::uint32_t statement) const;
 
  private:
-  // Whether the kind of feed is the one that was in effect before the statement.
-  [[nodiscard]] bool goes_on_with(ir::Function feed, std::uint32_t statement) const;
+  [[nodiscard]] std::optional<ir::Function> mode_before(passes::Mode mode, std::uint32_t statement) const;
   [[nodiscard]] LatheState start() const;
   [[nodiscard]] LatheState after(std::uint32_t statement, LatheState state) const;
   void take_codes(const ir::Block& block, std::uint32_t statement, LatheState& state) const;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dialects/ir/sections.h"
 #include "dialects/sinumerik/declared_programs.h"
 
 namespace dripfeed::compile {
@@ -16,8 +17,8 @@ namespace {
 
 using ir::StatementKind;
 
-bool has_parameters(const ir::Program& text, std::uint32_t first, std::uint32_t last) {
-  for (std::uint32_t i = first; i < last; ++i) {
+bool has_parameters(const ir::Program& text, const ir::Section& program) {
+  for (std::uint32_t i = program.first; i < program.last; ++i) {
     const ir::Statement& s = text.statements[i];
     if (s.kind != StatementKind::procedure || s.payload == ir::kNoIndex) continue;
     const ir::Structure& head = text.structures[s.payload];
@@ -27,19 +28,10 @@ bool has_parameters(const ir::Program& text, std::uint32_t first, std::uint32_t 
   return false;
 }
 
-// The program of that name in the text; of a file of another name it is the first, as a call finds it.
-bool has_parameters(const ir::Program& text, std::string_view name, bool or_first) {
-  for (const ir::Section& section : text.sections)
-    if (text.strings.at(section.name) == name) return has_parameters(text, section.first, section.last);
-  if (!or_first && text.name != name) return false;
-  const auto count = static_cast<std::uint32_t>(text.statements.size());
-  return has_parameters(text, 0, text.sections.empty() ? count : text.sections.front().last);
-}
-
-bool is_in(const ir::Program& text, std::string_view name) {
-  return text.name == name || std::ranges::any_of(text.sections, [&](const ir::Section& section) {
-           return text.strings.at(section.name) == name;
-         });
+// The text that a call of `name` finds; nullptr where nobody has it.
+const ir::Program* text_with(const ir::Program& text, std::string_view name, ProgramLibrary* library) {
+  if (text.name == name || ir::section_named(text, name)) return &text;
+  return library == nullptr ? nullptr : library->find(name);
 }
 
 std::vector<std::string> declared_with_parameters(const ir::Program& text) {
@@ -59,10 +51,9 @@ void call_parameters_as_macros(ir::Program& text, ProgramLibrary* library) {
   for (ir::Call& call : text.calls) {
     if (call.kind != ir::CallKind::subprogram || call.name == ir::StringId::none || call.in_other_language) continue;
     const std::string name(text.strings.at(call.name));
-    const bool here = is_in(text, name);
-    const ir::Program* other = here || library == nullptr ? nullptr : library->find(name);
-    const bool takes = (here && has_parameters(text, name, false)) ||
-                       (other != nullptr && has_parameters(*other, name, true)) ||
+    const ir::Program* found = text_with(text, name, library);
+    const bool takes = (found != nullptr &&
+                        has_parameters(*found, ir::section_at(*found, ir::section_named(*found, name).value_or(0)))) ||
                        std::ranges::find(declared, name) != declared.end();
     if (takes) call.kind = ir::CallKind::macro;
   }

@@ -9,6 +9,7 @@
 #include "dialects/interpreter/unknown.h"
 #include "dialects/ir/alarm_details.h"
 #include "dialects/ir/repetition.h"
+#include "dialects/ir/sections.h"
 #include "dialects/text/number.h"
 #include "dialects/text/upper_case.h"
 
@@ -115,8 +116,7 @@ CompiledProgram* CallStack::find_program(const Instruction& i, CallSite& site) {
 std::optional<CallStack::Part> CallStack::find_part(const Instruction& i, const CallSite& site,
                                                     const CompiledProgram& whole) {
   const ir::Program& text = *whole.source;
-  const ir::Section all = {.first = 0, .last = static_cast<std::uint32_t>(text.statements.size())};
-  const ir::Section range = text.sections.empty() ? all : text.sections[whole.section];
+  const ir::Section range = ir::section_at(text, whole.section);
   const std::string first_name = text::upper_case(storage_.text(raw_of(site.first_label)));
   const std::string last_name = text::upper_case(storage_.text(raw_of(site.last_label)));
   const auto first = ir::labelled_block(text, range, first_name);

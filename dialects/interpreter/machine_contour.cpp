@@ -9,6 +9,7 @@
 #include "dialects/interpreter/transformed.h"
 #include "dialects/interpreter/unknown.h"
 #include "dialects/ir/repetition.h"
+#include "dialects/ir/sections.h"
 #include "dialects/text/upper_case.h"
 
 namespace dripfeed::interpreter {
@@ -106,9 +107,7 @@ bool Machine::run_contour_labels(const Instruction& i, const std::string& name, 
   state_.repetitive.cycle = 1;  // the shape is kept, not cut
   shape_.begin(next - 1, last, next, state_, out_.place);
   const ir::Program& source = *stack_.program().source;
-  const ir::Section all = {.first = 0, .last = static_cast<std::uint32_t>(source.statements.size())};
-  const auto end =
-      ir::labelled_block(source, source.sections.empty() ? all : source.sections[stack_.program().section], end_name);
+  const auto end = ir::labelled_block(source, ir::section_at(source, stack_.program().section), end_name);
   if (end && end->is_bare) shape_.end_in_front_of_last();
   contour_.active = true;
   contour_.in_program = false;

@@ -1,20 +1,14 @@
 // Compiling on the first call.
 #include "dialects/interpreter/program_table.h"
 
-#include <optional>
-
 #include "dialects/interpreter/compile.h"
+#include "dialects/ir/sections.h"
 
 namespace dripfeed::interpreter {
 
-namespace {
+using ir::section_named;
 
-// nullopt: none of that name.
-std::optional<std::uint32_t> section_named(const ir::Program& program, std::string_view name) {
-  for (std::uint32_t i = 0; i < program.sections.size(); ++i)
-    if (program.strings.at(program.sections[i].name) == name) return i;
-  return std::nullopt;
-}
+namespace {
 
 bool begins_with_procedure(const ir::Program& program, std::uint32_t section) {
   const ir::Section& range = program.sections[section];

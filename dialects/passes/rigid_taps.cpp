@@ -96,13 +96,16 @@ class Taps {
 
   void refuse(const ir::Statement& s, std::string what) {
     own_feed_.reset();
+    tell(s, std::move(what));
+  }
+  void tell(const ir::Statement& s, std::string what) {
     diagnostics_.push_back(
         text::make_diagnostic(text::DiagnosticId::cannot_translate, s.span, {std::move(what), to_.title}));
   }
   // SINUMERIK names rigid taps and those in a compensating chuck apart; a rigid one is right in either chuck.
   void tell_taken_as_rigid(const ir::Statement& s) {
     if (form_of(to_) != Form::usual || std::exchange(told_rigid_, true)) return;
-    refuse(s, "a tap that a parameter makes rigid or not (Fanuc 5200#0), written as a rigid one,");
+    tell(s, "a tap that a parameter makes rigid or not (Fanuc 5200#0), written as a rigid one,");
     diagnostics_.back().severity = text::Severity::warning;
   }
   static bool ends_cycle(const std::vector<ir::Code>& codes) {
