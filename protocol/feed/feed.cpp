@@ -11,11 +11,15 @@
 namespace dripfeed::feed {
 namespace {
 
-constexpr std::array<std::pair<Refusal, std::string_view>, 4> kRefusals{{
+constexpr std::array<std::pair<Refusal, std::string_view>, 5> kRefusals{{
     {Refusal::not_in_this_state, "the command has no effect in this state"},
     {Refusal::link_is_down, "the link is down"},
     {Refusal::no_source, "the job has no text"},
     {Refusal::rounds, "a program is sent 1 to 1000000 times"},
+    {Refusal::reset_suspected,
+     "the control asked for a program (DC1) while the feed was stopped: it may have been reset. Cancel the job; a "
+     "restart "
+     "is a new job"},
 }};
 
 constexpr std::array<std::pair<Command, Input>, 7> kCommands{{
@@ -67,9 +71,10 @@ Feed::Feed(const Settings& settings)
   counters_.estimated = settings.blind;
 }
 
-std::expected<Feed, SettingsRefusal> Feed::make(const Settings& settings) {
+std::expected<Feed, SettingsRefusal> Feed::make(const Settings& settings, LeftAs left) {
   if (const auto valid = validate(settings); !valid) return std::unexpected(valid.error());
   Feed feed(settings);
+  if (left == LeftAs::torn) feed.state_ = State::torn;
   feed.stall_ = feed.present_stall();
   return feed;
 }
@@ -297,7 +302,9 @@ std::expected<void, Refusal> Feed::react(Input input, Trigger trigger) {
     if (row_taken_ != nullptr) row_taken_(row_context_, i);
     if (row.action == Action::refuse) {
       emit({.kind = EventKind::command_refused, .input = input});
-      return std::unexpected(Refusal::not_in_this_state);
+      const bool resumes = input == Input::resume || input == Input::resume_as_dc1;
+      const bool suspected = resumes && state_ == State::reset_suspected;
+      return std::unexpected(suspected ? Refusal::reset_suspected : Refusal::not_in_this_state);
     }
     if (input == Input::dc3) control_holds_ = true;
     if (input == Input::dc1 || input == Input::resume_as_dc1) control_holds_ = false;

@@ -53,13 +53,20 @@ enum class Command : std::uint8_t {
   confirm_reset,     // only when torn: a person says that the control was reset
 };
 
+// How whoever fed this line before left it.
+enum class LeftAs : std::uint8_t {
+  whole,  // at a block end, or never used
+  torn,   // inside a block, as far as the books know
+};
+
 enum class LineChange : std::uint8_t { link_up, link_down, cts_on, cts_off, dsr_on, dsr_off };
 
 enum class Refusal : std::uint8_t {
   not_in_this_state,
-  link_is_down,  // arm: the link was not reported up
-  no_source,     // arm: the job has no source
-  rounds,        // arm: none or too many
+  link_is_down,     // arm: the link was not reported up
+  no_source,        // arm: the job has no source
+  rounds,           // arm: none or too many
+  reset_suspected,  // resume: the control asked anew while the feed was stopped
 };
 std::string_view message(Refusal refusal);
 
@@ -69,7 +76,8 @@ class Feed {
   // Events that wait to be read; beyond it the oldest is dropped and counted.
   static constexpr std::size_t kMaxEvents = 64;
 
-  static std::expected<Feed, SettingsRefusal> make(const Settings& settings);
+  // A feed begins as its line was left: nothing leaves on one that is torn before a person confirms the reset.
+  static std::expected<Feed, SettingsRefusal> make(const Settings& settings, LeftAs left = LeftAs::whole);
 
   // A person arms one job for this line. Sends nothing before DC1 (or at once, where the profile says so).
   std::expected<void, Refusal> arm(const Job& job, Time now);

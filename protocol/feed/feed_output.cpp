@@ -144,6 +144,7 @@ Stall Feed::present_stall() const {
     return settings_.start == Start::on_dc1 ? Stall::waiting_for_dc1 : Stall::waiting_for_trigger;
   }
   if (state_ == State::stopped || state_ == State::stopped_held) return Stall::stopped_by_person;
+  if (state_ == State::reset_suspected) return Stall::reset_suspected;
   if (is_held(state_)) return Stall::held_by_dc3;
   if (state_ == State::wait_end) return Stall::waiting_for_end;
   if (!is_on_the_line(state_)) return Stall::none;

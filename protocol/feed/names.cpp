@@ -7,10 +7,11 @@
 namespace dripfeed::feed {
 namespace {
 
-constexpr std::array<std::string_view, 21> kStateNames{
-    "idle",       "armed",           "sending", "held",         "stopping", "stopping_held", "stopped", "stopped_held",
-    "cancelling", "cancelling_held", "trailer", "trailer_held", "draining", "wait_end",      "ending",  "next_round",
-    "done",       "failed",          "torn",    "cancelled",    "disarmed"};
+constexpr std::array<std::string_view, 22> kStateNames{
+    "idle",         "armed",        "sending",         "held",       "stopping",        "stopping_held",
+    "stopped",      "stopped_held", "reset_suspected", "cancelling", "cancelling_held", "trailer",
+    "trailer_held", "draining",     "wait_end",        "ending",     "next_round",      "done",
+    "failed",       "torn",         "cancelled",       "disarmed"};
 constexpr std::array<std::string_view, 14> kInputNames{"dc1",      "dc3",   "punch_code",    "eot",          "broken",
                                                        "line_off", "arm",   "disarm",        "stop",         "resume",
                                                        "cancel",   "abort", "resume_as_dc1", "confirm_reset"};
@@ -22,7 +23,7 @@ constexpr std::array<std::string_view, 10> kConditionNames{
 
 static_assert(kStateNames.size() == kStates && kInputNames.size() == kInputs);
 
-constexpr std::array<std::string_view, 12> kStallNames{"none",
+constexpr std::array<std::string_view, 13> kStallNames{"none",
                                                        "waiting_for_dc1",
                                                        "held_by_dc3",
                                                        "cts_off",
@@ -33,7 +34,8 @@ constexpr std::array<std::string_view, 12> kStallNames{"none",
                                                        "stopped_by_person",
                                                        "dsr_off",
                                                        "held_below",
-                                                       "waiting_for_trigger"};
+                                                       "waiting_for_trigger",
+                                                       "reset_suspected"};
 constexpr std::array<std::string_view, 16> kCauseNames{
     "none",      "dc1",     "dc3",     "eot",     "quiet",  "syn",       "nak",           "unexpected_input",
     "link_lost", "dsr_off", "cts_off", "expired", "person", "text_lost", "bad_character", "trigger"};

@@ -14,7 +14,7 @@ using A = Action;
 using C = Condition;
 
 // clang-format off
-constexpr std::array<Reaction, 334> kReactions{{
+constexpr std::array<Reaction, 351> kReactions{{
     // At rest nothing is sent, whatever comes.
     {S::idle, I::dc1, G::always, A::unarmed, S::idle},
     {S::idle, I::dc3, G::always, A::remember, S::idle},
@@ -122,8 +122,8 @@ constexpr std::array<Reaction, 334> kReactions{{
     {S::stopping_held, I::resume_as_dc1, G::always, A::stand_in, S::stopping},
     {S::stopping_held, I::confirm_reset, G::always, A::refuse, S::stopping_held},
 
-    // Whole blocks only were sent, but the control may still be reading: DC1 and DC3 are kept for resume.
-    {S::stopped, I::dc1, G::always, A::none, S::stopped},
+    // Whole blocks only were sent, but the control may still be reading: its DC3, and the DC1 after it, are kept for resume.
+    {S::stopped, I::dc1, G::always, A::change, S::reset_suspected},
     {S::stopped, I::dc3, G::always, A::change, S::stopped_held},
     {S::stopped, I::punch_code, G::always, A::note, S::stopped},
     {S::stopped, I::eot, G::in_block, A::fail, S::torn},
@@ -158,6 +158,26 @@ constexpr std::array<Reaction, 334> kReactions{{
     {S::stopped_held, I::abort, G::between_blocks, A::fail, S::failed},
     {S::stopped_held, I::resume_as_dc1, G::always, A::stand_in, S::stopped},
     {S::stopped_held, I::confirm_reset, G::always, A::refuse, S::stopped_held},
+
+    // A control that asks though nothing holds it begins to read anew: it was reset, and what follows in the program must
+    // not go to its start.
+    {S::reset_suspected, I::dc1, G::always, A::none, S::reset_suspected},
+    {S::reset_suspected, I::dc3, G::always, A::none, S::reset_suspected},
+    {S::reset_suspected, I::punch_code, G::always, A::note, S::reset_suspected},
+    {S::reset_suspected, I::eot, G::in_block, A::fail, S::torn},
+    {S::reset_suspected, I::eot, G::between_blocks, A::fail, S::failed},
+    {S::reset_suspected, I::broken, G::in_block, A::fail, S::torn},
+    {S::reset_suspected, I::broken, G::between_blocks, A::fail, S::failed},
+    {S::reset_suspected, I::line_off, G::always, A::none, S::reset_suspected},
+    {S::reset_suspected, I::arm, G::always, A::refuse, S::reset_suspected},
+    {S::reset_suspected, I::disarm, G::always, A::refuse, S::reset_suspected},
+    {S::reset_suspected, I::stop, G::always, A::none, S::reset_suspected},
+    {S::reset_suspected, I::resume, G::always, A::refuse, S::reset_suspected},
+    {S::reset_suspected, I::cancel, G::always, A::end, S::cancelled},
+    {S::reset_suspected, I::abort, G::in_block, A::fail, S::torn},
+    {S::reset_suspected, I::abort, G::between_blocks, A::fail, S::failed},
+    {S::reset_suspected, I::resume_as_dc1, G::always, A::refuse, S::reset_suspected},
+    {S::reset_suspected, I::confirm_reset, G::always, A::refuse, S::reset_suspected},
 
     // Cancelling cannot be taken back.
     {S::cancelling, I::dc1, G::always, A::none, S::cancelling},

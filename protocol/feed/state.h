@@ -19,6 +19,7 @@ enum class State : std::uint8_t {
   stopping_held,    // ... but DC3 holds it inside the block
   stopped,          // at a block end, until a person says resume or cancel
   stopped_held,     // ... and the control sent DC3 meanwhile
+  reset_suspected,  // ... and the control asked anew, as it does after a RESET: only cancel is left
   cancelling,       // a person said cancel: the block is sent to its EOB and clocked
   cancelling_held,  // ... but DC3 holds it inside the block
   trailer,          // the final '%' is handed; EOBs and NULs behind it go out
@@ -33,7 +34,7 @@ enum class State : std::uint8_t {
   cancelled,        // at a block end, by a person
   disarmed,         // armed, but nothing was sent: by a person, expiry, a lost line or unexpected input
 };
-inline constexpr std::size_t kStates = 21;
+inline constexpr std::size_t kStates = 22;
 
 enum class Input : std::uint8_t {
   dc1,         // from the control: start, go on

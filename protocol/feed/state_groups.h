@@ -18,8 +18,8 @@ constexpr bool is_held(State state) {
 }
 // A program is between its start and its end.
 constexpr bool is_on_the_line(State state) {
-  return may_hand(state) || is_held(state) || state == State::stopped || state == State::draining ||
-         state == State::wait_end || state == State::ending || state == State::next_round;
+  return may_hand(state) || is_held(state) || state == State::stopped || state == State::reset_suspected ||
+         state == State::draining || state == State::wait_end || state == State::ending || state == State::next_round;
 }
 // The control's own start is waited for.
 constexpr bool awaits_start(State state) { return state == State::armed || state == State::next_round; }

@@ -24,9 +24,11 @@ bool is_stalled(Stall stall) {
 
 }  // namespace
 
-std::expected<Sender, SettingsFault> Sender::make(const Settings& settings) {
+std::expected<Sender, SettingsFault> Sender::make(const Settings& settings, feed::LeftAs left) {
   if (const auto valid = validate(settings); !valid) return std::unexpected(valid.error());
-  return Sender(settings);
+  Sender sender(settings);
+  if (left == feed::LeftAs::torn) sender.state_ = State::torn;
+  return sender;
 }
 
 Sender::Sender(const Settings& settings)

@@ -28,7 +28,8 @@ class Sender {
   // An answer that takes longer is a stall, and shown.
   static constexpr Time kShownAfter = std::chrono::seconds(1);
 
-  static std::expected<Sender, SettingsFault> make(const Settings& settings);
+  // As its line was left: nothing leaves on one that is torn before a person confirms the reset.
+  static std::expected<Sender, SettingsFault> make(const Settings& settings, feed::LeftAs left = feed::LeftAs::whole);
 
   // A person arms one job. Nothing of the text goes out before the receiver asks (3964: at once). `name` is for
   // protocols that tell it.

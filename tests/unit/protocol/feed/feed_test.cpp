@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <new>
 #include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -142,6 +143,42 @@ TEST(Feed, ARefusedArmingLeavesTheRunningJobAlone) {
   send(feed, 0x11, now);
   EXPECT_FALSE(feed.arm({.facts = facts, .source = &other, .reserve = 1}, now));
   EXPECT_EQ(run(feed, now), facts.text_bytes());
+}
+
+// Whoever fed the line before broke off inside a block: nothing that a control may say, and no time, makes a byte go out.
+TEST(Feed, ALineThatWasLeftTornSendsNothingBeforeAPersonConfirms) {
+  Feed feed = Feed::make(Settings{}, LeftAs::torn).value();
+  const ProgramFacts facts = facts_of(3);
+  EndlessSource source(3);
+  Time now = 1s;
+  EXPECT_EQ(feed.state(), State::torn);
+  feed.line(LineChange::link_up, now);
+  EXPECT_EQ(feed.arm({.facts = facts, .source = &source, .reserve = kNoReserve}, now).error(),
+            Refusal::not_in_this_state);
+  for (const char byte : std::string_view("\x11\x13\x16\x15\x12G")) send(feed, static_cast<unsigned char>(byte), now += 1h);
+  EXPECT_EQ(feed.state(), State::torn);
+  EXPECT_TRUE(feed.pending_out().empty());
+  ASSERT_TRUE(feed.command(Command::confirm_reset, now));
+  ASSERT_TRUE(feed.arm({.facts = facts, .source = &source, .reserve = kNoReserve}, now));
+  send(feed, 0x11, now);
+  EXPECT_EQ(run(feed, now), facts.text_bytes());
+}
+
+TEST(Feed, AResumeAfterASuspectedResetSaysWhyItIsRefused) {
+  Feed feed = Feed::make(Settings{}).value();
+  const ProgramFacts facts = facts_of(300);
+  EndlessSource source(300);
+  Time now = 1s;
+  feed.line(LineChange::link_up, now);
+  ASSERT_TRUE(feed.arm({.facts = facts, .source = &source, .reserve = kNoReserve}, now));
+  send(feed, 0x11, now);
+  ASSERT_TRUE(feed.command(Command::stop, now));
+  run(feed, now);
+  ASSERT_EQ(feed.state(), State::stopped);
+  send(feed, 0x11, now += 5s);
+  EXPECT_EQ(feed.command(Command::resume, now).error(), Refusal::reset_suspected);
+  EXPECT_EQ(feed.stall(), Stall::reset_suspected);
+  EXPECT_TRUE(feed.command(Command::cancel, now));
 }
 
 TEST(Feed, ALateTimerOnlyCostsTime) {
