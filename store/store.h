@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "store/answers.h"
 #include "store/audit.h"
 #include "store/contents.h"
 #include "store/families.h"
@@ -21,8 +22,9 @@
 
 namespace dripfeed::store {
 
-// All members may be called from any thread; changes wait for each other, reads do not wait. Each call is one
-// transaction, and durable when it returns. Nothing may be called on it, nor a writer be alive, when it is destroyed.
+// All members may be called from any thread; changes wait for each other, the ledger's (and the answers' that are
+// booked with it) before all others; reads do not wait. Each call is one transaction, and durable when it returns.
+// Nothing may be called on it, nor a writer be alive, when it is destroyed.
 class Store : public Repository {
  public:
   virtual Machines& machines() = 0;
@@ -35,6 +37,7 @@ class Store : public Repository {
   virtual Jobs& jobs() = 0;
   virtual Receipts& receipts() = 0;
   virtual Ledger& ledger() = 0;
+  virtual Answers& answers() = 0;
   virtual Audit& audit() = 0;
   virtual Tokens& tokens() = 0;
   virtual Replies& replies() = 0;

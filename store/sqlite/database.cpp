@@ -1,6 +1,8 @@
 // Transactions and the pool of readers.
 #include "store/sqlite/database.h"
 
+#include <fmt/format.h>
+
 namespace dripfeed::sqlite {
 namespace {
 
@@ -24,18 +26,20 @@ store::Result<std::unique_ptr<Database>> Database::open(const std::string& path,
   return database;
 }
 
+store::Result<void> Database::checkpoint_in_commits_from(std::uint32_t pages) {
+  return writer_->execute(fmt::format("PRAGMA wal_autocheckpoint = {}", pages).c_str());
+}
+
 store::Result<std::unique_ptr<Connection>> Database::connect_to_read() const {
   return Connection::open(path_, settings_, Access::read);
 }
 
 store::Result<void> Database::Writing::begin() {
   if (!database_.writing_here()) {
-    lock_ = std::unique_lock(database_.write_mutex_);
+    database_.lane_.enter(turn_);
+    holds_lane_ = true;
     // IMMEDIATE: the write lock now, not in the middle, so that nothing read before can be outdated.
-    if (auto begun = run(*database_.writer_, "BEGIN IMMEDIATE"); !begun) {
-      lock_.unlock();
-      return begun;
-    }
+    if (auto begun = run(*database_.writer_, "BEGIN IMMEDIATE"); !begun) return begun;
     database_.writing_thread_.store(std::this_thread::get_id());
   } else {
     if (!database_.writer_->in_transaction()) return std::unexpected(lost());
@@ -58,7 +62,11 @@ store::Result<void> Database::Writing::commit() {
 }
 
 Database::Writing::~Writing() {
-  if (!open_) return;
+  if (open_) undo();
+  if (holds_lane_) database_.lane_.leave();
+}
+
+void Database::Writing::undo() {
   const bool outer = database_.depth_ == 1;
   // Fails only where the engine has undone everything already.
   if (database_.writer_->in_transaction()) {

@@ -1,4 +1,4 @@
-// The file as a whole: one connection that writes, with a lock around it, and as many that read as threads want at
+// The file as a whole: one connection that writes, one transaction at a time, and as many that read as threads want at
 // once. A body runs inside one transaction and is undone when it or the engine fails.
 #pragma once
 
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "store/sqlite/session.h"
+#include "store/sqlite/write_lane.h"
 
 namespace dripfeed::sqlite {
 
@@ -22,14 +23,12 @@ class Database {
   // joins that, and is undone alone when it fails.
   template <class F>
   auto write(std::string_view about, F&& body) -> std::invoke_result_t<F, Session&> {
-    Writing writing(*this);
-    if (auto begun = writing.begin(); !begun) return std::unexpected(begun.error());
-    Session session(*writer_, about);
-    auto result = std::invoke(std::forward<F>(body), session);
-    if (!session.ok()) return std::unexpected(session.error());
-    if (!result) return result;
-    if (auto committed = writing.commit(); !committed) return std::unexpected(committed.error());
-    return result;
+    return write_in_turn(Turn::in_order, about, std::forward<F>(body));
+  }
+  // The same for what a feed waits for: it goes before all others that wait. Keep it short.
+  template <class F>
+  auto write_first(std::string_view about, F&& body) -> std::invoke_result_t<F, Session&> {
+    return write_in_turn(Turn::first, about, std::forward<F>(body));
   }
 
   // Runs body(Session&) -> store::Result<T> on one state of the database. It may not change anything. Inside a
@@ -44,6 +43,8 @@ class Database {
     return result;
   }
 
+  // A commit brings the log into the file only when it has so many pages. Before the first use by others.
+  store::Result<void> checkpoint_in_commits_from(std::uint32_t pages);
   // A connection of one's own, for long reads.
   [[nodiscard]] store::Result<std::unique_ptr<Connection>> connect_to_read() const;
   [[nodiscard]] const OpenSettings& settings() const { return settings_; }
@@ -51,10 +52,22 @@ class Database {
  private:
   Database(std::string path, OpenSettings settings) : path_(std::move(path)), settings_(std::move(settings)) {}
 
-  // The outer transaction holds the lock; inner ones are savepoints. The destructor undoes what was not committed.
+  template <class F>
+  auto write_in_turn(Turn turn, std::string_view about, F&& body) -> std::invoke_result_t<F, Session&> {
+    Writing writing(*this, turn);
+    if (auto begun = writing.begin(); !begun) return std::unexpected(begun.error());
+    Session session(*writer_, about);
+    auto result = std::invoke(std::forward<F>(body), session);
+    if (!session.ok()) return std::unexpected(session.error());
+    if (!result) return result;
+    if (auto committed = writing.commit(); !committed) return std::unexpected(committed.error());
+    return result;
+  }
+
+  // The outer transaction holds the lane; inner ones are savepoints. The destructor undoes what was not committed.
   class Writing {
    public:
-    explicit Writing(Database& database) : database_(database) {}
+    Writing(Database& database, Turn turn) : database_(database), turn_(turn) {}
     Writing(const Writing&) = delete;
     Writing& operator=(const Writing&) = delete;
     ~Writing();
@@ -62,8 +75,11 @@ class Database {
     store::Result<void> commit();
 
    private:
+    void undo();
+
     Database& database_;
-    std::unique_lock<std::mutex> lock_;  // held by the outer one
+    Turn turn_;
+    bool holds_lane_ = false;  // the outer one does
     bool open_ = false;
   };
 
@@ -87,9 +103,9 @@ class Database {
   std::string path_;
   OpenSettings settings_;
   std::unique_ptr<Connection> writer_;
-  std::mutex write_mutex_;
+  WriteLane lane_;
   std::atomic<std::thread::id> writing_thread_;
-  int depth_ = 0;  // of transactions inside each other; under write_mutex_
+  int depth_ = 0;  // of transactions inside each other; while the lane is taken
   std::mutex pool_mutex_;
   std::vector<std::unique_ptr<Connection>> pool_;
 };

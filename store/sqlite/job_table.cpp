@@ -77,6 +77,9 @@ Result<void> JobTable::check_line(const Job& job) {
   const auto torn = torn_on(job.machine);
   if (!torn) return std::unexpected(torn.error());
   if (*torn) return refuse(ErrorCode::machine_torn, fmt::format("job {} on {}", (*torn)->id, job.machine));
+  const auto answer = answers_.torn_on(job.machine);
+  if (!answer) return std::unexpected(answer.error());
+  if (*answer) return refuse(ErrorCode::machine_torn, fmt::format("answer {} on {}", (*answer)->id, job.machine));
   return {};
 }
 
@@ -211,7 +214,9 @@ Result<std::vector<Job>> JobTable::interrupt_unfinished(const Stamp& by) {
       const JobState from = job.state;
       // An armed job may have begun after the last commit, as far as its reserve reaches.
       const bool may_have_fed = from != JobState::armed || reserve_of(session, job.id) > 0;
-      job = moved(job, {.to = JobState::interrupted, .reason = "the server stopped", .torn = may_have_fed}, by);
+      const std::string_view reason =
+          may_have_fed ? "the server stopped" : "the server stopped before anything was sent";
+      job = moved(job, {.to = JobState::interrupted, .reason = std::string(reason), .torn = may_have_fed}, by);
       write_move(session, from, job, by);
     }
     return jobs;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "store/jobs.h"
+#include "store/sqlite/answer_table.h"
 #include "store/sqlite/database.h"
 #include "store/sqlite/release_table.h"
 
@@ -9,7 +10,8 @@ namespace dripfeed::sqlite {
 
 class JobTable final : public store::Jobs {
  public:
-  JobTable(Database& database, ReleaseTable& releases) : database_(database), releases_(releases) {}
+  JobTable(Database& database, ReleaseTable& releases, AnswerTable& answers)
+      : database_(database), releases_(releases), answers_(answers) {}
   store::Result<store::Job> add(const store::NewJob& job, const store::Stamp& by) override;
   store::Result<store::Job> move(store::Id job, const store::JobMove& move, const store::Stamp& by) override;
   store::Result<store::Job> confirm_reset(std::string_view machine, std::string_view reason,
@@ -28,6 +30,7 @@ class JobTable final : public store::Jobs {
 
   Database& database_;
   ReleaseTable& releases_;
+  AnswerTable& answers_;
 };
 
 }  // namespace dripfeed::sqlite

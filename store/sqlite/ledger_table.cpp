@@ -129,7 +129,7 @@ std::vector<LedgerRow> rows_between(Session& session, Id job, const Head& head, 
 }  // namespace
 
 Result<std::vector<LedgerFault>> LedgerTable::append(std::span<const NewLedgerRow> rows, std::int64_t at_ms) {
-  return database_.write("ledger", [&](Session& session) -> Result<std::vector<LedgerFault>> {
+  return database_.write_first("ledger", [&](Session& session) -> Result<std::vector<LedgerFault>> {
     std::vector<LedgerFault> faults;
     for (const NewLedgerRow& row : rows) {
       const auto head = head_of(session, row.job);

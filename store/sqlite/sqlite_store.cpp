@@ -34,6 +34,15 @@ Result<void> bring_up_to_date(const std::string& path, const OpenSettings& setti
   return migrate(**connection, migrations());
 }
 
+Result<std::unique_ptr<Checkpointer>> start_checkpoints(const std::string& path, const OpenSettings& settings,
+                                                        Database& database) {
+  auto own = Connection::open(path, settings, Access::write);
+  if (!own) return std::unexpected(own.error());
+  if (auto rare = database.checkpoint_in_commits_from(Checkpointer::kFallbackPages); !rare)
+    return std::unexpected(rare.error());
+  return std::make_unique<Checkpointer>(path, std::move(*own));
+}
+
 }  // namespace
 
 Result<void> SqliteStore::atomically(const std::function<Result<void>()>& work) {
@@ -75,7 +84,13 @@ Result<std::unique_ptr<store::Store>> open(const std::string& path, const OpenSe
   if (auto ready = bring_up_to_date(path, settings); !ready) return std::unexpected(ready.error());
   auto database = Database::open(path, settings);
   if (!database) return std::unexpected(database.error());
-  auto opened = std::make_unique<SqliteStore>(std::move(lock), std::move(*database));
+  std::unique_ptr<Checkpointer> checkpointer;
+  if (settings.checkpoints_aside) {
+    auto started = start_checkpoints(path, settings, **database);
+    if (!started) return std::unexpected(started.error());
+    checkpointer = std::move(*started);
+  }
+  auto opened = std::make_unique<SqliteStore>(std::move(lock), std::move(*database), std::move(checkpointer));
   if (settings.own) {
     if (auto dropped = opened->contents().drop_unused(); !dropped) return std::unexpected(dropped.error());
   }

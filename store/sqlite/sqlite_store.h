@@ -3,7 +3,9 @@
 
 #include <optional>
 
+#include "store/sqlite/answer_table.h"
 #include "store/sqlite/audit_table.h"
+#include "store/sqlite/checkpointer.h"
 #include "store/sqlite/content_table.h"
 #include "store/sqlite/family_table.h"
 #include "store/sqlite/job_table.h"
@@ -23,8 +25,9 @@ namespace dripfeed::sqlite {
 
 class SqliteStore final : public store::Store {
  public:
-  SqliteStore(std::optional<OwnerLock> lock, std::unique_ptr<Database> database)
-      : lock_(std::move(lock)), database_(std::move(database)) {}
+  SqliteStore(std::optional<OwnerLock> lock, std::unique_ptr<Database> database,
+              std::unique_ptr<Checkpointer> checkpointer)
+      : lock_(std::move(lock)), database_(std::move(database)), checkpointer_(std::move(checkpointer)) {}
 
   store::Machines& machines() override { return machines_; }
   store::Families& families() override { return families_; }
@@ -36,6 +39,7 @@ class SqliteStore final : public store::Store {
   store::Jobs& jobs() override { return jobs_; }
   store::Receipts& receipts() override { return receipts_; }
   store::Ledger& ledger() override { return ledger_; }
+  store::Answers& answers() override { return answers_; }
   store::Audit& audit() override { return audit_; }
   store::Tokens& tokens() override { return tokens_; }
   store::Replies& replies() override { return replies_; }
@@ -47,6 +51,7 @@ class SqliteStore final : public store::Store {
  private:
   std::optional<OwnerLock> lock_;  // let go last
   std::unique_ptr<Database> database_;
+  std::unique_ptr<Checkpointer> checkpointer_;  // nothing: commits do it
   MachineTable machines_{*database_};
   FamilyTable families_{*database_};
   PartTable parts_{*database_};
@@ -54,7 +59,8 @@ class SqliteStore final : public store::Store {
   ProgramTable programs_{*database_};
   VerdictTable verdicts_{*database_};
   ReleaseTable releases_{*database_, verdicts_};
-  JobTable jobs_{*database_, releases_};
+  AnswerTable answers_{*database_};
+  JobTable jobs_{*database_, releases_, answers_};
   LedgerTable ledger_{*database_};
   ReceiptTable receipts_{*database_};
   AuditTable audit_{*database_};

@@ -76,6 +76,7 @@ void write_newest(Store& store, const std::string& path) {
                                      .detail = "job 1",
                                      .job = job.id},
                                     by("mill-1")));
+  must(store.answers().begin("mill-1", 40, by("dripfeed", 6)));
   std::ofstream(fixture(sqlite::migrations().back().version), std::ios::binary) << dump(path);
 }
 
@@ -104,6 +105,8 @@ TEST_F(SchemaTest, EveryOldOneIsReadByThisProgram) {
       must(store_->contents().verify(receipts.items[0].of.sha256));
       EXPECT_EQ(must(store_->receipts().requests({}, "mill-1")).items.size(), 1U);
     }
+    const std::size_t answers = migration.version >= 5 ? 1 : 0;
+    EXPECT_EQ(must(store_->answers().tear_unfinished(by("server"))).size(), answers);
     must(store_->releases().released_for(job.text_sha256, "mill-1", Delivery::drip));
     EXPECT_EQ(must(store_->jobs().interrupt_unfinished(by("server"))).size(), 1U);
     EXPECT_EQ(sql("DELETE FROM audit"), "append-only");

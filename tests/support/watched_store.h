@@ -81,6 +81,7 @@ class WatchedStore final : public store::Store {
   store::Jobs& jobs() override { return store_.jobs(); }
   store::Receipts& receipts() override { return store_.receipts(); }
   store::Ledger& ledger() override { return ledger_; }
+  store::Answers& answers() override { return store_.answers(); }
   store::Audit& audit() override { return audit_; }
   store::Tokens& tokens() override { return store_.tokens(); }
   store::Replies& replies() override { return store_.replies(); }

@@ -1,0 +1,77 @@
+// Answers to operators: booked, ended once, torn by a stop of the server, confirmed by a person; and that a torn one
+// keeps jobs off its machine.
+#include <thread>
+
+#include "store/sqlite/write_lane.h"
+#include "tests/store/fixture.h"
+
+namespace dripfeed::store_test {
+namespace {
+
+using namespace store;
+
+class AnswerTest : public StoreTest {
+ protected:
+  AnswerTest() { job_ = add_job(*store_, "mill-1"); }
+  Answers& answers() { return store_->answers(); }
+  Job job_;
+};
+
+TEST_F(AnswerTest, AWholeOneLeavesNothingTorn) {
+  const Answer begun = must(answers().begin("mill-1", 30, by("dripfeed", 5)));
+  EXPECT_EQ(begun.state, AnswerState::sending);
+  must(answers().end(begun.id, AnswerState::whole, "", by("dripfeed", 9)));
+  EXPECT_FALSE(must(answers().torn_on("mill-1")));
+  EXPECT_EQ(refusal(answers().end(begun.id, AnswerState::torn, "", by("dripfeed", 9))), ErrorCode::refused_transition);
+  EXPECT_TRUE(must(answers().tear_unfinished(by("dripfeed", 10))).empty());
+  const Answer kept = must(answers().list({.limit = 5, .after = {}}, "mill-1")).items.at(0);
+  EXPECT_EQ(kept.begun_at_ms, 5);
+  EXPECT_EQ(kept.ended_at_ms, 9);
+  EXPECT_EQ(kept.bytes_total, 30U);
+}
+
+TEST_F(AnswerTest, OneThatNobodyEndedIsTornAtTheNextStartUntilAPersonConfirms) {
+  must(answers().begin("mill-1", 30, by("dripfeed", 5)));
+  const auto torn = must(answers().tear_unfinished(by("dripfeed", 20)));
+  ASSERT_EQ(torn.size(), 1U);
+  EXPECT_TRUE(must(answers().torn_on("mill-1"))->needs_confirmation());
+  EXPECT_EQ(refusal(store_->jobs().move(job_.id, {JobState::armed, "", false, 620}, by("olga"))),
+            ErrorCode::machine_torn);
+  EXPECT_EQ(refusal(answers().confirm_reset("mill-1", "", by("olga"))), ErrorCode::invalid_value);
+  EXPECT_EQ(refusal(answers().confirm_reset("mill-2", "reset", by("olga"))), ErrorCode::not_found);
+  must(answers().confirm_reset("mill-1", "reset at the panel", by("olga", 30)));
+  EXPECT_FALSE(must(answers().torn_on("mill-1")));
+  must(store_->jobs().move(job_.id, {JobState::armed, "", false, 620}, by("olga")));
+  EXPECT_EQ(refusal(answers().begin("mill-9", 1, by("dripfeed"))), ErrorCode::broken_reference);
+  must(store_->audit().verify());
+}
+
+// Whoever goes first gets the next turn, however many others have waited longer.
+TEST(WriteLane, TheLedgerGoesBeforeAllWhoWait) {
+  sqlite::WriteLane lane;
+  std::vector<int> order;
+  lane.enter(sqlite::Turn::in_order);
+  std::vector<std::thread> others;
+  for (int i = 1; i <= 3; ++i) {
+    others.emplace_back([&, i] {
+      lane.enter(sqlite::Turn::in_order);
+      order.push_back(i);
+      lane.leave();
+    });
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  std::thread ledger([&] {
+    lane.enter(sqlite::Turn::first);
+    order.push_back(0);
+    lane.leave();
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  lane.leave();
+  ledger.join();
+  for (std::thread& other : others) other.join();
+  ASSERT_EQ(order.size(), 4U);
+  EXPECT_EQ(order.front(), 0);
+}
+
+}  // namespace
+}  // namespace dripfeed::store_test
