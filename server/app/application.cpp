@@ -56,24 +56,25 @@ Application::Application(const Environment& environment)
       clock_(environment.clock),
       documents_(environment.documents),
       events_(static_cast<std::uint64_t>(clock_.wall_ms())),
-      lines_(environment.links, environment.take_seat, [this] { line_changed(); }),
-      keeper_(store_, lines_, events_, clock_, environment.ballast),
+      lines_(
+          environment.links, environment.take_seat, [this] { line_changed(); }, history_of(store_, environment.claim)),
+      books_(store_, lines_, events_, clock_, environment.ballast),
       catalog_(store_, lines_, events_, clock_, documents_),
       programs_(store_, clock_, documents_, environment.ballast),
       checking_(store_, events_, clock_, documents_),
-      jobs_(store_, lines_, keeper_, events_, clock_, documents_),
+      jobs_(store_, lines_, books_, events_, clock_, documents_),
       receiving_({store_, lines_, jobs_, programs_, events_, clock_, documents_}) {}
 
 void Application::line_changed() {
-  keeper_.wake();
+  books_.wake();
   receiving_.wake();
 }
 
 Application::~Application() {
   receiving_.stop();
   cancel_all();
-  keeper_.round();
-  // The lines wake the keeper, so they go before it does.
+  static_cast<void>(books_.settle());
+  // The lines wake the books, so they go before them.
   lines_.close();
 }
 
@@ -90,6 +91,9 @@ Result<void> Application::start() {
                      .outcome = {},
                      .text = job.reason});
   }
+  const auto torn = store_.answers().tear_unfinished({"dripfeed", clock_.wall_ms()});
+  if (!torn) return std::unexpected(from_store(torn.error()));
+  for (const store::Answer& answer : *torn) spdlog::warn("an answer to {}: {}", answer.machine, answer.reason);
   return catalog_.open_lines();
 }
 
@@ -114,7 +118,7 @@ MachineStatus Application::status(const std::string& machine) {
 
 void Application::cancel_all() {
   bool any = false;
-  for (const auto& [machine, line] : lines_.all()) {
+  for (const auto& [machine, line, claim] : lines_.all()) {
     if (!runs(*line)) continue;
     any = true;
     const LineState state = line->report().state;
@@ -127,7 +131,7 @@ void Application::cancel_all() {
   while (any && std::chrono::steady_clock::now() < until) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     any = false;
-    for (const auto& [machine, line] : lines_.all()) any = any || runs(*line);
+    for (const auto& [machine, line, claim] : lines_.all()) any = any || runs(*line);
   }
 }
 

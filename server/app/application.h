@@ -2,12 +2,12 @@
 // needs.
 #pragma once
 
+#include "server/app/books.h"
 #include "server/app/catalog.h"
 #include "server/app/checking.h"
 #include "server/app/documents.h"
 #include "server/app/events.h"
 #include "server/app/jobs.h"
-#include "server/app/keeper.h"
 #include "server/app/lines.h"
 #include "server/app/ports/ports.h"
 #include "server/app/programs.h"
@@ -33,6 +33,7 @@ class Application {
     const Clock& clock;
     const Documents& documents;
     Ballast* ballast = nullptr;
+    ClaimLine claim{};  // takes lines for this process; empty: they are not claimed
   };
   explicit Application(const Environment& environment);
   // Jobs on a line are cancelled at a block end, as far as their control lets them.
@@ -40,7 +41,8 @@ class Application {
   Application(const Application&) = delete;
   Application& operator=(const Application&) = delete;
 
-  // After a crash: jobs that had a line become interrupted. Then the machines' lines open; nothing is armed.
+  // After a crash: jobs that had a line become interrupted, answers that were being sent are torn. Then the machines'
+  // lines open, each as it was left; nothing is armed.
   Result<void> start();
 
   [[nodiscard]] MachineStatus status(const std::string& machine);
@@ -64,7 +66,7 @@ class Application {
   const Documents& documents_;
   Events events_;
   Lines lines_;
-  Keeper keeper_;
+  Books books_;
   Catalog catalog_;
   Programs programs_;
   Checking checking_;

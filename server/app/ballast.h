@@ -1,6 +1,6 @@
 // Room on the store's disk that is kept for the ledger: a file that is given up when the disk is full, so that what
 // runs can be booked to its end. Until it is whole again nothing new begins. What is booked, and when to look for room,
-// the keeper decides.
+// the ledger's writer decides.
 #pragma once
 
 #include <atomic>

@@ -28,6 +28,7 @@ Result<void> Catalog::open_lines() {
     if (!machines) return std::unexpected(from_store(machines.error()));
     for (const store::Machine& machine : machines->items) {
       const auto profile = documents_.read_profile(machine.profile);
+      const auto hold = lines_.hold(machine.name);
       const auto set = profile ? lines_.set(*profile) : Result<void>(std::unexpected(profile.error()));
       if (!set) spdlog::error("{} has no line: {}", machine.name, set.error().text);
     }
@@ -47,6 +48,7 @@ Result<machine::Profile> Catalog::checked_profile(std::string_view document) {
 Result<store::Machine> Catalog::add_machine(std::string_view document, std::string_view actor) {
   const auto profile = checked_profile(document);
   if (!profile) return std::unexpected(profile.error());
+  const auto hold = lines_.hold(profile->name);
   auto stored = lift(store_.machines().add(profile->name, document, stamp(actor)));
   if (!stored) return stored;
   const auto line = lines_.set(*profile);
@@ -63,6 +65,7 @@ Result<store::Machine> Catalog::change_machine(std::string_view name, store::Rev
     return fail(ErrorCode::invalid, "a machine keeps its name",
                 {{.pointer = "/name", .text = fmt::format("must be \"{}\"", name)}});
   }
+  const auto hold = lines_.hold(profile->name);
   const auto on_line = lift(store_.jobs().on_line(name));
   if (!on_line) return std::unexpected(on_line.error());
   if (*on_line) return fail(ErrorCode::refused, fmt::format("job {} is on the line of {}", (*on_line)->id, name));

@@ -38,6 +38,7 @@ constexpr std::array<StateRow, feed::kStates> kStateRows = {{
     {feed::State::stopping_held, LineState::held, JobEnd::none},
     {feed::State::stopped, LineState::held, JobEnd::none},
     {feed::State::stopped_held, LineState::held, JobEnd::none},
+    {feed::State::reset_suspected, LineState::held, JobEnd::none},
     {feed::State::cancelling, LineState::feeding, JobEnd::none},
     {feed::State::cancelling_held, LineState::held, JobEnd::none},
     {feed::State::trailer, LineState::draining, JobEnd::none},
@@ -54,7 +55,7 @@ constexpr std::array<StateRow, feed::kStates> kStateRows = {{
 }};
 
 constexpr std::array kStopStates = {feed::State::stopping, feed::State::stopping_held, feed::State::stopped,
-                                    feed::State::stopped_held};
+                                    feed::State::stopped_held, feed::State::reset_suspected};
 
 constexpr bool rows_in_order() {
   for (std::size_t i = 0; i < kStateRows.size(); ++i) {
@@ -111,6 +112,14 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     });
   }
 
+  void answer_booked(std::uint64_t serial) override {
+    thread_.post([this, serial] {
+      if (!of_answer_ || serial != answer_serial_) return;  // of an answer that is over
+      feed_.extend_reserve(feed_.wire_bytes(), now());
+      settle();
+    });
+  }
+
   std::vector<Reception> take_receptions() override {
     if (!input_) return {};
     std::vector<Reception> finished = input_->take_finished();
@@ -148,10 +157,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   std::expected<void, std::string> answer_here(Answer answer) {
     drop_waiting_answer();
     if (input_ && !input_->idle()) return std::unexpected("the control sends a program");
-    const feed::Job job{.facts = answer.facts,
-                        .source = answer.source.get(),
-                        .expires_after = answer.expires_after,
-                        .reserve = feed::kNoReserve};
+    const feed::Job job{.facts = answer.facts, .source = answer.source.get(), .expires_after = answer.expires_after};
     if (const auto armed = feed_.arm(job, now()); !armed) {
       const std::string_view state = feed::name(feed_.state());
       settle();
@@ -159,7 +165,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     }
     source_ = std::move(answer.source);
     of_answer_ = true;
-    ++answers_;
+    ++answer_serial_;
     settle();
     return {};
   }
@@ -267,9 +273,11 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     publish();
   }
 
+  // What came in by now, as far as one look takes: a peer that never stops sending must not keep this thread.
   void take_input() {
     std::array<std::byte, kInputBytes> buffer;
-    while (const std::size_t count = link_.get()->read(buffer)) take(std::span(buffer).first(count));
+    const std::size_t count = link_.get()->read(buffer);
+    if (count > 0) take(std::span(buffer).first(count));
   }
 
   // While a job is on the line all that comes in is the feed's. At rest the receiver has it, and the feed its signs.
@@ -333,11 +341,12 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     // What the last job came to stays as it was while an answer is on the line.
     const JobEnd end = of_answer_ ? report_.end : row.end;
     const bool holds = input_ && input_->holding();
+    const AnswerReport answer = of_answer_ ? answer_now(row) : report_.answer;
     const std::string_view of_feed = name_of(feed_.stall());
     const std::string_view stall = of_feed.empty() && holds ? kHoldsControl : of_feed;
     const bool changed = state != report_.state || end != report_.end || stall != report_.stall ||
                          order_job_ != report_.job || session_ != report_.session || received != report_.received ||
-                         answers_ != report_.answers;
+                         answer != report_.answer;
     const bool news = changed || unarmed_starts_ != report_.unarmed_starts || link_.error() != report_.link_error;
     const feed::Time time = now();
     untold_ = !news && time < published_at_ + kCountersShown;
@@ -351,7 +360,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     report_.stall = stall;
     report_.received = received;
     report_.receptions_lost = input_ ? input_->lost() : 0;
-    report_.answers = answers_;
+    report_.answer = answer;
     report_.stop_wanted = std::ranges::find(kStopStates, feed_.state()) != kStopStates.end();
     if (!of_answer_) publish_job(feed_.counters());
     report_.char_s = to_seconds(feed_.paced_char_time());
@@ -360,6 +369,19 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     if (!changed) return;
     ++report_.changes;
     changed_();
+  }
+
+  [[nodiscard]] AnswerReport answer_now(const StateRow& row) const {
+    const bool is_torn = row.feed == feed::State::torn;
+    const AnswerStage stage = row.feed == feed::State::armed ? AnswerStage::waiting
+                              : feed::has_job(row.feed)      ? AnswerStage::sending
+                              : is_torn                      ? AnswerStage::torn
+                                                             : AnswerStage::whole;
+    const bool over = stage == AnswerStage::torn || stage == AnswerStage::whole;
+    return {.serial = answer_serial_,
+            .stage = stage,
+            .total = feed_.wire_bytes(),
+            .cause = over ? feed::name(feed_.end_cause()) : std::string_view()};
   }
 
   void publish_job(const feed::Counters& counters) {
@@ -393,8 +415,8 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   feed::Time ticked_at_{};
   std::shared_ptr<tape_code::TextSource> source_;
   std::optional<LineInput> input_;
-  bool of_answer_ = false;  // what the feed has, or had last, is an answer and no job
-  std::uint64_t answers_ = 0;
+  bool of_answer_ = false;           // what the feed has, or had last, is an answer and no job
+  std::uint64_t answer_serial_ = 0;  // of the last answer that was armed
   std::uint64_t order_job_ = 0;
   std::uint64_t session_ = 0;
   std::uint64_t reserve_ = 0;
@@ -408,13 +430,14 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
 }  // namespace
 
 std::expected<std::unique_ptr<Line>, std::string> make_feed_line(const machine::LineSettings& settings,
-                                                                 LinkThread& thread, LineChanged changed) {
+                                                                 LinkThread& thread, LineChanged changed,
+                                                                 feed::LeftAs left) {
   const auto effective = machine::effective_line(settings);
   if (!effective) return std::unexpected(effective.error());
   if (const auto receives = machine::can_receive(*effective); !receives) return std::unexpected(receives.error());
   const auto feed_settings = machine::feed_settings_of(*effective);
   if (!feed_settings) return std::unexpected(feed_settings.error());
-  auto feed = feed::Feed::make(*feed_settings);
+  auto feed = feed::Feed::make(*feed_settings, left);
   if (!feed) return std::unexpected(feed::message(feed.error()));
   return std::make_unique<FeedLine>(std::move(*feed), *effective, thread, std::move(changed));
 }

@@ -10,9 +10,10 @@
 
 namespace dripfeed::app {
 
-// The line of a profile; or why its settings cannot be kept (the budget's sum, a bad option). `changed` wakes whoever
-// looks at reports.
+// The line of a profile, in the state in which its last user left it; or why its settings cannot be kept (the budget's
+// sum, a bad option). `changed` wakes whoever looks at reports.
 std::expected<std::unique_ptr<Line>, std::string> make_feed_line(const machine::LineSettings& settings,
-                                                                 LinkThread& thread, LineChanged changed);
+                                                                 LinkThread& thread, LineChanged changed,
+                                                                 feed::LeftAs left = feed::LeftAs::whole);
 
 }  // namespace dripfeed::app

@@ -1,5 +1,5 @@
 // Arming is the only door to a line: the store says that the text is released and the machine free, the ledger has its
-// first row, then the line gets the order. If the line refuses, the job is over before a byte went out.
+// first row, then the line gets the order. If the line refuses, the job waits again and no byte went out.
 #include "server/app/jobs.h"
 
 #include <algorithm>
@@ -60,9 +60,9 @@ std::uint64_t random_session() {
 
 }  // namespace
 
-Jobs::Jobs(store::Store& store, Lines& lines, Keeper& keeper, Events& events, const Clock& clock,
+Jobs::Jobs(store::Store& store, Lines& lines, Books& books, Events& events, const Clock& clock,
            const Documents& documents)
-    : store_(store), lines_(lines), keeper_(keeper), events_(events), clock_(clock), documents_(documents) {}
+    : store_(store), lines_(lines), books_(books), events_(events), clock_(clock), documents_(documents) {}
 
 store::Stamp Jobs::stamp(std::string_view actor) const { return {std::string(actor), clock_.wall_ms()}; }
 
@@ -117,7 +117,7 @@ Result<std::shared_ptr<Line>> Jobs::line_with(const store::Job& job) {
 }
 
 Result<store::Job> Jobs::add(store::Id release, std::string_view actor) {
-  if (auto room = refuse_on_full_disk(keeper_.ballast()); !room) return std::unexpected(room.error());
+  if (auto room = refuse_on_full_disk(books_.ballast()); !room) return std::unexpected(room.error());
   const auto row = store_.releases().get(release);
   if (!row) return std::unexpected(from_store(row.error()));
   const auto profile = profile_of(row->of.machine);
@@ -136,6 +136,36 @@ Result<store::Job> Jobs::add(store::Id release, std::string_view actor) {
   return std::move(*job);
 }
 
+// What an arming needs, all of it known before the job moves: after that only the line can refuse.
+struct Jobs::Arming {
+  store::Job job;
+  machine::Profile profile;
+  feed::ProgramFacts facts;
+  std::string file_name;
+  std::shared_ptr<ContentSource> source;
+};
+
+Result<Jobs::Arming> Jobs::prepare_arming(store::Id id, std::uint32_t rounds) {
+  if (auto room = refuse_on_full_disk(books_.ballast()); !room) return std::unexpected(room.error());
+  const auto job = lift(store_.jobs().get(id));
+  if (!job) return std::unexpected(job.error());
+  const auto profile = profile_of(job->machine);
+  if (!profile) return std::unexpected(profile.error());
+  const auto whole = lift(store_.contents().verify(job->text_sha256));
+  if (!whole) return std::unexpected(whole.error());
+  const auto facts = check_program(store_.contents(), job->text_sha256, *profile, delivery_of(job->delivery));
+  if (!facts) return std::unexpected(facts.error());
+  if (auto same = refuse_changed_machine(job->text_sha256, job->machine, job->delivery); !same)
+    return std::unexpected(same.error());
+  auto name = file_name(*profile, job->program);
+  if (!name) return std::unexpected(name.error());
+  const auto part = part_for(store_.contents(), job->text_sha256, *profile);
+  if (!part) return std::unexpected(part.error());
+  auto source = std::make_shared<ContentSource>(store_.contents(), job->text_sha256, rounds, *part);
+  return Arming{
+      .job = *job, .profile = *profile, .facts = *facts, .file_name = std::move(*name), .source = std::move(source)};
+}
+
 Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::string_view actor, std::uint32_t rounds) {
   if (rounds == 0 || rounds > feed::kMaxRounds) {
     return fail(ErrorCode::invalid, std::string(feed::message(feed::Refusal::rounds)),
@@ -145,56 +175,53 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
     return fail(ErrorCode::invalid, "an arming lasts more than 0 and at most 60 minutes",
                 {{.pointer = "/minutes", .text = "0 < minutes <= 60"}});
   }
-  if (auto room = refuse_on_full_disk(keeper_.ballast()); !room) return std::unexpected(room.error());
-  const auto job = store_.jobs().get(id);
-  if (!job) return std::unexpected(from_store(job.error()));
-  const auto profile = profile_of(job->machine);
-  if (!profile) return std::unexpected(profile.error());
-  const auto line = lines_.find(job->machine);
-  if (!line) return fail(ErrorCode::refused, fmt::format("machine {} has no line", job->machine));
-  const auto whole = lift(store_.contents().verify(job->text_sha256));
-  if (!whole) return std::unexpected(whole.error());
-  const auto facts = check_program(store_.contents(), job->text_sha256, *profile, delivery_of(job->delivery));
-  if (!facts) return std::unexpected(facts.error());
-  const auto bytes = wire_bytes(*profile, *facts);
-  if (!bytes) return std::unexpected(bytes.error());
-  if (auto same = refuse_changed_machine(job->text_sha256, job->machine, job->delivery); !same)
-    return std::unexpected(same.error());
-
-  const auto name = file_name(*profile, job->program);
-  if (!name) return std::unexpected(name.error());
-  const double minutes = given.value_or(profile->line.arming_minutes);
+  const auto named = lift(store_.jobs().get(id));
+  if (!named) return std::unexpected(named.error());
+  // Until the line has the order nobody gives the machine another line or profile.
+  const auto hold = lines_.hold(named->machine);
+  const auto arming = prepare_arming(id, rounds);
+  if (!arming) return std::unexpected(arming.error());
+  if (!lines_.find(named->machine))
+    return fail(ErrorCode::refused, fmt::format("machine {} has no line", named->machine));
+  const double minutes = given.value_or(arming->profile.line.arming_minutes);
   const std::int64_t expires_at_ms = clock_.wall_ms() + static_cast<std::int64_t>(minutes * 60e3);
-  auto armed = store_.jobs().move(
+  auto armed = lift(store_.jobs().move(
       id, {.to = store::JobState::armed, .reason = "armed", .torn = false, .expires_at_ms = expires_at_ms},
-      stamp(actor));
-  if (!armed) return std::unexpected(from_store(armed.error()));
-  const std::uint64_t reserve = std::min(reserve_window(line->report()), *bytes);
+      stamp(actor)));
+  if (!armed) return armed;
+  // Nothing is reserved before the control's start: of a job that was only armed the ledger proves that nothing left.
   const std::string armed_text = rounds == 1 ? "armed" : fmt::format("armed for {} rounds", rounds);
-  const store::NewLedgerRow first{
-      .job = id, .counts = {.handed = 0, .clocked = 0, .confirmed = 0, .reserve = reserve}, .note = armed_text};
+  const store::NewLedgerRow first{.job = id, .counts = {}, .note = armed_text};
   const auto written = store_.ledger().append(std::span(&first, 1), clock_.wall_ms());
   if (!written) return disarm_after(*armed, store::message_of(written.error()), actor);
   if (!written->empty()) return disarm_after(*armed, written->front().why, actor);
-
-  const auto part = part_for(store_.contents(), job->text_sha256, *profile);
-  if (!part) return std::unexpected(part.error());
-  auto source = std::make_shared<ContentSource>(store_.contents(), job->text_sha256, rounds, *part);
-  const auto expires = feed::Time(static_cast<std::int64_t>(minutes * 60e9));
-  const auto on_line = line->arm({.job = id,
-                                  .facts = *facts,
-                                  .source = source,
-                                  .expires_after = expires,
-                                  .reserve = reserve,
-                                  .rounds = rounds,
-                                  .session = random_session(),
-                                  .file_name = *name});
-  if (!on_line) return disarm_after(*armed, on_line.error(), actor);
-  keeper_.set_source(job->machine, std::move(source));
-  spdlog::info("job {} armed on {} by {}", id, job->machine, actor);
+  if (const auto on_line = put_on_line(*arming, minutes, rounds); !on_line)
+    return disarm_after(*armed, on_line.error().text, actor);
+  spdlog::info("job {} armed on {} by {}", id, armed->machine, actor);
   publish(*armed, fmt::format("{} by {}", armed_text, actor));
-  keeper_.wake();
-  return std::move(*armed);
+  return armed;
+}
+
+// The books know the arming before the line does: the control's start may come at once.
+Result<void> Jobs::put_on_line(const Arming& arming, double minutes, std::uint32_t rounds) {
+  const std::uint64_t session = random_session();
+  books_.expect(arming.job.id, session, arming.job.machine);
+  books_.read_for(session, arming.source);
+  const auto line = lines_.find(arming.job.machine);
+  const auto on_line = line->arm({.job = arming.job.id,
+                                  .facts = arming.facts,
+                                  .source = arming.source,
+                                  .expires_after = feed::Time(static_cast<std::int64_t>(minutes * 60e9)),
+                                  .reserve = 0,
+                                  .rounds = rounds,
+                                  .session = session,
+                                  .file_name = arming.file_name});
+  if (!on_line) {
+    books_.forget(session);
+    return fail(ErrorCode::refused, on_line.error());
+  }
+  books_.wake();
+  return {};
 }
 
 // Nothing went out: the job waits again, and the caller hears why.
@@ -226,8 +253,8 @@ Result<store::Job> Jobs::command(store::Id id, feed::Command command, std::strin
       spdlog::error("audit: {} of job {} by {}: {}", action, id, actor, store::message_of(noted.error()));
     }
   }
-  if (!note.empty()) keeper_.note(id, note);
-  keeper_.round();
+  if (!note.empty()) books_.note(id, note);
+  static_cast<void>(books_.settle());
   auto now = store_.jobs().get(id);
   if (!now) return std::unexpected(from_store(now.error()));
   return std::move(*now);
@@ -261,7 +288,7 @@ Result<store::Job> Jobs::cancel(store::Id id, std::string_view actor) {
   auto disarmed = command(id, feed::Command::disarm, "job.cancel", "", actor);
   if (disarmed) return disarmed->state == store::JobState::queued ? cancel_queued(*disarmed, actor) : disarmed;
   // The control may have asked for it in between; after a round its row says so.
-  keeper_.round();
+  static_cast<void>(books_.settle());
   const auto now = store_.jobs().get(id);
   if (!now) return std::unexpected(from_store(now.error()));
   if (now->state == store::JobState::armed) return disarmed;
@@ -290,37 +317,58 @@ Result<store::Job> Jobs::resume(store::Id id, std::string_view reason, std::stri
                  fmt::format("{} resumes as if DC1 had come: {}", actor, reason));
 }
 
-// A line that was torn inside an answer has no job: the audit has the confirmation alone.
-Result<store::Job> Jobs::confirm_torn_answer(std::string_view machine, std::string_view reason,
+// A line that was torn inside an answer, or by another program, has no job.
+Result<store::Job> Jobs::confirm_without_job(const std::string& machine, std::string_view reason,
                                              std::string_view actor) {
-  const auto line = lines_.find(std::string(machine));
-  if (!line || line->report().state != LineState::torn || reason.empty())
+  const auto line = lines_.find(machine);
+  const bool torn = line && line->report().state == LineState::torn;
+  const auto answer = lift(store_.answers().torn_on(machine));
+  if (!answer) return std::unexpected(answer.error());
+  if ((!torn && !*answer) || reason.empty())
     return fail(ErrorCode::not_found, fmt::format("nothing of {} waits for a confirmation", machine));
-  const auto noted = store_.audit().append(
-      {"machine.confirm-reset", fmt::format("machine/{}", machine), std::string(reason)}, stamp(actor));
-  if (!noted) return std::unexpected(from_store(noted.error()));
-  const auto cleared = line->command(feed::Command::confirm_reset);
-  if (!cleared) return fail(ErrorCode::refused, cleared.error());
-  keeper_.wake();
+  if (*answer) {
+    const auto confirmed = lift(store_.answers().confirm_reset(machine, reason, stamp(actor)));
+    if (!confirmed) return std::unexpected(confirmed.error());
+  } else {
+    const auto noted = lift(store_.audit().append(
+        {"machine.confirm-reset", fmt::format("machine/{}", machine), std::string(reason)}, stamp(actor)));
+    if (!noted) return std::unexpected(noted.error());
+  }
+  if (auto cleared = clear_line(machine, reason); !cleared) return std::unexpected(cleared.error());
   store::Job none;
   none.machine = machine;
   return none;
 }
 
-Result<store::Job> Jobs::confirm_reset(std::string_view machine, std::string_view reason, std::string_view actor) {
-  auto job = store_.jobs().confirm_reset(machine, reason, stamp(actor));
-  if (!job && job.error().code == store::ErrorCode::not_found) return confirm_torn_answer(machine, reason, actor);
-  if (!job) return std::unexpected(from_store(job.error()));
-  // A line that knows of nothing torn has no use for it, but for a block transfer: the receiver may still have the
-  // session of a server before this one.
-  if (const auto line = lines_.find(std::string(machine))) {
+// A line that knows of nothing torn has no use for it, but for a block transfer: the receiver may still have the
+// session of a server before this one.
+Result<void> Jobs::clear_line(const std::string& machine, std::string_view reason) {
+  if (const auto line = lines_.find(machine)) {
     const bool torn = line->report().state == LineState::torn;
     const auto cleared = line->command(feed::Command::confirm_reset);
     if (!cleared && torn) return fail(ErrorCode::refused, cleared.error());
   }
+  books_.reset_confirmed(machine, reason);
+  return {};
+}
+
+// The torn job and a torn answer are confirmed by one word: it was one reset.
+Result<store::Job> Jobs::confirm_reset(std::string_view machine, std::string_view reason, std::string_view actor) {
+  const std::string name(machine);
+  const auto hold = lines_.hold(name);
+  static_cast<void>(books_.settle());  // what was torn is in the books before it is confirmed
+  auto job = lift(store_.jobs().confirm_reset(name, reason, stamp(actor)));
+  if (!job && job.error().code == ErrorCode::not_found) return confirm_without_job(name, reason, actor);
+  if (!job) return job;
+  const auto answer = lift(store_.answers().torn_on(name));
+  if (!answer) return std::unexpected(answer.error());
+  if (*answer) {
+    if (auto both = lift(store_.answers().confirm_reset(name, reason, stamp(actor))); !both)
+      return std::unexpected(both.error());
+  }
+  if (auto cleared = clear_line(name, reason); !cleared) return std::unexpected(cleared.error());
   publish(*job, fmt::format("reset confirmed by {}: {}", actor, reason));
-  keeper_.wake();
-  return std::move(*job);
+  return job;
 }
 
 }  // namespace dripfeed::app

@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
+#include "server/app/books.h"
 #include "server/app/documents.h"
 #include "server/app/error.h"
 #include "server/app/events.h"
-#include "server/app/keeper.h"
 #include "server/app/lines.h"
 #include "store/store.h"
 
@@ -17,8 +17,7 @@ namespace dripfeed::app {
 
 class Jobs {
  public:
-  Jobs(store::Store& store, Lines& lines, Keeper& keeper, Events& events, const Clock& clock,
-       const Documents& documents);
+  Jobs(store::Store& store, Lines& lines, Books& books, Events& events, const Clock& clock, const Documents& documents);
 
   // Queued. Errors: not_found, refused (not released, the machine changed after the verdict, or its text cannot be
   // fed: with the place).
@@ -34,7 +33,7 @@ class Jobs {
   // A stopped job goes on; a held one goes on "as if DC1" had come, with the reason in the ledger and the audit.
   Result<store::Job> resume(store::Id job, std::string_view reason, std::string_view actor);
   // The books follow the lines now: a job that its line ended is not armed in the store any more.
-  void settle() { keeper_.round(); }
+  void settle() { static_cast<void>(books_.settle()); }
   // Whether the text's own number is from O8000 to O9999: the machine builder's in many controls, so that a memory load
   // of it needs a right of its own.
   [[nodiscard]] bool protects_number(std::string_view text_sha256);
@@ -49,15 +48,19 @@ class Jobs {
   // `note`: what stands in the ledger, where something does.
   Result<store::Job> command(store::Id job, feed::Command command, std::string_view action, std::string_view reason,
                              std::string_view actor, std::string_view note = {});
-  Result<store::Job> confirm_torn_answer(std::string_view machine, std::string_view reason, std::string_view actor);
+  Result<store::Job> confirm_without_job(const std::string& machine, std::string_view reason, std::string_view actor);
+  Result<void> clear_line(const std::string& machine, std::string_view reason);
   Result<store::Job> cancel_queued(const store::Job& job, std::string_view actor);
+  struct Arming;
+  Result<Arming> prepare_arming(store::Id job, std::uint32_t rounds);
+  Result<void> put_on_line(const Arming& arming, double minutes, std::uint32_t rounds);
   Result<store::Job> disarm_after(const store::Job& job, const std::string& why, std::string_view actor);
   store::Stamp stamp(std::string_view actor) const;
   void publish(const store::Job& job, std::string_view text);
 
   store::Store& store_;
   Lines& lines_;
-  Keeper& keeper_;
+  Books& books_;
   Events& events_;
   const Clock& clock_;
   const Documents& documents_;

@@ -14,7 +14,7 @@ std::string_view name_of(LineState state) {
 }
 
 std::string_view name_of(feed::Stall stall) {
-  static constexpr std::array<std::string_view, 12> kNames = {
+  static constexpr std::array<std::string_view, 13> kNames = {
       "",
       "waiting for DC1",
       "held by DC3",
@@ -27,6 +27,7 @@ std::string_view name_of(feed::Stall stall) {
       "DSR off",
       "held below",
       "waiting for trigger",
+      kResetSuspected,
   };
   return kNames[static_cast<std::size_t>(stall)];
 }

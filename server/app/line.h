@@ -31,6 +31,8 @@ enum class LineState : std::uint8_t {
   answering,  // what its operator asked for waits for the control, or goes out
 };
 std::string_view name_of(LineState state);
+// A person stopped the feed, and then the control asked for a program: it may have been reset. Only cancel is left.
+inline constexpr std::string_view kResetSuspected = "stopped, and the control asked anew: it may have been reset";
 // "" for none; "waiting for DC1", "held by DC3", …
 std::string_view name_of(feed::Stall stall);
 
@@ -58,6 +60,22 @@ struct MachineReport {
 // "machine alarm 1010 (program 42, line 17)"; "" where it has none.
 std::string alarm_text(const MachineReport& machine);
 
+// Where the last answer to an operator stands. It is no job, but its bytes are booked as a job's are.
+enum class AnswerStage : std::uint8_t {
+  none,     // no answer since the start
+  waiting,  // for the control's start; nothing left
+  sending,  // it may leave as far as its booking allows
+  whole,    // it ended between two blocks, or nothing left
+  torn,     // it broke off inside a block
+};
+struct AnswerReport {
+  std::uint64_t serial = 0;  // 1, 2, 3, … since the start; tells one answer from the next
+  AnswerStage stage = AnswerStage::none;
+  std::uint64_t total = 0;  // wire bytes
+  std::string_view cause;   // why it ended, "" while it is on
+  friend bool operator==(const AnswerReport&, const AnswerReport&) = default;
+};
+
 struct LineReport {
   std::uint64_t job = 0;      // 0: none since the start
   std::uint64_t session = 0;  // of its order: tells one arming of a job from the next
@@ -79,12 +97,12 @@ struct LineReport {
   KnownInterval known;
   std::uint64_t holds = 0;
   double hold_s = 0.0;
-  double line_use = 0.0;                 // share of line time used while not held, 0..1
-  double char_s = 0.0;                   // time of one character on the line; 0 where there is none
-  std::uint64_t unarmed_starts = 0;      // DC1 that came with nothing armed: nothing was sent
-  std::uint64_t received = 0;            // receptions that ended since the start
-  std::uint64_t receptions_lost = 0;     // ... and that nobody took in time
-  std::uint64_t answers = 0;             // answers that were armed since the start
+  double line_use = 0.0;              // share of line time used while not held, 0..1
+  double char_s = 0.0;                // time of one character on the line; 0 where there is none
+  std::uint64_t unarmed_starts = 0;   // DC1 that came with nothing armed: nothing was sent
+  std::uint64_t received = 0;         // receptions that ended since the start
+  std::uint64_t receptions_lost = 0;  // ... and that nobody took in time
+  AnswerReport answer;
   std::optional<MachineReport> machine;  // nothing where the link brings no such words
   std::uint64_t changes = 0;             // grows with every change of state, stall, end, machine's state or alarm
 };
@@ -107,7 +125,7 @@ struct Reception {
   receive::Settings settings;
 };
 
-// A short program that answers an operator: no job, nothing released, nothing in the ledger.
+// A short program that answers an operator: no job, nothing released. Nothing of it leaves before it is booked.
 struct Answer {
   feed::ProgramFacts facts;
   std::shared_ptr<tape_code::TextSource> source;
@@ -128,6 +146,8 @@ class Line {
   virtual std::expected<void, std::string> command(feed::Command command) = 0;
   // The ledger committed a window up to this wire offset.
   virtual void extend_reserve(std::uint64_t job, std::uint64_t wire_offset) = 0;
+  // The books have this answer: all of it may leave.
+  virtual void answer_booked(std::uint64_t /*serial*/) {}
   [[nodiscard]] virtual LineReport report() const = 0;
   // Receptions that ended since the last call, oldest first. A line that cannot receive has none.
   virtual std::vector<Reception> take_receptions() { return {}; }

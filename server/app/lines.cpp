@@ -1,10 +1,12 @@
-// A profile's change closes the old line before the new one opens: a tty has one owner.
+// A profile's change closes the old line before the new one opens.
 #include "server/app/lines.h"
 
 #include <chrono>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include "server/app/drop_line.h"
 #include "server/app/feed_line.h"
@@ -16,6 +18,8 @@
 namespace dripfeed::app {
 
 namespace {
+
+constexpr std::chrono::seconds kUsedAtMost{2};
 
 // What a change of the line's own part of it shows by; who may ask for what is no matter of the line.
 std::string fingerprint(const machine::ReceiveSettings& r) {
@@ -44,48 +48,104 @@ bool has_job(const Line& line) {
 
 }  // namespace
 
-Lines::Lines(LinkThread& thread, BusSeatMaker take_seat, LineChanged changed)
-    : thread_(thread), take_seat_(take_seat), changed_(std::move(changed)) {}
+Lines::Lines(LinkThread& thread, BusSeatMaker take_seat, LineChanged changed, LineHistory history)
+    : thread_(thread), take_seat_(take_seat), changed_(std::move(changed)), history_(std::move(history)) {}
+
+std::unique_lock<std::mutex> Lines::hold(const std::string& machine) {
+  std::mutex* of_machine = nullptr;
+  {
+    const std::lock_guard lock(mutex_);
+    auto& entry = holds_[machine];
+    if (!entry) entry = std::make_unique<std::mutex>();
+    of_machine = entry.get();
+  }
+  return std::unique_lock(*of_machine);
+}
+
+std::optional<Lines::Entry> Lines::entry_of(const std::string& machine) const {
+  const std::lock_guard lock(mutex_);
+  const auto known = lines_.find(machine);
+  return known == lines_.end() ? std::nullopt : std::optional(known->second);
+}
 
 Result<void> Lines::refuse_busy(const machine::Profile& profile, const std::string& settings) const {
-  const auto known = lines_.find(profile.name);
-  if (known == lines_.end() || known->second.settings == settings || !has_job(*known->second.line)) return {};
+  const auto known = entry_of(profile.name);
+  if (!known || known->settings == settings || !has_job(*known->seat.line)) return {};
   return fail(ErrorCode::refused, fmt::format("the line of {} has a job or a torn block; its settings can be changed "
                                               "when that is over",
                                               profile.name));
 }
 
 Result<void> Lines::may_set(const machine::Profile& profile) const {
-  const std::lock_guard lock(mutex_);
   return refuse_busy(profile, fingerprint(profile.line));
 }
 
 Result<void> Lines::set(const machine::Profile& profile) {
-  const std::lock_guard lock(mutex_);
   const std::string settings = fingerprint(profile.line);
   if (auto free = refuse_busy(profile, settings); !free) return free;
-  const auto known = lines_.find(profile.name);
-  if (known != lines_.end() && known->second.settings == settings) return {};
-  if (known != lines_.end()) lines_.erase(known);
-  auto line = make_line(profile.line, thread_, take_seat_, changed_);
-  if (!line) {
-    refusals_[profile.name] = line.error().text;
-    return std::unexpected(line.error());
+  if (const auto known = entry_of(profile.name); known && known->settings == settings) return {};
+  if (auto gone = let_go(profile.name); !gone) return gone;
+  auto seat = make_seat(profile);
+  const std::lock_guard lock(mutex_);
+  if (!seat) {
+    refusals_[profile.name] = seat.error().text;
+    return std::unexpected(seat.error());
   }
   refusals_.erase(profile.name);
-  lines_[profile.name] = {settings, std::move(*line)};
+  lines_[profile.name] = {settings, std::move(*seat)};
+  return {};
+}
+
+// What is known of the line comes first; the line is made with it.
+Result<Seat> Lines::make_seat(const machine::Profile& profile) {
+  Seat seat{.machine = profile.name, .line = {}, .claim = {}};
+  if (history_.claim) {
+    auto claim = history_.claim(profile.line.link);
+    if (!claim) return fail(ErrorCode::refused, claim.error());
+    seat.claim = std::move(*claim);
+  }
+  auto torn = history_.torn(profile.name);
+  if (!torn) return std::unexpected(torn.error());
+  if (torn->empty() && seat.claim) *torn = seat.claim->torn();
+  if (!torn->empty()) {
+    spdlog::warn("{}: nothing leaves on its line before a person confirms that the control was reset: {}", profile.name,
+                 *torn);
+  }
+  auto line =
+      make_line(profile.line, thread_, take_seat_, changed_, torn->empty() ? feed::LeftAs::whole : feed::LeftAs::torn);
+  if (!line) return std::unexpected(line.error());
+  seat.line = std::move(*line);
+  return seat;
+}
+
+// A tty, and a claim, has one owner: the old line is gone before the new one opens. Others use a line for moments only.
+Result<void> Lines::let_go(const std::string& machine) {
+  std::map<std::string, Entry>::node_type old;
+  {
+    const std::lock_guard lock(mutex_);
+    old = lines_.extract(machine);
+  }
+  if (old.empty()) return {};
+  const Seat& seat = old.mapped().seat;
+  const auto until = std::chrono::steady_clock::now() + kUsedAtMost;
+  while (seat.line.use_count() > 1 || seat.claim.use_count() > 1) {
+    if (std::chrono::steady_clock::now() > until)
+      return fail(ErrorCode::unavailable, fmt::format("the line of {} is still in use", machine));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
   return {};
 }
 
 void Lines::close() {
+  std::map<std::string, Entry> all;
   const std::lock_guard lock(mutex_);
-  lines_.clear();
+  all.swap(lines_);
 }
 
 std::shared_ptr<Line> Lines::find(const std::string& machine) const {
   const std::lock_guard lock(mutex_);
   const auto known = lines_.find(machine);
-  return known == lines_.end() ? nullptr : known->second.line;
+  return known == lines_.end() ? nullptr : known->second.seat.line;
 }
 
 std::string Lines::why_none(const std::string& machine) const {
@@ -94,11 +154,11 @@ std::string Lines::why_none(const std::string& machine) const {
   return known == refusals_.end() ? std::string() : known->second;
 }
 
-std::vector<std::pair<std::string, std::shared_ptr<Line>>> Lines::all() const {
+std::vector<Seat> Lines::all() const {
   const std::lock_guard lock(mutex_);
-  std::vector<std::pair<std::string, std::shared_ptr<Line>>> all;
+  std::vector<Seat> all;
   all.reserve(lines_.size());
-  for (const auto& [name, entry] : lines_) all.emplace_back(name, entry.line);
+  for (const auto& [name, entry] : lines_) all.push_back(entry.seat);
   return all;
 }
 
@@ -115,12 +175,13 @@ Result<std::unique_ptr<Line>> make_receiving_line(const machine::LineSettings& s
 }
 
 Result<std::unique_ptr<Line>> make_line(const machine::LineSettings& settings, LinkThread& thread,
-                                        BusSeatMaker take_seat, LineChanged changed) {
+                                        BusSeatMaker take_seat, LineChanged changed, feed::LeftAs left) {
   if (machine::is_modbus(settings.link.kind)) {
     const auto bus = machine::bus_settings_of(settings.link);
     if (!bus) return fail(ErrorCode::invalid, bus.error());
-    auto line = make_mailbox_line({.link = settings.link, .idle_poll = std::chrono::milliseconds(bus->poll_ms)},
-                                  take_seat, thread.clock(), std::move(changed));
+    auto line =
+        make_mailbox_line({.link = settings.link, .idle_poll = std::chrono::milliseconds(bus->poll_ms), .left = left},
+                          take_seat, thread.clock(), std::move(changed));
     if (!line) return fail(ErrorCode::refused, line.error());
     return std::move(*line);
   }
@@ -132,8 +193,8 @@ Result<std::unique_ptr<Line>> make_line(const machine::LineSettings& settings, L
   const auto effective = machine::effective_line(settings);
   if (!effective) return fail(ErrorCode::invalid, effective.error());
   const bool has_packets = machine::packet_protocol_of(effective->protocol).has_value();
-  auto line = has_packets ? make_packet_line(settings, thread, std::move(changed))
-                          : make_feed_line(settings, thread, std::move(changed));
+  auto line = has_packets ? make_packet_line(settings, thread, std::move(changed), left)
+                          : make_feed_line(settings, thread, std::move(changed), left);
   if (!line) return fail(ErrorCode::invalid, line.error());
   return std::move(*line);
 }

@@ -1,28 +1,40 @@
 // The lines of all machines: made from their profiles, found by name. Which kind of line a link wants is decided here,
-// once.
+// once. Who looks for a line never waits for one that is being opened.
 #pragma once
 
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "server/app/error.h"
 #include "server/app/line.h"
+#include "server/app/line_history.h"
 #include "server/app/ports/ports.h"
 #include "server/machine/profile.h"
 
 namespace dripfeed::app {
 
+// A machine's line, with its record where lines are claimed.
+struct Seat {
+  std::string machine;
+  std::shared_ptr<Line> line;
+  std::shared_ptr<LineClaim> claim;  // for the ledger's thread only
+};
+
 class Lines {
  public:
   // `changed` is called from the lines' threads after each change of any report.
-  Lines(LinkThread& thread, BusSeatMaker take_seat, LineChanged changed);
+  Lines(LinkThread& thread, BusSeatMaker take_seat, LineChanged changed, LineHistory history);
 
-  // Makes the machine's line, or makes it anew when its settings changed. Refused while a job is on the old one, and
-  // when the settings cannot be kept.
+  // While it lives, nobody else changes this machine's line or arms on it.
+  [[nodiscard]] std::unique_lock<std::mutex> hold(const std::string& machine);
+  // Makes the machine's line, or makes it anew when its settings changed, in the state in which it was left. The caller
+  // holds the machine. Refused while a job is on the old one, while another process has the line, and when the settings
+  // cannot be kept.
   Result<void> set(const machine::Profile& profile);
   // Whether set() would refuse because of a job or a torn block, so that a profile is not stored for nothing.
   [[nodiscard]] Result<void> may_set(const machine::Profile& profile) const;
@@ -32,29 +44,35 @@ class Lines {
   [[nodiscard]] std::shared_ptr<Line> find(const std::string& machine) const;
   // Why a machine that was set has none; "" where it has.
   [[nodiscard]] std::string why_none(const std::string& machine) const;
-  [[nodiscard]] std::vector<std::pair<std::string, std::shared_ptr<Line>>> all() const;
+  [[nodiscard]] std::vector<Seat> all() const;
 
  private:
-  [[nodiscard]] Result<void> refuse_busy(const machine::Profile& profile, const std::string& settings) const;
-
   struct Entry {
     std::string settings;  // the link and line settings as one text, to see whether they changed
-    std::shared_ptr<Line> line;
+    Seat seat;
   };
+  [[nodiscard]] std::optional<Entry> entry_of(const std::string& machine) const;
+  [[nodiscard]] Result<void> refuse_busy(const machine::Profile& profile, const std::string& settings) const;
+  Result<Seat> make_seat(const machine::Profile& profile);
+  Result<void> let_go(const std::string& machine);
+
   LinkThread& thread_;
   BusSeatMaker take_seat_;
   LineChanged changed_;
-  mutable std::mutex mutex_;
+  LineHistory history_;
+  mutable std::mutex mutex_;  // of the three maps; held for a look or a change of a map, never while a line is made
   std::map<std::string, Entry> lines_;
   std::map<std::string, std::string> refusals_;  // why a machine has no line
+  std::map<std::string, std::unique_ptr<std::mutex>> holds_;
 };
 
 // A line for these settings, without a name: for one reception. Errors: `invalid`.
 Result<std::unique_ptr<Line>> make_receiving_line(const machine::LineSettings& settings, LinkThread& thread,
                                                   BusSeatMaker take_seat, LineChanged changed);
 
-// A line for these settings, without a name: for one transfer. Errors: `invalid`.
+// A line for these settings, without a name, as it was left. Errors: `invalid`, `refused`.
 Result<std::unique_ptr<Line>> make_line(const machine::LineSettings& settings, LinkThread& thread,
-                                        BusSeatMaker take_seat, LineChanged changed);
+                                        BusSeatMaker take_seat, LineChanged changed,
+                                        feed::LeftAs left = feed::LeftAs::whole);
 
 }  // namespace dripfeed::app

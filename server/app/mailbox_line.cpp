@@ -82,7 +82,13 @@ bool differs(const std::optional<MachineReport>& one, const std::optional<Machin
 class MailboxLine final : public Line, private BusUser {
  public:
   MailboxLine(const MailboxSettings& settings, const Clock& clock, LineChanged changed)
-      : clock_(clock), changed_(std::move(changed)), idle_poll_(settings.idle_poll), watch_(settings.idle_poll) {}
+      : clock_(clock),
+        changed_(std::move(changed)),
+        idle_poll_(settings.idle_poll),
+        watch_(settings.idle_poll),
+        left_torn_(settings.left == feed::LeftAs::torn) {
+    publish();
+  }
 
   // The turns begin; or why there are none.
   std::expected<void, std::string> sit(const machine::LinkUrl& link, BusSeatMaker take_seat) {
@@ -95,6 +101,7 @@ class MailboxLine final : public Line, private BusUser {
 
   std::expected<void, std::string> arm(LineOrder order) override {
     const std::lock_guard lock(mutex_);
+    if (left_torn_) return std::unexpected(std::string("a block may be torn: reset the control and confirm that"));
     if (is_left_open()) {
       return std::unexpected(std::string("the receiver has a session of another job: reset it and confirm that"));
     }
@@ -171,6 +178,7 @@ class MailboxLine final : public Line, private BusUser {
   std::expected<void, std::string> confirm_reset() {
     if (modbus::polls(sender_.state())) return std::unexpected(std::string("a job is on the line"));
     reset_confirmed_ = true;
+    left_torn_ = false;
     publish();
     return {};
   }
@@ -316,7 +324,7 @@ class MailboxLine final : public Line, private BusUser {
     // Whether the receiver heard the abort or not: no block of an expired job was handed.
     const JobEnd end = row.end != JobEnd::none && expired_ ? JobEnd::disarmed : row.end;
     const modbus::SenderCounters counters = sender_.counters();
-    LineState state = is_left_open() ? LineState::torn : line_state(row, counters.handed);
+    LineState state = left_torn_ || is_left_open() ? LineState::torn : line_state(row, counters.handed);
     if (state == LineState::idle && watch_.is_away()) state = LineState::disconnected;
     const bool rings = watch_.bell().state() == modbus::BellState::rung;
     const std::string_view stall = stall_name();
@@ -352,6 +360,7 @@ class MailboxLine final : public Line, private BusUser {
   LineChanged changed_;
   std::chrono::nanoseconds idle_poll_;
   MachineWatch watch_;
+  bool left_torn_;          // by whoever had the line before
   bool rings_ = false;      // somebody was told that a ring waits
   modbus::Time bell_at_{};  // the answer's registers are not asked for before
   modbus::Sender sender_{modbus::SenderSettings{}};

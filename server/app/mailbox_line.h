@@ -16,6 +16,7 @@ namespace dripfeed::app {
 struct MailboxSettings {
   machine::LinkUrl link;
   std::chrono::nanoseconds idle_poll = std::chrono::milliseconds(500);
+  feed::LeftAs left = feed::LeftAs::whole;  // torn: no job before a person confirms the reset
 };
 
 // Or one sentence that says why the bus has no seat for it.

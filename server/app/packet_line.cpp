@@ -202,8 +202,9 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
   void pump() {
     std::array<std::byte, kInputBytes> buffer;
     while (link_.get() != nullptr && !sender_.pending_out().empty()) {
-      while (const std::size_t count = link_.get()->read(buffer))
-        sender_.receive(std::span(buffer).first(count), now());
+      // One look: a peer that never stops sending must not keep this thread.
+      const std::size_t count = link_.get()->read(buffer);
+      if (count > 0) sender_.receive(std::span(buffer).first(count), now());
       const std::span<const std::byte> out = sender_.pending_out();
       if (out.empty()) return;
       const std::size_t size = out.size();
@@ -288,12 +289,13 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
 }  // namespace
 
 std::expected<std::unique_ptr<Line>, std::string> make_packet_line(const machine::LineSettings& settings,
-                                                                   LinkThread& thread, LineChanged changed) {
+                                                                   LinkThread& thread, LineChanged changed,
+                                                                   feed::LeftAs left) {
   const auto effective = machine::effective_line(settings);
   if (!effective) return std::unexpected(effective.error());
   const auto packet_settings = machine::packet_settings_of(*effective);
   if (!packet_settings) return std::unexpected(packet_settings.error());
-  auto sender = packet::Sender::make(*packet_settings);
+  auto sender = packet::Sender::make(*packet_settings, left);
   if (!sender) return std::unexpected(std::string(packet::message(sender.error())));
   return std::make_unique<PacketLine>(std::move(*sender), *effective, thread, std::move(changed));
 }

@@ -11,6 +11,7 @@ namespace dripfeed::app {
 
 // The line of a profile whose protocol has packets; or why its settings cannot be kept.
 std::expected<std::unique_ptr<Line>, std::string> make_packet_line(const machine::LineSettings& settings,
-                                                                   LinkThread& thread, LineChanged changed);
+                                                                   LinkThread& thread, LineChanged changed,
+                                                                   feed::LeftAs left = feed::LeftAs::whole);
 
 }  // namespace dripfeed::app

@@ -1,4 +1,4 @@
-// Rounds on a thread of its own: a request may arm a job, and arming waits for the books that the keeper writes.
+// Rounds on a thread of its own: a request may arm a job, and arming waits for the store.
 #include "server/app/receiving.h"
 
 #include <chrono>
@@ -73,7 +73,7 @@ void Receiving::loop(const std::stop_token& stop) {
 
 void Receiving::round() {
   const std::lock_guard lock(round_mutex_);
-  for (const auto& [machine, line] : lines_.all()) {
+  for (const auto& [machine, line, claim] : lines_.all()) {
     expect_read_back(machine, line->report());
     for (const Reception& reception : line->take_receptions()) {
       const auto profile = profile_of(machine);

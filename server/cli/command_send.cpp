@@ -11,7 +11,7 @@
 #include "protocol/receive/transfer.h"
 #include "protocol/tape_code/character_set.h"
 #include "server/app/drop_line.h"
-#include "server/app/keeper.h"
+#include "server/app/ledger_writer.h"
 #include "server/app/lines.h"
 #include "server/app/read_back.h"
 #include "server/cli/cli.h"

@@ -1,10 +1,11 @@
 // The ledger's group commits, in virtual time over a real store: what a feed may hand is durable before it is handed,
 // whatever a commit does, and the books say after a kill where the truth lies.
-#include "server/app/keeper.h"
+#include "server/app/books.h"
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "tests/unit/server/app/gate.h"
 #include "tests/unit/server/app/shop.h"
@@ -17,7 +18,16 @@ using namespace test;
 
 constexpr std::uint64_t kWindow = 436;  // half a second at 9600 baud, 11 bits a character
 
-class KeeperTest : public ShopTest {
+// Copies what a killed server leaves on its disk.
+std::string copy_of(const std::string& database) {
+  for (const char* ending : {"", "-wal"}) {
+    std::filesystem::copy_file(database + ending, database + "-killed" + ending,
+                               std::filesystem::copy_options::overwrite_existing);
+  }
+  return database + "-killed";
+}
+
+class BooksTest : public ShopTest {
  protected:
   // Each byte is looked up in the ledger before it leaves.
   static void check_each_byte(Shop& shop, const std::string& machine, store::Id job) {
@@ -27,14 +37,14 @@ class KeeperTest : public ShopTest {
   }
 };
 
-TEST_F(KeeperTest, HandsNothingThatIsNotReservedInTheLedger) {
+TEST_F(BooksTest, HandsNothingThatIsNotReservedInTheLedger) {
   Shop shop(database());
   shop.add_machine(kLathe);
   const std::string text = program(100);
   const store::Job job = shop.add_job(kLathe, text);
   check_each_byte(shop, kLathe, job.id);
   must(shop.jobs.arm(job.id, std::nullopt, "olga"));
-  EXPECT_EQ(shop.ledger_of(job.id).front().counts.reserve, kWindow) << "the first window comes with the arming";
+  EXPECT_EQ(shop.ledger_of(job.id).front().counts.reserve, 0U) << "nothing is reserved before the control asks";
   shop.links.receive(url_of(kLathe), kDc1);
   shop.run(4s);
   EXPECT_EQ(shop.written(kLathe), text);
@@ -49,7 +59,7 @@ TEST_F(KeeperTest, HandsNothingThatIsNotReservedInTheLedger) {
   EXPECT_GE(must(shop.store.ledger().verify(job.id)), 4U);
 }
 
-TEST_F(KeeperTest, AReserveIsToldOnlyAfterItsCommit) {
+TEST_F(BooksTest, AReserveIsToldOnlyAfterItsCommit) {
   Gate gate;
   Shop shop(database());
   shop.add_machine(kLathe);
@@ -65,7 +75,7 @@ TEST_F(KeeperTest, AReserveIsToldOnlyAfterItsCommit) {
     return std::nullopt;
   });
   shop.links.advance(100ms);
-  shop.keeper.wake();
+  shop.books.wake();
   gate.await_someone();
   shop.links.advance(10s);
   EXPECT_EQ(shop.written(kLathe).size(), reserved) << "the commit is not done";
@@ -78,7 +88,7 @@ TEST_F(KeeperTest, AReserveIsToldOnlyAfterItsCommit) {
   EXPECT_EQ(shop.written(kLathe), text);
 }
 
-TEST_F(KeeperTest, ACommitThatFailsReservesNothingAndMovesNoJob) {
+TEST_F(BooksTest, ACommitThatFailsReservesNothingAndMovesNoJob) {
   Shop shop(database());
   shop.add_machine(kLathe);
   const std::string text = program(100);
@@ -110,7 +120,7 @@ TEST_F(KeeperTest, ACommitThatFailsReservesNothingAndMovesNoJob) {
   must(shop.store.ledger().verify(job.id));
 }
 
-TEST_F(KeeperTest, AFeedGoesOnAfterFailedCommits) {
+TEST_F(BooksTest, AFeedGoesOnAfterFailedCommits) {
   std::atomic<int> calls = 0;
   Shop shop(database());
   shop.add_machine(kLathe);
@@ -126,7 +136,7 @@ TEST_F(KeeperTest, AFeedGoesOnAfterFailedCommits) {
   EXPECT_GT(calls, 10);
 }
 
-TEST_F(KeeperTest, AllLinesAreInOneCommit) {
+TEST_F(BooksTest, AllLinesAreInOneCommit) {
   Gate gate;
   std::mutex mutex;
   std::vector<std::vector<store::Id>> commits;
@@ -149,11 +159,11 @@ TEST_F(KeeperTest, AllLinesAreInOneCommit) {
     return std::nullopt;
   });
   shop.links.advance(20ms);
-  shop.keeper.wake();
+  shop.books.wake();
   gate.await_someone();
   shop.links.advance(50ms);
   gate.open();
-  shop.keeper.round();
+  shop.books.settle();
   const std::lock_guard lock(mutex);
   ASSERT_GE(commits.size(), 2U);
   std::ranges::sort(commits[1]);
@@ -161,7 +171,7 @@ TEST_F(KeeperTest, AllLinesAreInOneCommit) {
 }
 
 // One row that the ledger does not take must not stop the other lines.
-TEST_F(KeeperTest, ALineThatWaitsDoesNotHoldTheOthers) {
+TEST_F(BooksTest, ALineThatWaitsDoesNotHoldTheOthers) {
   Shop shop(database());
   shop.add_machine("mill-1");
   shop.add_machine("mill-2");
@@ -181,16 +191,7 @@ TEST_F(KeeperTest, ALineThatWaitsDoesNotHoldTheOthers) {
   EXPECT_EQ(rows.size(), written) << "nothing changes, so nothing is written";
 }
 
-// Copies what a killed server leaves on its disk.
-std::string copy_of(const std::string& database) {
-  for (const char* ending : {"", "-wal"}) {
-    std::filesystem::copy_file(database + ending, database + "-killed" + ending,
-                               std::filesystem::copy_options::overwrite_existing);
-  }
-  return database + "-killed";
-}
-
-TEST_F(KeeperTest, AfterAKillTheTruthLiesBetweenClockedAndReserve) {
+TEST_F(BooksTest, AfterAKillTheTruthLiesBetweenClockedAndReserve) {
   for (const auto fed : {0ms, 50ms, 350ms, 400ms, 1000ms, 2000ms}) {
     SCOPED_TRACE(fed.count());
     std::filesystem::remove(database());
@@ -206,7 +207,7 @@ TEST_F(KeeperTest, AfterAKillTheTruthLiesBetweenClockedAndReserve) {
       return std::nullopt;
     });
     shop.links.advance(30ms);  // counters alone are reported every 20 ms
-    shop.keeper.wake();
+    shop.books.wake();
     gate.await_someone();
     const std::string killed = copy_of(database());
     const std::uint64_t handed_at_least = shop.written(kLathe).size();
@@ -240,15 +241,24 @@ TEST_F(KeeperTest, AfterAKillTheTruthLiesBetweenClockedAndReserve) {
 }
 
 // A short job may begin and end between two rounds; its way through the states is complete all the same.
-TEST_F(KeeperTest, AJobThatWasQuickerThanARoundTakesEveryStep) {
+TEST_F(BooksTest, AJobThatWasQuickerThanARoundTakesEveryStep) {
   Shop shop(database());
   shop.add_machine(kLathe);
   const std::string text = program(3);
   ASSERT_LT(text.size(), kWindow);
   const store::Job job = shop.add_job(kLathe, text);
   must(shop.jobs.arm(job.id, std::nullopt, "olga"));
-  shop.store.watched_ledger().watch([](auto) { return store::Error{store::ErrorCode::busy, ""}; });
+  // The commit with the first window comes through; the ledger has no other before the job is over.
+  std::atomic<int> commits = 0;
+  shop.store.watched_ledger().watch([&](auto) -> std::optional<store::Error> {
+    if (++commits > 1) return store::Error{store::ErrorCode::busy, ""};
+    return std::nullopt;
+  });
   shop.links.receive(url_of(kLathe), kDc1);
+  for (int i = 0; i < 2000 && shop.report(kLathe).reserve == 0; ++i) {
+    std::this_thread::sleep_for(1ms);
+    shop.links.settle();
+  }
   shop.links.advance(1s);
   shop.links.receive(url_of(kLathe), kDc3);
   EXPECT_EQ(shop.report(kLathe).end, JobEnd::done);
@@ -266,9 +276,9 @@ TEST_F(KeeperTest, AJobThatWasQuickerThanARoundTakesEveryStep) {
   EXPECT_EQ(seen, steps);
 }
 
-// Armed again and disarmed again while the keeper was busy elsewhere: the books must not believe in the first
+// Armed again and disarmed again while the ledger was busy elsewhere: the books must not believe in the first
 // disarming.
-TEST_F(KeeperTest, ASecondDisarmingThatNobodySawIsBookedToo) {
+TEST_F(BooksTest, ASecondDisarmingThatNobodySawIsBookedToo) {
   Gate gate;
   Shop shop(database());
   shop.add_machine(kLathe);
@@ -284,7 +294,7 @@ TEST_F(KeeperTest, ASecondDisarmingThatNobodySawIsBookedToo) {
     return std::nullopt;
   });
   shop.links.advance(50ms);
-  shop.keeper.wake();
+  shop.books.wake();
   gate.await_someone();
   must(shop.jobs.arm(job.id, std::nullopt, "olga"));
   shop.links.lose(url_of(kLathe));
@@ -296,7 +306,7 @@ TEST_F(KeeperTest, ASecondDisarmingThatNobodySawIsBookedToo) {
   must(shop.jobs.arm(job.id, std::nullopt, "olga"));
 }
 
-TEST_F(KeeperTest, ATornBlockIsToldWithItsPlace) {
+TEST_F(BooksTest, ATornBlockIsToldWithItsPlace) {
   Shop shop(database());
   shop.add_machine(kLathe);
   const store::Job job = shop.start_job(kLathe, program(20));
@@ -315,7 +325,8 @@ TEST_F(KeeperTest, ATornBlockIsToldWithItsPlace) {
   EXPECT_EQ(shop.ledger_of(job.id).back().note, failed.reason);
 }
 
-TEST_F(KeeperTest, AStartWithNothingArmedIsToldOnceEach) {
+// A control that goes on asking is one alarm a minute, with a count, and not a flood.
+TEST_F(BooksTest, StartsWithNothingArmedAreFolded) {
   Shop shop(database());
   shop.add_machine(kLathe);
   const auto alarms = [&] {
@@ -328,18 +339,113 @@ TEST_F(KeeperTest, AStartWithNothingArmedIsToldOnceEach) {
   shop.round();
   EXPECT_EQ(alarms(), 1);
   EXPECT_EQ(shop.last_told(), "alarm lathe the control asked for a program (DC1); nothing is armed, nothing was sent");
-  shop.links.receive(url_of(kLathe), kDc1);
+  for (int i = 0; i < 20; ++i) {
+    shop.links.receive(url_of(kLathe), kDc1);
+    shop.links.advance(2s);
+    shop.round();
+  }
+  EXPECT_EQ(alarms(), 1);
+  shop.links.advance(20s);
   shop.round();
   EXPECT_EQ(alarms(), 2);
+  EXPECT_EQ(shop.last_told(),
+            "alarm lathe the control asked for a program (DC1) 20 times; nothing is armed, nothing was sent");
   EXPECT_EQ(shop.written(kLathe), "");
 }
 
-TEST_F(KeeperTest, ANoteStandsInTheNextRowOfItsJobAlone) {
+TEST_F(BooksTest, AJobThatWasOnlyArmedIsNotTornByAKill) {
+  Shop shop(database());
+  shop.add_machine(kLathe);
+  const store::Job job = shop.add_job(kLathe, program(20));
+  must(shop.jobs.arm(job.id, std::nullopt, "olga"));
+  shop.run(1s);
+  Shop next(copy_of(database()));
+  const auto interrupted = must(next.store.jobs().interrupt_unfinished(by("server")));
+  ASSERT_EQ(interrupted.size(), 1U);
+  EXPECT_FALSE(interrupted.front().torn) << "the ledger proves that nothing left";
+  EXPECT_EQ(interrupted.front().reason, "the server stopped before anything was sent");
+  const store::LedgerInterval known = must(next.store.ledger().interval(job.id));
+  EXPECT_EQ(known.high, 0U);
+}
+
+// The line knows of the torn block from its first moment on: what the control says to it then completes nothing.
+TEST_F(BooksTest, ALineIsMadeTornWhereTheStoreHasItSo) {
+  {
+    Shop shop(database());
+    shop.add_machine(kLathe);
+    shop.start_job(kLathe, program(20));
+    shop.links.advance(50ms);
+    while (shop.written(kLathe).back() == '\n') shop.links.advance(1ms);
+    shop.links.lose(url_of(kLathe));
+    shop.round();
+  }
+  Shop next(database());
+  ASSERT_TRUE(next.catalog.open_lines());
+  EXPECT_EQ(next.report(kLathe).state, LineState::torn);
+  next.links.settle();
+  const auto text = program(3);
+  const auto line = next.lines.find(kLathe);
+  EXPECT_FALSE(line->answer({.facts = facts_of(text), .source = std::make_shared<OwnedText>(text)}));
+  EXPECT_FALSE(line->arm(order_of(9, text)));
+  for (int i = 0; i < 5; ++i) next.links.receive(url_of(kLathe), kDc1);
+  next.run(5s);
+  EXPECT_EQ(next.written(kLathe), "");
+  EXPECT_EQ(next.report(kLathe).state, LineState::torn);
+  must(next.jobs.confirm_reset(kLathe, "reset at the panel", "olga"));
+  EXPECT_EQ(next.report(kLathe).state, LineState::idle);
+}
+
+// What waits for its first job must not lose its text because the one before it is booked late.
+TEST_F(BooksTest, ATextBelongsToItsArmingWhateverEndsBeforeIt) {
+  Shop shop(database());
+  shop.add_machine(kLathe);
+  const std::string text = program(20'000);  // more than what is read ahead
+  const store::Job job = shop.add_job(kLathe, text);
+  must(shop.jobs.arm(job.id, std::nullopt, "olga"));
+  must(shop.jobs.cancel(job.id, "olga"));  // disarmed, and booked
+  const std::string other = "%\n(2)\n" + text.substr(2);
+  const store::Job second = shop.add_job(kLathe, other);
+  must(shop.jobs.arm(second.id, std::nullopt, "olga"));
+  shop.links.lose(url_of(kLathe));
+  shop.round();
+  shop.links.advance(1s);
+  must(shop.jobs.arm(second.id, std::nullopt, "olga"));
+  shop.links.receive(url_of(kLathe), kDc1);
+  shop.run(feed::Time(1150us) * static_cast<std::int64_t>(other.size()) + 5s);
+  EXPECT_EQ(shop.written(kLathe).size(), other.size());
+}
+
+TEST_F(BooksTest, AStartWhileStoppedIsASuspectedResetInLedgerAndAlarm) {
+  Shop shop(database());
+  shop.add_machine(kLathe);
+  const store::Job job = shop.start_job(kLathe, program(100));
+  shop.run(300ms);
+  must(shop.jobs.stop(job.id, "olga"));
+  shop.run(1s);
+  ASSERT_EQ(shop.report(kLathe).stall, "stopped");
+  const std::string before = shop.written(kLathe);
+  shop.links.receive(url_of(kLathe), kDc1);
+  shop.run(1s);
+  EXPECT_EQ(shop.ledger_of(job.id).back().note, kResetSuspected);
+  EXPECT_TRUE(std::ranges::any_of(shop.told(), [](const std::string& text) {
+    return text.starts_with("alarm lathe the control asked for a program (DC1) while the feed was stopped");
+  }));
+  const Error refused = refusal(shop.jobs.resume(job.id, "", "olga"));
+  EXPECT_EQ(refused.code, ErrorCode::refused);
+  EXPECT_NE(refused.text.find("it may have been reset"), std::string::npos) << refused.text;
+  shop.run(5s);
+  EXPECT_EQ(shop.written(kLathe), before);
+  must(shop.jobs.cancel(job.id, "olga"));
+  EXPECT_EQ(shop.state(job.id), store::JobState::cancelled);
+  EXPECT_EQ(shop.written(kLathe), before);
+}
+
+TEST_F(BooksTest, ANoteStandsInTheNextRowOfItsJobAlone) {
   Shop shop(database());
   shop.add_machine(kLathe);
   const store::Job first = shop.start_job(kLathe, program(3));
   shop.run(1s);
-  shop.keeper.note(first.id, "olga looked at it");
+  shop.books.note(first.id, "olga looked at it");
   shop.round();
   EXPECT_EQ(shop.ledger_of(first.id).back().note, "olga looked at it");
   const std::size_t rows = shop.ledger_of(first.id).size();
@@ -348,7 +454,7 @@ TEST_F(KeeperTest, ANoteStandsInTheNextRowOfItsJobAlone) {
   shop.links.receive(url_of(kLathe), kDc3);
   shop.round();
   ASSERT_EQ(shop.state(first.id), store::JobState::done);
-  shop.keeper.note(first.id, "too late");
+  shop.books.note(first.id, "too late");
   const store::Job second = must(shop.jobs.add(first.release, "anna"));
   must(shop.jobs.arm(second.id, std::nullopt, "olga"));
   shop.run(100ms);

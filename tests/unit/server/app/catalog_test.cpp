@@ -63,7 +63,7 @@ TEST_F(CatalogTest, AChangedProfileIsARevisionWithALineOfItsOwn) {
   EXPECT_NE(shop_.links.cable(url_of(kLathe)).listener, nullptr) << "a refused change leaves the line alone";
 
   const store::Machine changed = must(shop_.catalog.change_machine(kLathe, 1, "lathe pty:/new", "anna"));
-  shop_.round();  // the keeper may still have had the old line in its hands
+  shop_.round();  // the books may still have had the old line in its hands
   shop_.links.settle();
   EXPECT_EQ(changed.revision, 2U);
   EXPECT_EQ(shop_.links.cable(url_of(kLathe)).listener, nullptr);

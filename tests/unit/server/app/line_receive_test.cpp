@@ -144,12 +144,21 @@ TEST_F(LineReceiveTest, AnAnswerWaitsForDc1AndLeavesTheLastJobAsItWas) {
   EXPECT_EQ(written(), text_);
   links_.receive(kUrl, kDc1);
   links_.advance(5s);
+  EXPECT_EQ(written(), text_) << "nothing leaves before the books have the answer";
+  EXPECT_EQ(report().answer.stage, AnswerStage::sending);
+  EXPECT_EQ(report().answer.total, answer_text.size());
+  line_->answer_booked(7);
+  links_.advance(5s);
+  EXPECT_EQ(written(), text_) << "another one was booked";
+  line_->answer_booked(1);
+  links_.advance(5s);
   EXPECT_EQ(written(), text_ + answer_text);
+  EXPECT_EQ(report().answer.stage, AnswerStage::whole);
   EXPECT_EQ(report().state, LineState::idle);
   EXPECT_EQ(report().end, JobEnd::done);
   EXPECT_EQ(report().job, 4U);
   EXPECT_EQ(report().handed, before.handed);
-  EXPECT_EQ(report().answers, 1U);
+  EXPECT_EQ(report().answer.serial, 1U);
 }
 
 TEST_F(LineReceiveTest, AnAnswerExpires) {
@@ -168,6 +177,7 @@ TEST_F(LineReceiveTest, ANewAnswerTakesThePlaceOfOneThatWaitsAndAPersonsJobOfBot
   answer("%\nO9999(OLD)\nM30\n%\n");
   answer("%\nO9999(NEW)\nM30\n%\n");
   links_.receive(kUrl, kDc1);
+  line_->answer_booked(2);
   links_.advance(100ms);
   links_.advance(10s);
   EXPECT_EQ(written(), "%\nO9999(NEW)\nM30\n%\n");

@@ -157,7 +157,7 @@ TEST_F(MachineWordsTest, ALineWithoutASeatSaysWhy) {
       [](const machine::LinkUrl&, BusUser&) -> std::expected<std::unique_ptr<BusSeat>, std::string> {
         return std::unexpected("there are 16 buses already");
       },
-      [] {});
+      [] {}, history_of(shop_.store, {}));
   const auto profile = must(shop_.documents.read_profile(std::string("press ") + kPlcUrl));
   EXPECT_EQ(refusal(lines.set(profile)).text, "there are 16 buses already");
   EXPECT_EQ(lines.find("press"), nullptr);

@@ -2,6 +2,7 @@
 #include "server/app/receiving.h"
 
 #include <chrono>
+#include <filesystem>
 
 #include "protocol/tape_code/parity.h"
 #include "tests/unit/server/app/shop.h"
@@ -32,6 +33,12 @@ class TunedDocuments final : public Documents {
  private:
   PlainDocuments plain_;
 };
+
+// What a killed server leaves on its disk.
+std::string killed_copy(const std::string& database) {
+  for (const char* ending : {"", "-wal"}) std::filesystem::copy_file(database + ending, database + "-killed" + ending);
+  return database + "-killed";
+}
 
 std::string on_wire(std::string_view text) {
   std::string wire;
@@ -189,6 +196,7 @@ TEST_F(ReceivingTest, AfterATornAnswerNothingGoesOutUntilSomebodyConfirms) {
   open();
   ask("LOAD 4711");
   say(kDc1);
+  shop_->round();
   while (text_of(shop_->links.cable(url_).written).size() < 10) shop_->links.advance(1ms);
   shop_->links.lose(url_);
   run(2s);
@@ -211,6 +219,35 @@ TEST_F(ReceivingTest, AfterATornAnswerNothingGoesOutUntilSomebodyConfirms) {
   say(kDc1);
   run(2s);
   EXPECT_EQ(got(), "%\nO9999(0 PROGRAMS)\nM30\n%\n");
+}
+
+// The same, but the server is killed while the answer goes out, and another one starts on what is on the disk.
+TEST_F(ReceivingTest, AnAnswerThatAKillToreIsKnownAfterTheRestart) {
+  open();
+  ask("LOAD 4711");
+  say(kDc1);
+  shop_->round();
+  while (text_of(shop_->links.cable(url_).written).size() < 10) shop_->links.advance(1ms);
+  const std::string killed = killed_copy(database());
+  shop_.emplace(killed);
+  const auto torn = must(shop_->store.answers().tear_unfinished(by("server")));
+  ASSERT_EQ(torn.size(), 1U);
+  EXPECT_EQ(torn.front().machine, kLathe);
+  ASSERT_TRUE(shop_->catalog.open_lines());
+  begin();
+  seen_ = 0;
+  EXPECT_EQ(shop_->report(kLathe).state, LineState::torn);
+  ask("DIR");
+  ask("STATUS");
+  say(kDc1);
+  run(30s);
+  EXPECT_EQ(got(), "") << "on a torn line";
+  const store::Release release = release_text(shop_->store, kLathe, text_, store::Delivery::drip);
+  const store::Job job = must(shop_->jobs.add(release.id, "anna"));
+  EXPECT_NE(refusal(shop_->jobs.arm(job.id, std::nullopt, "olga")).text.find("answer 1"), std::string::npos);
+  must(shop_->jobs.confirm_reset(kLathe, "the control was reset", "olga"));
+  EXPECT_EQ(shop_->report(kLathe).state, LineState::idle);
+  must(shop_->jobs.arm(job.id, std::nullopt, "olga"));
 }
 
 TEST_F(ReceivingTest, ALoadIsReadBack) {

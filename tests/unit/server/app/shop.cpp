@@ -63,14 +63,15 @@ store::Release release_text(store::Store& store, const std::string& machine, con
 Shop::Shop(const std::string& database, BusSeatMaker take_seat, Ballast* ballast)
     : sqlite_(must(sqlite::open(database, {.own = true}))),
       store(*sqlite_),
-      lines(links, take_seat, [this] { keeper.wake(); }),
-      keeper(store, lines, events, links.clock(), ballast),
+      lines(
+          links, take_seat, [this] { books.wake(); }, history_of(store, {})),
+      books(store, lines, events, links.clock(), ballast),
       catalog(store, lines, events, links.clock(), documents),
-      jobs(store, lines, keeper, events, links.clock(), documents) {}
+      jobs(store, lines, books, events, links.clock(), documents) {}
 
 Shop::~Shop() {
   store.watched_ledger().watch({});
-  lines.close();  // they wake the keeper
+  lines.close();  // they wake the books
 }
 
 void Shop::add_machine(const std::string& name, const std::string& url) {
@@ -86,6 +87,7 @@ store::Job Shop::start_job(const std::string& machine, const std::string& text) 
   const store::Job added = add_job(machine, text);
   must(jobs.arm(added.id, std::nullopt, "olga"));
   links.receive(url_of(machine), kDc1);
+  round();
   return added;
 }
 
@@ -98,7 +100,7 @@ void Shop::run(feed::Time span) {
 }
 
 void Shop::round() {
-  keeper.round();
+  books.settle();
   links.settle();
 }
 

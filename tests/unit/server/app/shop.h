@@ -66,9 +66,9 @@ class Shop {
 
   void add_machine(const std::string& name, const std::string& url = {});
   store::Job add_job(const std::string& machine, const std::string& text);
-  // Added, armed and asked for by the control.
+  // Added, armed and asked for by the control; its first window is reserved.
   store::Job start_job(const std::string& machine, const std::string& text);
-  // Time passes; the keeper makes its rounds.
+  // Time passes; the books follow.
   void run(feed::Time span);
   void round();
   [[nodiscard]] std::string written(const std::string& machine);
@@ -77,7 +77,7 @@ class Shop {
   [[nodiscard]] store::JobState state(store::Id id) { return job(id).state; }
   // Texts of the events so far, "KIND MACHINE TEXT" each.
   [[nodiscard]] std::vector<std::string> told() const;
-  // The last one but for the machine's, which come when the keeper gets round to it.
+  // The last one but for the machine's, which come when the books get round to it.
   [[nodiscard]] std::string last_told() const;
   // Actions on a job in the audit, oldest first: "ACTION: DETAIL".
   [[nodiscard]] std::vector<std::string> audited(store::Id job);
@@ -92,7 +92,7 @@ class Shop {
   dripfeed::test::WatchedStore store;
   Events events;
   Lines lines;
-  Keeper keeper;
+  Books books;
   Catalog catalog;
   Jobs jobs;
 };

@@ -1,0 +1,16 @@
+// What a line's report says of a job in words: the reason of its end, an alarm of its machine.
+#pragma once
+
+#include <string>
+
+#include "server/app/line.h"
+
+namespace dripfeed::app {
+
+// Why the job ended or was disarmed, with the interval of what may have reached the control; the stall while it runs.
+std::string reason_of(const LineReport& report);
+
+// An alarm of the machine that was not there at the last look; "" for none.
+std::string new_alarm(const LineReport& report, const LineReport& last);
+
+}  // namespace dripfeed::app

@@ -1,0 +1,26 @@
+// How a line was left, as the store and the line's own record have it. A line is made with this knowledge, so that
+// there is no moment in which it could complete a torn block.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "server/app/error.h"
+#include "server/app/ports/line_claims.h"
+#include "store/store.h"
+
+namespace dripfeed::app {
+
+struct LineHistory {
+  // Why a block may be torn at this machine's control, "" for nothing. An error makes no line.
+  std::function<Result<std::string>(const std::string& machine)> torn;
+  // Takes the line for this process; empty: lines are not claimed, as in a test without a system.
+  ClaimLine claim;
+};
+
+// What the store has of a machine: a torn job, or a torn answer.
+Result<std::string> torn_in_store(store::Store& store, const std::string& machine);
+
+LineHistory history_of(store::Store& store, ClaimLine claim);
+
+}  // namespace dripfeed::app
