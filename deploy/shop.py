@@ -60,6 +60,7 @@ class Server:
     def __init__(self, binary, data, port=None, arguments=()):
         self.binary, self.data, self.arguments = str(binary), pathlib.Path(data), list(arguments)
         self.given_port, self.port = port or 0, port
+        self.stdout = self.stderr = None  # of the server, in place of its log; a server without the log needs a port
         self.process = None
 
     def start(self):
@@ -67,9 +68,10 @@ class Server:
         log = open(self.data / "server.log", "ab")
         said_before = log.tell()
         command = [self.binary, "serve", "--data", str(self.data), "--listen", f"127.0.0.1:{self.given_port}", *self.arguments]
-        self.process = subprocess.Popen(command, stdout=log, stderr=log)
+        self.process = subprocess.Popen(command, stdout=self.stdout or log, stderr=self.stderr or log)
         log.close()
-        self.port = wait_for("the server's address", lambda: self._port_said(said_before))
+        if not self.stdout:
+            self.port = wait_for("the server's address", lambda: self._port_said(said_before))
         wait_for("the server", self._answers)
         return self
 

@@ -1,7 +1,8 @@
 // server/cli: the dripfeed command. Each command has a file: it parses its arguments, makes the same call of the
 // application as the REST handler, and prints. Texts go to standard output or --output, messages to standard error.
 // Exit: 0 done (warnings allowed), 1 the verdict is fail, the program ended by an alarm or limit, or the transfer
-// failed, 2 wrong use or I/O error.
+// failed, 2 wrong use or I/O error, 3 a block is torn at the control, or may be: nothing may be sent on that line until
+// a person confirms that the control was reset.
 #pragma once
 
 namespace CLI {
@@ -13,6 +14,12 @@ namespace dripfeed::cli {
 inline constexpr int kDone = 0;
 inline constexpr int kFailed = 1;
 inline constexpr int kWrongUse = 2;
+inline constexpr int kTorn = 3;
+// For the help of commands that use a line.
+inline constexpr const char* kExitCodes =
+    "Exit: 0 done, 1 the transfer failed, 2 wrong use or I/O error, 3 a block is or may be torn at the control: "
+    "nothing\n"
+    "goes out on the line until --confirm-reset";
 
 // Each adds its command to `app`; `exit_code` gets what the command ended with.
 void add_serve(CLI::App& app, int& exit_code);

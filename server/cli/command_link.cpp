@@ -6,6 +6,7 @@
 
 #include "dialects/text/number.h"
 #include "server/app/link_test.h"
+#include "server/cli/claimed_line.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"
 #include "server/cli/inputs.h"
@@ -21,6 +22,7 @@ struct Options {
   std::string machine;
   std::uint32_t round_trips = 50;
   std::uint32_t holds = 50;
+  std::optional<std::string> confirmed_reset;
   bool json = false;
 };
 
@@ -49,6 +51,11 @@ int link_test(const Options& options) {
     return kWrongUse;
   }
   const machine::LineSettings& line = profile->line;
+  const auto claim = take_line(line.link, options.confirmed_reset);
+  if (!claim) {
+    print_error(claim.error().sentence);
+    return claim.error().exit_code;
+  }
   const auto thread = io::start_link_thread();
   const auto result = app::test_link(
       line, *thread, {.round_trips = options.round_trips, .holds = options.holds, .patience = std::chrono::seconds(3)});
@@ -77,6 +84,8 @@ void add_link(CLI::App& app, int& exit_code) {
   command->add_option("--machine", options->machine, "machine profile (a file or the name of a preset) for its budget");
   command->add_option("--round-trips", options->round_trips, "single characters to send")->check(CLI::Range(1, 10'000));
   command->add_option("--holds", options->holds, "streams to hold")->check(CLI::Range(1, 10'000));
+  add_confirm_reset(*command, options->confirmed_reset);
+  command->footer(kExitCodes);
   command->add_flag("--json", options->json, "one JSON object on standard output");
   command->callback([options, &exit_code] { exit_code = link_test(*options); });
 }

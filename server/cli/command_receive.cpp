@@ -12,9 +12,11 @@
 #include "protocol/receive/program_name.h"
 #include "protocol/receive/transfer.h"
 #include "server/app/lines.h"
+#include "server/cli/claimed_line.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"
 #include "server/cli/inputs.h"
+#include "server/cli/logging.h"
 #include "server/cli/output.h"
 #include "server/cli/signals.h"
 #include "server/io/io.h"
@@ -31,6 +33,7 @@ struct Options {
   std::string link;
   std::string machine;
   std::string output;
+  std::optional<std::string> confirmed_reset;
   double timeout_s = 60.0;
   bool json = false;
 };
@@ -48,7 +51,7 @@ app::Result<std::optional<app::Reception>> wait_for(const machine::Profile& prof
       const receive::Transfer transfer = receive::judge(one.raw, one.ending, one.settings);
       if (transfer.fault == receive::Fault::empty) continue;
       if (const std::string_view cause = (*line)->report().cause; !cause.empty())
-        fmt::print(stderr, "dripfeed: the transfer broke off: {}\n", cause);
+        say(fmt::format("the transfer broke off: {}", cause));
       return std::move(one);
     }
     const app::LineReport report = (*line)->report();
@@ -77,10 +80,11 @@ int keep(const app::Reception& reception, const Options& options) {
   std::string raw;
   for (const std::byte byte : reception.raw) raw += static_cast<char>(byte);
   if (!write_output(path, whole ? transfer.text : raw)) return kWrongUse;
-  if (options.json) fmt::print("{}", receive_document(reception, transfer, name ? name->name : "", path));
+  if (options.json && !write_output("-", receive_document(reception, transfer, name ? name->name : "", path)))
+    return kWrongUse;
   if (whole) {
-    fmt::print(stderr, "dripfeed: received {}{}{} bytes to {}\n", name ? name->name : "", name ? ", " : "",
-               transfer.text.size(), path);
+    say(fmt::format("received {}{}{} bytes to {}", name ? name->name : "", name ? ", " : "", transfer.text.size(),
+                    path));
     return kDone;
   }
   print_error(fmt::format("what came is no program: {}{}; its bytes are in {}", receive::message(transfer.fault),
@@ -93,13 +97,20 @@ int keep(const app::Reception& reception, const Options& options) {
 }
 
 int receive_one(const Options& options) {
-  const std::stop_token stop = stop_by_signal();
+  const std::stop_token stop = stop_by_two_signals().first;
+  const Logging logging;
   auto profile = read_machine_at(options.link, options.machine);
   if (!profile) {
     print_error(profile.error());
     return kWrongUse;
   }
   profile->line.receive.enabled = true;
+  // Our own DC1 and DC3 are characters, too: a control that has a part of a block gets none of them.
+  const auto claim = take_line(profile->line.link, options.confirmed_reset);
+  if (!claim) {
+    print_error(claim.error().sentence);
+    return claim.error().exit_code;
+  }
   const auto received = wait_for(*profile, options, stop);
   if (!received) {
     print_error(received.error());
@@ -122,6 +133,8 @@ void add_receive(CLI::App& app, int& exit_code) {
   command->add_option("--machine", options->machine, "machine profile: a file or the name of a preset");
   command->add_option("--timeout", options->timeout_s, "seconds to wait for the first character")
       ->check(CLI::PositiveNumber);
+  add_confirm_reset(*command, options->confirmed_reset);
+  command->footer(kExitCodes);
   command->add_flag("--json", options->json, "one JSON object on standard output");
   command->callback([options, &exit_code] { exit_code = receive_one(*options); });
 }

@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <charconv>
 #include <chrono>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <map>
@@ -20,6 +19,7 @@
 #include "server/app/status_registers.h"
 #include "server/cli/cli.h"
 #include "server/cli/inputs.h"
+#include "server/cli/logging.h"
 #include "server/cli/output.h"
 #include "server/cli/signals.h"
 #include "server/http/api.h"
@@ -106,8 +106,7 @@ app::Result<std::unique_ptr<io::ModbusListener>> listen_for_plcs(const Options& 
   auto listener =
       io::listen_modbus({.host = address->host, .port = address->port, .allowed = options.modbus_allow}, registers);
   if (!listener) return app::fail(app::ErrorCode::invalid, "--modbus-listen: " + listener.error());
-  fmt::print(stderr, "dripfeed: Modbus at {}:{}, {} units\n", address->host, (*listener)->port(),
-             options.modbus_units.size());
+  say(fmt::format("Modbus at {}:{}, {} units", address->host, (*listener)->port(), options.modbus_units.size()));
   return std::move(*listener);
 }
 
@@ -152,9 +151,8 @@ int run_server(const Options& options, const http::ListenAddress& address, store
     print_error(server.error());
     return kWrongUse;
   }
-  fmt::print("dripfeed is at http://{}:{}/  (token: {})\n", address.host, (*server)->port(),
-             (fs::path(options.data) / "first-token").string());
-  std::fflush(stdout);
+  announce(fmt::format("dripfeed is at http://{}:{}/  (token: {})", address.host, (*server)->port(),
+                       (fs::path(options.data) / "first-token").string()));
   while (!stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   spdlog::info("stopping: running feeds end at their block");
   server->reset();
@@ -162,7 +160,9 @@ int run_server(const Options& options, const http::ListenAddress& address, store
 }
 
 int serve(const Options& options) {
-  const std::stop_token stop = stop_by_signal();
+  const std::stop_token stop = stop_by_signal_and_reload(
+      [] { spdlog::info("SIGHUP: nothing is reloaded, because all options are read at the start"); });
+  const Logging logging;
   const auto address = http::parse_listen_address(options.listen);
   if (!address) {
     print_error(address.error());

@@ -12,6 +12,7 @@
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"
 #include "server/cli/inputs.h"
+#include "server/cli/logging.h"
 #include "server/cli/output.h"
 #include "server/cli/signals.h"
 #include "server/cli/wire_hashes.h"
@@ -134,8 +135,8 @@ void print_plcs(const std::string& link, const std::vector<simulator::PlcReport>
     const std::string hash = hash::sha256_hex(report.text);
     members.push_back({link, shown, {.wire_sha256 = hash, .text_sha256 = hash}});
   }
-  fmt::print("{}",
-             members.size() == 1 ? simulate_document(members[0].report, members[0].hashes) : fleet_document(members));
+  write_output("-",
+               members.size() == 1 ? simulate_document(members[0].report, members[0].hashes) : fleet_document(members));
 }
 
 // Several are units of one server, from the link's unit on.
@@ -158,7 +159,7 @@ int run_plc(const machine::LinkUrl& link, const machine::Profile& profile, const
     print_error(plc.error());
     return kWrongUse;
   }
-  fmt::print(stderr, "simulated PLC at {}\n", link.text);
+  say(fmt::format("simulated PLC at {}", link.text));
   // The host reads the end from the registers, so they stay for a while behind it.
   constexpr std::chrono::seconds kStayAfterEnd{2};
   auto ended = std::chrono::steady_clock::time_point::max();
@@ -261,9 +262,8 @@ int run_controls(const machine::LinkUrl& link, const machine::Profile& profile, 
     print_error(added.error());
     return kWrongUse;
   }
-  fmt::print(stderr, "simulated control at {}\n", fleet.address(0));
-  if (options.count > 1)
-    fmt::print(stderr, "... to {}, {} controls\n", fleet.address(options.count - 1), options.count);
+  say(fmt::format("simulated control at {}", fleet.address(0)));
+  if (options.count > 1) say(fmt::format("... to {}, {} controls", fleet.address(options.count - 1), options.count));
   fleet.run(stop);
   if (!write_records(options, received)) return kWrongUse;
   std::vector<FleetMember> members;
@@ -273,19 +273,20 @@ int run_controls(const machine::LinkUrl& link, const machine::Profile& profile, 
     const simulator::ControlReport& report = members.back().report;
     all_ended = all_ended && report.state == simulator::ControlState::ended;
     if (options.json) continue;
-    fmt::print(stderr, "{}: {} bytes, {} blocks run, {} holds, {} characters after DC3 at most, {} stalls{}{}\n",
-               members.back().link, report.bytes, report.blocks_run, report.holds, report.after_dc3_max, report.stalls,
-               report.alarm.empty() ? "" : ", alarm ", report.alarm);
+    say(fmt::format("{}: {} bytes, {} blocks run, {} holds, {} characters after DC3 at most, {} stalls{}{}",
+                    members.back().link, report.bytes, report.blocks_run, report.holds, report.after_dc3_max,
+                    report.stalls, report.alarm.empty() ? "" : ", alarm ", report.alarm));
   }
   if (options.json) {
-    fmt::print("{}",
-               members.size() == 1 ? simulate_document(members[0].report, members[0].hashes) : fleet_document(members));
+    write_output(
+        "-", members.size() == 1 ? simulate_document(members[0].report, members[0].hashes) : fleet_document(members));
   }
   return all_ended ? kDone : kFailed;
 }
 
 int simulate(const Options& options) {
-  const std::stop_token stop = stop_by_signal();
+  const std::stop_token stop = stop_by_two_signals().first;
+  const Logging logging;
   const auto link = machine::parse_link_url(options.link);
   if (!link) {
     print_error(link.error());

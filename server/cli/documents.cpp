@@ -87,7 +87,21 @@ std::string link_test_document(const app::LinkTestResult& r, const machine::Line
        {"kept", kept}});
 }
 
-std::string send_document(const app::LineReport& report, const WireHashes& hashes, std::string_view read_back) {
+namespace {
+
+Document line_document(const io::LineRecord& line) {
+  return {{"name", line.line},    {"state", io::name_of(line.state)},
+          {"what", line.what},    {"why", line.why},
+          {"by", line.by},        {"at_ms", line.at_ms},
+          {"device", line.device}};
+}
+
+}  // namespace
+
+std::string torn_document(const io::LineRecord& line) { return dump({{"torn", true}, {"line", line_document(line)}}); }
+
+std::string send_document(const app::LineReport& report, const WireHashes& hashes, std::string_view read_back,
+                          const io::LineRecord& line) {
   return dump({{"bytes", report.total},
                {"wire_sha256", hashes.wire_sha256},
                {"text_sha256", hashes.text_sha256},
@@ -99,7 +113,9 @@ std::string send_document(const app::LineReport& report, const WireHashes& hashe
                {"line_use", report.line_use},
                {"cause", report.cause},
                {"read_back", read_back.empty() ? Document(nullptr) : Document(read_back)},
-               {"interval", {{"from", report.known.from}, {"to", report.known.to}}}});
+               {"interval", {{"from", report.known.from}, {"to", report.known.to}}},
+               {"torn", report.state == app::LineState::torn},
+               {"line", line_document(line)}});
 }
 
 std::string receive_document(const app::Reception& reception, const receive::Transfer& transfer, std::string_view name,

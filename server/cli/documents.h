@@ -11,6 +11,7 @@
 #include "protocol/receive/transfer.h"
 #include "server/app/line.h"
 #include "server/app/link_test.h"
+#include "server/io/line_record.h"
 #include "server/simulator/fleet.h"
 
 namespace dripfeed::cli {
@@ -23,8 +24,11 @@ struct WireHashes {
 std::string run_document(const interpreter::RunResult& result);
 std::string render_document(const compile::RenderResult& result);
 std::string link_test_document(const app::LinkTestResult& result, const machine::LineSettings& line, bool kept);
-// `read_back`: what came of it; empty: none was due.
-std::string send_document(const app::LineReport& report, const WireHashes& hashes, std::string_view read_back);
+// `read_back`: what came of it; empty: none was due. `line`: the record of the line after it.
+std::string send_document(const app::LineReport& report, const WireHashes& hashes, std::string_view read_back,
+                          const io::LineRecord& line);
+// Of a transfer that was refused because the line is torn.
+std::string torn_document(const io::LineRecord& line);
 // `output`: the file that it went to.
 std::string receive_document(const app::Reception& reception, const receive::Transfer& transfer, std::string_view name,
                              std::string_view output);

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "server/cli/logging.h"
+
 namespace dripfeed::cli {
 
 namespace {
@@ -22,17 +24,15 @@ bool write_all(std::FILE* file, std::string_view text) {
 
 }  // namespace
 
-void print_error(std::string_view sentence) { fmt::print(stderr, "dripfeed: {}\n", sentence); }
+void print_error(std::string_view sentence) { say(sentence); }
 
 void print_error(const app::Error& error) {
-  print_error(error.text);
+  std::string text = error.text;
   for (const app::ErrorPlace& place : error.places) {
-    if (!place.pointer.empty()) {
-      fmt::print(stderr, "  {} {}\n", place.pointer, place.text);
-    } else {
-      fmt::print(stderr, "  line {}, column {}: {}\n", place.line, place.column, place.text);
-    }
+    text += place.pointer.empty() ? fmt::format("\n  line {}, column {}: {}", place.line, place.column, place.text)
+                                  : fmt::format("\n  {} {}", place.pointer, place.text);
   }
+  print_error(text);
 }
 
 void print_diagnostics(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source,

@@ -15,7 +15,6 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include "server/io/line_record.h"
 #include "server/io/serial_identity.h"
 #include "server/io/steady_clock.h"
 
@@ -268,6 +267,19 @@ std::expected<std::unique_ptr<app::LineClaim>, std::string> claim_line(const mac
   const auto folder = lines_folder();
   if (!folder) return std::unexpected(folder.error());
   return claim_line_in(*folder, link);
+}
+
+std::expected<LineRecord, std::string> look_at_line(const machine::LinkUrl& link) {
+  const auto folder = lines_folder();
+  if (!folder) return std::unexpected(folder.error());
+  LineRecord first;
+  for (const std::string& name : names_of(link).names) {
+    auto record = RecordFile::look((*folder / file_name_of(name)).string() + ".state");
+    if (!record || record->state != RecordState::clean) return record;
+    if (first.line.empty()) first = std::move(*record);
+    if (first.line.empty()) first.line = name;
+  }
+  return first;
 }
 
 }  // namespace dripfeed::io

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "server/app/ports/line_claims.h"
+#include "server/io/line_record.h"
 #include "server/machine/link_url.h"
 
 namespace dripfeed::io {
@@ -33,5 +34,9 @@ std::expected<std::unique_ptr<app::LineClaim>, std::string> claim_line(const mac
 std::expected<std::unique_ptr<app::LineClaim>, std::string> claim_line_in(const std::filesystem::path& folder,
                                                                           const machine::LinkUrl& link,
                                                                           const std::string& sysfs = "/sys");
+
+// What the records of a line say, without a claim: of the first name under which something is torn, else of the first
+// name.
+std::expected<LineRecord, std::string> look_at_line(const machine::LinkUrl& link);
 
 }  // namespace dripfeed::io

@@ -55,8 +55,7 @@ std::string fitting(std::string_view text, std::size_t most_bytes) {
 
 std::string slot_of(const LineRecord& record, std::uint64_t sequence) {
   std::string slot(kHead);
-  slot += fmt::format("sequence {}\nstate {}\nat_ms {}\n", sequence, kStates[static_cast<std::size_t>(record.state)],
-                      record.at_ms);
+  slot += fmt::format("sequence {}\nstate {}\nat_ms {}\n", sequence, name_of(record.state), record.at_ms);
   for (const Field& field : kFields) {
     slot += fmt::format("{} {}\n", field.name, fitting(record.*field.text, field.most_bytes));
   }
@@ -108,6 +107,8 @@ std::optional<Slot> parse(std::string_view bytes) {
 }
 
 }  // namespace
+
+std::string_view name_of(RecordState state) { return kStates[static_cast<std::size_t>(state)]; }
 
 std::uint64_t fnv1a(std::string_view text) {
   std::uint64_t hash = 0xCBF29CE484222325U;
@@ -170,6 +171,14 @@ std::expected<RecordFile, std::string> RecordFile::open(const std::string& path)
   const auto ready = size == 0 ? file.make() : file.read();
   if (!ready) return std::unexpected(ready.error());
   return file;
+}
+
+std::expected<LineRecord, std::string> RecordFile::look(const std::string& path) {
+  RecordFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW), path);
+  if (file.descriptor_ < 0 && errno == ENOENT) return LineRecord{};
+  if (file.descriptor_ < 0) return std::unexpected(file.system_says());
+  if (auto read = file.read(); !read) return std::unexpected(read.error());
+  return std::move(file.record_);
 }
 
 std::expected<void, std::string> RecordFile::make() {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <expected>
 #include <string>
+#include <string_view>
 
 namespace dripfeed::io {
 
@@ -24,6 +25,8 @@ struct LineRecord {
   std::string device{};    // the device that was at the port; "": not known
 };
 
+// "clean", "sending", "torn"
+std::string_view name_of(RecordState state);
 // "job 12 by dripfeed serve (pid 77) at 2026-11-24 11:40:00 UTC broke off inside a block: …"; "" for a clean one.
 std::string describe(const LineRecord& record);
 // "2026-11-24 11:40:00 UTC"
@@ -34,6 +37,8 @@ class RecordFile {
  public:
   // Makes the file where there is none; or one sentence with the path and what the system said.
   static std::expected<RecordFile, std::string> open(const std::string& path);
+  // What a record says, without a claim: it may change the moment after. A clean one where there is no file.
+  static std::expected<LineRecord, std::string> look(const std::string& path);
   RecordFile(RecordFile&& other) noexcept;
   RecordFile& operator=(RecordFile&& other) noexcept;
   RecordFile(const RecordFile&) = delete;

@@ -2,9 +2,12 @@
 themselves are the other files of this folder; each is a ctest entry."""
 
 import json
+import os
 import pathlib
+import subprocess
 import sys
 import tempfile
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "deploy"))
@@ -13,6 +16,13 @@ import shop  # noqa: E402
 
 def binary():
     return pathlib.Path(sys.argv[1]).resolve()
+
+
+def sends(program, url, *arguments, ledger=None, **streams):
+    """dripfeed send, running: JSON on its stdout, words on its stderr."""
+    ledger = ledger or pathlib.Path(program).parent / f"{time.monotonic_ns()}.ledger"
+    command = [binary(), "send", program, "--unreleased", "--json", "--link", url, "--ledger", ledger, *arguments]
+    return subprocess.Popen(list(map(str, command)), **{"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, **streams})
 
 
 def expect(condition, sentence):
@@ -65,5 +75,6 @@ class Rig:
 
 def in_folder(test):
     with tempfile.TemporaryDirectory(prefix="dripfeed-e2e-", ignore_cleanup_errors=True) as folder:
+        os.environ["DRIPFEED_LINES"] = f"{folder}/lines"  # the records of this test's lines end with it
         test(pathlib.Path(folder))
     print(f"ok {test.__name__}")
