@@ -134,6 +134,12 @@ int report_end(const Transferred& sent, const WireHashes& hashes, const Options&
   return write_output("-", document) ? exit_code : std::max(exit_code, kFailed);
 }
 
+void report_refusal(const LineRefusal& refusal, const Options& options, const machine::LinkUrl& link) {
+  print_error(refusal.sentence);
+  if (!options.json || refusal.exit_code != kTorn) return;
+  if (const auto record = io::look_at_line(link)) write_output("-", torn_document(*record));
+}
+
 int send(const Options& options) {
   const Stops stops = stop_by_two_signals();
   const Logging logging;
@@ -166,11 +172,7 @@ int send(const Options& options) {
   const machine::LinkUrl& link = profile->line.link;
   const auto claim = take_line(link, options.confirmed_reset);
   if (!claim) {
-    print_error(claim.error().sentence);
-    if (options.json && claim.error().exit_code == kTorn) {
-      const auto record = io::look_at_line(link);
-      if (record) write_output("-", torn_document(*record));
-    }
+    report_refusal(claim.error(), options, link);
     return claim.error().exit_code;
   }
   const WireHashes hashes = hashes_of(text, *profile, options.rounds);

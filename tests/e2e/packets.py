@@ -138,7 +138,7 @@ def two_signals_end_a_transfer_that_nobody_answers(folder):
             sender.send_signal(signal.SIGINT)
             out, _ = sender.communicate(timeout=20)
             expect(far.read(8) == b"\x18" * 8, "the receiver was not told")
-        expect(sender.returncode == 1 and told(b"person: the control may have between byte 0 and 128"), f"{(folder / 'said').read_bytes()} {out}")
+        expect(sender.returncode == 3 and told(b"person: the control may have between byte 0 and 128"), f"{(folder / 'said').read_bytes()} {out}")
     finally:
         socat.kill()
         socat.wait()

@@ -1,5 +1,6 @@
 // The record of a line that outlives whoever feeds it: who has the line now, and whether a block may be torn at its
-// control. The server and `dripfeed send` keep the same record, so neither sends on a line that the other one left torn.
+// control. The server and `dripfeed send` keep the same record, so neither sends on a line that the other one left
+// torn.
 #pragma once
 
 #include <expected>
