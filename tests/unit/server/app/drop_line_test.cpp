@@ -44,6 +44,7 @@ class DropLineTest : public ::testing::Test {
     settings.link = machine::parse_link_url("dir:" + folder().string() + options).value();
     settings.eob = tape_code::Eob::cr_lf;
     line_ = make_drop_line(settings, [] {}).value();
+    ASSERT_TRUE(until([](const LineReport& r) { return !r.link_error.ends_with("not looked at yet"); }));
   }
   [[nodiscard]] fs::path folder() const { return fs::path(temp_.path()) / "drop"; }
   std::expected<void, std::string> arm(std::string_view text, std::uint64_t reserve = 1 << 20) {
@@ -137,6 +138,17 @@ TEST_F(DropLineTest, AFolderThatIsNotThereIsNamed) {
   fs::create_directory(folder());
   EXPECT_TRUE(until([](const LineReport& r) { return r.state == LineState::idle && r.link_error.empty(); }));
   EXPECT_FALSE(line_->command(feed::Command::stop));
+}
+
+TEST_F(DropLineTest, AJobThatFindsNoPlaceForItsFileGoesBack) {
+  fs::create_directory(folder());
+  open();
+  fs::remove(folder());
+  const auto armed = arm(kText);
+  ASSERT_TRUE(armed) << armed.error();
+  ASSERT_TRUE(ended(JobEnd::disarmed));
+  EXPECT_EQ(line_->report().cause, "the folder does not take a file");
+  EXPECT_EQ(line_->report().handed, 0U);
 }
 
 TEST_F(DropLineTest, OnlyWhatWasLongAbandonedIsRemoved) {
