@@ -77,7 +77,7 @@ class Session final : public app::LinkListener, public std::enable_shared_from_t
   std::size_t read(std::span<std::byte> into) {
     if (!announced_) return 0;
     std::size_t count = 0;
-    do {  // a piece may hold commands alone
+    do {  // a piece may hold commands alone; the core's allowance ends it
       const std::size_t most = std::min(into.size(), raw_.size());
       const std::size_t came = core_->read(std::span(raw_).first(most));
       if (came == 0) break;
@@ -93,7 +93,10 @@ class Session final : public app::LinkListener, public std::enable_shared_from_t
     return below ? std::optional(*below + client_.pending_out().size()) : std::nullopt;
   }
   [[nodiscard]] const app::LineErrors& errors() const { return errors_; }
-  [[nodiscard]] const std::string& note() const { return note_; }
+  [[nodiscard]] std::string_view note() const {
+    const std::string_view flood = core_ ? core_->note() : std::string_view();
+    return flood.empty() ? note_ : flood;
+  }
 
  private:
   void on_up() override {

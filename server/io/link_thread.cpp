@@ -22,8 +22,9 @@ namespace {
 
 namespace asio = boost::asio;
 
-// Handlers between two looks at the tickers, at most.
+// Handlers between two looks at the tickers, at most, and how long they may take together.
 constexpr std::size_t kMostAtOnce = 256;
+constexpr feed::Time kLongestAtOnce = std::chrono::milliseconds(1);
 
 // A character that leaves late costs line time, one that leaves behind a DC3 that nobody read costs an alarm: this
 // thread goes before what else the machine computes, where the system lets us (root, or CAP_SYS_NICE, or a limit on
@@ -68,7 +69,9 @@ class AsioLinkThread final : public app::LinkThread {
   void loop() {
     go_before_others();
     while (!stopping_ && context_.run_one() > 0) {
-      for (std::size_t i = 0; i < kMostAtOnce && !stopping_ && context_.poll_one() > 0; ++i) continue;
+      const feed::Time until = clock_.now() + kLongestAtOnce;
+      for (std::size_t i = 0; i < kMostAtOnce && !stopping_ && context_.poll_one() > 0 && clock_.now() < until; ++i)
+        continue;
       set_timer(run_due());
     }
     // What the links left behind (aborted waits) still refers to the context: give each its last call.

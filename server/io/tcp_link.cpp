@@ -1,5 +1,5 @@
-// A small send buffer bounds what the network holds of a program; keepalive and the user timeout find a peer that is
-// gone without a word.
+// Small buffers bound what the network holds of a program, and of what a control said and nobody heard yet; keepalive
+// and the user timeout find a peer that is gone without a word.
 #include "server/io/tcp_link.h"
 
 #include <chrono>
@@ -20,6 +20,7 @@ using tcp = asio::ip::tcp;
 using Peers = tcp::resolver::results_type;
 
 constexpr int kSocketSendBytes = 4096;
+constexpr int kSocketReceiveBytes = 16'384;
 constexpr std::chrono::seconds kConnectTimeout{10};
 constexpr int kKeepIdle_s = 10;
 constexpr int kKeepInterval_s = 3;
@@ -33,6 +34,7 @@ void set_option(int descriptor, int level, int name, int value) {
 void tune(tcp::socket& socket) {
   const int descriptor = socket.native_handle();
   set_option(descriptor, SOL_SOCKET, SO_SNDBUF, kSocketSendBytes);
+  set_option(descriptor, SOL_SOCKET, SO_RCVBUF, kSocketReceiveBytes);
   set_option(descriptor, IPPROTO_TCP, TCP_NODELAY, 1);
   set_option(descriptor, SOL_SOCKET, SO_KEEPALIVE, 1);
   set_option(descriptor, IPPROTO_TCP, TCP_KEEPIDLE, kKeepIdle_s);
@@ -72,6 +74,7 @@ class TcpLink : public app::Link {
   std::size_t read(std::span<std::byte> into) override { return core_->read(into); }
   // What TCP holds says nothing of the line behind the device server.
   std::optional<std::uint64_t> unsent() override { return std::nullopt; }
+  [[nodiscard]] std::string_view note() const override { return core_->note(); }
   std::optional<std::uint64_t> unconfirmed() override {
     return core_->up() ? read_unconfirmed(core_->stream().native_handle()) : std::nullopt;
   }

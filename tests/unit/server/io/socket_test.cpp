@@ -1,5 +1,6 @@
 // Sockets on loopback, in both roles: refused, closed in half, reset, and one peer at a time.
 #include <array>
+#include <thread>
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -7,6 +8,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "server/io/read_allowance.h"
+#include "server/io/stream_core.h"
 #include "tests/unit/server/io/listening.h"
 
 namespace dripfeed::io {
@@ -51,6 +54,17 @@ class FarEnd {
   }
   void say(std::string_view text) const {
     EXPECT_EQ(::send(descriptor_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
+  }
+  void hold_little() const {
+    const int bytes = 32'768;
+    ::setsockopt(descriptor_, SOL_SOCKET, SO_SNDBUF, &bytes, sizeof(bytes));
+  }
+  // What the socket takes of it within 10 ms.
+  [[nodiscard]] std::size_t push(std::string_view text) const {
+    pollfd file{.fd = descriptor_, .events = POLLOUT, .revents = 0};
+    if (::poll(&file, 1, 10) != 1) return 0;
+    const ssize_t count = ::send(descriptor_, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    return count > 0 ? static_cast<std::size_t>(count) : 0;
   }
   [[nodiscard]] std::string hear(std::size_t bytes) const {
     std::string text(bytes, '\0');
@@ -130,6 +144,51 @@ TEST_F(SocketTest, AResetIsToldOnce) {
   for (int i = 0; i < 3; ++i) static_cast<void>(write("into the void"));
   thread_->run([] {});
   EXPECT_EQ(heard_.losses(), 1);
+}
+
+// What a peer that writes as fast as it can gets into the socket within a time.
+std::size_t flood(const FarEnd& peer, std::chrono::milliseconds how_long) {
+  const std::string piece(65'536, '\x11');
+  const auto until = std::chrono::steady_clock::now() + how_long;
+  std::size_t sent = 0;
+  while (std::chrono::steady_clock::now() < until) sent += peer.push(piece);
+  return sent;
+}
+
+TEST_F(SocketTest, AFloodIsReadInPiecesAndNamed) {
+  connect();
+  const auto note = [&] {
+    std::string text;
+    thread_->run([&] { text = link_->note(); });
+    return text;
+  };
+  EXPECT_EQ(note(), "");
+  const auto begin = std::chrono::steady_clock::now();
+  flood(*peer_, std::chrono::milliseconds(1500));
+  const std::size_t read = heard_.received().size();
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  EXPECT_LE(static_cast<double>(read), kReadsAtOnce_bytes + kReadBytes + kReadsPerSecond_bytes * took.count());
+  EXPECT_EQ(note(), kFloodNote);
+}
+
+TEST_F(SocketTest, NothingLeavesBeforeWhatCameIsHeard) {
+  connect();
+  peer_->hold_little();
+  flood(*peer_, std::chrono::milliseconds(100));
+  peer_->say("\x13");  // it stands behind all that was not read yet
+  std::size_t taken = 0;
+  bool heard = false;
+  for (int i = 0; i < 30'000 && !heard; ++i) {
+    thread_->run([&] {
+      std::array<std::byte, 256> piece{};
+      while (const std::size_t count = link_->read(piece)) heard_.on_receive(std::span(piece).first(count));
+      heard = heard_.received().ends_with('\x13');
+      if (!heard) taken += link_->write(bytes_of("x"));
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_TRUE(heard);
+  EXPECT_EQ(taken, 0U);
 }
 
 TEST_F(SocketTest, APeerThatReadsNothingFillsALittleAndNoMore) {
