@@ -1,0 +1,84 @@
+"""Eight lines feed at 115,200 baud, and the peer of a ninth sends DC1 as fast as it can: no feed waits for it, and the line that floods is named."""
+
+import socket
+import sys
+import threading
+import time
+
+from rig import ROOT, Rig, expect, in_folder, shop
+
+sys.path.insert(0, str(ROOT / "tests/support"))
+from own_control import ControlLoop, TcpControl  # noqa: E402
+
+BAUD, BITS, LINES = 115_200, 11, 8
+SECONDS = 3.0
+LONGEST_MS = 50
+
+
+class Flood:
+    """Accepts the server and sends DC1 without end."""
+
+    def __init__(self):
+        self.listener = socket.create_server(("127.0.0.1", 0))
+        self.over = False
+        self.sent = 0
+        self.thread = threading.Thread(target=self._run, daemon=True)
+        self.begins = threading.Event()
+        self.thread.start()
+
+    def url(self):
+        return f"tcp://127.0.0.1:{self.listener.getsockname()[1]}"
+
+    def _run(self):
+        peer, _ = self.listener.accept()
+        peer.settimeout(0.1)
+        self.begins.wait()
+        while not self.over:
+            try:
+                self.sent += peer.send(b"\x11" * 65536)
+            except TimeoutError:
+                continue
+        peer.close()
+
+    def stop(self):
+        self.over = True
+        self.begins.set()
+        self.thread.join()
+
+
+def feeds_go_on(folder):
+    loop = ControlLoop()
+    flood = Flood()
+    controls = [TcpControl(loop, BITS / BAUD) for _ in range(LINES)]
+    rig = Rig(folder, flood.url(), blocks=3000, baud=BAUD)
+    server = rig.start().server
+    try:
+        program = server.get("/programs?name=O0042")["items"][0]["id"]
+        for i, control in enumerate(controls):
+            profile = shop.preset("fanuc-0i-lathe", url=control.url(), baud=BAUD, framing="7E2", unsent=26, latency_chars=26, overrun_budget=52)
+            profile["name"] = f"lathe{i}"
+            server.add_machine(profile)
+            server.post("/checks", {"program": program, "machine": profile["name"], "delivery": "drip"})
+            release = server.release(program, profile["name"])
+            server.wait_line(profile["name"], "idle")
+            server.post(f"/jobs/{server.post('/jobs', {'release': release['id']})['id']}/arm", {})
+        for control in controls:
+            control.start()
+        flood.begins.set()
+        time.sleep(SECONDS)
+        worst_ms = [max(control.delays) * 1000 for control in controls]
+        counts = [control.count() for control in controls]
+        sent = flood.sent
+        named = server.status("lathe")
+        print(f"flood {sent / SECONDS / 1e6:.2f} MB/s taken; worst delay {max(worst_ms):.1f} ms; characters {min(counts)} to {max(counts)}")
+        expect(max(worst_ms) < LONGEST_MS, f"a feed waited {max(worst_ms):.1f} ms for a line that floods")
+        expect("floods the line" in named.get("link_note", ""), f"nobody names the line that floods: {named}")
+    finally:
+        flood.stop()
+        server.kill()
+        loop.close()
+
+
+if __name__ == "__main__":
+    in_folder(feeds_go_on)
+    sys.exit(0)
