@@ -100,6 +100,8 @@ class Control {
   // Bytes that are due to reach the host now; cleared by the call. A driver that comes late has let its own stop sign
   // leave late: what arrived in between came before it and does not count against the host.
   virtual std::vector<std::byte> take_out(Time_ns now) = 0;
+  // What the last take_out() gave left so much later: the driver was kept from writing it. The same holds for that.
+  virtual void left_late(Time_ns /*by*/) {}
   // When tick() or take_out() has something to do; nothing when only an input can move it.
   [[nodiscard]] virtual std::optional<Time_ns> deadline() const = 0;
   // The time between two looks at the line that this control needs; nothing while it does not listen.

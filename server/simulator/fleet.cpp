@@ -80,9 +80,13 @@ class Fleet::Station {
     control_->tick(now);
     if (cut_ || plug_in_at_ || deaf_) return;
     // By the time of the write and not that of the tick: what the simulation was kept from is not the host's fault.
-    std::vector<std::byte> out = control_->take_out(now_ns());
+    const Time_ns taken_at = now_ns();
+    std::vector<std::byte> out = control_->take_out(taken_at);
     line_.to_host(out);
-    if (!out.empty()) wire_->write(out);
+    if (!out.empty()) {
+      wire_->write(out);
+      control_->left_late(now_ns() - taken_at);
+    }
     wire_->show(control_->lines());
     const auto quiet = control_->quiet_since();
     if ((control_->finished() || control_->state() == ControlState::alarm) && !settings_.repeat) return;

@@ -19,6 +19,9 @@ class PunchingControl final : public Control {
   void receive(std::span<const std::byte> bytes, Time_ns looked_before, Time_ns now) override;
   void tick(Time_ns now) override;
   std::vector<std::byte> take_out(Time_ns now) override;
+  void left_late(Time_ns by) override {
+    if (reading_) reader_.left_late(by);
+  }
   [[nodiscard]] std::optional<Time_ns> deadline() const override;
   [[nodiscard]] std::optional<Time_ns> look_every() const override;
   [[nodiscard]] ControlReport report() const override { return reader_.report(); }

@@ -23,6 +23,7 @@ class SimulatedControl final : public Control {
   void receive(std::span<const std::byte> bytes, Time_ns looked_before, Time_ns now) override;
   void tick(Time_ns now) override;
   std::vector<std::byte> take_out(Time_ns now) override;
+  void left_late(Time_ns by) override;
   [[nodiscard]] std::optional<Time_ns> deadline() const override;
   [[nodiscard]] std::optional<Time_ns> look_every() const override;
   [[nodiscard]] ControlLines lines() const override { return lines_; }
@@ -59,6 +60,7 @@ class SimulatedControl final : public Control {
   void count_after_dc3(Time_ns at);
   void dc3_left(Time_ns late);
   void dc1_left(Time_ns late);
+  [[nodiscard]] bool is_before_own_stop(Time_ns at) const;
   void close_hold(Time_ns at);
   void send(std::uint8_t byte, Time_ns at);
   void raise(std::string_view alarm);
@@ -82,6 +84,10 @@ class SimulatedControl final : public Control {
   Time_ns first_arrival_ = -1;
   Time_ns held_ns_ = 0;
   Time_ns dc3_at_ = -1;
+  Time_ns dc3_due_at_ = -1;    // when it should have left; dc3_at_ is when it did
+  std::uint64_t excused_ = 0;  // characters of this hold that came because our DC3 left late
+  bool took_dc3_ = false;      // by the last take_out()
+  bool took_dc1_ = false;
   std::uint64_t after_dc3_ = 0;
   std::vector<Time_ns> before_dc3_left_;  // arrivals since the decision for a DC3 that take_out() has not given yet
   bool label_skip_ = true;

@@ -169,6 +169,29 @@ TEST_F(SimulatedControlTest, WhatArrivesBeforeALateDc3LeavesDoesNotCount) {
   EXPECT_EQ(report().alarm, "087 BUFFER OVERFLOW");
 }
 
+// 30 characters are free when it decides to stop. A driver that sleeps over them lets in more, and the host is not to
+// blame for that.
+TEST_F(SimulatedControlTest, WhatALateDc3LetsInDoesNotFillTheBuffer) {
+  make(settings());
+  pass(kSecond);
+  feed("%\n" + std::string(71, 'X'));
+  for (int i = 0; i < 60; ++i) {
+    now_ += kChar;
+    give("Y");
+  }
+  EXPECT_EQ(report().alarm, "");
+  ASSERT_EQ(control_->take_out(now_).size(), 1U);
+  control_->left_late(20 * kChar);  // ... and it was kept from writing it
+  for (int i = 0; i < 20; ++i) {
+    now_ += kChar;
+    give("Z");
+  }
+  EXPECT_EQ(report().alarm, "");
+  feed(std::string(11, 'Y'));
+  EXPECT_EQ(report().after_dc3_max, 11U);
+  EXPECT_EQ(report().alarm, "087 BUFFER OVERFLOW") << "from there on the host is";
+}
+
 TEST_F(SimulatedControlTest, ABurstArrivesAtLineSpeed) {
   make(settings());
   give("%\n(345678)\n");
