@@ -26,6 +26,7 @@
 #include "server/http/server.h"
 #include "server/io/io.h"
 #include "server/io/modbus_listener.h"
+#include "server/io/thread_priority.h"
 #include "server/json/documents.h"
 #include "store/hash/hash.h"
 #include "store/sqlite/open.h"
@@ -115,6 +116,7 @@ int run_server(const Options& options, const http::ListenAddress& address, store
   const io::SteadyClock clock;
   const json::JsonDocuments documents;
   const auto links = io::start_link_thread();
+  links->run([] { spdlog::info("the lines are served {}", io::how_scheduled()); });
   app::Ballast ballast(fs::path(options.data) / "ballast");
   app::Application application({.store = store,
                                 .links = *links,

@@ -11,10 +11,10 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <sched.h>
 
 #include "server/io/steady_clock.h"
 #include "server/io/stream_link.h"
+#include "server/io/thread_priority.h"
 
 namespace dripfeed::io {
 
@@ -25,14 +25,6 @@ namespace asio = boost::asio;
 // Handlers between two looks at the tickers, at most, and how long they may take together.
 constexpr std::size_t kMostAtOnce = 256;
 constexpr feed::Time kLongestAtOnce = std::chrono::milliseconds(1);
-
-// A character that leaves late costs line time, one that leaves behind a DC3 that nobody read costs an alarm: this
-// thread goes before what else the machine computes, where the system lets us (root, or CAP_SYS_NICE, or a limit on
-// RTPRIO). Where it does not, the links work all the same, as well as the machine has time.
-void go_before_others() {
-  const sched_param lowest{.sched_priority = ::sched_get_priority_min(SCHED_RR)};
-  static_cast<void>(::sched_setscheduler(0, SCHED_RR | SCHED_RESET_ON_FORK, &lowest));  // 0: this thread
-}
 
 class AsioLinkThread final : public app::LinkThread {
  public:
@@ -67,7 +59,9 @@ class AsioLinkThread final : public app::LinkThread {
   // Everything that is ready first (what came in may stop what would go out), then one look at all tickers: so a look
   // costs the same whether one line spoke or hundreds did.
   void loop() {
+    // A character that leaves late costs line time.
     go_before_others();
+    stay_in_memory();
     while (!stopping_ && context_.run_one() > 0) {
       const feed::Time until = clock_.now() + kLongestAtOnce;
       for (std::size_t i = 0; i < kMostAtOnce && !stopping_ && context_.poll_one() > 0 && clock_.now() < until; ++i)

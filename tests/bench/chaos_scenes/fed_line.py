@@ -186,6 +186,7 @@ class FedLine(threading.Thread):
             self.judge_of_all.violation(3, self.name, self.scene, f"{self.control.count()} bytes arrived, and the job waits as if none had")
         if job and state["state"] in ("done", "queued") and torn:
             self.judge_of_all.violation(3, self.name, self.scene, f"a block is torn at the control, and the job is {state['state']}")
+        self.job = None
         self.wait("the link", self.control.up, 20)
         status = self.status()
         if torn and status["line"] != "torn":
@@ -202,7 +203,6 @@ class FedLine(threading.Thread):
         self.control.begin()
         self.drop_answer()
         self.permit.set("silent", "the control was reset, and nothing is armed")
-        self.job = None
 
     # --- the thread
     def run(self):
@@ -294,7 +294,8 @@ class FedLine(threading.Thread):
             self.control.begin()
 
     def after_death(self):
-        how, self.scene = self.died, f"{self.died} in {self.scene.split(' in ')[-1]}"
+        how = self.died
+        self.scene = f"{how} during {self.scene.split(' during ')[-1]}"
         outcome = "inside a block" if self.control.inside_block() else "at rest"
         try:
             self.after_break(self.job, how)

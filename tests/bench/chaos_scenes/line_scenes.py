@@ -61,6 +61,8 @@ def flood(line, seconds):
         line.look()
         if line.control.send(b"\x11" * 8192) == 0:
             time.sleep(0.005)
+    if line.control.timed:  # what the sockets still hold of it would be a start for the next job
+        line.control.cut()
 
 
 def stop_and_resume(line):
