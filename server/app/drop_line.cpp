@@ -10,7 +10,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
-#include <mutex>
 #include <optional>
 #include <system_error>
 #include <thread>
@@ -23,6 +22,7 @@
 
 #include "protocol/tape_code/wire_encoder.h"
 #include "server/app/drop_file.h"
+#include "server/app/ports/line_mutex.h"
 
 namespace dripfeed::app {
 
@@ -144,7 +144,7 @@ class Folder {
   }
 
  private:
-  void turn(std::unique_lock<std::mutex>& lock) {
+  void turn(std::unique_lock<LineMutex>& lock) {
     const std::uint64_t before = wakes_;
     if (drop_ ? write_some(lock) : look(lock)) return;
     const auto wait = drop_ ? std::chrono::nanoseconds(kRetry) : std::chrono::nanoseconds(kLook);
@@ -153,9 +153,9 @@ class Folder {
 
   // Runs `work`, which touches the folder, without the lock.
   template <class Work>
-  std::invoke_result_t<Work> outside(std::unique_lock<std::mutex>& lock, const Work& work) {
+  std::invoke_result_t<Work> outside(std::unique_lock<LineMutex>& lock, const Work& work) {
     struct Busy {
-      Busy(Folder& folder, std::unique_lock<std::mutex>& held) : folder_(folder), held_(held) {
+      Busy(Folder& folder, std::unique_lock<LineMutex>& held) : folder_(folder), held_(held) {
         folder_.busy_since_ = SteadyClock::now();
         held_.unlock();
       }
@@ -166,21 +166,21 @@ class Folder {
         folder_.busy_since_.reset();
       }
       Folder& folder_;
-      std::unique_lock<std::mutex>& held_;
+      std::unique_lock<LineMutex>& held_;
     };
     const Busy busy(*this, lock);
     return work();
   }
 
   // Whether there is more to do at once.
-  bool look(std::unique_lock<std::mutex>& lock) {
+  bool look(std::unique_lock<LineMutex>& lock) {
     std::string seen = outside(lock, [this] { return look_at_folder(path_); });
     error_ = std::move(seen);
     if (!drop_) publish(error_.empty() ? LineState::idle : LineState::disconnected, "");
     return drop_.has_value();
   }
 
-  bool write_some(std::unique_lock<std::mutex>& lock) {
+  bool write_some(std::unique_lock<LineMutex>& lock) {
     if (given_up_) return end(lock, JobEnd::cancelled, "cancelled");
     if (!file_) return create(lock);
     if (drop_->written == drop_->total) return name_it(lock);
@@ -205,7 +205,7 @@ class Folder {
   }
 
   // A job that finds no place for its file goes back: nothing of it is in the folder.
-  bool create(std::unique_lock<std::mutex>& lock) {
+  bool create(std::unique_lock<LineMutex>& lock) {
     const std::string name = fmt::format("{}-{:x}-{}", drop_->order.job, drop_->order.session, ::getpid());
     file_.emplace(path_, name);
     const auto created = outside(lock, [this] { return file_->create(); });
@@ -215,7 +215,7 @@ class Folder {
     return end(lock, JobEnd::disarmed, "the folder does not take a file");
   }
 
-  bool store(std::unique_lock<std::mutex>& lock, std::span<const std::byte> bytes) {
+  bool store(std::unique_lock<LineMutex>& lock, std::span<const std::byte> bytes) {
     const auto stored = outside(lock, [&] { return file_->write(bytes); });
     if (!drop_) return false;
     if (!stored) {
@@ -230,7 +230,7 @@ class Folder {
   }
 
   // From here on the control may have the whole file, until the folder says otherwise.
-  bool name_it(std::unique_lock<std::mutex>& lock) {
+  bool name_it(std::unique_lock<LineMutex>& lock) {
     report_.known = {
         .from = 0, .to = drop_->total, .from_line = 0, .to_line = 0, .to_text = drop_->order.facts.text_bytes()};
     publish(LineState::draining, "");
@@ -245,7 +245,7 @@ class Folder {
     return end(lock, given_up_ ? JobEnd::cancelled : JobEnd::failed, named.error());
   }
 
-  bool end(std::unique_lock<std::mutex>& lock, JobEnd how, std::string_view cause) {
+  bool end(std::unique_lock<LineMutex>& lock, JobEnd how, std::string_view cause) {
     outside(lock, [this] { file_.reset(); });
     if (!drop_) return false;  // closed meanwhile
     drop_.reset();
@@ -287,8 +287,8 @@ class Folder {
   bool closed_ = false;
   bool over_ = false;  // the thread
   LineReport report_;
-  mutable std::mutex mutex_;
-  std::condition_variable woken_;
+  mutable LineMutex mutex_{"a folder"};
+  std::condition_variable_any woken_;
 };
 
 class DropLine final : public Line {

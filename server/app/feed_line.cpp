@@ -12,6 +12,7 @@
 #include "protocol/feed/state_groups.h"
 #include "server/app/kept_link.h"
 #include "server/app/line_input.h"
+#include "server/app/ports/line_mutex.h"
 
 namespace dripfeed::app {
 
@@ -423,7 +424,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   std::uint64_t unarmed_starts_ = 0;
   feed::Time published_at_{};
   bool untold_ = false;  // counters changed since, and nothing else
-  mutable std::mutex report_mutex_;
+  mutable LineMutex report_mutex_{"a line's report"};
   LineReport report_;
 };
 

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <map>
-#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "server/app/events.h"
 #include "server/app/ledger_writer.h"
 #include "server/app/ports/clock.h"
+#include "server/app/ports/line_mutex.h"
 #include "server/app/round_thread.h"
 #include "server/app/text_reader.h"
 #include "store/store.h"
@@ -56,7 +56,7 @@ class JobFollower {
   std::map<std::string, Followed> followed_;
   std::string complaint_;  // as published last
 
-  std::mutex mutex_;  // of what the ledger leaves
+  LineMutex mutex_{"what the ledger leaves for the follower"};  // of what the ledger leaves
   std::map<std::string, Booked> waiting_;
   std::string waiting_complaint_;
   RoundThread thread_;  // last: it uses all of the above

@@ -8,7 +8,6 @@
 
 #include <functional>
 #include <map>
-#include <mutex>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +16,7 @@
 #include "server/app/ballast.h"
 #include "server/app/lines.h"
 #include "server/app/ports/clock.h"
+#include "server/app/ports/line_mutex.h"
 #include "server/app/round_thread.h"
 #include "store/store.h"
 
@@ -104,9 +104,9 @@ class LedgerWriter {
   std::map<std::string, Tracked> tracked_;
   std::string complaint_;  // why the last commit failed; empty: it did not
 
-  std::mutex mutex_;                            // of what others leave for the next round
-  std::map<std::uint64_t, Expected> expected_;  // by session
-  std::map<store::Id, std::string> notes_;      // for the jobs' next rows
+  LineMutex mutex_{"what is left for the ledger"};  // of what others leave for the next round
+  std::map<std::uint64_t, Expected> expected_;      // by session
+  std::map<store::Id, std::string> notes_;          // for the jobs' next rows
   std::map<std::string, std::string> confirmations_;
   RoundThread thread_;  // last: it uses all of the above
 };

@@ -4,13 +4,13 @@
 
 #include <cstddef>
 #include <deque>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "protocol/receive/receiver.h"
 #include "server/app/line.h"
+#include "server/app/ports/line_mutex.h"
 
 namespace dripfeed::app {
 
@@ -48,7 +48,7 @@ class LineInput {
   std::uint64_t count_ = 0;
   std::uint64_t lost_ = 0;
   std::optional<receive::EndedBy> ended_by_;
-  std::mutex mutex_;
+  LineMutex mutex_{"a line's receptions"};
   std::vector<Reception> finished_;
 };
 

@@ -13,6 +13,7 @@
 #include "server/app/error.h"
 #include "server/app/line.h"
 #include "server/app/line_history.h"
+#include "server/app/ports/line_mutex.h"
 #include "server/app/ports/ports.h"
 #include "server/machine/profile.h"
 
@@ -60,7 +61,8 @@ class Lines {
   BusSeatMaker take_seat_;
   LineChanged changed_;
   LineHistory history_;
-  mutable std::mutex mutex_;  // of the three maps; held for a look or a change of a map, never while a line is made
+  mutable LineMutex mutex_{
+      "the list of lines"};  // of the three maps; held for a look or a change of a map, never while a line is made
   std::map<std::string, Entry> lines_;
   std::map<std::string, std::string> refusals_;  // why a machine has no line
   std::map<std::string, std::unique_ptr<std::mutex>> holds_;

@@ -11,6 +11,7 @@
 
 #include "protocol/modbus/modbus.h"
 #include "server/app/machine_watch.h"
+#include "server/app/ports/line_mutex.h"
 
 namespace dripfeed::app {
 
@@ -226,7 +227,7 @@ class MailboxLine final : public Line, private BusUser {
 
   // The bus works without the lock. A command given meanwhile composes another message in the sender's registers, so
   // those that are written are a copy.
-  void serve(const modbus::Request& request, RegisterBus& bus, std::unique_lock<std::mutex>& lock) {
+  void serve(const modbus::Request& request, RegisterBus& bus, std::unique_lock<LineMutex>& lock) {
     std::array<std::uint16_t, modbus::kStatusAndMachine> image{};
     modbus::Mailbox mailbox{};
     std::ranges::copy(request.registers, mailbox.begin());
@@ -249,7 +250,7 @@ class MailboxLine final : public Line, private BusUser {
   }
 
   // No job makes requests: the machine is looked at all the same.
-  void look(RegisterBus& bus, std::unique_lock<std::mutex>& lock) {
+  void look(RegisterBus& bus, std::unique_lock<LineMutex>& lock) {
     std::array<std::uint16_t, modbus::kStatusAndMachine> image{};
     const auto into = std::span(image).first(watch_.registers());
     lock.unlock();
@@ -277,7 +278,7 @@ class MailboxLine final : public Line, private BusUser {
   }
 
   // The answer's registers have nothing to do with the mailbox: a block that is outstanding stays so.
-  void serve_bell(RegisterBus& bus, std::unique_lock<std::mutex>& lock) {
+  void serve_bell(RegisterBus& bus, std::unique_lock<LineMutex>& lock) {
     const bool reads = watch_.bell().want() == modbus::Doorbell::Want::read_answer;
     modbus::AnswerImage image = watch_.bell().image();
     lock.unlock();
@@ -373,7 +374,7 @@ class MailboxLine final : public Line, private BusUser {
   bool expired_ = false;
   bool reset_confirmed_ = false;  // for the next session
   std::string link_error_;
-  mutable std::mutex mutex_;
+  mutable LineMutex mutex_{"a mailbox"};
   LineReport report_;
   std::unique_ptr<BusSeat> seat_;  // last: its turns use all of the above
 };

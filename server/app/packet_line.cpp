@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <mutex>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "protocol/packet/packet.h"
 #include "server/app/kept_link.h"
+#include "server/app/ports/line_mutex.h"
 #include "server/machine/line_protocol.h"
 #include "server/machine/receive_settings.h"
 
@@ -281,7 +281,7 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
   std::uint64_t reserve_ = 0;
   std::uint64_t unarmed_starts_ = 0;
   std::uint64_t received_ = 0;
-  mutable std::mutex report_mutex_;
+  mutable LineMutex report_mutex_{"a line's report"};
   LineReport report_;
   std::vector<Reception> receptions_;  // guarded by report_mutex_
 };

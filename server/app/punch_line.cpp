@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <mutex>
 #include <utility>
 
 #include "protocol/packet/packet.h"
 #include "protocol/receive/transfer.h"
 #include "protocol/tape_code/parity.h"
 #include "server/app/kept_link.h"
+#include "server/app/ports/line_mutex.h"
 #include "server/machine/line_protocol.h"
 #include "server/machine/receive_settings.h"
 
@@ -212,7 +212,7 @@ class PunchLine final : public Line, private LinkListener, private Ticker, priva
   feed::Time begun_at_{};
   std::optional<feed::Time> conclude_at_;
   std::optional<feed::Time> anew_at_;
-  mutable std::mutex report_mutex_;
+  mutable LineMutex report_mutex_{"a line's report"};
   LineReport report_;
   std::vector<Reception> receptions_;
 };

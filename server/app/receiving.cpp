@@ -45,31 +45,9 @@ Receiving::Receiving(const Parts& parts)
       events_(parts.events),
       clock_(parts.clock),
       documents_(parts.documents),
-      thread_([this](const std::stop_token& stop) { loop(stop); }) {}
+      thread_("df-receiving", kRound, Urgency::usual, [this] { round(); }) {}
 
 Receiving::~Receiving() { stop(); }
-
-void Receiving::stop() {
-  thread_.request_stop();
-  if (thread_.joinable()) thread_.join();
-}
-
-void Receiving::wake() {
-  const std::lock_guard lock(wake_mutex_);
-  due_ = true;
-  woken_.notify_one();
-}
-
-void Receiving::loop(const std::stop_token& stop) {
-  while (!stop.stop_requested()) {
-    {
-      std::unique_lock lock(wake_mutex_);
-      woken_.wait_for(lock, stop, kRound, [this] { return due_; });
-      due_ = false;
-    }
-    round();
-  }
-}
 
 void Receiving::round() {
   const std::lock_guard lock(round_mutex_);

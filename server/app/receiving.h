@@ -4,18 +4,17 @@
 // control's memory, when the control asks for it.
 #pragma once
 
-#include <condition_variable>
 #include <map>
 #include <mutex>
 #include <string>
 #include <string_view>
-#include <thread>
 
 #include "protocol/modbus/doorbell.h"
 #include "protocol/receive/request.h"
 #include "protocol/receive/transfer.h"
 #include "server/app/jobs.h"
 #include "server/app/programs.h"
+#include "server/app/round_thread.h"
 
 namespace dripfeed::app {
 
@@ -52,11 +51,11 @@ class Receiving {
   Receiving& operator=(const Receiving&) = delete;
 
   // Some line changed. From any thread, cheap.
-  void wake();
+  void wake() { thread_.wake(); }
   // One round now, on the caller's thread. For tests.
   void round();
-  // Nothing is taken any more; for the end of a server.
-  void stop();
+  // One last round, then nothing is taken any more; for the end of a server.
+  void stop() { thread_.stop(); }
 
   // Of one in quarantine the text as far as it can be read, see readable(). Errors: not_found, refused (decided before,
   // nothing to read), invalid (quarantine without a reason), stale.
@@ -99,7 +98,6 @@ class Receiving {
     modbus::BellReason reason = modbus::BellReason::none;  // for a doorbell, where it is refused
   };
 
-  void loop(const std::stop_token& stop);
   Result<machine::Profile> profile_of(const std::string& machine);
   void take(const std::string& machine, const machine::Profile& profile, const Reception& reception);
   void quarantine(const std::string& machine, const Reception& reception, const receive::Transfer& transfer);
@@ -140,10 +138,7 @@ class Receiving {
   const Documents& documents_;
   std::mutex round_mutex_;
   std::map<std::string, Waiting> waiting_;
-  std::mutex wake_mutex_;
-  std::condition_variable_any woken_;
-  bool due_ = false;
-  std::jthread thread_;  // last: it uses all of the above
+  RoundThread thread_;  // last: it uses all of the above
 };
 
 }  // namespace dripfeed::app

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include <pthread.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 
 #include "server/app/fence.h"
@@ -47,9 +47,12 @@ void RoundThread::stop() {
 }
 
 void RoundThread::loop(const std::stop_token& stop) {
-  ::pthread_setname_np(::pthread_self(), name_.c_str());
+  ::prctl(PR_SET_NAME, name_.c_str());
   // Linux keeps a nice value per thread; 0 names the calling one.
-  if (urgency_ == Urgency::before_others) static_cast<void>(::setpriority(PRIO_PROCESS, 0, kBeforeOthers));
+  if (urgency_ == Urgency::before_others) {
+    static_cast<void>(::setpriority(PRIO_PROCESS, 0, kBeforeOthers));
+    LineWaits::serve_lines_here();
+  }
   for (bool last = false; !last;) {
     std::uint64_t covers = 0;
     {

@@ -6,9 +6,10 @@
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
-#include <mutex>
 #include <string>
 #include <thread>
+
+#include "server/app/ports/line_mutex.h"
 
 namespace dripfeed::app {
 
@@ -39,9 +40,9 @@ class RoundThread {
   std::chrono::milliseconds period_;
   Urgency urgency_;
   std::function<void()> round_;
-  std::mutex mutex_;
+  LineMutex mutex_{"a round thread"};
   std::condition_variable_any woken_;
-  std::condition_variable settled_;
+  std::condition_variable_any settled_;
   bool due_ = false;
   bool over_ = false;
   std::uint64_t wanted_ = 0;  // calls of settle()

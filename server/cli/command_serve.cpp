@@ -25,6 +25,7 @@
 #include "server/http/api.h"
 #include "server/http/server.h"
 #include "server/io/io.h"
+#include "server/io/line_claim.h"
 #include "server/io/modbus_listener.h"
 #include "server/io/thread_priority.h"
 #include "server/json/documents.h"
@@ -123,7 +124,8 @@ int run_server(const Options& options, const http::ListenAddress& address, store
                                 .take_seat = io::take_modbus_seat,
                                 .clock = clock,
                                 .documents = documents,
-                                .ballast = &ballast});
+                                .ballast = &ballast,
+                                .claim = io::claim_line});
   const auto token = ensure_first_token(store, options.data, clock);
   const auto started = token ? application.start() : token;
   if (!started) {
@@ -183,7 +185,8 @@ int serve(const Options& options) {
     print_error(fmt::format("{}: {}", options.data, error.message()));
     return kWrongUse;
   }
-  auto store = sqlite::open((fs::path(options.data) / "dripfeed.db").string(), {.own = true});
+  auto store =
+      sqlite::open((fs::path(options.data) / "dripfeed.db").string(), {.own = true, .checkpoints_aside = true});
   if (!store) {
     print_error(store::message_of(store.error()));
     return kWrongUse;

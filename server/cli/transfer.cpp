@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "protocol/receive/transfer.h"
-#include "server/app/keeper.h"
+#include "server/app/ledger_writer.h"
 #include "server/app/lines.h"
 #include "server/app/read_back.h"
 #include "server/cli/claimed_line.h"

@@ -145,7 +145,8 @@ TEST(Feed, ARefusedArmingLeavesTheRunningJobAlone) {
   EXPECT_EQ(run(feed, now), facts.text_bytes());
 }
 
-// Whoever fed the line before broke off inside a block: nothing that a control may say, and no time, makes a byte go out.
+// Whoever fed the line before broke off inside a block: nothing that a control may say, and no time, makes a byte go
+// out.
 TEST(Feed, ALineThatWasLeftTornSendsNothingBeforeAPersonConfirms) {
   Feed feed = Feed::make(Settings{}, LeftAs::torn).value();
   const ProgramFacts facts = facts_of(3);
@@ -155,7 +156,8 @@ TEST(Feed, ALineThatWasLeftTornSendsNothingBeforeAPersonConfirms) {
   feed.line(LineChange::link_up, now);
   EXPECT_EQ(feed.arm({.facts = facts, .source = &source, .reserve = kNoReserve}, now).error(),
             Refusal::not_in_this_state);
-  for (const char byte : std::string_view("\x11\x13\x16\x15\x12G")) send(feed, static_cast<unsigned char>(byte), now += 1h);
+  for (const char byte : std::string_view("\x11\x13\x16\x15\x12G"))
+    send(feed, static_cast<unsigned char>(byte), now += 1h);
   EXPECT_EQ(feed.state(), State::torn);
   EXPECT_TRUE(feed.pending_out().empty());
   ASSERT_TRUE(feed.command(Command::confirm_reset, now));
