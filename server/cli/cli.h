@@ -36,6 +36,7 @@ void add_send(CLI::App& app, int& exit_code);
 void add_receive(CLI::App& app, int& exit_code);
 void add_simulate(CLI::App& app, int& exit_code);
 void add_link(CLI::App& app, int& exit_code);
+void add_ledger(CLI::App& app, int& exit_code);
 void add_token(CLI::App& app, int& exit_code);
 
 }  // namespace dripfeed::cli

@@ -118,6 +118,18 @@ std::string send_document(const app::LineReport& report, const WireHashes& hashe
                {"line", line_document(line)}});
 }
 
+std::string verify_document(const sqlite::Verification& found) {
+  Document faults = Document::array();
+  for (const sqlite::VerifyFault& fault : found.faults)
+    faults.push_back({{"subject", fault.subject}, {"what", fault.what}});
+  return dump({{"whole", found.faults.empty()},
+               {"audit", {{"rows", found.audit_rows}, {"head", found.audit_head}}},
+               {"ledger", {{"jobs", found.jobs}, {"rows", found.ledger_rows}}},
+               {"contents", {{"count", found.contents}, {"bytes", found.content_bytes}}},
+               {"torn_machines", found.torn_machines},
+               {"faults", std::move(faults)}});
+}
+
 std::string receive_document(const app::Reception& reception, const receive::Transfer& transfer, std::string_view name,
                              std::string_view output) {
   const bool whole = transfer.fault == receive::Fault::none;

@@ -13,6 +13,7 @@
 #include "server/app/link_test.h"
 #include "server/io/line_record.h"
 #include "server/simulator/fleet.h"
+#include "store/sqlite/verify.h"
 
 namespace dripfeed::cli {
 
@@ -32,6 +33,7 @@ std::string torn_document(const io::LineRecord& line);
 // `output`: the file that it went to.
 std::string receive_document(const app::Reception& reception, const receive::Transfer& transfer, std::string_view name,
                              std::string_view output);
+std::string verify_document(const sqlite::Verification& found);
 std::string simulate_document(const simulator::ControlReport& report, const WireHashes& hashes);
 // Of a fleet: {"controls":[…],"total":{…}}, each control with its link.
 struct FleetMember {

@@ -20,6 +20,7 @@ store::Result<void> run(Connection& connection, std::string_view sql) {
 
 store::Result<std::unique_ptr<Database>> Database::open(const std::string& path, const OpenSettings& settings) {
   std::unique_ptr<Database> database(new Database(path, settings));
+  if (settings.read_only) return database;
   auto writer = Connection::open(path, settings, Access::write);
   if (!writer) return std::unexpected(writer.error());
   database->writer_ = std::move(*writer);
@@ -35,6 +36,8 @@ store::Result<std::unique_ptr<Connection>> Database::connect_to_read() const {
 }
 
 store::Result<void> Database::Writing::begin() {
+  if (database_.settings_.read_only)
+    return std::unexpected(store::Error{store::ErrorCode::append_only, "the store is open to be read only"});
   if (!database_.writing_here()) {
     database_.lane_.enter(turn_);
     holds_lane_ = true;

@@ -5,7 +5,7 @@ import random
 import sys
 import time
 
-from rig import Rig, expect, in_folder
+from rig import Rig, expect, in_folder, verify
 
 TIMES = 20
 SEED = 20
@@ -23,6 +23,7 @@ def killed_in_a_feed(folder):
         server.kill()
         time.sleep(0.1)
         got = control.stop()
+        verify(server.data)  # what the dead one left
         server.start()
         after = server.job(job)
         expect(after["state"] == "interrupted", f"turn {turn}: the job is {after['state']}")
@@ -31,7 +32,10 @@ def killed_in_a_feed(folder):
         print(f"turn {turn}: {interval['low']} <= {got['bytes']} <= {interval['high']}", flush=True)
         if after["needs_confirmation"]:
             server.post("/machines/lathe/confirm-reset", {"reason": "reset after the crash"})
+    seen = verify(server.data)  # while it runs
+    expect(seen["ledger"]["jobs"] == TIMES and seen["ledger"]["rows"] > TIMES and seen["audit"]["rows"] > TIMES, f"{seen}")
     server.stop()
+    verify(server.data)
 
 
 if __name__ == "__main__":

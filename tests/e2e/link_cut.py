@@ -3,7 +3,7 @@ the control was reset, and the server lives on."""
 
 import sys
 
-from rig import Rig, expect, in_folder, shop
+from rig import Rig, expect, in_folder, shop, verify
 
 
 def cut(folder, url):
@@ -24,6 +24,7 @@ def cut(folder, url):
     # A new control on the same line: nothing may come, and nothing can be armed.
     control = rig.control("--speed", "1000")
     waiting = server.wait_line("lathe", "torn")
+    expect(verify(server.data)["torn_machines"] == 1, "the torn machine is not counted")
     expect(waiting["needs_confirmation"] is not None, "nobody is asked to confirm")
     other = server.post("/jobs", {"release": rig.release["id"]})["id"]
     try:
@@ -39,6 +40,7 @@ def cut(folder, url):
     server.post(f"/jobs/{other}/arm", {})
     expect(server.wait_job(other, "done", "failed")["state"] == "done", "the line does not work after the confirmation")
     expect(control.finish(60)["alarm"] is None, "the control raised an alarm")
+    verify(server.data)
     server.stop()
 
 

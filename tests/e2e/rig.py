@@ -25,6 +25,14 @@ def sends(program, url, *arguments, ledger=None, **streams):
     return subprocess.Popen(list(map(str, command)), **{"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, **streams})
 
 
+def verify(data, whole=True):
+    """What dripfeed ledger verify says of a server's folder, running or not. Fails where that is not whole."""
+    done = subprocess.run([str(binary()), "ledger", "verify", str(data), "--json"], capture_output=True, text=True, timeout=120)
+    document = json.loads(done.stdout) if done.stdout else None
+    expect(done.returncode == (0 if whole else 1), f"ledger verify ended with {done.returncode}: {done.stderr} {document}")
+    return document
+
+
 def expect(condition, sentence):
     if not condition:
         raise AssertionError(sentence)

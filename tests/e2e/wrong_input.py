@@ -35,6 +35,9 @@ def at_the_command(folder):
     expect_command(2, ["--unreleased"], "send", "-", "--link", "pty:/nowhere", stdin="%\nM30\n%\n")
     expect_command(2, ["port"], "send", "-", "--unreleased", "--link", "tcp://host:99999", stdin="%\nM30\n%\n")
     expect_command(1, [":"], "send", "-", "--unreleased", "--link", "pty:/nowhere", stdin="%\nO1\nG00 X1.\n%\n")
+    expect_command(2, ["nowhere"], "ledger", "verify", "/nowhere")
+    (folder / "dripfeed.db").write_bytes(b"no database at all, but long enough to be taken for one" * 100)
+    expect_command(2, ["dripfeed.db"], "ledger", "verify", folder)
     expect_command(2, ["frequency"], "simulate", "--link", "pty:/tmp/x?frequency=3", "--machine", "fanuc-0i-lathe")
     subprogram = "%\nO0010\nG98\nG01 X20. Z-5. F100.\nM99\n%\n"
     to_sinumerik = ("convert", "-", "--from", "fanuc", "--to", "sinumerik-840d", "--control", "kind=lathe")

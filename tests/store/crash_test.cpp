@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "store/sqlite/verify.h"
 #include "tests/store/fixture.h"
 
 namespace dripfeed::store_test {
@@ -74,6 +75,7 @@ TEST_F(CrashTest, KilledWhileItCommitsTheLedger) {
 
     reopen({.own = true});  // the dead one's lock is gone with it
     must(store_->check());
+    EXPECT_TRUE(must(sqlite::verify(path())).faults.empty());
     for (const Id job : jobs) {
       const LedgerInterval known = must(store_->ledger().interval(job));
       EXPECT_GE(known.last.handed, last.handed) << "acknowledged, but lost";
