@@ -21,6 +21,7 @@
 #include <fmt/format.h>
 #include <modbus.h>
 
+#include "server/io/serial_port.h"
 #include "server/machine/bus_settings.h"
 
 namespace dripfeed::io {
@@ -90,6 +91,9 @@ class Connection {
     if (error != 0) {
       context.reset();
       errno = error;
+    } else if (is_rtu && !take_port(modbus_get_socket(context.get()), url_.path)) {
+      context.reset();
+      errno = EBUSY;
     } else if (is_rtu) {
       modbus_flush(context.get());  // what was on the way to who had the line before
     }

@@ -53,7 +53,7 @@ class SerialLink final : public app::Link {
   }
   ~SerialLink() override {
     look_->timer.cancel();
-    drop_unsent(core_->stream().native_handle());
+    leave_port(core_->stream().native_handle());
     core_->detach();
   }
 

@@ -13,6 +13,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "server/io/pty_owner.h"
 #include "server/io/serial_speed.h"
 
 namespace dripfeed::io {
@@ -61,23 +62,25 @@ void raise_modem_lines(int descriptor) {
 
 }  // namespace
 
+std::expected<void, std::string> take_port(int descriptor, const std::string& path) {
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0)
+    return std::unexpected(std::string("another program owns this line"));
+  if (auto made = check_pty_owner(path, descriptor); !made) return made;
+  if (::ioctl(descriptor, TIOCEXCL) != 0) return std::unexpected(std::string("it is not a terminal device"));
+  return {};
+}
+
 std::expected<int, std::string> open_serial_port(const machine::LineSettings& line) {
   const std::string& path = line.link.path;
   const int descriptor = ::open(path.c_str(), O_RDWR | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (descriptor < 0) return std::unexpected(fmt::format("cannot open {}: {}", path, system_text()));
-  std::expected<void, std::string> ready;
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-    ready = std::unexpected(std::string("another program owns this line"));
-  } else {
-    ready = set_line(descriptor, line);
-    if (ready) ready = set_speed(descriptor, line.baud);
-  }
+  std::expected<void, std::string> ready = take_port(descriptor, path);
+  if (ready) ready = set_line(descriptor, line);
+  if (ready) ready = set_speed(descriptor, line.baud);
   if (!ready) {
     ::close(descriptor);
     return std::unexpected(fmt::format("{}: {}", path, ready.error()));
   }
-  // Keeps programs out that know nothing of flock; root passes it, so the lock above decides between two of us.
-  ::ioctl(descriptor, TIOCEXCL);
   raise_modem_lines(descriptor);
   return descriptor;
 }
@@ -109,6 +112,9 @@ std::optional<app::LineErrors> read_line_errors(int descriptor) {
                          .breaks = count(counted.brk)};
 }
 
-void drop_unsent(int descriptor) { ::tcflush(descriptor, TCOFLUSH); }
+void leave_port(int descriptor) {
+  ::tcflush(descriptor, TCOFLUSH);
+  ::ioctl(descriptor, TIOCNXCL);
+}
 
 }  // namespace dripfeed::io

@@ -17,6 +17,10 @@ namespace dripfeed::io {
 // RTS/CTS, and XON/XOFF where the profile gives it to the kernel, are honored below us.
 std::expected<int, std::string> open_serial_port(const machine::LineSettings& line);
 
+// Locks an open port against other programs: TIOCEXCL keeps those out that know no lock, and root passes that, so a
+// flock() decides between two of ours. A link to a pseudo-terminal must have a maker that lives.
+std::expected<void, std::string> take_port(int descriptor, const std::string& path);
+
 struct ModemLines {
   bool cts = true;
   bool dsr = true;
@@ -33,7 +37,8 @@ bool set_rts(int descriptor, bool on);
 // Characters that the driver holds unsent; nothing where it does not tell. A pty always says 0.
 std::optional<std::uint64_t> read_unsent(int descriptor);
 
-// Before a close: what the driver holds must not follow later, and a line that is held must not hold the close.
-void drop_unsent(int descriptor);
+// Before a close: what the driver holds must not follow later, a line that is held must not hold the close, and the far
+// end of a pseudo-terminal, which lives on, is free for the next one.
+void leave_port(int descriptor);
 
 }  // namespace dripfeed::io

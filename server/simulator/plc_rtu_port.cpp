@@ -15,6 +15,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "server/io/pty_owner.h"
 #include "server/machine/bus_settings.h"
 #include "server/simulator/plc_port.h"
 #include "server/simulator/wire.h"
@@ -166,7 +167,7 @@ OpenedPort open_rtu_port(const machine::LinkUrl& url) {
   const auto bus = machine::bus_settings_of(url);
   if (!bus) return std::unexpected(bus.error());
   struct stat status{};
-  const bool is_there = ::stat(url.path.c_str(), &status) == 0;
+  const bool is_there = ::stat(url.path.c_str(), &status) == 0 && !io::is_abandoned(url.path);
   machine::LinkUrl own = url;
   own.kind = machine::LinkKind::pty;
   auto wire = is_there ? open_device(url, *bus) : Wire::open(own);

@@ -16,6 +16,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "server/io/pty_owner.h"
 #include "server/simulator/telnet_wire.h"
 
 namespace dripfeed::simulator {
@@ -31,7 +32,8 @@ std::size_t read_some(int descriptor, std::span<std::byte> into) {
 
 class PtyWire final : public Wire {
  public:
-  PtyWire(int master, std::string path) : master_(master), path_(std::move(path)) {}
+  PtyWire(int master, std::string path, io::PtyOwner owner)
+      : master_(master), path_(std::move(path)), owner_(std::move(owner)) {}
   ~PtyWire() override { cut(); }
   [[nodiscard]] int descriptor() const override { return master_; }
   std::size_t read(std::span<std::byte> into) override { return read_some(master_, into); }
@@ -41,8 +43,8 @@ class PtyWire final : public Wire {
   }
   void cut() override {
     if (master_ < 0) return;
+    owner_.let_go();  // before the number is free for somebody else
     ::close(master_);
-    ::unlink(path_.c_str());
     master_ = -1;
   }
   [[nodiscard]] std::string address() const override { return "pty:" + path_; }
@@ -50,6 +52,7 @@ class PtyWire final : public Wire {
  private:
   int master_;
   std::string path_;
+  io::PtyOwner owner_;
 };
 
 class TcpWire final : public Wire {
@@ -122,16 +125,12 @@ Opened open_pty(const machine::LinkUrl& url) {
   ::tcgetattr(master, &settings);
   ::cfmakeraw(&settings);
   ::tcsetattr(master, TCSANOW, &settings);
-  // Only a stale link of our own kind is replaced; a file of somebody else's is not.
-  std::array<char, 128> target{};
-  const ssize_t linked = ::readlink(url.path.c_str(), target.data(), target.size() - 1);
-  if (linked > 0 && std::string_view(target.data()).starts_with("/dev/pts/")) ::unlink(url.path.c_str());
-  if (::symlink(name.data(), url.path.c_str()) != 0) {
-    const std::string reason = system_text();
+  auto owner = io::PtyOwner::link(url.path, name.data());
+  if (!owner) {
     ::close(master);
-    return std::unexpected(fmt::format("{}: cannot link the pseudo-terminal there: {}", url.text, reason));
+    return std::unexpected(fmt::format("{}: {}", url.text, owner.error()));
   }
-  return std::make_unique<PtyWire>(master, url.path);
+  return std::make_unique<PtyWire>(master, url.path, std::move(*owner));
 }
 
 Opened open_tcp(const machine::LinkUrl& url) {

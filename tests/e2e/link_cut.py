@@ -1,9 +1,14 @@
 """The link is cut in the middle of a block: the job fails, the interval is named, nothing more goes out on that line until a person confirms that
 the control was reset, and the server lives on."""
 
+import os
+import pty
+import select
 import sys
+import time
 
-from rig import Rig, expect, in_folder, shop, verify
+from rig import Rig, expect, in_folder, sends, shop, verify
+from torn_send import DC1
 
 
 def cut(folder, url):
@@ -52,7 +57,32 @@ def tcp_is_reset(folder):
     cut(folder, f"tcp://127.0.0.1:{shop.free_port()}")
 
 
+def a_dead_controls_link_leads_to_nobody(folder):
+    """kill -9 of a simulated control leaves its link, and the system gives the number of its pseudo-terminal to the next one that asks."""
+    rig = Rig(folder, f"pty:{folder}/lathe.tty", blocks=10)
+    control = rig.control()
+    device = os.readlink(folder / "lathe.tty")
+    control.process.kill()
+    control.process.wait()
+    ends = [pty.openpty()]
+    while os.ttyname(ends[-1][1]) != device and len(ends) < 50:
+        ends.append(pty.openpty())
+    stranger = ends[-1]
+    expect(os.ttyname(stranger[1]) == device, "the number was not given out again: nothing is tested")
+    program = folder / "O0042.nc"
+    program.write_text(rig.text)
+    sending = sends(program, rig.url, "--machine", rig.machine)
+    time.sleep(0.5)
+    os.write(stranger[0], DC1)  # whoever has it now may send anything
+    _, said = sending.communicate(timeout=20)
+    expect(sending.returncode == 1 and "is gone" in said, f"{sending.returncode}: {said}")
+    expect(not select.select([stranger[0]], [], [], 0.2)[0], "bytes went to a stranger")
+    rig.control().stop()  # the next one takes the place of what is left
+    expect(not os.path.lexists(folder / "lathe.tty") and not os.path.lexists(folder / "lathe.tty.owner"), "a link is left")
+
+
 if __name__ == "__main__":
+    in_folder(a_dead_controls_link_leads_to_nobody)
     in_folder(pty_is_closed)
     in_folder(tcp_is_reset)
     sys.exit(0)
