@@ -77,7 +77,9 @@ def a_dead_controls_link_leads_to_nobody(folder):
     _, said = sending.communicate(timeout=20)
     expect(sending.returncode == 1 and "is gone" in said, f"{sending.returncode}: {said}")
     expect(not select.select([stranger[0]], [], [], 0.2)[0], "bytes went to a stranger")
-    rig.control().stop()  # the next one takes the place of what is left
+    control = rig.control()  # the next one takes the place of what is left
+    shop.wait_for("a new link", lambda: os.readlink(folder / "lathe.tty") != device)
+    control.stop()
     expect(not os.path.lexists(folder / "lathe.tty") and not os.path.lexists(folder / "lathe.tty.owner"), "a link is left")
 
 
