@@ -2,6 +2,7 @@
 """The demo shop: the server on its own data folder, one simulated control per dialect on pseudo-terminals and a simulated PLC, the shipped families, and a
 released roll to feed. Everything stays in the data folder; ends with Ctrl-C."""
 
+import os
 import pathlib
 import signal
 import sys
@@ -47,6 +48,7 @@ def main():
     binary, data = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     port = int(sys.argv[3]) if len(sys.argv) > 3 else 8840
     data.mkdir(parents=True, exist_ok=True)
+    os.environ.setdefault("DRIPFEED_LINES", str(data.resolve() / "lines"))
     lines, controls = [], []
     for index, (name, preset, line, program) in enumerate(MACHINES):
         url = f"pty:{data.resolve()}/{name}.tty" if line else f"modbus-tcp://127.0.0.1:{port + 1 + index}/1"

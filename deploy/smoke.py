@@ -4,6 +4,7 @@ what arrived is compared with what was rendered. Prints a table; exits 0 when al
 
 import hashlib
 import json
+import os
 import pathlib
 import sys
 import tempfile
@@ -103,6 +104,7 @@ def print_table(rows):
 def main():
     binary = pathlib.Path(sys.argv[1])
     with tempfile.TemporaryDirectory(prefix="dripfeed-smoke-") as name:
+        os.environ["DRIPFEED_LINES"] = f"{name}/lines"
         folder = pathlib.Path(name)
         server = shop.Server(binary, folder / "data").start()
         try:

@@ -126,7 +126,9 @@ int receive_one(const Options& options) {
 void add_receive(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("receive", "takes one program that a control punches, without a server");
   const auto options = std::make_shared<Options>();
-  command->add_option("--link", options->link, "serial:/dev/ttyS0?baud=9600&framing=7E2, tcp://host:port, pty:/path")
+  command
+      ->add_option("--link", options->link,
+                   "serial:/dev/serial/by-id/NAME?baud=9600&framing=7E2, tcp://host:port, pty:/path")
       ->required();
   command->add_option("-o,--output", options->output, "where the program goes; a broken one to FILE.quarantine")
       ->required();

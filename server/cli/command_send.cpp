@@ -207,10 +207,10 @@ void add_send(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<Options>();
   command->add_option("FILE", options->file, "program, - for standard input")->required();
   command
-      ->add_option(
-          "--link", options->link,
-          "serial:/dev/ttyS0?baud=9600&framing=7E2, tcp://host:port, rfc2217://host:port?baud=9600, dir:/folder, "
-          "modbus-tcp://host:port/unit")
+      ->add_option("--link", options->link,
+                   "serial:/dev/serial/by-id/NAME?baud=9600&framing=7E2, tcp://host:port, "
+                   "rfc2217://host:port?baud=9600, dir:/folder, "
+                   "modbus-tcp://host:port/unit")
       ->required();
   command->add_option("--machine", options->machine, "machine profile: a file or the name of a preset");
   command->add_option("--ledger", options->ledger, "ledger file (default: FILE.ledger)");

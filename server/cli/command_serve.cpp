@@ -164,8 +164,8 @@ int run_server(const Options& options, const http::ListenAddress& address, store
 }
 
 int serve(const Options& options) {
-  const std::stop_token stop = stop_by_signal_and_reload(
-      [] { spdlog::info("SIGHUP: nothing is reloaded, because all options are read at the start"); });
+  const std::stop_token stop =
+      stop_by_signal_and_reload([] { say("SIGHUP: nothing is reloaded, because all options are read at the start"); });
   const Logging logging;
   const auto address = http::parse_listen_address(options.listen);
   if (!address) {

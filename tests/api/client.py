@@ -13,7 +13,7 @@ import threading
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "e2e"))
-from rig import binary, expect, in_folder, plain_program, shop  # noqa: E402,F401
+from rig import binary, expect, in_folder, plain_program, shop, verify  # noqa: E402,F401
 
 API = "/api/v1"
 ROLES = ["viewer", "operator", "programmer", "approver", "admin"]  # each may do what those before it may

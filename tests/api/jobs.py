@@ -5,7 +5,7 @@ import hashlib
 import json
 import sys
 
-from client import DC1, DC3, Client, HandControl, binary, expect, hand_profile, in_folder, plain_program, shop
+from client import DC1, DC3, Client, HandControl, binary, expect, hand_profile, in_folder, plain_program, shop, verify
 
 REASON = {"reason": "looked at the control"}
 # The state of the job, the orders that are refused in it. What is not refused is taken in the walks below.
@@ -209,6 +209,7 @@ def killed_in_the_middle(folder):
     client = bench.client
     job = bench.feeding()
     client.server.kill()
+    verify(client.server.data)
     client.server.start()
     interrupted = client.job(job)
     expect(interrupted["state"] == "interrupted" and interrupted["needs_confirmation"], f"{interrupted}")

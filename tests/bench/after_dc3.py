@@ -4,6 +4,7 @@ used while nothing held. By hand: after_dc3.py build/release/dripfeed [--seconds
 
 import argparse
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -61,6 +62,7 @@ def main():
     given = options.parse_args()
     for rate in RATES:
         with tempfile.TemporaryDirectory(prefix="after-dc3-") as folder:
+            os.environ["DRIPFEED_LINES"] = f"{folder}/lines"
             measure(pathlib.Path(given.binary).resolve(), pathlib.Path(folder), rate, given.seconds, given.tcp)
 
 

@@ -161,6 +161,7 @@ def main():
     options.add_argument("--load", action="store_true")
     options.add_argument("--never-held", action="store_true")
     with tempfile.TemporaryDirectory(prefix="fleet-", ignore_cleanup_errors=True) as folder:
+        os.environ["DRIPFEED_LINES"] = f"{folder}/lines"
         sys.exit(run(options.parse_args(), pathlib.Path(folder)))
 
 

@@ -10,7 +10,7 @@ import sys
 import time
 import zlib
 
-from rig import Rig, binary, expect, in_folder
+from rig import Rig, binary, expect, in_folder, verify
 import shop
 
 MAGIC = 0xDF02
@@ -104,6 +104,7 @@ def server_is_killed(folder):
         rig.server.wait_job(job, "feeding", "draining", "done")
         time.sleep(chance.uniform(0.05, 0.6))
         rig.server.kill()
+        verify(rig.server.data)
         words = registers(port, 128, 19)
         size, crc = words[13] << 16 | words[14], words[15] << 16 | words[16]
         expect(zlib.crc32(rig.text[:size].encode()) == crc, f"turn {turn}: the PLC's {size} bytes are not the program's first")

@@ -6,7 +6,7 @@ import sys
 import time
 
 from modbus_status import mbpoll, registers
-from rig import Rig, binary, expect, in_folder, plain_program
+from rig import Rig, binary, expect, in_folder, plain_program, verify
 import shop
 
 ANSWER, WORDS, PANEL, BELL = 121, 147, 192, 195
@@ -91,12 +91,14 @@ def machine_that_stands(rig, port, job):
 def restarts(rig, port, asked):
     """What was answered stays answered, what was rung with nobody there is missed, and the next ring counts."""
     rig.server.kill()
+    verify(rig.server.data)
     rig.server.start()
     plc_of(rig, "idle", "running")
     time.sleep(0.5)
     expect(requests(rig) == asked, f"asked again: {requests(rig)}")
     expect(answer_to(port, 4)[0] == ANSWERED, "the answer changed")
     rig.server.kill()
+    verify(rig.server.data)
     poke(port, BELL, CALL, 0, 0, 5)
     rig.server.start()
     expect(answer_to(port, 5)[:2] == (REFUSED, 6), "a ring that nobody saw come is not missed")
