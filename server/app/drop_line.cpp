@@ -32,9 +32,9 @@ using SteadyClock = std::chrono::steady_clock;
 
 constexpr std::size_t kPiece_bytes = 16'384;
 constexpr std::chrono::seconds kLook{1};
-constexpr std::chrono::milliseconds kRetry{20};      // for a text that is not read yet
-constexpr std::chrono::seconds kPatience{1};         // then a folder counts as one that does not answer
-constexpr std::chrono::milliseconds kFarewell{200};  // a line that goes waits so long for its thread to tidy up
+constexpr std::chrono::milliseconds kRetry{20};     // for a text that is not read yet
+constexpr std::chrono::seconds kPatience{1};        // then a folder counts as one that does not answer
+constexpr std::chrono::milliseconds kFarewell{20};  // a line that goes waits so long for its thread to tidy up
 constexpr std::string_view kNoAnswer = "folder does not answer";
 
 // One job on its way into the folder.

@@ -93,6 +93,7 @@ class Session final : public app::LinkListener, public std::enable_shared_from_t
     return below ? std::optional(*below + client_.pending_out().size()) : std::nullopt;
   }
   [[nodiscard]] const app::LineErrors& errors() const { return errors_; }
+  [[nodiscard]] bool unheard() const { return core_ && core_->unheard(); }
   [[nodiscard]] std::string_view note() const {
     const std::string_view flood = core_ ? core_->note() : std::string_view();
     return flood.empty() ? note_ : flood;
@@ -264,6 +265,7 @@ class ComPortLink final : public app::Link {
     return true;
   }
   [[nodiscard]] app::LineErrors errors() const override { return session_->errors(); }
+  [[nodiscard]] bool unheard() const override { return session_->unheard(); }
   [[nodiscard]] std::string_view note() const override { return session_->note(); }
 
  private:

@@ -3,6 +3,7 @@
 #include "server/io/link_thread.h"
 
 #include <algorithm>
+#include <exception>
 #include <future>
 #include <thread>
 #include <vector>
@@ -11,6 +12,8 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <spdlog/spdlog.h>
+#include <sys/prctl.h>
 
 #include "server/io/steady_clock.h"
 #include "server/io/stream_link.h"
@@ -25,6 +28,8 @@ namespace asio = boost::asio;
 // Handlers between two looks at the tickers, at most, and how long they may take together.
 constexpr std::size_t kMostAtOnce = 256;
 constexpr feed::Time kLongestAtOnce = std::chrono::milliseconds(1);
+constexpr feed::Time kAfterException = std::chrono::milliseconds(1);
+constexpr feed::Time kComplainEvery = std::chrono::seconds(10);
 
 class AsioLinkThread final : public app::LinkThread {
  public:
@@ -43,10 +48,14 @@ class AsioLinkThread final : public app::LinkThread {
   void run(const std::function<void()>& work) override {
     std::promise<void> done;
     asio::post(context_, [&] {
-      work();
+      try {
+        work();
+      } catch (...) {
+        return done.set_exception(std::current_exception());  // it is the caller's
+      }
       done.set_value();
     });
-    done.get_future().wait();
+    done.get_future().get();
   }
   void add(app::Ticker& ticker) override { tickers_.push_back(&ticker); }
   void remove(app::Ticker& ticker) override { std::erase(tickers_, &ticker); }
@@ -60,16 +69,31 @@ class AsioLinkThread final : public app::LinkThread {
   // costs the same whether one line spoke or hundreds did.
   void loop() {
     // A character that leaves late costs line time.
+    ::prctl(PR_SET_NAME, "lines");
     go_before_others();
     stay_in_memory();
-    while (!stopping_ && context_.run_one() > 0) {
+    while (!stopping_ && turn()) continue;
+    // What the links left behind (aborted waits) still refers to the context: give each its last call.
+    context_.poll();
+  }
+
+  // False: there is nothing left to wait for. This is the fence of the thread: what one line throws (no memory, say) is
+  // reported, and the others are served on.
+  bool turn() {
+    try {
+      if (context_.run_one() == 0) return false;
       const feed::Time until = clock_.now() + kLongestAtOnce;
       for (std::size_t i = 0; i < kMostAtOnce && !stopping_ && context_.poll_one() > 0 && clock_.now() < until; ++i)
         continue;
       set_timer(run_due());
+    } catch (const std::exception& error) {
+      if (const feed::Time now = clock_.now(); now >= complain_at_) {
+        complain_at_ = now + kComplainEvery;
+        spdlog::critical("the thread of the lines: {}", error.what());
+      }
+      set_timer(clock_.now() + kAfterException);  // the tickers that were not reached
     }
-    // What the links left behind (aborted waits) still refers to the context: give each its last call.
-    context_.poll();
+    return true;
   }
 
   // Ticks who is due; when the next one will be.
@@ -111,6 +135,7 @@ class AsioLinkThread final : public app::LinkThread {
   asio::executor_work_guard<asio::io_context::executor_type> work_;
   std::vector<app::Ticker*> tickers_;
   std::optional<feed::Time> armed_for_;
+  feed::Time complain_at_{};
   bool stopping_ = false;
   std::jthread thread_;
 };

@@ -66,6 +66,7 @@ class SerialLink final : public app::Link {
   std::optional<std::uint64_t> unconfirmed() override { return std::nullopt; }
   bool set_rts(bool on) override { return io::set_rts(core_->stream().native_handle(), on); }
   [[nodiscard]] app::LineErrors errors() const override { return look_->errors; }
+  [[nodiscard]] bool unheard() const override { return core_->unheard(); }
   [[nodiscard]] std::string_view note() const override { return core_->note(); }
 
  private:

@@ -76,6 +76,7 @@ class Core : public std::enable_shared_from_this<Core<Stream>> {
     took(count);
     return count;
   }
+  [[nodiscard]] bool unheard() const { return resting_; }
   [[nodiscard]] std::string_view note() const {
     return allowance_.flooded(clock_.now()) ? kFloodNote : std::string_view();
   }

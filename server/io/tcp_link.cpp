@@ -74,6 +74,7 @@ class TcpLink : public app::Link {
   std::size_t read(std::span<std::byte> into) override { return core_->read(into); }
   // What TCP holds says nothing of the line behind the device server.
   std::optional<std::uint64_t> unsent() override { return std::nullopt; }
+  [[nodiscard]] bool unheard() const override { return core_->unheard(); }
   [[nodiscard]] std::string_view note() const override { return core_->note(); }
   std::optional<std::uint64_t> unconfirmed() override {
     return core_->up() ? read_unconfirmed(core_->stream().native_handle()) : std::nullopt;

@@ -162,13 +162,20 @@ TEST_F(SocketTest, AFloodIsReadInPiecesAndNamed) {
     thread_->run([&] { text = link_->note(); });
     return text;
   };
+  const auto unheard = [&] {
+    bool is = false;
+    thread_->run([&] { is = link_->unheard(); });
+    return is;
+  };
   EXPECT_EQ(note(), "");
+  EXPECT_FALSE(unheard());
   const auto begin = std::chrono::steady_clock::now();
   flood(*peer_, std::chrono::milliseconds(1500));
   const std::size_t read = heard_.received().size();
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   EXPECT_LE(static_cast<double>(read), kReadsAtOnce_bytes + kReadBytes + kReadsPerSecond_bytes * took.count());
   EXPECT_EQ(note(), kFloodNote);
+  EXPECT_TRUE(unheard());
 }
 
 TEST_F(SocketTest, NothingLeavesBeforeWhatCameIsHeard) {
