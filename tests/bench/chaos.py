@@ -21,10 +21,10 @@ from chaos_scenes.fed_line import FedLine  # noqa: E402
 from chaos_scenes.folder_line import FolderLine  # noqa: E402
 from chaos_scenes.judge import RULES, Judge  # noqa: E402
 from chaos_scenes.line_scenes import SCENES  # noqa: E402
+from chaos_scenes.plc_line import PlcLine  # noqa: E402
 from chaos_scenes.served import Served  # noqa: E402
 
 BAUD, FRAMING, BITS = 19200, "7E2", 11
-CUTS = {name: scene for name, scene in SCENES.items() if "flood" not in name}
 LONGEST_RUN_S = 25.0
 
 
@@ -59,6 +59,10 @@ class Chaos:
             self.share = freezing_folder.FreezingFolder(folder / "share")
             line = FolderLine("folder", self.served, self.judge, self.share, given.seed)
             line.add(program(200, 77))
+            self.lines.append(line)
+        if not given.only:
+            line = PlcLine("plc", self.served, self.judge, folder, given.seed)
+            line.add(program(150, 88))
             self.lines.append(line)
 
     def run(self):
@@ -117,8 +121,10 @@ class Chaos:
     def close(self):
         for line in self.lines:
             line.over.set()
-        if self.served.process and self.served.shows_life():
-            self.served.process.kill()
+            if isinstance(line, PlcLine) and line.plc:
+                line.plc.process.kill()
+                line.plc.process.wait()
+        self.served.close()
         if self.share:
             self.share.close()
         self.loop.close()

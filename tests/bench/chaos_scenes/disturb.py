@@ -2,6 +2,7 @@
 lasts; that the server is gone ends it."""
 
 import json
+import os
 import signal
 import socket
 import threading
@@ -62,7 +63,23 @@ def hang_up(served, chance, judge):
         judge.violation(4, "all", "SIGHUP", "the server died of it")
 
 
-DISTURBANCES = {"upload of 60 MB": upload, "upload with a key": upload_once, "clients vanish": vanish, "check of one large block": hungry_check, "SIGHUP": hang_up}
+def disk_full(served, chance, judge):
+    """Nothing more fits on the disk of the store, for a moment. Only where the store has a file system of its own."""
+    if not served.own_disk:
+        return
+    filler = served.data / "filler"
+    with open(filler, "wb") as file:
+        free = os.statvfs(served.data)
+        try:
+            os.posix_fallocate(file.fileno(), 0, max(1, (free.f_bavail - chance.randrange(3)) * free.f_frsize))
+        except OSError:
+            pass  # somebody else took the last of it
+        time.sleep(chance.uniform(0.3, 2.0))
+    filler.unlink()
+
+
+DISTURBANCES = {"upload of 60 MB": upload, "upload with a key": upload_once, "clients vanish": vanish, "check of one large block": hungry_check, "SIGHUP": hang_up,
+                "disk full": disk_full}
 
 
 class Disturber(threading.Thread):
@@ -85,5 +102,6 @@ class Disturber(threading.Thread):
                 self.judge.refused(f"{name}: {str(refused)[:150]}")
             except (ServerGone, OSError):
                 outcome = "broken off"
+                (self.served.data / "filler").unlink(missing_ok=True)
             self.judge.scene(name, outcome)
             time.sleep(self.chance.uniform(0.2, 2.0))

@@ -233,10 +233,14 @@ class FedLine(threading.Thread):
             self.judge_of_all.refused(f"{self.scene}: {str(refused)[:150]}")
             outcome = "refused"
             self.recover()
+            self.rest(0.2)
         except Stuck as stuck:
             outcome = "stuck"
             self.look()
-            if self.control.expected_since is not None and self.measured:
+            waited = self.control.expected_since is not None and self.measured
+            if waited and self.job and self.job_state()["state"] == "queued":
+                outcome = "disarmed"
+            elif waited:
                 self.judge_of_all.violation(4, self.name, self.scene, f"{stuck}; {self.control.count()} bytes came; {self.stall()}")
             else:
                 self.judge_of_all.refused(f"{self.scene}: {stuck}")

@@ -62,8 +62,9 @@ class Judge:
             self.refusals[reason] = self.refusals.get(reason, 0) + 1
 
     def count(self):
+        """Scenes that were played; one that was refused at its start is none."""
         with self.lock:
-            return sum(sum(counts.values()) for counts in self.scenes.values())
+            return sum(n for counts in self.scenes.values() for outcome, n in counts.items() if outcome != "refused")
 
     def delays(self, line, scene, delays_s):
         """Of one transfer whose line held nothing."""

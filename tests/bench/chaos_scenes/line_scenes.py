@@ -63,6 +63,7 @@ def flood(line, seconds):
             time.sleep(0.005)
     if line.control.timed:  # what the sockets still hold of it would be a start for the next job
         line.control.cut()
+        line.wait("the link", line.control.up)
 
 
 def stop_and_resume(line):
@@ -90,11 +91,10 @@ def reset_while_stopped(line):
     line.permit.set("silent", "the operator pressed RESET and START while a person's stop was in force")
     line.control.send(b"\x11")
     line.rest(0.4)
-    job = line.job
+    line.permit.set("sending", "what a resume to a control that was reset brings is one violation, and enough")
     try:
-        line.served.post(f"/jobs/{job}/resume", {"reason": "the test resumes after a reset"})
+        line.served.post(f"/jobs/{line.job}/resume", {"reason": "the test resumes after a reset"})
         line.judge_of_all.violation(1, line.name, line.scene, "RESET and START came while stopped, and resume was taken")
-        line.permit.set("sending", "resumed to a control that was reset")
     except shop.Refused:
         pass
     line.recover()

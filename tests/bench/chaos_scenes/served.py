@@ -3,6 +3,7 @@ raises ServerGone; so does whatever waits while the run it belongs to is over.""
 
 import http.client
 import json
+import os
 import pathlib
 import signal
 import subprocess
@@ -10,6 +11,9 @@ import threading
 import time
 
 import shop
+
+
+DISK = "4g"
 
 
 class ServerGone(Exception):
@@ -20,6 +24,7 @@ class Served:
     def __init__(self, binary, data):
         self.binary, self.data = str(binary), pathlib.Path(data)
         self.data.mkdir(parents=True, exist_ok=True)
+        self.own_disk = os.geteuid() == 0 and subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={DISK}", "chaos", str(self.data)], check=False).returncode == 0
         self.port = shop.free_port()
         self.up = threading.Event()
         self.generation = 0
@@ -106,6 +111,13 @@ class Served:
         if self.process.stdout:
             self.process.stdout.close()
         return code
+
+    def close(self):
+        if self.process and self.shows_life():
+            self.process.kill()
+            self.process.wait()
+        if self.own_disk:
+            subprocess.run(["umount", "-l", str(self.data)], check=False)
 
     def shows_life(self):
         return self.process.poll() is None
