@@ -137,8 +137,10 @@ class Parser {
   void join_short_name();
   bool value_list(const ir::Variable& first, text::Span head);
   void repeated_value(const ir::Variable& first, text::Span head);
+  [[nodiscard]] std::optional<std::uint32_t> elements_of(const ir::Variable& first) const;
+  [[nodiscard]] std::optional<std::uint32_t> constant_count(ir::ExpressionId id) const;
   bool element(const ir::Variable& first, std::uint32_t offset, ir::ExpressionId value, text::Span head);
-  bool is_beyond(const ir::Symbol& symbol, std::uint32_t flat, text::Span head);
+  bool is_beyond(const ir::Symbol& symbol, std::uint64_t flat, text::Span head);
   bool skip_value_attributes();
 
   // calls and returns: parse_calls.cpp
@@ -212,8 +214,9 @@ class Parser {
   };
   std::vector<Macro> macros_;  // DEFINE … AS
   bool in_macro_ = false;
-  bool resumes_iso_ = false;  // the line calls as Siemens mode does, in ISO mode
-  bool in_iso_ = false;       // behind G291: the last of the foreign parts is open
+  std::uint64_t elements_ = 0;  // of lists of values, so far
+  bool resumes_iso_ = false;    // the line calls as Siemens mode does, in ISO mode
+  bool in_iso_ = false;         // behind G291: the last of the foreign parts is open
 };
 
 }  // namespace dripfeed::sinumerik

@@ -1,6 +1,7 @@
 // PROC, DEF and EXTERN. The symbols of one definition stand together in the program's arena. Lists of values of arrays
 // become one assignment an element, because a symbol has one initial value.
 #include <algorithm>
+#include <optional>
 
 #include "dialects/sinumerik/name_index.h"
 #include "dialects/sinumerik/parse.h"
@@ -13,8 +14,10 @@ using ir::StatementKind;
 using ir::TokenKind;
 using text::DiagnosticId;
 
-// REP fills a whole array; beyond this the list is kept as written instead.
+// REP fills a whole array; beyond this the list is kept as written instead. The second is for all lists of a text: each
+// element becomes a statement of its own.
 constexpr std::uint32_t kMostElements = 20'000;
+constexpr std::uint64_t kMostElementsOfAText = 200'000;
 
 }  // namespace
 
@@ -238,24 +241,39 @@ void Parser::repeated_value(const ir::Variable& first, text::Span head) {
   expect('(');
   ++brackets_;
   const ir::ExpressionId value = binary(kWeakestRank);
-  const ir::Symbol& symbol = program_.at(first.symbol);
-  std::uint32_t count = std::max<std::uint32_t>(symbol.dimension1, 1) * std::max<std::uint32_t>(symbol.dimension2, 1) *
-                        std::max<std::uint32_t>(symbol.dimension3, 1);
-  if (cursor_.take(',')) {
-    const ir::Expression& e = program_.at(binary(kWeakestRank));
-    if (e.op == ir::Operator::constant && e.value >= 0.0 && e.value <= 4e9) count = static_cast<std::uint32_t>(e.value);
-  }
+  std::optional<std::uint32_t> count = elements_of(first);
+  if (cursor_.take(',')) count = constant_count(binary(kWeakestRank));
   --brackets_;
   expect(')');
-  if (count > kMostElements) return lower_.keep_as_native("REP", false, head);
-  for (std::uint32_t i = 0; i < count; ++i)
+  if (!count || *count > kMostElements) return lower_.keep_as_native("REP", false, head);
+  for (std::uint32_t i = 0; i < *count; ++i)
     if (!element(first, i, value, head)) return;
 }
 
+// Of the whole array. Nothing where the text does not say it: R parameters are as many as the machine has, and an array
+// of a parameter has as many elements as its caller's.
+std::optional<std::uint32_t> Parser::elements_of(const ir::Variable& first) const {
+  if (first.bank != ir::Bank::named || first.symbol == ir::SymbolId::none) return std::nullopt;
+  const ir::Symbol& symbol = program_.at(first.symbol);
+  if (symbol.is_parameter && symbol.dimension1 == 0) return std::nullopt;
+  const auto at_least_one = [](std::uint16_t size) { return std::max<std::uint64_t>(size, 1); };
+  const std::uint64_t count =
+      at_least_one(symbol.dimension1) * at_least_one(symbol.dimension2) * at_least_one(symbol.dimension3);
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(count, kMostElements + 1U));
+}
+
+// Nothing where it is computed, missing, or no count.
+std::optional<std::uint32_t> Parser::constant_count(ir::ExpressionId id) const {
+  if (id == ir::ExpressionId::none) return std::nullopt;
+  const ir::Expression& e = program_.at(id);
+  if (e.op != ir::Operator::constant || !(e.value >= 0.0 && e.value <= kMostElements)) return std::nullopt;
+  return static_cast<std::uint32_t>(e.value);
+}
+
 // More values than the array has elements: 12260. An array of a parameter has as many as its caller's.
-bool Parser::is_beyond(const ir::Symbol& symbol, std::uint32_t flat, text::Span head) {
-  const auto at_least_one = [](std::uint16_t size) { return std::max<std::uint32_t>(size, 1); };
-  const std::uint32_t elements = symbol.dimension1 * at_least_one(symbol.dimension2) * at_least_one(symbol.dimension3);
+bool Parser::is_beyond(const ir::Symbol& symbol, std::uint64_t flat, text::Span head) {
+  const auto at_least_one = [](std::uint16_t size) { return std::max<std::uint64_t>(size, 1); };
+  const std::uint64_t elements = symbol.dimension1 * at_least_one(symbol.dimension2) * at_least_one(symbol.dimension3);
   if (elements == 0 || symbol.is_parameter || flat < elements) return false;
   report(DiagnosticId::too_many_initial_values, head,
          {std::to_string(flat + 1), std::to_string(elements), std::string(program_.strings.at(symbol.name))});
@@ -275,28 +293,29 @@ bool Parser::element(const ir::Variable& first, std::uint32_t offset, ir::Expres
   std::uint32_t row = 0;
   std::uint32_t column = 0;
   std::uint32_t layer = 0;
-  if (first.bank == ir::Bank::system || !constant_index(first.index, row) || !constant_index(first.index2, column) ||
-      !constant_index(first.index3, layer)) {
+  const bool fits = ++elements_ <= kMostElementsOfAText;
+  if (!fits || first.bank == ir::Bank::system || !constant_index(first.index, row) ||
+      !constant_index(first.index2, column) || !constant_index(first.index3, layer)) {
     lower_.keep_as_native("SET", false, head);
     return false;
   }
   const bool named = first.bank == ir::Bank::named;
-  const std::uint32_t columns = named ? program_.at(first.symbol).dimension2 : 0U;
-  const std::uint32_t layers = named ? program_.at(first.symbol).dimension3 : 0U;
+  const std::uint64_t columns = named ? program_.at(first.symbol).dimension2 : 0U;
+  const std::uint64_t layers = named ? program_.at(first.symbol).dimension3 : 0U;
   ir::Variable target = first;
-  std::uint32_t flat = row;
+  std::uint64_t flat = row;
   if (columns > 0) flat = flat * columns + column;
   if (layers > 0) flat = flat * layers + layer;
   flat += offset;
   if (first.bank == ir::Bank::r) {
-    target.number = flat;
+    target.number = static_cast<std::uint32_t>(flat);
     target.index = ir::ExpressionId::none;
   } else {
     if (named && is_beyond(program_.at(first.symbol), flat, head)) return false;
-    if (layers > 0) target.index3 = constant(flat % layers, first.span);
+    if (layers > 0) target.index3 = constant(static_cast<double>(flat % layers), first.span);
     if (layers > 0) flat /= layers;
-    if (columns > 0) target.index2 = constant(flat % columns, first.span);
-    target.index = constant(columns > 0 ? flat / columns : flat, first.span);
+    if (columns > 0) target.index2 = constant(static_cast<double>(flat % columns), first.span);
+    target.index = constant(static_cast<double>(columns > 0 ? flat / columns : flat), first.span);
   }
   lower_.add_assign(program_.add(target), value, head);
   return true;

@@ -237,5 +237,25 @@ TEST(Infer, TellsMillFromLatheByALine) {
   EXPECT_EQ(infer_control(text::Source("a", "; G96 in a comment\nX1\n")).because_line, 0U);
 }
 
+// How many elements a list fills may be computed, missing or beyond all arrays: then it is kept as written, and nothing
+// is claimed of it.
+TEST(Lower, ListsOfValuesWithoutACertainCountAreKeptAsWritten) {
+  const std::string array = "DEF REAL A[3]\n";
+  EXPECT_EQ(read_text("R[10]=REP(5,3)").program.assigns.size(), 3U);
+  EXPECT_EQ(read_text(array + "A[0]=REP(5,2)").program.assigns.size(), 2U);
+  for (const char* fill : {"R[10]=REP(5)", "R[10]=REP(5,R1)", "R[10]=REP(5,-1)", "R[10]=REP(5,)", "R[10]=REP()",
+                           "R[10]=REP(5,4000000000)", "R[10]=REP(5,1000000)", "A[0]=REP(1,R1)"}) {
+    const ir::ReadResult read = read_text(array + fill + "\nM30");
+    EXPECT_EQ(read.program.assigns.size(), 0U) << fill;
+    EXPECT_TRUE(!read.program.natives.empty() || text::has_error(read.diagnostics)) << fill;
+  }
+}
+
+TEST(Lower, ListsOfValuesOfAllBlocksTogetherAreLimited) {
+  std::string text;
+  for (int i = 0; i < 100; ++i) text += "R[0]=REP(1,20000)\n";
+  EXPECT_LE(read_text(text).program.assigns.size(), 200'000U);
+}
+
 }  // namespace
 }  // namespace dripfeed::sinumerik
