@@ -60,6 +60,7 @@ class Timing::Work final : public RanSink {
 
   void add(const ir::Motion& motion);
   void leave_out(const ir::Motion& motion);
+  void give_up(const ir::Motion& motion);
   Report finish();
 
  private:
@@ -90,6 +91,7 @@ class Timing::Work final : public RanSink {
 };
 
 void Timing::Work::add(const ir::Motion& motion) {
+  if (!report_.is_whole) return;
   const Intaken taken = intake_.take(motion);
   if (taken.piece) {
     pieces_.push_back(*taken.piece);
@@ -99,14 +101,21 @@ void Timing::Work::add(const ir::Motion& motion) {
     }
   }
   rows_.push_back(taken.row);
-  if (keeps_whole_ && rows_.size() > kMostKept) {
+  if (keeps_whole_ && rows_.size() > settings_.most_kept) {
     keeps_whole_ = false;
     report_.not_checked.add("the program is too long to be kept whole: no curve, and no advice");
     report_.curve = {};
     feed_mm_s_ = {};
     limit_mm_s_ = {};
   }
-  if (!keeps_whole_ && rows_.size() >= wanted_) run_window();
+  if (keeps_whole_ || rows_.size() < wanted_) return;
+  run_window();
+  if (rows_.size() > settings_.most_kept) give_up(motion);
+}
+
+void Timing::Work::give_up(const ir::Motion& motion) {
+  report_.is_whole = false;
+  report_.not_checked.add("blocks make too many moves to be timed: the time ends here", motion.place.line);
 }
 
 void Timing::Work::leave_out(const ir::Motion& motion) {

@@ -33,6 +33,8 @@ struct Line {
   [[nodiscard]] double char_s(double at_baud) const { return bits_per_char / (at_baud * pace) + char_delay_s; }
 };
 
+inline constexpr std::size_t kMostKept = 20'000'000;
+
 struct Settings {
   checks::Machine machine = {};
   ir::CostModel cost = {};        // counts where the machine has none of its own
@@ -42,13 +44,13 @@ struct Settings {
   std::vector<std::uint32_t> line_bytes = {};
   bool limit_jerk = true;  // where the machine has one
   // The whole program is kept (about 100 bytes a block) instead of a window of it: for `advice`, and for `curve`.
-  // Programs of more than kMostKept blocks are not, and say so.
+  // Programs of more than `most_kept` motions are not, and say so. The same number ends the timing of a program whose
+  // window grows beyond it: a block of a cycle may make any number of motions, and a control holds whole blocks.
   bool keep_whole = false;
+  std::size_t most_kept = kMostKept;
   bool wants_curve = false;
   unsigned threads = 1;  // for plans of whole programs
 };
-inline constexpr std::size_t kMostKept = 20'000'000;
-
 // What would keep the machine from waiting. Nothing where it does not wait, or where nothing within reach helps.
 struct Advice {
   std::optional<double> feed_share = {};     // of the programmed feeds, all reduced alike
@@ -66,6 +68,7 @@ struct CurvePoint {
 };
 
 struct Report {
+  bool is_whole = true;      // otherwise the times are those of its beginning, and `not_checked` says why
   std::uint64_t blocks = 0;  // executed
   double cycle_s = 0.0;      // from start to the end of the last move, all waiting included
   double motion_s = 0.0;     // moves, dwells and tool changes alone

@@ -346,7 +346,9 @@ std::optional<LatheFlow::Repeated> LatheFlow::repeat(std::uint32_t statement, co
     modal.position[2] = *state.z.value * mm;
   }
   NoSink nobody;
-  interpreter::MotionBuffer buffer(nobody);
+  const interpreter::RunOptions options;  // one cycle, whose steps are limited
+  interpreter::RunBudget budget(options);
+  interpreter::MotionBuffer buffer(nobody, budget);
   Repeated out;
   out.inch = inch;
   buffer.capture(&out.motions);

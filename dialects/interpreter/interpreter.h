@@ -4,7 +4,9 @@
 // knows which control it runs.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -51,6 +53,9 @@ struct Limits {
   std::uint32_t call_depth = 64;            // programs above the main one
   std::uint32_t variables = 1U << 20;       // slots of declared names in one program, arrays counted by element
   std::uint32_t strings = 1U << 20;         // distinct texts of messages and tool names
+  std::uint64_t motions = 1'000'000'000;    // made, whether by a block, a cycle, a curve or a corner
+  std::size_t kept_motions = 1'000'000;     // that wait for a later block (a shape, a spline, a corner): 256 bytes each
+  std::size_t texts = 10'000;               // distinct ones that are executed (EXECSTRING)
 };
 
 // A variable's value before the start: of a state file, or an override. `name` for bank `named` (a DEF or parameter of
@@ -95,6 +100,9 @@ struct RunOptions {
   bool want_variables = false;        // fill RunResult::variables
   BlockObserver* observer = nullptr;  // costs time when set
   RunNames* names = nullptr;          // filled while running; nullptr: only RunResult has them
+  // Names a budget of the caller's that is used up ("60 s"), which ends the run as passing one of the limits does; ""
+  // while there is some left. Asked every few thousand motions, blocks and passes of loops. May be empty.
+  std::function<std::string()> used_up = {};
 };
 
 // How a run ended: by the program's end, an alarm, one of Limits, or the end of the text without a program end.

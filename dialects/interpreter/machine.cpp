@@ -49,7 +49,8 @@ Machine::Machine(const ir::Control& control, ProgramFinder& finder, ir::MotionSi
       programs_(context_, finder),
       storage_(variables_, shared_, control.semantics.has_vacant || control.semantics.unset_is_unknown ? kVacant : 0.0),
       state_(initial_state(control)),
-      out_(sink),
+      budget_(options),
+      out_(sink, budget_),
       report_(control, options.limits, names_, out_),
       stack_(context_, programs_, storage_, rules_, state_, out_, report_),
       access_(control, arithmetic_, variables_, storage_, shared_, state_, report_),
@@ -67,11 +68,31 @@ RunResult Machine::run(const ir::Program& program) {
   stack_.start(main);
   if (control_.semantics.unset_is_unknown) set_inputs(main);
   set_initial_values(main);
-  execute(0);
+  run_from(0);
   return finish(main);
 }
 
+// The fence of what emitters throw.
+void Machine::run_from(std::uint32_t next) {
+  try {
+    execute(next);
+  } catch (const BudgetUsedUp& used) {
+    end_by_budget(used);
+  }
+}
+
+// What was begun is given up: a corner or a curve that waits for its end, the shape of a cycle.
+void Machine::end_by_budget(const BudgetUsedUp& used) {
+  out_.let_go();
+  state_.spline.active = false;
+  const CompiledProgram& program = stack_.program();
+  const auto is_running = [&](const Instruction& i) { return i.op == Opcode::block && i.a == begun_.line; };
+  const auto at = std::ranges::find_if(program.code, is_running);
+  report_.fail_limit(at == program.code.end() ? program.code.front() : *at, used.what);
+}
+
 RunResult Machine::finish(const CompiledProgram& main) {
+  budget_.close();
   if (options_.observer != nullptr && executed_ > 0) tell_block();
   if (state_.spline.active) end_spline(rules_, state_, out_);
   out_.flush();
@@ -146,6 +167,7 @@ void Machine::execute(std::uint32_t next) {
       case Opcode::jump: next = i.a; break;
       case Opcode::jump_back:
         next = i.a;
+        budget_.take_step();
         if (++passes_ > options_.limits.loop_passes) [[unlikely]]
           goes_on = report_.fail_limit(i, "loop passes");
         else if (last_jump_ == &i && decisions_ == 0) [[unlikely]]
@@ -348,6 +370,7 @@ bool Machine::convert(const Instruction& i) {
 void Machine::begin_block(const Instruction& i) {
   if (options_.observer != nullptr && executed_ > 0) [[unlikely]]
     tell_block();
+  budget_.take_step();
   begin_place(stack_.program().keeps_place ? out_.place.line : i.a);
   const Work& work = stack_.program().works[i.b];
   ++out_.work.blocks;

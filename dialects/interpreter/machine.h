@@ -32,7 +32,10 @@ class Machine {
   RunResult finish(const CompiledProgram& main);
   void set_initial_values(const CompiledProgram& main);
   bool set_touch(const InitialValue& value);
+  // Until the run has ended, by the budget or otherwise.
+  void run_from(std::uint32_t next);
   void execute(std::uint32_t next);
+  void end_by_budget(const BudgetUsedUp& used);
   // Instructions that do not stand in the inner loop; false when the run has ended. `next` may be changed, and after a
   // call or a return it is meant in another program.
   bool execute_rare(const Instruction& i, std::uint32_t& next);
@@ -106,6 +109,7 @@ class Machine {
   ProgramTable programs_;
   Storage storage_;
   ModalState state_;
+  RunBudget budget_;
   MotionBuffer out_;
   RunReport report_;
   CallStack stack_;

@@ -107,6 +107,7 @@ bool Machine::execute_text(const Instruction& i, std::uint32_t& next) {
   CompiledProgram& host = stack_.program();
   Text& known = texts_[{&host, text}];
   if (known.source == nullptr) {
+    if (texts_.size() > options_.limits.texts) return report_.fail_limit(i, "texts that are executed");
     known.source = finder_.read_text(text);
     if (known.source == nullptr) return give_up("EXECSTRING");
     known.code = compile_text(*known.source, host, context_);

@@ -42,16 +42,22 @@ void make_blank(ir::Motion& motion) {
 
 }  // namespace
 
-MotionBuffer::MotionBuffer(ir::MotionSink& sink) : sink_(sink), motions_(ir::kMotionBatch) {}
+MotionBuffer::MotionBuffer(ir::MotionSink& sink, RunBudget& budget)
+    : sink_(sink), budget_(budget), motions_(ir::kMotionBatch) {}
 
 ir::Motion& MotionBuffer::add(ir::MotionKind kind) {
+  budget_.take_motion();
   if (captured_ != nullptr) [[unlikely]] {
+    budget_.keep(captured_->size());
     ir::Motion& kept = captured_->emplace_back();
     kept.kind = kind;
     kept.place = place;
     return kept;
   }
-  if (used_ == motions_.size() && (held_ || held_for_spline_ || held_for_plane_)) motions_.resize(2 * motions_.size());
+  if (used_ == motions_.size() && (held_ || held_for_spline_ || held_for_plane_)) {
+    budget_.keep(2 * used_);
+    motions_.resize(2 * used_);
+  }
   if (used_ == motions_.size()) flush();
   ir::Motion& motion = motions_[used_++];
   make_blank(motion);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "dialects/interpreter/run_budget.h"
 #include "dialects/ir/motion.h"
 
 namespace dripfeed::interpreter {
@@ -20,9 +21,9 @@ struct Work {
 
 class MotionBuffer {
  public:
-  explicit MotionBuffer(ir::MotionSink& sink);
+  MotionBuffer(ir::MotionSink& sink, RunBudget& budget);
 
-  // The next motion, blank but for place and work. Valid until the next call.
+  // The next motion, blank but for place and work. Valid until the next call. Throws BudgetUsedUp.
   ir::Motion& add(ir::MotionKind kind);
   // From here on motions are kept there instead, until nullptr is given; the place must outlive it.
   void capture(std::vector<ir::Motion>* into) { captured_ = into; }
@@ -44,6 +45,11 @@ class MotionBuffer {
   [[nodiscard]] ir::Motion& at(std::size_t index) {
     return captured_ != nullptr ? (*captured_)[index] : motions_[index];
   }
+  // Nothing waits any more, and nothing is captured: the run was broken off.
+  void let_go() {
+    captured_ = nullptr;
+    held_ = held_for_spline_ = held_for_plane_ = false;
+  }
   // Hands over what is there.
   void flush();
   [[nodiscard]] std::uint64_t count() const { return flushed_ + used_; }
@@ -53,6 +59,7 @@ class MotionBuffer {
 
  private:
   ir::MotionSink& sink_;
+  RunBudget& budget_;
   std::vector<ir::Motion> motions_;
   std::size_t used_ = 0;
   std::size_t remembered_ = 0;  // from used_ on up to here: what was handed over last

@@ -47,8 +47,10 @@ bool RunReport::end(Ended ended) {
   return false;
 }
 
+// A loop may say the same of a block as often as it goes round.
 void RunReport::say(const Instruction& at, DiagnosticId id, std::vector<std::string> arguments) {
-  add(at, id, std::move(arguments));
+  constexpr std::uint32_t kMostOfABlock = 20;
+  if (++said_[{program_->index, out_.place.line, id}] <= kMostOfABlock) add(at, id, std::move(arguments));
 }
 
 void RunReport::keep_no_feed(const Instruction& at, ir::AlarmDetail detail) {

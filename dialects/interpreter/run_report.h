@@ -2,9 +2,11 @@
 // interpreted. Every part of the machine speaks through it.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -57,7 +59,8 @@ class RunReport {
   const CompiledProgram* program_ = nullptr;
   RunResult result_;
   std::optional<RunDiagnostic> no_feed_;
-  std::size_t no_feed_place_ = 0;  // among the diagnostics
+  std::size_t no_feed_place_ = 0;                                                               // among the diagnostics
+  std::map<std::tuple<std::uint32_t, std::uint32_t, text::DiagnosticId>, std::uint32_t> said_;  // by program and line
   bool uncertain_ = false;
   bool guesses_end_ = false;
   std::unordered_map<std::string, std::size_t> counted_;

@@ -25,7 +25,14 @@ RunResult Machine::run(PlainStream& stream) {
   plain.code.emplace_back();
   plain.spans.emplace_back();
   report_.enter(plain);
-  const bool goes_on = run_plain_blocks(stream, plain);
+  bool goes_on = false;
+  try {
+    goes_on = run_plain_blocks(stream, plain);
+  } catch (const BudgetUsedUp& used) {
+    out_.let_go();
+    state_.spline.active = false;
+    report_.fail_limit(plain.code.front(), used.what);
+  }
   const PlainStream::Rest rest = goes_on ? stream.rest() : PlainStream::Rest{};
   if (rest.program != nullptr) {
     define_shared_data();
@@ -33,7 +40,7 @@ RunResult Machine::run(PlainStream& stream) {
     stack_.start(main);
     if (control_.semantics.unset_is_unknown && executed_ == 0) set_inputs(main);
     set_initial_values(main);
-    execute(instruction_at(main, rest.offset));
+    run_from(instruction_at(main, rest.offset));
     return finish(main);
   }
   if (rest.broken)
@@ -55,6 +62,7 @@ bool Machine::run_plain_blocks(PlainStream& stream, CompiledProgram& plain) {
       const auto offset = static_cast<std::uint32_t>(row.offset);
       plain.spans.front() = {offset, offset + row.length};
       if (executed_ == options_.limits.blocks) return report_.fail_limit(here, "blocks");
+      budget_.take_step();
       begin_place(row.line);
       ++out_.work.blocks;
       state_.clock_ms += control_.cost.block_ms;

@@ -247,8 +247,9 @@ constexpr auto kRows = std::to_array<DiagnosticRow>({
    "End the mode first: the control stops with an alarm at the code."},
   {vacant_value, "vacant-value", warning, "the variable {} has no value here",
    "A word with a vacant variable is ignored by the control, and the axis does not move."},
-  {limit_reached, "limit-reached", error, "the run was ended at the limit of {}",
-   "Either the program does not end, or the limit is too low for it."},
+  {limit_reached, "limit-reached", warning, "the run was ended at the limit of {}",
+   "Either the program does not end, or the limit is too low for it. The control has no such limit: what follows is "
+   "not known."},
   {user_alarm, "user-alarm", error, "the program stops by its own alarm {}",
    "The program itself found something wrong: look at the condition before the alarm."},
   // translation and rendering

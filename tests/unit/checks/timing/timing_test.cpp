@@ -426,5 +426,27 @@ TEST(Timing, GivesTheSameForEveryBatch) {
   EXPECT_EQ(whole.blocks, 5000U);
 }
 
+// The control's buffer counts blocks, and one block may make any number of moves: the window that waits is limited.
+TEST(Timing, ABlockOfTooManyMovesEndsItWithAReason) {
+  Settings settings{.machine = mill()};
+  settings.machine.buffer.blocks = 100;
+  settings.most_kept = 50'000;
+  Timing timing(settings);
+  ir::Motion motion;
+  motion.kind = ir::MotionKind::linear;
+  motion.feed = 1000;
+  motion.place = {0, 4, 0};
+  for (int i = 0; i < 200'000; ++i) {
+    motion.start = motion.end;
+    motion.end[2] = i % 2 == 0 ? -1.0 : 0.0;
+    timing.consume({&motion, 1});
+  }
+  const Report report = timing.finish();
+  EXPECT_FALSE(report.is_whole);
+  ASSERT_FALSE(report.not_checked.empty());
+  EXPECT_EQ(report.not_checked.list().back().text, "blocks make too many moves to be timed: the time ends here");
+  EXPECT_EQ(report.not_checked.list().back().line, 4U);
+}
+
 }  // namespace
 }  // namespace dripfeed::timing

@@ -1,6 +1,7 @@
 // Control flow: structures, jumps and where they look, limits, and how a run ends.
 #include <gtest/gtest.h>
 
+#include "dialects/ir/cycle.h"
 #include "tests/unit/dialects/interpreter/run_trace.h"
 
 namespace dripfeed::test {
@@ -193,6 +194,38 @@ TEST(Flow, LimitsEndTheRun) {
   const Ran passes = run_program(b.build(), mill_control(), options);
   EXPECT_EQ(passes.result.ended, Ended::limit);
   EXPECT_EQ(passes.result.blocks, 11U);
+}
+
+// What a cycle makes of one block counts, too, and the run ends within the cycle.
+TEST(Flow, MotionsAreLimitedWhereverTheyAreMade) {
+  Builder b;
+  b.block({{ir::Function::rapid}}, {{ir::Address::x, 0.0}, {ir::Address::y, 0.0}, {ir::Address::z, 2.0}});
+  b.block({{ir::Function::drill, ir::drill_argument(ir::DrillCycle::deep_hole, 0)}},
+          {{ir::Address::z, -99.0}, {ir::Address::r, 0.0}, {ir::Address::q, 0.001}, {ir::Address::f, 100.0}});
+  b.end();
+  interpreter::RunOptions options;
+  options.limits.motions = 10'000;
+  const Ran ran = run_program(b.build(), mill_control(), options);
+  EXPECT_EQ(ran.result.ended, Ended::limit);
+  EXPECT_EQ(ran.result.motions, 10'000U);
+  EXPECT_EQ(ran.motions.size(), 10'000U);
+  EXPECT_EQ(ran.last_diagnostic()->diagnostic.arguments, std::vector<std::string>{"motions"});
+  EXPECT_EQ(ran.last_diagnostic()->diagnostic.severity, text::Severity::warning) << "no control has that limit";
+}
+
+TEST(Flow, ABudgetOfTheCallerEndsARun) {
+  Builder b;
+  b.label(1U);
+  b.go_to(1U, b.apply(Operator::equal, b.read(Builder::hash(100)), b.read(Builder::hash(100))));
+  b.end();
+  interpreter::RunOptions options;
+  int asked = 0;
+  options.used_up = [&] { return ++asked < 3 ? std::string() : std::string("5 s"); };
+  const Ran ran = run_program(b.build(), mill_control(), options);
+  EXPECT_EQ(ran.result.ended, Ended::limit);
+  EXPECT_EQ(asked, 3);
+  EXPECT_LT(ran.result.blocks, 20'000U) << "it is asked often";
+  EXPECT_EQ(ran.last_diagnostic()->diagnostic.arguments, std::vector<std::string>{"5 s"});
 }
 
 // The same jump back, and nothing that could have gone another way: twice is enough to know it.
