@@ -90,12 +90,16 @@ struct NotChecked {
 class NotCheckedList {
  public:
   void add(std::string_view text, std::uint32_t line = 0) {
-    if (std::ranges::find(list_, text, &NotChecked::text) == list_.end()) list_.push_back({std::string(text), line});
+    if (list_.size() > kListed || std::ranges::find(list_, text, &NotChecked::text) != list_.end()) return;
+    list_.push_back(list_.size() < kListed ? NotChecked{std::string(text), line}
+                                           : NotChecked{"and more like these", line});
   }
   [[nodiscard]] const std::vector<NotChecked>& list() const { return list_; }
   [[nodiscard]] bool empty() const { return list_.empty(); }
 
  private:
+  static constexpr std::size_t kListed = 1000;
+
   std::vector<NotChecked> list_;
 };
 

@@ -3,18 +3,23 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "dialects/text/excerpt.h"
+#include "dialects/text/fold.h"
 
 namespace dripfeed::text {
 
 namespace {
 
-// The line, and below it blanks up to the column: one for each character, tabs kept.
+// An excerpt of the line, and below it blanks up to the column: one for each character, tabs kept.
 void append_caret(std::string& out, std::string_view line, std::uint32_t column) {
-  out.append(line).push_back('\n');
-  for (const char c : line.substr(0, std::min<std::size_t>(column - 1, line.size()))) {
+  const Excerpt shown = excerpt_of(line, column - 1);
+  out.append(shown.text).push_back('\n');
+  for (const char c : std::string_view(shown.text).substr(0, shown.place)) {
     if ((static_cast<unsigned char>(c) & 0xC0U) == 0x80U) continue;  // a continuation byte of UTF-8 takes no room
     out.push_back(c == '\t' ? '\t' : ' ');
   }
@@ -46,7 +51,7 @@ std::string message_of(const Diagnostic& diagnostic) {
   auto argument = diagnostic.arguments.begin();
   for (std::size_t hole; (hole = rest.find("{}")) != std::string_view::npos; rest.remove_prefix(hole + 2)) {
     out.append(rest.substr(0, hole));
-    if (argument != diagnostic.arguments.end()) out.append(*argument++);
+    if (argument != diagnostic.arguments.end()) out.append(shortened(*argument++));
   }
   return out.append(rest);
 }
@@ -68,13 +73,18 @@ std::string format_diagnostic_at(const Diagnostic& diagnostic, std::string_view 
 std::string format_diagnostic(const Diagnostic& diagnostic, const Source& source, std::string_view control) {
   const Position position = source.position(diagnostic.span.begin);
   std::string out = format_diagnostic_at(diagnostic, source.name(), position, source.line(position.line), control);
-  for (const DiagnosticNote& note : diagnostic.notes) {
+  constexpr std::size_t kNotesShown = 20;
+  for (const DiagnosticNote& note : std::span(diagnostic.notes).first(std::min(kNotesShown, diagnostic.notes.size()))) {
     const Position at = source.position(note.span.begin);
     append_head(out, source.name(), at);
-    out.append("note: ").append(note.text).push_back('\n');
+    out.append("note: ").append(shortened(note.text)).push_back('\n');
     append_caret(out, source.line(at.line), at.column);
   }
   return out;
+}
+
+std::string format_folded(const DiagnosticFold::Row& row, std::string_view name) {
+  return fmt::format("{}: {}[{}]: {} more, not shown\n", name, name_of(row.severity), row_of(row.id).name, row.more);
 }
 
 bool has_error(const std::vector<Diagnostic>& diagnostics) {

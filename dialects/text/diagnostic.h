@@ -48,11 +48,11 @@ struct Diagnostic {
 // A diagnostic with the severity of its row.
 Diagnostic make_diagnostic(DiagnosticId id, Span span, std::vector<std::string> arguments = {});
 
-// The sentence alone: the row's text with the arguments in place.
+// The sentence alone: the row's text with the arguments in place, each as far as excerpt.h shows it.
 std::string message_of(const Diagnostic& diagnostic);
 
-// `name:line:column: severity[id]: text (control alarm)` and the line with a caret, each line ended by LF. `control` is
-// the control's name beside its alarm number; tabs before the caret are kept so that it stands right.
+// `name:line:column: severity[id]: text (control alarm)` and an excerpt of the line with a caret, each ended by LF.
+// `control` is the control's name beside its alarm number; tabs before the caret are kept so that it stands right.
 std::string format_diagnostic(const Diagnostic& diagnostic, const Source& source, std::string_view control);
 // The same for a text that is not at hand as a whole: its place and line are given; notes are left out.
 std::string format_diagnostic_at(const Diagnostic& diagnostic, std::string_view name, Position position,

@@ -8,6 +8,7 @@
 #include <spdlog/spdlog.h>
 
 #include "dialects/compile/dialect.h"
+#include "dialects/text/fold.h"
 
 namespace dripfeed::app {
 
@@ -168,15 +169,18 @@ Result<ir::Control> control_of(const machine::Profile& profile) {
 Result<void> refuse_errors(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source,
                            std::string_view what) {
   std::vector<ErrorPlace> places;
+  std::size_t errors = 0;
+  text::DiagnosticFold fold;
   for (const text::Diagnostic& diagnostic : diagnostics) {
     if (diagnostic.severity != text::Severity::error) continue;
+    ++errors;
+    if (!fold.shows(diagnostic)) continue;
     const text::Position at = source.position(diagnostic.span.begin);
     places.push_back({.pointer = {}, .line = at.line, .column = at.column, .text = text::message_of(diagnostic)});
   }
   if (places.empty()) return {};
-  std::string sentence =
-      fmt::format("{} has {} error{}: line {}, column {}: {}", what, places.size(), places.size() == 1 ? "" : "s",
-                  places.front().line, places.front().column, places.front().text);
+  std::string sentence = fmt::format("{} has {} error{}: line {}, column {}: {}", what, errors, errors == 1 ? "" : "s",
+                                     places.front().line, places.front().column, places.front().text);
   return fail(ErrorCode::invalid, std::move(sentence), std::move(places));
 }
 

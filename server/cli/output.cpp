@@ -37,8 +37,14 @@ void print_error(const app::Error& error) {
 
 void print_diagnostics(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source,
                        std::string_view control) {
+  text::DiagnosticFold fold;
   for (const text::Diagnostic& diagnostic : diagnostics)
-    fmt::print(stderr, "{}", text::format_diagnostic(diagnostic, source, control));
+    if (fold.shows(diagnostic)) fmt::print(stderr, "{}", text::format_diagnostic(diagnostic, source, control));
+  print_folded(fold, source.name());
+}
+
+void print_folded(const text::DiagnosticFold& fold, std::string_view name) {
+  for (const text::DiagnosticFold::Row& row : fold.folded()) fmt::print(stderr, "{}", text::format_folded(row, name));
 }
 
 void print_not_validated(std::string_view file) {

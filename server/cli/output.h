@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dialects/text/diagnostic.h"
+#include "dialects/text/fold.h"
 #include "server/app/error.h"
 
 namespace dripfeed::cli {
@@ -16,6 +17,9 @@ void print_error(const app::Error& error);
 
 void print_diagnostics(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source,
                        std::string_view control);
+
+// How many more there were than were shown.
+void print_folded(const text::DiagnosticFold& fold, std::string_view name);
 
 // That a large program was run while it was read, and that what check says of its text was not looked at.
 void print_not_validated(std::string_view file);

@@ -1,13 +1,16 @@
 // Positions are looked up here: a diagnostic knows only bytes.
 #include "server/json/diagnostics.h"
 
+#include "dialects/text/fold.h"
 #include "server/json/object_reader.h"
 
 namespace dripfeed::json {
 
 std::string diagnostics(const std::vector<text::Diagnostic>& all, const text::Source& source) {
   Document list = Document::array();
+  text::DiagnosticFold fold;
   for (const text::Diagnostic& one : all) {
+    if (!fold.shows(one)) continue;
     const text::Position at = source.position(one.span.begin);
     list.push_back({{"id", text::row_of(one.id).name},
                     {"severity", text::name_of(one.severity)},
@@ -17,6 +20,15 @@ std::string diagnostics(const std::vector<text::Diagnostic>& all, const text::So
                     {"text", text::message_of(one)},
                     {"alarm", one.alarm.empty() ? Document(nullptr) : Document(one.alarm)}});
   }
+  return dump(list);
+}
+
+std::string folded_diagnostics(const std::vector<text::Diagnostic>& all) {
+  text::DiagnosticFold fold;
+  for (const text::Diagnostic& one : all) (void)fold.shows(one);
+  Document list = Document::array();
+  for (const text::DiagnosticFold::Row& row : fold.folded())
+    list.push_back({{"id", text::row_of(row.id).name}, {"severity", text::name_of(row.severity)}, {"more", row.more}});
   return dump(list);
 }
 

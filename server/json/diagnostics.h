@@ -9,6 +9,9 @@
 
 namespace dripfeed::json {
 
+// As many of each kind as text::DiagnosticFold shows.
 std::string diagnostics(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source);
+// [{id, severity, more}]: how many more there are of a kind.
+std::string folded_diagnostics(const std::vector<text::Diagnostic>& diagnostics);
 
 }  // namespace dripfeed::json

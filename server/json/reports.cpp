@@ -172,6 +172,7 @@ Document report_document(const app::CheckReport& report) {
                        {"control", control_document(report)},
                        {"verdict", checks::name_of(report.verdict)},
                        {"diagnostics", Document::parse(diagnostics(checks.diagnostics, report.source))},
+                       {"folded", Document::parse(folded_diagnostics(checks.diagnostics))},
                        {"blocks", report.blocks},
                        {"ran", report.ran},
                        {"timing", checks.timing ? timing_document(*checks.timing) : Document(nullptr)},

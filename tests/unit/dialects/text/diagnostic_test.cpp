@@ -9,6 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include "dialects/text/excerpt.h"
+#include "dialects/text/fold.h"
+
 namespace dripfeed::text {
 namespace {
 
@@ -74,6 +77,51 @@ TEST(FormatDiagnostic, PrintsNotesWithTheirOwnLineAndPlacesAtTheEnd) {
             "a:1:1: note: it begins here\n"
             "WHILE[1]DO1\n"
             "^\n");
+}
+
+TEST(FormatDiagnostic, CutsALongLineAroundThePlace) {
+  const std::string dull(20'000, 'x');
+  const Source source("a", dull + "@" + dull);
+  EXPECT_EQ(format_diagnostic(make_diagnostic(DiagnosticId::invalid_character, {20'000, 20'001}, {"@"}), source, ""),
+            "a:1:20001: error[invalid-character]: the character @ is not one that the control reads\n..." +
+                std::string(106, 'x') + "@" + std::string(53, 'x') + "...\n" + std::string(109, ' ') + "^\n");
+}
+
+TEST(Excerpt, IsCutBetweenCharactersAndNeverLonger) {
+  for (const std::string_view character : {"x", "\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x94\xA7"}) {
+    std::string line;
+    while (line.size() < 1000) line += character;
+    for (std::size_t at = 0; at <= line.size(); at += character.size()) {
+      const Excerpt shown = excerpt_of(line, at);
+      std::string_view middle = shown.text;
+      if (middle.starts_with("...")) middle.remove_prefix(3);
+      if (middle.ends_with("...")) middle.remove_suffix(3);
+      ASSERT_LE(middle.size(), kExcerptBytes) << at;
+      ASSERT_GE(middle.size(), kExcerptBytes - 3) << at;
+      ASSERT_EQ(middle.size() % character.size(), 0U) << "cut inside of a character at " << at;
+      ASSERT_TRUE(middle.starts_with(character));
+      if (at < line.size()) {
+        ASSERT_EQ(std::string_view(shown.text).substr(shown.place, character.size()), character) << at;
+      }
+    }
+  }
+}
+
+TEST(MessageOf, QuotesNoMoreOfAWordThanAnExcerpt) {
+  const std::string message = message_of(make_diagnostic(DiagnosticId::unknown_code, {}, {std::string(5000, 'G')}));
+  EXPECT_EQ(message, "the control has no code " + std::string(kExcerptBytes, 'G') + "...");
+}
+
+TEST(DiagnosticFold, ShowsTwentyOfAKindAndCountsTheRest) {
+  DiagnosticFold fold;
+  Diagnostic one = make_diagnostic(DiagnosticId::unknown_code, {});
+  int shown = 0;
+  for (int i = 0; i < 137; ++i) shown += fold.shows(one) ? 1 : 0;
+  one.severity = Severity::note;
+  EXPECT_TRUE(fold.shows(one)) << "another severity is another kind";
+  EXPECT_EQ(shown, 20);
+  ASSERT_EQ(fold.folded().size(), 1U);
+  EXPECT_EQ(format_folded(fold.folded().front(), "a.nc"), "a.nc: error[unknown-code]: 117 more, not shown\n");
 }
 
 TEST(HasError, LooksAtSeverityOnly) {
