@@ -60,8 +60,8 @@ Application::Application(const Environment& environment)
           environment.links, environment.take_seat, [this] { line_changed(); }, history_of(store_, environment.claim)),
       books_(store_, lines_, events_, clock_, environment.ballast),
       catalog_(store_, lines_, events_, clock_, documents_),
-      programs_(store_, clock_, documents_, environment.ballast),
-      checking_(store_, events_, clock_, documents_),
+      programs_(store_, clock_, documents_, environment.ballast, environment.workers),
+      checking_(store_, events_, clock_, documents_, environment.workers),
       jobs_(store_, lines_, books_, events_, clock_, documents_),
       receiving_({store_, lines_, jobs_, programs_, events_, clock_, documents_}) {}
 

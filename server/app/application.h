@@ -34,6 +34,7 @@ class Application {
     const Documents& documents;
     Ballast* ballast = nullptr;
     ClaimLine claim{};  // takes lines for this process; empty: they are not claimed
+    Workers* workers = nullptr;  // without them checks and renders are done in this process
   };
   explicit Application(const Environment& environment);
   // Jobs on a line are cancelled at a block end, as far as their control lets them.

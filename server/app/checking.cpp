@@ -1,4 +1,4 @@
-// The nominal is made anew from the family revision and values that the text was rendered from, so that it is what was
+// The nominal is that of the family revision and values that the text was rendered from, so that it is what was
 // ordered, not what was printed.
 #include "server/app/checking.h"
 
@@ -14,16 +14,6 @@ namespace {
 // Longest text that is checked whole.
 constexpr std::uint64_t kTextLimit = std::uint64_t{256} << 20U;
 
-store::Outcome outcome_of(checks::Verdict verdict) {
-  switch (verdict) {
-    case checks::Verdict::pass: return store::Outcome::pass;
-    case checks::Verdict::warn: return store::Outcome::warn;
-    case checks::Verdict::unknown: return store::Outcome::unknown;
-    case checks::Verdict::fail: return store::Outcome::fail;
-  }
-  return store::Outcome::unknown;
-}
-
 // "profile 12-60,70-71", as programs.cpp writes it.
 std::vector<family::LineRange> read_profile_lines(std::string_view facts) {
   constexpr std::string_view kHead = "profile ";
@@ -35,27 +25,23 @@ Result<void> add_rendered(store::Store& store, const Documents& documents, Store
   const store::Origin& origin = one.revision.origin;
   const auto family = lift(store.families().get(origin.family, origin.family_revision));
   if (!family) return std::unexpected(family.error());
-  const auto values = documents.read_values(origin.values);
+  auto values = documents.read_values(origin.values);
   if (!values) return std::unexpected(values.error());
-  one.examination.geometry =
-      compile::family_geometry(text::Source(family->name, family->text), overrides_of(*values)).geometry;
-  one.examination.profile_lines = read_profile_lines(one.revision.facts);
+  one.order.nominal = NominalCase{
+      .family = family->name, .revision = family->revision, .text = family->text, .values = std::move(*values)};
+  one.order.profile_lines = read_profile_lines(one.revision.facts);
   return {};
 }
 
 Result<void> add_nominal(store::Store& store, const CheckOrder& order, StoredCase& one) {
   const auto family = lift(store.families().get(order.nominal->family));
   if (!family) return std::unexpected(family.error());
-  const text::Source source(family->name, family->text);
-  auto made = compile::family_geometry(source, overrides_of(order.nominal->values));
-  if (auto fine = refuse_errors(made.diagnostics, source, fmt::format("family {}", family->name)); !fine)
-    return std::unexpected(fine.error());
-  one.examination.geometry = std::move(made.geometry);
-  one.examination.profile_lines = order.profile_lines;
-  std::string values;
-  for (const auto& [name, value] : order.nominal->values) values += fmt::format(" {}={}", name, value);
-  one.examination.assumed = fmt::format("whether the part is that of family {}, revision {}{}: it was said to be",
-                                        family->name, family->revision, values);
+  one.order.nominal = NominalCase{.family = family->name,
+                                  .revision = family->revision,
+                                  .text = family->text,
+                                  .values = order.nominal->values,
+                                  .is_said = true};
+  one.order.profile_lines = order.profile_lines;
   return {};
 }
 
@@ -90,8 +76,7 @@ std::optional<std::vector<family::LineRange>> read_line_ranges(std::string_view 
   return ranges;
 }
 
-Result<std::unique_ptr<StoredCase>> load_case(store::Store& store, const Documents& documents,
-                                              const CheckOrder& order) {
+Result<StoredCase> load_case(store::Store& store, const Documents& documents, const CheckOrder& order) {
   auto program = lift(store.programs().get(order.program));
   if (!program) return std::unexpected(program.error());
   auto revision = order.revision == 0 ? Result<store::ProgramRevision>(program->newest)
@@ -99,48 +84,47 @@ Result<std::unique_ptr<StoredCase>> load_case(store::Store& store, const Documen
   if (!revision) return std::unexpected(revision.error());
   auto machine = lift(store.machines().get(order.machine));
   if (!machine) return std::unexpected(machine.error());
-  auto profile = documents.read_profile(machine->profile);
+  const auto profile = documents.read_profile(machine->profile);
   if (!profile) return std::unexpected(profile.error());
   if (profile->control.dialect != program->dialect) {
     return fail(ErrorCode::invalid, fmt::format("program {} is {}, machine {} is {}", program->name, program->dialect,
                                                 machine->name, profile->control.dialect));
   }
-  const auto control = control_of(*profile);
-  if (!control) return std::unexpected(control.error());
   auto text = lift(store::read_whole(store.contents(), revision->sha256, kTextLimit));
   if (!text) return std::unexpected(text.error());
 
-  auto one = std::make_unique<StoredCase>(StoredCase{.program = std::move(*program),
-                                                     .revision = std::move(*revision),
-                                                     .machine = std::move(*machine),
-                                                     .profile = std::move(*profile),
-                                                     .examination = {}});
-  Examination& e = one->examination;
-  e.source = text::Source(one->program.name, std::move(*text));
-  e.dialect = compile::find_dialect(one->program.dialect);
-  e.control = *control;
-  e.profile = &one->profile;
-  e.delivery = order.delivery == store::Delivery::drip ? ir::Delivery::drip : ir::Delivery::memory;
-  if (auto known = add_geometry(store, documents, order, *one); !known) return std::unexpected(known.error());
+  StoredCase one{
+      .program = std::move(*program), .revision = std::move(*revision), .machine = std::move(*machine), .order = {}};
+  one.order = {.name = one.program.name,
+               .dialect = one.program.dialect,
+               .text = std::move(*text),
+               .profile = one.machine.profile,
+               .delivery = order.delivery,
+               .nominal = {},
+               .profile_lines = {}};
+  if (auto known = add_geometry(store, documents, order, one); !known) return std::unexpected(known.error());
   return one;
 }
 
-Checking::Checking(store::Store& store, Events& events, const Clock& clock, const Documents& documents)
-    : store_(store), events_(events), clock_(clock), documents_(documents) {}
+Checking::Checking(store::Store& store, Events& events, const Clock& clock, const Documents& documents,
+                   Workers* workers)
+    : store_(store), events_(events), clock_(clock), documents_(documents), workers_(workers) {}
 
-Result<store::Verdict> Checking::check(const CheckOrder& order, std::string_view actor) {
-  const auto one = load_case(store_, documents_, order);
-  if (!one) return std::unexpected(one.error());
-  const StoredCase& stored = **one;
-  const CheckReport report = examine(stored.examination);
+Result<store::Verdict> Checking::check(const CheckOrder& order, std::string_view actor, const Waiter& waiter) {
+  auto loaded = load_case(store_, documents_, order);
+  if (!loaded) return std::unexpected(loaded.error());
+  StoredCase& stored = *loaded;
+  auto done =
+      workers_ != nullptr ? workers_->check(stored.order, waiter) : check_case(std::move(stored.order), documents_, {});
+  if (!done) return std::unexpected(done.error());
 
   const store::NewVerdict row{.program = stored.program.id,
                               .revision = stored.revision.revision,
                               .machine = stored.machine.name,
                               .machine_revision = stored.machine.revision,
                               .delivery = order.delivery,
-                              .outcome = outcome_of(report.verdict),
-                              .report = documents_.write_report(report)};
+                              .outcome = done->outcome,
+                              .report = std::move(done->report)};
   auto verdict = lift(store_.verdicts().add(row, {std::string(actor), clock_.wall_ms()}));
   if (!verdict) return std::unexpected(verdict.error());
   events_.publish({.id = 0,

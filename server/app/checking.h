@@ -12,6 +12,7 @@
 #include "server/app/error.h"
 #include "server/app/events.h"
 #include "server/app/examine.h"
+#include "server/app/workers.h"
 #include "store/store.h"
 
 namespace dripfeed::app {
@@ -31,32 +32,33 @@ struct CheckOrder {
   std::vector<family::LineRange> profile_lines = {};  // with a nominal: the lines that make it; empty: every cut
 };
 
-// A stored program and machine, ready to be examined: what the order names, read from the store.
+// A stored program and machine, with what is to be done: what the order names, read from the store.
 struct StoredCase {
   store::Program program;
   store::ProgramRevision revision;
   store::Machine machine;
-  machine::Profile profile;
-  Examination examination;  // refers to `profile`
+  CaseOrder order;
 };
-// Errors: not_found; invalid: another dialect than the machine's, a nominal that does not bind, or one for a text that
-// has its own.
-Result<std::unique_ptr<StoredCase>> load_case(store::Store& store, const Documents& documents, const CheckOrder& order);
+// Errors: not_found; invalid: another dialect than the machine's, or a nominal for a text that has its own.
+Result<StoredCase> load_case(store::Store& store, const Documents& documents, const CheckOrder& order);
 
 // "12-60,70-71", as commands and requests name lines; nothing where it is none.
 std::optional<std::vector<family::LineRange>> read_line_ranges(std::string_view text);
 
 class Checking {
  public:
-  Checking(store::Store& store, Events& events, const Clock& clock, const Documents& documents);
-  // Errors: as load_case.
-  Result<store::Verdict> check(const CheckOrder& order, std::string_view actor);
+  // Without `workers` it is done here.
+  Checking(store::Store& store, Events& events, const Clock& clock, const Documents& documents,
+           Workers* workers = nullptr);
+  // Errors: as load_case and Workers::check.
+  Result<store::Verdict> check(const CheckOrder& order, std::string_view actor, const Waiter& waiter = {});
 
  private:
   store::Store& store_;
   Events& events_;
   const Clock& clock_;
   const Documents& documents_;
+  Workers* workers_;
 };
 
 }  // namespace dripfeed::app

@@ -47,6 +47,7 @@ class Checks {
   void finish() {
     if (envelope_) report_.checks.envelope = envelope_->finish();
     if (timing_) report_.checks.timing = timing_->finish();
+    if (timing_ && !report_.checks.timing->is_whole) report_.checks.has_unknown_effects = true;
     surfaces_.finish(report_.checks, report_.pictures);
     checks::CheckReport& done = report_.checks;
     if (done.envelope) name_alarms(done.envelope->findings);
@@ -91,6 +92,16 @@ class Checks {
   SurfaceChecks surfaces_;
 };
 
+// "stopped at the budget of 60 s"
+std::string why_ended(const interpreter::RunResult& run) {
+  const auto is_limit = [](const interpreter::RunDiagnostic& one) {
+    return one.diagnostic.id == text::DiagnosticId::limit_reached;
+  };
+  const auto found = std::ranges::find_if(run.diagnostics, is_limit);
+  if (found == run.diagnostics.end()) return "the program goes round without end";
+  return fmt::format("the run was stopped at the budget of {}", found->diagnostic.arguments.front());
+}
+
 // What the run said: alarms and warnings, and what it met and did not carry out.
 void take_run(const interpreter::RunResult& run, CheckReport& report) {
   for (const interpreter::RunDiagnostic& one : run.diagnostics) {
@@ -111,6 +122,9 @@ void take_run(const interpreter::RunResult& run, CheckReport& report) {
   report.programs = run.programs;
   report.blocks = run.blocks;
   report.ran = run.ended == interpreter::Ended::end;
+  if (run.ended != interpreter::Ended::limit) return;
+  report.checks.has_unknown_effects = true;
+  report.checks.not_checked.add(fmt::format("what follows line {}: {}", run.last.line, why_ended(run)), run.last.line);
 }
 
 void run_checks(const Examination& e, const ir::Program& program, CheckReport& report) {
@@ -118,7 +132,9 @@ void run_checks(const Examination& e, const ir::Program& program, CheckReport& r
   compile::FanOut sinks(checks.sinks());
   compile::ProgramLibrary library(
       e.control, e.find_called ? e.find_called : [](std::string_view) { return std::nullopt; });
-  take_run(compile::execute(program, e.control, &library, sinks, {}), report);
+  interpreter::RunOptions options;
+  options.used_up = e.used_up;
+  take_run(compile::execute(program, e.control, &library, sinks, options), report);
   for (const auto& loaded : library.loaded()) {
     if (text::has_error(loaded->read.diagnostics)) {
       report.checks.has_unknown_effects = true;
@@ -173,6 +189,7 @@ std::expected<timing::Settings, std::string> timing_settings(const Examination& 
   settings.keep_whole = e.timing.keep_whole;
   settings.wants_curve = e.timing.wants_curve;
   settings.threads = e.timing.threads;
+  settings.most_kept = most_kept_motions(text.size());
   if (e.delivery != ir::Delivery::drip || !machine::feeds_characters(e.profile->line.link.kind)) return settings;
   const auto effective = machine::effective_line(e.profile->line);  // the URL's options count
   if (!effective) return std::unexpected(effective.error());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <expected>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,6 +35,7 @@ struct Examination {
   std::optional<family::Geometry> geometry;      // stock and nominal, of a rendered program
   std::vector<family::LineRange> profile_lines;  // the moves that make the nominal; empty: every cut
   TimingWishes timing = {};
+  std::function<std::string()> used_up = {};  // a budget of the caller's: see interpreter::RunOptions
   std::string assumed = {};  // what was taken on somebody's word, told among what was not checked; may be empty
 };
 
@@ -41,6 +43,9 @@ CheckReport examine(const Examination& examination);
 
 // How `text` is timed on the machine of e.profile, which must be named. Errors: the link's URL.
 std::expected<timing::Settings, std::string> timing_settings(const Examination& e, std::string_view text);
+
+// Of a timing: about 150 bytes each, within what a text of that size may take.
+constexpr std::size_t most_kept_motions(std::size_t text_bytes) { return 1'000'000 + text_bytes / 8; }
 
 // Bytes on the wire of each line, its EOB as the machine has it and the blank that a TV check may ask for; line 1
 // first.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "server/app/catalog.h"
 #include "server/app/family_sweep.h"
 #include "server/app/machine_facts.h"
 #include "server/app/timing_pictures.h"
@@ -16,23 +17,25 @@ Measured measured_of(CheckReport report, const Examination& e) {
           x_is_diameter(e.control, e.profile)};
 }
 
-Result<Measured> measure_stored(store::Store& store, const Documents& documents, const MeasureOrder& order) {
-  const auto one = load_case(store, documents, order.of);
+Result<Measured> measure_case(CaseOrder of, const MeasureWishes& wishes, const Documents& documents,
+                              const CheckBudget& budget) {
+  const auto one = open_case(std::move(of), documents);
   if (!one) return std::unexpected(one.error());
-  StoredCase& stored = **one;
-  if (order.baud != 0) {
-    stored.profile.line.baud = order.baud;
-    stored.profile.line.link.options.erase("baud");
+  OpenCase& opened = **one;
+  if (wishes.baud != 0) {
+    opened.profile.line.baud = wishes.baud;
+    opened.profile.line.link.options.erase("baud");
   }
-  stored.examination.timing = order.timing;
-  CheckReport report = examine(stored.examination);
+  opened.examination.timing = wishes.timing;
+  opened.examination.used_up = time_budget(budget.seconds);
+  CheckReport report = examine(opened.examination);
   if (!report.ran) {
-    const std::string what = fmt::format("program {}", stored.program.name);
+    const std::string what = fmt::format("program {}", report.source.name());
     if (auto fine = refuse_errors(report.checks.diagnostics, report.source, what); !fine)
       return std::unexpected(fine.error());
     return fail(ErrorCode::refused, fmt::format("{} does not run to its end", what));
   }
-  return measured_of(std::move(report), stored.examination);
+  return measured_of(std::move(report), opened.examination);
 }
 
 std::optional<std::string> picture_of(const Measured& measured, PictureKind kind) {
@@ -74,18 +77,15 @@ Result<accuracy::CmmReport> measure_points(std::string_view csv, bool best_fit, 
   return accuracy::measure_cmm(*table, nearest, best_fit);
 }
 
-Result<sweep::Report> sweep_stored(store::Store& store, const Documents& documents, const SweepOrder& order) {
-  const auto family = lift(store.families().get(order.family));
-  if (!family) return std::unexpected(family.error());
-  const text::Source source(family->name, family->text);
+Result<sweep::Report> sweep_values(const SweepOrder& order, std::string_view family_text, std::string_view profile_text,
+                                   const Documents& documents) {
+  const text::Source source(order.family, std::string(family_text));
   auto fixed = overrides_of(order.values);
-  const auto machine = lift(store.machines().get(order.machine));
-  if (!machine) return std::unexpected(machine.error());
-  const auto profile = documents.read_profile(machine->profile);
+  const auto profile = documents.read_profile(profile_text);
   if (!profile) return std::unexpected(profile.error());
   const auto control = control_of(*profile);
   if (!control) return std::unexpected(control.error());
-  const auto fine = refuse_errors(compile::check_values(source, fixed), source, fmt::format("family {}", family->name));
+  const auto fine = refuse_errors(compile::check_values(source, fixed), source, fmt::format("family {}", order.family));
   if (!fine) return std::unexpected(fine.error());
   return sweep_family({.family = source,
                        .fixed = std::move(fixed),

@@ -22,14 +22,18 @@ struct Measured {
 };
 Measured measured_of(CheckReport report, const Examination& examination);
 
-// A stored program. `baud`: another speed of the machine's line; 0: its own. Errors: as load_case; refused: it has
-// faults or does not run to its end.
-struct MeasureOrder {
-  CheckOrder of;
-  std::uint32_t baud = 0;
+struct MeasureWishes {
+  std::uint32_t baud = 0;  // another speed of the machine's line; 0: its own
   TimingWishes timing = {};
 };
-Result<Measured> measure_stored(store::Store& store, const Documents& documents, const MeasureOrder& order);
+// What a request asks for.
+struct MeasureOrder {
+  CheckOrder of;
+  MeasureWishes wishes;
+};
+// Errors: as open_case; refused: it has faults or does not run to its end.
+Result<Measured> measure_case(CaseOrder of, const MeasureWishes& wishes, const Documents& documents,
+                              const CheckBudget& budget);
 
 // As SVG; nothing where the check did not run. Feed and buffer need the timing's curve (see TimingWishes).
 enum class PictureKind : std::uint8_t { deviation, stock, feed, buffer };
@@ -42,8 +46,7 @@ std::string why_not_measured(const Measured& measured);
 // Points as CSV (see read_cmm) against the nominal. Errors: invalid: no table of points, or points without a nominal.
 Result<accuracy::CmmReport> measure_points(std::string_view csv, bool best_fit, const Measured& measured);
 
-// The parameter space of a stored family (its newest revision) on a stored machine; `values` are not swept. Errors:
-// not_found; invalid: values that do not bind.
+// The parameter space of a family on a machine; `values` are not swept. Errors: invalid: values that do not bind.
 struct SweepOrder {
   std::string family;
   Values values;
@@ -52,6 +55,7 @@ struct SweepOrder {
   store::Delivery delivery = store::Delivery::drip;
   sweep::Settings settings;
 };
-Result<sweep::Report> sweep_stored(store::Store& store, const Documents& documents, const SweepOrder& order);
+Result<sweep::Report> sweep_values(const SweepOrder& order, std::string_view family_text, std::string_view profile_text,
+                                   const Documents& documents);
 
 }  // namespace dripfeed::app

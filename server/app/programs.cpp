@@ -11,29 +11,6 @@
 
 namespace dripfeed::app {
 
-namespace {
-
-// One line an entry, tab between the columns: text offset, printed line, family line, then name=value of what is set.
-std::string write_places(const compile::PlaceIndex& places) {
-  std::string out;
-  for (std::size_t i = 0; i < places.entries.size(); ++i) {
-    const compile::PlaceEntry& entry = places.entries[i];
-    out += fmt::format("{}\t{}\t{}", entry.offset, entry.line, entry.origin);
-    const auto values = places.values_of(i);
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      if (values[k] == values[k]) out += fmt::format("\t{}={}", places.names[k], text::format_shortest(values[k]));
-    }
-    out += '\n';
-  }
-  return out;
-}
-
-ir::Delivery delivery_of(store::Delivery delivery) {
-  return delivery == store::Delivery::drip ? ir::Delivery::drip : ir::Delivery::memory;
-}
-
-}  // namespace
-
 std::uint64_t count_blocks(std::string_view text) {
   std::uint64_t count = 0;
   while (!text.empty()) {
@@ -46,8 +23,9 @@ std::uint64_t count_blocks(std::string_view text) {
   return count;
 }
 
-Programs::Programs(store::Store& store, const Clock& clock, const Documents& documents, const Ballast* ballast)
-    : store_(store), clock_(clock), documents_(documents), ballast_(ballast) {}
+Programs::Programs(store::Store& store, const Clock& clock, const Documents& documents, const Ballast* ballast,
+                   Workers* workers)
+    : store_(store), clock_(clock), documents_(documents), ballast_(ballast), workers_(workers) {}
 
 store::Stamp Programs::stamp(std::string_view actor) const { return {std::string(actor), clock_.wall_ms()}; }
 
@@ -114,7 +92,7 @@ Result<store::Origin> Programs::origin_of(const RenderOrder& order, std::string&
   return origin;
 }
 
-Result<Rendered> Programs::render(const RenderOrder& order, std::string_view actor) {
+Result<Rendered> Programs::render(const RenderOrder& order, std::string_view actor, const Waiter& waiter) {
   std::string family_text;
   Values values;
   auto origin = origin_of(order, family_text, values);
@@ -123,19 +101,16 @@ Result<Rendered> Programs::render(const RenderOrder& order, std::string_view act
   if (!machine) return std::unexpected(machine.error());
   const auto profile = documents_.read_profile(machine->profile);
   if (!profile) return std::unexpected(profile.error());
-  const auto control = control_of(*profile);
-  if (!control) return std::unexpected(control.error());
-
-  const compile::RenderRequest request{.family = text::Source(origin->family, family_text),
-                                       .values = overrides_of(values),
-                                       .target = *control,
-                                       .mode = order.mode,
-                                       .delivery = delivery_of(order.delivery),
-                                       .program_name = order.name};
-  Rendered rendered{.program = {}, .result = compile::render(request)};
-  const auto fine =
-      refuse_errors(rendered.result.diagnostics, request.family, fmt::format("family {}", origin->family));
-  if (!fine) return std::unexpected(fine.error());
+  const RenderWork work{.family = origin->family,
+                        .text = std::move(family_text),
+                        .values = std::move(values),
+                        .profile = machine->profile,
+                        .mode = order.mode,
+                        .delivery = order.delivery,
+                        .name = order.name};
+  auto done = workers_ != nullptr ? workers_->render(work, waiter) : render_family(work, documents_);
+  if (!done) return std::unexpected(done.error());
+  Rendered rendered{.program = {}, .result = std::move(done->result)};
 
   if (auto room = refuse_on_full_disk(ballast_); !room) return std::unexpected(room.error());
   const auto content = lift(store_.contents().put(rendered.result.text));
@@ -145,8 +120,8 @@ Result<Rendered> Programs::render(const RenderOrder& order, std::string_view act
                              .blocks = rendered.result.blocks,
                              .facts = {},
                              .origin = std::move(*origin)};
-  if (!rendered.result.places.entries.empty()) {
-    const auto places = lift(store_.contents().put(write_places(rendered.result.places)));
+  if (!done->places.empty()) {
+    const auto places = lift(store_.contents().put(done->places));
     if (!places) return std::unexpected(places.error());
     text.places_sha256 = places->sha256;
   }

@@ -11,6 +11,7 @@
 #include "server/app/documents.h"
 #include "server/app/error.h"
 #include "server/app/ports/clock.h"
+#include "server/app/workers.h"
 #include "store/store.h"
 
 namespace dripfeed::app {
@@ -33,7 +34,8 @@ struct Rendered {
 
 class Programs {
  public:
-  Programs(store::Store& store, const Clock& clock, const Documents& documents, const Ballast* ballast = nullptr);
+  Programs(store::Store& store, const Clock& clock, const Documents& documents, const Ballast* ballast = nullptr,
+           Workers* workers = nullptr);
 
   // Texts are large, so none is taken while the room for the ledger is given up: all have the error unavailable, too.
   // Errors: invalid (no such dialect, empty).
@@ -42,7 +44,7 @@ class Programs {
   Result<store::Program> upload_revision(store::Id program, store::Revision expected, std::string_view text,
                                          std::string_view actor);
   // Rendered and stored; nothing is stored when the family, the values or the machine are wrong.
-  Result<Rendered> render(const RenderOrder& order, std::string_view actor);
+  Result<Rendered> render(const RenderOrder& order, std::string_view actor, const Waiter& waiter = {});
 
  private:
   Result<store::Origin> origin_of(const RenderOrder& order, std::string& family_text, Values& values);
@@ -52,6 +54,7 @@ class Programs {
   const Clock& clock_;
   const Documents& documents_;
   const Ballast* ballast_;
+  Workers* workers_;
 };
 
 // Non-empty lines but '%'.

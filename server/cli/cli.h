@@ -20,6 +20,7 @@ inline constexpr const char* kExitCodes =
     "Exit: 0 done, 1 the transfer failed, 2 wrong use or I/O error, 3 a block is or may be torn at the control: "
     "nothing\n"
     "goes out on the line until --confirm-reset";
+inline constexpr int kOverMemory = 77;  // of a worker alone
 
 // Each adds its command to `app`; `exit_code` gets what the command ended with.
 void add_serve(CLI::App& app, int& exit_code);
@@ -38,5 +39,6 @@ void add_simulate(CLI::App& app, int& exit_code);
 void add_link(CLI::App& app, int& exit_code);
 void add_ledger(CLI::App& app, int& exit_code);
 void add_token(CLI::App& app, int& exit_code);
+void add_worker(CLI::App& app, int& exit_code);
 
 }  // namespace dripfeed::cli

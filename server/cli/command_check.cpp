@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "server/app/check_budget.h"
 #include "server/app/examine.h"
 #include "server/cli/cli.h"
 #include "server/cli/inputs.h"
@@ -21,6 +22,7 @@ struct Options {
   NominalOptions nominal;
   std::vector<std::string> values;
   bool drip = false;
+  std::uint32_t seconds = kCheckSeconds;
 };
 
 void print_report(const app::CheckReport& report) {
@@ -60,7 +62,8 @@ app::Result<app::CheckReport> check_file(const Options& options, const std::stri
                        .delivery = options.drip ? ir::Delivery::drip : ir::Delivery::memory,
                        .find_called = find_in(folders_for(options.text, path)),
                        .geometry = nominal ? std::optional(nominal->geometry) : std::nullopt,
-                       .profile_lines = nominal ? nominal->profile_lines : std::vector<family::LineRange>{}});
+                       .profile_lines = nominal ? nominal->profile_lines : std::vector<family::LineRange>{},
+                       .used_up = app::time_budget(options.seconds)});
 }
 
 int check(const Options& options) {
@@ -100,6 +103,7 @@ void add_check(CLI::App& app, int& exit_code) {
                       "this family has stock, nominal and tools: gouges and accuracy are checked, too");
   command->add_option("--set", options->values, "with --nominal, its parameter: roll_length=\"200 mm\"");
   command->add_flag("--drip", options->drip, "as fed block by block while it runs (tape, DNC, remote mode)");
+  add_seconds(*command, options->seconds);
   command->callback([options, &exit_code] { exit_code = check(*options); });
 }
 

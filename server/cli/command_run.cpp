@@ -10,6 +10,9 @@
 #include "dialects/compile/convert.h"
 #include "dialects/compile/execute.h"
 #include "dialects/compile/stream.h"
+#include "dialects/text/excerpt.h"
+#include "dialects/text/fold.h"
+#include "server/app/check_budget.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"
 #include "server/cli/inputs.h"
@@ -28,9 +31,10 @@ struct Options {
   std::string state;
   std::vector<std::string> limits;
   std::vector<std::uint32_t> skips;
+  std::uint32_t seconds = 0;
 };
 
-// --limit blocks=n, loops=n, calls=n
+// --limit blocks=n, loops=n, calls=n, motions=n
 app::Result<interpreter::Limits> read_limits(const std::vector<std::string>& given) {
   interpreter::Limits limits;
   for (const std::string& limit : given) {
@@ -45,10 +49,13 @@ app::Result<interpreter::Limits> read_limits(const std::vector<std::string>& giv
       limits.blocks = number;
     } else if (fine && name == "loops") {
       limits.loop_passes = number;
+    } else if (fine && name == "motions") {
+      limits.motions = number;
     } else if (fine && name == "calls" && number <= UINT32_MAX) {
       limits.call_depth = static_cast<std::uint32_t>(number);
     } else {
-      return app::fail(app::ErrorCode::invalid, fmt::format("--limit \"{}\": use blocks=N, loops=N or calls=N", limit));
+      return app::fail(app::ErrorCode::invalid,
+                       fmt::format("--limit \"{}\": use blocks=N, loops=N, calls=N or motions=N", limit));
     }
   }
   return limits;
@@ -67,16 +74,19 @@ void print_elsewhere(const interpreter::RunDiagnostic& one, const std::vector<st
 // `print_main` prints a diagnostic of the main program.
 template <class PrintMain>
 int report_run(const interpreter::RunResult& result, std::string_view name, PrintMain print_main) {
+  text::DiagnosticFold fold;
   for (const interpreter::RunDiagnostic& one : result.diagnostics) {
+    if (!fold.shows(one.diagnostic)) continue;
     if (one.program == 0)
       print_main(one);
     else
       print_elsewhere(one, result.programs);
   }
+  print_folded(fold, name);
   for (const interpreter::NotInterpreted& one : result.not_interpreted)
     if (!one.effects_known)
       fmt::print(stderr, "{}:{}: {}: {}\n", one.program == 0 ? name : result.programs[one.program], one.first_line,
-                 one.is_input ? "input not known" : "not interpreted", one.name);
+                 one.is_input ? "input not known" : "not interpreted", text::shortened(one.name));
   return result.ended == interpreter::Ended::end ? kDone : kFailed;
 }
 
@@ -212,6 +222,7 @@ int run_command(const Options& options) {
   for (const std::uint32_t level : options.skips) run.skip_switches |= 1U << level;
   run.initial_values = *state;
   run.want_variables = options.text.json;
+  run.used_up = app::time_budget(options.seconds);
   if (options.file == "-" || options.trace == "blocks") return run_source(options, std::move(run));
   const auto file = ProgramFile::open(options.file);
   if (!file) {
@@ -236,7 +247,8 @@ void add_run(CLI::App& app, int& exit_code) {
                       "values before the start, a line each: #500=12.5, R5=1, INI[53]=2, $A_IN[1]=1");
   command->add_option("--skip", options->skips, "block skip switch N is on, 1 for \"/\" (may be repeated)")
       ->check(CLI::Range(1, 10));
-  command->add_option("--limit", options->limits, "blocks=N, loops=N or calls=N (may be repeated)");
+  command->add_option("--limit", options->limits, "blocks=N, loops=N, calls=N or motions=N (may be repeated)");
+  add_seconds(*command, options->seconds);
   command->callback([options, &exit_code] { exit_code = run_command(*options); });
 }
 

@@ -28,7 +28,9 @@
 #include "server/io/line_claim.h"
 #include "server/io/modbus_listener.h"
 #include "server/io/thread_priority.h"
+#include "server/io/worker_desk.h"
 #include "server/json/documents.h"
+#include "server/json/workers.h"
 #include "store/hash/hash.h"
 #include "store/sqlite/open.h"
 
@@ -48,6 +50,8 @@ struct Options {
   std::string modbus_listen;              // "": no Modbus server
   std::vector<std::string> modbus_allow;  // IP addresses
   std::vector<std::string> modbus_units;  // MACHINE=UNIT
+  std::uint32_t check_seconds = 60;
+  std::uint32_t check_memory_mb = 2048;
 };
 
 // MACHINE=UNIT, each unit and each machine once.
@@ -112,6 +116,17 @@ app::Result<std::unique_ptr<io::ModbusListener>> listen_for_plcs(const Options& 
   return std::move(*listener);
 }
 
+// Each check runs in a process of this same program.
+io::WorkerDeskSettings desk_settings(const Options& options) {
+  const std::uint64_t memory_bytes = std::uint64_t{options.check_memory_mb} << 20U;
+  const std::uint64_t computing_s = std::uint64_t{options.check_seconds} * json::DocumentWorkers::kSweepChecks;
+  return {.command = {"/proc/self/exe", "worker", "--memory-bytes", fmt::format("{}", memory_bytes), "--seconds",
+                      fmt::format("{}", computing_s)},
+          .at_once = std::max(2U, std::thread::hardware_concurrency() - 1U),
+          .memory_bytes = memory_bytes,
+          .memory_exit_code = kOverMemory};
+}
+
 int run_server(const Options& options, const http::ListenAddress& address, store::Store& store,
                const std::stop_token& stop) {
   const io::SteadyClock clock;
@@ -119,13 +134,16 @@ int run_server(const Options& options, const http::ListenAddress& address, store
   const auto links = io::start_link_thread();
   links->run([] { spdlog::info("the lines are served {}", io::how_scheduled()); });
   app::Ballast ballast(fs::path(options.data) / "ballast");
+  io::WorkerDesk desk(desk_settings(options));
+  json::DocumentWorkers workers(desk, {.seconds = options.check_seconds, .memory_bytes = 0});
   app::Application application({.store = store,
                                 .links = *links,
                                 .take_seat = io::take_modbus_seat,
                                 .clock = clock,
                                 .documents = documents,
                                 .ballast = &ballast,
-                                .claim = io::claim_line});
+                                .claim = io::claim_line,
+                                .workers = &workers});
   const auto token = ensure_first_token(store, options.data, clock);
   const auto started = token ? application.start() : token;
   if (!started) {
@@ -147,7 +165,7 @@ int run_server(const Options& options, const http::ListenAddress& address, store
     }
     plcs = std::move(*listening);
   }
-  http::Api api(application, web_root(options), kVersion, stop);
+  http::Api api(application, workers, web_root(options), kVersion, stop);
   auto server = http::Server::start(address, {.refuse_long = [&](const http::Request& r) { return api.refuse_long(r); },
                                               .is_heavy = [&](const http::Request& r) { return api.is_heavy(r); },
                                               .answer = [&](const http::Request& r) { return api.answer(r); }});
@@ -208,6 +226,13 @@ void add_serve(CLI::App& app, int& exit_code) {
   command->add_option("--modbus-unit", options->modbus_units, "MACHINE=UNIT: shown to PLCs as this unit, 1..247");
   command->add_option("--modbus-allow", options->modbus_allow,
                       "IP address that may read; must be given where --modbus-listen is not loopback");
+  command
+      ->add_option("--check-seconds", options->check_seconds, "budget of time of one check; a sweep has ten times it")
+      ->check(CLI::Range(1, 86'400))
+      ->capture_default_str();
+  command->add_option("--check-memory", options->check_memory_mb, "budget of memory of one check, in MB")
+      ->check(CLI::Range(64, 1'048'576))
+      ->capture_default_str();
   command->add_flag("--insecure", options->insecure, "listen beyond loopback without TLS");
   command->callback([options, &exit_code] { exit_code = serve(*options); });
 }

@@ -54,6 +54,7 @@ void add_time(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 256));
   command->add_option("--plot-feed", options->plot_feed, "writes the speed over the time as SVG");
   command->add_option("--plot-buffer", options->plot_buffer, "writes what lies in the control's buffer as SVG");
+  add_seconds(*command, options->seconds);
   command->callback([options, &exit_code] { exit_code = time_program(*options); });
 }
 

@@ -15,6 +15,7 @@
 
 #include "dialects/compile/caller_modes.h"
 #include "server/app/catalog.h"
+#include "server/cli/memory_budget.h"
 #include "server/json/profile_document.h"
 
 namespace dripfeed::cli {
@@ -40,10 +41,15 @@ std::string read_all(std::istream& stream) {
 }
 
 app::Result<std::string> read_file(const std::string& path) {
-  if (path == "-") return read_all(std::cin);
+  if (path == "-") {
+    std::string text = read_all(std::cin);
+    grant_memory(text.size());
+    return text;
+  }
   std::error_code error;
   if (fs::is_directory(path, error))
     return app::fail(app::ErrorCode::unavailable, fmt::format("{}: is a folder", path));
+  if (const auto size = fs::file_size(path, error); !error) grant_memory(size);
   std::ifstream file(path, std::ios::binary);
   if (!file) return app::fail(app::ErrorCode::unavailable, fmt::format("{}: {}", path, std::strerror(errno)));
   std::string text = read_all(file);
@@ -118,6 +124,14 @@ void add_text_options(CLI::App& command, TextOptions& options) {
   command.add_option("--path", options.paths, "folder with called programs (may be repeated)");
   command.add_option("--output", options.output, "write the text there instead of to standard output");
   command.add_flag("--json", options.json, "one JSON object on standard output");
+  command.preparse_callback([](std::size_t) { begin_text_budget(); });
+}
+
+void add_seconds(CLI::App& command, std::uint32_t& seconds) {
+  command
+      .add_option("--seconds", seconds,
+                  "a run that takes longer is stopped, and what follows is not known; 0: as long as it takes")
+      ->capture_default_str();
 }
 
 app::Result<text::Source> read_source(const std::string& path) {

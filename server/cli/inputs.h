@@ -2,6 +2,7 @@
 // text is for, called programs in --path.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,6 +30,10 @@ struct TextOptions {
   bool json = false;               // --json
 };
 void add_text_options(CLI::App& command, TextOptions& options);
+
+// --seconds, of commands that run programs.
+inline constexpr std::uint32_t kCheckSeconds = 60;
+void add_seconds(CLI::App& command, std::uint32_t& seconds);
 
 // "-" is standard input. Errors: unavailable, with what the system said.
 app::Result<text::Source> read_source(const std::string& path);

@@ -1,8 +1,11 @@
 // dripfeed: one binary, one table of commands.
 
+#include <new>
+
 #include <CLI/CLI.hpp>
 
 #include "server/cli/cli.h"
+#include "server/cli/output.h"
 
 namespace {
 
@@ -14,6 +17,7 @@ constexpr AddCommand kCommands[] = {
     dripfeed::cli::add_render, dripfeed::cli::add_time,    dripfeed::cli::add_accuracy, dripfeed::cli::add_calibrate,
     dripfeed::cli::add_gouge,  dripfeed::cli::add_send,    dripfeed::cli::add_simulate, dripfeed::cli::add_token,
     dripfeed::cli::add_sweep,  dripfeed::cli::add_receive, dripfeed::cli::add_link,     dripfeed::cli::add_ledger,
+    dripfeed::cli::add_worker,
 };
 
 }  // namespace
@@ -26,6 +30,9 @@ int main(int argc, char** argv) {
   for (const AddCommand add : kCommands) add(app, exit_code);
   try {
     app.parse(argc, argv);
+  } catch (const std::bad_alloc&) {
+    dripfeed::cli::print_error("there is not enough memory for it");
+    return dripfeed::cli::kWrongUse;
   } catch (const CLI::ParseError& error) {
     // Help and version end well; everything else is wrong use.
     return app.exit(error) == 0 ? dripfeed::cli::kDone : dripfeed::cli::kWrongUse;

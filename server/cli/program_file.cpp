@@ -10,6 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "server/cli/memory_budget.h"
+
 namespace dripfeed::cli {
 
 namespace {
@@ -50,6 +52,7 @@ std::expected<std::string, std::string> ProgramFile::whole() {
 }
 
 app::Result<text::Source> ProgramFile::head() {
+  grant_memory(size_bytes_.value_or(0));
   auto text = bytes(0, kWholeBytes);
   if (!text) return std::unexpected(text.error());
   const std::size_t last = text->find_last_of("\r\n");

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "dialects/compile/stream.h"
+#include "server/app/check_budget.h"
 #include "server/app/examine.h"
 #include "server/cli/program_file.h"
 
@@ -28,6 +29,7 @@ app::Examination examination_of(const TimeOptions& options, text::Source source,
   examination.timing.keep_whole = true;
   examination.timing.wants_curve = !options.plot_feed.empty() || !options.plot_buffer.empty();
   examination.timing.threads = options.threads;
+  examination.used_up = app::time_budget(options.seconds);
   return examination;
 }
 
@@ -84,10 +86,13 @@ app::Result<TimedProgram> time_stream(const Order& order, ProgramFile& file) {
   }
   auto settings = app::timing_settings(examination, text);
   if (!settings) return app::fail(app::ErrorCode::invalid, settings.error());
+  settings->most_kept = app::most_kept_motions(static_cast<std::size_t>(file.size_bytes().value_or(0)));
   timing::Timing timing(std::move(*settings));
   compile::ProgramLibrary library(chosen->control, examination.find_called);
+  interpreter::RunOptions run;
+  run.used_up = examination.used_up;
   compile::StreamRun ran =
-      compile::execute_stream(file, options.file, *chosen->dialect, chosen->control, &library, timing, {});
+      compile::execute_stream(file, options.file, *chosen->dialect, chosen->control, &library, timing, run);
   if (!ran.read_error.empty()) return app::fail(app::ErrorCode::unavailable, ran.read_error);
   TimedProgram timed{.report = {},
                      .diagnostics = std::move(ran.diagnostics),

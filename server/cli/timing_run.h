@@ -19,6 +19,7 @@ struct TimeOptions {
   bool drip = false;
   int baud = 0;  // 0: the machine's
   unsigned threads = 1;
+  std::uint32_t seconds = kCheckSeconds;
   std::string plot_feed;
   std::string plot_buffer;
 };

@@ -23,6 +23,7 @@ struct StatusRow {
   unsigned status;
   std::string_view title;
 };
+constexpr const char* kRetryAfter_s = "5";
 constexpr std::array kStatuses = {
     StatusRow{app::ErrorCode::not_found, 404, "not found"},
     StatusRow{app::ErrorCode::exists, 409, "exists already"},
@@ -80,6 +81,7 @@ Response problem_response(const app::Error& error) {
     if (row.code != error.code) continue;
     Response response = json_response(row.status, json::problem(row.status, row.title, error));
     response.content_type = "application/problem+json";
+    if (row.code == app::ErrorCode::unavailable) response.headers.emplace_back("Retry-After", kRetryAfter_s);
     return response;
   }
   return problem_response(500, error.text);
@@ -135,8 +137,10 @@ std::expected<store::Id, Response> id_of(std::string_view text) {
   return id;
 }
 
-Api::Api(app::Application& application, std::filesystem::path web_root, std::string version, std::stop_token stop)
+Api::Api(app::Application& application, json::DocumentWorkers& workers, std::filesystem::path web_root,
+         std::string version, std::stop_token stop)
     : application_(application),
+      workers_(workers),
       web_root_(std::move(web_root)),
       version_(std::move(version)),
       stop_(std::move(stop)),

@@ -15,13 +15,15 @@
 #include "server/app/application.h"
 #include "server/http/router.h"
 #include "server/http/sessions.h"
+#include "server/json/workers.h"
 
 namespace dripfeed::http {
 
 class Api {
  public:
   // `web_root`: the built page (web/dist); empty: no page is served. `stop`: the server ends, and long work gives up.
-  Api(app::Application& application, std::filesystem::path web_root, std::string version, std::stop_token stop = {});
+  Api(app::Application& application, json::DocumentWorkers& workers, std::filesystem::path web_root,
+      std::string version, std::stop_token stop = {});
 
   [[nodiscard]] bool is_heavy(const Request& request) const;
   Response answer(const Request& request);
@@ -30,6 +32,7 @@ class Api {
   std::optional<Response> refuse_long(const Request& head);
 
   app::Application& application() { return application_; }
+  json::DocumentWorkers& workers() { return workers_; }
   Sessions& sessions() { return sessions_; }
   [[nodiscard]] const std::filesystem::path& web_root() const { return web_root_; }
   [[nodiscard]] const std::string& version() const { return version_; }
@@ -46,6 +49,7 @@ class Api {
   void forget_old_replies(std::int64_t now_ms);
 
   app::Application& application_;
+  json::DocumentWorkers& workers_;
   std::filesystem::path web_root_;
   std::string version_;
   std::stop_token stop_;

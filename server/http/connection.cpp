@@ -116,6 +116,7 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
     request_.body = std::move(parser_->get().body());
     stream_.expires_never();
     if (!shared_.answerer.is_heavy(request_)) return respond(shared_.answerer.answer(request_));
+    request_.peer = stream_.socket().native_handle();
     asio::post(*shared_.pool, [self = shared_from_this(), request = std::move(request_)]() mutable {
       lower_priority_once();
       Response response = self->shared_.answerer.answer(request);

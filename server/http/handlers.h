@@ -2,6 +2,7 @@
 // store, and writes the answer.
 #pragma once
 
+#include "server/app/ports/workplace.h"
 #include "server/http/router.h"
 #include "store/store.h"
 
@@ -44,6 +45,9 @@ Response list_checks(const Call& call);
 Response add_check(const Call& call);
 Response get_check(const Call& call);
 Response waive_check(const Call& call);
+
+// Who waits for heavy work: the client, and the server while it runs.
+app::Waiter waiter_of(const Call& call);
 
 // handlers_measures.cpp
 Response measure_accuracy(const Call& call);

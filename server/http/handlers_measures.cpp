@@ -1,5 +1,5 @@
-// Measuring without keeping: accuracy, gouges, time and sweeps, as figures or as a picture. All of it is heavy work for
-// the pool.
+// Measuring without keeping: accuracy, gouges, time and sweeps, as figures or as a picture. All of it is done by a
+// worker while a thread of the pool waits for it.
 #include <algorithm>
 #include <atomic>
 #include <expected>
@@ -10,12 +10,11 @@
 
 #include <fmt/format.h>
 
-#include "server/app/measured.h"
+#include "server/app/checking.h"
 #include "server/http/api.h"
 #include "server/http/handlers.h"
-#include "server/json/reports.h"
 #include "server/json/requests.h"
-#include "server/json/sweep_report.h"
+#include "server/json/workers.h"
 
 namespace dripfeed::http {
 
@@ -31,21 +30,31 @@ std::expected<std::string, Response> plot_of(const Request& request, std::initia
   return std::unexpected(problem_response(422, fmt::format("plot must be {}", known)));
 }
 
-app::Result<app::Measured> measure(const Call& call, const app::MeasureOrder& order) {
-  app::Application& app = call.api.application();
-  return app::measure_stored(app.store(), app.documents(), order);
-}
-
-Response svg_response(std::string svg) {
+Response figures_response(const app::Result<json::Figures>& figures) {
+  if (!figures) return problem_response(figures.error());
+  if (!figures->is_picture) return json_response(200, figures->body);
   Response response;
   response.content_type = "image/svg+xml";
-  response.body = std::move(svg);
+  response.body = figures->body;
   return response;
 }
 
-Response picture(const app::Measured& measured, app::PictureKind kind) {
-  auto svg = app::picture_of(measured, kind);
-  return svg ? svg_response(std::move(*svg)) : problem_response(422, app::why_not_measured(measured));
+// The worker reads the body for itself; here it says which program is meant.
+Response measure(const Call& call, json::Measure what, std::string_view kind,
+                 std::initializer_list<std::string_view> plots) {
+  const auto plot = plot_of(call.request, plots);
+  if (!plot) return plot.error();
+  const auto body = json::read_measure_body(call.request.body, what);
+  if (!body) return problem_response(body.error());
+  app::Application& app = call.api.application();
+  auto stored = app::load_case(app.store(), app.documents(), body->order.of);
+  if (!stored) return problem_response(stored.error());
+  return figures_response(call.api.workers().figures({.kind = std::string(kind),
+                                                      .plot = *plot,
+                                                      .body = call.request.body,
+                                                      .of = std::move(stored->order),
+                                                      .sweep = {}},
+                                                     waiter_of(call)));
 }
 
 // Holds the only place for a sweep while it lives, if that was free.
@@ -66,64 +75,35 @@ class SweepPlace {
 
 }  // namespace
 
+app::Waiter waiter_of(const Call& call) { return {.stop = call.api.stop(), .peer = call.request.peer}; }
+
 Response measure_accuracy(const Call& call) {
-  const auto plot = plot_of(call.request, {"deviation"});
-  if (!plot) return plot.error();
-  const auto body = json::read_measure_body(call.request.body, json::Measure::accuracy);
-  if (!body) return problem_response(body.error());
-  const auto measured = measure(call, body->order);
-  if (!measured) return problem_response(measured.error());
-  const auto& report = measured->report.checks.accuracy;
-  if (!report) return problem_response(422, app::why_not_measured(*measured));
-  if (!plot->empty()) return picture(*measured, app::PictureKind::deviation);
-  if (body->cmm.empty()) return json_response(200, json::accuracy_figures(*report));
-  const auto points = app::measure_points(body->cmm, body->best_fit, *measured);
-  if (!points) return problem_response(points.error());
-  return json_response(200, json::accuracy_figures(*report, *points));
+  return measure(call, json::Measure::accuracy, "accuracy", {"deviation"});
 }
-
-Response measure_gouge(const Call& call) {
-  const auto plot = plot_of(call.request, {"stock"});
-  if (!plot) return plot.error();
-  const auto body = json::read_measure_body(call.request.body, json::Measure::gouge);
-  if (!body) return problem_response(body.error());
-  const auto measured = measure(call, body->order);
-  if (!measured) return problem_response(measured.error());
-  const auto& report = measured->report.checks.gouge;
-  if (!report) return problem_response(422, app::why_not_measured(*measured));
-  if (!plot->empty()) return picture(*measured, app::PictureKind::stock);
-  return json_response(200, json::gouge_figures(*report));
-}
-
-Response measure_timing(const Call& call) {
-  const auto plot = plot_of(call.request, {"feed", "buffer"});
-  if (!plot) return plot.error();
-  auto body = json::read_measure_body(call.request.body, json::Measure::timing);
-  if (!body) return problem_response(body.error());
-  body->order.timing = {.keep_whole = true, .wants_curve = !plot->empty()};
-  const auto measured = measure(call, body->order);
-  if (!measured) return problem_response(measured.error());
-  const auto& report = measured->report.checks.timing;
-  if (!report) return problem_response(422, app::why_not_measured(*measured));
-  if (*plot == "feed") return picture(*measured, app::PictureKind::feed);
-  if (*plot == "buffer") return picture(*measured, app::PictureKind::buffer);
-  return json_response(200, json::time_figures(*report));
-}
+Response measure_gouge(const Call& call) { return measure(call, json::Measure::gouge, "gouge", {"stock"}); }
+Response measure_timing(const Call& call) { return measure(call, json::Measure::timing, "timing", {"feed", "buffer"}); }
 
 Response sweep_family(const Call& call) {
   const auto plot = plot_of(call.request, {"region"});
   if (!plot) return plot.error();
-  auto order = json::read_sweep_body(call.request.body);
+  const auto order = json::read_sweep_body(call.request.body);
   if (!order) return problem_response(order.error());
   const SweepPlace place(call.api.sweeping());
   if (!place.is_ours()) return problem_response(409, "another sweep is running: ask again when it is done");
-  app::Application& app = call.api.application();
-  order->settings.stop = call.api.stop();
-  const auto report = app::sweep_stored(app.store(), app.documents(), *order);
-  if (!report) return problem_response(report.error());
-  if (call.api.stop().stop_requested()) return problem_response(503, "the server is stopping");
-  if (!plot->empty()) return svg_response(app::picture_of(*report));
-  return json_response(200, json::sweep_report(*report));
+  store::Store& store = call.api.application().store();
+  const auto family = app::lift(store.families().get(order->family));
+  if (!family) return problem_response(family.error());
+  const auto machine = app::lift(store.machines().get(order->machine));
+  if (!machine) return problem_response(machine.error());
+  const app::RenderWork of{.family = family->name,
+                           .text = family->text,
+                           .values = {},
+                           .profile = machine->profile,
+                           .mode = order->mode,
+                           .delivery = order->delivery,
+                           .name = {}};
+  return figures_response(call.api.workers().figures(
+      {.kind = "sweep", .plot = *plot, .body = call.request.body, .of = {}, .sweep = of}, waiter_of(call)));
 }
 
 }  // namespace dripfeed::http

@@ -36,6 +36,7 @@ struct Request {
   std::string content_type;
   std::string content_encoding;
   std::string body;
+  int peer = -1;  // the socket, for work that is given up when the client leaves; it is open until the answer
 };
 
 // Gives the next piece of a long body: how many bytes it wrote, 0 at the end, or what failed (then the connection is

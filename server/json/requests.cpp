@@ -143,7 +143,7 @@ app::Result<MeasureBody> read_measure_body(std::string_view body, Measure what) 
   MeasureBody read;
   const auto done = read_object(body, "request", [&](ObjectReader& o) {
     read_order(o, read.order.of);
-    if (what == Measure::timing) o.integer("baud", read.order.baud, kLeastBaud, kMostBaud);
+    if (what == Measure::timing) o.integer("baud", read.order.wishes.baud, kLeastBaud, kMostBaud);
     if (what != Measure::accuracy) return;
     o.text("cmm", read.cmm);
     o.flag("best_fit", read.best_fit);

@@ -1,0 +1,105 @@
+// Carrying out what workers.h describes, in whatever process this is.
+#include "server/app/workers.h"
+
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dialects/text/number.h"
+#include "server/app/catalog.h"
+
+namespace dripfeed::app {
+
+namespace {
+
+store::Outcome outcome_of(checks::Verdict verdict) {
+  switch (verdict) {
+    case checks::Verdict::pass: return store::Outcome::pass;
+    case checks::Verdict::warn: return store::Outcome::warn;
+    case checks::Verdict::unknown: return store::Outcome::unknown;
+    case checks::Verdict::fail: return store::Outcome::fail;
+  }
+  return store::Outcome::unknown;
+}
+
+ir::Delivery delivery_of(store::Delivery delivery) {
+  return delivery == store::Delivery::drip ? ir::Delivery::drip : ir::Delivery::memory;
+}
+
+// One line an entry, tab between the columns: text offset, printed line, family line, then name=value of what is set.
+std::string write_places(const compile::PlaceIndex& places) {
+  std::string out;
+  for (std::size_t i = 0; i < places.entries.size(); ++i) {
+    const compile::PlaceEntry& entry = places.entries[i];
+    out += fmt::format("{}\t{}\t{}", entry.offset, entry.line, entry.origin);
+    const auto values = places.values_of(i);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      if (values[k] == values[k]) out += fmt::format("\t{}={}", places.names[k], text::format_shortest(values[k]));
+    }
+    out += '\n';
+  }
+  return out;
+}
+
+Result<void> add_geometry(const NominalCase& nominal, Examination& e) {
+  const text::Source source(nominal.family, nominal.text);
+  auto made = compile::family_geometry(source, overrides_of(nominal.values));
+  e.geometry = std::move(made.geometry);
+  if (!nominal.is_said) return {};
+  if (auto fine = refuse_errors(made.diagnostics, source, fmt::format("family {}", nominal.family)); !fine) return fine;
+  std::string values;
+  for (const auto& [name, value] : nominal.values) values += fmt::format(" {}={}", name, value);
+  e.assumed = fmt::format("whether the part is that of family {}, revision {}{}: it was said to be", nominal.family,
+                          nominal.revision, values);
+  return {};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<OpenCase>> open_case(CaseOrder order, const Documents& documents) {
+  auto profile = documents.read_profile(order.profile);
+  if (!profile) return std::unexpected(profile.error());
+  const auto control = control_of(*profile);
+  if (!control) return std::unexpected(control.error());
+  auto one = std::make_unique<OpenCase>(OpenCase{.profile = std::move(*profile), .examination = {}});
+  Examination& e = one->examination;
+  e.source = text::Source(order.name, std::move(order.text));
+  e.dialect = compile::find_dialect(order.dialect);
+  if (e.dialect == nullptr) return fail(ErrorCode::invalid, fmt::format("dialect \"{}\" is not known", order.dialect));
+  e.control = *control;
+  e.profile = &one->profile;
+  e.delivery = delivery_of(order.delivery);
+  e.profile_lines = std::move(order.profile_lines);
+  if (!order.nominal) return one;
+  if (auto known = add_geometry(*order.nominal, e); !known) return std::unexpected(known.error());
+  return one;
+}
+
+Result<CheckDone> check_case(CaseOrder order, const Documents& documents, const CheckBudget& budget) {
+  const auto one = open_case(std::move(order), documents);
+  if (!one) return std::unexpected(one.error());
+  (*one)->examination.used_up = time_budget(budget.seconds);
+  const CheckReport report = examine((*one)->examination);
+  return CheckDone{outcome_of(report.verdict), documents.write_report(report)};
+}
+
+Result<RenderDone> render_family(const RenderWork& work, const Documents& documents) {
+  const auto profile = documents.read_profile(work.profile);
+  if (!profile) return std::unexpected(profile.error());
+  const auto control = control_of(*profile);
+  if (!control) return std::unexpected(control.error());
+  const compile::RenderRequest request{.family = text::Source(work.family, work.text),
+                                       .values = overrides_of(work.values),
+                                       .target = *control,
+                                       .mode = work.mode,
+                                       .delivery = delivery_of(work.delivery),
+                                       .program_name = work.name};
+  RenderDone done{.result = compile::render(request), .places = {}};
+  const auto fine = refuse_errors(done.result.diagnostics, request.family, fmt::format("family {}", work.family));
+  if (!fine) return std::unexpected(fine.error());
+  done.places = write_places(done.result.places);
+  return done;
+}
+
+}  // namespace dripfeed::app

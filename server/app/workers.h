@@ -1,0 +1,80 @@
+// What is done with other people's programs on behalf of the server, as data in and data out: nothing refers to the
+// store, so that it can be carried out in another process.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dialects/compile/render.h"
+#include "server/app/check_budget.h"
+#include "server/app/documents.h"
+#include "server/app/error.h"
+#include "server/app/examine.h"
+#include "server/app/ports/workplace.h"
+#include "store/store.h"
+
+namespace dripfeed::app {
+
+// The family that a program is held against.
+struct NominalCase {
+  std::string family;
+  store::Revision revision = 0;
+  std::string text;
+  Values values;
+  bool is_said = false;  // by who asks; otherwise the program was rendered from it
+};
+
+// A program and the machine that it is for.
+struct CaseOrder {
+  std::string name;
+  std::string dialect;
+  std::string text;
+  std::string profile;  // the machine's document
+  store::Delivery delivery = store::Delivery::drip;
+  std::optional<NominalCase> nominal;
+  std::vector<family::LineRange> profile_lines;  // that make the nominal; empty: every cut
+};
+
+struct OpenCase {
+  machine::Profile profile;
+  Examination examination;  // refers to `profile`
+};
+// Errors: invalid: a profile without a control, a nominal that does not bind.
+Result<std::unique_ptr<OpenCase>> open_case(CaseOrder order, const Documents& documents);
+
+struct CheckDone {
+  store::Outcome outcome = store::Outcome::unknown;
+  std::string report;  // as Documents::write_report has it
+};
+Result<CheckDone> check_case(CaseOrder order, const Documents& documents, const CheckBudget& budget);
+
+struct RenderWork {
+  std::string family;  // its name
+  std::string text;    // and what it says
+  Values values;
+  std::string profile;  // the machine's document
+  compile::RenderMode mode = compile::RenderMode::automatic;
+  store::Delivery delivery = store::Delivery::drip;
+  std::string name;  // of the program; empty: the renderer's
+};
+struct RenderDone {
+  compile::RenderResult result;  // but for geometry and places
+  std::string places;            // as it is stored; empty: there are none
+};
+// Errors: invalid: the family, the values or the machine.
+Result<RenderDone> render_family(const RenderWork& work, const Documents& documents);
+
+class Workers {
+ public:
+  Workers() = default;
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+  virtual ~Workers() = default;
+  // Errors: as the functions above; unavailable: as many wait as may; refused: a budget is used up; internal: it ended
+  // abnormally.
+  virtual Result<CheckDone> check(const CaseOrder& order, const Waiter& waiter) = 0;
+  virtual Result<RenderDone> render(const RenderWork& work, const Waiter& waiter) = 0;
+};
+
+}  // namespace dripfeed::app

@@ -1,0 +1,150 @@
+// The end that does the work.
+#include <utility>
+
+#include "server/app/measured.h"
+#include "server/json/documents.h"
+#include "server/json/reports.h"
+#include "server/json/requests.h"
+#include "server/json/sweep_report.h"
+#include "server/json/work_package.h"
+#include "server/json/workers.h"
+
+namespace dripfeed::json {
+
+namespace {
+
+using Reply = app::Result<WorkPackage>;
+
+struct Work {
+  const WorkPackage& package;
+  JsonDocuments documents;
+  app::CheckBudget budget;
+
+  [[nodiscard]] const std::string& text(std::string_view member) const { return package.text_of(package.head, member); }
+};
+
+Reply reply_figures(bool is_picture, std::string body) {
+  WorkPackage reply;
+  reply.head["is_picture"] = is_picture;
+  reply.add(body);
+  return reply;
+}
+
+Reply check(const Work& work) {
+  const auto done = app::check_case(read_case(work.package.head.at("case"), work.package), work.documents, work.budget);
+  if (!done) return std::unexpected(done.error());
+  WorkPackage reply;
+  reply.head["outcome"] = static_cast<int>(done->outcome);
+  reply.add(done->report);
+  return reply;
+}
+
+Reply render(const Work& work) {
+  const auto done = app::render_family(read_family(work.package.head.at("family"), work.package), work.documents);
+  if (!done) return std::unexpected(done.error());
+  const compile::RenderResult& result = done->result;
+  Document lines = Document::array();
+  for (const family::LineRange& one : result.profile_lines) lines.push_back({one.first, one.last});
+  WorkPackage reply;
+  reply.head = {{"mode", static_cast<int>(result.mode)},
+                {"because", result.because},
+                {"blocks", result.blocks},
+                {"bytes", result.bytes},
+                {"variables", result.variables},
+                {"profile_lines", std::move(lines)},
+                {"diagnostics", write_diagnostics(result.diagnostics)}};
+  reply.add(result.text);
+  reply.add(done->places);
+  return reply;
+}
+
+app::Result<app::Measured> measure(const Work& work, const app::MeasureWishes& wishes) {
+  return app::measure_case(read_case(work.package.head.at("case"), work.package), wishes, work.documents, work.budget);
+}
+
+Reply picture(const app::Measured& measured, app::PictureKind kind) {
+  auto svg = app::picture_of(measured, kind);
+  if (!svg) return app::fail(app::ErrorCode::invalid, app::why_not_measured(measured));
+  return reply_figures(true, std::move(*svg));
+}
+
+Reply not_measured(const app::Measured& measured) {
+  return app::fail(app::ErrorCode::invalid, app::why_not_measured(measured));
+}
+
+Reply accuracy(const Work& work) {
+  const auto body = read_measure_body(work.text("body"), Measure::accuracy);
+  if (!body) return std::unexpected(body.error());
+  const auto measured = measure(work, body->order.wishes);
+  if (!measured) return std::unexpected(measured.error());
+  const auto& report = measured->report.checks.accuracy;
+  if (!report) return not_measured(*measured);
+  if (!work.text("plot").empty()) return picture(*measured, app::PictureKind::deviation);
+  if (body->cmm.empty()) return reply_figures(false, accuracy_figures(*report));
+  const auto points = app::measure_points(body->cmm, body->best_fit, *measured);
+  if (!points) return std::unexpected(points.error());
+  return reply_figures(false, accuracy_figures(*report, *points));
+}
+
+Reply gouge(const Work& work) {
+  const auto body = read_measure_body(work.text("body"), Measure::gouge);
+  if (!body) return std::unexpected(body.error());
+  const auto measured = measure(work, body->order.wishes);
+  if (!measured) return std::unexpected(measured.error());
+  const auto& report = measured->report.checks.gouge;
+  if (!report) return not_measured(*measured);
+  if (!work.text("plot").empty()) return picture(*measured, app::PictureKind::stock);
+  return reply_figures(false, gouge_figures(*report));
+}
+
+Reply timing(const Work& work) {
+  auto body = read_measure_body(work.text("body"), Measure::timing);
+  if (!body) return std::unexpected(body.error());
+  const std::string& plot = work.text("plot");
+  body->order.wishes.timing = {.keep_whole = true, .wants_curve = !plot.empty()};
+  const auto measured = measure(work, body->order.wishes);
+  if (!measured) return std::unexpected(measured.error());
+  const auto& report = measured->report.checks.timing;
+  if (!report) return not_measured(*measured);
+  if (plot == "feed") return picture(*measured, app::PictureKind::feed);
+  if (plot == "buffer") return picture(*measured, app::PictureKind::buffer);
+  return reply_figures(false, time_figures(*report));
+}
+
+Reply sweep(const Work& work) {
+  const auto order = read_sweep_body(work.text("body"));
+  if (!order) return std::unexpected(order.error());
+  const app::RenderWork of = read_family(work.package.head.at("family"), work.package);
+  const auto report = app::sweep_values(*order, of.text, of.profile, work.documents);
+  if (!report) return std::unexpected(report.error());
+  if (!work.text("plot").empty()) return reply_figures(true, app::picture_of(*report));
+  return reply_figures(false, sweep_report(*report));
+}
+
+struct KindRow {
+  std::string_view name;
+  Reply (*carry_out)(const Work&);
+};
+constexpr KindRow kKinds[] = {{"check", check}, {"render", render}, {"accuracy", accuracy},
+                              {"gouge", gouge}, {"timing", timing}, {"sweep", sweep}};
+
+Reply do_work(const WorkPackage& package) {
+  const Work work{.package = package,
+                  .documents = {},
+                  .budget = {.seconds = package.head.at("seconds").get<std::uint32_t>(), .memory_bytes = 0}};
+  const auto kind = package.head.at("kind").get<std::string>();
+  for (const KindRow& row : kKinds)
+    if (row.name == kind) return row.carry_out(work);
+  return app::fail(app::ErrorCode::internal, "a worker was asked for work that it does not know: " + kind);
+}
+
+}  // namespace
+
+std::string carry_out(std::string_view request) {
+  auto package = read_package(request);
+  if (!package) return write_work_error(package.error());
+  const Reply reply = do_work(*package);
+  return reply ? write_package(*reply) : write_work_error(reply.error());
+}
+
+}  // namespace dripfeed::json

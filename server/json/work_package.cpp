@@ -1,0 +1,174 @@
+// Both ends are this program, so a package that cannot be read is a fault of ours: members are taken as they must be,
+// and the fences of who calls see to the rest.
+#include "server/json/work_package.h"
+
+#include <cstdint>
+#include <utility>
+
+namespace dripfeed::json {
+
+namespace {
+
+const std::string kNoText;
+
+Document write_values(const app::Values& values, WorkPackage& into) {
+  Document list = Document::array();
+  for (const auto& [name, value] : values) list.push_back({into.add(name), into.add(value)});
+  return list;
+}
+
+app::Values read_values(const Document& from, const WorkPackage& package) {
+  app::Values values;
+  for (const Document& one : from) {
+    values[package.texts.at(one.at(0).get<std::size_t>())] = package.texts.at(one.at(1).get<std::size_t>());
+  }
+  return values;
+}
+
+}  // namespace
+
+const std::string& WorkPackage::text_of(const Document& from, std::string_view member) const {
+  const auto found = from.find(member);
+  return found == from.end() ? kNoText : texts.at(found->get<std::size_t>());
+}
+
+std::string write_package(const WorkPackage& package) {
+  Document sizes = Document::array();
+  std::size_t bytes = 0;
+  for (const std::string& text : package.texts) {
+    sizes.push_back(text.size());
+    bytes += text.size();
+  }
+  std::string out = dump({{"head", package.head}, {"sizes", std::move(sizes)}});
+  out.reserve(out.size() + 1 + bytes);
+  out += '\n';
+  for (const std::string& text : package.texts) out += text;
+  return out;
+}
+
+app::Result<WorkPackage> read_package(std::string_view bytes) {
+  const auto broken = [] { return app::fail(app::ErrorCode::internal, "a worker's package is not whole"); };
+  const std::size_t end = bytes.find('\n');
+  if (end == std::string_view::npos) return broken();
+  auto line = parse(bytes.substr(0, end));
+  if (!line) return std::unexpected(line.error());
+  if (!line->is_object() || !line->contains("head") || !line->contains("sizes")) return broken();
+  WorkPackage package{.head = std::move((*line)["head"]), .texts = {}};
+  bytes.remove_prefix(end + 1);
+  for (const Document& size : (*line)["sizes"]) {
+    const auto count = size.get<std::size_t>();
+    if (count > bytes.size()) return broken();
+    package.texts.emplace_back(bytes.substr(0, count));
+    bytes.remove_prefix(count);
+  }
+  return package;
+}
+
+Document write_case(const app::CaseOrder& order, WorkPackage& into) {
+  Document lines = Document::array();
+  for (const family::LineRange& one : order.profile_lines) lines.push_back({one.first, one.last});
+  Document document = {{"name", into.add(order.name)},
+                       {"dialect", into.add(order.dialect)},
+                       {"text", into.add(order.text)},
+                       {"profile", into.add(order.profile)},
+                       {"drip", order.delivery == store::Delivery::drip},
+                       {"profile_lines", std::move(lines)}};
+  if (!order.nominal) return document;
+  const app::NominalCase& nominal = *order.nominal;
+  document["nominal"] = {{"family", into.add(nominal.family)},
+                         {"revision", nominal.revision},
+                         {"text", into.add(nominal.text)},
+                         {"values", write_values(nominal.values, into)},
+                         {"is_said", nominal.is_said}};
+  return document;
+}
+
+app::CaseOrder read_case(const Document& from, const WorkPackage& package) {
+  app::CaseOrder order{.name = package.text_of(from, "name"),
+                       .dialect = package.text_of(from, "dialect"),
+                       .text = package.text_of(from, "text"),
+                       .profile = package.text_of(from, "profile"),
+                       .delivery = from.at("drip").get<bool>() ? store::Delivery::drip : store::Delivery::memory,
+                       .nominal = {},
+                       .profile_lines = {}};
+  for (const Document& one : from.at("profile_lines"))
+    order.profile_lines.push_back({one.at(0).get<std::uint32_t>(), one.at(1).get<std::uint32_t>()});
+  const auto nominal = from.find("nominal");
+  if (nominal == from.end()) return order;
+  order.nominal = app::NominalCase{.family = package.text_of(*nominal, "family"),
+                                   .revision = nominal->at("revision").get<store::Revision>(),
+                                   .text = package.text_of(*nominal, "text"),
+                                   .values = read_values(nominal->at("values"), package),
+                                   .is_said = nominal->at("is_said").get<bool>()};
+  return order;
+}
+
+Document write_family(const app::RenderWork& work, WorkPackage& into) {
+  return {{"family", into.add(work.family)},
+          {"text", into.add(work.text)},
+          {"values", write_values(work.values, into)},
+          {"profile", into.add(work.profile)},
+          {"mode", static_cast<int>(work.mode)},
+          {"drip", work.delivery == store::Delivery::drip},
+          {"name", into.add(work.name)}};
+}
+
+app::RenderWork read_family(const Document& from, const WorkPackage& package) {
+  return {.family = package.text_of(from, "family"),
+          .text = package.text_of(from, "text"),
+          .values = read_values(from.at("values"), package),
+          .profile = package.text_of(from, "profile"),
+          .mode = static_cast<compile::RenderMode>(from.at("mode").get<int>()),
+          .delivery = from.at("drip").get<bool>() ? store::Delivery::drip : store::Delivery::memory,
+          .name = package.text_of(from, "name")};
+}
+
+std::string write_work_error(const app::Error& error) {
+  WorkPackage package;
+  Document places = Document::array();
+  for (const app::ErrorPlace& one : error.places)
+    places.push_back({{"pointer", one.pointer}, {"line", one.line}, {"column", one.column}, {"text", one.text}});
+  package.head["error"] = {{"code", static_cast<int>(error.code)}, {"text", error.text}, {"places", std::move(places)}};
+  return write_package(package);
+}
+
+app::Error read_work_error(const Document& error) {
+  app::Error out{.code = static_cast<app::ErrorCode>(error.at("code").get<int>()),
+                 .text = error.at("text").get<std::string>(),
+                 .places = {}};
+  for (const Document& one : error.at("places")) {
+    out.places.push_back({.pointer = one.at("pointer").get<std::string>(),
+                          .line = one.at("line").get<std::uint32_t>(),
+                          .column = one.at("column").get<std::uint32_t>(),
+                          .text = one.at("text").get<std::string>()});
+  }
+  return out;
+}
+
+Document write_diagnostics(const std::vector<text::Diagnostic>& diagnostics) {
+  Document list = Document::array();
+  for (const text::Diagnostic& one : diagnostics) {
+    list.push_back({{"id", static_cast<int>(one.id)},
+                    {"severity", static_cast<int>(one.severity)},
+                    {"begin", one.span.begin},
+                    {"end", one.span.end},
+                    {"arguments", one.arguments},
+                    {"alarm", one.alarm}});
+  }
+  return list;
+}
+
+std::vector<text::Diagnostic> read_diagnostics(const Document& from) {
+  std::vector<text::Diagnostic> all;
+  for (const Document& one : from) {
+    text::Diagnostic made = text::make_diagnostic(static_cast<text::DiagnosticId>(one.at("id").get<int>()), {});
+    made.severity = static_cast<text::Severity>(one.at("severity").get<int>());
+    made.span = {one.at("begin").get<std::uint32_t>(), one.at("end").get<std::uint32_t>()};
+    made.arguments = one.at("arguments").get<std::vector<std::string>>();
+    made.alarm = one.at("alarm").get<std::string>();
+    all.push_back(std::move(made));
+  }
+  return all;
+}
+
+}  // namespace dripfeed::json

@@ -1,0 +1,80 @@
+// The end that asks.
+#include "server/json/workers.h"
+
+#include <utility>
+
+#include "server/json/work_package.h"
+
+namespace dripfeed::json {
+
+namespace {
+
+app::ErrorCode code_of(app::WorkFault fault) {
+  switch (fault) {
+    case app::WorkFault::busy:
+    case app::WorkFault::abandoned:
+    case app::WorkFault::not_begun: return app::ErrorCode::unavailable;
+    case app::WorkFault::time:
+    case app::WorkFault::memory: return app::ErrorCode::refused;
+    case app::WorkFault::ended: break;
+  }
+  return app::ErrorCode::internal;
+}
+
+// The reply's package, unless it is one of an error.
+app::Result<WorkPackage> ask(app::Workplace& workplace, const WorkPackage& request, std::uint32_t seconds,
+                             const app::Waiter& waiter) {
+  const auto reply = workplace.carry_out(write_package(request), seconds, waiter);
+  if (!reply) return app::fail(code_of(reply.error().fault), reply.error().text);
+  auto package = read_package(*reply);
+  if (!package) return package;
+  if (const auto error = package->head.find("error"); error != package->head.end())
+    return std::unexpected(read_work_error(*error));
+  return package;
+}
+
+}  // namespace
+
+app::Result<app::CheckDone> DocumentWorkers::check(const app::CaseOrder& order, const app::Waiter& waiter) {
+  WorkPackage request;
+  request.head = {{"kind", "check"}, {"seconds", budget_.seconds}, {"case", write_case(order, request)}};
+  auto reply = ask(workplace_, request, budget_.seconds, waiter);
+  if (!reply) return std::unexpected(reply.error());
+  return app::CheckDone{static_cast<store::Outcome>(reply->head.at("outcome").get<int>()),
+                        std::move(reply->texts.at(0))};
+}
+
+app::Result<app::RenderDone> DocumentWorkers::render(const app::RenderWork& work, const app::Waiter& waiter) {
+  WorkPackage request;
+  request.head = {{"kind", "render"}, {"seconds", budget_.seconds}, {"family", write_family(work, request)}};
+  auto reply = ask(workplace_, request, budget_.seconds, waiter);
+  if (!reply) return std::unexpected(reply.error());
+  const Document& head = reply->head;
+  app::RenderDone done{.result = {}, .places = std::move(reply->texts.at(1))};
+  done.result.text = std::move(reply->texts.at(0));
+  done.result.mode = static_cast<compile::RenderMode>(head.at("mode").get<int>());
+  done.result.because = head.at("because").get<std::string>();
+  done.result.blocks = head.at("blocks").get<std::uint64_t>();
+  done.result.bytes = head.at("bytes").get<std::uint64_t>();
+  done.result.variables = head.at("variables").get<std::uint32_t>();
+  for (const Document& one : head.at("profile_lines"))
+    done.result.profile_lines.push_back({one.at(0).get<std::uint32_t>(), one.at(1).get<std::uint32_t>()});
+  done.result.diagnostics = read_diagnostics(head.at("diagnostics"));
+  return done;
+}
+
+app::Result<Figures> DocumentWorkers::figures(const FiguresWork& work, const app::Waiter& waiter) {
+  const std::uint32_t seconds = work.sweep ? budget_.seconds * kSweepChecks : budget_.seconds;
+  WorkPackage request;
+  request.head = {{"kind", work.kind},
+                  {"seconds", budget_.seconds},
+                  {"plot", request.add(work.plot)},
+                  {"body", request.add(work.body)}};
+  if (work.of) request.head["case"] = write_case(*work.of, request);
+  if (work.sweep) request.head["family"] = write_family(*work.sweep, request);
+  auto reply = ask(workplace_, request, seconds, waiter);
+  if (!reply) return std::unexpected(reply.error());
+  return Figures{reply->head.at("is_picture").get<bool>(), std::move(reply->texts.at(0))};
+}
+
+}  // namespace dripfeed::json

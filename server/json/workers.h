@@ -1,0 +1,43 @@
+// Work that is given away as a package and carried out from one. Both ends are this program.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "server/app/workers.h"
+
+namespace dripfeed::json {
+
+// Figures or a picture of a request of the measuring routes; `kind` is the route's last word.
+struct FiguresWork {
+  std::string kind;                      // "accuracy", "gouge", "timing", "sweep"
+  std::string plot;                      // name of a picture; empty: figures
+  std::string body;                      // of the request
+  std::optional<app::CaseOrder> of;      // but for a sweep
+  std::optional<app::RenderWork> sweep;  // family and machine
+};
+struct Figures {
+  bool is_picture = false;  // SVG; otherwise JSON
+  std::string body;
+};
+
+class DocumentWorkers final : public app::Workers {
+ public:
+  DocumentWorkers(app::Workplace& workplace, const app::CheckBudget& budget) : workplace_(workplace), budget_(budget) {}
+
+  app::Result<app::CheckDone> check(const app::CaseOrder& order, const app::Waiter& waiter) override;
+  app::Result<app::RenderDone> render(const app::RenderWork& work, const app::Waiter& waiter) override;
+  // A sweep makes many checks, and has kSweepChecks times the time of one.
+  app::Result<Figures> figures(const FiguresWork& work, const app::Waiter& waiter);
+
+  static constexpr std::uint32_t kSweepChecks = 10;
+
+ private:
+  app::Workplace& workplace_;
+  app::CheckBudget budget_;
+};
+
+// In the worker: does what a package asks for. The reply is a package, too, of an error where it could not be done.
+std::string carry_out(std::string_view request);
+
+}  // namespace dripfeed::json

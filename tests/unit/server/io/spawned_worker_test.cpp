@@ -1,0 +1,101 @@
+// Processes of a shell: what goes in and comes out, and how one ends that crashes, hangs or is not waited for.
+#include "server/io/spawned_worker.h"
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "server/io/worker_desk.h"
+
+namespace dripfeed::io {
+namespace {
+
+std::vector<std::string> shell(std::string script) { return {"/bin/sh", "-c", std::move(script)}; }
+bool always(bool) { return true; }
+
+TEST(WorkerProcess, GivesARequestLargerThanTheSocketAndHearsTheWholeReply) {
+  auto process = WorkerProcess::start(shell("exec cat"));
+  ASSERT_TRUE(process) << process.error();
+  const std::string request(5'000'000, 'x');
+  const auto done = process->exchange(request, -1, always);
+  EXPECT_TRUE(done.end.is_good());
+  EXPECT_EQ(done.reply, request);
+}
+
+TEST(WorkerProcess, SaysByWhichSignalItEnded) {
+  auto process = WorkerProcess::start(shell("cat >/dev/null; kill -SEGV $$"));
+  ASSERT_TRUE(process);
+  const auto done = process->exchange("request", -1, always);
+  EXPECT_EQ(done.end.signal, SIGSEGV);
+  EXPECT_FALSE(done.was_given_up);
+}
+
+TEST(WorkerProcess, HasNoOtherFileOfOurs) {
+  std::array<int, 2> pipe{};
+  ASSERT_EQ(::pipe2(pipe.data(), O_CLOEXEC), 0);
+  auto process = WorkerProcess::start(shell("cat >/dev/null; ls /proc/$$/fd | wc -l"));
+  ASSERT_TRUE(process);
+  EXPECT_EQ(process->exchange("", -1, always).reply, "3\n");
+  ::close(pipe[0]);
+  ::close(pipe[1]);
+}
+
+TEST(WorkerDesk, KillsWhatTakesLongerThanItMayAndWhatNobodyWaitsFor) {
+  WorkerDesk desk({.command = shell("exec sleep 60"), .at_once = 2});
+  std::array<int, 2> peer{};
+  ASSERT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, peer.data()), 0);
+  std::jthread leaves([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    ::close(peer[1]);
+  });
+  const auto begun = std::chrono::steady_clock::now();
+  const auto left = desk.carry_out("x", 60, {.stop = {}, .peer = peer[0]});
+  ASSERT_FALSE(left);
+  EXPECT_EQ(left.error().fault, app::WorkFault::abandoned);
+  std::stop_source stop;
+  stop.request_stop();
+  const auto stopped = desk.carry_out("x", 60, {.stop = stop.get_token(), .peer = -1});
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().text, "the server is stopping");
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(5));
+  ::close(peer[0]);
+}
+
+TEST(WorkerDesk, SaysThatItEndedAbnormallyOrWasOverItsMemory) {
+  WorkerDesk crashes({.command = shell("cat >/dev/null; kill -ABRT $$"), .at_once = 1});
+  const auto crashed = crashes.carry_out("x", 60, {});
+  ASSERT_FALSE(crashed);
+  EXPECT_EQ(crashed.error().fault, app::WorkFault::ended);
+  EXPECT_EQ(crashed.error().text, "the check ended abnormally (signal 6): nothing is known of the program");
+  WorkerDesk large({.command = shell("cat >/dev/null; exit 77"),
+                    .at_once = 1,
+                    .memory_bytes = std::uint64_t{512} << 20U,
+                    .memory_exit_code = 77});
+  const auto over = large.carry_out("x", 60, {});
+  ASSERT_FALSE(over);
+  EXPECT_EQ(over.error().fault, app::WorkFault::memory);
+  EXPECT_EQ(over.error().text, "the program needs more than 512 MB to be checked");
+}
+
+TEST(WorkerDesk, SendsAwayWhoComesWhenAsManyWaitAsMay) {
+  WorkerDesk desk({.command = shell("exec sleep 60"), .at_once = 1, .waiting = 1});
+  std::stop_source stop;
+  std::vector<std::jthread> callers;
+  for (int i = 0; i < 2; ++i)
+    callers.emplace_back([&] { (void)desk.carry_out("x", 60, {.stop = stop.get_token(), .peer = -1}); });
+  while (desk.load().working + desk.load().waiting < 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  const auto third = desk.carry_out("x", 60, {.stop = stop.get_token(), .peer = -1});
+  ASSERT_FALSE(third);
+  EXPECT_EQ(third.error().fault, app::WorkFault::busy);
+  EXPECT_EQ(third.error().text, "1 checks are being made and 1 more wait: ask again in a while");
+  stop.request_stop();
+}
+
+}  // namespace
+}  // namespace dripfeed::io
