@@ -9,6 +9,7 @@
 
 #include "dialects/compile/dialect.h"
 #include "dialects/text/fold.h"
+#include "server/app/names.h"
 
 namespace dripfeed::app {
 
@@ -97,6 +98,10 @@ Result<ReadFamily> read_family(std::string_view text) {
   read.description = compile::describe_family(read.source);
   const auto fine = refuse_errors(read.description.diagnostics, read.source, "the family");
   if (!fine) return std::unexpected(fine.error());
+  if (const std::string why = why_no_name(read.description.name); !why.empty()) {
+    return fail(ErrorCode::invalid, fmt::format("the name of the family {}", why),
+                {{.pointer = "/text", .text = fmt::format("the name behind \"family\" {}", why)}});
+  }
   return read;
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "server/app/error.h"
+#include "server/app/names.h"
 #include "server/cli/cli.h"
 #include "server/cli/output.h"
 #include "server/io/steady_clock.h"
@@ -28,6 +29,8 @@ struct Options {
 using Work = store::Result<void> (*)(store::Store& store, const Options& options, const store::Stamp& by);
 
 store::Result<void> add_one(store::Store& store, const Options& options, const store::Stamp& by) {
+  if (const std::string why = app::why_no_name(options.name); !why.empty())
+    return std::unexpected(store::Error{store::ErrorCode::invalid_value, fmt::format("the name of a token {}", why)});
   const std::string token = hash::random_token();
   const auto role = store::named<store::Role>(options.role);
   if (!role) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "dialects/text/number.h"
+#include "server/app/names.h"
 
 namespace dripfeed::json {
 
@@ -34,10 +35,10 @@ void ObjectReader::text(std::string_view name, std::string& into, bool required)
   if (required && into.empty()) fault(name, "must not be empty");
 }
 
-void ObjectReader::path_name(std::string_view name, std::string& into) {
-  text(name, into, true);
-  const bool control = std::ranges::any_of(into, [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; });
-  if (control || into == "." || into == "..") fault(name, "must be a name without control characters");
+void ObjectReader::proper_name(std::string_view name, std::string& into, bool required) {
+  text(name, into, required);
+  if (into.empty()) return;  // a fault already, where it is required
+  if (std::string why = app::why_no_name(into); !why.empty()) fault(name, std::move(why));
 }
 
 void ObjectReader::flag(std::string_view name, bool& into) {

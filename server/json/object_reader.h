@@ -23,8 +23,8 @@ class ObjectReader {
 
   // Each names a member once. The value stays as it was when the member is not there or wrong.
   void text(std::string_view name, std::string& into, bool required = false);
-  // A required text that stands in paths: no "." or "..", no control characters.
-  void path_name(std::string_view name, std::string& into);
+  // A text that names a thing: the rule of app::why_no_name. An empty one stands for none where it is not required.
+  void proper_name(std::string_view name, std::string& into, bool required = true);
   void flag(std::string_view name, bool& into);
   void number(std::string_view name, double& into, double low, double high, bool required = false);
   void number(std::string_view name, std::optional<double>& into, double low, double high);

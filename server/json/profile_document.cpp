@@ -359,7 +359,7 @@ void read_notes(ObjectReader& object, const Document& notes, machine::Profile& p
 }
 
 void read_whole(ObjectReader& object, machine::Profile& profile) {
-  object.path_name("name", profile.name);
+  object.proper_name("name", profile.name);
   object.text("title", profile.title);
   object.text("dialect", profile.control.dialect, true);
   if (const Document* notes = object.member("notes")) read_notes(object, *notes, profile);

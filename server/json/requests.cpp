@@ -63,7 +63,7 @@ app::Result<TextBody> read_text_body(std::string_view body) {
 app::Result<ProgramBody> read_program_body(std::string_view body) {
   ProgramBody read;
   const auto done = read_object(body, "request", [&](ObjectReader& o) {
-    o.text("name", read.name, true);
+    o.proper_name("name", read.name);
     o.text("dialect", read.dialect, true);
     o.text("text", read.text, true);
   });
@@ -75,7 +75,7 @@ app::Result<PartBody> read_part_body(std::string_view body, bool is_new) {
   PartBody read;
   const auto done = read_object(body, "request", [&](ObjectReader& o) {
     if (is_new) {
-      o.path_name("number", read.number);
+      o.proper_name("number", read.number);
       o.text("family", read.family, true);
     }
     read_values_of(o, "values", read.values);
@@ -91,7 +91,7 @@ app::Result<app::RenderOrder> read_render_body(std::string_view body) {
     o.text("family", order.family);
     read_values_of(o, "values", order.values);
     o.text("machine", order.machine, true);
-    o.text("name", order.name);
+    o.proper_name("name", order.name, false);
     read_delivery(o, order.delivery);
     read_mode(o, order.mode);
   });
@@ -201,7 +201,7 @@ app::Result<app::AcceptOrder> read_accept_body(std::string_view body) {
   const auto done = read_object(body.empty() ? "{}" : body, "request", [&](ObjectReader& o) {
     o.integer("program", order.program, 1, kMaxId);
     o.integer("revision", order.revision, 1, kMaxId);
-    o.text("name", order.name);
+    o.proper_name("name", order.name, false);
     o.text("reason", order.reason);
     if (order.revision != 0 && order.program == 0) o.fault("revision", "is of a program: say which");
     if (!order.name.empty() && order.program != 0) o.fault("name", "a program has its name");
