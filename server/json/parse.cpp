@@ -23,7 +23,7 @@ std::string_view words_of(const nlohmann::json::exception& error) {
 
 class Scrutiny final : public nlohmann::json_sax<Document> {
  public:
-  explicit Scrutiny(std::string_view text) : text_(text) {}
+  Scrutiny(std::string_view text, std::size_t most_values) : text_(text), most_values_(most_values) {}
   [[nodiscard]] const std::optional<app::Error>& error() const { return error_; }
 
   bool null() override { return begin_value(); }
@@ -41,6 +41,10 @@ class Scrutiny final : public nlohmann::json_sax<Document> {
   bool key(string_t& name) override {
     Level& level = levels_.back();
     level.name = name;
+    if (level.names.size() == kMostMembers) {
+      levels_.pop_back();  // the object has the fault, not its last member
+      return refuse(fmt::format("has more than {} members", kMostMembers));
+    }
     if (level.names.insert(name).second) return true;
     return refuse("is given twice");
   }
@@ -69,10 +73,11 @@ class Scrutiny final : public nlohmann::json_sax<Document> {
 
   bool begin_value() {
     if (!levels_.empty()) ++levels_.back().values;
-    return true;
+    if (values_++ < most_values_) return true;
+    return refuse(fmt::format("is more than {} values in one document", most_values_));
   }
   bool begin_level(bool is_array) {
-    begin_value();
+    if (!begin_value()) return false;
     if (levels_.size() == kDeepest) return refuse(fmt::format("is nested deeper than {} levels", kDeepest));
     levels_.push_back({.is_array = is_array, .values = 0, .name = {}, .names = {}});
     return true;
@@ -93,11 +98,15 @@ class Scrutiny final : public nlohmann::json_sax<Document> {
 
   bool refuse(std::string text) {
     app::ErrorPlace place{.pointer = pointer(), .line = 0, .column = 0, .text = std::move(text)};
-    error_ = {app::ErrorCode::malformed, fmt::format("{} {}", place.pointer, place.text), {std::move(place)}};
+    error_ = {app::ErrorCode::malformed,
+              fmt::format("{} {}", place.pointer.empty() ? "the document" : place.pointer, place.text),
+              {std::move(place)}};
     return false;
   }
 
   std::string_view text_;
+  std::size_t most_values_;
+  std::size_t values_ = 0;
   std::vector<Level> levels_;
   std::optional<app::Error> error_;
 };
@@ -118,9 +127,9 @@ std::string escape_pointer(std::string_view name) {
   return out;
 }
 
-app::Result<Document> parse(std::string_view text) {
+app::Result<Document> parse(std::string_view text, std::size_t most_values) {
   try {
-    Scrutiny scrutiny(text);
+    Scrutiny scrutiny(text, most_values);
     if (!Document::sax_parse(text, &scrutiny) && scrutiny.error()) return std::unexpected(*scrutiny.error());
     return Document::parse(text);
   } catch (const nlohmann::json::exception& error) {

@@ -16,9 +16,15 @@ using Document = nlohmann::ordered_json;
 inline constexpr std::size_t kDeepest =
     64;  // objects and arrays inside each other; each level costs many times the memory of its one character
 
+// A member is looked for among all before it, so an object with many takes the square of their number; no document of
+// ours has more.
+inline constexpr std::size_t kMostMembers = 1024;
+// In all of a document that comes from outside: each takes many times the memory of its one character.
+inline constexpr std::size_t kMostValues = 200'000;
+
 // The text as a document; or `malformed`: one fault with line, column and the JSON pointer (RFC 6901) of what was being
-// read.
-app::Result<Document> parse(std::string_view text);
+// read. The first reading keeps nothing, and stops at the first fault.
+app::Result<Document> parse(std::string_view text, std::size_t most_values = kMostValues);
 // Compact; text that is no UTF-8 is shown with replacement characters.
 std::string dump(const Document& document);
 // A member's name as a part of a pointer.

@@ -1,6 +1,8 @@
 // Member order is the order of reading; times are milliseconds since 1970, 0 is shown as null.
 #include "server/json/records.h"
 
+#include <limits>
+
 #include "server/json/diagnostics.h"
 #include "server/json/object_reader.h"
 
@@ -80,7 +82,7 @@ std::string text_at(const Document& document, const char* name) {
 
 // The raw text of a JSON document that is kept or was written here, as a member.
 Document embedded(std::string_view text) {
-  auto document = parse(text);
+  auto document = parse(text, std::numeric_limits<std::size_t>::max());  // it was counted when it came
   return document ? std::move(*document) : Document(nullptr);
 }
 
@@ -150,13 +152,24 @@ std::string machine(const store::Machine& machine, const app::MachineStatus& sta
   return dump(document);
 }
 
-std::string family(const store::Family& family, const compile::FamilyDescription& description, bool whole) {
-  Document document = {{"name", family.name},
-                       {"title", description.title},
-                       {"revision", family.revision},
-                       {"changed_by", family.changed_by},
-                       {"changed_at_ms", family.changed_at_ms}};
-  if (!whole) return dump(document);
+namespace {
+
+Document family_document(const store::Family& family, std::string_view title) {
+  return {{"name", family.name},
+          {"title", title},
+          {"revision", family.revision},
+          {"changed_by", family.changed_by},
+          {"changed_at_ms", family.changed_at_ms}};
+}
+
+}  // namespace
+
+std::string family_summary(const store::Family& family, std::string_view title) {
+  return dump(family_document(family, title));
+}
+
+std::string family(const store::Family& family, const compile::FamilyDescription& description) {
+  Document document = family_document(family, description.title);
   document["text"] = family.text;
   Document parameters = Document::array();
   for (const compile::ParameterDescription& p : description.parameters) {
@@ -244,28 +257,46 @@ std::string ledger(std::span<const store::LedgerRow> rows, std::string_view next
        {"interval", {{"low", interval.low}, {"high", interval.high}, {"known", confirms ? "confirmed" : "clocked"}}}});
 }
 
-std::string verdict(const store::Verdict& verdict) {
+namespace {
+
+Document verdict_document(const store::Verdict& verdict) {
+  return {{"id", verdict.id},
+          {"program", verdict.of.program},
+          {"revision", verdict.of.revision},
+          {"sha256", verdict.text_sha256},
+          {"machine", verdict.of.machine},
+          {"machine_revision", verdict.of.machine_revision},
+          {"delivery", store::name_of(verdict.of.delivery)},
+          {"verdict", store::name_of(verdict.of.outcome)},
+          {"stale", verdict.stale},
+          {"created_by", verdict.created_by},
+          {"created_at_ms", verdict.created_at_ms}};
+}
+
+Document waivers_document(const store::Verdict& verdict) {
   Document waivers = Document::array();
   for (const store::Waiver& waiver : verdict.waivers)
     waivers.push_back({{"name", waiver.name}, {"reason", waiver.reason}, {"at_ms", waiver.at_ms}});
-  Document document = {{"id", verdict.id},
-                       {"program", verdict.of.program},
-                       {"revision", verdict.of.revision},
-                       {"sha256", verdict.text_sha256},
-                       {"machine", verdict.of.machine},
-                       {"machine_revision", verdict.of.machine_revision},
-                       {"delivery", store::name_of(verdict.of.delivery)},
-                       {"verdict", store::name_of(verdict.of.outcome)},
-                       {"stale", verdict.stale},
-                       {"created_by", verdict.created_by},
-                       {"created_at_ms", verdict.created_at_ms}};
+  return waivers;
+}
+
+}  // namespace
+
+std::string verdict_summary(const store::Verdict& verdict) {
+  Document document = verdict_document(verdict);
+  document["waivers"] = waivers_document(verdict);
+  return dump(document);
+}
+
+std::string verdict(const store::Verdict& verdict) {
+  Document document = verdict_document(verdict);
   const Document report = embedded(verdict.of.report);
   if (report.is_object()) {
     for (const auto& [name, value] : report.items()) {
       if (!document.contains(name)) document[name] = value;
     }
   }
-  document["waivers"] = std::move(waivers);
+  document["waivers"] = waivers_document(verdict);
   return dump(document);
 }
 

@@ -18,7 +18,9 @@ std::string list(std::span<const std::string> items, std::string_view next);
 std::string machine_status(const app::MachineStatus& status);
 // `profile`: the stored document. `whole` adds it; otherwise the summary of a list.
 std::string machine(const store::Machine& machine, const app::MachineStatus& status, bool whole);
-std::string family(const store::Family& family, const compile::FamilyDescription& description, bool whole);
+std::string family(const store::Family& family, const compile::FamilyDescription& description);
+// Of a list: without text and parameters.
+std::string family_summary(const store::Family& family, std::string_view title);
 std::string part(const store::Part& part);
 std::string program(const store::Program& program);
 std::string program_revision(const store::ProgramRevision& revision);
@@ -31,6 +33,8 @@ std::string ledger(std::span<const store::LedgerRow> rows, std::string_view next
                    bool confirms);
 // A stored verdict: the report's members with the verdict's own.
 std::string verdict(const store::Verdict& verdict);
+// Of a list: without the report.
+std::string verdict_summary(const store::Verdict& verdict);
 std::string session(std::string_view name, std::string_view role);
 
 // The data line of a live event, and its name.

@@ -2,6 +2,7 @@
 #include "server/json/requests.h"
 
 #include <algorithm>
+#include <chrono>
 #include <functional>
 
 #include <gtest/gtest.h>
@@ -55,6 +56,47 @@ TEST(Requests, TextsAndPrograms) {
   EXPECT_EQ(read_text_body(R"({"text":"a\nb\u00e4"})")->text, "a\nb\xC3\xA4");
   EXPECT_FALSE(read_text_body(""));
   EXPECT_FALSE(read_text_body("[]"));
+}
+
+TEST(Requests, NamesHaveOneRule) {
+  const auto program = [](std::string_view body) { return error_of(read_program_body(body)); };
+  const auto part = [](std::string_view body) { return error_of(read_part_body(body, true)); };
+  const auto render = [](std::string_view body) { return error_of(read_render_body(body)); };
+  const auto accept = [](std::string_view body) { return error_of(read_accept_body(body)); };
+  const std::string longest(200, 'x');
+  for (const std::string& wrong : {longest + "x", std::string(65'520, 'x'), std::string(" a"), std::string("a\\u0007"),
+                                   std::string("a\\n"), std::string("a\\u202e")}) {
+    const std::string quoted = "\"" + wrong + "\"";
+    const std::string bodies[] = {"{\"name\":" + quoted + R"(,"dialect":"fanuc","text":"%"})",
+                                  "{\"number\":" + quoted + R"(,"family":"f"})",
+                                  "{\"name\":" + quoted + R"(,"part":"p","machine":"m"})", "{\"name\":" + quoted + "}"};
+    const Row rows[] = {{program, bodies[0], "/name"},
+                        {part, bodies[1], "/number"},
+                        {render, bodies[2], "/name"},
+                        {accept, bodies[3], "/name"}};
+    check(rows);
+  }
+  EXPECT_FALSE(program("{\"name\":\"" + longest + R"(","dialect":"fanuc","text":"%"})"));
+  EXPECT_FALSE(accept("{\"name\":\"" + longest + "\"}"));
+}
+
+// Each member is looked for among all before it: without a limit 100,000 of them took 7.7 s.
+TEST(Requests, AHundredThousandMembersAreRefusedAtOnce) {
+  std::string members;
+  for (int i = 0; i < 150'000; ++i) members += (i == 0 ? "" : ",") + ("\"m" + std::to_string(i) + "\":0");
+  const auto begin = std::chrono::steady_clock::now();
+  const auto top = read_text_body("{" + members + "}");
+  const auto inner = read_part_body(R"({"number":"P","family":"f","values":{)" + members + "}}", true);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
+  ASSERT_FALSE(top);
+  EXPECT_EQ(top.error().text, "the document has more than 1024 members");
+  ASSERT_FALSE(inner);
+  EXPECT_EQ(inner.error().places.at(0).pointer, "/values");
+  std::string list = "0";
+  for (int i = 0; i < 250'000; ++i) list += ",0";
+  const auto values = read_text_body(R"({"text":[)" + list + "]}");
+  ASSERT_FALSE(values);
+  EXPECT_NE(values.error().text.find("more than 200000 values"), std::string::npos) << values.error().text;
 }
 
 TEST(Requests, PartsAndValues) {
