@@ -2,7 +2,10 @@
 // and the user timeout find a peer that is gone without a word.
 #include "server/io/tcp_link.h"
 
+#include <algorithm>
 #include <chrono>
+#include <string_view>
+#include <vector>
 
 #include <boost/asio/steady_timer.hpp>
 #include <fmt/format.h>
@@ -85,19 +88,39 @@ class TcpLink : public app::Link {
   bool reset_;
 };
 
+// Who may connect to a listener; empty: anybody.
+using AllowedPeers = std::vector<asio::ip::address>;
+
+bool is_allowed(const AllowedPeers& peers, const tcp::socket& socket) {
+  boost::system::error_code gone;
+  const auto peer = socket.remote_endpoint(gone).address();
+  return !gone && (peers.empty() || std::ranges::find(peers, peer) != peers.end());
+}
+
+// A peer that may not is closed at once, and the next one is waited for.
+void accept_one(const std::shared_ptr<tcp::acceptor>& acceptor, const std::shared_ptr<TcpCore>& core,
+                const AllowedPeers& peers) {
+  acceptor->async_accept(core->stream(), [core, acceptor, peers](boost::system::error_code error) {
+    if (core->listener() == nullptr) return;
+    boost::system::error_code ignored;
+    if (!error && !is_allowed(peers, core->stream())) {
+      core->stream().close(ignored);
+      return accept_one(acceptor, core, peers);
+    }
+    acceptor->close(ignored);
+    if (error) return core->lose(error.message());
+    tune(core->stream());
+    core->begin();
+  });
+}
+
 // Waits for one peer (a device server in client mode). While that one is there, the next is refused by the system.
 class TcpListenLink final : public TcpLink {
  public:
-  TcpListenLink(asio::io_context& context, const tcp::endpoint& local, const std::shared_ptr<TcpCore>& core, bool reset)
+  TcpListenLink(asio::io_context& context, const tcp::endpoint& local, const std::shared_ptr<TcpCore>& core, bool reset,
+                const AllowedPeers& peers)
       : TcpLink(core, reset), acceptor_(std::make_shared<tcp::acceptor>(context, local)) {
-    acceptor_->async_accept(core->stream(), [core, acceptor = acceptor_](boost::system::error_code error) {
-      if (core->listener() == nullptr) return;
-      boost::system::error_code ignored;
-      acceptor->close(ignored);
-      if (error) return core->lose(error.message());
-      tune(core->stream());
-      core->begin();
-    });
+    accept_one(acceptor_, core, peers);
   }
   ~TcpListenLink() override {
     boost::system::error_code ignored;  // closed already once a peer came
@@ -107,6 +130,30 @@ class TcpListenLink final : public TcpLink {
  private:
   std::shared_ptr<tcp::acceptor> acceptor_;
 };
+
+// The option peers: addresses with commas between, or "any". Whoever connects plays the control, so beyond loopback
+// somebody must have said who may.
+std::expected<AllowedPeers, std::string> allowed_peers(const machine::LinkUrl& url, const asio::ip::address& local) {
+  const auto given = url.options.find("peers");
+  if (given == url.options.end()) {
+    if (local.is_loopback()) return AllowedPeers{};
+    return std::unexpected(
+        fmt::format("{} would let anybody on the network play the control: name who may connect (?peers=192.168.1.5), "
+                    "or say ?peers=any",
+                    url.text));
+  }
+  AllowedPeers peers;
+  std::string_view rest = given->second;
+  if (rest == "any") return peers;
+  while (!rest.empty()) {
+    const std::string_view one = rest.substr(0, rest.find(','));
+    rest.remove_prefix(std::min(rest.size(), one.size() + 1));
+    boost::system::error_code bad;
+    peers.push_back(asio::ip::make_address(std::string(one), bad));
+    if (bad) return std::unexpected(fmt::format("{}: peer \"{}\" is not an IP address", url.text, one));
+  }
+  return peers;
+}
 
 bool always_reset(const machine::LineSettings& line) {
   const auto given = line.link.options.find("close");
@@ -159,7 +206,9 @@ std::expected<std::unique_ptr<app::Link>, std::string> open_tcp_listener(boost::
   const std::string host = line.link.host.empty() ? "127.0.0.1" : line.link.host;
   const auto core = std::make_shared<TcpCore>(tcp::socket(context), listener);
   const tcp::endpoint local(asio::ip::make_address(host), line.link.port);
-  return std::make_unique<TcpListenLink>(context, local, core, always_reset(line));
+  const auto peers = allowed_peers(line.link, local.address());
+  if (!peers) return std::unexpected(peers.error());
+  return std::make_unique<TcpListenLink>(context, local, core, always_reset(line), *peers);
 }
 
 }  // namespace dripfeed::io

@@ -32,9 +32,9 @@ constexpr std::array kSchemes = {
 };
 
 constexpr auto kOptions = std::to_array<std::string_view>(
-    {"baud", "framing",       "flow",          "latency_chars", "budget",   "unsent",  "start",
-     "eob",  "char_delay_ms", "line_delay_ms", "code",          "close",    "ext",     "overwrite",
-     "unit", "timeout_ms",    "poll_ms",       "protocol",      "answer_s", "payload", "counted"});
+    {"baud",          "framing",       "flow",     "latency_chars", "budget",  "unsent",    "start", "eob",
+     "char_delay_ms", "line_delay_ms", "code",     "close",         "ext",     "overwrite", "unit",  "timeout_ms",
+     "poll_ms",       "protocol",      "answer_s", "payload",       "counted", "peers"});
 
 std::optional<std::int64_t> integer_between(std::string_view text, std::int64_t low, std::int64_t high) {
   std::int64_t value = 0;

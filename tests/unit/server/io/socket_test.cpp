@@ -235,6 +235,29 @@ TEST_F(SocketTest, ListensForOnePeer) {
   EXPECT_TRUE(heard_.await_ups(2));
 }
 
+TEST_F(SocketTest, AListenerTakesThoseWhoMayConnect) {
+  std::uint16_t port = 0;
+  {
+    FarEnd free_port;
+    port = free_port.listen();
+  }
+  const std::string anywhere = "tcp-listen://0.0.0.0:" + std::to_string(port);
+  EXPECT_NE(open(anywhere).find("name who may connect"), std::string::npos);
+  EXPECT_NE(open(anywhere + "?peers=shop").find("\"shop\" is not an IP address"), std::string::npos);
+  ASSERT_EQ(open(anywhere + "?peers=192.0.2.1"), "");
+  FarEnd stranger;
+  ASSERT_TRUE(stranger.connect(port));
+  EXPECT_EQ(stranger.hear(1), "") << "closed at once";
+  EXPECT_EQ(heard_.ups(), 0);
+  close();
+  ASSERT_EQ(open(anywhere + "?peers=192.0.2.1,127.0.0.1"), "");
+  FarEnd known;
+  ASSERT_TRUE(known.connect(port));
+  EXPECT_TRUE(heard_.await_ups(1));
+  close();
+  EXPECT_EQ(open(anywhere + "?peers=any"), "");
+}
+
 TEST_F(SocketTest, APortThatIsTakenIsRefused) {
   FarEnd taken;
   const std::uint16_t port = taken.listen();
