@@ -26,7 +26,7 @@ class ContentWriter {
   ContentWriter(const ContentWriter&) = delete;
   ContentWriter& operator=(const ContentWriter&) = delete;
   virtual ~ContentWriter() = default;
-  // Written in short transactions, at most 1 MiB in memory. Errors: disk_full, io_failed; after one, only destroy it.
+  // Written in short transactions, at most 256 KiB in memory. Errors: disk_full, io_failed; after one, only destroy it.
   virtual Result<void> append(std::string_view bytes) = 0;
   // Seals the content. Nothing may follow.
   virtual Result<Content> finish() = 0;

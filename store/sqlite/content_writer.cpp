@@ -13,7 +13,7 @@ using store::Content;
 using store::kChunkBytes;
 using store::Result;
 
-constexpr std::size_t kTransactionBytes = 16 * kChunkBytes;  // 1 MiB
+constexpr std::size_t kTransactionBytes = 4 * kChunkBytes;  // 256 KiB: the ledger waits for one of these at most
 
 }  // namespace
 

@@ -10,6 +10,7 @@
 #include "store/hash/sha256.h"
 #include "store/sqlite/schema_v1.h"
 #include "store/sqlite/schema_v3.h"
+#include "store/sqlite/schema_v4.h"
 #include "store/sqlite/schema_v5.h"
 #include "store/sqlite/session.h"
 
@@ -121,6 +122,7 @@ Result<void> apply_in_transaction(Connection& connection, std::span<const Migrat
 std::span<const Migration> migrations() {
   static const std::array kMigrations{Migration{1, "first", kSchemaV1}, Migration{2, "arming expires", kSchemaV2},
                                       Migration{3, "receipts", kSchemaV3},
+                                      Migration{4, "torn jobs by index", kSchemaV4},
                                       Migration{5, "answers are booked", kSchemaV5}};
   return kMigrations;
 }

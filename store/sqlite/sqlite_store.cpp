@@ -1,7 +1,10 @@
 // Opening a store, and what concerns the whole of it.
 #include "store/sqlite/sqlite_store.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "store/sqlite/backup.h"
 #include "store/sqlite/migrations.h"
@@ -24,6 +27,16 @@ Result<void> use_wal(Connection& connection) {
   if (!session.ok()) return std::unexpected(session.error());
   if (mode == "wal") return {};
   return session.refuse(ErrorCode::cannot_open, fmt::format("the file system gives no WAL, but {}", mode));
+}
+
+// A store is for its owner alone: it has the hashes of tokens and what a shop makes. SQLite gives the files beside it
+// the rights of the database. A file that is there already is made so; where it is not ours, its owner has decided.
+void keep_private(const std::string& path, bool create) {
+  if (create) {
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    if (descriptor >= 0) ::close(descriptor);
+  }
+  for (const char* ending : {"", "-wal", "-shm"}) ::chmod((path + ending).c_str(), 0600);
 }
 
 Result<void> bring_up_to_date(const std::string& path, const OpenSettings& settings) {
@@ -52,7 +65,9 @@ Result<void> SqliteStore::atomically(const std::function<Result<void>()>& work) 
 Result<void> SqliteStore::backup(const std::string& path) {
   auto source = database_->connect_to_read();
   if (!source) return std::unexpected(source.error());
-  return copy_to_new_file(**source, path);
+  auto copied = copy_to_new_file(**source, path);
+  if (copied) keep_private(path, false);
+  return copied;
 }
 
 Result<void> SqliteStore::check() {
@@ -81,6 +96,7 @@ Result<std::unique_ptr<store::Store>> open(const std::string& path, const OpenSe
     if (!taken) return std::unexpected(taken.error());
     lock.emplace(std::move(*taken));
   }
+  keep_private(path, settings.create);
   if (auto ready = bring_up_to_date(path, settings); !ready) return std::unexpected(ready.error());
   auto database = Database::open(path, settings);
   if (!database) return std::unexpected(database.error());
