@@ -70,7 +70,9 @@ void Application::line_changed() {
   receiving_.wake();
 }
 
-Application::~Application() {
+Application::~Application() { end_lines(); }
+
+void Application::end_lines() {
   receiving_.stop();
   cancel_all();
   static_cast<void>(books_.settle());

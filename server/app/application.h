@@ -42,6 +42,10 @@ class Application {
   Application(const Application&) = delete;
   Application& operator=(const Application&) = delete;
 
+  // Receives nothing more, cancels what runs at its block end and closes the lines. What the destructor does first; a
+  // server calls it before it waits for anything else.
+  void end_lines();
+
   // After a crash: jobs that had a line become interrupted, answers that were being sent are torn. Then the machines'
   // lines open, each as it was left; nothing is armed.
   Result<void> start();

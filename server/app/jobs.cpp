@@ -116,7 +116,7 @@ Result<std::shared_ptr<Line>> Jobs::line_with(const store::Job& job) {
   return line;
 }
 
-Result<store::Job> Jobs::add(store::Id release, std::string_view actor) {
+Result<store::NewJob> Jobs::prepare(store::Id release) {
   if (auto room = refuse_on_full_disk(books_.ballast()); !room) return std::unexpected(room.error());
   const auto row = store_.releases().get(release);
   if (!row) return std::unexpected(from_store(row.error()));
@@ -129,8 +129,17 @@ Result<store::Job> Jobs::add(store::Id release, std::string_view actor) {
   if (!bytes) return std::unexpected(bytes.error());
   if (auto same = refuse_changed_machine(row->text_sha256, row->of.machine, row->of.delivery); !same)
     return std::unexpected(same.error());
-  auto job =
-      store_.jobs().add({.release = release, .link = profile->line.link.text, .bytes_total = *bytes}, stamp(actor));
+  return store::NewJob{.release = release, .link = profile->line.link.text, .bytes_total = *bytes};
+}
+
+Result<store::Job> Jobs::add(store::Id release, std::string_view actor) {
+  const auto prepared = prepare(release);
+  if (!prepared) return std::unexpected(prepared.error());
+  return add(*prepared, actor);
+}
+
+Result<store::Job> Jobs::add(const store::NewJob& prepared, std::string_view actor) {
+  auto job = store_.jobs().add(prepared, stamp(actor));
   if (!job) return std::unexpected(from_store(job.error()));
   publish(*job, "queued");
   return std::move(*job);

@@ -22,6 +22,9 @@ class Jobs {
   // Queued. Errors: not_found, refused (not released, the machine changed after the verdict, or its text cannot be
   // fed: with the place).
   Result<store::Job> add(store::Id release, std::string_view actor);
+  // The same in two steps: the first reads the whole text, the second writes rows alone and may share a transaction.
+  Result<store::NewJob> prepare(store::Id release);
+  Result<store::Job> add(const store::NewJob& prepared, std::string_view actor);
   // The named person arms it for its machine's line, for so long or as the profile says; to be sent `rounds` times,
   // each with the control's own start. Errors: not_found, invalid, refused with the reason (torn, busy, link down,
   // machine changed, …).

@@ -29,34 +29,44 @@ Programs::Programs(store::Store& store, const Clock& clock, const Documents& doc
 
 store::Stamp Programs::stamp(std::string_view actor) const { return {std::string(actor), clock_.wall_ms()}; }
 
-Result<store::Program> Programs::upload(std::string_view name, std::string_view dialect, std::string_view text,
-                                        std::string_view actor) {
+Result<store::NewProgramText> Programs::keep_text(std::string_view dialect, std::string_view text) {
   if (compile::find_dialect(dialect) == nullptr) {
     return fail(ErrorCode::invalid, fmt::format("dialect \"{}\" is not known", dialect),
                 {{.pointer = "/dialect", .text = "is not known"}});
   }
+  return keep_text(text);
+}
+
+Result<store::NewProgramText> Programs::keep_text(std::string_view text) {
   if (text.empty())
     return fail(ErrorCode::invalid, "the text is empty", {{.pointer = "/text", .text = "must not be empty"}});
   if (auto room = refuse_on_full_disk(ballast_); !room) return std::unexpected(room.error());
   const auto content = lift(store_.contents().put(text));
   if (!content) return std::unexpected(content.error());
-  return lift(store_.programs().add(
-      name, dialect,
-      {.sha256 = content->sha256, .places_sha256 = {}, .blocks = count_blocks(text), .facts = {}, .origin = {}},
-      stamp(actor)));
+  return store::NewProgramText{
+      .sha256 = content->sha256, .places_sha256 = {}, .blocks = count_blocks(text), .facts = {}, .origin = {}};
+}
+
+Result<store::Program> Programs::add(std::string_view name, std::string_view dialect, const store::NewProgramText& text,
+                                     std::string_view actor) {
+  return lift(store_.programs().add(name, dialect, text, stamp(actor)));
+}
+
+Result<store::Program> Programs::add_revision(store::Id program, store::Revision expected,
+                                              const store::NewProgramText& text, std::string_view actor) {
+  return lift(store_.programs().add_revision(program, expected, text, stamp(actor)));
+}
+
+Result<store::Program> Programs::upload(std::string_view name, std::string_view dialect, std::string_view text,
+                                        std::string_view actor) {
+  const auto kept = keep_text(dialect, text);
+  return kept ? add(name, dialect, *kept, actor) : std::unexpected(kept.error());
 }
 
 Result<store::Program> Programs::upload_revision(store::Id program, store::Revision expected, std::string_view text,
                                                  std::string_view actor) {
-  if (text.empty())
-    return fail(ErrorCode::invalid, "the text is empty", {{.pointer = "/text", .text = "must not be empty"}});
-  if (auto room = refuse_on_full_disk(ballast_); !room) return std::unexpected(room.error());
-  const auto content = lift(store_.contents().put(text));
-  if (!content) return std::unexpected(content.error());
-  return lift(store_.programs().add_revision(
-      program, expected,
-      {.sha256 = content->sha256, .places_sha256 = {}, .blocks = count_blocks(text), .facts = {}, .origin = {}},
-      stamp(actor)));
+  const auto kept = keep_text(text);
+  return kept ? add_revision(program, expected, *kept, actor) : std::unexpected(kept.error());
 }
 
 // Where the text will come from, with the family's text and the values to bind.

@@ -38,7 +38,17 @@ class Programs {
            Workers* workers = nullptr);
 
   // Texts are large, so none is taken while the room for the ledger is given up: all have the error unavailable, too.
+  //
+  // A text is stored first, in short transactions under its hash; then its rows, which add() and add_revision() write
+  // in a moment, and may so share a transaction with others. What no row names is dropped when the server starts again.
   // Errors: invalid (no such dialect, empty).
+  Result<store::NewProgramText> keep_text(std::string_view dialect, std::string_view text);
+  Result<store::NewProgramText> keep_text(std::string_view text);
+  Result<store::Program> add(std::string_view name, std::string_view dialect, const store::NewProgramText& text,
+                             std::string_view actor);
+  Result<store::Program> add_revision(store::Id program, store::Revision expected, const store::NewProgramText& text,
+                                      std::string_view actor);
+  // Both steps in one call.
   Result<store::Program> upload(std::string_view name, std::string_view dialect, std::string_view text,
                                 std::string_view actor);
   Result<store::Program> upload_revision(store::Id program, store::Revision expected, std::string_view text,

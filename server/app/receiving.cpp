@@ -198,18 +198,19 @@ Result<store::Receipt> Receiving::accept(store::Id receipt, const AcceptOrder& o
     return fail(ErrorCode::refused, "nothing of it can be read: punch it again, or discard it");
   const auto profile = profile_of(row->of.machine);
   if (!profile) return std::unexpected(profile.error());
+  const auto kept = programs_.keep_text(profile->control.dialect, *text);
+  if (!kept) return std::unexpected(kept.error());
   // The revision and the decision are one: a receipt that was decided meanwhile adds none.
   Result<store::Receipt> accepted = fail(ErrorCode::internal, "");
   const auto done = store_.atomically([&]() -> store::Result<void> {
     Result<store::Program> program = fail(ErrorCode::internal, "");
     if (order.program == 0) {
-      program =
-          programs_.upload(order.name.empty() ? row->of.name : order.name, profile->control.dialect, *text, actor);
+      program = programs_.add(order.name.empty() ? row->of.name : order.name, profile->control.dialect, *kept, actor);
     } else {
       const auto known = store_.programs().get(order.program);
       if (!known) return std::unexpected(known.error());
       const store::Revision expected = order.revision == 0 ? known->newest.revision : order.revision;
-      program = programs_.upload_revision(order.program, expected, *text, actor);
+      program = programs_.add_revision(order.program, expected, *kept, actor);
     }
     if (!program) {
       accepted = std::unexpected(program.error());

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <map>
@@ -13,6 +14,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "server/app/application.h"
@@ -40,13 +42,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr rlim_t kMostFiles = 8192;
 constexpr const char* kVersion = "0.1.0";
+// Of a request that computes when the server stops: a sweep looks every moment whether it is to end, a check does not.
+constexpr std::chrono::seconds kRequestsEndWithin{5};
 
 struct Options {
   std::string data = "data";
   std::string listen = "127.0.0.1:8840";
   std::string web;
   bool insecure = false;
+  std::string tls_certificate;  // both or neither
+  std::string tls_key;
+  std::vector<std::string> proxies;       // IP addresses
   std::string modbus_listen;              // "": no Modbus server
   std::vector<std::string> modbus_allow;  // IP addresses
   std::vector<std::string> modbus_units;  // MACHINE=UNIT
@@ -98,6 +106,23 @@ app::Result<void> ensure_first_token(store::Store& store, const fs::path& data, 
       store.tokens().add("admin", store::Role::admin, hash::token_hash(token), {"dripfeed", clock.wall_ms()}));
   if (!added) return std::unexpected(added.error());
   return {};
+}
+
+// A folder of ours is for its owner alone; one that was there keeps the rights that somebody gave it.
+app::Result<void> make_data_folder(const fs::path& path) {
+  std::error_code error;
+  const bool made = fs::create_directories(path, error);
+  if (!error && made) fs::permissions(path, fs::perms::owner_all, error);
+  if (error) return app::fail(app::ErrorCode::unavailable, fmt::format("{}: {}", path.string(), error.message()));
+  return {};
+}
+
+// As many descriptors as the system lets us have: lines that reopen need some when clients have taken many.
+void raise_file_limit() {
+  rlimit files{};
+  if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return;
+  files.rlim_cur = std::min<rlim_t>(files.rlim_max, kMostFiles);
+  ::setrlimit(RLIMIT_NOFILE, &files);  // where it is refused the limit stays, and HTTP takes half of it
 }
 
 std::string web_root(const Options& options) {
@@ -166,19 +191,29 @@ int run_server(const Options& options, const http::ListenAddress& address, store
     plcs = std::move(*listening);
   }
   http::Api api(application, workers, web_root(options), kVersion, stop);
-  auto server = http::Server::start(address, {.refuse_long = [&](const http::Request& r) { return api.refuse_long(r); },
-                                              .is_heavy = [&](const http::Request& r) { return api.is_heavy(r); },
-                                              .answer = [&](const http::Request& r) { return api.answer(r); }});
+  auto server = http::Server::start({.address = address,
+                                     .tls_certificate = options.tls_certificate,
+                                     .tls_key = options.tls_key,
+                                     .proxies = options.proxies},
+                                    {.plan = http::Api::plan,
+                                     .refuse_long = [&](const http::Request& r) { return api.refuse_long(r); },
+                                     .answer = [&](const http::Request& r) { return api.answer(r); }});
   if (!server) {
     print_error(server.error());
     return kWrongUse;
   }
-  announce(fmt::format("dripfeed is at http://{}:{}/  (token: {})", address.host, (*server)->port(),
-                       (fs::path(options.data) / "first-token").string()));
+  announce(fmt::format("dripfeed is at {}://{}:{}/  (token: {})", options.tls_certificate.empty() ? "http" : "https",
+                       address.host, (*server)->port(), (fs::path(options.data) / "first-token").string()));
   while (!stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   spdlog::info("stopping: running feeds end at their block");
-  server->reset();
-  return kDone;
+  (*server)->close();
+  // The lines first: a request that is still at work must not keep a feed from ending at its block.
+  application.end_lines();
+  if ((*server)->stop(kRequestsEndWithin)) return kDone;
+  spdlog::warn("a request was still at work after {} s and was given up; the store and the lines have ended well",
+               kRequestsEndWithin.count());
+  spdlog::shutdown();
+  std::_Exit(kDone);  // its thread uses what would be destroyed here
 }
 
 int serve(const Options& options) {
@@ -190,19 +225,22 @@ int serve(const Options& options) {
     print_error(address.error());
     return kWrongUse;
   }
-  if (!http::is_loopback(*address) && !options.insecure) {
+  if (options.tls_certificate.empty() != options.tls_key.empty()) {
+    print_error("--tls-cert and --tls-key go together: give both");
+    return kWrongUse;
+  }
+  if (!http::is_loopback(*address) && options.tls_certificate.empty() && !options.insecure) {
     print_error(
-        fmt::format("{} is not loopback and there is no TLS: tokens would be readable on the network. Put a TLS proxy "
-                    "before it, or say --insecure",
+        fmt::format("{} is not loopback and there is no TLS: tokens would be readable on the network. Give --tls-cert "
+                    "and --tls-key, put a TLS proxy before it, or say --insecure",
                     options.listen));
     return kWrongUse;
   }
-  std::error_code error;
-  fs::create_directories(options.data, error);
-  if (error) {
-    print_error(fmt::format("{}: {}", options.data, error.message()));
+  if (const auto made = make_data_folder(options.data); !made) {
+    print_error(made.error());
     return kWrongUse;
   }
+  raise_file_limit();
   auto store =
       sqlite::open((fs::path(options.data) / "dripfeed.db").string(), {.own = true, .checkpoints_aside = true});
   if (!store) {
@@ -233,6 +271,11 @@ void add_serve(CLI::App& app, int& exit_code) {
   command->add_option("--check-memory", options->check_memory_mb, "budget of memory of one check, in MB")
       ->check(CLI::Range(64, 1'048'576))
       ->capture_default_str();
+  command->add_option("--tls-cert", options->tls_certificate,
+                      "certificate with its chain, PEM: HTTPS; read again when it changes");
+  command->add_option("--tls-key", options->tls_key, "its key, PEM");
+  command->add_option("--proxy", options->proxies,
+                      "IP address of a proxy whose X-Forwarded-Host and X-Forwarded-Proto are believed");
   command->add_flag("--insecure", options->insecure, "listen beyond loopback without TLS");
   command->callback([options, &exit_code] { exit_code = serve(*options); });
 }

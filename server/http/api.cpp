@@ -43,8 +43,8 @@ constexpr std::array kTitles = {
     TitleRow{400, "malformed"},      TitleRow{401, "not signed in"},      TitleRow{403, "not allowed"},
     TitleRow{404, "not found"},      TitleRow{405, "method not allowed"}, TitleRow{409, "refused"},
     TitleRow{412, "stale revision"}, TitleRow{413, "too large"},          TitleRow{415, "no JSON"},
-    TitleRow{422, "invalid"},        TitleRow{428, "revision missing"},   TitleRow{500, "internal error"},
-    TitleRow{503, "unavailable"},
+    TitleRow{422, "invalid"},        TitleRow{428, "revision missing"},   TitleRow{429, "too many"},
+    TitleRow{500, "internal error"}, TitleRow{503, "unavailable"},
 };
 
 // A client that repeats a request does so within minutes.
@@ -144,11 +144,32 @@ Api::Api(app::Application& application, json::DocumentWorkers& workers, std::fil
       web_root_(std::move(web_root)),
       version_(std::move(version)),
       stop_(std::move(stop)),
-      sessions_(application.store().tokens()) {}
+      sessions_(application.store().tokens()),
+      live_(
+          application.events(), [&application](const std::string& machine) { return application.status(machine); },
+          [this](const Credential& credential) { return sessions_.is_valid(credential); }) {}
 
-bool Api::is_heavy(const Request& request) const {
-  const Match match = find_route(routes(), request);
-  return match.route != nullptr && match.route->weight == Weight::heavy;
+namespace {
+
+Lane lane_of(const Route& route) {
+  switch (route.weight) {
+    case Weight::light: return route.method == Method::get ? Lane::here : Lane::write;
+    case Weight::staged: return Lane::write;
+    case Weight::command: return Lane::command;
+    case Weight::bulk:
+    case Weight::setup: return Lane::bulk;
+    case Weight::heavy: return Lane::heavy;
+  }
+  return Lane::here;
+}
+
+}  // namespace
+
+Plan Api::plan(const Request& head) {
+  const Match match = find_route(routes(), head);
+  if (match.route == nullptr) return {};
+  return {.lane = lane_of(*match.route),
+          .body_limit_bytes = match.route->carries == Carries::text ? kLargeBody_bytes : kSmallBody_bytes};
 }
 
 // The fence of what libraries throw (a document too deep, no memory): one request fails, the lines go on.
@@ -216,6 +237,7 @@ Response Api::answer_route(const Request& request, const Match& match) {
   }
   call.user = caller->name;
   call.right = caller->right;
+  call.caller = &*caller;
   if (request.method == Method::get || request.idempotency_key.empty()) return route.handler(call);
   return answer_once(request, route, call);
 }
@@ -291,7 +313,8 @@ void Api::forget_old_replies(std::int64_t now_ms) {
   if (!forgotten) spdlog::warn("old answers under idempotency keys: {}", store::message_of(forgotten.error()));
 }
 
-// Under a key the effect happens once. A light route's effect and its kept answer are one transaction; for the others a
+// Under a key the effect happens once. A light route's effect and its kept answer are one transaction, and so is the
+// last step of a staged or bulk one: its text is stored before, under its hash, which changes nothing. For the others a
 // crash between the two lets a repetition try again, and the state of things (a job that is armed already) refuses it.
 Response Api::answer_first(const Request& request, const Route& route, const Call& call) {
   store::Store& store = application_.store();
@@ -307,9 +330,7 @@ Response Api::answer_first(const Request& request, const Route& route, const Cal
     read_headers((*before)->headers, response);
     return response;
   }
-  Response response;
-  const auto work = [&]() -> store::Result<void> {
-    response = route.handler(call);
+  const auto keep = [&](const Response& response) -> store::Result<void> {
     if (response.status >= 400) return {};
     const store::Reply reply{.status = static_cast<std::uint16_t>(response.status),
                              .headers = write_headers(response),
@@ -318,8 +339,22 @@ Response Api::answer_first(const Request& request, const Route& route, const Cal
     forget_old_replies(reply.at_ms);
     return store.replies().keep(key, reply);
   };
-  const auto done = route.weight == Weight::light ? store.atomically(work) : work();
-  if (!done) return problem_response(app::from_store(done.error()));
+  const Commit once = [&](const std::function<Response()>& step) {
+    Response response;
+    const auto done = store.atomically([&] {
+      response = step();
+      return keep(response);
+    });
+    return done ? response : problem_response(app::from_store(done.error()));
+  };
+  if (route.weight == Weight::light) return once([&] { return route.handler(call); });
+  if (route.weight == Weight::staged || route.weight == Weight::bulk) {
+    Call staged = call;
+    staged.once = &once;
+    return route.handler(staged);
+  }
+  Response response = route.handler(call);
+  if (const auto kept = keep(response); !kept) return problem_response(app::from_store(kept.error()));
   return response;
 }
 

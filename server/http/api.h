@@ -13,8 +13,11 @@
 #include <string>
 
 #include "server/app/application.h"
+#include "server/http/live.h"
 #include "server/http/router.h"
+#include "server/http/server.h"
 #include "server/http/sessions.h"
+#include "server/http/titles.h"
 #include "server/json/workers.h"
 
 namespace dripfeed::http {
@@ -25,7 +28,8 @@ class Api {
   Api(app::Application& application, json::DocumentWorkers& workers, std::filesystem::path web_root,
       std::string version, std::stop_token stop = {});
 
-  [[nodiscard]] bool is_heavy(const Request& request) const;
+  // From the head of a request: where it is answered, and how long its body may be.
+  [[nodiscard]] static Plan plan(const Request& head);
   Response answer(const Request& request);
   // Whether the head of a request says enough to refuse it before a long body is read: no route, no right, nothing
   // that takes one.
@@ -34,6 +38,8 @@ class Api {
   app::Application& application() { return application_; }
   json::DocumentWorkers& workers() { return workers_; }
   Sessions& sessions() { return sessions_; }
+  LiveHub& live() { return live_; }
+  FamilyTitles& family_titles() { return family_titles_; }
   [[nodiscard]] const std::filesystem::path& web_root() const { return web_root_; }
   [[nodiscard]] const std::string& version() const { return version_; }
   // Set while a sweep runs: it may take minutes, and one at a time leaves the pool to checks.
@@ -54,6 +60,8 @@ class Api {
   std::string version_;
   std::stop_token stop_;
   Sessions sessions_;
+  LiveHub live_;
+  FamilyTitles family_titles_;
   std::mutex keys_mutex_;
   std::set<std::string> keys_in_use_;
   std::atomic<std::int64_t> forgot_at_ms_ = 0;

@@ -1,20 +1,17 @@
-// Runs on the server's single HTTP thread, so it needs no lock; only heavy answers are made in the pool and come back
-// by post. One write is in flight at a time. Events go out as chunks; a comment every 15 s keeps proxies and dead peers
-// honest.
+// From bytes to a request, and to the lane that answers it. What RFC 9112 refuses and the parser takes is refused here,
+// because two who read one stream differently are how requests are smuggled.
 #include "server/http/connection.h"
 
-#include <array>
+#include <algorithm>
 #include <chrono>
-#include <deque>
-#include <optional>
-#include <utility>
 
 #include <boost/asio/post.hpp>
-#include <boost/asio/steady_timer.hpp>
-#include <boost/beast/core.hpp>
-#include <boost/beast/http.hpp>
+#include <boost/beast/core/string.hpp>
+#include <boost/beast/http/read.hpp>
 #include <fmt/format.h>
-#include <sys/resource.h>
+#include <spdlog/spdlog.h>
+
+#include "server/http/connection_state.h"
 
 namespace dripfeed::http {
 
@@ -25,17 +22,10 @@ namespace beast = boost::beast;
 namespace bhttp = boost::beast::http;
 
 constexpr std::chrono::seconds kReadTimeout{60};
-constexpr std::chrono::seconds kWriteTimeout{30};
-constexpr std::chrono::seconds kLinger{2};
-constexpr std::chrono::seconds kEventComment{15};
-constexpr std::size_t kPieceBytes = std::size_t{64} << 10U;
-
-// A pool thread steps back behind the links' thread before its first heavy request, so that a check never delays a
-// feed. Linux keeps a nice value per thread; 0 names the calling one.
-void lower_priority_once() {
-  thread_local const int lowered = ::setpriority(PRIO_PROCESS, 0, 19);
-  static_cast<void>(lowered);
-}
+constexpr std::chrono::seconds kHandshakeTimeout{10};
+constexpr std::size_t kSlowest_bytes_s = 32 * 1024;  // of a body
+constexpr std::size_t kReadAtOnce_bytes = 4096;
+constexpr std::string_view kHeadEnd = "\r\n\r\n";
 
 Method method_of(bhttp::verb verb) {
   if (verb == bhttp::verb::get) return Method::get;
@@ -44,294 +34,225 @@ Method method_of(bhttp::verb verb) {
   return verb == bhttp::verb::delete_ ? Method::del : Method::other;
 }
 
-class Connection final : public ConnectionHandle, public std::enable_shared_from_this<Connection> {
- public:
-  Connection(asio::ip::tcp::socket socket, const ConnectionShared& shared)
-      : stream_(std::move(socket)), timer_(stream_.get_executor()), shared_(shared) {}
+// A line that goes on in the next one (obs-fold) is read as one header by some and as two by others.
+bool has_folded_line(std::string_view head) {
+  return head.find("\r\n ") != std::string_view::npos || head.find("\r\n\t") != std::string_view::npos;
+}
 
-  void read_next() {
-    parser_.emplace();
-    parser_->body_limit(kBodyLimit);
-    parser_->header_limit(static_cast<std::uint32_t>(kHeaderLimit));
-    stream_.expires_after(kReadTimeout);
-    bhttp::async_read_header(
-        stream_, buffer_, *parser_,
-        [self = shared_from_this()](beast::error_code error, std::size_t) { self->on_header(error); });
-  }
+// What the parser takes and RFC 9112 (3.2, 6.1) does not: no host or two, a coding of the body that is not ours.
+template <class Message>
+std::string_view framing_fault(const Message& message) {
+  if (message.version() >= 11 && message.count(bhttp::field::host) != 1) return "one Host is needed";
+  const auto codings = message.count(bhttp::field::transfer_encoding);
+  if (codings > 1 || (codings == 1 && !beast::iequals(message[bhttp::field::transfer_encoding], "chunked")))
+    return "a body comes as it is or chunked";
+  return {};
+}
 
-  void close() override {
-    timer_.cancel();
-    if (events_) events_->on_ready({});
-    events_.reset();
-    beast::error_code ignored;  // closing a closed socket is no news
-    stream_.socket().close(ignored);
-  }
+// The last of a list, which the proxy next to us wrote.
+std::string last_of(std::string_view list) {
+  if (const std::size_t comma = list.rfind(','); comma != std::string_view::npos) list.remove_prefix(comma + 1);
+  while (list.starts_with(' ')) list.remove_prefix(1);
+  while (list.ends_with(' ')) list.remove_suffix(1);
+  return std::string(list);
+}
 
- private:
-  // A long body of somebody who may not send it is not read.
-  void on_header(beast::error_code error) {
-    head_only_ = false;
-    if (error) return refuse_unread(error);
-    auto& message = parser_->get();
-    keep_alive_ = message.keep_alive();
-    head_only_ = message.method() == bhttp::verb::head;
-    request_ = {};
-    request_.method = head_only_ ? Method::get : method_of(message.method());
-    if (const std::string_view fault = framing_fault(message); !fault.empty()) {
-      return respond_unread(plain_problem(400, fault));
-    }
-    if (!read_target(message.target(), request_)) {
-      return respond_unread(plain_problem(400, "the path of the request is malformed"));
-    }
-    copy_headers(message, request_);
-    if (parser_->chunked() || parser_->content_length().value_or(0) > kShortBody) {
-      auto refusal = shared_.answerer.refuse_long(request_);
-      if (refusal && !parser_->chunked()) return respond_unread(std::move(*refusal));
-      if (refusal) parser_->body_limit(kShortBody);
-    }
-    bhttp::async_read(stream_, buffer_, *parser_,
-                      [self = shared_from_this()](beast::error_code read, std::size_t) { self->on_read(read); });
-  }
-
-  // Where the next request would begin is not known, or not waited for.
-  void respond_unread(Response response) {
-    keep_alive_ = false;
-    respond(std::move(response));
-  }
-
-  void refuse_unread(beast::error_code error) {
-    if (error == bhttp::error::body_limit)
-      return respond_unread(plain_problem(413, "the body of the request is too large"));
-    if (error == bhttp::error::header_limit)
-      return respond_unread(plain_problem(431, "the header of the request is too large"));
-    if (error.category() == make_error_code(bhttp::error::bad_method).category() &&
-        error != bhttp::error::end_of_stream && error != bhttp::error::partial_message) {
-      return respond_unread(plain_problem(400, "this is not HTTP/1.1: " + error.message()));
-    }
-    close();
-  }
-
-  void on_read(beast::error_code error) {
-    if (error) return refuse_unread(error);
-    request_.body = std::move(parser_->get().body());
-    stream_.expires_never();
-    if (!shared_.answerer.is_heavy(request_)) return respond(shared_.answerer.answer(request_));
-    request_.peer = stream_.socket().native_handle();
-    asio::post(*shared_.pool, [self = shared_from_this(), request = std::move(request_)]() mutable {
-      lower_priority_once();
-      Response response = self->shared_.answerer.answer(request);
-      asio::post(self->stream_.get_executor(),
-                 [self, response = std::move(response)]() mutable { self->respond(std::move(response)); });
-    });
-  }
-
-  // What the parser takes and RFC 9112 (3.2, 6.1) does not: no host or two, a coding of the body that is not ours.
-  template <class Message>
-  static std::string_view framing_fault(const Message& message) {
-    if (message.version() >= 11 && message.count(bhttp::field::host) != 1) return "one Host is needed";
-    const auto codings = message.count(bhttp::field::transfer_encoding);
-    if (codings > 1 || (codings == 1 && !beast::iequals(message[bhttp::field::transfer_encoding], "chunked")))
-      return "a body comes as it is or chunked";
-    return {};
-  }
-
-  template <class Message>
-  static void copy_headers(const Message& message, Request& request) {
-    const auto take = [&](bhttp::field field) { return std::string(message[field]); };
-    request.authorization = take(bhttp::field::authorization);
-    request.cookie = take(bhttp::field::cookie);
-    request.if_match = take(bhttp::field::if_match);
-    request.idempotency_key = std::string(message["Idempotency-Key"]);
-    request.last_event_id = std::string(message["Last-Event-ID"]);
-    request.origin = take(bhttp::field::origin);
-    request.host = take(bhttp::field::host);
-    request.fetch_site = std::string(message["Sec-Fetch-Site"]);
-    request.content_type = take(bhttp::field::content_type);
-    request.content_encoding = take(bhttp::field::content_encoding);
-  }
-
-  // `detail` is one of our own sentences, so it needs no escapes.
-  static Response plain_problem(unsigned status, std::string_view detail) {
-    Response response;
-    response.status = status;
-    response.content_type = "application/problem+json";
-    response.body =
-        fmt::format(R"({{"type":"about:blank","title":"bad request","status":{},"detail":"{}"}})", status, detail);
-    return response;
-  }
-
-  template <class Message>
-  void fill_head(Message& message, const Response& response) const {
-    message.result(response.status);
-    message.version(11);
-    message.keep_alive(keep_alive_);
-    if (!response.content_type.empty()) message.set(bhttp::field::content_type, response.content_type);
-    message.set("X-Content-Type-Options", "nosniff");
-    message.set(bhttp::field::cache_control, "no-store");  // unless the answer says otherwise
-    for (const auto& [name, value] : response.headers) message.set(name, value);
-  }
-
-  void respond(Response response) {
-    if (head_only_) return write_head(response);
-    if (response.events) return write_events(std::move(response));
-    if (response.source) return write_source(std::move(response));
-    write_text(std::move(response));
-  }
-
-  void write_text(Response response) {
-    auto message = std::make_shared<bhttp::response<bhttp::string_body>>();
-    fill_head(*message, response);
-    message->body() = std::move(response.body);
-    if (response.status != 204) message->prepare_payload();  // a 204 says nothing of a length
-    stream_.expires_after(kWriteTimeout);
-    bhttp::async_write(stream_, *message, [self = shared_from_this(), message](beast::error_code error, std::size_t) {
-      self->after_answer(error);
-    });
-  }
-
-  void after_answer(beast::error_code error) {
-    if (error) return close();
-    if (keep_alive_) return read_next();
-    // Closing with bytes unread would reset the connection, and the client might never see the answer.
-    stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, error);
-    stream_.expires_after(kLinger);
-    read_out();
-  }
-
-  void read_out() {
-    stream_.async_read_some(asio::buffer(probe_), [self = shared_from_this()](beast::error_code error, std::size_t) {
-      if (error) return self->close();
-      self->read_out();
-    });
-  }
-
-  // HEAD: as GET, without the body.
-  void write_head(const Response& response) {
-    auto message = std::make_shared<bhttp::response<bhttp::empty_body>>();
-    fill_head(*message, response);
-    if (response.events || response.source) {
-      message->chunked(true);
-    } else if (response.status != 204) {
-      message->content_length(response.body.size());
-    }
-    auto serializer = std::make_shared<bhttp::response_serializer<bhttp::empty_body>>(*message);
-    stream_.expires_after(kWriteTimeout);
-    bhttp::async_write_header(stream_, *serializer,
-                              [self = shared_from_this(), message, serializer](beast::error_code error, std::size_t) {
-                                self->after_answer(error);
-                              });
-  }
-
-  // The head of a chunked answer, then `next`.
-  void write_chunked_head(const Response& response, void (Connection::*next)()) {
-    auto message = std::make_shared<bhttp::response<bhttp::empty_body>>();
-    fill_head(*message, response);
-    message->chunked(true);
-    auto serializer = std::make_shared<bhttp::response_serializer<bhttp::empty_body>>(*message);
-    stream_.expires_after(kWriteTimeout);
-    bhttp::async_write_header(
-        stream_, *serializer,
-        [self = shared_from_this(), message, serializer, next](beast::error_code error, std::size_t) {
-          if (error) return self->close();
-          (self.get()->*next)();
-        });
-  }
-
-  void write_chunk(std::string piece, void (Connection::*next)()) {
-    piece_ = std::move(piece);
-    stream_.expires_after(kWriteTimeout);
-    asio::async_write(stream_, bhttp::make_chunk(asio::buffer(piece_)),
-                      [self = shared_from_this(), next](beast::error_code error, std::size_t) {
-                        if (error) return self->close();
-                        self->stream_.expires_never();
-                        (self.get()->*next)();
-                      });
-  }
-
-  void write_source(Response response) {
-    source_ = std::move(response.source);
-    write_chunked_head(response, &Connection::write_next_piece);
-  }
-
-  void write_next_piece() {
-    std::string piece(kPieceBytes, '\0');
-    const auto count = source_(std::span(piece.data(), piece.size()));
-    if (!count) return close();  // no last chunk: the client sees that the body is torn
-    if (*count > 0) {
-      piece.resize(*count);
-      return write_chunk(std::move(piece), &Connection::write_next_piece);
-    }
-    source_ = nullptr;
-    asio::async_write(stream_, bhttp::make_chunk_last(),
-                      [self = shared_from_this()](beast::error_code error, std::size_t) { self->after_answer(error); });
-  }
-
-  void write_events(Response response) {
-    events_ = std::move(response.events);
-    keep_alive_ = false;
-    events_->on_ready([weak = weak_from_this(), executor = stream_.get_executor()] {
-      asio::post(executor, [weak] {
-        if (const auto self = weak.lock()) self->on_events_ready();
-      });
-    });
-    watch_for_close();
-    writing_events_ = true;
-    write_chunked_head(response, &Connection::write_next_events);
-  }
-
-  // A watcher sends nothing more: any byte or end of stream from it closes the connection.
-  void watch_for_close() {
-    stream_.async_read_some(asio::buffer(probe_),
-                            [self = shared_from_this()](beast::error_code, std::size_t) { self->close(); });
-  }
-
-  void on_events_ready() {
-    if (!events_ || writing_events_) return;
-    timer_.cancel();
-    write_next_events();
-  }
-
-  void write_next_events() {
-    writing_events_ = false;
-    if (!events_) return;
-    std::string ready = events_->take();
-    if (ready.empty() && comment_due_) ready = ": alive\n\n";
-    comment_due_ = false;
-    if (!ready.empty()) {
-      writing_events_ = true;
-      return write_chunk(std::move(ready), &Connection::write_next_events);
-    }
-    stream_.expires_never();
-    const auto due = events_->due_after();
-    timer_.expires_after(due ? std::chrono::steady_clock::duration(*due) : kEventComment);
-    timer_.async_wait([self = shared_from_this(), comment = !due](beast::error_code error) {
-      if (error || self->writing_events_) return;
-      self->comment_due_ = comment;
-      self->write_next_events();
-    });
-  }
-
-  beast::tcp_stream stream_;
-  asio::steady_timer timer_;
-  const ConnectionShared& shared_;
-  beast::flat_buffer buffer_;
-  std::optional<bhttp::request_parser<bhttp::string_body>> parser_;
-  Request request_;
-  BodySource source_;
-  std::shared_ptr<EventSubscription> events_;
-  std::string piece_;
-  std::array<char, 4096> probe_{};
-  bool keep_alive_ = false;
-  bool head_only_ = false;
-  bool writing_events_ = false;
-  bool comment_due_ = false;
-};
+Response come_again(std::string_view detail) {
+  Response response = plain_problem(503, detail);
+  response.headers.emplace_back("Retry-After", "1");
+  return response;
+}
 
 }  // namespace
 
-std::weak_ptr<ConnectionHandle> serve(asio::ip::tcp::socket socket, const ConnectionShared& shared) {
-  const auto connection = std::make_shared<Connection>(std::move(socket), shared);
-  connection->read_next();
+Response plain_problem(unsigned status, std::string_view detail) {
+  Response response;
+  response.status = status;
+  response.content_type = "application/problem+json";
+  response.body =
+      fmt::format(R"({{"type":"about:blank","title":"bad request","status":{},"detail":"{}"}})", status, detail);
+  return response;
+}
+
+Connection::Connection(asio::ip::tcp::socket socket, Wire::TlsContext tls, ConnectionShared& shared)
+    : wire_(std::move(socket), std::move(tls)), timer_(wire_.get_executor()), shared_(shared) {
+  Error gone;  // then it is refused by the first read
+  const auto endpoint = wire_.lowest().socket().remote_endpoint(gone);
+  if (!gone) peer_ = endpoint.address();
+  // An answer leaves with its last byte, not when the peer has acknowledged the first.
+  wire_.lowest().socket().set_option(asio::ip::tcp::no_delay(true), gone);
+}
+
+void Connection::start() {
+  waits_since_ = Clock::now();
+  if (wire_.tls() == nullptr) return read_next();
+  wire_.lowest().expires_after(kHandshakeTimeout);
+  wire_.tls()->async_handshake(asio::ssl::stream_base::server, fenced([this](Error error) {
+                                 if (error) return close();
+                                 read_next();
+                               }));
+}
+
+void Connection::close() {
+  timer_.cancel();
+  if (events_) events_->on_ready({});
+  events_.reset();
+  source_ = nullptr;
+  give_room_back();
+  Error ignored;  // closing a closed socket is no news
+  wire_.lowest().socket().close(ignored);
+}
+
+void Connection::fail(const char* what) {
+  spdlog::error("HTTP: the connection from {} is closed: {}", peer_.to_string(), what);
+  close();
+}
+
+void Connection::read_next() {
+  parser_.emplace();
+  parser_->body_limit(kLargeBody_bytes);
+  parser_->header_limit(static_cast<std::uint32_t>(kHeaderLimit_bytes));
+  waits_since_ = Clock::now();
+  wire_.lowest().expires_after(kReadTimeout);
+  take_head();
+}
+
+// The head is looked at whole, before the parser joins what is folded.
+void Connection::take_head() {
+  const auto bytes = buffer_.data();
+  const std::string_view read(static_cast<const char*>(bytes.data()), bytes.size());
+  const std::size_t end = read.find(kHeadEnd);
+  if (end != std::string_view::npos || read.size() > kHeaderLimit_bytes) {
+    if (has_folded_line(read.substr(0, end))) return respond_unread(plain_problem(400, "a header stands on one line"));
+    Error error;
+    buffer_.consume(parser_->put(bytes, error));
+    if (error == bhttp::error::need_more) error = bhttp::error::header_limit;
+    return on_head_parsed(error);
+  }
+  wire_.async_read_some(buffer_.prepare(kReadAtOnce_bytes), fenced([this](Error error, auto count) {
+                          if (error) return close();
+                          buffer_.commit(static_cast<std::size_t>(count));
+                          take_head();
+                        }));
+}
+
+// A long body of somebody who may not send it is not read.
+void Connection::on_head_parsed(Error error) {
+  head_only_ = false;
+  if (error) return refuse_unread(error);
+  auto& message = parser_->get();
+  keep_alive_ = message.keep_alive();
+  head_only_ = message.method() == bhttp::verb::head;
+  request_ = {};
+  request_.method = head_only_ ? Method::get : method_of(message.method());
+  if (const std::string_view fault = framing_fault(message); !fault.empty())
+    return respond_unread(plain_problem(400, fault));
+  if (!read_target(message.target(), request_))
+    return respond_unread(plain_problem(400, "the path of the request is malformed"));
+  copy_headers();
+  plan_ = shared_.answerer.plan(request_);
+  read_body();
+}
+
+void Connection::read_body() {
+  const bool chunked = parser_->chunked();
+  const std::uint64_t length = parser_->content_length().value_or(0);
+  std::size_t limit = plan_.body_limit_bytes;
+  if (chunked || length > kShortBody_bytes) {
+    auto refusal = shared_.answerer.refuse_long(request_);
+    if (refusal && !chunked) return respond_unread(std::move(*refusal));
+    if (refusal) limit = kShortBody_bytes;
+  }
+  if (length > limit)
+    return respond_unread(plain_problem(413, fmt::format("the body is too large: this path takes {} bytes", limit)));
+  parser_->body_limit(limit);
+  if (!take_room(chunked ? limit : static_cast<std::size_t>(length)))
+    return respond_unread(come_again("too many large requests are being read: send this one again"));
+  if (parser_->is_done()) return on_read({});
+  wire_.lowest().expires_after(kReadTimeout + std::chrono::seconds(room_bytes_ / kSlowest_bytes_s));
+  bhttp::async_read(wire_, buffer_, *parser_, fenced([this](Error error, auto) { on_read(error); }));
+}
+
+void Connection::on_read(Error error) {
+  if (error) return refuse_unread(error);
+  waits_since_.reset();
+  request_.body = std::move(parser_->get().body());
+  wire_.lowest().expires_never();
+  if (plan_.lane != Lane::here) return answer_in(plan_.lane);
+  respond(shared_.answerer.answer(request_));
+}
+
+void Connection::answer_in(Lane lane) {
+  request_.peer = wire_.lowest().socket().native_handle();
+  const bool taken = shared_.lanes->submit(lane, [self = shared_from_this(), request = std::move(request_)] {
+    Response response = self->shared_.answerer.answer(request);
+    asio::post(self->wire_.get_executor(),
+               self->fenced([connection = self.get(), answer = std::move(response)]() mutable {
+                 connection->respond(std::move(answer));
+               }));
+  });
+  if (!taken) respond_unread(come_again("too many requests of this kind are waiting: send this one again"));
+}
+
+// Of what all bodies may take together. Short ones are not counted.
+bool Connection::take_room(std::size_t bytes) {
+  if (bytes <= kShortBody_bytes) return true;
+  if (bytes > kBodyBudget_bytes - shared_.body_bytes) return false;
+  room_bytes_ = bytes;
+  shared_.body_bytes += bytes;
+  return true;
+}
+
+void Connection::give_room_back() {
+  shared_.body_bytes -= room_bytes_;
+  room_bytes_ = 0;
+}
+
+void Connection::respond_unread(Response response) {
+  keep_alive_ = false;
+  respond(std::move(response));
+}
+
+void Connection::refuse_unread(Error error) {
+  if (error == bhttp::error::body_limit)
+    return respond_unread(plain_problem(413, "the body of the request is too large"));
+  if (error == bhttp::error::header_limit)
+    return respond_unread(plain_problem(431, "the header of the request is too large"));
+  if (error.category() == make_error_code(bhttp::error::bad_method).category() &&
+      error != bhttp::error::end_of_stream && error != bhttp::error::partial_message) {
+    return respond_unread(plain_problem(400, "this is not HTTP/1.1: " + error.message()));
+  }
+  close();
+}
+
+void Connection::copy_headers() {
+  const auto& message = parser_->get();
+  const auto take = [&](bhttp::field field) { return std::string(message[field]); };
+  request_.authorization = take(bhttp::field::authorization);
+  request_.cookie = take(bhttp::field::cookie);
+  request_.if_match = take(bhttp::field::if_match);
+  request_.idempotency_key = std::string(message["Idempotency-Key"]);
+  request_.last_event_id = std::string(message["Last-Event-ID"]);
+  request_.origin = take(bhttp::field::origin);
+  request_.host = take(bhttp::field::host);
+  request_.fetch_site = std::string(message["Sec-Fetch-Site"]);
+  request_.content_type = take(bhttp::field::content_type);
+  request_.content_encoding = take(bhttp::field::content_encoding);
+  request_.is_encrypted = wire_.tls() != nullptr;
+  copy_forwarded();
+}
+
+void Connection::copy_forwarded() {
+  if (std::ranges::find(shared_.proxies, peer_) == shared_.proxies.end()) return;
+  const auto& message = parser_->get();
+  request_.forwarded_host = last_of(std::string_view(message["X-Forwarded-Host"]));
+  if (beast::iequals(last_of(std::string_view(message["X-Forwarded-Proto"])), "https")) request_.is_encrypted = true;
+}
+
+std::weak_ptr<ConnectionHandle> serve(asio::ip::tcp::socket socket, std::shared_ptr<asio::ssl::context> tls,
+                                      ConnectionShared& shared) {
+  const auto connection = std::make_shared<Connection>(std::move(socket), std::move(tls), shared);
+  connection->start();
   return connection;
 }
 

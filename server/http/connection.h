@@ -1,21 +1,29 @@
 // One HTTP connection: reads a request, has it answered, writes the answer, again. Beast stays behind this header.
 #pragma once
 
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <boost/asio/ip/address.hpp>
 #include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/thread_pool.hpp>
+#include <boost/asio/ssl/context.hpp>
 
 #include "server/http/server.h"
 
 namespace dripfeed::http {
 
-// What all connections of a server share. It outlives them.
+// What all connections of a server share. It outlives them; all but `answerer` and `lanes` is for the HTTP thread.
 struct ConnectionShared {
   Answerer answerer;
-  boost::asio::thread_pool* pool = nullptr;
+  Lanes* lanes = nullptr;
+  std::vector<boost::asio::ip::address> proxies;
+  std::size_t body_bytes = 0;  // of all bodies that are read or answered now
 };
 
-// Takes the socket and serves it until either side closes; it lives by its pending operations. `closer` of the returned
-// handle ends it from the server's thread.
+// A connection as its server sees it.
 class ConnectionHandle {
  public:
   ConnectionHandle() = default;
@@ -23,7 +31,15 @@ class ConnectionHandle {
   ConnectionHandle& operator=(const ConnectionHandle&) = delete;
   virtual ~ConnectionHandle() = default;
   virtual void close() = 0;
+  [[nodiscard]] virtual const boost::asio::ip::address& peer() const = 0;
+  // Since when it waits for its peer to say what it wants; nothing while it is answered or watches events. The one that
+  // waits longest is closed where there are too many.
+  [[nodiscard]] virtual std::optional<std::chrono::steady_clock::time_point> waits_since() const = 0;
 };
-std::weak_ptr<ConnectionHandle> serve(boost::asio::ip::tcp::socket socket, const ConnectionShared& shared);
+
+// Takes the socket and serves it until either side closes; it lives by its pending operations. `tls`: nullptr for plain
+// HTTP. On the HTTP thread, as every member of the handle.
+std::weak_ptr<ConnectionHandle> serve(boost::asio::ip::tcp::socket socket,
+                                      std::shared_ptr<boost::asio::ssl::context> tls, ConnectionShared& shared);
 
 }  // namespace dripfeed::http

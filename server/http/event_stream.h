@@ -1,10 +1,8 @@
-// One watcher of live events, as the connection sees it: it takes what is ready and is told when there is more. A slow
+// One watcher of live events, as the connection sees it: it takes what is ready and is woken when there is more. A slow
 // watcher falls behind alone: its queue is bounded where it is made.
 #pragma once
 
-#include <chrono>
 #include <functional>
-#include <optional>
 #include <string>
 
 namespace dripfeed::http {
@@ -17,8 +15,8 @@ class EventSubscription {
   virtual ~EventSubscription() = default;
   // All that is ready, as text/event-stream; empty when there is nothing.
   virtual std::string take() = 0;
-  // Something was held back by the last take() and will be due after so long.
-  virtual std::optional<std::chrono::milliseconds> due_after() = 0;
+  // Whoever watches may not any more (a token that was revoked): the stream is to be closed.
+  virtual bool ended() = 0;
   // `ready` may be called from any thread, once for each time that something came; called with an empty function to
   // stop.
   virtual void on_ready(std::function<void()> ready) = 0;

@@ -15,8 +15,8 @@ std::string machine_json(app::Application& app, const store::Machine& machine, b
   return json::machine(machine, app.status(machine.name), whole);
 }
 
-std::string family_json(const store::Family& family, bool whole) {
-  return json::family(family, compile::describe_family(text::Source(family.name, family.text)), whole);
+std::string family_json(const store::Family& family) {
+  return json::family(family, compile::describe_family(text::Source(family.name, family.text)));
 }
 
 }  // namespace
@@ -71,8 +71,9 @@ Response confirm_reset(const Call& call) {
 Response list_families(const Call& call) {
   const auto page = page_of(call.request);
   if (!page) return page.error();
+  FamilyTitles& titles = call.api.family_titles();
   return list_response(call.api.application().store().families().list(*page),
-                       [](const store::Family& f) { return family_json(f, false); });
+                       [&](const store::Family& f) { return json::family_summary(f, titles.of(f)); });
 }
 
 Response add_family(const Call& call) {
@@ -80,15 +81,14 @@ Response add_family(const Call& call) {
   if (!body) return problem_response(body.error());
   const auto family = call.api.application().catalog().add_family(body->text, call.user);
   if (!family) return problem_response(family.error());
-  return with_revision(
-      created(fmt::format("/api/v1/families/{}", escape_segment(family->name)), family_json(*family, true)),
-      family->revision);
+  return with_revision(created(fmt::format("/api/v1/families/{}", escape_segment(family->name)), family_json(*family)),
+                       family->revision);
 }
 
 Response get_family(const Call& call) {
   const auto family = call.api.application().store().families().get(call.parameters[0]);
   if (!family) return problem_response(app::from_store(family.error()));
-  return with_revision(json_response(200, family_json(*family, true)), family->revision);
+  return with_revision(json_response(200, family_json(*family)), family->revision);
 }
 
 Response change_family(const Call& call) {
@@ -99,7 +99,7 @@ Response change_family(const Call& call) {
   const auto family =
       call.api.application().catalog().change_family(call.parameters[0], *expected, body->text, call.user);
   if (!family) return problem_response(family.error());
-  return with_revision(json_response(200, family_json(*family, true)), family->revision);
+  return with_revision(json_response(200, family_json(*family)), family->revision);
 }
 
 Response list_parts(const Call& call) {

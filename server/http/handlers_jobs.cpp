@@ -90,9 +90,14 @@ Response list_jobs(const Call& call) {
 Response add_job(const Call& call) {
   const auto body = json::read_job_body(call.request.body);
   if (!body) return problem_response(body.error());
-  const auto job = call.api.application().jobs().add(body->release, call.user);
-  if (!job) return problem_response(job.error());
-  return created(fmt::format("/api/v1/jobs/{}", job->id), json::job(*job));
+  app::Jobs& jobs = call.api.application().jobs();
+  const auto prepared = jobs.prepare(body->release);
+  if (!prepared) return problem_response(prepared.error());
+  return call.commit([&] {
+    const auto job = jobs.add(*prepared, call.user);
+    if (!job) return problem_response(job.error());
+    return created(fmt::format("/api/v1/jobs/{}", job->id), json::job(*job));
+  });
 }
 
 Response get_job(const Call& call) {

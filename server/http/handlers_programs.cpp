@@ -20,6 +20,12 @@ std::expected<store::Revision, Response> revision_of(const Request& request) {
   return id_of(given->second);
 }
 
+Response program_response(const app::Result<store::Program>& program) {
+  if (!program) return problem_response(program.error());
+  return with_revision(created(fmt::format("/api/v1/programs/{}", program->id), json::program(*program)),
+                       program->newest.revision);
+}
+
 }  // namespace
 
 store::Result<store::ProgramRevision> find_revision(store::Store& store, store::Id program, store::Revision revision) {
@@ -42,10 +48,10 @@ Response list_programs(const Call& call) {
 Response add_program(const Call& call) {
   const auto body = json::read_program_body(call.request.body);
   if (!body) return problem_response(body.error());
-  const auto program = call.api.application().programs().upload(body->name, body->dialect, body->text, call.user);
-  if (!program) return problem_response(program.error());
-  return with_revision(created(fmt::format("/api/v1/programs/{}", program->id), json::program(*program)),
-                       program->newest.revision);
+  app::Programs& programs = call.api.application().programs();
+  const auto text = programs.keep_text(body->dialect, body->text);
+  if (!text) return problem_response(text.error());
+  return call.commit([&] { return program_response(programs.add(body->name, body->dialect, *text, call.user)); });
 }
 
 Response get_program(const Call& call) {
@@ -95,10 +101,10 @@ Response add_revision(const Call& call) {
   if (!expected) return expected.error();
   const auto body = json::read_text_body(call.request.body);
   if (!body) return problem_response(body.error());
-  const auto program = call.api.application().programs().upload_revision(*id, *expected, body->text, call.user);
-  if (!program) return problem_response(program.error());
-  return with_revision(created(fmt::format("/api/v1/programs/{}", program->id), json::program(*program)),
-                       program->newest.revision);
+  app::Programs& programs = call.api.application().programs();
+  const auto text = programs.keep_text(body->text);
+  if (!text) return problem_response(text.error());
+  return call.commit([&] { return program_response(programs.add_revision(*id, *expected, *text, call.user)); });
 }
 
 Response render(const Call& call) {
@@ -126,7 +132,7 @@ Response list_checks(const Call& call) {
   if (const auto machine = call.request.query.find("machine"); machine != call.request.query.end())
     filter.machine = machine->second;
   return list_response(call.api.application().store().verdicts().list(*page, filter),
-                       [](const store::Verdict& v) { return json::verdict(v); });
+                       [](const store::Verdict& v) { return json::verdict_summary(v); });
 }
 
 Response add_check(const Call& call) {

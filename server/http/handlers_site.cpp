@@ -9,7 +9,6 @@
 
 #include "server/http/api.h"
 #include "server/http/handlers.h"
-#include "server/http/live.h"
 #include "server/json/openapi.h"
 #include "server/json/records.h"
 #include "server/json/requests.h"
@@ -57,8 +56,10 @@ Response file_response(const std::filesystem::path& path) {
   return response;
 }
 
-std::string cookie(std::string_view value, std::string_view attributes) {
-  return fmt::format("{}={}; Path=/; HttpOnly; SameSite=Strict{}", kSessionCookie, value, attributes);
+// Secure where the browser has spoken to us, or to a trusted proxy, by TLS.
+std::string cookie(const Request& request, std::string_view value, std::string_view attributes) {
+  return fmt::format("{}={}; Path=/; HttpOnly; SameSite=Strict{}{}", kSessionCookie, value,
+                     request.is_encrypted ? "; Secure" : "", attributes);
 }
 
 }  // namespace
@@ -109,7 +110,7 @@ Response open_session(const Call& call) {
   Response response;
   response.status = 204;
   response.content_type.clear();
-  response.headers.emplace_back("Set-Cookie", cookie(*value, ""));
+  response.headers.emplace_back("Set-Cookie", cookie(call.request, *value, ""));
   return response;
 }
 
@@ -118,7 +119,7 @@ Response close_session(const Call& call) {
   Response response;
   response.status = 204;
   response.content_type.clear();
-  response.headers.emplace_back("Set-Cookie", cookie("", "; Max-Age=0"));
+  response.headers.emplace_back("Set-Cookie", cookie(call.request, "", "; Max-Age=0"));
   return response;
 }
 
@@ -134,9 +135,13 @@ Response get_events(const Call& call) {
   Response response;
   response.content_type = "text/event-stream";
   response.headers.emplace_back("Cache-Control", "no-store");
-  response.events = watch_events(events, after, [&application = call.api.application()](const std::string& machine) {
-    return application.status(machine);
-  });
+  auto watcher = call.api.live().watch(after, call.caller->credential);
+  if (!watcher) {
+    Response full = problem_response(429, watcher.error());
+    full.headers.emplace_back("Retry-After", "10");
+    return full;
+  }
+  response.events = std::move(*watcher);
   return response;
 }
 

@@ -1,21 +1,94 @@
 // Live events as text/event-stream: transitions with their ids, and the newest progress of each machine at most five
-// times a second.
+// times a second. Each event is written once for all who watch; a thread of its own does it, so that neither the
+// publisher nor the HTTP thread waits for the store. Watchers are limited, by credential and in all, and end with it.
 #pragma once
 
+#include <chrono>
+#include <condition_variable>
 #include <cstdint>
+#include <deque>
+#include <expected>
 #include <functional>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <thread>
 
 #include "server/app/application.h"
 #include "server/http/event_stream.h"
+#include "server/http/sessions.h"
 
 namespace dripfeed::http {
 
 // Where a machine stands now, with its program and block: asked for when its line's report has changed.
 using Describe = std::function<app::MachineStatus(const std::string& machine)>;
+// Whether a watcher may go on watching. Asked about once a second.
+using StillValid = std::function<bool(const Credential&)>;
 
-// Everything after event `after`. The events and what `describe` refers to must outlive the subscription.
-std::shared_ptr<EventSubscription> watch_events(app::Events& events, std::uint64_t after, Describe describe);
+class LiveHub {
+ public:
+  static constexpr std::size_t kMostOfOne = 64;  // watchers on one token
+  static constexpr std::size_t kMost = 512;
+
+  // What is given must outlive the hub, and the hub its watchers.
+  LiveHub(app::Events& events, Describe describe, StillValid still_valid);
+  ~LiveHub();
+  LiveHub(const LiveHub&) = delete;
+  LiveHub& operator=(const LiveHub&) = delete;
+
+  // Everything after event `after`; or a sentence where too many watch.
+  std::expected<std::shared_ptr<EventSubscription>, std::string> watch(std::uint64_t after, Credential credential);
+  // One round now, on the caller's thread. For tests.
+  void round();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  class Watcher;
+  struct Written {
+    std::uint64_t id = 0;
+    std::string text;
+  };
+  struct Shown {
+    std::string line;  // of the line's report alone, to see a change
+    std::string text;
+    std::uint64_t generation = 0;
+  };
+  struct Seat {
+    Credential credential;
+    std::function<void()> ready;
+    bool ended = false;
+  };
+
+  void loop(const std::stop_token& stop);
+  void wake();
+  Clock::time_point next_due();
+  void begin_at_newest();
+  bool gather_events();
+  bool gather_progress(Clock::time_point now);
+  bool end_invalid(Clock::time_point now);
+  [[nodiscard]] std::size_t count_of(const std::string& token_hash) const;
+
+  app::Events& events_;
+  Describe describe_;
+  StillValid still_valid_;
+  app::Events::Watch watch_ = 0;
+
+  std::mutex mutex_;             // of what follows
+  std::deque<Written> written_;  // all events behind written_from_, up to written_to_
+  std::uint64_t written_from_ = 0;
+  std::uint64_t written_to_ = 0;
+  std::map<std::string, Shown> progress_;  // by machine
+  std::uint64_t generation_ = 0;
+  std::map<const Watcher*, Seat> seats_;
+  Clock::time_point next_progress_{};
+  Clock::time_point next_check_{};
+  bool held_back_ = false;
+
+  std::mutex wake_mutex_;
+  std::condition_variable_any wake_;
+  bool woken_ = false;
+  std::jthread thread_;
+};
 
 }  // namespace dripfeed::http

@@ -32,7 +32,9 @@ struct Request {
   std::string last_event_id;
   std::string origin;
   std::string host;
-  std::string fetch_site;  // Sec-Fetch-Site
+  std::string forwarded_host;  // as a trusted proxy says; "" without one
+  std::string fetch_site;      // Sec-Fetch-Site
+  bool is_encrypted = false;   // TLS up to us, or up to a trusted proxy
   std::string content_type;
   std::string content_encoding;
   std::string body;

@@ -16,10 +16,19 @@ namespace dripfeed::http {
 enum class Right : std::uint8_t { anybody, viewer, operator_, programmer, approver, admin };
 std::string_view name_of(Right right);
 
-// `light` routes answer in the HTTP thread, a change and its idempotent reply in one transaction; `heavy` ones
-// (rendering, checks) run in the pool at low priority; `command` is for lines and live streams, which no transaction
-// can undo.
-enum class Weight : std::uint8_t { light, heavy, command };
+// Where a route is answered (see lanes.h), and what an answer under an idempotency key is.
+//
+//   light    reads on the HTTP thread; changes in the lane `write`, each in one transaction with its kept answer
+//   staged   lane `write`: reads a text first, and then commits its rows, see Call::commit
+//   command  lane `command`: acts on lines, which no transaction can undo
+//   bulk     lane `bulk`: much text. A change puts its text first and then commits its rows, as a staged one, so that
+//            no transaction lasts as long as a text
+//   setup    lane `bulk`: opens lines, or has transactions of its own
+//   heavy    lane `heavy`: rendering, checks
+enum class Weight : std::uint8_t { light, staged, command, bulk, setup, heavy };
+
+// What a body may carry: a document, or a text in one.
+enum class Carries : std::uint8_t { document, text };
 
 // What a route takes besides its path and body: a page of a list, or the revision that is changed.
 enum class Takes : std::uint8_t { no_more, page, if_match };
@@ -29,12 +38,22 @@ class Api;  // what handlers work with: the application and who calls
 // Values of the pattern's {names}, in their order.
 using Parameters = std::span<const std::string>;
 
+// Runs the last step of a change as one transaction with its kept answer.
+using Commit = std::function<Response(const std::function<Response()>&)>;
+
+struct Caller;
+
 struct Call {
   Api& api;
   const Request& request;
   Parameters parameters;
   std::string_view user;
   Right right;
+  const Caller* caller = nullptr;  // nullptr where anybody may call
+  const Commit* once = nullptr;    // nullptr without an idempotency key
+
+  // For a `staged` or `bulk` route: its last step. A `light` one stands in it as a whole.
+  [[nodiscard]] Response commit(const std::function<Response()>& step) const { return once ? (*once)(step) : step(); }
 };
 using Handler = Response (*)(const Call&);
 
@@ -47,6 +66,7 @@ struct Route {
   std::string_view summary;  // one line for openapi.json
   Takes takes = Takes::no_more;
   std::string_view query = {};  // names of its query parameters, with blanks between; a page's own are not among them
+  Carries carries = Carries::document;
 };
 
 struct Match {

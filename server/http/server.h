@@ -1,21 +1,26 @@
 // The listener: accepts connections on one address and has each request answered by a function. It owns the HTTP thread
-// and the pool of heavy requests; nothing here runs on a link's thread.
+// and the lanes of threads that answer; nothing here runs on a link's thread.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <expected>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "server/http/lanes.h"
 #include "server/http/request.h"
 
 namespace dripfeed::http {
 
-inline constexpr std::size_t kBodyLimit = std::size_t{64} << 20U;  // bytes of a request's body
-inline constexpr std::size_t kShortBody = std::size_t{64} << 10U;  // is read whoever sends it
-inline constexpr std::size_t kHeaderLimit = std::size_t{16} << 10U;
+inline constexpr std::size_t kSmallBody_bytes = std::size_t{1} << 20U;     // of most requests
+inline constexpr std::size_t kLargeBody_bytes = std::size_t{64} << 20U;    // of those that carry a text
+inline constexpr std::size_t kShortBody_bytes = std::size_t{64} << 10U;    // is read whoever sends it
+inline constexpr std::size_t kBodyBudget_bytes = std::size_t{256} << 20U;  // of all bodies in memory at one time
+inline constexpr std::size_t kHeaderLimit_bytes = std::size_t{16} << 10U;
 
 struct ListenAddress {
   std::string host = "127.0.0.1";
@@ -26,21 +31,39 @@ struct ListenAddress {
 std::expected<ListenAddress, std::string> parse_listen_address(std::string_view text);
 bool is_loopback(const ListenAddress& address);
 
-// `answer` gives the response at once; `is_heavy` says that it is to be called from the pool instead; `refuse_long`
-// is asked with the head of a request, before a body beyond kShortBody is read. All must be safe to call from several
-// threads.
+// Where a request is answered, and how long its body may be; known from its head.
+struct Plan {
+  Lane lane = Lane::here;
+  std::size_t body_limit_bytes = kShortBody_bytes;
+};
+
+// `answer` gives the response, on a thread of the lane that `plan` names; `refuse_long` is asked with the head of a
+// request, before a body beyond kShortBody_bytes is read. All must be safe to call from several threads.
 struct Answerer {
+  std::function<Plan(const Request&)> plan;
   std::function<std::optional<Response>(const Request&)> refuse_long;
-  std::function<bool(const Request&)> is_heavy;
   std::function<Response(const Request&)> answer;
+};
+
+struct ServerSettings {
+  ListenAddress address;
+  // PEM files; empty: plain HTTP. Read again when they change.
+  std::string tls_certificate;
+  std::string tls_key;
+  std::vector<std::string> proxies;  // IP addresses whose X-Forwarded-Host and X-Forwarded-Proto are believed
 };
 
 class Server {
  public:
-  // Binds and starts; or what the system said, with the address.
-  static std::expected<std::unique_ptr<Server>, std::string> start(const ListenAddress& address, Answerer answerer);
-  virtual ~Server() = default;  // stops, closes every connection, joins
+  // Binds and starts; or one sentence that says what is wrong: what the system said of the address, what OpenSSL said
+  // of the certificate, which proxy is no address.
+  static std::expected<std::unique_ptr<Server>, std::string> start(const ServerSettings& settings, Answerer answerer);
+  virtual ~Server() = default;  // stop() must have said true, or was never called: then it waits for all work
   [[nodiscard]] virtual std::uint16_t port() const = 0;
+  // Closes the listener and every connection: no request comes in any more.
+  virtual void close() = 0;
+  // close(), then gives the requests at work so much time. False when one still runs: see Lanes::stop.
+  virtual bool stop(std::chrono::milliseconds at_most) = 0;
 
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;

@@ -1,6 +1,9 @@
 // Tokens are looked up by their hash for each request: the store answers from memory, and a revocation counts at once.
 #include "server/http/sessions.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "store/hash/hash.h"
 
 namespace dripfeed::http {
@@ -31,34 +34,86 @@ std::string cookie_value(std::string_view header, std::string_view name) {
   return {};
 }
 
+namespace {
+
+bool names_host(std::string_view origin, std::string_view host) {
+  const std::size_t scheme = origin.find("://");
+  return scheme != std::string_view::npos && !host.empty() && origin.substr(scheme + 3) == host;
+}
+
+}  // namespace
+
+// No page can set Sec-Fetch-Site, and a proxy passes it on: where it is there it decides, whatever host the proxy calls
+// us by.
 bool same_origin(const Request& request) {
-  if (request.origin.empty()) return request.fetch_site == "same-origin";
-  const std::size_t scheme = request.origin.find("://");
-  return scheme != std::string::npos && !request.host.empty() && request.origin.substr(scheme + 3) == request.host;
+  if (!request.fetch_site.empty()) return request.fetch_site == "same-origin";
+  return names_host(request.origin, request.host) || names_host(request.origin, request.forwarded_host);
 }
 
 std::optional<Caller> Sessions::by_hash(const std::string& hash) {
   const auto token = tokens_.find(hash);
   if (!token) return std::nullopt;
   // The rights follow the roles in the same order, behind `anybody`.
-  return Caller{
-      .name = token->name, .right = static_cast<Right>(static_cast<int>(token->role) + 1), .by_cookie = false};
+  return Caller{.name = token->name,
+                .right = static_cast<Right>(static_cast<int>(token->role) + 1),
+                .by_cookie = false,
+                .credential = {.token_hash = hash, .session = {}}};
+}
+
+bool Sessions::has_expired(const Session& session, Clock::time_point now) {
+  return now - session.used >= kIdle || now - session.opened >= kLongest;
+}
+
+Sessions::Rows::iterator Sessions::live(const std::string& session) {
+  const auto found = rows_.find(session);
+  if (found == rows_.end()) return found;
+  if (!has_expired(found->second, now_())) return found;
+  rows_.erase(found);
+  return rows_.end();
 }
 
 std::optional<Caller> Sessions::caller(const Request& request) {
   if (const auto token = bearer_token(request.authorization)) return by_hash(hash::token_hash(*token));
   const std::string cookie = cookie_value(request.cookie, kSessionCookie);
   if (cookie.empty()) return std::nullopt;
+  const std::string session = hash::token_hash(cookie);
   std::string hash;
   {
     const std::lock_guard lock(mutex_);
-    const auto known = hashes_.find(hash::token_hash(cookie));
-    if (known == hashes_.end()) return std::nullopt;
-    hash = known->second;
+    const auto known = live(session);
+    if (known == rows_.end()) return std::nullopt;
+    known->second.used = now_();
+    hash = known->second.token_hash;
   }
   auto caller = by_hash(hash);
-  if (caller) caller->by_cookie = true;
+  if (!caller) return caller;
+  caller->by_cookie = true;
+  caller->credential.session = session;
   return caller;
+}
+
+bool Sessions::is_valid(const Credential& credential) {
+  if (!credential.session.empty()) {
+    const std::lock_guard lock(mutex_);
+    if (live(credential.session) == rows_.end()) return false;
+  }
+  const auto token = tokens_.find(credential.token_hash);
+  // A store that cannot be read says nothing of the token.
+  return token.has_value() || token.error().code != store::ErrorCode::not_found;
+}
+
+// Those of this token alone: nobody ends the session of another by signing in often.
+void Sessions::make_room(const std::string& token_hash) {
+  const auto now = now_();
+  std::erase_if(rows_, [&](const auto& row) { return has_expired(row.second, now); });
+  std::size_t count = 0;
+  auto oldest = rows_.end();
+  for (auto it = rows_.begin(); it != rows_.end(); ++it) {
+    if (it->second.token_hash != token_hash) continue;
+    ++count;
+    if (oldest == rows_.end() || it->second.used < oldest->second.used) oldest = it;
+  }
+  if (count >= kMostOfOne) rows_.erase(oldest);
 }
 
 std::optional<std::string> Sessions::open(std::string_view token) {
@@ -66,14 +121,14 @@ std::optional<std::string> Sessions::open(std::string_view token) {
   if (!by_hash(hash)) return std::nullopt;
   std::string cookie = hash::random_token();
   const std::lock_guard lock(mutex_);
-  if (hashes_.size() >= kMost) hashes_.erase(hashes_.begin());
-  hashes_[hash::token_hash(cookie)] = hash;
+  make_room(hash);
+  rows_[hash::token_hash(cookie)] = {.token_hash = hash, .opened = now_(), .used = now_()};
   return cookie;
 }
 
 void Sessions::close(const Request& request) {
   const std::lock_guard lock(mutex_);
-  hashes_.erase(hash::token_hash(cookie_value(request.cookie, kSessionCookie)));
+  rows_.erase(hash::token_hash(cookie_value(request.cookie, kSessionCookie)));
 }
 
 }  // namespace dripfeed::http

@@ -2,8 +2,11 @@
 // newest form at most five times a second.
 #include "server/http/live.h"
 
+#include <atomic>
 #include <chrono>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -31,106 +34,166 @@ app::LineReport handed(std::uint64_t bytes) {
   return report;
 }
 
-// The newest report of the events stands in for the application.
-std::shared_ptr<EventSubscription> watch(app::Events& events, std::uint64_t after) {
-  return watch_events(events, after, [&events](const std::string& machine) {
+// A hub that rounds when the test says so as well; the newest report of the events stands in for the application.
+class LiveTest : public ::testing::Test {
+ protected:
+  std::shared_ptr<EventSubscription> watch(std::uint64_t after, const std::string& token = "token") {
+    auto watcher = hub_.watch(after, {.token_hash = token, .session = {}});
+    EXPECT_TRUE(watcher) << watcher.error();
+    return watcher ? *watcher : nullptr;
+  }
+  std::string take(EventSubscription& watcher) {
+    hub_.round();
+    return watcher.take();
+  }
+  app::MachineStatus describe(const std::string& machine) {
+    ++described_;
     app::MachineStatus status;
-    for (const app::Progress& progress : events.snapshot()) {
+    for (const app::Progress& progress : events_.snapshot()) {
       if (progress.machine == machine) status.report = progress.report;
     }
     status.program = "O0042";
     status.block_text = "G01X1.";
     return status;
-  });
+  }
+
+  app::Events events_;
+  std::atomic<int> described_ = 0;
+  std::atomic<bool> valid_ = true;
+  LiveHub hub_{events_, [this](const std::string& machine) { return describe(machine); },
+               [this](const Credential& credential) { return credential.token_hash != "short" || valid_; }};
+};
+
+template <class Condition>
+bool soon(const Condition& condition) {
+  const auto until = std::chrono::steady_clock::now() + 10s;
+  while (!condition() && std::chrono::steady_clock::now() < until) std::this_thread::sleep_for(5ms);
+  return condition();
 }
 
-TEST(Live, EventsAreFramedWithTheirIds) {
-  app::Events events;
-  const auto watcher = watch(events, 0);
-  EXPECT_EQ(watcher->take(), "");
-  events.publish(alarm("one\ntwo"));
-  events.publish(alarm("three"));
-  EXPECT_EQ(watcher->take(),
+TEST_F(LiveTest, EventsAreFramedWithTheirIds) {
+  const auto watcher = watch(0);
+  EXPECT_EQ(take(*watcher), "");
+  events_.publish(alarm("one\ntwo"));
+  events_.publish(alarm("three"));
+  EXPECT_EQ(take(*watcher),
             "id: 1\nevent: alarm\ndata: {\"machine\":\"mill\",\"text\":\"one\\ntwo\"}\n\n"
             "id: 2\nevent: alarm\ndata: {\"machine\":\"mill\",\"text\":\"three\"}\n\n");
-  EXPECT_EQ(watcher->take(), "");
-  EXPECT_THAT(watch(events, 1)->take(), HasSubstr("three"));
-  EXPECT_THAT(watch(events, 1)->take(), Not(HasSubstr("one")));
+  EXPECT_EQ(take(*watcher), "");
+  EXPECT_THAT(take(*watch(1)), HasSubstr("three"));
+  EXPECT_THAT(take(*watch(1)), Not(HasSubstr("one")));
 }
 
-TEST(Live, AWatcherWhoFellBehindTheRingIsReset) {
-  app::Events events;
-  const auto watcher = watch(events, 0);
-  for (std::size_t i = 0; i <= app::Events::kRing; ++i) events.publish(alarm("x"));
-  EXPECT_EQ(watcher->take(), "id: 1025\nevent: reset\ndata: {}\n\n");
-  events.publish(alarm("news"));
-  EXPECT_THAT(watcher->take(), HasSubstr("id: 1026\nevent: alarm"));
-  EXPECT_THAT(watch(events, 5000)->take(), HasSubstr("event: reset")) << "an id of another server";
+TEST_F(LiveTest, AWatcherWhoFellBehindTheRingIsReset) {
+  const auto watcher = watch(0);
+  EXPECT_EQ(take(*watcher), "");
+  for (std::size_t i = 0; i <= app::Events::kRing; ++i) events_.publish(alarm("x"));
+  EXPECT_EQ(take(*watcher), "id: 1025\nevent: reset\ndata: {}\n\n");
+  events_.publish(alarm("news"));
+  EXPECT_THAT(take(*watcher), HasSubstr("id: 1026\nevent: alarm"));
+  EXPECT_THAT(take(*watch(5000)), HasSubstr("event: reset")) << "an id of another server";
 }
 
-TEST(Live, ProgressIsHeldBackAndComesInItsNewestForm) {
-  app::Events events;
-  const auto watcher = watch(events, 0);
-  events.progress("mill", handed(1));
+TEST_F(LiveTest, AllWhoWatchGetAllOnce) {
+  std::vector<std::shared_ptr<EventSubscription>> watchers;
+  std::vector<std::string> got(20);
+  for (std::size_t i = 0; i < got.size(); ++i) watchers.push_back(watch(0, std::to_string(i)));
+  for (int n = 0; n < 3000; ++n) {
+    events_.publish(alarm(std::to_string(n)));
+    if (n % 100 == 0) hub_.round();
+    for (std::size_t i = 0; i < got.size(); ++i) {
+      if (n % (static_cast<int>(i) + 1) == 0) got[i] += watchers[i]->take();
+    }
+  }
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    got[i] += take(*watchers[i]);
+    std::size_t at = 0;
+    for (int n = 1; n <= 3000; ++n) {
+      at = got[i].find("id: " + std::to_string(n) + "\n", at);
+      ASSERT_NE(at, std::string::npos) << "watcher " << i << " missed event " << n;
+    }
+    EXPECT_EQ(got[i].find("id: 3000\n"), got[i].rfind("id: 3000\n")) << "twice";
+    EXPECT_EQ(got[i].find("reset"), std::string::npos);
+  }
+}
+
+TEST_F(LiveTest, ProgressIsHeldBackAndComesInItsNewestForm) {
+  const auto watcher = watch(0);
+  events_.progress("mill", handed(1));
+  std::string begin;
+  ASSERT_TRUE(soon([&] { return !(begin += take(*watcher)).empty(); }));
   const auto first = std::chrono::steady_clock::now();
-  const std::string begin = watcher->take();
   EXPECT_THAT(begin, HasSubstr("event: progress\ndata: {\"machine\":\"mill\""));
   EXPECT_THAT(begin, HasSubstr("\"program\":\"O0042\",\"block_text\":\"G01X1.\"}"));
-  EXPECT_FALSE(watcher->due_after());
   std::string later;
   int pieces = 0;
   for (std::uint64_t bytes = 2; std::chrono::steady_clock::now() - first < 700ms; ++bytes) {
-    events.progress("mill", handed(bytes));
-    const std::string piece = watcher->take();
+    events_.progress("mill", handed(bytes));
+    const std::string piece = take(*watcher);
     if (!piece.empty()) {
       ++pieces;
       later = piece;
-    } else {
-      EXPECT_TRUE(watcher->due_after());
     }
     std::this_thread::sleep_for(5ms);
   }
   EXPECT_GE(pieces, 1);
   EXPECT_LE(pieces, 4) << "five a second";
   EXPECT_EQ(later.find("event: progress"), later.rfind("event: progress")) << "one piece a machine";
-  std::this_thread::sleep_for(200ms);
-  events.progress("mill", handed(999'999));
-  EXPECT_THAT(watcher->take(), HasSubstr("\"handed\":999999"));
-  std::this_thread::sleep_for(200ms);
-  EXPECT_EQ(watcher->take(), "") << "nothing changed";
+  events_.progress("mill", handed(999'999));
+  ASSERT_TRUE(soon([&] { return (later = take(*watcher)).find("\"handed\":999999") != std::string::npos; }));
+  std::this_thread::sleep_for(250ms);
+  EXPECT_EQ(take(*watcher), "") << "nothing changed";
 }
 
-TEST(Live, ProgressDoesNotHoldBackEvents) {
-  app::Events events;
-  const auto watcher = watch(events, 0);
-  events.progress("mill", handed(1));
-  EXPECT_NE(watcher->take(), "");
-  events.progress("mill", handed(2));
-  events.publish(alarm("now"));
-  const std::string piece = watcher->take();
-  EXPECT_THAT(piece, HasSubstr("now"));
-  EXPECT_THAT(piece, Not(HasSubstr("progress")));
-}
-
-TEST(Live, TellsWhenThereIsMoreUntilItIsTold) {
-  app::Events events;
-  int ready = 0;
-  const auto watcher = watch(events, 0);
-  watcher->on_ready([&] { ++ready; });
-  events.publish(alarm(""));
-  EXPECT_EQ(ready, 1);
-  watcher->on_ready([&] { ready += 10; });
-  events.publish(alarm(""));
-  EXPECT_EQ(ready, 11) << "the one before is let go";
-  watcher->on_ready({});
-  events.publish(alarm(""));
-  EXPECT_EQ(ready, 11);
-  {
-    const auto gone = watch(events, 0);
-    gone->on_ready([&] { ready = -1; });
+TEST_F(LiveTest, ProgressIsDescribedOnceForAllWhoWatch) {
+  std::vector<std::shared_ptr<EventSubscription>> watchers;
+  for (std::size_t i = 0; i < LiveHub::kMostOfOne; ++i) watchers.push_back(watch(0));
+  events_.progress("mill", handed(1));
+  for (const auto& watcher : watchers) {
+    std::string got;
+    ASSERT_TRUE(soon([&] { return !(got += take(*watcher)).empty(); }));
+    EXPECT_THAT(got, HasSubstr("\"handed\":1"));
   }
-  events.publish(alarm(""));
-  EXPECT_EQ(ready, 11);
+  EXPECT_EQ(described_, 1);
+}
+
+TEST_F(LiveTest, TellsWhenThereIsMoreUntilItIsTold) {
+  std::atomic<int> ready = 0;
+  const auto watcher = watch(0);
+  watcher->on_ready([&] { ++ready; });
+  events_.publish(alarm(""));
+  EXPECT_TRUE(soon([&] { return ready >= 1; }));
+  watcher->on_ready([&] { ready = 1000; });
+  events_.publish(alarm(""));
+  EXPECT_TRUE(soon([&] { return ready == 1000; })) << "the one before is let go";
+  watcher->on_ready({});
+  ready = 0;
+  events_.publish(alarm(""));
+  hub_.round();
+  EXPECT_EQ(ready, 0);
+}
+
+TEST_F(LiveTest, ATokenThatIsRevokedEndsItsWatchersAlone) {
+  std::atomic<int> woken = 0;
+  const auto ends = watch(0, "short");
+  const auto stays = watch(0);
+  ends->on_ready([&] { ++woken; });
+  EXPECT_FALSE(ends->ended());
+  valid_ = false;
+  EXPECT_TRUE(soon([&] { return ends->ended() && woken > 0; }));
+  EXPECT_FALSE(stays->ended());
+}
+
+TEST_F(LiveTest, WatchersAreLimitedByTokenAndInAll) {
+  std::vector<std::shared_ptr<EventSubscription>> watchers;
+  for (std::size_t i = 0; i < LiveHub::kMostOfOne; ++i) watchers.push_back(watch(0, "first"));
+  EXPECT_FALSE(hub_.watch(0, {.token_hash = "first", .session = {}}));
+  watchers.pop_back();
+  watchers.push_back(watch(0, "first"));
+  while (watchers.size() < LiveHub::kMost) watchers.push_back(watch(0, std::to_string(watchers.size())));
+  EXPECT_FALSE(hub_.watch(0, {.token_hash = "new", .session = {}}));
+  watchers.clear();
+  EXPECT_TRUE(hub_.watch(0, {.token_hash = "first", .session = {}}));
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 // Who calls: tokens, cookies given for them, revocation, and where a write by cookie may come from.
 #include "server/http/sessions.h"
 
+#include <chrono>
 #include <map>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -55,7 +58,8 @@ class SessionsTest : public ::testing::Test {
   static std::string cookie(const std::string& value) { return std::string(kSessionCookie) + "=" + value; }
 
   KnownTokens tokens_;
-  Sessions sessions_{tokens_};
+  Sessions::Clock::time_point now_{};
+  Sessions sessions_{tokens_, [this] { return now_; }};
 };
 
 TEST_F(SessionsTest, ATokenIsItsBearer) {
@@ -117,6 +121,49 @@ TEST_F(SessionsTest, SigningOutEndsThatSessionAlone) {
   EXPECT_TRUE(by_cookie(cookie(second)));
 }
 
+TEST_F(SessionsTest, SigningInOftenEndsOnlyOnesOwnSessions) {
+  tokens_.give("admin", "anna", store::Role::admin);
+  const std::string admins = *sessions_.open("admin");
+  std::vector<std::string> own;
+  for (std::size_t i = 0; i < 30'000 / 100; ++i) {
+    now_ += std::chrono::seconds(1);
+    own.push_back(*sessions_.open("secret"));
+  }
+  EXPECT_TRUE(by_cookie(cookie(admins))) << "another one's sign-ins";
+  EXPECT_TRUE(by_cookie(cookie(own.back())));
+  EXPECT_TRUE(by_cookie(cookie(own[own.size() - Sessions::kMostOfOne])));
+  EXPECT_FALSE(by_cookie(cookie(own[own.size() - Sessions::kMostOfOne - 1]))) << "the oldest goes";
+}
+
+TEST_F(SessionsTest, ASessionEndsWhenNobodyUsesItAndOneDayInAnyCase) {
+  const std::string value = *sessions_.open("secret");
+  const Credential held = by_cookie(cookie(value))->credential;
+  now_ += Sessions::kIdle - std::chrono::seconds(1);
+  EXPECT_TRUE(by_cookie(cookie(value))) << "a use begins the time anew";
+  now_ += Sessions::kIdle - std::chrono::seconds(1);
+  EXPECT_TRUE(sessions_.is_valid(held)) << "looking is no use";
+  now_ += std::chrono::seconds(1);
+  EXPECT_FALSE(sessions_.is_valid(held));
+  EXPECT_FALSE(by_cookie(cookie(value)));
+  const std::string busy = *sessions_.open("secret");
+  const auto opened = now_;
+  while (now_ - opened < Sessions::kLongest) {
+    EXPECT_TRUE(by_cookie(cookie(busy)));
+    now_ += std::chrono::hours(6);
+  }
+  EXPECT_FALSE(by_cookie(cookie(busy)));
+}
+
+TEST_F(SessionsTest, ACredentialIsValidAsLongAsItsToken) {
+  const Credential by_token = by_header("Bearer secret")->credential;
+  const Credential by_session = by_cookie(cookie(*sessions_.open("secret")))->credential;
+  EXPECT_TRUE(sessions_.is_valid(by_token));
+  EXPECT_TRUE(sessions_.is_valid(by_session));
+  tokens_.take("secret");
+  EXPECT_FALSE(sessions_.is_valid(by_token));
+  EXPECT_FALSE(sessions_.is_valid(by_session));
+}
+
 TEST_F(SessionsTest, AWrongTokenIsNotHelpedByACookie) {
   Request request;
   request.cookie = cookie(*sessions_.open("secret"));
@@ -134,8 +181,9 @@ TEST(Cookies, AreFoundByTheirName) {
 }
 
 TEST(SameOrigin, IsOurHostOrTheBrowsersWord) {
-  const auto is_same = [](std::string origin, std::string host, std::string site) {
+  const auto is_same = [](std::string origin, std::string host, std::string site, std::string forwarded = {}) {
     Request request;
+    request.forwarded_host = std::move(forwarded);
     request.origin = std::move(origin);
     request.host = std::move(host);
     request.fetch_site = std::move(site);
@@ -145,7 +193,11 @@ TEST(SameOrigin, IsOurHostOrTheBrowsersWord) {
   EXPECT_TRUE(is_same("", "shop:8840", "same-origin"));
   EXPECT_FALSE(is_same("", "shop:8840", ""));
   EXPECT_FALSE(is_same("", "shop:8840", "cross-site"));
-  EXPECT_FALSE(is_same("http://evil", "shop:8840", "same-origin")) << "a stated origin counts";
+  EXPECT_TRUE(is_same("https://dnc.shop", "127.0.0.1:8840", "same-origin")) << "a proxy calls us by another name";
+  EXPECT_FALSE(is_same("http://shop:8840", "shop:8840", "cross-site")) << "the browser's word counts";
+  EXPECT_FALSE(is_same("http://shop:8840", "shop:8840", "same-site"));
+  EXPECT_TRUE(is_same("http://dnc.shop", "127.0.0.1:8840", "", "dnc.shop")) << "as a trusted proxy says";
+  EXPECT_FALSE(is_same("http://evil", "127.0.0.1:8840", "", "dnc.shop"));
   EXPECT_FALSE(is_same("http://shop:8840.evil", "shop:8840", ""));
   EXPECT_FALSE(is_same("http://evil/shop:8840", "shop:8840", ""));
   EXPECT_FALSE(is_same("null", "shop:8840", ""));

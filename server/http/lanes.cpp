@@ -1,0 +1,138 @@
+// A lane is a queue and a few threads.
+#include "server/http/lanes.h"
+
+#include <algorithm>
+#include <array>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <string_view>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <pthread.h>
+#include <spdlog/spdlog.h>
+#include <sys/resource.h>
+
+namespace dripfeed::http {
+
+namespace {
+
+struct LaneRow {
+  Lane lane;
+  const char* thread_name;  // at most 15 characters
+  unsigned threads;         // 0: as many as there are cores, less one, but two
+  int nice;
+  std::size_t most_waiting;
+};
+constexpr std::array kLanes = {
+    LaneRow{Lane::command, "http command", 2, 0, 256},
+    LaneRow{Lane::write, "http write", 3, 0, 1024},
+    LaneRow{Lane::bulk, "http bulk", 2, 10, 64},
+    LaneRow{Lane::heavy, "http heavy", 0, 19, 32},
+};
+
+// Two at least: a sweep, of which there is one at a time, keeps no check waiting.
+unsigned thread_count(const LaneRow& row) {
+  return row.threads != 0 ? row.threads : std::max(2U, std::thread::hardware_concurrency() - 1U);
+}
+
+}  // namespace
+
+class Lanes::One {
+ public:
+  explicit One(const LaneRow& row) : row_(row) {
+    for (unsigned i = 0; i < thread_count(row); ++i) threads_.emplace_back([this] { loop(); });
+  }
+  ~One() {
+    for (std::thread& thread : threads_) thread.join();
+  }
+  One(const One&) = delete;
+  One& operator=(const One&) = delete;
+
+  bool submit(Work work) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (stopped_ || waiting_.size() >= row_.most_waiting) return false;
+      waiting_.push_back(std::move(work));
+    }
+    changed_.notify_one();
+    return true;
+  }
+
+  void stop() {
+    std::deque<Work> dropped;  // destroyed without the lock
+    {
+      const std::lock_guard lock(mutex_);
+      stopped_ = true;
+      dropped.swap(waiting_);
+    }
+    changed_.notify_all();
+  }
+
+  bool wait_until(std::chrono::steady_clock::time_point until) {
+    std::unique_lock lock(mutex_);
+    return idle_.wait_until(lock, until, [this] { return at_work_ == 0; });
+  }
+
+ private:
+  // Linux keeps a nice value per thread; 0 names the calling one. A check never delays a feed.
+  void loop() {
+    ::pthread_setname_np(::pthread_self(), row_.thread_name);
+    if (row_.nice != 0) ::setpriority(PRIO_PROCESS, 0, row_.nice);
+    std::unique_lock lock(mutex_);
+    while (true) {
+      changed_.wait(lock, [this] { return stopped_ || !waiting_.empty(); });
+      if (stopped_) return;
+      Work work = std::move(waiting_.front());
+      waiting_.pop_front();
+      ++at_work_;
+      lock.unlock();
+      run(work);
+      work = nullptr;
+      lock.lock();
+      --at_work_;
+      if (at_work_ == 0) idle_.notify_all();
+    }
+  }
+
+  // The fence of these threads. A request answers its own faults; what still comes here ends that request alone.
+  void run(Work& work) const {
+    try {
+      work();
+    } catch (const std::exception& error) {
+      spdlog::error("{}: {}", row_.thread_name, error.what());
+    }
+  }
+
+  const LaneRow& row_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::condition_variable idle_;
+  std::deque<Work> waiting_;
+  unsigned at_work_ = 0;
+  bool stopped_ = false;
+  std::vector<std::thread> threads_;
+};
+
+Lanes::Lanes() {
+  for (std::size_t i = 0; i < kLanes.size(); ++i) lanes_[i] = std::make_unique<One>(kLanes[i]);
+}
+
+Lanes::~Lanes() {
+  for (const auto& lane : lanes_) lane->stop();
+}
+
+Lanes::One& Lanes::at(Lane lane) { return *lanes_[static_cast<std::size_t>(lane) - 1]; }
+
+bool Lanes::submit(Lane lane, Work work) { return at(lane).submit(std::move(work)); }
+
+bool Lanes::stop(std::chrono::milliseconds at_most) {
+  for (const auto& lane : lanes_) lane->stop();
+  const auto until = std::chrono::steady_clock::now() + at_most;
+  return std::ranges::all_of(lanes_, [&](const auto& lane) { return lane->wait_until(until); });
+}
+
+}  // namespace dripfeed::http

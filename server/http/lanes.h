@@ -1,0 +1,45 @@
+// The threads that answer requests, by what they may wait for. The HTTP thread itself only reads and writes sockets and
+// answers what is read in a moment; nothing that is slow in one lane holds up another.
+//
+//   here     the HTTP thread: small reads
+//   command  stop, cancel, resume, arm, confirm: what a person at a machine waits for
+//   write    small changes of the store
+//   bulk     texts: uploads, long answers, files
+//   heavy    checks, rendering, sweeps, at the lowest priority
+//
+// Each lane has a queue with an end: who comes later is asked to come again.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace dripfeed::http {
+
+enum class Lane : std::uint8_t { here, command, write, bulk, heavy };
+
+class Lanes {
+ public:
+  using Work = std::move_only_function<void()>;
+
+  // Starts the threads.
+  Lanes();
+  // All work must have ended, see stop().
+  ~Lanes();
+  Lanes(const Lanes&) = delete;
+  Lanes& operator=(const Lanes&) = delete;
+
+  // From any thread. False when the lane is full or stopped: then the work was not taken. Not for Lane::here.
+  bool submit(Lane lane, Work work);
+  // Takes no more, drops what waits, and gives what is at work so much time. False when something still runs then: its
+  // thread cannot be ended, only the process.
+  bool stop(std::chrono::milliseconds at_most);
+
+ private:
+  class One;
+  One& at(Lane lane);
+  std::unique_ptr<One> lanes_[4];
+};
+
+}  // namespace dripfeed::http
