@@ -114,7 +114,6 @@ Named file_name_of(const machine::Profile& profile, const std::string& source_na
 int report_end(const Transferred& sent, const WireHashes& hashes, const Options& options,
                const machine::LinkUrl& link) {
   const app::LineReport& report = sent.report;
-  const bool torn = report.state == app::LineState::torn;
   int exit_code = kDone;
   if (report.end != app::JobEnd::done) {
     exit_code = kFailed;
@@ -125,7 +124,7 @@ int report_end(const Transferred& sent, const WireHashes& hashes, const Options&
     say(fmt::format("read-back {}", sent.read_back));
   }
   if (!sent.fault.empty()) {
-    exit_code = torn ? kTorn : kFailed;
+    exit_code = sent.torn ? kTorn : kFailed;
     say(sent.fault);
   }
   if (!options.json) return exit_code;

@@ -19,6 +19,8 @@ namespace dripfeed::cli {
 
 namespace {
 
+using Possible = std::expected<void, std::string>;
+
 constexpr std::chrono::milliseconds kRound{50};
 constexpr std::uint64_t kJob = 1;
 constexpr std::chrono::seconds kToOpen{5};
@@ -29,13 +31,23 @@ bool over(const app::LineReport& report) { return report.job == kJob && report.e
 
 class Following {
  public:
-  Following(app::Line& line, FileLedger& ledger, const app::Clock& clock, const Stops& stops, std::uint64_t reserve)
-      : line_(line), ledger_(ledger), clock_(clock), stops_(stops), reserve_(reserve) {}
+  // `begun`: the line's record says "sending" already, and `reserve` is open.
+  Following(app::Line& line, FileLedger& ledger, app::LineClaim& claim, const std::string& name,
+            const app::Clock& clock, const Stops& stops, std::uint64_t reserve)
+      : line_(line),
+        ledger_(ledger),
+        claim_(claim),
+        name_(name),
+        clock_(clock),
+        stops_(stops),
+        reserve_(reserve),
+        begun_(reserve > 0) {}
 
   app::LineReport to_the_end() {
     for (;;) {
       app::LineReport report = line_.report();
       const bool ended = over(report);
+      if (!begun_ && !ended && has_asked(report)) begin();
       if (fault_.empty()) book(report, ended);
       last_ = report;
       if (ended) return report;
@@ -46,9 +58,28 @@ class Following {
   [[nodiscard]] const std::string& fault() const { return fault_; }
 
  private:
-  void book(const app::LineReport& report, bool ended) {
+  // The control wants the first byte, and nothing is reserved yet.
+  static bool has_asked(const app::LineReport& report) {
+    return report.state != app::LineState::armed || report.stall == app::name_of(feed::Stall::waiting_for_ledger);
+  }
+
+  void begin() {
+    if (auto begun = claim_.begin(name_); !begun) {
+      fault_ = std::move(begun.error());
+    } else {
+      begun_ = true;
+    }
+  }
+
+  // A job that is over hands nothing more: what it had left of its window is given back.
+  [[nodiscard]] std::uint64_t reserve_for(const app::LineReport& report, bool ended) const {
+    if (ended) return report.handed;
     const std::uint64_t window = app::reserve_window(report);
-    const std::uint64_t wanted = ended || reserve_ >= report.handed + window / 2 ? reserve_ : report.handed + window;
+    return !begun_ || reserve_ >= report.handed + window / 2 ? reserve_ : report.handed + window;
+  }
+
+  void book(const app::LineReport& report, bool ended) {
+    const std::uint64_t wanted = reserve_for(report, ended);
     if (report.changes == last_.changes && report.handed == last_.handed && report.clocked == last_.clocked &&
         wanted == reserve_ && !ended)
       return;
@@ -90,13 +121,16 @@ class Following {
 
   app::Line& line_;
   FileLedger& ledger_;
+  app::LineClaim& claim_;
+  const std::string& name_;
   const app::Clock& clock_;
   const Stops& stops_;
   std::uint64_t reserve_;
+  bool begun_;
   app::LineReport last_;
   bool cancelled_ = false;
   bool aborted_ = false;
-  std::string fault_;  // of the ledger
+  std::string fault_;  // of the ledger, or of the line's record
 };
 
 // The operator punches what was loaded; the first program that comes is compared. What comes broken is punched again.
@@ -148,19 +182,23 @@ app::Result<Transferred> transfer(const TransferOrder& order, FileLedger& ledger
   if (!line) return std::unexpected(line.error());
   if (const auto up = wait_until_up(**line, order.profile.line.link.text, stops); !up)
     return std::unexpected(up.error());
-  const std::uint64_t reserve = app::reserve_window((*line)->report());
+  // Where the control asks for the first byte itself, nothing is reserved and the record stays clean until it does: who
+  // dies while it waits has torn nothing. A folder or a mailbox begins at once.
+  const bool waits = machine::feeds_characters(order.profile.line.link.kind);
+  const std::uint64_t reserve = waits ? 0 : app::reserve_window((*line)->report());
   const auto first = ledger.write(thread->clock().wall_ms(), {}, reserve, "armed");
   if (!first) return app::fail(app::ErrorCode::unavailable, first.error());
-  // From here on the control may ask for the first byte at any moment.
-  if (const auto begun = claim.begin(order.name); !begun) return app::fail(app::ErrorCode::refused, begun.error());
+  const auto begun = waits ? Possible() : claim.begin(order.name);
+  if (!begun) return app::fail(app::ErrorCode::refused, begun.error());
   if (const auto armed = arm(**line, order, thread->clock(), reserve); !armed) {
     if (const auto ended = claim.end(); !ended) say(ended.error());
     return std::unexpected(armed.error());
   }
-  Following following(**line, ledger, thread->clock(), stops, reserve);
+  Following following(**line, ledger, claim, order.name, thread->clock(), stops, reserve);
   Transferred done{.report = following.to_the_end(), .read_back = {}, .fault = following.fault()};
   if (const std::string settled = settle_line(claim, done.report); !settled.empty())
     done.fault += done.fault.empty() ? settled : "; " + settled;
+  done.torn = !claim.torn().empty();
   if (done.report.end != app::JobEnd::done) std::this_thread::sleep_for(kLeaveTaking);
   if (done.report.end != app::JobEnd::done || !order.read_back || !done.fault.empty()) return done;
   done.read_back = read_back(**line, order.text, order.profile.line.receive.read_back_minutes, stops.first);

@@ -28,6 +28,7 @@ struct TransferOrder {
 struct Transferred {
   app::LineReport report;
   std::string read_back;  // empty: none was due
+  bool torn = false;      // nothing may be sent on the line until a person confirms a reset
   std::string fault;      // beside the report's own: the ledger, or the line's record; empty: none
 };
 

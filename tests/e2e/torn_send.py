@@ -102,6 +102,24 @@ def killed(folder):
     refuses_until_confirmed(folder, url, ["O0042.nc", "did not live to report how it ended"])
 
 
+def killed_while_it_waits(folder):
+    """Nothing left before the control asked for it, and the record knows that."""
+    url = f"pty:{folder}/line.tty?{LINE}"
+    control = HandControl(folder / "line.tty")
+    program = program_in(folder, 20)
+    sending = sends(program, url)
+    time.sleep(1.0)
+    sending.kill()
+    sending.communicate()
+    expect(bytes(control.got) == b"", f"{bytes(control.got)} came before it was asked for")
+    sending = sends(program, url)
+    time.sleep(0.7)
+    control.say(DC1)
+    control.wait_for(len(program.read_bytes()))
+    control.say(DC3)
+    ended(sending, DONE)
+
+
 def stopped_at_once(folder):
     url = f"pty:{folder}/line.tty?{LINE}"
     control = HandControl(folder / "line.tty")
@@ -150,5 +168,5 @@ def two_at_once(folder):
 
 
 if __name__ == "__main__":
-    for test in [killed, stopped_at_once, unplugged, two_at_once]:
+    for test in [killed, killed_while_it_waits, stopped_at_once, unplugged, two_at_once]:
         in_folder(test)
