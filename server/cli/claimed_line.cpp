@@ -7,11 +7,23 @@
 #include "server/cli/cli.h"
 #include "server/cli/logging.h"
 #include "server/io/io.h"
+#include "server/io/serial_identity.h"
 
 namespace dripfeed::cli {
 
+namespace {
+
+void advise(const machine::LinkUrl& link) {
+  if (link.kind != machine::LinkKind::serial && link.kind != machine::LinkKind::modbus_rtu) return;
+  if (const std::string name = io::lasting_name(link.path); !name.empty())
+    say(fmt::format("{} may be another adapter after a re-plug; {} stays this one", link.path, name));
+}
+
+}  // namespace
+
 std::expected<std::unique_ptr<app::LineClaim>, LineRefusal> take_line(
     const machine::LinkUrl& link, const std::optional<std::string>& confirmed_reset) {
+  advise(link);
   auto claim = io::claim_line(link);
   if (!claim) return std::unexpected(LineRefusal{claim.error(), kFailed});
   const std::string torn = (*claim)->torn();

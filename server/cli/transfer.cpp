@@ -47,7 +47,7 @@ class Following {
     for (;;) {
       app::LineReport report = line_.report();
       const bool ended = over(report);
-      if (!begun_ && !ended && has_asked(report)) begin();
+      if (!begun_ && !ended && has_asked(report)) begin(report);
       if (fault_.empty()) book(report, ended);
       last_ = report;
       if (ended) return report;
@@ -63,7 +63,8 @@ class Following {
     return report.state != app::LineState::armed || report.stall == app::name_of(feed::Stall::waiting_for_ledger);
   }
 
-  void begin() {
+  void begin(const app::LineReport& report) {
+    last_.stall = report.stall;  // the wait for this record is no news
     if (auto begun = claim_.begin(name_); !begun) {
       fault_ = std::move(begun.error());
     } else {

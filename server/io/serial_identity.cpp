@@ -74,6 +74,17 @@ SerialIdentity identify_serial(const std::string& path, const std::string& sysfs
   return identity;
 }
 
+std::string lasting_name(const std::string& path, const std::string& by_id) {
+  std::error_code error;
+  const fs::path device = fs::canonical(path, error);
+  if (error || plain_path(path) != device.string()) return {};  // a link is a name that somebody chose
+  for (fs::directory_iterator entry(by_id, error), end; !error && entry != end; entry.increment(error)) {
+    std::error_code unreadable;
+    if (fs::canonical(entry->path(), unreadable) == device) return entry->path().string();
+  }
+  return {};
+}
+
 std::string other_device(const std::string& was, const std::string& is) {
   if (was.empty() || is.empty() || was == is) return {};
   return fmt::format("another device is at this port: was {}, is {}", was, is);

@@ -15,6 +15,10 @@ struct SerialIdentity {
 // `path` may be a link as udev makes them (/dev/serial/by-id/...). `sysfs` is /sys, or a tree of its shape.
 SerialIdentity identify_serial(const std::string& path, const std::string& sysfs = "/sys");
 
+// The name under which a USB adapter stays findable, where `path` is another one: "/dev/serial/by-id/usb-…" for
+// "/dev/ttyUSB0". Empty where `path` is such a name, or there is none.
+std::string lasting_name(const std::string& path, const std::string& by_id = "/dev/serial/by-id");
+
 // A pseudo-terminal: its number is given to somebody else once it is closed.
 bool is_pty(const std::string& device);
 

@@ -5,6 +5,7 @@ import contextlib
 import json
 import os
 import pty
+import resource
 import signal
 import subprocess
 import threading
@@ -153,6 +154,22 @@ def unplugged(folder):
     refuses_until_confirmed(folder, f"rfc2217://localhost:{port}?baud=9600&framing=7E2", ["O0042.nc", "broke off inside a block"])
 
 
+def no_room_for_the_ledger(folder):
+    """The ledger of a transfer cannot be written any more: it stops at once, and that it left a torn block is in the line's record, which needs no room."""
+    url = f"pty:{folder}/line.tty?{LINE}"
+    control = HandControl(folder / "line.tty")
+    sending = sends(program_in(folder, 2000), url)
+    time.sleep(0.5)
+    resource.prlimit(sending.pid, resource.RLIMIT_FSIZE, (5200, 5200))  # the record is written in place, below it; the ledger grows
+    control.say(DC1)
+    document = ended(sending, TORN, "not written whole: stopping at once", "a block is torn at the control", seconds=60)
+    expect(document["torn"] is True and document["line"]["state"] == "torn", f"{document}")
+    last = (folder / next(name for name in os.listdir(folder) if name.endswith(".ledger"))).read_text().splitlines()[-2].split()
+    time.sleep(0.3)
+    expect(int(last[2]) <= len(control.got) <= int(last[4]), f"{len(control.got)} bytes arrived, the ledger says {last}")
+    refuses_until_confirmed(folder, url, ["O0042.nc", "broke off inside a block"])
+
+
 def two_at_once(folder):
     url = f"pty:{folder}/line.tty?{LINE}"
     HandControl(folder / "line.tty")
@@ -168,5 +185,5 @@ def two_at_once(folder):
 
 
 if __name__ == "__main__":
-    for test in [killed, killed_while_it_waits, stopped_at_once, unplugged, two_at_once]:
+    for test in [killed, killed_while_it_waits, stopped_at_once, unplugged, no_room_for_the_ledger, two_at_once]:
         in_folder(test)

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "server/io/line_record.h"
+#include "server/io/serial_identity.h"
 
 namespace dripfeed::io {
 namespace {
@@ -183,6 +184,22 @@ TEST_F(LineClaim, ADeviceThatIsPluggedInLaterAndTornIsSeenBeforeTheFirstByte) {
 TEST_F(LineClaim, APseudoTerminalIsItsPathNotItsNumber) {
   const LineNames names = names_of(machine::parse_link_url("pty:/tmp/x/../lathe.tty").value());
   EXPECT_EQ(names.names, std::vector<std::string>{"serial:/tmp/lathe.tty"});
+}
+
+TEST_F(LineClaim, AnAdaptersLastingNameIsTheOneOfItsSerialNumber) {
+  plug_in("ttyUSB0", "A1");
+  plug_in("ttyUSB1", "B2");
+  const fs::path by_id = folder_ / "by-id";
+  fs::create_directory(by_id);
+  fs::create_symlink("../dev/ttyUSB1", by_id / "usb-B2");
+  fs::create_symlink("../dev/gone", by_id / "usb-gone");
+  fs::create_symlink("../dev/ttyUSB0", by_id / "usb-A1");
+  const auto lasting = [&](const fs::path& path) { return lasting_name(path.string(), by_id.string()); };
+  EXPECT_EQ(lasting(folder_ / "dev/ttyUSB0"), (by_id / "usb-A1").string());
+  EXPECT_EQ(lasting(folder_ / "dev/ttyUSB1"), (by_id / "usb-B2").string());
+  EXPECT_EQ(lasting(by_id / "usb-A1"), "");
+  EXPECT_EQ(lasting(folder_ / "dev/ttyUSB7"), "");
+  EXPECT_EQ(lasting_name((folder_ / "dev/ttyUSB0").string(), (folder_ / "none").string()), "");
 }
 
 // Each byte of both slots in turn: what was acknowledged stays, or nothing is known and the line counts as torn. Never
