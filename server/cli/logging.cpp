@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <new>
 #include <thread>
 #include <utility>
 
@@ -60,7 +61,7 @@ struct LineQueue::Shared {
 LineQueue::LineQueue(int descriptor) : shared_(std::make_shared<Shared>(descriptor)) {
   std::thread([shared = shared_] {
     ::pthread_setname_np(::pthread_self(), "log");
-    write_lines(shared);
+    write_until_the_end(shared);
     const std::lock_guard lock(shared->mutex);
     shared->idle = true;
     shared->changed.notify_all();
@@ -88,6 +89,18 @@ void LineQueue::push(std::string line) {
     }
   }
   shared_->changed.notify_one();
+}
+
+// The fence of this thread: where memory is out a line is lost, and nothing else.
+void LineQueue::write_until_the_end(const std::shared_ptr<Shared>& shared) {
+  for (;;) {
+    try {
+      return write_lines(shared);
+    } catch (const std::bad_alloc&) {
+      const std::lock_guard lock(shared->mutex);
+      ++shared->dropped;
+    }
+  }
 }
 
 void LineQueue::write_lines(const std::shared_ptr<Shared>& shared) {

@@ -31,6 +31,7 @@ class LineQueue {
 
  private:
   struct Shared;
+  static void write_until_the_end(const std::shared_ptr<Shared>& shared);
   static void write_lines(const std::shared_ptr<Shared>& shared);
 
   std::shared_ptr<Shared> shared_;  // the thread may outlive this object
@@ -46,7 +47,8 @@ class Logging {
   Logging& operator=(const Logging&) = delete;
 };
 
-// "dripfeed: SENTENCE" on standard error. Without a Logging it is written at once. An output that is gone is no fault.
+// "dripfeed: SENTENCE" on standard error. Without a Logging it is written at once. An output that is gone is no fault,
+// and neither is a sentence for which there is no memory.
 void say(std::string_view sentence);
 // A line on standard output; the same.
 void announce(std::string_view line);

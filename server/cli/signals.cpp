@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <exception>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -101,12 +102,21 @@ class Waiter {
     switch (row->meaning) {
       case Meaning::stop: return stop();
       case Meaning::hang_up:
-        if (reload_) return reload_();
+        if (reload_) return reload();
         if (seen_ == 0) stop();
         return;
       case Meaning::said:
       case Meaning::ignored:
         return say(fmt::format("{} is ignored: it would stop the lines inside a block", row->name));
+    }
+  }
+
+  // The fence of what a reload may do: it must not end the process.
+  void reload() {
+    try {
+      reload_();
+    } catch (const std::exception& error) {
+      say(fmt::format("SIGHUP: the reload failed: {}", error.what()));
     }
   }
 
