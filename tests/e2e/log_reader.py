@@ -3,7 +3,9 @@ and counted, the count is in the log once somebody reads again; and a server wit
 
 import fcntl
 import os
+import pty
 import re
+import select
 import signal
 import threading
 import time
@@ -72,6 +74,25 @@ def a_feed_needs_no_reader_of_the_log(folder):
     expect(f"job {job}" in said or sum(map(int, dropped)) > 0, "the log lost the job without a count")
 
 
+def a_stopped_terminal_stops_no_feed(folder):
+    """Ctrl-S at the server's terminal, and Ctrl-Q after the feed."""
+    rig = Rig(folder, f"pty:{folder}/lathe.tty", blocks=60)
+    keyboard, terminal = pty.openpty()
+    os.write(keyboard, b"\x13")
+    rig.server.stderr = terminal
+    rig.start()
+    control = rig.control("--speed", "1000")
+    job = rig.arm_new_job()
+    expect(rig.server.wait_job(job, "done", "failed", "interrupted")["state"] == "done", "the feed did not get through")
+    expect(control.finish(30)["alarm"] is None, "the control raised an alarm")
+    expect(not select.select([keyboard], [], [], 0.3)[0], "the terminal was not stopped: nothing is tested")
+    os.write(keyboard, b"\x11")
+    time.sleep(0.5)
+    said = os.read(keyboard, 65536).decode()
+    expect(f"job {job}" in said, f"the log did not go on: {said}")
+    rig.server.stop()
+
+
 def a_server_ends_although_its_log_hangs(folder):
     rig, read = full_pipe(folder, blocks=20)
     since = time.monotonic()
@@ -82,5 +103,5 @@ def a_server_ends_although_its_log_hangs(folder):
 
 
 if __name__ == "__main__":
-    for test in [a_feed_needs_no_reader_of_the_log, a_server_ends_although_its_log_hangs]:
+    for test in [a_feed_needs_no_reader_of_the_log, a_stopped_terminal_stops_no_feed, a_server_ends_although_its_log_hangs]:
         in_folder(test)
