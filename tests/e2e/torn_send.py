@@ -1,4 +1,4 @@
-"""dripfeed send leaves a torn block, in each way that there is: it says so in words, in JSON and by its exit code; nothing goes out on that line
+"""dripfeed send leaves a torn block, by whatever cause: it says so in words, in JSON and by its exit code; nothing goes out on that line
 afterward, whatever ledger the next one has, until a person confirms the reset; and a line has one user at a time."""
 
 import contextlib
