@@ -62,7 +62,7 @@ class Chaos:
             self.lines.append(line)
         if not given.only:
             line = PlcLine("plc", self.served, self.judge, folder, given.seed)
-            line.add(program(150, 88))
+            line.add(program(600, 88))
             self.lines.append(line)
 
     def run(self):
@@ -89,9 +89,10 @@ class Chaos:
                 self.judge.violation(4, "all", "+".join(disturbs), f"the server ended by itself with {self.served.process.returncode}")
                 break
         self.acknowledged = self.acknowledge()
+        lived = self.served.shows_life()
         how = self.chance.choice([signal.SIGKILL, signal.SIGKILL, signal.SIGTERM])
         code = self.served.end(how)
-        if how == signal.SIGTERM and code != 0:
+        if lived and how == signal.SIGTERM and code != 0:
             self.judge.violation(4, "all", "SIGTERM", f"the server did not stop in 20 s, or ended with {code}")
         time.sleep(0.3)
         for line in self.lines:

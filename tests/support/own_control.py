@@ -76,6 +76,7 @@ class Control:
 
     def begin(self):
         with self.loop.lock:
+            self.poll()
             self.wire.clear()
             self.expected_since = None
             self.hold_at = None
@@ -100,12 +101,20 @@ class Control:
     def punch(self, text):
         self.send(DC2 + even(text) + DC4)
 
+    def poll(self):
+        """Takes what is there, in case that the loop is late."""
+        with self.loop.lock:
+            if self.up():
+                self._read()
+
     def count(self):
         with self.loop.lock:
+            self.poll()
             return len(self.wire)
 
     def text(self):
         with self.loop.lock:
+            self.poll()
             return plain(self.wire)
 
     def took(self, data, at):
@@ -121,8 +130,7 @@ class Control:
 
     def inside_block(self):
         """Whether what came so far breaks off inside a block."""
-        with self.loop.lock:
-            text = plain(self.wire)
+        text = self.text()
         if not text.strip("\0"):
             return False
         return not text.rstrip("\0").endswith(("\n", "\r")) and not (text.count("%") > 1 and text.rstrip("\0\r\n").endswith("%"))

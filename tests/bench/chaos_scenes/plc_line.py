@@ -47,7 +47,7 @@ class PlcLine(threading.Thread):
         profile["name"] = self.name
         machine = self.folder / f"{self.name}.json"
         machine.write_text(json.dumps(profile))
-        self.plc = shop.Control(self.served.binary, url, machine, "--speed", "20000", "--repeat").start()
+        self.plc = shop.Control(self.served.binary, url, machine, "--speed", "20", "--repeat").start()
         shop.wait_for("the PLC", lambda: shop.listens(self.port))
         self.text = text
         self.served.post("/machines", profile)
