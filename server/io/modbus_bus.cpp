@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <map>
 #include <mutex>
 #include <string>
@@ -20,6 +21,8 @@
 
 #include <fmt/format.h>
 #include <modbus.h>
+#include <spdlog/spdlog.h>
+#include <sys/prctl.h>
 
 #include "server/io/serial_port.h"
 #include "server/machine/bus_settings.h"
@@ -162,6 +165,7 @@ class UnitBus final : public app::RegisterBus {
 constexpr int kLostUntilRest = 2;
 constexpr int kRestFor = 3;  // times what the failure cost
 constexpr std::chrono::seconds kLongestRest{5};
+constexpr std::chrono::seconds kAfterException{1};
 
 // Who sits on a bus.
 struct Place {
@@ -228,6 +232,7 @@ class Trunk {
   }
 
   void loop(const std::stop_token& stop) {
+    ::prctl(PR_SET_NAME, "register bus");
     std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
       Clock::time_point earliest;
@@ -251,7 +256,7 @@ class Trunk {
     lock.unlock();
     const Clock::time_point begun = Clock::now();
     const int lost_before = place.bus.lost();
-    const auto wait = place.user.turn(place.bus);
+    const auto wait = fenced_turn(place);
     const Clock::time_point ended = Clock::now();
     const int lost = place.bus.lost();
     lock.lock();
@@ -261,6 +266,16 @@ class Trunk {
     if (lost > lost_before && lost >= kLostUntilRest)
       place.rests_until = ended + std::min<Clock::duration>(kRestFor * (ended - begun), kLongestRest);
     if (place.leaving) turn_over_.notify_all();
+  }
+
+  // The fence of the thread: what one user throws (no memory, say) is reported, and the others have their turns.
+  static std::optional<std::chrono::nanoseconds> fenced_turn(Place& place) {
+    try {
+      return place.user.turn(place.bus);
+    } catch (const std::exception& error) {
+      spdlog::critical("a register bus: {}", error.what());
+      return kAfterException;
+    }
   }
 
   // Times beyond a day are looked at again then.

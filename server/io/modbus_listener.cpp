@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <list>
 #include <thread>
 
@@ -16,6 +17,8 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
+#include <sys/prctl.h>
 
 #include "protocol/modbus/mbap.h"
 
@@ -116,13 +119,26 @@ class AsioListener final : public ModbusListener {
     acceptor_.listen();
     port_ = acceptor_.local_endpoint().port();
     accept_next();
-    thread_ = std::jthread([this] { context_.run(); });
+    thread_ = std::jthread([this] { run(); });
   }
 
   [[nodiscard]] std::uint16_t port() const override { return port_; }
   [[nodiscard]] std::uint64_t refused() const override { return refused_.load(); }
 
  private:
+  // The fence of the thread: what one connection throws is reported, and the others are served on.
+  void run() {
+    ::prctl(PR_SET_NAME, "Modbus server");
+    for (bool over = false; !over;) {
+      try {
+        context_.run();
+        over = true;
+      } catch (const std::exception& error) {
+        spdlog::critical("the Modbus server: {}", error.what());
+      }
+    }
+  }
+
   void accept_next() {
     acceptor_.async_accept([this](error_code error, tcp::socket socket) {
       if (!acceptor_.is_open()) return;

@@ -71,16 +71,18 @@ class Chaos:
         began = time.monotonic()
         while self.judge.count() < self.given.scenarios:
             self.one_run()
-            print(f"run {self.judge.run}: {self.judge.count()} scenes, {len(self.judge.violations)} violations, {time.monotonic() - began:.0f} s", flush=True)
+            print(f"run {self.judge.run}: {self.judge.count()} scenes, {len(self.judge.violations)} violations, {time.monotonic() - began:.0f} s ({self.disturbed_by})", flush=True)
         self.served.end(signal.SIGTERM)
 
     def one_run(self):
         self.judge.run += 1
+        self.disturbed_by = ""
         log_is_read = self.judge.run % 4 != 3
         if self.judge.run > 1:
             self.served.start(log_is_read)
             self.acknowledged_is_there()
         disturbs = [] if self.given.only else self.chance.sample(sorted(DISTURBANCES), 2)
+        self.disturbed_by = ", ".join([*disturbs, *([] if log_is_read else ["log is not read"])])
         disturbers = [Disturber(self.served, random.Random(self.chance.random()), self.judge, disturbs)] if disturbs else []
         until = time.monotonic() + self.chance.uniform(4, LONGEST_RUN_S)
         while time.monotonic() < until and self.judge.count() < self.given.scenarios:

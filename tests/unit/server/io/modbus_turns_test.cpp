@@ -8,6 +8,7 @@
 #include <iostream>
 #include <mutex>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -154,6 +155,25 @@ TEST(ModbusTurns, ADeadUnitLeavesTheBusToTheOthers) {
     EXPECT_GE(askers.at(i).answered(), 8 * askers[3].failed()) << "it waits for each failure and no more";
     EXPECT_LT(askers.at(i).worst(), 300ms) << "once the time-out of 100 ms, and the others' requests";
   }
+}
+
+TEST(ModbusTurns, WhatOneUserThrowsLeavesTheBusToTheOthers) {
+  class Thrower final : public app::BusUser {
+   public:
+    std::optional<std::chrono::nanoseconds> turn(app::RegisterBus& /*bus*/) override {
+      ++turns;
+      throw std::runtime_error("no memory for this machine");
+    }
+    std::atomic<int> turns = 0;
+  };
+  const Slaves line;
+  Thrower bad;
+  Asker good;
+  const auto seat = sit(line.url(1), bad);
+  const auto other = sit(line.url(2), good);
+  ASSERT_TRUE(until([&] { return bad.turns >= 2; }));
+  const int answered = good.answered();
+  EXPECT_TRUE(until([&] { return good.answered() > answered + 10; }));
 }
 
 TEST(ModbusTurns, AUnitAloneIsAskedAtOnceAgain) {
