@@ -233,7 +233,7 @@ class FedLine(threading.Thread):
             self.judge_of_all.refused(f"{self.scene}: {str(refused)[:150]}")
             outcome = "refused"
             self.recover()
-            self.rest(0.2)
+            self.rest(1.5 if refused.status == 503 else 0.2)
         except Stuck as stuck:
             outcome = "stuck"
             self.look()

@@ -48,10 +48,19 @@ class FolderLine(threading.Thread):
             except shop.Refused as refused:
                 outcome = "refused"
                 self.judge_of_all.refused(f"folder: {str(refused)[:150]}")
+                self.confirm()
             self.share.thaw()
             self.look_at_file(outcome)
             self.judge_of_all.scene("drop, folder freezes" if frozen else "drop", outcome)
             time.sleep(self.chance.uniform(0.2, 1.0))
+
+    def confirm(self):
+        try:
+            if self.served.get(f"/machines/{self.name}")["status"]["needs_confirmation"]:
+                self.served.post(f"/machines/{self.name}/confirm-reset", {"reason": "the folder was looked at"})
+            time.sleep(1)
+        except (ServerGone, shop.Refused, TimeoutError):
+            pass  # the next drop says so again
 
     def drop(self, frozen):
         job = self.served.post("/jobs", {"release": self.release})["id"]

@@ -42,6 +42,23 @@ def flood_at_rest(line):
     line.wait_line("idle")
     line.permit.set("silent", "nothing is armed")
     flood(line, line.chance.uniform(0.3, 1.5))
+    forget_flood(line)
+
+
+def arm_behind_a_flood(line):
+    """What came before the arming is no start, though it was not read yet: the arming is refused, or waits for a start of its own."""
+    line.wait_line("idle")
+    line.permit.set("silent", "nothing is armed")
+    flood(line, line.chance.uniform(0.3, 0.8))
+    try:
+        line.arm()
+        line.rest(1.0)
+        line.served.post(f"/jobs/{line.job}/cancel")
+    except shop.Refused as refused:
+        line.judge_of_all.refused(f"{line.scene}: {str(refused)[:150]}")
+    line.permit.set("silent", "nothing is armed")
+    forget_flood(line)
+    line.recover()
 
 
 def flood_in_a_feed(line):
@@ -50,6 +67,7 @@ def flood_in_a_feed(line):
     line.feed_until(line.somewhere(0.1, 0.6))
     flood(line, line.chance.uniform(0.1, 0.5))
     line.rest(0.5)
+    forget_flood(line)
     if line.job_state()["state"] in ("failed", "interrupted"):
         return line.after_break(line.job, "a flood broke the feed")
     line.recover()
@@ -61,9 +79,15 @@ def flood(line, seconds):
         line.look()
         if line.control.send(b"\x11" * 8192) == 0:
             time.sleep(0.005)
-    if line.control.timed:  # what the sockets still hold of it would be a start for the next job
-        line.control.cut()
-        line.wait("the link", line.control.up)
+
+
+def forget_flood(line):
+    """What sockets and terminals still hold of it would be a start for the next job."""
+    line.control.unplug()
+    line.rest(0.1)
+    line.control.plug()
+    line.wait("the link", line.control.up)
+    line.wait_line("idle", "torn")
 
 
 def stop_and_resume(line):
@@ -195,6 +219,7 @@ SCENES = {
     "feed with holds": (4, feed_with_holds, 4),
     "start, nothing armed": (2, start_with_nothing_armed, 1),
     "flood at rest": (1, flood_at_rest, 4),
+    "arm behind a flood": (1, arm_behind_a_flood, 1),
     "flood in a feed": (1, flood_in_a_feed, 2),
     "stop and resume": (2, stop_and_resume, 1),
     "reset while stopped": (1, reset_while_stopped, 1),

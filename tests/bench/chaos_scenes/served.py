@@ -14,6 +14,7 @@ import shop
 
 
 DISK = "4g"
+COMMANDS = ("/arm", "/stop", "/cancel", "/resume", "/confirm-reset")
 
 
 class ServerGone(Exception):
@@ -31,6 +32,8 @@ class Served:
         self.process = None
         self.token = None
         self.log_is_read = True
+        self.commands_ms = []  # how long a person waited for the answer
+        self.verifies = b"ledger" in subprocess.run([self.binary, "--help"], capture_output=True, check=False).stdout
 
     def start(self, log_is_read=True):
         """With a log that nobody reads its pipe fills up."""
@@ -70,6 +73,7 @@ class Served:
         send = {"Authorization": f"Bearer {self.token}", **{name.replace("_", "-"): value for name, value in headers.items()}}
         data = body if body is None or isinstance(body, bytes) else json.dumps(body).encode()
         generation = self.generation
+        asked_at = time.monotonic()
         if not self.up.is_set():
             raise ServerGone
         try:
@@ -80,6 +84,8 @@ class Served:
             if self.generation != generation or not self.up.is_set():
                 raise ServerGone from None
             raise
+        if path.endswith(COMMANDS):
+            self.commands_ms.append((time.monotonic() - asked_at) * 1000)
         if status >= 400:
             try:
                 document = json.loads(content)
@@ -111,6 +117,13 @@ class Served:
         if self.process.stdout:
             self.process.stdout.close()
         return code
+
+    def verify(self):
+        """What the server's own verification of its books finds; nothing where it finds no fault, or where there is no such command."""
+        if not self.verifies:
+            return None
+        done = subprocess.run([self.binary, "ledger", "verify", str(self.data)], capture_output=True, text=True, check=False, timeout=120)
+        return None if done.returncode == 0 else (done.stdout + done.stderr)[-500:]
 
     def close(self):
         if self.process and self.shows_life():
