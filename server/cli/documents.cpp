@@ -1,6 +1,10 @@
 // The only unit of the command that knows the JSON library.
 #include "server/cli/documents.h"
 
+#include <algorithm>
+#include <span>
+#include <utility>
+
 #include <nlohmann/json.hpp>
 
 #include "store/hash/hash.h"
@@ -23,13 +27,19 @@ Document program_of(const interpreter::RunResult& result, std::uint32_t index) {
 }  // namespace
 
 std::string run_document(const interpreter::RunResult& result) {
+  // An array of a million elements is declared in a line; each name is in the list once, so none is looked for.
+  constexpr std::size_t kVariablesShown = 10'000;
   Document variables = Document::object();
-  for (const interpreter::VariableValue& variable : result.variables) {
+  auto& members = static_cast<Document::object_t::Container&>(variables.get_ref<Document::object_t&>());
+  for (const interpreter::VariableValue& variable :
+       std::span(result.variables).first(std::min(kVariablesShown, result.variables.size()))) {
+    Document value = nullptr;
     if (variable.text) {
-      variables[variable.name] = *variable.text;
-    } else {
-      variables[variable.name] = variable.value ? Document(*variable.value) : Document(nullptr);
+      value = *variable.text;
+    } else if (variable.value) {
+      value = *variable.value;
     }
+    members.emplace_back(variable.name, std::move(value));
   }
   Document skipped = Document::array();
   for (const interpreter::NotInterpreted& one : result.not_interpreted) {
@@ -54,6 +64,7 @@ std::string run_document(const interpreter::RunResult& result) {
                {"ended", interpreter::name_of(result.ended)},
                {"alarm", alarm},
                {"variables", variables},
+               {"variables_left_off", result.variables.size() - variables.size()},
                {"not_interpreted", skipped}});
 }
 
