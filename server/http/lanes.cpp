@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include <pthread.h>
 #include <spdlog/spdlog.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 
 namespace dripfeed::http {
@@ -80,7 +80,7 @@ class Lanes::One {
  private:
   // Linux keeps a nice value per thread; 0 names the calling one. A check never delays a feed.
   void loop() {
-    ::pthread_setname_np(::pthread_self(), row_.thread_name);
+    ::prctl(PR_SET_NAME, row_.thread_name);
     if (row_.nice != 0) ::setpriority(PRIO_PROCESS, 0, row_.nice);
     std::unique_lock lock(mutex_);
     while (true) {

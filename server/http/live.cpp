@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <pthread.h>
 #include <spdlog/spdlog.h>
+#include <sys/prctl.h>
 
 #include "server/json/records.h"
 
@@ -129,7 +129,7 @@ std::expected<std::shared_ptr<EventSubscription>, std::string> LiveHub::watch(st
 }
 
 void LiveHub::loop(const std::stop_token& stop) {
-  ::pthread_setname_np(::pthread_self(), "live events");
+  ::prctl(PR_SET_NAME, "live events");
   std::unique_lock lock(wake_mutex_);
   while (!stop.stop_requested()) {
     lock.unlock();

@@ -18,8 +18,8 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <fmt/format.h>
-#include <pthread.h>
 #include <spdlog/spdlog.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 
 #include "server/http/connection.h"
@@ -95,7 +95,7 @@ class ListeningServer final : public Server {
  private:
   // The fence of the HTTP thread: what comes here was thrown outside the fence of a connection.
   void run() {
-    ::pthread_setname_np(::pthread_self(), "http");
+    ::prctl(PR_SET_NAME, "http");
     for (bool done = false; !done;) {
       try {
         context_.run();

@@ -17,6 +17,7 @@ BROKEN = [  # each followed by a request that must not be answered
     b"GET healthz HTTP/1.1\r\n" + HOST + b"\r\n", b"GET /a/../healthz HTTP/1.1\r\n" + HOST + b"\r\n", b"GET /%0 HTTP/1.1\r\n" + HOST + b"\r\n",
     b"GET /healthz HTTP/1.1\r\n\r\n", b"GET /healthz HTTP/1.1\r\nHost: a\r\nHost: b\r\n\r\n",
     b"GET /healthz HTTP/1.1\r\n" + HOST + b"No colon\r\n\r\n", b"GET /healthz HTTP/1.1\r\n" + HOST + b"A b: c\r\n\r\n", b"GET /healthz HTTP/1.1\r\n" + HOST + b"A : c\r\n\r\n",
+    b"GET /healthz HTTP/1.1\r\n" + HOST + b"A: b\r\n c\r\n\r\n", b"GET /healthz HTTP/1.1\r\n" + HOST + b"A: b\r\n\tTransfer-Encoding: chunked\r\n\r\n", b"GET /healthz HTTP/1.1\r\n A: b\r\n" + HOST + b"\r\n",
     b"GET /healthz HTTP/1.1\r\n" + HOST + b"A: b\x00c\r\n\r\n", b"GET /healthz HTTP/1.1\n" + HOST + b"\n",
     POST + b"Content-Length: 5\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n", POST + b"Transfer-Encoding: chunked\r\nContent-Length: 5\r\n\r\n0\r\n\r\n",
     POST + b"Content-Length: 2\r\nContent-Length: 40\r\n\r\n{}", POST + b"Content-Length: -1\r\n\r\n", POST + b"Content-Length: 2x\r\n\r\n{}", POST + b"Content-Length: +2\r\n\r\n{}",

@@ -157,7 +157,8 @@ def sessions(folder):
     for origin, status in [
         ({}, 403), ({"Origin": "http://evil.example"}, 403), ({"Origin": "null"}, 403), ({"Origin": f"http://localhost:{client.server.port}"}, 403),
         ({"Origin": "http://127.0.0.1:1"}, 403), ({"Origin": f"http://evil.example/127.0.0.1:{client.server.port}"}, 403), ({"Sec-Fetch-Site": "cross-site"}, 403),
-        ({"Sec-Fetch-Site": "same-site"}, 403), ({"Sec-Fetch-Site": "none"}, 403), ({"Origin": "http://evil.example", "Sec-Fetch-Site": "same-origin"}, 403),
+        ({"Sec-Fetch-Site": "same-site"}, 403), ({"Sec-Fetch-Site": "none"}, 403), (here | {"Sec-Fetch-Site": "cross-site"}, 403), (here | {"Sec-Fetch-Site": "same-site"}, 403),
+        ({"Origin": "https://dnc.shop", "Sec-Fetch-Site": "same-origin"}, 201),  # a proxy that calls us by another name
         (here, 201), ({"Sec-Fetch-Site": "same-origin"}, 201),
     ]:
         answer = client.call("POST", "/programs", program, role=None, headers=cookie | origin)

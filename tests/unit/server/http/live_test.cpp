@@ -67,8 +67,11 @@ class LiveTest : public ::testing::Test {
 template <class Condition>
 bool soon(const Condition& condition) {
   const auto until = std::chrono::steady_clock::now() + 10s;
-  while (!condition() && std::chrono::steady_clock::now() < until) std::this_thread::sleep_for(5ms);
-  return condition();
+  while (std::chrono::steady_clock::now() < until) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(5ms);
+  }
+  return false;
 }
 
 TEST_F(LiveTest, EventsAreFramedWithTheirIds) {

@@ -101,5 +101,19 @@ TEST_F(Migrations, OursAreNumberedFromOneWithoutGaps) {
   EXPECT_GE(expected, 1U);
 }
 
+// With 50,000 jobs of a machine, walking them all took 13 ms for each machine of a list.
+TEST_F(Migrations, TheTornJobOfAMachineIsFoundByItsIndex) {
+  ASSERT_TRUE(migrate(*connection_, migrations()));
+  Session session(*connection_, "plan");
+  Query query(session,
+              "EXPLAIN QUERY PLAN SELECT * FROM job WHERE machine = ? AND torn = 1 AND confirmed_at_ms = 0 ORDER BY id "
+              "DESC LIMIT 1",
+              "mill");
+  ASSERT_TRUE(query.next());
+  for (int skipped = 0; skipped < 3; ++skipped) query.number();
+  EXPECT_NE(query.text().find("USING INDEX job_torn (machine=? AND torn=? AND confirmed_at_ms=?)"), std::string::npos);
+  EXPECT_FALSE(query.next()) << "one step";
+}
+
 }  // namespace
 }  // namespace dripfeed::sqlite
