@@ -1,6 +1,9 @@
 // Contents first, then the row that refers to them: a crash in between leaves only bytes that nobody names.
 #include "server/app/programs.h"
 
+#include <algorithm>
+#include <chrono>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +13,30 @@
 #include "server/app/catalog.h"
 
 namespace dripfeed::app {
+
+namespace {
+
+constexpr std::size_t kSlice_bytes = std::size_t{256} * 1024;
+constexpr std::chrono::milliseconds kShortestPause{2};
+constexpr std::chrono::milliseconds kLongestPause{20};
+
+// Others write between two slices: whoever takes the store again at once leaves them no gap, however short a slice is.
+Result<store::Content> put_in_slices(store::Contents& contents, std::string_view bytes) {
+  if (bytes.size() <= kSlice_bytes) return lift(contents.put(bytes));
+  auto writer = lift(contents.begin());
+  if (!writer) return std::unexpected(writer.error());
+  while (!bytes.empty()) {
+    const auto begin = std::chrono::steady_clock::now();
+    const std::string_view slice = bytes.substr(0, kSlice_bytes);
+    if (auto written = lift((*writer)->append(slice)); !written) return std::unexpected(written.error());
+    bytes.remove_prefix(slice.size());
+    const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - begin);
+    std::this_thread::sleep_for(std::clamp(took, kShortestPause, kLongestPause));
+  }
+  return lift((*writer)->finish());
+}
+
+}  // namespace
 
 std::uint64_t count_blocks(std::string_view text) {
   std::uint64_t count = 0;
@@ -41,7 +68,7 @@ Result<store::NewProgramText> Programs::keep_text(std::string_view text) {
   if (text.empty())
     return fail(ErrorCode::invalid, "the text is empty", {{.pointer = "/text", .text = "must not be empty"}});
   if (auto room = refuse_on_full_disk(ballast_); !room) return std::unexpected(room.error());
-  const auto content = lift(store_.contents().put(text));
+  const auto content = put_in_slices(store_.contents(), text);
   if (!content) return std::unexpected(content.error());
   return store::NewProgramText{
       .sha256 = content->sha256, .places_sha256 = {}, .blocks = count_blocks(text), .facts = {}, .origin = {}};
@@ -123,7 +150,7 @@ Result<Rendered> Programs::render(const RenderOrder& order, std::string_view act
   Rendered rendered{.program = {}, .result = std::move(done->result)};
 
   if (auto room = refuse_on_full_disk(ballast_); !room) return std::unexpected(room.error());
-  const auto content = lift(store_.contents().put(rendered.result.text));
+  const auto content = put_in_slices(store_.contents(), rendered.result.text);
   if (!content) return std::unexpected(content.error());
   store::NewProgramText text{.sha256 = content->sha256,
                              .places_sha256 = {},
@@ -131,7 +158,7 @@ Result<Rendered> Programs::render(const RenderOrder& order, std::string_view act
                              .facts = {},
                              .origin = std::move(*origin)};
   if (!done->places.empty()) {
-    const auto places = lift(store_.contents().put(done->places));
+    const auto places = put_in_slices(store_.contents(), done->places);
     if (!places) return std::unexpected(places.error());
     text.places_sha256 = places->sha256;
   }

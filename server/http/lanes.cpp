@@ -30,7 +30,7 @@ struct LaneRow {
 constexpr std::array kLanes = {
     LaneRow{Lane::command, "http command", 2, 0, 256},
     LaneRow{Lane::write, "http write", 3, 0, 1024},
-    LaneRow{Lane::bulk, "http bulk", 2, 10, 64},
+    LaneRow{Lane::bulk, "http bulk", 2, 0, 64},  // it writes: a low priority would keep the store's lock from others
     LaneRow{Lane::heavy, "http heavy", 0, 19, 32},
 };
 

@@ -30,12 +30,14 @@ Result<void> use_wal(Connection& connection) {
 }
 
 // A store is for its owner alone: it has the hashes of tokens and what a shop makes. SQLite gives the files beside it
-// the rights of the database. A file that is there already is made so; where it is not ours, its owner has decided.
-void keep_private(const std::string& path, bool create) {
-  if (create) {
-    const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-    if (descriptor >= 0) ::close(descriptor);
-  }
+// the rights of the database.
+void create_private(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (descriptor >= 0) ::close(descriptor);  // else it is there, or SQLite says what is wrong
+}
+
+// One that an older version made; where it is not ours, its owner has decided.
+void keep_private(const std::string& path) {
   for (const char* ending : {"", "-wal", "-shm"}) ::chmod((path + ending).c_str(), 0600);
 }
 
@@ -66,7 +68,7 @@ Result<void> SqliteStore::backup(const std::string& path) {
   auto source = database_->connect_to_read();
   if (!source) return std::unexpected(source.error());
   auto copied = copy_to_new_file(**source, path);
-  if (copied) keep_private(path, false);
+  if (copied) keep_private(path);
   return copied;
 }
 
@@ -96,8 +98,9 @@ Result<std::unique_ptr<store::Store>> open(const std::string& path, const OpenSe
     if (!taken) return std::unexpected(taken.error());
     lock.emplace(std::move(*taken));
   }
-  keep_private(path, settings.create);
+  if (settings.create) create_private(path);
   if (auto ready = bring_up_to_date(path, settings); !ready) return std::unexpected(ready.error());
+  keep_private(path);
   auto database = Database::open(path, settings);
   if (!database) return std::unexpected(database.error());
   std::unique_ptr<Checkpointer> checkpointer;

@@ -39,7 +39,7 @@ def many_members(folder):
 
 
 def others_do_not_wait(folder):
-    """A text of 30 MB with a key: before, whoever wrote or read waited for 1 to 3 s, a stop included."""
+    """A text of 30 MB with a key: nobody waits for as long as it takes. Before, all did, a stop included."""
     control = HandControl()
     client = Client(folder).start()
     client.post("/machines", hand_profile(control))
@@ -57,19 +57,22 @@ def others_do_not_wait(folder):
             worst[what] = max(worst[what], time.monotonic() - begin)
             expect(answer.status == status, f"{answer}")
 
+    began = time.monotonic()
     send.start()
     others = [threading.Thread(target=repeat, args=row) for row in (
         ("read", "GET", f"{API}/machines", None, "viewer", 200), ("write", "POST", f"{API}/jobs", {"release": release}, "operator", 201),
         ("command", "POST", f"{API}/jobs/99999/stop", {}, "operator", 404))]
     for one in [*others]:
         one.start()
-    for one in [send, *others]:
+    send.join()
+    took = time.monotonic() - began
+    for one in others:
         one.join()
     expect(answers and answers[0].status == 201, f"{answers}")
     again = client.call("POST", "/programs", body, headers=JSON | {"Idempotency-Key": "long"})
     expect((again.status, again.body) == (201, answers[0].body), f"the same key: {again}")
-    print("longest waits beside an upload:", ", ".join(f"{what} {seconds * 1000:.0f} ms" for what, seconds in worst.items()))
-    expect(max(worst.values()) < 0.7, f"{worst}")  # of a busy machine; on a quiet one some milliseconds
+    print(f"longest waits beside an upload of {took:.1f} s:", ", ".join(f"{what} {seconds * 1000:.0f} ms" for what, seconds in worst.items()))
+    expect(max(worst.values()) < took / 2, f"of {took:.2f} s: {worst}")  # on a quiet machine some milliseconds
     client.server.stop()
     control.close()
 
@@ -139,11 +142,13 @@ def a_stop_while_much_is_sent(folder):
 
     for path, body in [("/checks", json.dumps({"program": program, "machine": "lathe"}).encode())] * 4 + [("/programs", b'{"name":"O1","dialect":"fanuc","text":"' + b"x" * LARGE + b'"}')] * 4:
         threading.Thread(target=ask_without_hope, args=(path, body), daemon=True).start()
+    members = b'{"values":{' + ",".join(f'"m{i}":0' for i in range(80_000)).encode() + b"}}"  # took 20 s, and the stop with it
+    threading.Thread(target=ask_without_hope, args=("/parts", members), daemon=True).start()
     time.sleep(0.3)
     begin = time.monotonic()
     client.server.process.send_signal(signal.SIGTERM)
     ended = client.server.process.wait(30)
-    expect(ended == 0 and time.monotonic() - begin < 20, f"a stop took {time.monotonic() - begin:.1f} s and ended with {ended}")
+    expect(ended == 0 and time.monotonic() - begin < 12, f"a stop took {time.monotonic() - begin:.1f} s and ended with {ended}")
     client.server.start()
     expect(client.get("/programs")["items"], "the store is not whole")
     client.server.stop()

@@ -138,6 +138,20 @@ TEST_F(OpenTest, ARestoreToANewPlace) {
   EXPECT_EQ(must(must(sqlite::open(folder_.file("new.db")))->machines().get("mill-1")).profile, "p");
 }
 
+TEST_F(OpenTest, ItsFilesAreForTheirOwnerAlone) {
+  namespace fs = std::filesystem;
+  constexpr fs::perms kOwner = fs::perms::owner_read | fs::perms::owner_write;
+  must(store_->machines().add("m", "p", by("anna")));
+  for (const char* ending : {"", "-wal", "-shm"})
+    EXPECT_EQ(fs::status(path() + ending).permissions(), kOwner) << ending;
+  const std::string copy = folder_.file("copy.db");
+  must(store_->backup(copy));
+  EXPECT_EQ(fs::status(copy).permissions(), kOwner);
+  fs::permissions(copy, kOwner | fs::perms::group_read | fs::perms::others_read);
+  must(sqlite::open(copy));
+  EXPECT_EQ(fs::status(copy).permissions(), kOwner) << "an older version made it readable";
+}
+
 // One damaged page of many, which opening does not touch.
 TEST_F(OpenTest, DamageIsFound) {
   must(store_->atomically([&]() -> Result<void> {
