@@ -107,24 +107,38 @@ Result<ReadFamily> read_family(std::string_view text) {
 
 }  // namespace
 
-Result<store::Family> Catalog::add_family(std::string_view text, std::string_view actor) {
-  const auto read = read_family(text);
+Result<compile::FamilyDescription> Catalog::check_family(std::string_view text, std::string_view name) {
+  auto read = read_family(text);
   if (!read) return std::unexpected(read.error());
-  return lift(store_.families().add(read->description.name, text, stamp(actor)));
+  if (!name.empty() && read->description.name != name) {
+    return fail(ErrorCode::invalid,
+                fmt::format("the text is of family \"{}\", not of \"{}\"", read->description.name, name));
+  }
+  return std::move(read->description);
+}
+
+Result<store::Family> Catalog::add_checked_family(std::string_view name, std::string_view text,
+                                                  std::string_view actor) {
+  return lift(store_.families().add(name, text, stamp(actor)));
+}
+
+Result<store::Family> Catalog::change_checked_family(std::string_view name, store::Revision expected,
+                                                     std::string_view text, std::string_view actor) {
+  return lift(store_.families().change(name, expected, text, stamp(actor)));
+}
+
+Result<store::Family> Catalog::add_family(std::string_view text, std::string_view actor) {
+  const auto checked = check_family(text);
+  return checked ? add_checked_family(checked->name, text, actor) : std::unexpected(checked.error());
 }
 
 Result<store::Family> Catalog::change_family(std::string_view name, store::Revision expected, std::string_view text,
                                              std::string_view actor) {
-  const auto read = read_family(text);
-  if (!read) return std::unexpected(read.error());
-  if (read->description.name != name) {
-    return fail(ErrorCode::invalid,
-                fmt::format("the text is of family \"{}\", not of \"{}\"", read->description.name, name));
-  }
-  return lift(store_.families().change(name, expected, text, stamp(actor)));
+  const auto checked = check_family(text, name);
+  return checked ? change_checked_family(name, expected, text, actor) : std::unexpected(checked.error());
 }
 
-Result<store::PartValues> Catalog::checked_values(std::string_view family, const Values& values) {
+Result<store::PartValues> Catalog::check_values(std::string_view family, const Values& values) {
   const auto row = lift(store_.families().get(family));
   if (!row) return std::unexpected(row.error());
   const text::Source source(row->name, row->text);
@@ -135,20 +149,31 @@ Result<store::PartValues> Catalog::checked_values(std::string_view family, const
       .family = row->name, .family_revision = row->revision, .values = documents_.write_values(values)};
 }
 
+Result<store::PartValues> Catalog::check_values_of(std::string_view number, const Values& values) {
+  const auto part = lift(store_.parts().get(number));
+  return part ? check_values(part->made_of.family, values) : std::unexpected(part.error());
+}
+
+Result<store::Part> Catalog::add_checked_part(std::string_view number, const store::PartValues& values,
+                                              std::string_view actor) {
+  return lift(store_.parts().add(number, values, stamp(actor)));
+}
+
+Result<store::Part> Catalog::change_checked_part(std::string_view number, store::Revision expected,
+                                                 const store::PartValues& values, std::string_view actor) {
+  return lift(store_.parts().change(number, expected, values, stamp(actor)));
+}
+
 Result<store::Part> Catalog::add_part(std::string_view number, std::string_view family, const Values& values,
                                       std::string_view actor) {
-  const auto made_of = checked_values(family, values);
-  if (!made_of) return std::unexpected(made_of.error());
-  return lift(store_.parts().add(number, *made_of, stamp(actor)));
+  const auto made_of = check_values(family, values);
+  return made_of ? add_checked_part(number, *made_of, actor) : std::unexpected(made_of.error());
 }
 
 Result<store::Part> Catalog::change_part(std::string_view number, store::Revision expected, const Values& values,
                                          std::string_view actor) {
-  const auto part = lift(store_.parts().get(number));
-  if (!part) return std::unexpected(part.error());
-  const auto made_of = checked_values(part->made_of.family, values);
-  if (!made_of) return std::unexpected(made_of.error());
-  return lift(store_.parts().change(number, expected, *made_of, stamp(actor)));
+  const auto made_of = check_values_of(number, values);
+  return made_of ? change_checked_part(number, expected, *made_of, actor) : std::unexpected(made_of.error());
 }
 
 std::vector<family::Override> overrides_of(const Values& values) {

@@ -33,15 +33,28 @@ class Catalog {
   Result<store::Family> change_family(std::string_view name, store::Revision expected, std::string_view text,
                                       std::string_view actor);
 
+  // The same in two steps: the first reads the text, which may take long; the second writes rows alone and may share a
+  // transaction. check_family gives what the text says; its name must be `name` where that is given.
+  Result<compile::FamilyDescription> check_family(std::string_view text, std::string_view name = {});
+  Result<store::Family> add_checked_family(std::string_view name, std::string_view text, std::string_view actor);
+  Result<store::Family> change_checked_family(std::string_view name, store::Revision expected, std::string_view text,
+                                              std::string_view actor);
+
   // The values must bind to the family's newest revision. Errors: invalid, exists, not_found.
   Result<store::Part> add_part(std::string_view number, std::string_view family, const Values& values,
                                std::string_view actor);
   Result<store::Part> change_part(std::string_view number, store::Revision expected, const Values& values,
                                   std::string_view actor);
+  // The same in two steps, as with families.
+  Result<store::PartValues> check_values(std::string_view family, const Values& values);
+  Result<store::PartValues> check_values_of(std::string_view number, const Values& values);
+  Result<store::Part> add_checked_part(std::string_view number, const store::PartValues& values,
+                                       std::string_view actor);
+  Result<store::Part> change_checked_part(std::string_view number, store::Revision expected,
+                                          const store::PartValues& values, std::string_view actor);
 
  private:
   Result<machine::Profile> checked_profile(std::string_view document);
-  Result<store::PartValues> checked_values(std::string_view family, const Values& values);
   [[nodiscard]] store::Stamp stamp(std::string_view actor) const;
   void publish(const std::string& machine);
 

@@ -15,10 +15,6 @@ std::string machine_json(app::Application& app, const store::Machine& machine, b
   return json::machine(machine, app.status(machine.name), whole);
 }
 
-std::string family_json(const store::Family& family) {
-  return json::family(family, compile::describe_family(text::Source(family.name, family.text)));
-}
-
 }  // namespace
 
 Response list_machines(const Call& call) {
@@ -76,19 +72,43 @@ Response list_families(const Call& call) {
                        [&](const store::Family& f) { return json::family_summary(f, titles.of(f)); });
 }
 
+namespace {
+
+Response family_response(unsigned status, const app::Result<store::Family>& family,
+                         const compile::FamilyDescription& description) {
+  if (!family) return problem_response(family.error());
+  std::string body = json::family(*family, description);
+  return with_revision(status == 201
+                           ? created(fmt::format("/api/v1/families/{}", escape_segment(family->name)), std::move(body))
+                           : json_response(status, std::move(body)),
+                       family->revision);
+}
+
+Response part_response(unsigned status, const app::Result<store::Part>& part) {
+  if (!part) return problem_response(part.error());
+  std::string body = json::part(*part);
+  return with_revision(status == 201
+                           ? created(fmt::format("/api/v1/parts/{}", escape_segment(part->number)), std::move(body))
+                           : json_response(status, std::move(body)),
+                       part->revision);
+}
+
+}  // namespace
+
 Response add_family(const Call& call) {
   const auto body = json::read_text_body(call.request.body);
   if (!body) return problem_response(body.error());
-  const auto family = call.api.application().catalog().add_family(body->text, call.user);
-  if (!family) return problem_response(family.error());
-  return with_revision(created(fmt::format("/api/v1/families/{}", escape_segment(family->name)), family_json(*family)),
-                       family->revision);
+  app::Catalog& catalog = call.api.application().catalog();
+  const auto checked = catalog.check_family(body->text);
+  if (!checked) return problem_response(checked.error());
+  return call.commit(
+      [&] { return family_response(201, catalog.add_checked_family(checked->name, body->text, call.user), *checked); });
 }
 
 Response get_family(const Call& call) {
   const auto family = call.api.application().store().families().get(call.parameters[0]);
   if (!family) return problem_response(app::from_store(family.error()));
-  return with_revision(json_response(200, family_json(*family)), family->revision);
+  return family_response(200, *family, compile::describe_family(text::Source(family->name, family->text)));
 }
 
 Response change_family(const Call& call) {
@@ -96,10 +116,13 @@ Response change_family(const Call& call) {
   if (!expected) return expected.error();
   const auto body = json::read_text_body(call.request.body);
   if (!body) return problem_response(body.error());
-  const auto family =
-      call.api.application().catalog().change_family(call.parameters[0], *expected, body->text, call.user);
-  if (!family) return problem_response(family.error());
-  return with_revision(json_response(200, family_json(*family)), family->revision);
+  const std::string& name = call.parameters[0];
+  app::Catalog& catalog = call.api.application().catalog();
+  const auto checked = catalog.check_family(body->text, name);
+  if (!checked) return problem_response(checked.error());
+  return call.commit([&] {
+    return family_response(200, catalog.change_checked_family(name, *expected, body->text, call.user), *checked);
+  });
 }
 
 Response list_parts(const Call& call) {
@@ -114,10 +137,10 @@ Response list_parts(const Call& call) {
 Response add_part(const Call& call) {
   const auto body = json::read_part_body(call.request.body, true);
   if (!body) return problem_response(body.error());
-  const auto part = call.api.application().catalog().add_part(body->number, body->family, body->values, call.user);
-  if (!part) return problem_response(part.error());
-  return with_revision(created(fmt::format("/api/v1/parts/{}", escape_segment(part->number)), json::part(*part)),
-                       part->revision);
+  app::Catalog& catalog = call.api.application().catalog();
+  const auto values = catalog.check_values(body->family, body->values);
+  if (!values) return problem_response(values.error());
+  return call.commit([&] { return part_response(201, catalog.add_checked_part(body->number, *values, call.user)); });
 }
 
 Response get_part(const Call& call) {
@@ -131,10 +154,12 @@ Response change_part(const Call& call) {
   if (!expected) return expected.error();
   const auto body = json::read_part_body(call.request.body, false);
   if (!body) return problem_response(body.error());
-  const auto part =
-      call.api.application().catalog().change_part(call.parameters[0], *expected, body->values, call.user);
-  if (!part) return problem_response(part.error());
-  return with_revision(json_response(200, json::part(*part)), part->revision);
+  const std::string& number = call.parameters[0];
+  app::Catalog& catalog = call.api.application().catalog();
+  const auto values = catalog.check_values_of(number, body->values);
+  if (!values) return problem_response(values.error());
+  return call.commit(
+      [&] { return part_response(200, catalog.change_checked_part(number, *expected, *values, call.user)); });
 }
 
 }  // namespace dripfeed::http

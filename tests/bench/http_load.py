@@ -1,0 +1,158 @@
+#!/usr/bin/env python3
+"""What the HTTP side takes: requests a second beside nginx's static rate in the same run (wrk), how long a text and a job take, how long others wait
+beside an upload of 60 MB with a key, and what watchers cost.  tests/bench/http_load.py build/dev/dripfeed [rates texts jobs upload watchers]"""
+
+import json
+import os
+import pathlib
+import re
+import selectors
+import shutil
+import sqlite3
+import subprocess
+import sys
+import threading
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "api"))
+from client import API, DC1, Client, HandControl, ask, hand_profile, in_folder, plain_program  # noqa: E402
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "e2e"))
+from tls import Nginx, free_port  # noqa: E402
+
+WANTED = set(sys.argv[2:]) or {"rates", "texts", "jobs", "upload", "watchers"}
+UPLOAD_BYTES = 60_000_000
+
+
+def milliseconds(times):
+    times = sorted(times)
+    return f"{len(times)} times, median {times[len(times) // 2] * 1e3:.2f} ms, p99 {times[int(len(times) * 0.99)] * 1e3:.2f} ms, worst {times[-1] * 1e3:.1f} ms"
+
+
+def bearer(client, role):
+    return {"Authorization": f"Bearer {client.tokens[role]}"}
+
+
+def rate(url, token):
+    told = subprocess.run(["wrk", "-t1", "-c16", "-d4", url, "-H", f"Authorization: Bearer {token}"], capture_output=True, text=True, check=True).stdout
+    return float(re.search(r"Requests/sec:\s+([\d.]+)", told)[1])
+
+
+def rates(client, folder):
+    if not shutil.which("wrk"):
+        return print("rates: wrk is not installed")
+    page, port = folder / "static", free_port()
+    page.mkdir()
+    folder.chmod(0o755)
+    (page / "machines").write_text(json.dumps(client.get("/machines")))
+    nginx = Nginx(folder, f"server {{ listen 127.0.0.1:{port}; root {page}; }}")
+    time.sleep(1)
+    for name, url in [("nginx, the same answer as a file", f"http://127.0.0.1:{port}/machines")] + [
+            (path, f"http://127.0.0.1:{client.server.port}{path}") for path in ("/healthz", f"{API}/machines", f"{API}/programs/1")]:
+        print(f"{name}: {rate(url, client.tokens['viewer']):.0f} a second")
+    nginx.stop()
+
+
+def texts(client, program):
+    connection, times = client.connect(), []
+    for _ in range(200):
+        begin = time.perf_counter()
+        ask(connection, "GET", f"{API}/programs/{program}/text", None, bearer(client, "viewer"))
+        times.append(time.perf_counter() - begin)
+    print("a text of 4 kB:", milliseconds(times))
+
+
+def jobs(client, release):
+    connection, times = client.connect(), []
+    for n in range(500):
+        begin = time.perf_counter()
+        ask(connection, "POST", f"{API}/jobs", {"release": release}, bearer(client, "operator") | {"Idempotency-Key": f"job-{n}"})
+        times.append(time.perf_counter() - begin)
+    print(f"a job with a key: {len(times) / sum(times):.0f} a second,", milliseconds(times))
+
+
+def upload(client, release):
+    body = json.dumps({"name": "LONG", "dialect": "fanuc", "text": "G01 X1.\n" * (UPLOAD_BYTES // 9)}).encode()
+    sender = threading.Thread(target=lambda: client.call("POST", "/programs", body, headers={"Content-Type": "application/json", "Idempotency-Key": "long"}))
+
+    def repeat(name, method, path, sent, role):
+        connection, times = client.connect(), []
+        while sender.is_alive():
+            begin = time.perf_counter()
+            ask(connection, method, path, sent, bearer(client, role))
+            times.append(time.perf_counter() - begin)
+        print(f"  {name}:", milliseconds(times))
+
+    def lock_of_another_process():
+        """What a writer that is no part of the server waits for the lock of the database."""
+        base, times = sqlite3.connect(client.server.data / "dripfeed.db", timeout=30, isolation_level=None), []
+        while sender.is_alive():
+            begin = time.perf_counter()
+            base.execute("BEGIN IMMEDIATE")
+            times.append(time.perf_counter() - begin)
+            base.execute("ROLLBACK")
+            time.sleep(0.01)
+        print("  the lock of the database, for another process:", milliseconds(times))
+
+    begin = time.perf_counter()
+    sender.start()
+    others = [threading.Thread(target=repeat, args=row) for row in (("GET /machines", "GET", f"{API}/machines", None, "viewer"), ("POST /jobs", "POST", f"{API}/jobs", {"release": release}, "operator"),
+                                                                    ("a stop", "POST", f"{API}/jobs/99999/stop", {}, "operator"))] + [threading.Thread(target=lock_of_another_process)]
+    for one in others:
+        one.start()
+    sender.join()
+    print(f"{len(body)} bytes with a key took {time.perf_counter() - begin:.1f} s; meanwhile")
+    for one in others:
+        one.join()
+
+
+def cpu_s(process):
+    fields = pathlib.Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def watchers(client, control, count=500):
+    tokens, selector, got, done = [client.add_token("viewer", f"wall {n}") for n in range(-(-count // 60))], selectors.DefaultSelector(), [0], threading.Event()
+    for n in range(count):
+        connection = client.connect()
+        connection.request("GET", f"{API}/events", headers={"Authorization": f"Bearer {tokens[n % len(tokens)]}"})
+        selector.register(connection.sock, selectors.EVENT_READ, connection)
+
+    def drain():
+        while not done.is_set():
+            for key, _ in selector.select(0.2):
+                got[0] += len(key.fileobj.recv(65536))
+
+    threading.Thread(target=drain, daemon=True).start()
+    job = client.queue(client.release(client.add_program(6000, "O77")["id"])["id"])
+    client.wait_line("lathe", "idle")
+    client.post(f"/jobs/{job}/arm")
+    control.say(DC1)
+    time.sleep(1)
+    process, seconds = client.server.process.pid, 5
+    before, bytes_before = cpu_s(process), got[0]
+    time.sleep(seconds)
+    print(f"{count} watchers of a feed: {100 * (cpu_s(process) - before) / seconds:.0f} % of a core for {(got[0] - bytes_before) / seconds / 1000:.0f} kB a second")
+    done.set()
+
+
+def load(folder):
+    control, client = HandControl(), Client(folder).start()
+    client.post("/machines", hand_profile(control))
+    program = client.add_program(150)["id"]
+    release = client.release(program)["id"]
+    print(f"load of the machine before: {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")
+    if "rates" in WANTED:
+        rates(client, folder)
+    if "texts" in WANTED:
+        texts(client, program)
+    if "jobs" in WANTED:
+        jobs(client, release)
+    if "upload" in WANTED:
+        upload(client, release)
+    if "watchers" in WANTED:
+        watchers(client, control)
+    client.end()
+
+
+if __name__ == "__main__":
+    in_folder(load)
