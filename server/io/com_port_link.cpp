@@ -64,7 +64,7 @@ class Session final : public app::LinkListener, public std::enable_shared_from_t
   }
 
   std::size_t write(std::span<const std::byte> bytes) {
-    if (unheard()) return 0;  // on_writable() follows
+    if (core_->resting()) return 0;  // on_writable() follows
     const std::size_t taken = client_.send(bytes);
     flush();
     return taken;

@@ -47,8 +47,9 @@ class Link {
   // What came in and was not given to on_receive() yet, without blocking; 0 when nothing. For a look before a write: a
   // stop sign that has come must be seen before more goes out, and the system's own notice of it may be late.
   virtual std::size_t read(std::span<std::byte> into) = 0;
-  // Something came that is not given out yet, because the other side sends more than is read at once. write() takes
-  // nothing meanwhile, and nothing may be armed: a start sign among it was given before.
+  // The other side sends more than is read at once: something came that is not given out yet, or did half a second ago.
+  // Nothing may be armed meanwhile: a start sign among it was given before. While something lies unread write() takes
+  // nothing.
   [[nodiscard]] virtual bool unheard() const { return false; }
   // Bytes that the driver holds unsent, where it tells.
   [[nodiscard]] virtual std::optional<std::uint64_t> unsent() = 0;

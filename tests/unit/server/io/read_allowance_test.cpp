@@ -35,6 +35,8 @@ TEST(ReadAllowance, WhoReadsTooMuchPaysItBack) {
   allowance.took(kReadsAtOnce_bytes + 4096, kBegin);
   EXPECT_EQ(allowance.left(kBegin + 1ms), 0);
   EXPECT_GT(allowance.left(kBegin + 20ms), 0);
+  EXPECT_TRUE(allowance.pressed(kBegin + 20ms));
+  EXPECT_FALSE(allowance.pressed(kBegin + 600ms));
 }
 
 TEST(ReadAllowance, AFloodIsNamedAndForgottenLater) {
