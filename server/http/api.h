@@ -39,7 +39,7 @@ class Api {
   json::DocumentWorkers& workers() { return workers_; }
   Sessions& sessions() { return sessions_; }
   LiveHub& live() { return live_; }
-  FamilyTitles& family_titles() { return family_titles_; }
+  Titles& titles() { return titles_; }
   [[nodiscard]] const std::filesystem::path& web_root() const { return web_root_; }
   [[nodiscard]] const std::string& version() const { return version_; }
   // Set while a sweep runs: it may take minutes, and one at a time leaves the pool to checks.
@@ -61,7 +61,7 @@ class Api {
   std::stop_token stop_;
   Sessions sessions_;
   LiveHub live_;
-  FamilyTitles family_titles_;
+  Titles titles_;
   std::mutex keys_mutex_;
   std::set<std::string> keys_in_use_;
   std::atomic<std::int64_t> forgot_at_ms_ = 0;

@@ -11,8 +11,8 @@ namespace dripfeed::http {
 
 namespace {
 
-std::string machine_json(app::Application& app, const store::Machine& machine, bool whole) {
-  return json::machine(machine, app.status(machine.name), whole);
+std::string machine_json(app::Application& app, const store::Machine& machine) {
+  return json::machine(machine, app.status(machine.name));
 }
 
 }  // namespace
@@ -21,8 +21,10 @@ Response list_machines(const Call& call) {
   const auto page = page_of(call.request);
   if (!page) return page.error();
   app::Application& app = call.api.application();
-  return list_response(app.store().machines().list(*page),
-                       [&](const store::Machine& m) { return machine_json(app, m, false); });
+  Titles& titles = call.api.titles();
+  return list_response(app.store().machines().list(*page), [&](const store::Machine& m) {
+    return json::machine_summary(m, titles.of(m), app.status(m.name));
+  });
 }
 
 Response add_machine(const Call& call) {
@@ -30,7 +32,7 @@ Response add_machine(const Call& call) {
   const auto machine = app.catalog().add_machine(call.request.body, call.user);
   if (!machine) return problem_response(machine.error());
   return with_revision(
-      created(fmt::format("/api/v1/machines/{}", escape_segment(machine->name)), machine_json(app, *machine, true)),
+      created(fmt::format("/api/v1/machines/{}", escape_segment(machine->name)), machine_json(app, *machine)),
       machine->revision);
 }
 
@@ -38,7 +40,7 @@ Response get_machine(const Call& call) {
   app::Application& app = call.api.application();
   const auto machine = app.store().machines().get(call.parameters[0]);
   if (!machine) return problem_response(app::from_store(machine.error()));
-  return with_revision(json_response(200, machine_json(app, *machine, true)), machine->revision);
+  return with_revision(json_response(200, machine_json(app, *machine)), machine->revision);
 }
 
 Response change_machine(const Call& call) {
@@ -47,7 +49,7 @@ Response change_machine(const Call& call) {
   app::Application& app = call.api.application();
   const auto machine = app.catalog().change_machine(call.parameters[0], *expected, call.request.body, call.user);
   if (!machine) return problem_response(machine.error());
-  return with_revision(json_response(200, machine_json(app, *machine, true)), machine->revision);
+  return with_revision(json_response(200, machine_json(app, *machine)), machine->revision);
 }
 
 Response confirm_reset(const Call& call) {
@@ -67,7 +69,7 @@ Response confirm_reset(const Call& call) {
 Response list_families(const Call& call) {
   const auto page = page_of(call.request);
   if (!page) return page.error();
-  FamilyTitles& titles = call.api.family_titles();
+  Titles& titles = call.api.titles();
   return list_response(call.api.application().store().families().list(*page),
                        [&](const store::Family& f) { return json::family_summary(f, titles.of(f)); });
 }

@@ -174,8 +174,8 @@ class ListeningServer final : public Server {
     look_.expires_after(kLookAtFiles);
     look_.async_wait([this](boost::system::error_code error) {
       if (error || !acceptor_.is_open()) return;
+      look_later();  // whatever happens to this look
       tls_->refresh();
-      look_later();
     });
   }
 

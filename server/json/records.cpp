@@ -139,17 +139,30 @@ std::string list(std::span<const std::string> items, std::string_view next) {
 
 std::string machine_status(const app::MachineStatus& status) { return dump(status_document(status)); }
 
-std::string machine(const store::Machine& machine, const app::MachineStatus& status, bool whole) {
-  const Document profile = embedded(machine.profile);
-  Document document = {{"name", machine.name}, {"revision", machine.revision}};
-  if (whole) {
-    document["profile"] = profile;
-  } else {
-    for (const char* member : {"title", "dialect", "kind"}) document[member] = text_at(profile, member);
-    document["link"] = profile.is_object() && profile.contains("link") ? text_at(profile["link"], "url") : "";
-  }
-  document["status"] = status_document(status);
-  return dump(document);
+std::string machine(const store::Machine& machine, const app::MachineStatus& status) {
+  return dump({{"name", machine.name},
+               {"revision", machine.revision},
+               {"profile", embedded(machine.profile)},
+               {"status", status_document(status)}});
+}
+
+ProfileHead profile_head(std::string_view text) {
+  const Document profile = embedded(text);
+  const bool has_link = profile.is_object() && profile.contains("link");
+  return {.title = text_at(profile, "title"),
+          .dialect = text_at(profile, "dialect"),
+          .kind = text_at(profile, "kind"),
+          .link = has_link ? text_at(profile["link"], "url") : ""};
+}
+
+std::string machine_summary(const store::Machine& machine, const ProfileHead& head, const app::MachineStatus& status) {
+  return dump({{"name", machine.name},
+               {"revision", machine.revision},
+               {"title", head.title},
+               {"dialect", head.dialect},
+               {"kind", head.kind},
+               {"link", head.link},
+               {"status", status_document(status)}});
 }
 
 namespace {

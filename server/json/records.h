@@ -16,8 +16,16 @@ namespace dripfeed::json {
 std::string list(std::span<const std::string> items, std::string_view next);
 
 std::string machine_status(const app::MachineStatus& status);
-// `profile`: the stored document. `whole` adds it; otherwise the summary of a list.
-std::string machine(const store::Machine& machine, const app::MachineStatus& status, bool whole);
+std::string machine(const store::Machine& machine, const app::MachineStatus& status);
+// What a list shows of a stored profile. Reading the profile costs many times what the rest of a list's row does.
+struct ProfileHead {
+  std::string title;
+  std::string dialect;
+  std::string kind;
+  std::string link;
+};
+ProfileHead profile_head(std::string_view profile);
+std::string machine_summary(const store::Machine& machine, const ProfileHead& head, const app::MachineStatus& status);
 std::string family(const store::Family& family, const compile::FamilyDescription& description);
 // Of a list: without text and parameters.
 std::string family_summary(const store::Family& family, std::string_view title);

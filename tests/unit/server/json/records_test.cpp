@@ -70,15 +70,16 @@ TEST(Records, BytesThatAreNoUtf8AreShownAndStayJson) {
 TEST(Records, AMachineWithAProfileThatCannotBeReadIsListedAllTheSame) {
   for (const char* profile : {"", "nonsense", "5", "[]", R"({"title":5,"link":7})"}) {
     const store::Machine row{.name = "m", .revision = 2, .profile = profile, .changed_by = "a", .changed_at_ms = 1};
-    const std::string text = machine(row, {}, false);
+    const std::string text = machine_summary(row, profile_head(row.profile), {});
     EXPECT_THAT(text, HasSubstr(R"("name":"m","revision":2,"title":"","dialect":"","kind":"","link":"")")) << profile;
-    EXPECT_TRUE(is_json(machine(row, {}, true)));
+    EXPECT_TRUE(is_json(machine(row, {})));
   }
   const store::Machine row{.name = "m",
                            .revision = 2,
                            .profile = R"({"title":"T","kind":"mill","link":{"url":"pty:/x"}})",
                            .changed_by = "a"};
-  EXPECT_THAT(machine(row, {}, false), HasSubstr(R"("title":"T","dialect":"","kind":"mill","link":"pty:/x")"));
+  EXPECT_THAT(machine_summary(row, profile_head(row.profile), {}),
+              HasSubstr(R"("title":"T","dialect":"","kind":"mill","link":"pty:/x")"));
 }
 
 TEST(Records, TheStateOfALine) {
