@@ -155,7 +155,19 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     }
   }
 
+  // What came before the arming is heard before it: a start that the control gave then must not start this. Whoever
+  // sends faster than it can be heard is not armed.
+  std::expected<void, std::string> hear_first() {
+    if (link_.get() == nullptr) return {};
+    take_input();
+    const bool unheard = link_.get() != nullptr && link_.get()->unheard();
+    settle();
+    if (!unheard) return {};
+    return std::unexpected("the other side sends faster than it can be heard: nothing is armed until that ends");
+  }
+
   std::expected<void, std::string> answer_here(Answer answer) {
+    if (auto heard = hear_first(); !heard) return heard;
     drop_waiting_answer();
     if (input_ && !input_->idle()) return std::unexpected("the control sends a program");
     const feed::Job job{.facts = answer.facts, .source = answer.source.get(), .expires_after = answer.expires_after};
@@ -172,6 +184,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   }
 
   std::expected<void, std::string> arm_here(LineOrder order) {
+    if (auto heard = hear_first(); !heard) return heard;
     drop_waiting_answer();
     if (input_ && !input_->idle()) return std::unexpected("the control sends a program");
     const feed::Job job{.facts = order.facts,

@@ -94,7 +94,7 @@ JobFollower::JobFollower(store::Store& store, Events& events, TextReader& texts,
       events_(events),
       texts_(texts),
       clock_(clock),
-      thread_("df-follower", kRound, Urgency::usual, [this] { round(); }) {}
+      thread_("follower", kRound, Urgency::usual, [this] { round(); }) {}
 
 void JobFollower::take(std::vector<Booked> lines, const std::string& complaint) {
   bool news = false;

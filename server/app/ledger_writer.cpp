@@ -43,7 +43,7 @@ LedgerWriter::LedgerWriter(store::Store& store, Lines& lines, const Clock& clock
       clock_(clock),
       ballast_(ballast),
       take_(std::move(take)),
-      thread_("df-ledger", kRound, Urgency::before_others, [this] { round(); }) {}
+      thread_("ledger", kRound, Urgency::before_others, [this] { round(); }) {}
 
 void LedgerWriter::expect(store::Id job, std::uint64_t session, std::string_view machine) {
   const std::lock_guard lock(mutex_);

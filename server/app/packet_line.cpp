@@ -119,7 +119,19 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
  private:
   [[nodiscard]] feed::Time now() const { return thread_.clock().now(); }
 
+  // What came before the arming is heard before it: a start that the control gave then must not start this. Whoever
+  // sends faster than it can be heard is not armed.
+  std::expected<void, std::string> hear_first() {
+    if (link_.get() == nullptr) return {};
+    take_input();
+    const bool unheard = link_.get() != nullptr && link_.get()->unheard();
+    settle();
+    if (!unheard) return {};
+    return std::unexpected("the other side sends faster than it can be heard: nothing is armed until that ends");
+  }
+
   std::expected<void, std::string> arm_here(LineOrder order) {
+    if (auto heard = hear_first(); !heard) return heard;
     const feed::Job job{.facts = order.facts,
                         .source = order.source.get(),
                         .expires_after = order.expires_after,
@@ -198,13 +210,17 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
     sender_.take_telegram();
   }
 
+  // One look: a peer that never stops sending must not keep this thread.
+  void take_input() {
+    std::array<std::byte, kInputBytes> buffer;
+    const std::size_t count = link_.get()->read(buffer);
+    if (count > 0) sender_.receive(std::span(buffer).first(count), now());
+  }
+
   // Reads before it writes: a receiver that took leave must stop what would go out now.
   void pump() {
-    std::array<std::byte, kInputBytes> buffer;
     while (link_.get() != nullptr && !sender_.pending_out().empty()) {
-      // One look: a peer that never stops sending must not keep this thread.
-      const std::size_t count = link_.get()->read(buffer);
-      if (count > 0) sender_.receive(std::span(buffer).first(count), now());
+      take_input();
       const std::span<const std::byte> out = sender_.pending_out();
       if (out.empty()) return;
       const std::size_t size = out.size();

@@ -45,7 +45,7 @@ Receiving::Receiving(const Parts& parts)
       events_(parts.events),
       clock_(parts.clock),
       documents_(parts.documents),
-      thread_("df-receiving", kRound, Urgency::usual, [this] { round(); }) {}
+      thread_("receiving", kRound, Urgency::usual, [this] { round(); }) {}
 
 Receiving::~Receiving() { stop(); }
 

@@ -12,7 +12,7 @@ constexpr std::chrono::milliseconds kPeriod{50};  // a source holds 256 KiB: 5 M
 
 }  // namespace
 
-TextReader::TextReader() : thread_("df-text", kPeriod, Urgency::usual, [this] { round(); }) {}
+TextReader::TextReader() : thread_("texts", kPeriod, Urgency::usual, [this] { round(); }) {}
 
 void TextReader::read_for(std::uint64_t session, std::shared_ptr<ContentSource> source) {
   const std::lock_guard lock(mutex_);

@@ -15,6 +15,7 @@
 #include <spdlog/spdlog.h>
 #include <sys/prctl.h>
 
+#include "server/app/ports/line_mutex.h"
 #include "server/io/steady_clock.h"
 #include "server/io/stream_link.h"
 #include "server/io/thread_priority.h"
@@ -70,6 +71,7 @@ class AsioLinkThread final : public app::LinkThread {
   void loop() {
     // A character that leaves late costs line time.
     ::prctl(PR_SET_NAME, "lines");
+    app::LineWaits::serve_lines_here();
     go_before_others();
     stay_in_memory();
     while (!stopping_ && turn()) continue;
