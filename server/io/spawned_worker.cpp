@@ -45,13 +45,14 @@ class Attributes {
   posix_spawnattr_t attributes_{};
 };
 
-// The socket becomes standard input and output.
+// The socket becomes standard input and output; nothing else of ours is open but standard error.
 class Files {
  public:
   explicit Files(int socket) {
     ::posix_spawn_file_actions_init(&actions_);
     ::posix_spawn_file_actions_adddup2(&actions_, socket, STDIN_FILENO);
     ::posix_spawn_file_actions_adddup2(&actions_, socket, STDOUT_FILENO);
+    ::posix_spawn_file_actions_addclosefrom_np(&actions_, STDERR_FILENO + 1);
   }
   ~Files() { ::posix_spawn_file_actions_destroy(&actions_); }
   Files(const Files&) = delete;

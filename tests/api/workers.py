@@ -30,7 +30,13 @@ class Shop(Client):
 
     def check_in_background(self, program):
         answers = []
-        thread = threading.Thread(target=lambda: answers.append(self.call("POST", "/checks", {"program": program, "machine": "lathe"})))
+
+        def ask():
+            try:
+                answers.append(self.call("POST", "/checks", {"program": program, "machine": "lathe"}))
+            except (OSError, http.client.HTTPException):
+                answers.append(None)  # the server was killed by the test
+        thread = threading.Thread(target=ask)
         thread.start()
         return thread, answers
 
