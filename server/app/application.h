@@ -33,7 +33,7 @@ class Application {
     const Clock& clock;
     const Documents& documents;
     Ballast* ballast = nullptr;
-    ClaimLine claim{};  // takes lines for this process; empty: they are not claimed
+    ClaimLine claim{};           // takes lines for this process; empty: they are not claimed
     Workers* workers = nullptr;  // without them checks and renders are done in this process
   };
   explicit Application(const Environment& environment);

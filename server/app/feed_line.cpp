@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "protocol/feed/state_groups.h"
+#include "server/app/feed_line_states.h"
 #include "server/app/kept_link.h"
 #include "server/app/line_input.h"
 #include "server/app/ports/line_mutex.h"
@@ -23,48 +24,6 @@ constexpr feed::Time kTick = std::chrono::milliseconds(1);
 constexpr feed::Time kCountersShown = std::chrono::milliseconds(20);  // news are told at once, counters alone so often
 constexpr std::string_view kHoldsControl = "holding the control: what it sent before is not taken yet";
 constexpr feed::Time kHoldShown = std::chrono::seconds(1);  // a hold has no deadline, but people see how long it lasts
-
-struct StateRow {
-  feed::State feed;
-  LineState line;
-  JobEnd end;
-};
-// One row a state of the feed, in its order.
-constexpr std::array<StateRow, feed::kStates> kStateRows = {{
-    {feed::State::idle, LineState::idle, JobEnd::none},
-    {feed::State::armed, LineState::armed, JobEnd::none},
-    {feed::State::sending, LineState::feeding, JobEnd::none},
-    {feed::State::held, LineState::held, JobEnd::none},
-    {feed::State::stopping, LineState::feeding, JobEnd::none},
-    {feed::State::stopping_held, LineState::held, JobEnd::none},
-    {feed::State::stopped, LineState::held, JobEnd::none},
-    {feed::State::stopped_held, LineState::held, JobEnd::none},
-    {feed::State::reset_suspected, LineState::held, JobEnd::none},
-    {feed::State::cancelling, LineState::feeding, JobEnd::none},
-    {feed::State::cancelling_held, LineState::held, JobEnd::none},
-    {feed::State::trailer, LineState::draining, JobEnd::none},
-    {feed::State::trailer_held, LineState::held, JobEnd::none},
-    {feed::State::draining, LineState::draining, JobEnd::none},
-    {feed::State::wait_end, LineState::draining, JobEnd::none},
-    {feed::State::ending, LineState::draining, JobEnd::none},
-    {feed::State::next_round, LineState::held, JobEnd::none},
-    {feed::State::done, LineState::idle, JobEnd::done},
-    {feed::State::failed, LineState::idle, JobEnd::failed},
-    {feed::State::torn, LineState::torn, JobEnd::failed},
-    {feed::State::cancelled, LineState::idle, JobEnd::cancelled},
-    {feed::State::disarmed, LineState::idle, JobEnd::disarmed},
-}};
-
-constexpr std::array kStopStates = {feed::State::stopping, feed::State::stopping_held, feed::State::stopped,
-                                    feed::State::stopped_held, feed::State::reset_suspected};
-
-constexpr bool rows_in_order() {
-  for (std::size_t i = 0; i < kStateRows.size(); ++i) {
-    if (static_cast<std::size_t>(kStateRows[i].feed) != i) return false;
-  }
-  return true;
-}
-static_assert(rows_in_order());
 
 double to_seconds(feed::Time time) { return static_cast<double>(time.count()) * 1e-9; }
 
@@ -259,7 +218,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     if (const auto quiet = input_ ? input_->deadline() : std::nullopt) {
       due = due ? std::min(*due, on_grid(*quiet)) : on_grid(*quiet);
     }
-    const bool held = kStateRows[static_cast<std::size_t>(feed_.state())].line == LineState::held;
+    const bool held = kFeedStateRows[static_cast<std::size_t>(feed_.state())].line == LineState::held;
     if (held) due = due ? std::min(*due, ticked_at_ + kHoldShown) : ticked_at_ + kHoldShown;
     if (untold_) due = due ? std::min(*due, published_at_ + kCountersShown) : published_at_ + kCountersShown;
     return due;
@@ -349,13 +308,13 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   // What is new is told at once. Counters alone are told now and then: they change with every write, and where a byte
   // lies in the text is looked up for each report.
   void publish() {
-    const StateRow& row = kStateRows[static_cast<std::size_t>(feed_.state())];
+    const FeedStateRow& row = kFeedStateRows[static_cast<std::size_t>(feed_.state())];
     const LineState state = state_now(row.line);
     const std::uint64_t received = input_ ? input_->count() : 0;
     // What the last job came to stays as it was while an answer is on the line.
     const JobEnd end = of_answer_ ? report_.end : row.end;
     const bool holds = input_ && input_->holding();
-    const AnswerReport answer = of_answer_ ? answer_now(row) : report_.answer;
+    const AnswerReport answer = of_answer_ ? answer_now() : report_.answer;
     const std::string_view of_feed = name_of(feed_.stall());
     const std::string_view stall = of_feed.empty() && holds ? kHoldsControl : of_feed;
     const bool changed = state != report_.state || end != report_.end || stall != report_.stall ||
@@ -375,7 +334,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     report_.received = received;
     report_.receptions_lost = input_ ? input_->lost() : 0;
     report_.answer = answer;
-    report_.stop_wanted = std::ranges::find(kStopStates, feed_.state()) != kStopStates.end();
+    report_.stop_wanted = std::ranges::find(kFeedStopStates, feed_.state()) != kFeedStopStates.end();
     if (!of_answer_) publish_job(feed_.counters());
     report_.char_s = to_seconds(feed_.paced_char_time());
     report_.unarmed_starts = unarmed_starts_;
@@ -385,12 +344,8 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     changed_();
   }
 
-  [[nodiscard]] AnswerReport answer_now(const StateRow& row) const {
-    const bool is_torn = row.feed == feed::State::torn;
-    const AnswerStage stage = row.feed == feed::State::armed ? AnswerStage::waiting
-                              : feed::has_job(row.feed)      ? AnswerStage::sending
-                              : is_torn                      ? AnswerStage::torn
-                                                             : AnswerStage::whole;
+  [[nodiscard]] AnswerReport answer_now() const {
+    const AnswerStage stage = answer_stage_of(feed_.state());
     const bool over = stage == AnswerStage::torn || stage == AnswerStage::whole;
     return {.serial = answer_serial_,
             .stage = stage,

@@ -90,11 +90,9 @@ std::string_view machine_state(const LineReport& report) {
 }  // namespace
 
 JobFollower::JobFollower(store::Store& store, Events& events, TextReader& texts, const Clock& clock)
-    : store_(store),
-      events_(events),
-      texts_(texts),
-      clock_(clock),
-      thread_("follower", kRound, Urgency::usual, [this] { round(); }) {}
+    : store_(store), events_(events), texts_(texts), clock_(clock), thread_("follower", kRound, Urgency::usual, [this] {
+        round();
+      }) {}
 
 void JobFollower::take(std::vector<Booked> lines, const std::string& complaint) {
   bool news = false;

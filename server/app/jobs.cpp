@@ -120,10 +120,18 @@ Result<store::NewJob> Jobs::prepare(store::Id release) {
   if (auto room = refuse_on_full_disk(books_.ballast()); !room) return std::unexpected(room.error());
   const auto row = store_.releases().get(release);
   if (!row) return std::unexpected(from_store(row.error()));
-  const auto profile = profile_of(row->of.machine);
+  const auto machine = lift(store_.machines().get(row->of.machine));
+  if (!machine) return std::unexpected(machine.error());
+  const auto profile = documents_.read_profile(machine->profile);
   if (!profile) return std::unexpected(profile.error());
-  const auto facts = check_program(store_.contents(), row->text_sha256, *profile, delivery_of(row->of.delivery));
-  if (!facts) return std::unexpected(facts.error());
+  const CheckedTexts::Key text{row->text_sha256, machine->name, machine->revision, row->of.delivery};
+  auto facts = checked_texts_.find(text);
+  if (!facts) {
+    const auto checked = check_program(store_.contents(), row->text_sha256, *profile, delivery_of(row->of.delivery));
+    if (!checked) return std::unexpected(checked.error());
+    checked_texts_.keep(text, *checked);
+    facts = *checked;
+  }
   if (auto whole = refuse_drip_into_folder(*profile, row->of.delivery); !whole) return std::unexpected(whole.error());
   const auto bytes = wire_bytes(*profile, *facts);
   if (!bytes) return std::unexpected(bytes.error());

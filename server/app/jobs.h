@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "server/app/books.h"
+#include "server/app/checked_texts.h"
 #include "server/app/documents.h"
 #include "server/app/error.h"
 #include "server/app/events.h"
@@ -67,6 +68,7 @@ class Jobs {
   Events& events_;
   const Clock& clock_;
   const Documents& documents_;
+  CheckedTexts checked_texts_;
 };
 
 }  // namespace dripfeed::app

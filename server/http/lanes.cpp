@@ -14,7 +14,6 @@
 
 #include <spdlog/spdlog.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 
 namespace dripfeed::http {
 
@@ -23,28 +22,25 @@ namespace {
 struct LaneRow {
   Lane lane;
   const char* thread_name;  // at most 15 characters
-  unsigned threads;         // 0: as many as there are cores, less one, but two
-  int nice;
+  unsigned threads;
   std::size_t most_waiting;
 };
+// None has a low priority: whoever holds the store's lock must not wait for the processor.
 constexpr std::array kLanes = {
-    LaneRow{Lane::command, "http command", 2, 0, 256},
-    LaneRow{Lane::write, "http write", 3, 0, 1024},
-    LaneRow{Lane::bulk, "http bulk", 2, 0, 64},  // it writes: a low priority would keep the store's lock from others
-    LaneRow{Lane::heavy, "http heavy", 0, 19, 32},
+    LaneRow{Lane::command, "http command", 2, 256},
+    LaneRow{Lane::write, "http write", 3, 1024},
+    LaneRow{Lane::bulk, "http bulk", 2, 64}
+    // These wait for worker processes, which have the low priority: as many as the desk has places to work and to wait,
+    // so that it is the desk that sends away who comes later.
+    LaneRow{Lane::heavy, "http heavy", 20, 32},
 };
-
-// Two at least: a sweep, of which there is one at a time, keeps no check waiting.
-unsigned thread_count(const LaneRow& row) {
-  return row.threads != 0 ? row.threads : std::max(2U, std::thread::hardware_concurrency() - 1U);
-}
 
 }  // namespace
 
 class Lanes::One {
  public:
   explicit One(const LaneRow& row) : row_(row) {
-    for (unsigned i = 0; i < thread_count(row); ++i) threads_.emplace_back([this] { loop(); });
+    for (unsigned i = 0; i < row.threads; ++i) threads_.emplace_back([this] { loop(); });
   }
   ~One() {
     for (std::thread& thread : threads_) thread.join();
@@ -78,10 +74,8 @@ class Lanes::One {
   }
 
  private:
-  // Linux keeps a nice value per thread; 0 names the calling one. A check never delays a feed.
   void loop() {
     ::prctl(PR_SET_NAME, row_.thread_name);
-    if (row_.nice != 0) ::setpriority(PRIO_PROCESS, 0, row_.nice);
     std::unique_lock lock(mutex_);
     while (true) {
       changed_.wait(lock, [this] { return stopped_ || !waiting_.empty(); });

@@ -5,7 +5,7 @@
 //   command  stop, cancel, resume, arm, confirm: what a person at a machine waits for
 //   write    small changes of the store
 //   bulk     texts: uploads, long answers, files
-//   heavy    checks, rendering, sweeps, at the lowest priority
+//   heavy    checks, rendering, sweeps: they wait for worker processes
 //
 // Each lane has a queue with an end: who comes later is asked to come again.
 #pragma once

@@ -47,6 +47,12 @@ constexpr std::array kJobRules = {
         "SELECT 'machine/' || machine FROM job j WHERE state IN ('armed', 'feeding', 'held', 'draining') AND EXISTS "
         "(SELECT 1 FROM job t WHERE t.machine = j.machine AND t.torn AND t.confirmed_at_ms = 0)",
         "a job has its line, although a torn block waits for a confirmation"},
+    JobRule{
+        "SELECT 'machine/' || machine FROM job j WHERE state IN ('armed', 'feeding', 'held', 'draining') AND EXISTS "
+        "(SELECT 1 FROM answer a WHERE a.machine = j.machine AND a.state = 'torn' AND a.confirmed_at_ms = 0)",
+        "a job has its line, although a torn answer waits for a confirmation"},
+    JobRule{"SELECT 'answer/' || id FROM answer WHERE confirmed_at_ms <> 0 AND state <> 'torn'",
+            "a reset was confirmed for it, but it is not torn"},
 };
 
 class Verifier {
@@ -111,8 +117,10 @@ class Verifier {
       auto looked = each(rule.sql, "job", [&](Query& query) { fault(query.text(), std::string(rule.what)); });
       if (!looked) return looked;
     }
-    return each("SELECT count(DISTINCT machine) FROM job WHERE torn AND confirmed_at_ms = 0", "job",
-                [&](Query& query) { found_.torn_machines = query.number(); });
+    return each(
+        "SELECT count(*) FROM (SELECT machine FROM job WHERE torn AND confirmed_at_ms = 0 UNION "
+        "SELECT machine FROM answer WHERE state = 'torn' AND confirmed_at_ms = 0)",
+        "job", [&](Query& query) { found_.torn_machines = query.number(); });
   }
 
   Result<void> look_at_ledger() {

@@ -31,8 +31,8 @@ class LineWaits {
     while (waited.count() > known && !longest_ns().compare_exchange_weak(known, waited.count())) continue;
     static const std::chrono::nanoseconds kLimit = limit();
     if (kLimit.count() == 0 || waited <= kLimit) return;
-    fmt::print(stderr, "dripfeed: a thread that serves lines waited {:.1f} ms for the lock of {}\n",
-               static_cast<double>(waited.count()) * 1e-6, mutex);
+    fmt::print(stderr, "dripfeed: a thread that serves lines waited {} us for the lock of {}\n",
+               std::chrono::duration_cast<std::chrono::microseconds>(waited).count(), mutex);
     std::abort();
   }
 

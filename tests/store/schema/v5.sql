@@ -118,6 +118,7 @@ CREATE TABLE answer (
 INSERT INTO migration VALUES (1,'first','3abb161952f9b38cce1d276752d72105593f263d36be3c166a5f1aa9b33342b1');
 INSERT INTO migration VALUES (2,'arming expires','f13dc8d21737d4740f28dd7b2bb6a5dbd94e148fc3a06115b624c91a16e7b548');
 INSERT INTO migration VALUES (3,'receipts','671aa55427840186b63f8fa01debc6181110f354518b5bb6644b5029812dcc70');
+INSERT INTO migration VALUES (4,'torn jobs by index','f6c526a50606ff0315e1ec513bd900e4196b904eeabb0335eae3cff8bcd1f6bb');
 INSERT INTO migration VALUES (5,'answers are booked','44021872ea22c01643f252c7d39d34ad3dc1373c16e4cc383d05b1b8093e8c55');
 INSERT INTO machine VALUES ('mill-1',1);
 INSERT INTO machine_revision VALUES ('mill-1',1,'profile','tester',1000);
@@ -161,6 +162,7 @@ INSERT INTO token VALUES (1,'mes','operator','hash','tester',1000,0);
 INSERT INTO reply VALUES ('mes','POST /jobs','k','x',201,'','body',5);
 INSERT INTO receipt VALUES (1,'mill-1','O7','number','d1d47ca349a4552de786b6b202bc58d2a08ecc87b8bd3443b4e341a29c40400f',14,'iso','punch_off','stored','',1000,NULL,NULL,'','',0);
 INSERT INTO request VALUES (1,'mill-1','load','42','%','armed','job 1',1,1000);
+INSERT INTO answer VALUES (1,'mill-1',40,'sending','',6,0,'','',0);
 CREATE INDEX part_revision_family ON part_revision (family, part);
 CREATE INDEX program_name ON program (name);
 CREATE INDEX program_revision_sha256 ON program_revision (sha256);
@@ -174,7 +176,6 @@ CREATE UNIQUE INDEX text_release_valid ON text_release (sha256, machine, deliver
 CREATE INDEX text_release_program ON text_release (program);
 CREATE INDEX text_release_machine ON text_release (machine);
 CREATE UNIQUE INDEX job_line ON job (machine) WHERE state IN ('armed', 'feeding', 'held', 'draining');
-CREATE INDEX job_torn ON job (machine) WHERE torn = 1 AND confirmed_at_ms = 0;
 CREATE INDEX job_machine ON job (machine);
 CREATE INDEX job_state ON job (state);
 CREATE INDEX audit_subject ON audit (subject);
@@ -242,6 +243,7 @@ CREATE TRIGGER request_delete BEFORE DELETE ON request BEGIN SELECT RAISE(ABORT,
 CREATE TRIGGER content_chunk_delete_received BEFORE DELETE ON content_chunk
 WHEN EXISTS (SELECT 1 FROM content JOIN receipt r ON r.sha256 = content.sha256 WHERE content.id = OLD.content)
 BEGIN SELECT RAISE(ABORT, 'append-only'); END;
+CREATE INDEX job_torn ON job (machine, torn, confirmed_at_ms) WHERE torn = 1 AND confirmed_at_ms = 0;
 CREATE INDEX answer_machine ON answer (machine, id);
 CREATE INDEX answer_torn ON answer (machine) WHERE state = 'torn' AND confirmed_at_ms = 0;
 CREATE INDEX answer_sending ON answer (id) WHERE state = 'sending';

@@ -61,7 +61,7 @@ TEST_F(ApplicationTest, AfterAKillJobsAreInterruptedAndNothingMoves) {
   EXPECT_EQ(events.front().job.state, JobState::interrupted);
 
   const MachineStatus status = server.application->status(kLathe);
-  EXPECT_EQ(status.report.state, LineState::torn) << "the new line does not know, the books do";
+  EXPECT_EQ(status.report.state, LineState::torn) << "the line is made as it was left";
   ASSERT_TRUE(status.needs_confirmation);
   EXPECT_EQ(status.needs_confirmation->id, job.id);
   server.links.receive(url_of(kLathe), kDc1);
@@ -103,6 +103,8 @@ TEST_F(ApplicationTest, ShowsTheBlockThatIsOnTheWay) {
     must(jobs.arm(job.id, std::nullopt, "olga"));
     const std::size_t before = server.written().size();
     server.links.receive(url_of(kLathe), kDc1);
+    jobs.settle();  // the first window is reserved
+    server.links.settle();
     for (int i = 0; i < 80; ++i) {
       server.links.advance(3ms);
       server.links.receive(url_of(kLathe), kDc3);  // news are told at once, counters alone only every 20 ms
@@ -139,6 +141,8 @@ TEST_F(ApplicationTest, AnOrderlyEndCancelsAtABlockEnd) {
     must(jobs.arm(fed, std::nullopt, "olga"));
     must(jobs.arm(armed, std::nullopt, "olga"));
     server.links.receive(url_of("lathe"), kDc1);
+    jobs.settle();  // the first window is reserved
+    server.links.settle();
     server.links.advance(100ms);
     ASSERT_NE(server.written().back(), '\n');
     // Time goes on while the server ends.

@@ -2,7 +2,6 @@
 #include "server/app/receiving.h"
 
 #include <chrono>
-#include <filesystem>
 
 #include "protocol/tape_code/parity.h"
 #include "tests/unit/server/app/shop.h"
@@ -33,12 +32,6 @@ class TunedDocuments final : public Documents {
  private:
   PlainDocuments plain_;
 };
-
-// What a killed server leaves on its disk.
-std::string killed_copy(const std::string& database) {
-  for (const char* ending : {"", "-wal"}) std::filesystem::copy_file(database + ending, database + "-killed" + ending);
-  return database + "-killed";
-}
 
 std::string on_wire(std::string_view text) {
   std::string wire;

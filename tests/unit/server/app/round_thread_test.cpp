@@ -81,7 +81,7 @@ TEST(LineMutexDeathTest, EndsTheProcessByNameWhereALimitIsSet) {
   ::testing::FLAGS_gtest_death_test_style = "threadsafe";
   ::setenv("DRIPFEED_LOCK_LIMIT_MS", "5", 1);
   LineMutex mutex("a lock over slow work");
-  EXPECT_DEATH(wait_for(mutex, 100ms), "waited .* ms for the lock of a lock over slow work");
+  EXPECT_DEATH(wait_for(mutex, 100ms), "waited .* us for the lock of a lock over slow work");
   ::unsetenv("DRIPFEED_LOCK_LIMIT_MS");
 }
 

@@ -2,6 +2,7 @@
 #include "tests/unit/server/app/shop.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace dripfeed::app::test {
 
@@ -58,6 +59,14 @@ store::Release release_text(store::Store& store, const std::string& machine, con
   must(store.releases().move(release.id, {store::ReleaseState::in_review, "", 0}, by("anna")));
   must(store.releases().move(release.id, {store::ReleaseState::proving, "", 100}, by("boris")));
   return must(store.releases().move(release.id, {store::ReleaseState::approved, "measured", 0}, by("boris")));
+}
+
+std::string killed_copy(const std::string& database) {
+  for (const char* ending : {"", "-wal"}) {
+    std::filesystem::copy_file(database + ending, database + "-killed" + ending,
+                               std::filesystem::copy_options::overwrite_existing);
+  }
+  return database + "-killed";
 }
 
 Shop::Shop(const std::string& database, BusSeatMaker take_seat, Ballast* ballast)

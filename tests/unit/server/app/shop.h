@@ -52,6 +52,9 @@ Error refusal(const Result<T>& result) {
 inline store::Stamp by(std::string actor) { return {std::move(actor), dripfeed::test::VirtualClock::kWallStart_ms}; }
 inline std::string url_of(const std::string& machine) { return "pty:/machine/" + machine; }
 
+// A copy of what a server that is killed now leaves on its disk.
+std::string killed_copy(const std::string& database);
+
 // A text that is released for this machine, with a passing verdict and an approval.
 store::Release release_text(store::Store& store, const std::string& machine, const std::string& text,
                             store::Delivery delivery = store::Delivery::drip);
