@@ -29,7 +29,7 @@ struct LaneRow {
 constexpr std::array kLanes = {
     LaneRow{Lane::command, "http command", 2, 256},
     LaneRow{Lane::write, "http write", 3, 1024},
-    LaneRow{Lane::bulk, "http bulk", 2, 64}
+    LaneRow{Lane::bulk, "http bulk", 2, 64},
     // These wait for worker processes, which have the low priority: as many as the desk has places to work and to wait,
     // so that it is the desk that sends away who comes later.
     LaneRow{Lane::heavy, "http heavy", 20, 32},
