@@ -1,4 +1,4 @@
-// Looks at the log's length twice a second.
+// Looks at the log's length five times a second.
 #include "store/sqlite/checkpointer.h"
 
 #include <chrono>
@@ -11,7 +11,7 @@
 namespace dripfeed::sqlite {
 namespace {
 
-constexpr std::chrono::milliseconds kLookEvery{500};
+constexpr std::chrono::milliseconds kLookEvery{200};
 
 }  // namespace
 

@@ -14,8 +14,9 @@ namespace dripfeed::sqlite {
 
 class Checkpointer {
  public:
-  // The log is brought in when it is longer than this.
-  static constexpr std::uint64_t kLogBytes = std::uint64_t{4} << 20U;
+  // The log is brought in when it is longer than this: often and little, because the disk makes a commit wait for what
+  // is being written beside it.
+  static constexpr std::uint64_t kLogBytes = std::uint64_t{1} << 20U;
   // Where the thread cannot keep up, or fails, a commit does it all the same: in pages of 4 KiB.
   static constexpr std::uint32_t kFallbackPages = 65'536;
 
