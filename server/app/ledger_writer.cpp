@@ -18,6 +18,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kRound{100};
 constexpr feed::Time kRestoreEvery = std::chrono::seconds(10);
+constexpr std::chrono::milliseconds kSlowCommit{100};
+constexpr feed::Time kSlowAgain = std::chrono::seconds(10);
 constexpr std::string_view kActor = "dripfeed";
 
 void add_note(std::string& note, std::string_view more) {
@@ -191,10 +193,8 @@ std::optional<store::NewLedgerRow> LedgerWriter::row_of(const Due& due) {
   const bool runs = report.end == JobEnd::none;
   row.counts.reserve = std::max(tracked.committed.reserve, report.handed);
   if (may_leave(report) && begin_record(due, fmt::format("job {}", report.job))) {
-    // A window is opened anew when half of it is used, so that a feed at full speed never meets its end.
-    const std::uint64_t window = reserve_window(report);
-    const bool open_more = tracked.committed.reserve < report.handed + window / 2 + window / 4;
-    if (open_more) row.counts.reserve = std::max(row.counts.reserve, std::min(report.handed + window, report.total));
+    // Every row opens the window anew, so that a commit may take most of a window's time and no feed meets its end.
+    row.counts.reserve = std::max(row.counts.reserve, std::min(report.handed + reserve_window(report), report.total));
   }
   // A job that is over hands nothing more: what it had left of its window is given back.
   if (!runs) row.counts.reserve = report.handed;
@@ -237,13 +237,23 @@ bool LedgerWriter::commit_rows(const std::vector<Due>& all) {
 
 // On a full disk the ballast makes room, once.
 store::Result<std::vector<store::LedgerFault>> LedgerWriter::append(std::span<const store::NewLedgerRow> rows) {
+  const auto begun = std::chrono::steady_clock::now();
   auto faults = store_.ledger().append(rows, clock_.wall_ms());
+  report_slow_commit(std::chrono::steady_clock::now() - begun);
   const bool full = !faults && faults.error().code == store::ErrorCode::disk_full;
   if (full && ballast_ != nullptr && ballast_->give_up()) {
     restore_at_ = clock_.now() + kRestoreEvery;
     faults = store_.ledger().append(rows, clock_.wall_ms());
   }
   return faults;
+}
+
+// A feed runs for half a second on what is reserved for it; a start waits for its first window.
+void LedgerWriter::report_slow_commit(std::chrono::nanoseconds took) {
+  if (took < kSlowCommit || clock_.now() < slow_again_at_) return;
+  slow_again_at_ = clock_.now() + kSlowAgain;
+  spdlog::warn("ledger: a commit took {} ms; the disk of the store is slow",
+               std::chrono::duration_cast<std::chrono::milliseconds>(took).count());
 }
 
 // The rows are durable: their windows may be used.

@@ -94,6 +94,7 @@ class LedgerWriter {
                     const std::vector<Due>& all);
   store::Result<std::vector<store::LedgerFault>> append(std::span<const store::NewLedgerRow> rows);
   void after_commit(const Due& due);
+  void report_slow_commit(std::chrono::nanoseconds took);
 
   store::Store& store_;
   Lines& lines_;
@@ -101,6 +102,7 @@ class LedgerWriter {
   Ballast* ballast_;
   Take take_;
   feed::Time restore_at_{};
+  feed::Time slow_again_at_{};
   std::map<std::string, Tracked> tracked_;
   std::string complaint_;  // why the last commit failed; empty: it did not
 
