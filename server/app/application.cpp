@@ -99,6 +99,14 @@ Result<void> Application::start() {
   return catalog_.open_lines();
 }
 
+std::optional<TornBlock> Application::torn_on(const std::string& machine, const LineReport& report) {
+  if (const auto job = store_.jobs().torn_on(machine); job && *job) return TornBlock{(*job)->id, (*job)->reason};
+  if (const auto why = torn_in_store(store_, machine); why && !why->empty()) return TornBlock{0, *why};
+  if (report.state != LineState::torn) return std::nullopt;
+  const std::string why = lines_.why_torn(machine);
+  return TornBlock{0, why.empty() ? "a block broke off on this line" : why};
+}
+
 MachineStatus Application::status(const std::string& machine) {
   MachineStatus status;
   if (const auto line = lines_.find(machine)) {
@@ -106,7 +114,7 @@ MachineStatus Application::status(const std::string& machine) {
   } else {
     status.report.link_error = lines_.why_none(machine);
   }
-  if (const auto torn = store_.jobs().torn_on(machine); torn && *torn) status.needs_confirmation = **torn;
+  status.needs_confirmation = torn_on(machine, status.report);
   if (status.needs_confirmation && status.report.state != LineState::torn) status.report.state = LineState::torn;
   if (status.report.job == 0) return status;
   const auto job = store_.jobs().get(status.report.job);
@@ -120,7 +128,7 @@ MachineStatus Application::status(const std::string& machine) {
 
 void Application::cancel_all() {
   bool any = false;
-  for (const auto& [machine, line, claim] : lines_.all()) {
+  for (const auto& [machine, line, claim, left] : lines_.all()) {
     if (!runs(*line)) continue;
     any = true;
     const LineState state = line->report().state;
@@ -133,7 +141,7 @@ void Application::cancel_all() {
   while (any && std::chrono::steady_clock::now() < until) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     any = false;
-    for (const auto& [machine, line, claim] : lines_.all()) any = any || runs(*line);
+    for (const auto& [machine, line, claim, left] : lines_.all()) any = any || runs(*line);
   }
 }
 

@@ -16,12 +16,18 @@
 
 namespace dripfeed::app {
 
+// A block that may be torn at the control, until a person confirms that it was reset.
+struct TornBlock {
+  store::Id job = 0;  // 0: an answer to the operator, or another program on the line
+  std::string text;   // why
+};
+
 // Where a machine's line stands, with the block at the sent position.
 struct MachineStatus {
   LineReport report;
   std::string program;     // name of the job's program
   std::string block_text;  // the block in which the last handed character lies
-  std::optional<store::Job> needs_confirmation;
+  std::optional<TornBlock> needs_confirmation;
 };
 
 class Application {
@@ -63,6 +69,7 @@ class Application {
   Receiving& receiving() { return receiving_; }
 
  private:
+  std::optional<TornBlock> torn_on(const std::string& machine, const LineReport& report);
   void cancel_all();
   void line_changed();
 

@@ -115,6 +115,7 @@ Result<Seat> Lines::make_seat(const machine::Profile& profile) {
       make_line(profile.line, thread_, take_seat_, changed_, torn->empty() ? feed::LeftAs::whole : feed::LeftAs::torn);
   if (!line) return std::unexpected(line.error());
   seat.line = std::move(*line);
+  seat.left_torn = std::move(*torn);
   return seat;
 }
 
@@ -152,6 +153,11 @@ std::string Lines::why_none(const std::string& machine) const {
   const std::lock_guard lock(mutex_);
   const auto known = refusals_.find(machine);
   return known == refusals_.end() ? std::string() : known->second;
+}
+
+std::string Lines::why_torn(const std::string& machine) const {
+  const auto known = entry_of(machine);
+  return known ? known->seat.left_torn : std::string();
 }
 
 std::vector<Seat> Lines::all() const {

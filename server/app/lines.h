@@ -24,6 +24,7 @@ struct Seat {
   std::string machine;
   std::shared_ptr<Line> line;
   std::shared_ptr<LineClaim> claim;  // for the ledger's thread only
+  std::string left_torn{};           // why it was made torn, "" where it was not
 };
 
 class Lines {
@@ -45,6 +46,8 @@ class Lines {
   [[nodiscard]] std::shared_ptr<Line> find(const std::string& machine) const;
   // Why a machine that was set has none; "" where it has.
   [[nodiscard]] std::string why_none(const std::string& machine) const;
+  // Why the machine's line was made torn; "" where it was not.
+  [[nodiscard]] std::string why_torn(const std::string& machine) const;
   [[nodiscard]] std::vector<Seat> all() const;
 
  private:

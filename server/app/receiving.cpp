@@ -51,7 +51,7 @@ Receiving::~Receiving() { stop(); }
 
 void Receiving::round() {
   const std::lock_guard lock(round_mutex_);
-  for (const auto& [machine, line, claim] : lines_.all()) {
+  for (const auto& [machine, line, claim, left] : lines_.all()) {
     expect_read_back(machine, line->report());
     for (const Reception& reception : line->take_receptions()) {
       const auto profile = profile_of(machine);

@@ -11,6 +11,7 @@ namespace dripfeed::json {
 namespace {
 
 Document time_or_null(std::int64_t at_ms) { return at_ms == 0 ? Document(nullptr) : Document(at_ms); }
+Document id_or_null(store::Id id) { return id == 0 ? Document(nullptr) : Document(id); }
 Document text_or_null(std::string_view text) { return text.empty() ? Document(nullptr) : Document(text); }
 
 Document machine_document(const std::optional<app::MachineReport>& machine) {
@@ -22,7 +23,7 @@ Document status_document(const app::MachineStatus& status) {
   const app::LineReport& r = status.report;
   Document waits = nullptr;
   if (status.needs_confirmation)
-    waits = {{"job", status.needs_confirmation->id}, {"text", status.needs_confirmation->reason}};
+    waits = {{"job", id_or_null(status.needs_confirmation->job)}, {"text", status.needs_confirmation->text}};
   return {{"line", app::name_of(r.state)},
           {"stall", text_or_null(r.stall)},
           {"link_error", text_or_null(r.link_error)},

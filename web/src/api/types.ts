@@ -42,7 +42,7 @@ export interface PlcReport {
 }
 
 export interface TornBlock {
-  job: number;
+  job: number | null; // null: an answer to the operator, or another program on the line
   text: string;
 }
 

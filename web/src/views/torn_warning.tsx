@@ -18,20 +18,20 @@ export function TornWarning({ machine }: { machine: MachineItem }) {
   return (
     <section class="torn" role="alert" aria-label={`Torn block on ${machine.name}`}>
       <h3>
-        <Icon tone="bad" /> Torn block{torn ? `, job ${torn.job}` : ''}
+        <Icon tone="bad" /> Torn block{torn?.job ? `, job ${torn.job}` : ''}
       </h3>
       <p>
         The feed broke off inside a block: the control may hold a part of it. Nothing more goes out on this line until a
         person confirms that the control was reset.
       </p>
       {torn && <p class="torn-text">{reasonText(torn.text)}</p>}
-      {may && torn && isLive(state) && (
+      {may && isLive(state) && (
         <button type="button" class="button button-danger" onClick={() => setOpen(true)}>
           I have reset the control…
         </button>
       )}
       {!may && <p class="hint">An operator can confirm the reset.</p>}
-      {open && torn && (
+      {open && (
         <OrderDialog
           title={`The control of ${machine.name} was reset?`}
           confirm="I have reset the control"
@@ -41,7 +41,7 @@ export function TornWarning({ machine }: { machine: MachineItem }) {
           send={(key, reason) => calls.confirmReset(machine.name, reason, key)}
           close={() => setOpen(false)}
         >
-          <p class="torn-text">{reasonText(torn.text)}</p>
+          {torn && <p class="torn-text">{reasonText(torn.text)}</p>}
           <p>
             Confirm this only after the control was reset and holds no part of the broken block. Then the line may be
             used again; nothing is sent by that.

@@ -63,7 +63,7 @@ TEST_F(ApplicationTest, AfterAKillJobsAreInterruptedAndNothingMoves) {
   const MachineStatus status = server.application->status(kLathe);
   EXPECT_EQ(status.report.state, LineState::torn) << "the line is made as it was left";
   ASSERT_TRUE(status.needs_confirmation);
-  EXPECT_EQ(status.needs_confirmation->id, job.id);
+  EXPECT_EQ(status.needs_confirmation->job, job.id);
   server.links.receive(url_of(kLathe), kDc1);
   server.links.advance(10s);
   EXPECT_EQ(server.written(), "");

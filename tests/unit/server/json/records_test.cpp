@@ -101,7 +101,7 @@ TEST(Records, TheStateOfALine) {
   status.report.machine = {.state = "alarm", .program = 42, .line = 17, .alarm = 1010};
   EXPECT_THAT(machine_status(status),
               HasSubstr(R"("plc":{"state":"alarm","program":42,"line":17,"alarm":1010},"program":"O1")"));
-  status.needs_confirmation = a_job();
+  status.needs_confirmation = app::TornBlock{7, a_job().reason};
   EXPECT_THAT(machine_status(status), HasSubstr(R"("needs_confirmation":{"job":7,"text":"syn: between)"));
 }
 
