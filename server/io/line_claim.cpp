@@ -30,7 +30,7 @@ constexpr std::size_t kMostNameBytes = 180;  // of a file name, without its endi
 
 std::int64_t wall_ms() { return SteadyClock().wall_ms(); }
 
-// Letters, digits, '.', '-' and '_' as they are; all else as %XX. Long names are told apart by their sum.
+// Letters, digits, '.', '-' and '_' as they are; all else as %XX. Their sum keeps long names distinct.
 std::string file_name_of(std::string_view name) {
   std::string file;
   for (const char c : name) {

@@ -78,7 +78,7 @@ std::expected<WorkerProcess, std::string> WorkerDesk::take_process() {
 
 void WorkerDesk::make_ready() {
   auto started = WorkerProcess::start(settings_.command);
-  if (!started) return;  // it is tried again when it is needed, and then it is said
+  if (!started) return;  // the next piece of work tries again, and reports why there is no process
   const std::lock_guard lock(mutex_);
   if (!ready_) ready_.emplace(std::move(*started));
 }
