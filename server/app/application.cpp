@@ -100,11 +100,10 @@ Result<void> Application::start() {
 }
 
 std::optional<TornBlock> Application::torn_on(const std::string& machine, const LineReport& report) {
-  if (const auto job = store_.jobs().torn_on(machine); job && *job) return TornBlock{(*job)->id, (*job)->reason};
-  if (const auto why = torn_in_store(store_, machine); why && !why->empty()) return TornBlock{0, *why};
+  if (const auto known = torn_in_store(store_, machine); known && *known) return *known;
   if (report.state != LineState::torn) return std::nullopt;
   const std::string why = lines_.why_torn(machine);
-  return TornBlock{0, why.empty() ? "a block broke off on this line" : why};
+  return TornBlock{.text = why.empty() ? "a block broke off on this line" : why};
 }
 
 MachineStatus Application::status(const std::string& machine) {

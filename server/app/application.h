@@ -16,12 +16,6 @@
 
 namespace dripfeed::app {
 
-// A block that may be torn at the control, until a person confirms that it was reset.
-struct TornBlock {
-  store::Id job = 0;  // 0: an answer to the operator, or another program on the line
-  std::string text;   // why
-};
-
 // Where a machine's line stands, with the block at the sent position.
 struct MachineStatus {
   LineReport report;

@@ -43,7 +43,7 @@ bool Books::settle() {
     return std::max(std::chrono::milliseconds(0),
                     std::chrono::duration_cast<std::chrono::milliseconds>(until - std::chrono::steady_clock::now()));
   };
-  return texts_.settle(left()) && ledger_.settle(left()) && follower_.settle(left());
+  return ledger_.settle(left()) && follower_.settle(left());
 }
 
 }  // namespace dripfeed::app

@@ -36,6 +36,8 @@ class Books {
   // Until what the lines did by now is booked and the jobs follow it. False when that takes longer than people should
   // wait for an answer; it happens all the same, as soon as the disk lets it.
   bool settle();
+  // Until the texts are read as far ahead as they may be. For a test, whose feeds take no time of their own.
+  bool read_ahead(std::chrono::milliseconds patience) { return texts_.settle(patience); }
   [[nodiscard]] const Ballast* ballast() const { return ballast_; }
 
  private:

@@ -119,10 +119,8 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   std::expected<void, std::string> hear_first() {
     if (link_.get() == nullptr) return {};
     take_input();
-    const bool unheard = link_.get() != nullptr && link_.get()->unheard();
     settle();
-    if (!unheard) return {};
-    return std::unexpected("the other side sends faster than it can be heard: nothing is armed until that ends");
+    return link_.all_heard();
   }
 
   std::expected<void, std::string> answer_here(Answer answer) {

@@ -95,17 +95,15 @@ JobFollower::JobFollower(store::Store& store, Events& events, TextReader& texts,
       }) {}
 
 void JobFollower::take(std::vector<Booked> lines, const std::string& complaint) {
-  bool news = false;
   {
     const std::lock_guard lock(mutex_);
-    news = waiting_complaint_ != complaint;
     waiting_complaint_ = complaint;
     for (Booked& line : lines) {
       const std::string machine = line.machine;
       waiting_[machine] = std::move(line);
     }
   }
-  if (news || !lines.empty()) thread_.wake();
+  thread_.wake();
 }
 
 void JobFollower::round() {

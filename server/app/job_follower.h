@@ -36,7 +36,6 @@ class JobFollower {
     bool over = true;
     std::uint64_t starts_alarmed = 0;  // unarmed starts that an alarm has reported
     feed::Time quiet_until{};          // until then, further ones are only counted
-    feed::Time started_at{};           // the last one
   };
 
   void round();

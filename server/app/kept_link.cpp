@@ -43,6 +43,11 @@ void KeptLink::was_lost(std::string_view reason) {
   open_later();
 }
 
+std::expected<void, std::string> KeptLink::all_heard() const {
+  if (!link_ || !link_->unheard()) return {};
+  return std::unexpected("the other side sends faster than it can be heard: nothing is armed until that ends");
+}
+
 void KeptLink::tick(feed::Time now) {
   if (!link_ && now >= reopen_at_) open();
 }

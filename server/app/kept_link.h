@@ -2,6 +2,7 @@
 // on the links' thread. What comes over it is the line's own matter.
 #pragma once
 
+#include <expected>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,8 @@ class KeptLink {
   // Nothing while there is none.
   [[nodiscard]] Link* get() const { return link_.get(); }
   [[nodiscard]] bool is_up() const { return up_; }
+  // Whether all that came was read; or why nothing is armed now.
+  [[nodiscard]] std::expected<void, std::string> all_heard() const;
   // Why it is down; empty while it is up, or was never lost.
   [[nodiscard]] const std::string& error() const { return error_; }
   [[nodiscard]] const machine::LineSettings& settings() const { return settings_; }

@@ -2,8 +2,8 @@
 // running jobs and reserves what may be handed next; then the lines get their windows. An answer to an operator is
 // booked before it leaves, and each line's own record says that it is sending before its first byte may leave.
 //
-// Its thread waits for what must be on the disk before a byte may leave, and for nothing else: no job moves here, nothing
-// is published, no text is read. Whoever does that gets what was booked.
+// Its thread waits for what must be on the disk before a byte may leave, and for nothing else: no job moves here,
+// nothing is published, no text is read. Whoever does that gets what was booked.
 #pragma once
 
 #include <functional>

@@ -7,14 +7,14 @@
 
 namespace dripfeed::app {
 
-Result<std::string> torn_in_store(store::Store& store, const std::string& machine) {
+Result<std::optional<TornBlock>> torn_in_store(store::Store& store, const std::string& machine) {
   const auto job = lift(store.jobs().torn_on(machine));
   if (!job) return std::unexpected(job.error());
-  if (*job) return fmt::format("job {} broke off inside a block ({})", (*job)->id, (*job)->reason);
+  if (*job) return TornBlock{.job = (*job)->id, .text = (*job)->reason};
   const auto answer = lift(store.answers().torn_on(machine));
   if (!answer) return std::unexpected(answer.error());
-  if (*answer) return fmt::format("an answer to its operator broke off inside a block ({})", (*answer)->reason);
-  return std::string();
+  if (!*answer) return std::nullopt;
+  return TornBlock{.text = fmt::format("an answer to its operator broke off inside a block ({})", (*answer)->reason)};
 }
 
 LineHistory history_of(store::Store& store, ClaimLine claim) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "server/app/error.h"
@@ -11,15 +12,21 @@
 
 namespace dripfeed::app {
 
+// A block that may be torn at the control, until a person confirms that it was reset.
+struct TornBlock {
+  store::Id job = 0;  // 0: an answer to the operator, or another program on the line
+  std::string text;   // why
+};
+
 struct LineHistory {
-  // Why a block may be torn at this machine's control, "" for nothing. An error makes no line.
-  std::function<Result<std::string>(const std::string& machine)> torn;
+  // The block that may be torn at this machine's control. An error makes no line.
+  std::function<Result<std::optional<TornBlock>>(const std::string& machine)> torn;
   // Takes the line for this process; empty: lines are not claimed, as in a test without a system.
   ClaimLine claim;
 };
 
 // What the store has of a machine: a torn job, or a torn answer.
-Result<std::string> torn_in_store(store::Store& store, const std::string& machine);
+Result<std::optional<TornBlock>> torn_in_store(store::Store& store, const std::string& machine);
 
 LineHistory history_of(store::Store& store, ClaimLine claim);
 

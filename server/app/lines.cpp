@@ -104,18 +104,22 @@ Result<Seat> Lines::make_seat(const machine::Profile& profile) {
     if (!claim) return fail(ErrorCode::refused, claim.error());
     seat.claim = std::move(*claim);
   }
-  auto torn = history_.torn(profile.name);
+  const auto torn = history_.torn(profile.name);
   if (!torn) return std::unexpected(torn.error());
-  if (torn->empty() && seat.claim) *torn = seat.claim->torn();
-  if (!torn->empty()) {
+  if (*torn) {
+    seat.left_torn = (*torn)->text;
+  } else if (seat.claim) {
+    seat.left_torn = seat.claim->torn();
+  }
+  const bool is_torn = *torn || !seat.left_torn.empty();
+  if (is_torn) {
     spdlog::warn("{}: nothing leaves on its line before a person confirms that the control was reset: {}", profile.name,
-                 *torn);
+                 seat.left_torn);
   }
   auto line =
-      make_line(profile.line, thread_, take_seat_, changed_, torn->empty() ? feed::LeftAs::whole : feed::LeftAs::torn);
+      make_line(profile.line, thread_, take_seat_, changed_, is_torn ? feed::LeftAs::torn : feed::LeftAs::whole);
   if (!line) return std::unexpected(line.error());
   seat.line = std::move(*line);
-  seat.left_torn = std::move(*torn);
   return seat;
 }
 

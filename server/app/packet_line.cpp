@@ -124,10 +124,8 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
   std::expected<void, std::string> hear_first() {
     if (link_.get() == nullptr) return {};
     take_input();
-    const bool unheard = link_.get() != nullptr && link_.get()->unheard();
     settle();
-    if (!unheard) return {};
-    return std::unexpected("the other side sends faster than it can be heard: nothing is armed until that ends");
+    return link_.all_heard();
   }
 
   std::expected<void, std::string> arm_here(LineOrder order) {

@@ -194,6 +194,7 @@ int run_server(const Options& options, const http::ListenAddress& address, store
   auto server = http::Server::start({.address = address,
                                      .tls_certificate = options.tls_certificate,
                                      .tls_key = options.tls_key,
+                                     .heavy_threads = desk.threads(),
                                      .proxies = options.proxies},
                                     {.plan = http::Api::plan,
                                      .refuse_long = [&](const http::Request& r) { return api.refuse_long(r); },

@@ -5,15 +5,15 @@
 #include <array>
 #include <condition_variable>
 #include <deque>
-#include <exception>
 #include <mutex>
 #include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
 
-#include <spdlog/spdlog.h>
 #include <sys/prctl.h>
+
+#include "server/app/fence.h"
 
 namespace dripfeed::http {
 
@@ -22,25 +22,22 @@ namespace {
 struct LaneRow {
   Lane lane;
   const char* thread_name;  // at most 15 characters
-  unsigned threads;
+  unsigned threads;         // 0: as many as the caller says
   std::size_t most_waiting;
 };
 // None has a low priority: whoever holds the store's lock must not wait for the processor.
 constexpr std::array kLanes = {
-    LaneRow{Lane::command, "http command", 2, 256},
-    LaneRow{Lane::write, "http write", 3, 1024},
+    LaneRow{Lane::command, "http command", 2, 256}, LaneRow{Lane::write, "http write", 3, 1024},
     LaneRow{Lane::bulk, "http bulk", 2, 64},
-    // These wait for worker processes, which have the low priority: as many as the desk has places to work and to wait,
-    // so that it is the desk that sends away who comes later.
-    LaneRow{Lane::heavy, "http heavy", 20, 32},
+    LaneRow{Lane::heavy, "http heavy", 0, 32},  // they wait for worker processes, which have the low priority
 };
 
 }  // namespace
 
 class Lanes::One {
  public:
-  explicit One(const LaneRow& row) : row_(row) {
-    for (unsigned i = 0; i < row.threads; ++i) threads_.emplace_back([this] { loop(); });
+  One(const LaneRow& row, unsigned threads) : row_(row) {
+    for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this] { loop(); });
   }
   ~One() {
     for (std::thread& thread : threads_) thread.join();
@@ -93,13 +90,7 @@ class Lanes::One {
   }
 
   // The fence of these threads. A request answers its own faults; what still comes here ends that request alone.
-  void run(Work& work) const {
-    try {
-      work();
-    } catch (const std::exception& error) {
-      spdlog::error("{}: {}", row_.thread_name, error.what());
-    }
-  }
+  void run(Work& work) const { app::fenced(row_.thread_name, work); }
 
   const LaneRow& row_;
   std::mutex mutex_;
@@ -111,8 +102,11 @@ class Lanes::One {
   std::vector<std::thread> threads_;
 };
 
-Lanes::Lanes() {
-  for (std::size_t i = 0; i < kLanes.size(); ++i) lanes_[i] = std::make_unique<One>(kLanes[i]);
+Lanes::Lanes(unsigned heavy_threads) {
+  for (std::size_t i = 0; i < kLanes.size(); ++i) {
+    const LaneRow& row = kLanes[i];
+    lanes_[i] = std::make_unique<One>(row, row.threads == 0 ? heavy_threads : row.threads);
+  }
 }
 
 Lanes::~Lanes() {

@@ -23,8 +23,8 @@ class Lanes {
  public:
   using Work = std::move_only_function<void()>;
 
-  // Starts the threads.
-  Lanes();
+  // Starts the threads. `heavy_threads`: as many as heavy requests may be at work or wait for a worker process.
+  explicit Lanes(unsigned heavy_threads);
   // All work must have ended, see stop().
   ~Lanes();
   Lanes(const Lanes&) = delete;

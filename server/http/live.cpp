@@ -8,9 +8,9 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 #include <sys/prctl.h>
 
+#include "server/app/fence.h"
 #include "server/json/records.h"
 
 namespace dripfeed::http {
@@ -139,11 +139,7 @@ void LiveHub::loop(const std::stop_token& stop) {
     if (stop.stop_requested()) return;
     woken_ = false;
     lock.unlock();
-    try {
-      round();
-    } catch (const std::exception& error) {  // the fence of this thread
-      spdlog::error("live events: {}", error.what());
-    }
+    app::fenced("live events", [this] { round(); });
     std::size_t watchers = 0;
     {
       const std::lock_guard seats(mutex_);

@@ -18,10 +18,10 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 
+#include "server/app/fence.h"
 #include "server/http/connection.h"
 #include "server/http/tls.h"
 
@@ -46,7 +46,8 @@ std::size_t connection_limit() {
 
 class ListeningServer final : public Server {
  public:
-  explicit ListeningServer(Answerer answerer) : acceptor_(context_), again_(context_), look_(context_) {
+  ListeningServer(Answerer answerer, unsigned heavy_threads)
+      : lanes_(heavy_threads), acceptor_(context_), again_(context_), look_(context_) {
     shared_.answerer = std::move(answerer);
     shared_.lanes = &lanes_;
   }
@@ -96,14 +97,7 @@ class ListeningServer final : public Server {
   // The fence of the HTTP thread: what comes here was thrown outside the fence of a connection.
   void run() {
     ::prctl(PR_SET_NAME, "http");
-    for (bool done = false; !done;) {
-      try {
-        context_.run();
-        done = true;
-      } catch (const std::exception& error) {
-        spdlog::error("HTTP: {}", error.what());
-      }
-    }
+    while (!app::fenced("http", [this] { context_.run(); })) continue;
     const std::lock_guard lock(ended_mutex_);
     ended_ = true;
     ended_changed_.notify_all();
@@ -113,11 +107,7 @@ class ListeningServer final : public Server {
     acceptor_.async_accept([this](boost::system::error_code error, tcp::socket socket) {
       if (!acceptor_.is_open()) return;  // stopped, maybe with this connection just accepted
       if (error) return accept_later();
-      try {
-        take(std::move(socket));
-      } catch (const std::exception& fault) {
-        spdlog::error("HTTP: a connection was not taken: {}", fault.what());
-      }
+      app::fenced("http, a connection that is not taken", [&] { take(std::move(socket)); });
       accept_next();
     });
   }
@@ -237,7 +227,7 @@ std::expected<std::unique_ptr<Server>, std::string> Server::start(const ServerSe
     if (!files) return std::unexpected(files.error());
     tls.emplace(std::move(*files));
   }
-  auto server = std::make_unique<ListeningServer>(std::move(answerer));
+  auto server = std::make_unique<ListeningServer>(std::move(answerer), settings.heavy_threads);
   const ListenAddress& address = settings.address;
   try {
     server->listen(address, std::move(tls), std::move(*proxies));

@@ -50,6 +50,7 @@ struct ServerSettings {
   // PEM files; empty: plain HTTP. Read again when they change.
   std::string tls_certificate;
   std::string tls_key;
+  unsigned heavy_threads = 2;        // see Lanes
   std::vector<std::string> proxies;  // IP addresses whose X-Forwarded-Host and X-Forwarded-Proto are believed
 };
 

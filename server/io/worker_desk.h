@@ -33,6 +33,8 @@ class WorkerDesk final : public app::Workplace {
     unsigned waiting = 0;
   };
   [[nodiscard]] Load load();
+  // Threads that may be in carry_out() before one is sent away, and that one.
+  [[nodiscard]] unsigned threads() const { return settings_.at_once + settings_.waiting + 1; }
 
  private:
   class Place;

@@ -109,6 +109,7 @@ void Shop::run(feed::Time span) {
 }
 
 void Shop::round() {
+  books.read_ahead(std::chrono::seconds(10));
   books.settle();
   links.settle();
 }

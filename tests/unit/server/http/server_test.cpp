@@ -61,6 +61,8 @@ class Link {
 
 std::string get(std::string_view path) { return "GET " + std::string(path) + " HTTP/1.1\r\nHost: x\r\n\r\n"; }
 
+constexpr unsigned kHeavyThreads = 20;
+
 Response text_response(std::string body) {
   Response response;
   response.body = std::move(body);
@@ -95,6 +97,7 @@ std::unique_ptr<Server> start(Answerer answerer) {
   }
   ServerSettings settings;
   settings.address.port = 0;
+  settings.heavy_threads = kHeavyThreads;
   auto server = Server::start(settings, std::move(answerer));
   EXPECT_TRUE(server) << server.error();
   return std::move(*server);
@@ -181,7 +184,7 @@ TEST(HttpServer, ALaneThatIsFullAsksToComeAgain) {
     ++sent_away;
     EXPECT_NE(answer.find("Retry-After: 1"), std::string::npos) << answer;
   }
-  EXPECT_GE(sent_away, kAll - 20 - 32) << "20 at work and 32 that wait";
+  EXPECT_GE(sent_away, kAll - static_cast<int>(kHeavyThreads) - 32) << "at work, and 32 that wait";
   EXPECT_LE(sent_away, kAll - 32);
 }
 
