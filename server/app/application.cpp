@@ -101,6 +101,9 @@ Result<void> Application::start() {
 
 std::optional<TornBlock> Application::torn_on(const std::string& machine, const LineReport& report) {
   if (const auto known = torn_in_store(store_, machine); known && *known) return *known;
+  // A job that waits on such a line is cancelled first; a person sees it on the line until then.
+  const bool is_free = report.state == LineState::idle || report.state == LineState::disconnected;
+  if (const std::string why = books_.why_refused(machine); is_free && !why.empty()) return TornBlock{.text = why};
   if (report.state != LineState::torn) return std::nullopt;
   const std::string why = lines_.why_torn(machine);
   return TornBlock{.text = why.empty() ? "a block broke off on this line" : why};

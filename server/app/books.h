@@ -29,6 +29,7 @@ class Books {
   void expect(store::Id job, std::uint64_t session, std::string_view machine);
   void note(store::Id job, std::string_view text) { ledger_.note(job, text); }
   void reset_confirmed(const std::string& machine, std::string_view reason);
+  [[nodiscard]] std::string why_refused(const std::string& machine) { return ledger_.why_refused(machine); }
   // The text of one arming, to be read ahead of its feed.
   void read_for(std::uint64_t session, std::shared_ptr<ContentSource> source);
   // The line did not take the arming.

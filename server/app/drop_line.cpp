@@ -52,8 +52,12 @@ struct Drop {
 // What line and thread share. Members without a remark are guarded by the mutex, which nobody holds over file I/O.
 class Folder {
  public:
-  Folder(const machine::LineSettings& settings, LineChanged changed)
-      : path_(settings.link.path), format_(drop_format(settings)), changed_(std::move(changed)) {
+  Folder(const machine::LineSettings& settings, LineChanged changed, feed::LeftAs left)
+      : path_(settings.link.path),
+        format_(drop_format(settings)),
+        changed_(std::move(changed)),
+        left_torn_(left == feed::LeftAs::torn) {
+    if (left_torn_) report_.state = LineState::torn;
     const auto overwrite = settings.link.options.find("overwrite");
     overwrite_ = overwrite != settings.link.options.end() && overwrite->second == "yes";
     error_ = fmt::format("{}: not looked at yet", path_);
@@ -64,6 +68,8 @@ class Folder {
   std::expected<void, std::string> arm(LineOrder order) {
     const std::lock_guard lock(mutex_);
     if (order.rounds != 1) return std::unexpected(std::string("a file is put into its folder once"));
+    if (left_torn_)
+      return std::unexpected(std::string("a transfer broke off here: confirm that the control was reset"));
     if (drop_) return std::unexpected(std::string("a job is being written already"));
     if (hangs()) return std::unexpected(no_answer());
     if (!error_.empty()) return std::unexpected(error_);
@@ -85,6 +91,12 @@ class Folder {
 
   std::expected<void, std::string> command(feed::Command command) {
     const std::lock_guard lock(mutex_);
+    if (command == feed::Command::confirm_reset && left_torn_) {
+      left_torn_ = false;
+      publish(LineState::disconnected, "");  // until the next look
+      wake();
+      return {};
+    }
     const bool ends =
         command == feed::Command::disarm || command == feed::Command::cancel || command == feed::Command::abort;
     if (!ends) return std::unexpected(std::string("this command has no meaning on a folder"));
@@ -107,7 +119,7 @@ class Folder {
     if (!hangs()) return report;
     report.link_error = no_answer();
     if (drop_) report.stall = kNoAnswer;
-    if (!drop_) report.state = LineState::disconnected;
+    if (!drop_ && !left_torn_) report.state = LineState::disconnected;
     return report;
   }
 
@@ -265,6 +277,7 @@ class Folder {
   }
 
   void publish(LineState state, std::string_view stall, bool ended = false) {
+    if (left_torn_) state = LineState::torn;
     const bool changed = ended || state != report_.state || stall != report_.stall;
     report_.state = state;
     report_.stall = stall;
@@ -278,6 +291,7 @@ class Folder {
   const tape_code::WireFormat format_;
   bool overwrite_ = false;  // constant, too
   LineChanged changed_;
+  bool left_torn_;     // by whoever had the line before
   std::string error_;  // why nothing can be written there; empty: at the last look it could
   std::optional<Drop> drop_;
   std::optional<DropFile> file_;       // the thread's alone
@@ -319,11 +333,11 @@ tape_code::WireFormat drop_format(const machine::LineSettings& settings) {
 }
 
 std::expected<std::unique_ptr<Line>, std::string> make_drop_line(const machine::LineSettings& settings,
-                                                                 LineChanged changed) {
+                                                                 LineChanged changed, feed::LeftAs left) {
   const auto effective = machine::effective_line(settings);
   if (!effective) return std::unexpected(effective.error());
   try {
-    return std::make_unique<DropLine>(std::make_shared<Folder>(*effective, std::move(changed)));
+    return std::make_unique<DropLine>(std::make_shared<Folder>(*effective, std::move(changed), left));
   } catch (const std::system_error& error) {
     return std::unexpected(fmt::format("{}: no thread for the folder: {}", settings.link.text, error.what()));
   }

@@ -177,6 +177,10 @@ void JobFollower::follow(const Booked& booked) {
   if (report.answer.stage == AnswerStage::torn && report.answer != last.answer)
     alarm(booked.machine, fmt::format("an answer broke off inside a block ({}): reset the control and confirm it",
                                       report.answer.cause));
+  if (followed.refusal != booked.refusal) {
+    followed.refusal = booked.refusal;
+    if (!booked.refusal.empty()) alarm(booked.machine, "nothing leaves on its line: " + booked.refusal);
+  }
   // What a device server did not confirm, or a ring that nobody saw come.
   if (!report.link_note.empty() && report.link_note != last.link_note) alarm(booked.machine, report.link_note);
   // A stall within a state ("CTS off" while feeding) is a transition, too.

@@ -33,6 +33,7 @@ class JobFollower {
     store::Job job;
     std::uint64_t session = 0;  // of the arming that is followed
     LineReport last;
+    std::string refusal;  // as an alarm reported it
     bool over = true;
     std::uint64_t starts_alarmed = 0;  // unarmed starts that an alarm has reported
     feed::Time quiet_until{};          // until then, further ones are only counted

@@ -24,7 +24,7 @@ std::string reason_of(const LineReport& report) {
                            ? fmt::format("{}: nothing was sent", cause_of(report))
                            : fmt::format("{}: between wire byte {} and {} of {} may have reached the control",
                                          cause_of(report), report.known.from, report.known.to, report.total);
-  if (report.known.from_line > 0)
+  if (report.handed > 0 && report.known.from_line > 0)
     reason += fmt::format(" (line {} to {})", report.known.from_line, report.known.to_line);
   if (report.machine && report.machine->alarm > 0) reason += "; " + alarm_text(*report.machine);
   if (report.state == LineState::torn) reason += "; a block is torn: reset the control and confirm it";

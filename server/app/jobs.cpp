@@ -338,7 +338,11 @@ Result<store::Job> Jobs::resume(store::Id id, std::string_view reason, std::stri
 Result<store::Job> Jobs::confirm_without_job(const std::string& machine, std::string_view reason,
                                              std::string_view actor) {
   const auto line = lines_.find(machine);
-  const bool torn = line && line->report().state == LineState::torn;
+  const LineReport report = line ? line->report() : LineReport{};
+  const bool is_refused = !books_.why_refused(machine).empty();
+  if (is_refused && report.job != 0 && report.end == JobEnd::none && report.state != LineState::torn)
+    return fail(ErrorCode::refused, fmt::format("job {} waits on the line: cancel it first", report.job));
+  const bool torn = report.state == LineState::torn || is_refused;
   const auto answer = lift(store_.answers().torn_on(machine));
   if (!answer) return std::unexpected(answer.error());
   if ((!torn && !*answer) || reason.empty())

@@ -81,7 +81,10 @@ void LedgerWriter::round() {
   booked.reserve(all.size());
   for (const Due& due : all) {
     if (written) after_commit(due);
-    booked.push_back({.machine = due.seat.machine, .report = due.report, .is_booked = written});
+    booked.push_back({.machine = due.seat.machine,
+                      .report = due.report,
+                      .refusal = due.tracked.refused_because,
+                      .is_booked = written});
   }
   take_(std::move(booked), complaint_);
   if (ballast_ != nullptr && clock_.now() >= restore_at_) {
@@ -118,12 +121,18 @@ bool LedgerWriter::begin_record(const Due& due, std::string_view what) {
     tracked.refused_because.clear();
     return true;
   }
-  if (tracked.refused_because != begun.error()) {
-    tracked.refused_because = begun.error();
-    spdlog::error("{}: nothing leaves, because its line's record cannot be written: {}", due.seat.machine,
-                  begun.error());
+  tracked.refused_because = begun.error();
+  if (const std::string torn = due.seat.claim->torn(); !torn.empty()) {
+    const std::lock_guard lock(mutex_);
+    refusals_[due.seat.machine] = torn;
   }
   return false;
+}
+
+std::string LedgerWriter::why_refused(const std::string& machine) {
+  const std::lock_guard lock(mutex_);
+  const auto known = refusals_.find(machine);
+  return known == refusals_.end() ? std::string() : known->second;
 }
 
 void LedgerWriter::end_record(const Due& due, bool torn, std::string_view reason) {
@@ -177,8 +186,14 @@ void LedgerWriter::write_confirmations(const std::vector<Due>& all) {
   for (const Due& due : all) {
     const auto one = confirmed.find(due.seat.machine);
     if (one == confirmed.end() || !due.seat.claim || due.tracked.is_begun) continue;
-    if (const auto done = due.seat.claim->confirm_reset(one->second); !done)
+    const auto done = due.seat.claim->confirm_reset(one->second);
+    if (!done) {
       spdlog::error("{}: its line's record: {}", due.seat.machine, done.error());
+      continue;
+    }
+    due.tracked.refused_because.clear();
+    const std::lock_guard lock(mutex_);
+    refusals_.erase(due.seat.machine);
   }
 }
 

@@ -34,6 +34,7 @@ std::uint64_t reserve_window(const LineReport& report);
 struct Booked {
   std::string machine;
   LineReport report;
+  std::string refusal;    // why the line's record lets nothing leave, "" where it does
   bool is_booked = true;  // false: the ledger could not be written, so no job moves by this report
 };
 
@@ -52,6 +53,9 @@ class LedgerWriter {
   void note(store::Id job, std::string_view text);
   // A person says that the control was reset: into the line's own record, by the next round.
   void reset_confirmed(const std::string& machine, std::string_view reason);
+  // Why the line's record lets nothing leave before a person confirms, though the line was made whole: another device
+  // is at its port now. "" where it lets.
+  [[nodiscard]] std::string why_refused(const std::string& machine);
   void wake() { thread_.wake(); }
   bool settle(std::chrono::milliseconds patience) { return thread_.settle(patience); }
   // One last round.
@@ -68,7 +72,7 @@ class LedgerWriter {
     bool is_begun = false;        // the line's record says that bytes may leave
     std::uint64_t answer = 0;     // serial of the answer that was looked at last
     store::Id answer_row = 0;     // of the one that may be leaving; 0: none
-    std::string refused_because;  // why the record could not be written, as logged
+    std::string refused_because;  // why the record could not be written; empty: it was
   };
   struct Due {
     Seat seat;
@@ -110,7 +114,8 @@ class LedgerWriter {
   std::map<std::uint64_t, Expected> expected_;      // by session
   std::map<store::Id, std::string> notes_;          // for the jobs' next rows
   std::map<std::string, std::string> confirmations_;
-  RoundThread thread_;  // last: it uses all of the above
+  std::map<std::string, std::string> refusals_;  // see why_refused()
+  RoundThread thread_;                           // last: it uses all of the above
 };
 
 }  // namespace dripfeed::app

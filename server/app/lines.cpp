@@ -196,7 +196,7 @@ Result<std::unique_ptr<Line>> make_line(const machine::LineSettings& settings, L
     return std::move(*line);
   }
   if (settings.link.kind == machine::LinkKind::dir) {
-    auto line = make_drop_line(settings, std::move(changed));
+    auto line = make_drop_line(settings, std::move(changed), left);
     if (!line) return fail(ErrorCode::invalid, line.error());
     return std::move(*line);
   }

@@ -78,6 +78,20 @@ class DropLineTest : public ::testing::Test {
   std::uint64_t job_ = 0;
 };
 
+TEST_F(DropLineTest, AFolderThatWasLeftTornTakesNoJobBeforeAPersonConfirms) {
+  fs::create_directory(folder());
+  machine::LineSettings settings;
+  settings.link = machine::parse_link_url("dir:" + folder().string()).value();
+  line_ = make_drop_line(settings, [] {}, feed::LeftAs::torn).value();
+  EXPECT_EQ(line_->report().state, LineState::torn);
+  ASSERT_TRUE(until([](const LineReport& r) { return r.link_error.empty(); }));
+  EXPECT_EQ(line_->report().state, LineState::torn) << "after a look, too";
+  EXPECT_FALSE(arm(kText));
+  ASSERT_TRUE(line_->command(feed::Command::confirm_reset));
+  ASSERT_TRUE(until([](const LineReport& r) { return r.state == LineState::idle; }));
+  EXPECT_TRUE(arm(kText));
+}
+
 TEST_F(DropLineTest, TheFileLiesThereWhole) {
   fs::create_directory(folder());
   open();

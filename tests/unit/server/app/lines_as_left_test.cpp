@@ -129,5 +129,75 @@ TEST_F(LinesAsLeftTest, AStartWhileStoppedIsASuspectedResetInLedgerAndAlarm) {
   EXPECT_EQ(shop.written(kLathe), before);
 }
 
+// A record in memory, as another process may leave it, or as a device changes it that is plugged in later.
+class Record final : public LineClaim {
+ public:
+  explicit Record(std::string& torn) : torn_(torn) {}
+  [[nodiscard]] std::string torn() const override { return torn_; }
+  std::expected<void, std::string> begin(std::string_view /*what*/) override {
+    if (torn_.empty()) return {};
+    return std::unexpected(torn_);
+  }
+  std::expected<void, std::string> end() override { return {}; }
+  std::expected<void, std::string> tear(std::string_view why) override {
+    torn_ = why;
+    return {};
+  }
+  std::expected<void, std::string> confirm_reset(std::string_view /*reason*/) override {
+    torn_.clear();
+    return {};
+  }
+
+ private:
+  std::string& torn_;
+};
+
+ClaimLine claims(std::string& torn) {
+  return [&torn](const machine::LinkUrl&) -> std::expected<std::unique_ptr<LineClaim>, std::string> {
+    return std::make_unique<Record>(torn);
+  };
+}
+
+TEST_F(LinesAsLeftTest, WhatAnotherProcessLeftTornIsConfirmedHere) {
+  std::string torn = "part.nc by dripfeed send broke off inside a block";
+  Shop shop(database(), nullptr, nullptr, claims(torn));
+  shop.add_machine(kLathe);
+  EXPECT_EQ(shop.report(kLathe).state, LineState::torn);
+  EXPECT_EQ(shop.lines.why_torn(kLathe), torn);
+  const store::Job job = shop.add_job(kLathe, program(3));
+  EXPECT_EQ(refusal(shop.jobs.arm(job.id, std::nullopt, "olga")).code, ErrorCode::refused);
+  must(shop.jobs.confirm_reset(kLathe, "reset at the panel", "olga"));
+  shop.round();
+  EXPECT_EQ(torn, "");
+  must(shop.jobs.arm(job.id, std::nullopt, "olga"));
+}
+
+// The port has another device than when the line was made: nothing leaves, and a person gets out of it.
+TEST_F(LinesAsLeftTest, ARecordThatRefusesLaterIsConfirmedOnceTheJobIsCancelled) {
+  std::string torn;
+  Shop shop(database(), nullptr, nullptr, claims(torn));
+  shop.add_machine(kLathe);
+  const store::Job job = shop.add_job(kLathe, program(3));
+  torn = "another device is at this port";
+  must(shop.jobs.arm(job.id, std::nullopt, "olga"));
+  shop.links.receive(url_of(kLathe), kDc1);
+  shop.run(2s);
+  EXPECT_EQ(shop.written(kLathe), "");
+  EXPECT_EQ(shop.books.why_refused(kLathe), torn);
+  EXPECT_EQ(std::ranges::count(shop.told(), "alarm lathe nothing leaves on its line: " + torn), 1);
+  const Error early = refusal(shop.jobs.confirm_reset(kLathe, "the new adapter is meant", "olga"));
+  EXPECT_NE(early.text.find("cancel it first"), std::string::npos) << early.text;
+  must(shop.jobs.cancel(job.id, "olga"));
+  EXPECT_EQ(shop.state(job.id), store::JobState::cancelled);
+  EXPECT_EQ(shop.job(job.id).reason, "cancelled: nothing was sent");
+  must(shop.jobs.confirm_reset(kLathe, "the new adapter is meant", "olga"));
+  shop.round();
+  EXPECT_EQ(torn, "");
+  EXPECT_EQ(shop.books.why_refused(kLathe), "");
+  shop.start_job(kLathe, "%\n(2)\n" + program(3).substr(2));
+  shop.run(2s);
+  EXPECT_NE(shop.written(kLathe), "");
+}
+
 }  // namespace
 }  // namespace dripfeed::app

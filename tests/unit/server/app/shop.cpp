@@ -69,11 +69,11 @@ std::string killed_copy(const std::string& database) {
   return database + "-killed";
 }
 
-Shop::Shop(const std::string& database, BusSeatMaker take_seat, Ballast* ballast)
+Shop::Shop(const std::string& database, BusSeatMaker take_seat, Ballast* ballast, ClaimLine claim)
     : sqlite_(must(sqlite::open(database, {.own = true}))),
       store(*sqlite_),
       lines(
-          links, take_seat, [this] { books.wake(); }, history_of(store, {})),
+          links, take_seat, [this] { books.wake(); }, history_of(store, std::move(claim))),
       books(store, lines, events, links.clock(), ballast),
       catalog(store, lines, events, links.clock(), documents),
       jobs(store, lines, books, events, links.clock(), documents) {}
