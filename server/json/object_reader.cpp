@@ -14,12 +14,36 @@ namespace dripfeed::json {
 ObjectReader::ObjectReader(const Document& object, std::string pointer, std::vector<app::ErrorPlace>& faults)
     : object_(object), pointer_(std::move(pointer)), faults_(faults) {}
 
+namespace {
+
+const Document& nothing() {
+  static const Document kNothing = Document::object();
+  return kNothing;
+}
+
+}  // namespace
+
+ObjectReader::ObjectReader(Members& into, std::vector<app::ErrorPlace>& unused)
+    : object_(nothing()), faults_(unused), described_(&into) {}
+
+bool ObjectReader::describes(std::string_view name, const Schema& shape, bool required) {
+  if (described_ == nullptr) return false;
+  described_->push_back(
+      {.name = std::string(name), .schema = shape, .presence = required ? Presence::required : Presence::optional});
+  return true;
+}
+
 void ObjectReader::fault(std::string_view name, std::string text) {
+  if (described_ != nullptr) return;
   faults_.push_back(
       {.pointer = pointer_ + "/" + escape_pointer(name), .line = 0, .column = 0, .text = std::move(text)});
 }
 
-const Document* ObjectReader::member(std::string_view name, bool required) {
+const Document* ObjectReader::member(std::string_view name, const Schema& shape, bool required) {
+  return describes(name, shape, required) ? nullptr : find(name, required);
+}
+
+const Document* ObjectReader::find(std::string_view name, bool required) {
   asked_.emplace(name);
   const auto found = object_.find(name);
   if (found != object_.end() && !found->is_null()) return &*found;
@@ -28,7 +52,7 @@ const Document* ObjectReader::member(std::string_view name, bool required) {
 }
 
 void ObjectReader::text(std::string_view name, std::string& into, bool required) {
-  const Document* value = member(name, required);
+  const Document* value = member(name, required ? filled_text("") : json::text(""), required);
   if (value == nullptr) return;
   if (!value->is_string()) return fault(name, "must be a text");
   into = value->get<std::string>();
@@ -42,14 +66,14 @@ void ObjectReader::proper_name(std::string_view name, std::string& into, bool re
 }
 
 void ObjectReader::flag(std::string_view name, bool& into) {
-  const Document* value = member(name);
+  const Document* value = member(name, json::flag(""));
   if (value == nullptr) return;
   if (!value->is_boolean()) return fault(name, "must be true or false");
   into = value->get<bool>();
 }
 
 std::optional<double> ObjectReader::number_at(std::string_view name, double low, double high, bool required) {
-  const Document* value = member(name, required);
+  const Document* value = member(name, json::number(low, high, ""), required);
   if (value == nullptr) return std::nullopt;
   if (!value->is_number()) {
     fault(name, "must be a number");
@@ -69,8 +93,10 @@ void ObjectReader::number(std::string_view name, std::optional<double>& into, do
   if (const auto value = number_at(name, low, high, false)) into = *value;
 }
 
-std::optional<std::int64_t> ObjectReader::integer_at(std::string_view name, std::int64_t low, std::int64_t high) {
-  const Document* value = member(name);
+std::optional<std::int64_t> ObjectReader::integer_at(std::string_view name, std::int64_t low, std::int64_t high,
+                                                     bool required) {
+  const auto shape = json::integer(static_cast<double>(low), static_cast<double>(high), "");
+  const Document* value = member(name, shape, required);
   if (value == nullptr) return std::nullopt;
   if (!value->is_number_integer() || (value->is_number_unsigned() && value->get<std::uint64_t>() > INT64_MAX)) {
     fault(name, "must be a whole number");
@@ -82,8 +108,9 @@ std::optional<std::int64_t> ObjectReader::integer_at(std::string_view name, std:
   return std::nullopt;
 }
 
-std::optional<std::size_t> ObjectReader::choice(std::string_view name, std::span<const std::string_view> words) {
-  const Document* value = member(name);
+std::optional<std::size_t> ObjectReader::choice(std::string_view name, std::span<const std::string_view> words,
+                                                bool required) {
+  const Document* value = member(name, one_of(words, ""), required);
   if (value == nullptr) return std::nullopt;
   const std::string word = value->is_string() ? value->get<std::string>() : std::string();
   const auto found = std::ranges::find(words, word);
@@ -93,7 +120,11 @@ std::optional<std::size_t> ObjectReader::choice(std::string_view name, std::span
 }
 
 void ObjectReader::object(std::string_view name, const std::function<void(ObjectReader&)>& read, bool required) {
-  const Document* value = member(name, required);
+  if (described_ != nullptr) {
+    describes(name, describe("", read), required);
+    return;
+  }
+  const Document* value = find(name, required);
   if (value == nullptr) return;
   if (!value->is_object()) return fault(name, "must be an object");
   ObjectReader reader(*value, pointer_ + "/" + escape_pointer(name), faults_);
@@ -101,8 +132,12 @@ void ObjectReader::object(std::string_view name, const std::function<void(Object
   reader.finish();
 }
 
-void ObjectReader::objects(std::string_view name, const std::function<void(ObjectReader&)>& read) {
-  const Document* value = member(name);
+void ObjectReader::objects(std::string_view name, const std::function<void(ObjectReader&)>& read, bool required) {
+  if (described_ != nullptr) {
+    describes(name, list_of(describe("", read), ""), required);
+    return;
+  }
+  const Document* value = find(name, required);
   if (value == nullptr) return;
   if (!value->is_array()) return fault(name, "must be a list of objects");
   for (std::size_t i = 0; i < value->size(); ++i) {
@@ -142,6 +177,14 @@ app::Result<void> read_object(std::string_view text, std::string_view what,
   std::string sentence = fmt::format("{}: {} {}", what, faults.front().pointer, faults.front().text);
   if (faults.size() > 1) sentence += fmt::format(" (and {} more)", faults.size() - 1);
   return app::fail(app::ErrorCode::invalid, sentence, std::move(faults));
+}
+
+Schema describe(std::string about, const std::function<void(ObjectReader&)>& read) {
+  Members members;
+  std::vector<app::ErrorPlace> unused;
+  ObjectReader reader(members, unused);
+  read(reader);
+  return closed_object(std::move(about), std::move(members));
 }
 
 }  // namespace dripfeed::json

@@ -12,6 +12,7 @@
 #include "protocol/tape_code/character_set.h"
 #include "server/json/object_reader.h"
 #include "server/json/profile_receive.h"
+#include "server/json/profile_words.h"
 #include "server/machine/bus_settings.h"
 
 namespace dripfeed::json {
@@ -22,9 +23,7 @@ constexpr double kLongest_mm = 1e6;
 constexpr double kHuge = 1e9;
 // Of feeds, speeds and accelerations: below, a machine stands.
 constexpr double kLeast = 0.001;
-constexpr std::string_view kAxisNames = "XYZABCUVW";
-constexpr std::array<std::string_view, 3> kKinds = {"mill", "lathe", "mill-turn"};
-constexpr std::array<std::string_view, 3> kGSystems = {"A", "B", "C"};
+static_assert(kAxisWords.size() == ir::kAxisCount);
 constexpr std::array<std::string_view, 2> kArcsWithoutCenter = {"alarm", "line"};
 constexpr std::array<std::string_view, 2> kDecimalModes = {"calculator", "least-increment"};
 constexpr std::array<std::string_view, 3> kStarts = {"dc1", "at-once", "trigger"};
@@ -33,16 +32,9 @@ constexpr std::array<std::string_view, 3> kXoffBys = {"host", "kernel", "device"
 constexpr std::array<std::string_view, 3> kCodes = {"ascii", "iso", "eia"};
 constexpr std::array<std::string_view, 2> kFillers = {"nul", "del"};
 
-std::optional<ir::Axis> axis_named(std::string_view name) {
-  const std::size_t index = name.size() == 1 ? kAxisNames.find(name) : std::string_view::npos;
-  if (index == std::string_view::npos) return std::nullopt;
-  return static_cast<ir::Axis>(index);
-}
-
 void read_axis(ObjectReader& object, machine::Profile& profile) {
   checks::MachineAxis axis;
-  std::string name;
-  object.text("name", name, true);
+  const auto letter = object.choice("name", kAxisWords, true);
   object.number("min_mm", axis.min, -kLongest_mm, kLongest_mm);
   object.number("max_mm", axis.max, -kLongest_mm, kLongest_mm);
   object.flag("diameter", axis.is_diameter);
@@ -50,9 +42,8 @@ void read_axis(ObjectReader& object, machine::Profile& profile) {
   object.number("feed_limit_mm_min", axis.feed_limit_mm_min, kLeast, kHuge);
   object.number("acceleration_mm_s2", axis.acceleration_mm_s2, kLeast, kHuge, true);
   object.number("jerk_mm_s3", axis.jerk_mm_s3, 0.0, 1e12);
-  const auto letter = axis_named(name);
-  if (!letter) return object.fault("name", "must be one of X Y Z A B C U V W");
-  axis.axis = *letter;
+  if (!letter) return;
+  axis.axis = static_cast<ir::Axis>(*letter);
   if (checks::find_axis(profile.machine, axis.axis) != nullptr) object.fault("name", "is given twice");
   if (axis.min && axis.max && *axis.min >= *axis.max)
     object.fault("max_mm", fmt::format("must be above min_mm {}, and is {}", text::format_shortest(*axis.min),
@@ -62,7 +53,7 @@ void read_axis(ObjectReader& object, machine::Profile& profile) {
 
 void read_tool(ObjectReader& object, machine::Profile& profile) {
   checks::Tool tool;
-  object.integer("number", tool.number, 1, 99'999'999);
+  object.integer("number", tool.number, 1, 99'999'999, true);
   object.integer("offset", tool.offset, 0, 9999);
   object.number("nose_radius_mm", tool.nose_radius_mm, 0.0, 1000.0);
   object.integer("tip", tool.tip, 0, 9);
@@ -71,7 +62,6 @@ void read_tool(ObjectReader& object, machine::Profile& profile) {
   object.number("length_x_mm", tool.length_x_mm, -10'000.0, 10'000.0);
   object.number("length_z_mm", tool.length_z_mm, -10'000.0, 10'000.0);
   object.number("corner_radius_mm", tool.corner_radius_mm, 0.0, 5000.0);
-  if (tool.number == 0) object.fault("number", "is missing");
   if (tool.diameter_mm > 0.0 && tool.corner_radius_mm > 0.5 * tool.diameter_mm)
     object.fault("corner_radius_mm", fmt::format("must not be above half the diameter, and is {}",
                                                  text::format_shortest(tool.corner_radius_mm)));
@@ -85,16 +75,15 @@ void read_tool(ObjectReader& object, machine::Profile& profile) {
 
 // {"X_mm": 200, "Z_mm": -300}: where a work zero lies in machine coordinates; an axis that is not named is not known.
 void read_zero(ObjectReader& object, std::array<std::optional<double>, ir::kAxisCount>& zero) {
-  for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
-    object.number(fmt::format("{}_mm", kAxisNames[i]), zero[i], -kLongest_mm, kLongest_mm);
+  for (std::size_t i = 0; i < kAxisWords.size(); ++i) {
+    object.number(fmt::format("{}_mm", kAxisWords[i]), zero[i], -kLongest_mm, kLongest_mm);
   }
 }
 
 void read_work_offset(ObjectReader& object, machine::Profile& profile) {
   checks::WorkOffset offset;
-  object.integer("number", offset.number, 1, 300);
+  object.integer("number", offset.number, 1, 300, true);
   read_zero(object, offset.zero);
-  if (offset.number == 0) object.fault("number", "is missing");
   const auto known = std::ranges::find(profile.machine.work_offsets, offset.number, &checks::WorkOffset::number);
   if (known != profile.machine.work_offsets.end()) object.fault("number", "is given twice");
   profile.machine.work_offsets.push_back(offset);
@@ -141,12 +130,12 @@ void read_code_call(ObjectReader& object, machine::ControlSettings& control) {
   ir::CodeCall call;
   std::string code;
   object.text("code", code, true);
-  object.integer("program", call.program, 1, 99'999'999);
+  object.integer("program", call.program, 1, 99'999'999, true);
   object.flag("macro", call.macro);
   const auto number = code.size() > 1 ? text::parse_number(std::string_view(code).substr(1)) : std::optional<double>();
   if (!number || (code.front() != 'G' && code.front() != 'M') || *number < 0.0 || *number > 9999.0)
     return object.fault("code", "must be a G or M code");
-  if (call.program == 0) return object.fault("program", "is missing");
+  if (call.program == 0) return;
   call.letter = code.front();
   call.number10 = static_cast<std::int32_t>(std::lround(*number * 10.0));
   control.code_calls.push_back(call);
@@ -174,7 +163,8 @@ void read_machine_functions(ObjectReader& object, machine::ControlSettings& cont
 
 void read_control(ObjectReader& object, machine::ControlSettings& control) {
   object.text("title", control.title);
-  if (const auto system = object.choice("g_system", kGSystems)) control.g_system = static_cast<ir::GSystem>(*system);
+  if (const auto system = object.choice("g_system", kGSystemWords))
+    control.g_system = static_cast<ir::GSystem>(*system);
   if (const auto mode = object.choice("decimal_mode", kDecimalModes))
     control.decimal_mode = static_cast<ir::DecimalMode>(*mode);
   object.flag("decimal_mode_confirmed", control.decimal_mode_confirmed);
@@ -241,11 +231,9 @@ void read_framing(ObjectReader& object, machine::LineSettings& line) {
 }
 
 void read_character_set(ObjectReader& object, machine::LineSettings& line) {
-  object.text("character_set", line.character_set);
-  if (tape_code::find_character_set(line.character_set)) return;
-  std::string names;
-  for (const auto& set : tape_code::character_sets()) names += fmt::format(" {}", set.name);
-  object.fault("character_set", "must be one of" + names);
+  Words names;
+  for (const auto& set : tape_code::character_sets()) names.push_back(set.name);
+  if (const auto set = object.choice("character_set", names)) line.character_set = names[*set];
 }
 
 // What holds the sender, and how slowly it goes otherwise.
@@ -328,8 +316,8 @@ void read_link(ObjectReader& object, machine::LineSettings& line) {
 
 void read_machine(ObjectReader& object, machine::Profile& profile) {
   checks::Machine& machine = profile.machine;
-  object.objects("axes", [&](ObjectReader& o) { read_axis(o, profile); });
-  if (machine.axes.empty()) object.fault("axes", "must name at least one axis");
+  object.objects("axes", [&](ObjectReader& o) { read_axis(o, profile); }, true);
+  if (object.has("axes") && machine.axes.empty()) object.fault("axes", "must name at least one axis");
   object.number("feed_limit_mm_min", machine.feed_limit_mm_min, kLeast, kHuge);
   object.object("spindle", [&](ObjectReader& o) {
     o.number("min_rpm", machine.spindle_min_rpm, 0.0, 1e6);
@@ -362,9 +350,9 @@ void read_whole(ObjectReader& object, machine::Profile& profile) {
   object.proper_name("name", profile.name);
   object.text("title", profile.title);
   object.text("dialect", profile.control.dialect, true);
-  if (const Document* notes = object.member("notes")) read_notes(object, *notes, profile);
-  if (const auto kind = object.choice("kind", kKinds)) profile.control.kind = static_cast<ir::MachineKind>(*kind);
-  if (!object.has("kind")) object.fault("kind", "is missing");
+  if (const Document* notes = object.member("notes", list_of(json::text(""), ""))) read_notes(object, *notes, profile);
+  if (const auto kind = object.choice("kind", kKindWords, true))
+    profile.control.kind = static_cast<ir::MachineKind>(*kind);
   profile.machine.kind = profile.control.kind;
   read_machine(object, profile);
   object.object("control", [&](ObjectReader& o) { read_control(o, profile.control); });
@@ -403,6 +391,13 @@ app::Result<machine::Profile> read_profile(std::string_view document) {
     return app::fail(app::ErrorCode::invalid, "machine profile: /link " + possible.error(),
                      {{.pointer = "/link", .line = 0, .column = 0, .text = possible.error()}});
   return profile;
+}
+
+Schema profile_schema() {
+  return describe("a machine: its control, axes, tools and line", [](ObjectReader& object) {
+    machine::Profile unused;
+    read_whole(object, unused);
+  });
 }
 
 app::Result<std::string> calibrated_profile(std::string_view document, const ir::CostModel& cost,

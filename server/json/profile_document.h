@@ -5,12 +5,15 @@
 #include <string_view>
 
 #include "server/app/error.h"
+#include "server/json/schema.h"
 #include "server/machine/profile.h"
 
 namespace dripfeed::json {
 
 // Errors: invalid, a place for each fault.
 app::Result<machine::Profile> read_profile(std::string_view document);
+// The same, described.
+Schema profile_schema();
 
 // The same document with a measured cost model, and with every axis' acceleration times a factor; nothing else changes.
 // Errors: no JSON object.

@@ -87,7 +87,7 @@ Document embedded(std::string_view text) {
   return document ? std::move(*document) : Document(nullptr);
 }
 
-// One word for programs: "waiting", "equal", "differs", "expired", "superseded".
+// One of kReadBackStates.
 std::string_view read_back_state(std::string_view read_back) {
   return read_back.substr(0, read_back.find_first_of(" :"));
 }

@@ -34,6 +34,8 @@ std::string program(const store::Program& program);
 std::string program_revision(const store::ProgramRevision& revision);
 std::string rendered(const app::Rendered& rendered, const text::Source& family);
 std::string release(const store::Release& release);
+// What came of reading a job's program back, as one word.
+inline constexpr std::string_view kReadBackStates[] = {"waiting", "equal", "differs", "expired", "superseded"};
 std::string job(const store::Job& job);
 std::string receipt(const store::Receipt& receipt, const std::optional<app::StoredLikeness>& stored);
 std::string request(const store::Request& request);

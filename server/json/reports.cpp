@@ -1,11 +1,11 @@
 // Figures are doubles as the shortest decimal that reads back the same.
 #include "server/json/reports.h"
 
-#include <array>
 #include <cmath>
 
 #include "server/json/diagnostics.h"
 #include "server/json/object_reader.h"
+#include "server/json/profile_words.h"
 
 namespace dripfeed::json {
 
@@ -39,13 +39,13 @@ Document not_checked_document(const std::vector<checks::NotChecked>& list) {
 }
 
 Document envelope_document(const envelope::Report& report) {
-  constexpr std::string_view kAxes = "XYZABCUVW";
   Document document = findings_document(report.findings);
   document["moves"] = report.moves;
   Document travel = Document::object();
   for (std::size_t i = 0; i < ir::kAxisCount; ++i) {
     if (report.machine[i].empty()) continue;
-    travel[std::string(1, kAxes[i])] = {number_or_null(report.machine[i].low), number_or_null(report.machine[i].high)};
+    travel[std::string(kAxisWords[i])] = {number_or_null(report.machine[i].low),
+                                          number_or_null(report.machine[i].high)};
   }
   document["machine_travel"] = std::move(travel);
   document["feed_max_mm_min"] = report.feed_max_mm_min;
@@ -151,17 +151,11 @@ Document timing_document(const timing::Report& report) {
   return document;
 }
 
-std::string_view kind_name(ir::MachineKind kind) {
-  static constexpr std::array<std::string_view, 3> kNames = {"mill", "lathe", "mill-turn"};
-  return kNames[static_cast<std::size_t>(kind)];
-}
-
 Document control_document(const app::CheckReport& report) {
-  static constexpr std::array<std::string_view, 3> kFeeds = {"per-minute", "per-revolution", "inverse-time"};
   return {{"title", report.control_title},
-          {"kind", kind_name(report.kind)},
-          {"g_system", std::string(1, static_cast<char>('A' + static_cast<int>(report.g_system)))},
-          {"feed_mode", kFeeds[static_cast<std::size_t>(report.feed_mode)]},
+          {"kind", kKindWords[static_cast<std::size_t>(report.kind)]},
+          {"g_system", kGSystemWords[static_cast<std::size_t>(report.g_system)]},
+          {"feed_mode", kFeedModeWords[static_cast<std::size_t>(report.feed_mode)]},
           {"because_line", report.because_line},
           {"inferred", report.inferred}};
 }

@@ -1,4 +1,4 @@
-// Each body is an object with known members.
+// Each body is an object with known members. One function reads it and describes it.
 #include "server/json/requests.h"
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "protocol/feed/feed.h"
+#include "server/json/enumerators.h"
 #include "server/json/object_reader.h"
 
 namespace dripfeed::json {
@@ -14,20 +15,18 @@ namespace dripfeed::json {
 namespace {
 
 constexpr std::int64_t kMaxId = std::int64_t{1} << 53U;  // what JavaScript keeps exactly
-constexpr std::array<std::string_view, 2> kDeliveries = {"drip", "memory"};
-constexpr std::array<std::string_view, 5> kReleaseStates = {"draft", "in_review", "proving", "approved", "obsolete"};
 
 void read_id(ObjectReader& object, std::string_view name, store::Id& into) {
-  object.integer(name, into, 1, kMaxId);
-  if (!object.has(name)) object.fault(name, "is missing");
+  object.integer(name, into, 1, kMaxId, true);
 }
 
 void read_delivery(ObjectReader& object, store::Delivery& into) {
-  if (const auto delivery = object.choice("delivery", kDeliveries)) into = static_cast<store::Delivery>(*delivery);
+  if (const auto delivery = object.choice("delivery", store::kNames<store::Delivery>))
+    into = static_cast<store::Delivery>(*delivery);
 }
 
 void read_values_of(ObjectReader& object, std::string_view name, app::Values& into) {
-  const Document* values = object.member(name);
+  const Document* values = object.member(name, map_of(text_or_number("a value with its unit, or a plain number"), ""));
   if (values == nullptr) return;
   if (!values->is_object()) return object.fault(name, "must be an object of texts such as \"120 mm\"");
   for (const auto& [parameter, value] : values->items()) {
@@ -42,64 +41,36 @@ void read_values_of(ObjectReader& object, std::string_view name, app::Values& in
 }
 
 void read_mode(ObjectReader& o, compile::RenderMode& into) {
-  std::string mode = "auto";
-  o.text("mode", mode);
-  if (const auto found = compile::find_render_mode(mode)) {
-    into = *found;
-  } else {
-    o.fault("mode", "must be \"auto\", \"macro\" or \"explicit\"");
-  }
+  static const Words kModes = names_of<compile::RenderMode>(compile::name_of);
+  if (const auto mode = o.choice("mode", kModes)) into = static_cast<compile::RenderMode>(*mode);
 }
 
-}  // namespace
+// One function a body: it reads, and it describes (see object_reader.h).
 
-app::Result<TextBody> read_text_body(std::string_view body) {
-  TextBody read;
-  const auto done = read_object(body, "request", [&](ObjectReader& o) { o.text("text", read.text, true); });
-  if (!done) return std::unexpected(done.error());
-  return read;
+void read_members(ObjectReader& o, TextBody& into) { o.text("text", into.text, true); }
+
+void read_members(ObjectReader& o, ProgramBody& into) {
+  o.proper_name("name", into.name);
+  o.text("dialect", into.dialect, true);
+  o.text("text", into.text, true);
 }
 
-app::Result<ProgramBody> read_program_body(std::string_view body) {
-  ProgramBody read;
-  const auto done = read_object(body, "request", [&](ObjectReader& o) {
-    o.proper_name("name", read.name);
-    o.text("dialect", read.dialect, true);
-    o.text("text", read.text, true);
-  });
-  if (!done) return std::unexpected(done.error());
-  return read;
+void read_new_part(ObjectReader& o, PartBody& into) {
+  o.proper_name("number", into.number);
+  o.text("family", into.family, true);
+  read_values_of(o, "values", into.values);
 }
+void read_part_change(ObjectReader& o, PartBody& into) { read_values_of(o, "values", into.values); }
 
-app::Result<PartBody> read_part_body(std::string_view body, bool is_new) {
-  PartBody read;
-  const auto done = read_object(body, "request", [&](ObjectReader& o) {
-    if (is_new) {
-      o.proper_name("number", read.number);
-      o.text("family", read.family, true);
-    }
-    read_values_of(o, "values", read.values);
-  });
-  if (!done) return std::unexpected(done.error());
-  return read;
+void read_members(ObjectReader& o, app::RenderOrder& into) {
+  o.text("part", into.part);
+  o.text("family", into.family);
+  read_values_of(o, "values", into.values);
+  o.text("machine", into.machine, true);
+  o.proper_name("name", into.name, false);
+  read_delivery(o, into.delivery);
+  read_mode(o, into.mode);
 }
-
-app::Result<app::RenderOrder> read_render_body(std::string_view body) {
-  app::RenderOrder order;
-  const auto done = read_object(body, "request", [&](ObjectReader& o) {
-    o.text("part", order.part);
-    o.text("family", order.family);
-    read_values_of(o, "values", order.values);
-    o.text("machine", order.machine, true);
-    o.proper_name("name", order.name, false);
-    read_delivery(o, order.delivery);
-    read_mode(o, order.mode);
-  });
-  if (!done) return std::unexpected(done.error());
-  return order;
-}
-
-namespace {
 
 // What a check and a release both name.
 template <class Body>
@@ -110,15 +81,15 @@ void read_subject(ObjectReader& o, Body& into) {
   read_delivery(o, into.delivery);
 }
 
-void read_order(ObjectReader& o, app::CheckOrder& into) {
+void read_members(ObjectReader& o, ReleaseBody& into) { read_subject(o, into); }
+
+void read_members(ObjectReader& o, app::CheckOrder& into) {
   read_subject(o, into);
-  if (o.has("nominal")) {
+  o.object("nominal", [&](ObjectReader& nominal) {
     into.nominal.emplace();
-    o.object("nominal", [&](ObjectReader& nominal) {
-      nominal.text("family", into.nominal->family, true);
-      read_values_of(nominal, "values", into.nominal->values);
-    });
-  }
+    nominal.text("family", into.nominal->family, true);
+    read_values_of(nominal, "values", into.nominal->values);
+  });
   std::string profile;
   o.text("profile", profile);
   if (const auto lines = app::read_line_ranges(profile)) {
@@ -128,111 +99,135 @@ void read_order(ObjectReader& o, app::CheckOrder& into) {
   }
 }
 
-}  // namespace
-
-app::Result<app::CheckOrder> read_check_body(std::string_view body) {
-  app::CheckOrder order;
-  const auto done = read_object(body, "request", [&](ObjectReader& o) { read_order(o, order); });
-  if (!done) return std::unexpected(done.error());
-  return order;
+void read_accuracy(ObjectReader& o, MeasureBody& into) {
+  read_members(o, into.order.of);
+  o.text("cmm", into.cmm);
+  o.flag("best_fit", into.best_fit);
 }
-
-app::Result<MeasureBody> read_measure_body(std::string_view body, Measure what) {
+void read_gouge(ObjectReader& o, MeasureBody& into) { read_members(o, into.order.of); }
+void read_timing(ObjectReader& o, MeasureBody& into) {
   constexpr std::int64_t kLeastBaud = 50;
   constexpr std::int64_t kMostBaud = 4'000'000;
-  MeasureBody read;
-  const auto done = read_object(body, "request", [&](ObjectReader& o) {
-    read_order(o, read.order.of);
-    if (what == Measure::timing) o.integer("baud", read.order.wishes.baud, kLeastBaud, kMostBaud);
-    if (what != Measure::accuracy) return;
-    o.text("cmm", read.cmm);
-    o.flag("best_fit", read.best_fit);
-  });
-  if (!done) return std::unexpected(done.error());
-  return read;
+  read_members(o, into.order.of);
+  o.integer("baud", into.order.wishes.baud, kLeastBaud, kMostBaud);
 }
 
-app::Result<app::SweepOrder> read_sweep_body(std::string_view body) {
+using ReadMeasure = void (*)(ObjectReader&, MeasureBody&);
+constexpr std::array<ReadMeasure, 3> kMeasures = {read_accuracy, read_gouge, read_timing};  // in the order of Measure
+
+void read_members(ObjectReader& o, app::SweepOrder& into) {
   constexpr std::int64_t kMostSamples = 1000;  // a pool thread is busy as long
-  app::SweepOrder order;
-  const auto done = read_object(body, "request", [&](ObjectReader& o) {
-    o.text("family", order.family, true);
-    read_values_of(o, "values", order.values);
-    o.text("machine", order.machine, true);
-    read_mode(o, order.mode);
-    read_delivery(o, order.delivery);
-    o.integer("seed", order.settings.seed, 0, UINT32_MAX);
-    o.integer("samples", order.settings.samples, 0, kMostSamples);
-  });
-  if (!done) return std::unexpected(done.error());
-  return order;
+  o.text("family", into.family, true);
+  read_values_of(o, "values", into.values);
+  o.text("machine", into.machine, true);
+  read_mode(o, into.mode);
+  read_delivery(o, into.delivery);
+  o.integer("seed", into.settings.seed, 0, UINT32_MAX);
+  o.integer("samples", into.settings.samples, 0, kMostSamples);
 }
 
-app::Result<ReleaseBody> read_release_body(std::string_view body) {
-  ReleaseBody read;
-  const auto done = read_object(body, "request", [&](ObjectReader& o) { read_subject(o, read); });
-  if (!done) return std::unexpected(done.error());
-  return read;
+void read_reason(ObjectReader& o, ReasonBody& into) { o.text("reason", into.reason, true); }
+void read_optional_reason(ObjectReader& o, ReasonBody& into) { o.text("reason", into.reason); }
+
+void read_members(ObjectReader& o, store::ReleaseMove& into) {
+  constexpr std::int64_t kMostTransfers = 1'000'000;
+  if (const auto to = o.choice("to", store::kNames<store::ReleaseState>, true))
+    into.to = static_cast<store::ReleaseState>(*to);
+  o.text("note", into.note);
+  o.integer("transfers", into.transfers, 1, kMostTransfers);
+  if (into.to == store::ReleaseState::proving && !o.has("transfers")) o.fault("transfers", "is missing");
 }
 
+void read_members(ObjectReader& o, app::AcceptOrder& into) {
+  o.integer("program", into.program, 1, kMaxId);
+  o.integer("revision", into.revision, 1, kMaxId);
+  o.proper_name("name", into.name, false);
+  o.text("reason", into.reason);
+  if (into.revision != 0 && into.program == 0) o.fault("revision", "is of a program: say which");
+  if (!into.name.empty() && into.program != 0) o.fault("name", "a program has its name");
+}
+
+void read_members(ObjectReader& o, JobBody& into) { read_id(o, "release", into.release); }
+
+void read_members(ObjectReader& o, ArmBody& into) {
+  o.number("minutes", into.minutes, 0.01, 60.0);
+  o.integer("rounds", into.rounds, 1, feed::kMaxRounds);
+}
+
+void read_members(ObjectReader& o, SessionBody& into) { o.text("token", into.token, true); }
+
+template <class Body>
+app::Result<Body> read_by(void (*read)(ObjectReader&, Body&), std::string_view body) {
+  Body into;
+  const auto done = read_object(body, "request", [&](ObjectReader& o) { read(o, into); });
+  if (!done) return std::unexpected(done.error());
+  return into;
+}
+
+template <class Body>
+app::Result<Body> read_body(std::string_view body) {
+  return read_by<Body>(read_members, body);
+}
+
+// An empty body is one without members.
+std::string_view or_empty(std::string_view body) { return body.empty() ? "{}" : body; }
+
+template <class Body>
+NamedSchema described(std::string name, void (*read)(ObjectReader&, Body&), std::string about) {
+  return {std::move(name), describe(std::move(about), [&](ObjectReader& o) {
+            Body unused;
+            read(o, unused);
+          })};
+}
+
+}  // namespace
+
+app::Result<TextBody> read_text_body(std::string_view body) { return read_body<TextBody>(body); }
+app::Result<ProgramBody> read_program_body(std::string_view body) { return read_body<ProgramBody>(body); }
+app::Result<PartBody> read_part_body(std::string_view body, bool is_new) {
+  return read_by<PartBody>(is_new ? read_new_part : read_part_change, body);
+}
+app::Result<app::RenderOrder> read_render_body(std::string_view body) { return read_body<app::RenderOrder>(body); }
+app::Result<app::CheckOrder> read_check_body(std::string_view body) { return read_body<app::CheckOrder>(body); }
+app::Result<MeasureBody> read_measure_body(std::string_view body, Measure what) {
+  return read_by<MeasureBody>(kMeasures[static_cast<std::size_t>(what)], body);
+}
+app::Result<app::SweepOrder> read_sweep_body(std::string_view body) { return read_body<app::SweepOrder>(body); }
+app::Result<ReleaseBody> read_release_body(std::string_view body) { return read_body<ReleaseBody>(body); }
 app::Result<ReasonBody> read_reason_body(std::string_view body, bool required) {
-  ReasonBody read;
-  const auto done = read_object(body.empty() ? "{}" : body, "request",
-                                [&](ObjectReader& o) { o.text("reason", read.reason, required); });
-  if (!done) return std::unexpected(done.error());
-  return read;
+  return read_by<ReasonBody>(required ? read_reason : read_optional_reason, or_empty(body));
 }
-
 app::Result<store::ReleaseMove> read_transition_body(std::string_view body) {
-  store::ReleaseMove move;
-  const auto done = read_object(body, "request", [&](ObjectReader& o) {
-    if (const auto to = o.choice("to", kReleaseStates)) move.to = static_cast<store::ReleaseState>(*to);
-    if (!o.has("to")) o.fault("to", "is missing");
-    o.text("note", move.note);
-    o.integer("transfers", move.transfers, 1, 1'000'000);
-    if (move.to == store::ReleaseState::proving && !o.has("transfers")) o.fault("transfers", "is missing");
-  });
-  if (!done) return std::unexpected(done.error());
-  return move;
+  return read_body<store::ReleaseMove>(body);
 }
-
 app::Result<app::AcceptOrder> read_accept_body(std::string_view body) {
-  app::AcceptOrder order;
-  const auto done = read_object(body.empty() ? "{}" : body, "request", [&](ObjectReader& o) {
-    o.integer("program", order.program, 1, kMaxId);
-    o.integer("revision", order.revision, 1, kMaxId);
-    o.proper_name("name", order.name, false);
-    o.text("reason", order.reason);
-    if (order.revision != 0 && order.program == 0) o.fault("revision", "is of a program: say which");
-    if (!order.name.empty() && order.program != 0) o.fault("name", "a program has its name");
-  });
-  if (!done) return std::unexpected(done.error());
-  return order;
+  return read_body<app::AcceptOrder>(or_empty(body));
 }
+app::Result<JobBody> read_job_body(std::string_view body) { return read_body<JobBody>(body); }
+app::Result<ArmBody> read_arm_body(std::string_view body) { return read_body<ArmBody>(or_empty(body)); }
+app::Result<SessionBody> read_session_body(std::string_view body) { return read_body<SessionBody>(body); }
 
-app::Result<JobBody> read_job_body(std::string_view body) {
-  JobBody read;
-  const auto done = read_object(body, "request", [&](ObjectReader& o) { read_id(o, "release", read.release); });
-  if (!done) return std::unexpected(done.error());
-  return read;
-}
-
-app::Result<ArmBody> read_arm_body(std::string_view body) {
-  ArmBody read;
-  if (body.empty()) return read;
-  const auto done = read_object(body, "request", [&](ObjectReader& o) {
-    o.number("minutes", read.minutes, 0.01, 60.0);
-    o.integer("rounds", read.rounds, 1, feed::kMaxRounds);
-  });
-  if (!done) return std::unexpected(done.error());
-  return read;
-}
-
-app::Result<SessionBody> read_session_body(std::string_view body) {
-  SessionBody read;
-  const auto done = read_object(body, "request", [&](ObjectReader& o) { o.text("token", read.token, true); });
-  if (!done) return std::unexpected(done.error());
-  return read;
+Schemas request_schemas() {
+  return {
+      described<SessionBody>("NewSession", read_members, "who signs in"),
+      described<TextBody>("NewText", read_members, "a text as a whole"),
+      described<ProgramBody>("NewProgram", read_members, "a program by its text"),
+      described<PartBody>("NewPart", read_new_part, "a part: a family with values"),
+      described<PartBody>("PartChange", read_part_change, "all values of a part's new revision"),
+      described<app::RenderOrder>("RenderOrder", read_members, "what is rendered, and for which machine"),
+      described<app::CheckOrder>("CheckOrder", read_members, "what is checked, and for which machine"),
+      described<MeasureBody>("AccuracyOrder", read_accuracy, "a program, and what it is held against"),
+      described<MeasureBody>("GougeOrder", read_gouge, "a program, and what it is held against"),
+      described<MeasureBody>("TimingOrder", read_timing, "a program, its machine and line"),
+      described<app::SweepOrder>("SweepOrder", read_members, "a family, and how it is tried"),
+      described<ReleaseBody>("NewRelease", read_members, "what a release binds"),
+      described<store::ReleaseMove>("ReleaseMove", read_members, "one step of a release"),
+      described<JobBody>("NewJob", read_members, "which release is transferred"),
+      described<ArmBody>("ArmOrder", read_members, "how a job is armed"),
+      described<ReasonBody>("Reason", read_reason, "why a person does it"),
+      described<ReasonBody>("OptionalReason", read_optional_reason, "why a person does it, if they say so"),
+      described<app::AcceptOrder>("AcceptOrder", read_members, "what a receipt becomes; nothing: a new program"),
+  };
 }
 
 app::Result<app::Values> read_values(std::string_view document) {

@@ -9,6 +9,7 @@
 #include "server/app/measured.h"
 #include "server/app/programs.h"
 #include "server/app/receiving.h"
+#include "server/json/schemas.h"
 
 namespace dripfeed::json {
 
@@ -82,6 +83,9 @@ struct SessionBody {
   std::string token;
 };
 app::Result<SessionBody> read_session_body(std::string_view body);
+
+// Of all these bodies, as their readers take them.
+Schemas request_schemas();
 
 app::Result<app::Values> read_values(std::string_view document);
 std::string write_values(const app::Values& values);
