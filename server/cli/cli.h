@@ -11,6 +11,8 @@ class App;  // included only where options are added: it takes seconds to compil
 
 namespace dripfeed::cli {
 
+inline constexpr const char* kVersion = "0.1.0";
+
 inline constexpr int kDone = 0;
 inline constexpr int kFailed = 1;
 inline constexpr int kWrongUse = 2;
@@ -39,6 +41,7 @@ void add_simulate(CLI::App& app, int& exit_code);
 void add_link(CLI::App& app, int& exit_code);
 void add_ledger(CLI::App& app, int& exit_code);
 void add_token(CLI::App& app, int& exit_code);
+void add_openapi(CLI::App& app, int& exit_code);
 void add_worker(CLI::App& app, int& exit_code);
 
 }  // namespace dripfeed::cli

@@ -43,7 +43,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr rlim_t kMostFiles = 8192;
-constexpr const char* kVersion = "0.1.0";
 // Of a request that computes when the server stops: a sweep looks every moment whether it is to end, a check does not.
 constexpr std::chrono::seconds kRequestsEndWithin{5};
 

@@ -9,22 +9,20 @@
 
 namespace {
 
-constexpr const char* kVersion = "0.1.0";
-
 using AddCommand = void (*)(CLI::App&, int&);
 constexpr AddCommand kCommands[] = {
     dripfeed::cli::add_serve,  dripfeed::cli::add_check,   dripfeed::cli::add_run,      dripfeed::cli::add_convert,
     dripfeed::cli::add_render, dripfeed::cli::add_time,    dripfeed::cli::add_accuracy, dripfeed::cli::add_calibrate,
     dripfeed::cli::add_gouge,  dripfeed::cli::add_send,    dripfeed::cli::add_simulate, dripfeed::cli::add_token,
     dripfeed::cli::add_sweep,  dripfeed::cli::add_receive, dripfeed::cli::add_link,     dripfeed::cli::add_ledger,
-    dripfeed::cli::add_worker,
+    dripfeed::cli::add_worker, dripfeed::cli::add_openapi,
 };
 
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app("Program distribution and DNC server for CNC machine tools", "dripfeed");
-  app.set_version_flag("--version", kVersion);
+  app.set_version_flag("--version", dripfeed::cli::kVersion);
   app.require_subcommand(1);
   int exit_code = dripfeed::cli::kDone;
   for (const AddCommand add : kCommands) add(app, exit_code);

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "server/http/api.h"
+#include "server/http/describe.h"
 #include "server/http/handlers.h"
-#include "server/json/openapi.h"
 #include "server/json/records.h"
 #include "server/json/requests.h"
 
@@ -68,20 +68,7 @@ Response get_health(const Call& call) {
   return json_response(200, fmt::format(R"({{"status":"ok","version":"{}"}})", call.api.version()));
 }
 
-Response get_openapi(const Call& call) {
-  std::vector<json::OpenApiRoute> described;
-  for (const Route& route : routes()) {
-    described.push_back({.method = name_of(route.method),
-                         .path = route.pattern,
-                         .summary = route.summary,
-                         .right = name_of(route.right),
-                         .open = route.right == Right::anybody,
-                         .paged = route.takes == Takes::page,
-                         .if_match = route.takes == Takes::if_match,
-                         .query = own_query(route)});
-  }
-  return json_response(200, json::openapi(described, call.api.version()));
-}
+Response get_openapi(const Call& call) { return json_response(200, describe_api(call.api.version())); }
 
 Response get_page(const Call& call) {
   if (call.api.web_root().empty()) return no_file();

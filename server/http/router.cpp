@@ -138,6 +138,7 @@ std::vector<std::string_view> taken_query(const Route& route) {
 }  // namespace
 
 std::vector<std::string_view> own_query(const Route& route) { return words(route.query); }
+std::vector<std::string_view> other_types(const Route& route) { return words(route.answer.types); }
 
 std::string_view unknown_query(const Route& route, const Request& request) {
   const std::vector<std::string_view> taken = taken_query(route);

@@ -33,6 +33,30 @@ enum class Carries : std::uint8_t { document, text };
 // What a route takes besides its path and body: a page of a list, or the revision that is changed.
 enum class Takes : std::uint8_t { no_more, page, if_match };
 
+// What a request's body carries: a schema of server/json. No default, here and in Gives: a row without is no row.
+struct Body {
+  constexpr Body(std::string_view of, bool is_needed) : schema(of), needed(is_needed) {}
+  std::string_view schema;  // "" takes none
+  bool needed;              // an empty one is none
+};
+inline constexpr Body kNoBody{"", false};
+constexpr Body body(std::string_view schema) { return {schema, true}; }
+constexpr Body optional_body(std::string_view schema) { return {schema, false}; }
+
+// What an answer carries that is no problem.
+struct Gives {
+  constexpr Gives(unsigned code, std::string_view of, bool is_page, std::string_view others)
+      : status(code), schema(of), page(is_page), types(others) {}
+  unsigned status;
+  std::string_view schema;  // "" no JSON
+  bool page;                // the schema's things on a page
+  std::string_view types;   // other content types, with blanks between
+};
+constexpr Gives gives(std::string_view schema, std::string_view types = "") { return {200, schema, false, types}; }
+constexpr Gives lists(std::string_view schema) { return {200, schema, true, ""}; }
+constexpr Gives creates(std::string_view schema) { return {201, schema, false, ""}; }
+inline constexpr Gives kGivesNothing{204, "", false, ""};
+
 class Api;  // what handlers work with: the application and who calls
 
 // Values of the pattern's {names}, in their order.
@@ -64,6 +88,8 @@ struct Route {
   Weight weight;
   Handler handler;
   std::string_view summary;  // one line for openapi.json
+  Body body;
+  Gives answer;
   Takes takes = Takes::no_more;
   std::string_view query = {};  // names of its query parameters, with blanks between; a page's own are not among them
   Carries carries = Carries::document;
@@ -79,8 +105,9 @@ struct Match {
 // A name as one segment of a path, for Location.
 std::string escape_segment(std::string_view name);
 
-// The names in Route::query.
+// The names in Route::query, the types in Gives::types.
 std::vector<std::string_view> own_query(const Route& route);
+std::vector<std::string_view> other_types(const Route& route);
 // The first query parameter of the request that the route does not take; "" when there is none.
 std::string_view unknown_query(const Route& route, const Request& request);
 // What it takes, for people: "limit, after, machine" or "none".

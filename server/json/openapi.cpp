@@ -1,9 +1,13 @@
-// Paths, parameters, rights and the kinds of answers; the shape of bodies is told by their errors.
+// Paths, parameters, rights, bodies and answers. A page of a list is a schema of its own: "JobPage".
 #include "server/json/openapi.h"
+
+#include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "server/json/object_reader.h"
+#include "server/json/schemas.h"
 
 namespace dripfeed::json {
 
@@ -15,7 +19,7 @@ std::string lower(std::string_view text) {
   return out;
 }
 
-// "post_jobs_id_arm": the method and the words of the path behind its version.
+// "post_jobs_id_arm": the method and the words of the path after its version.
 std::string operation_id(const OpenApiRoute& route) {
   constexpr std::string_view kBase = "/api/v1";
   std::string_view path = route.path;
@@ -55,36 +59,137 @@ Document parameters_of(const OpenApiRoute& route) {
   return parameters;
 }
 
+constexpr std::string_view kJson = "application/json";
+
+Document to_reference(std::string_view name) { return {{"$ref", fmt::format("#/components/schemas/{}", name)}}; }
+
+// A bound as it is written in the tables: whole where it is whole.
+Document bound(double value) {
+  constexpr double kWhole = 9007199254740992.0;  // 2^53
+  return value == std::floor(value) && std::abs(value) <= kWhole ? Document(static_cast<std::int64_t>(value))
+                                                                 : Document(value);
+}
+
+Document write(const Schema& schema);
+
+void write_object(const Schema& schema, Document& out) {
+  Document properties = Document::object();
+  Document required = Document::array();
+  for (const Member& member : schema.members) {
+    properties[member.name] = write(member.schema);
+    if (member.presence == Presence::required) required.push_back(member.name);
+  }
+  out["properties"] = std::move(properties);
+  if (!required.empty()) out["required"] = std::move(required);
+  if (schema.is_closed) out["additionalProperties"] = false;
+}
+
+// What the kinds of schemas say besides their type.
+void write_kind(const Schema& schema, Document& out) {
+  switch (schema.kind) {
+    case Schema::Kind::any:
+    case Schema::Kind::reference:
+    case Schema::Kind::text_or_number:
+    case Schema::Kind::flag: break;
+    case Schema::Kind::text:
+      if (!schema.words.empty()) out["enum"] = schema.words;
+      if (!schema.words.empty() && schema.may_be_null) out["enum"].push_back(nullptr);
+      if (schema.is_filled) out["minLength"] = 1;
+      break;
+    case Schema::Kind::integer:
+    case Schema::Kind::number:
+      if (schema.least) out["minimum"] = bound(*schema.least);
+      if (schema.most) out["maximum"] = bound(*schema.most);
+      break;
+    case Schema::Kind::object: write_object(schema, out); break;
+    case Schema::Kind::list:
+      out["items"] = write(schema.of.front());
+      if (schema.length) out["minItems"] = out["maxItems"] = *schema.length;
+      break;
+    case Schema::Kind::map: out["additionalProperties"] = write(schema.of.front()); break;
+  }
+}
+
+// "type" of each kind; empty: any.
+Document types_of(const Schema& schema) {
+  static constexpr std::array<std::string_view, 10> kTypes = {"",       "string", "integer", "number", "boolean",
+                                                              "object", "array",  "object",  "",       ""};
+  Document types = Document::array();
+  const std::string_view type = kTypes[static_cast<std::size_t>(schema.kind)];
+  if (!type.empty()) types.push_back(type);
+  if (schema.kind == Schema::Kind::text_or_number) types = {"string", "number"};
+  if (schema.may_be_null && !types.empty()) types.push_back("null");
+  return types;
+}
+
+Document write(const Schema& schema) {
+  if (schema.kind == Schema::Kind::reference) {
+    if (!schema.may_be_null) return to_reference(schema.name);
+    return {{"anyOf", Document::array({to_reference(schema.name), {{"type", "null"}}})}};
+  }
+  Document out = Document::object();
+  const Document types = types_of(schema);
+  if (types.size() == 1) out["type"] = types[0];
+  if (types.size() > 1) out["type"] = types;
+  if (!schema.about.empty()) out["description"] = schema.about;
+  write_kind(schema, out);
+  return out;
+}
+
+std::string page_name(std::string_view of) { return fmt::format("{}Page", of); }
+
+Document page_of(std::string_view of) {
+  return write(object("a page of a list", {{"items", list_of(reference(std::string(of)), "in the list's order")},
+                                           {"next", or_null(text("for `after` of the next page; null: the last"))}}));
+}
+
+Document schemas_of(std::span<const OpenApiRoute> routes) {
+  Document schemas = Document::object();
+  for (const NamedSchema& one : all_schemas()) schemas[one.name] = write(one.schema);
+  for (const OpenApiRoute& route : routes)
+    if (route.lists) schemas[page_name(route.answer)] = page_of(route.answer);
+  return schemas;
+}
+
+Document content(std::string_view type, Document schema) {
+  return {{std::string(type), {{"schema", std::move(schema)}}}};
+}
+
+Document answer_of(const OpenApiRoute& route) {
+  Document answer = {{"description", route.summary}};
+  Document types = Document::object();
+  if (!route.answer.empty())
+    types = content(kJson, to_reference(route.lists ? page_name(route.answer) : std::string(route.answer)));
+  for (const std::string_view type : route.types) types.update(content(type, {{"type", "string"}}));
+  if (!types.empty()) answer["content"] = std::move(types);
+  return answer;
+}
+
+Document operation_of(const OpenApiRoute& route) {
+  Document operation = {
+      {"operationId", operation_id(route)}, {"summary", route.summary}, {"parameters", parameters_of(route)}};
+  if (!route.body.empty())
+    operation["requestBody"] = {{"required", route.needs_body}, {"content", content(kJson, to_reference(route.body))}};
+  operation["x-role"] = route.right;
+  if (route.open) operation["security"] = Document::array();
+  operation["responses"] = {
+      {std::to_string(route.status), answer_of(route)},
+      {"default",
+       {{"description", "a problem"}, {"content", content("application/problem+json", to_reference("Problem"))}}}};
+  return operation;
+}
+
 }  // namespace
 
 std::string openapi(std::span<const OpenApiRoute> routes, std::string_view version) {
   Document paths = Document::object();
-  for (const OpenApiRoute& route : routes) {
-    Document operation = {
-        {"operationId", operation_id(route)}, {"summary", route.summary}, {"parameters", parameters_of(route)}};
-    if (route.method == "POST" || route.method == "PUT")
-      operation["requestBody"] = {{"content", {{"application/json", {{"schema", {{"type", "object"}}}}}}}};
-    operation["x-role"] = route.right;
-    if (route.open) operation["security"] = Document::array();
-    operation["responses"] = {
-        {"2XX", {{"description", "done"}}},
-        {"default",
-         {{"description", "a problem"},
-          {"content", {{"application/problem+json", {{"schema", {{"$ref", "#/components/schemas/Problem"}}}}}}}}}};
-    paths[std::string(route.path)][lower(route.method)] = std::move(operation);
-  }
-  const Document problem = {{"type", "object"},
-                            {"properties",
-                             {{"title", {{"type", "string"}}},
-                              {"status", {{"type", "integer"}}},
-                              {"detail", {{"type", "string"}}},
-                              {"errors", {{"type", "array"}, {"items", {{"type", "object"}}}}}}}};
+  for (const OpenApiRoute& route : routes) paths[std::string(route.path)][lower(route.method)] = operation_of(route);
   return dump({{"openapi", "3.1.0"},
                {"info", {{"title", "dripfeed"}, {"version", version}}},
                {"security", Document::array({{{"token", Document::array()}}, {{"session", Document::array()}}})},
                {"paths", std::move(paths)},
                {"components",
-                {{"schemas", {{"Problem", problem}}},
+                {{"schemas", schemas_of(routes)},
                  {"securitySchemes",
                   {{"token", {{"type", "http"}, {"scheme", "bearer"}}},
                    {"session", {{"type", "apiKey"}, {"in", "cookie"}, {"name", "dripfeed_session"}}}}}}}});

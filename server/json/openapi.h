@@ -1,4 +1,4 @@
-// The API's own description (OpenAPI 3.1), written from the table of routes.
+// The API's own description (OpenAPI 3.1), written from the table of routes and the tables of schemas.
 #pragma once
 
 #include <span>
@@ -17,6 +17,12 @@ struct OpenApiRoute {
   bool paged = false;                        // takes ?limit= and &after=
   bool if_match = false;                     // takes the revision that is changed
   std::vector<std::string_view> query = {};  // names of other query parameters
+  std::string_view body = {};                // schema of the request's body; empty: it takes none
+  bool needs_body = false;                   // an empty one is none
+  unsigned status = 200;                     // where it is done
+  std::string_view answer = {};              // schema of the answer; empty: none as JSON
+  bool lists = false;                        // the answer is a page of these
+  std::vector<std::string_view> types = {};  // other content types of the answer
 };
 
 std::string openapi(std::span<const OpenApiRoute> routes, std::string_view version);

@@ -15,6 +15,8 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "e2e"))
 from rig import binary, expect, in_folder, plain_program, shop, verify  # noqa: E402,F401
 
+import contract  # noqa: E402
+
 API = "/api/v1"
 ROLES = ["viewer", "operator", "programmer", "approver", "admin"]  # each may do what those before it may
 LISTS = ["machines", "families", "parts", "programs", "checks", "releases", "jobs", "receipts", "requests"]
@@ -35,7 +37,14 @@ class Answer:
 
 
 def ask(connection, method, path, body=None, headers=None):
-    """One request on an open connection. A stream of events is not read."""
+    """One request on an open connection, held against openapi.json with its answer."""
+    sent, answer = exchange(connection, method, path, body, headers)
+    contract.check(method, path, sent, answer)
+    return answer
+
+
+def exchange(connection, method, path, body=None, headers=None):
+    """The body as it was sent, and the answer, with nothing between: for what takes the time. A stream of events is not read."""
     send = dict(headers or {})
     if body is not None and not isinstance(body, bytes):
         body = json.dumps(body).encode()
@@ -43,7 +52,7 @@ def ask(connection, method, path, body=None, headers=None):
     connection.request(method, path, body=body, headers=send)
     response = connection.getresponse()
     is_stream = response.getheader("Content-Type", "").startswith("text/event-stream")
-    return Answer(response, b"" if is_stream else response.read())
+    return body, Answer(response, b"" if is_stream else response.read())
 
 
 class Client:

@@ -6,7 +6,7 @@ import subprocess
 import sys
 import time
 
-from client import API, DC1, Client, HandControl, ask, binary, expect, expect_problem, hand_profile, in_folder
+from client import API, DC1, Client, HandControl, ask, binary, contract, expect, expect_problem, hand_profile, in_folder, shop
 
 RING = 1024  # events that the server keeps
 
@@ -29,6 +29,8 @@ class Watch:
             name, _, value = line.partition(": ")
             if name:
                 event[name] = json.loads(value) if name in ("data", "id") else value
+        if "event" in event:
+            contract.check_event(event["event"], event["data"])
         return event
 
     def numbered(self, count):
@@ -97,6 +99,31 @@ def a_feed_is_seen(client, control, watch, job):
             expect("id" not in event and event["data"]["machine"] == "lathe", f"{event}")
     expect(states == ["armed", "feeding", "draining", "done"], f"the states are {states}")
     expect(2 <= progress <= 5 * (time.monotonic() - begin) + 4, f"{progress} times progress in {time.monotonic() - begin:.1f} s")
+
+
+def wait_events(watch, kinds):
+    """Until each kind of event has come, 20 s at most: the stream itself never ends."""
+    seen, until = set(), time.monotonic() + 20
+    while not seen >= kinds:
+        seen.add(watch.next().get("event"))
+        expect(time.monotonic() < until, f"of {kinds} came {seen}")
+
+
+def events_are_as_described(folder):
+    """A receipt, a new machine and a DC1 that nothing waits for; then every kind of event of openapi.json has been held against it."""
+    client, control = bench(folder)
+    watch = Watch(client)
+    control.say(b"%\nO0700\nM30\n%\n")
+    client.post("/machines", shop.preset("fanuc-0i-mill", url=f"pty:{folder}/nobody") | {"name": "mill"})
+    wait_events(watch, {"receipt", "machine"})
+    client.wait_line("lathe", "idle")
+    control.say(DC1)
+    wait_events(watch, {"alarm"})
+    missed = contract.events_never_validated()
+    expect(not missed, f"no event was held against openapi.json: {missed}")
+    watch.close()
+    client.server.stop()
+    control.close()
 
 
 def watch_last(client):
@@ -232,6 +259,6 @@ def the_page(folder):
 
 
 if __name__ == "__main__":
-    for test in (events_are_numbered_and_resumed, a_ring_that_went_round, sessions, tokens_of_a_running_server, the_page):
+    for test in (events_are_numbered_and_resumed, a_ring_that_went_round, events_are_as_described, sessions, tokens_of_a_running_server, the_page):
         in_folder(test)
     sys.exit(0)

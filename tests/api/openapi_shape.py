@@ -23,6 +23,8 @@ def shape_faults(document):
             if name in seen:
                 found.append(f"{method} {path}: the operationId {name} is given twice")
             seen.add(name)
+    for name, schema in document.get("components", {}).get("schemas", {}).items():
+        found += members_without_meaning(schema, name)
     found += [f"{reference} leads nowhere" for reference in references(document) if not resolves(document, reference)]
     return found
 
@@ -51,8 +53,25 @@ def operation_faults(path, method, operation, schemes, default_security):
             found.append(f"the parameter {parameter.get('name')} has no place or no schema")
         if parameter.get("in") == "path" and parameter.get("required") is not True:
             found.append(f"the parameter {parameter.get('name')} of the path is not required")
-    if method in ("post", "put") and "application/json" not in operation.get("requestBody", {}).get("content", {}):
+    if "requestBody" in operation and "$ref" not in operation["requestBody"].get("content", {}).get("application/json", {}).get("schema", {}):
         found.append("no body is described")
+    if operation.get("responses") and not any(status.startswith("2") for status in operation["responses"]):
+        found.append("no success is described")
+    for response in operation.get("responses", {}).values():
+        found += [f"{kind} is not described by a schema" for kind, content in response.get("content", {}).items() if not content.get("schema")]
+    return found
+
+
+def members_without_meaning(schema, path):
+    """Members that have no sentence on what they are; a reference has its own."""
+    found = []
+    for name, member in schema.get("properties", {}).items():
+        if not member.get("description") and "$ref" not in member and "anyOf" not in member:
+            found.append(f"{path}/{name} has no meaning")
+        found += members_without_meaning(member, f"{path}/{name}")
+    for inner in ("items", "additionalProperties"):
+        if isinstance(schema.get(inner), dict):
+            found += members_without_meaning(schema[inner], path)
     return found
 
 

@@ -5,7 +5,7 @@ with /api/openapi.json, which the server writes from its own table, so that no r
 import copy
 import sys
 
-from client import DC1, ROLES, ROLL, Client, HandControl, expect, expect_problem, hand_profile, in_folder, plain_program, shop
+from client import DC1, ROLES, ROLL, Client, HandControl, contract, expect, expect_problem, hand_profile, in_folder, plain_program, shop
 from openapi_shape import differences, shape_faults
 
 MATCH_1 = {"If-Match": '"1"'}
@@ -155,6 +155,9 @@ def every_route(folder):
     for row in rows(made):
         try_row(client, stage, made, row)
     expect(client.server.alive(), "the server is gone")
+    expect(client.call("GET", "/api/openapi.json", role=None).document == contract.document(), "the server describes itself otherwise than the command")
+    missed = contract.never_validated()
+    expect(not missed, f"no answer was held against openapi.json: {missed}")
     client.server.stop()
     control.close()
 
@@ -201,10 +204,14 @@ def the_shape_can_fail(document):
     broken("leads nowhere", lambda d, o: d["components"]["schemas"].pop("Problem"))
     broken("3.1", lambda d, o: d.update(openapi="3.0.3"))
     broken("no version", lambda d, o: d["info"].pop("version"))
-    broken("no body", lambda d, o: d["paths"]["/api/v1/jobs"]["post"].pop("requestBody"))
+    broken("no body", lambda d, o: d["paths"]["/api/v1/jobs"]["post"]["requestBody"].pop("content"))
+    broken("no success", lambda d, o: o["responses"].pop("200"))
+    broken("not described by a schema", lambda d, o: o["responses"]["200"]["content"]["application/json"].pop("schema"))
+    broken("no meaning", lambda d, o: d["components"]["schemas"]["Job"]["properties"]["state"].pop("description"))
 
 
 if __name__ == "__main__":
+    contract.the_check_can_fail()
     in_folder(no_route_without_a_row)
     in_folder(every_route)
     sys.exit(0)

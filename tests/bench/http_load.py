@@ -15,7 +15,7 @@ import threading
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "api"))
-from client import API, DC1, Client, HandControl, ask, hand_profile, in_folder, plain_program  # noqa: E402
+from client import API, DC1, Client, HandControl, exchange, hand_profile, in_folder, plain_program  # noqa: E402
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "e2e"))
 from tls import Nginx, free_port  # noqa: E402
 
@@ -61,7 +61,7 @@ def texts(client, program):
     connection, times = client.connect(), []
     for _ in range(200):
         begin = time.perf_counter()
-        ask(connection, "GET", f"{API}/programs/{program}/text", None, bearer(client, "viewer"))
+        exchange(connection, "GET", f"{API}/programs/{program}/text", None, bearer(client, "viewer"))
         times.append(time.perf_counter() - begin)
     print("a text of 4 kB:", milliseconds(times))
 
@@ -70,7 +70,7 @@ def jobs(client, release):
     connection, times = client.connect(), []
     for n in range(500):
         begin = time.perf_counter()
-        ask(connection, "POST", f"{API}/jobs", {"release": release}, bearer(client, "operator") | {"Idempotency-Key": f"job-{n}"})
+        exchange(connection, "POST", f"{API}/jobs", {"release": release}, bearer(client, "operator") | {"Idempotency-Key": f"job-{n}"})
         times.append(time.perf_counter() - begin)
     print(f"a job with a key: {len(times) / sum(times):.0f} a second,", milliseconds(times))
 
@@ -83,7 +83,7 @@ def upload(client, release):
         connection, times = client.connect(), []
         while sender.is_alive():
             begin = time.perf_counter()
-            ask(connection, method, path, sent, bearer(client, role))
+            exchange(connection, method, path, sent, bearer(client, role))
             times.append(time.perf_counter() - begin)
         print(f"  {name}:", milliseconds(times))
 

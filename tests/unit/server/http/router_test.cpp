@@ -2,11 +2,14 @@
 #include "server/http/router.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <set>
 
 #include <gtest/gtest.h>
 
 #include "server/http/api.h"
+#include "server/json/schemas.h"
 
 namespace dripfeed::http {
 namespace {
@@ -64,7 +67,7 @@ TEST(Router, EscapesNamesSoThatTheyComeBack) {
 Response nothing(const Call& /*call*/) { return {}; }
 
 constexpr Route row(Method method, std::string_view pattern) {
-  return {method, pattern, Right::viewer, Weight::light, nothing, "", Takes::no_more};
+  return {method, pattern, Right::viewer, Weight::light, nothing, "", kNoBody, kGivesNothing, Takes::no_more};
 }
 constexpr Route kRows[] = {
     row(Method::get, "/"),          row(Method::get, "/jobs"),           row(Method::post, "/jobs"),
@@ -116,6 +119,21 @@ TEST(Routes, EveryChangeNeedsARoleAndEveryRowIsReachable) {
     ASSERT_TRUE(read_target(path, request));
     request.method = route.method;
     EXPECT_EQ(find_route(routes(), request).route, &route) << "an earlier row takes its requests";
+  }
+}
+
+// Nobody describes a body or an answer by a name that openapi.json has no schema for.
+TEST(Routes, EveryBodyAndAnswerHasASchema) {
+  std::set<std::string, std::less<>> names;
+  for (const json::NamedSchema& one : json::all_schemas()) names.insert(one.name);
+  for (const Route& route : routes()) {
+    SCOPED_TRACE(std::string(name_of(route.method)) + " " + std::string(route.pattern));
+    EXPECT_TRUE(route.body.schema.empty() || names.contains(route.body.schema)) << route.body.schema;
+    EXPECT_TRUE(route.answer.schema.empty() || names.contains(route.answer.schema)) << route.answer.schema;
+    EXPECT_EQ(route.answer.page, route.takes == Takes::page && !route.pattern.ends_with("/ledger"));
+    EXPECT_TRUE(route.method != Method::get || route.body.schema.empty());
+    const bool says_nothing = route.answer.schema.empty() && route.answer.types.empty();
+    EXPECT_EQ(says_nothing, route.answer.status == 204);
   }
 }
 

@@ -186,13 +186,31 @@ TEST(Records, ListsAndOpenApi) {
   EXPECT_EQ(list(items, ""), R"({"items":[1,{"a":2}],"next":null})");
   EXPECT_EQ(list({}, "x\"y"), R"({"items":[],"next":"x\"y"})");
   const OpenApiRoute routes[] = {{.method = "GET", .path = "/a/{id}/b/{name}", .summary = "s", .right = "viewer"},
-                                 {.method = "POST", .path = "/a/{id}/b/{name}", .summary = "t", .right = "admin"},
+                                 {.method = "POST",
+                                  .path = "/a/{id}/b/{name}",
+                                  .summary = "t",
+                                  .right = "admin",
+                                  .body = "ArmOrder",
+                                  .status = 201,
+                                  .answer = "Job",
+                                  .lists = true,
+                                  .types = {"image/svg+xml"}},
                                  {.method = "GET", .path = "/open", .summary = "u", .right = "anybody", .open = true}};
   const std::string text = openapi(routes, "1.2");
   EXPECT_TRUE(is_json(text));
   EXPECT_THAT(text, HasSubstr(R"("openapi":"3.1.0")"));
   EXPECT_THAT(text, HasSubstr(R"({"name":"id","in":"path","required":true)"));
   EXPECT_THAT(text, HasSubstr(R"("post":{"operationId":"post_a_id_b_name","summary":"t")"));
+  EXPECT_THAT(text, HasSubstr(R"("requestBody":{"required":false,"content":{"application/json":)"
+                              R"({"schema":{"$ref":"#/components/schemas/ArmOrder"}}}})"));
+  EXPECT_THAT(text,
+              HasSubstr(R"("201":{"description":"t","content":{"application/json":{"schema":)"
+                        R"({"$ref":"#/components/schemas/JobPage"}},"image/svg+xml":{"schema":{"type":"string"}}}})"));
+  EXPECT_THAT(text, HasSubstr(R"("JobPage":{"type":"object",)"));
+  EXPECT_THAT(text,
+              HasSubstr(R"("ArmOrder":{"type":"object","description":"how a job is armed","properties":{"minutes":)"
+                        R"({"type":["number","null"],)"));
+  EXPECT_THAT(text, HasSubstr(R"("minimum":0.01,"maximum":60},"rounds":)"));
   EXPECT_THAT(
       text,
       HasSubstr(

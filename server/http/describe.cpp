@@ -1,0 +1,32 @@
+// Each row of the table of routes as the writer of openapi.json wants it.
+#include "server/http/describe.h"
+
+#include <vector>
+
+#include "server/http/api.h"
+#include "server/json/openapi.h"
+
+namespace dripfeed::http {
+
+std::string describe_api(std::string_view version) {
+  std::vector<json::OpenApiRoute> described;
+  for (const Route& route : routes()) {
+    described.push_back({.method = name_of(route.method),
+                         .path = route.pattern,
+                         .summary = route.summary,
+                         .right = name_of(route.right),
+                         .open = route.right == Right::anybody,
+                         .paged = route.takes == Takes::page,
+                         .if_match = route.takes == Takes::if_match,
+                         .query = own_query(route),
+                         .body = route.body.schema,
+                         .needs_body = route.body.needed,
+                         .status = route.answer.status,
+                         .answer = route.answer.schema,
+                         .lists = route.answer.page,
+                         .types = other_types(route)});
+  }
+  return json::openapi(described, version);
+}
+
+}  // namespace dripfeed::http

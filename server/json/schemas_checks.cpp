@@ -1,0 +1,190 @@
+// Verdicts with what the checks report. Lengths are millimeters and times seconds; a value that is not known is null.
+#include "server/json/schemas_checks.h"
+
+#include "checks/verdict.h"
+#include "server/app/events.h"
+#include "server/json/profile_words.h"
+#include "server/json/schemas_shared.h"
+
+namespace dripfeed::json {
+
+namespace {
+
+Schema finding() {
+  return object("what a check found at one place", {{"id", text("of the kind of finding")},
+                                                    {"severity", severity()},
+                                                    {"line", integer("of the program, from 1; 0: of the whole")},
+                                                    {"program", integer("index into `programs`; 0: the main one")},
+                                                    {"value", or_null(number("that was found"))},
+                                                    {"limit", or_null(number("that it breaks"))},
+                                                    {"text", text("one sentence")},
+                                                    {"alarm", control_alarm()}});
+}
+
+Members findings() {
+  return {{"findings", list_of(finding(), "the first ones of each kind")},
+          {"counts", map_of(integer("how many there are"), "all findings, by their id")}};
+}
+
+Schema point(std::string about) { return list_of(2, number(""), std::move(about)); }
+
+Members deviation() {
+  return {{"points", integer("places that were measured")},
+          {"max_mm", number("largest deviation; positive: material is left, negative: too much is taken")},
+          {"max_at_line", integer("of the program; 0: none")},
+          {"max_at", point("where; turning: Z and radius, milling: X and Y")},
+          {"mean_mm", number("of the size, along the path")},
+          {"rmse_mm", number("root of the mean square")}};
+}
+
+Schema limited() {
+  Members members;
+  for (const std::string_view word : names_of<timing::Limiter>(timing::name_of))
+    members.push_back({std::string(word), number("in seconds")});
+  return object("how long each was what the machine waited for, in seconds", std::move(members));
+}
+
+Schema stretch() {
+  return object("lines in a row that wait for the same",
+                {{"limited_by", one_of(names_of<timing::Limiter>(timing::name_of), "what they wait for")},
+                 {"first_line", integer("of the program")},
+                 {"last_line", integer("of the program")},
+                 {"start_s", number("since the start")},
+                 {"duration_s", number("of all of them")}});
+}
+
+Schema without_stall() {
+  return object("what would let the program run without a standstill; null: not needed, or nothing would",
+                {{"feed_share", or_null(number("of the programmed feed, 0 to 1"))},
+                 {"feed_mm_min", or_null(number("the highest programmed feed"))},
+                 {"baud", or_null(number("of the line"))},
+                 {"standard_baud", or_null(number("the next usual one"))}});
+}
+
+Schema control() {
+  return object("as which control the text was read",
+                {{"title", text("for people")},
+                 {"kind", one_of(kKindWords, "of machine")},
+                 {"g_system", one_of(kGSystemWords, "G code system of a lathe")},
+                 {"feed_mode", one_of(kFeedModeWords, "at power-on")},
+                 {"because_line", integer("by which it was inferred; 0: it was named, or is the default")},
+                 {"inferred", flag("the text says which control it is, nobody else did")}});
+}
+
+Schema verdict_word(std::string about) { return one_of(store::kNames<store::Outcome>, std::move(about)); }
+
+Schema waivers() {
+  return list_of(object("a person answers for it",
+                        {{"name", text("of the person")}, {"reason", text("why")}, {"at_ms", time_ms("when")}}),
+                 "of this verdict");
+}
+
+Members verdict_head() {
+  return Members{{"id", integer("of the verdict")},
+                 {"program", integer("its id")},
+                 {"revision", integer("of the program's text")},
+                 {"sha256", text("of the text, in hexadecimal")},
+                 {"machine", text("for which it was checked")},
+                 {"machine_revision", integer("of that machine's profile")},
+                 {"delivery", one_of(store::kNames<store::Delivery>, "for which it was checked")},
+                 {"verdict", verdict_word("pass needs everything that moves, shifts or writes to be understood")},
+                 {"stale", flag("the machine's profile has changed since")}} +
+         created();
+}
+
+Members report() {
+  return {{"dialect", text("in which the text was read")},
+          {"control", control()},
+          {"diagnostics", diagnostics_schema("of reading, validating and running the text; the first of each kind")},
+          {"folded", list_of(object("how many more of a kind there are", {{"id", text("of the kind of fault")},
+                                                                          {"severity", severity()},
+                                                                          {"more", integer("that are not listed")}}),
+                             "of the diagnostics")},
+          {"blocks", integer("that ran")},
+          {"ran", flag("it ran to its end")},
+          {"timing", or_null(object("how long it takes; null: not checked", timing_members()))},
+          {"accuracy", or_null(object("how far it lies from the nominal; null: not checked", accuracy_members()))},
+          {"envelope", or_null(object("whether it stays inside the machine; null: not checked", envelope_members()))},
+          {"gouge", or_null(object("whether it cuts where it must not; null: not checked", gouge_members()))},
+          {"not_checked", not_checked()},
+          {"programs", list_of(text("name of a program"), "the main one first, then those that it calls")}};
+}
+
+}  // namespace
+
+Schema not_checked() { return list_of(text("one sentence"), "what was not checked, and why"); }
+
+Members envelope_members() {
+  return findings() +
+         Members{{"moves", integer("that were checked")},
+                 {"machine_travel", map_of(list_of(2, or_null(number("")), "least and greatest"),
+                                           "reached in machine coordinates, in millimeters or degrees, by axis")},
+                 {"feed_max_mm_min", number("the highest")},
+                 {"spindle_max_rpm", number("the highest")}};
+}
+
+Members gouge_members() {
+  return findings() + Members{{"rapids", integer("that were checked")},
+                              {"cuts", integer("that were checked")},
+                              {"deepest_rapid_mm", number("into stock or part")},
+                              {"deepest_cut_mm", number("below the nominal")}};
+}
+
+Members accuracy_members() {
+  const std::string_view measured[] = {"surface", "path"};
+  return Members{{"blocks", integer("that were measured")},
+                 {"points", integer("places that were measured")},
+                 {"max_mm", number("size of the largest deviation")},
+                 {"max_at_line", integer("of the program; 0: none")},
+                 {"mean_mm", number("of the size, along the path")},
+                 {"rmse_mm", number("root of the mean square")},
+                 {"chord_bound_mm", or_null(number("proved from the curve; null: none"))},
+                 {"measured", one_of(measured, "of what the figures above are")},
+                 {"path", object("of the programmed path", deviation())},
+                 {"surface", or_null(object("of what the tool leaves; null: the tool is not known", deviation()))},
+                 {"overrun_mm", number("farthest reach of the path beyond the ends of the nominal")},
+                 {"covered", flag("the path passes all of the nominal")}} +
+         findings();
+}
+
+Members timing_members() {
+  return {{"blocks", integer("that ran")},
+          {"cycle_s", number("of the whole program")},
+          {"motion_s", number("of motion alone")},
+          {"compute_s", number("of the control's computing alone")},
+          {"line_s", number("of the line alone")},
+          {"stalls", integer("standstills while the control waits for blocks")},
+          {"stall_s", number("how much longer the program takes by them")},
+          {"first_stall_line", integer("of the program; 0: none")},
+          {"compute_is_measured", flag("the cost model was measured at the machine")},
+          {"compute_origin", text("of the cost model")},
+          {"standstill_s", number("all standstills together")},
+          {"first_stall_at_s", number("since the start")},
+          {"longest_standstill_s", number("of all")},
+          {"longest_standstill_line", integer("of the program; 0: none")},
+          {"first_move_s", number("since the start")},
+          {"rapid_s", number("of rapid motion")},
+          {"path_mm", number("of all motion")},
+          {"blocks_per_s", number("on average")},
+          {"limited_s", limited()},
+          {"stretches", list_of(stretch(), "the first ones, in their order")},
+          {"stretch_count", integer("how many there are in all")},
+          {"lowest_buffer_bytes", or_null(number("in the control; null: it is not fed over a line"))},
+          {"lowest_buffer_blocks", or_null(number("in the control; null: it is not fed over a line"))},
+          {"without_stall", without_stall()}};
+}
+
+Schemas check_schemas() {
+  return {
+      {"VerdictSummary", object("what the checks say of a program, without their report",
+                                verdict_head() + Members{{"waivers", waivers()}})},
+      {"Verdict",
+       object("what the checks say of a program", verdict_head() + report() + Members{{"waivers", waivers()}})},
+      {"EventVerdict", object("a program was checked", {{"id", integer("of the verdict")},
+                                                        {"verdict", verdict_word("of the checks")},
+                                                        {"machine", text("for which it was checked")},
+                                                        {"text", text("one sentence")}})},
+  };
+}
+
+}  // namespace dripfeed::json

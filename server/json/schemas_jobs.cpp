@@ -1,0 +1,85 @@
+// Releases, jobs, ledgers.
+#include "server/app/events.h"
+#include "server/json/records.h"
+#include "server/json/schemas.h"
+#include "server/json/schemas_shared.h"
+
+namespace dripfeed::json {
+
+namespace {
+
+Schema delivery() { return one_of(store::kNames<store::Delivery>, "how the text goes to the control"); }
+
+Schema release() {
+  return object("a text that may go to one machine by one delivery",
+                Members{{"id", integer("of the release")},
+                        {"state", one_of(store::kNames<store::ReleaseState>, "of the release")},
+                        {"program", integer("its id")},
+                        {"revision", integer("of the program's text")},
+                        {"machine", text("to which it may go")},
+                        {"delivery", delivery()},
+                        {"sha256", text("of the text, in hexadecimal")},
+                        {"transfers_allowed", integer("while it is proved")},
+                        {"transfers_done", integer("of these")}} +
+                    created() +
+                    Members{{"approved_by", or_null(text("who approved it"))},
+                            {"sign_off", or_null(text("what they wrote"))},
+                            {"changed_at_ms", time_ms("when its state changed last")}});
+}
+
+Schema job() {
+  return object(
+      "one transfer of a released text to a machine",
+      Members{{"id", integer("of the job")},
+              {"state", one_of(store::kNames<store::JobState>, "of the job")},
+              {"machine", text("to which it goes")},
+              {"release", integer("its id")},
+              {"program", integer("its id")},
+              {"revision", integer("of the program's text")},
+              {"sha256", text("of the text, in hexadecimal")},
+              {"delivery", delivery()},
+              {"link", text("URL of the line")},
+              {"bytes", integer("of the transfer on the wire; 0: not known yet")},
+              {"reason", text("of the last change of its state; empty: none")}} +
+          created() +
+          Members{{"armed_by", or_null(text("who armed it last"))},
+                  {"armed_at_ms", or_null(time_ms("when it was armed last"))},
+                  {"expires_at_ms", or_null(time_ms("when its arming ends, while it is armed"))},
+                  {"started_at_ms", or_null(time_ms("when it first fed"))},
+                  {"ended_at_ms", or_null(time_ms("when it ended"))},
+                  {"torn", flag("it broke off inside a block: the control may hold a part of it")},
+                  {"needs_confirmation", flag("it is torn, and nobody has confirmed yet that the control was reset")},
+                  {"confirmed_by", or_null(text("who confirmed that the control was reset"))},
+                  {"confirm_reason", or_null(text("what they wrote"))},
+                  {"read_back", or_null(text("what came of reading the program back from the control"))},
+                  {"read_back_state", or_null(one_of(kReadBackStates, "the same as one word"))}});
+}
+
+Schema ledger() {
+  const std::string_view known[] = {"clocked", "confirmed"};
+  return object(
+      "what is known of a transfer",
+      {{"items",
+        list_of(object("what was known at a time; counts are bytes on the wire",
+                       {{"seq", integer("of the row, from 1")},
+                        {"at_ms", time_ms("when it was written")},
+                        {"handed", integer("given to the system's port")},
+                        {"clocked", integer("that have left, as far as time says")},
+                        {"confirmed", integer("that the protocol acknowledged")},
+                        {"reserve", integer("the feed hands nothing beyond it before the next row is written")},
+                        {"note", text("what happened; empty: nothing but progress")}}),
+                "in the order of writing")},
+       {"next", or_null(text("for `after` of the next page; null: this is the last"))},
+       {"interval", object("how much the control has, in bytes on the wire",
+                           {{"low", integer("at least")},
+                            {"high", integer("at most")},
+                            {"known", one_of(known, "by what `low` is known")}})}});
+}
+
+}  // namespace
+
+Schemas job_schemas() {
+  return {{"Release", release()}, {"Job", job()}, {"Ledger", ledger()}, {"EventJob", reference("Job")}};
+}
+
+}  // namespace dripfeed::json

@@ -1,0 +1,110 @@
+// Machines and what their lines report.
+#include <algorithm>
+
+#include "protocol/modbus/machine_words.h"
+#include "protocol/packet/event.h"
+#include "server/app/line.h"
+#include "server/json/enumerators.h"
+#include "server/json/profile_words.h"
+#include "server/json/schemas.h"
+
+namespace dripfeed::json {
+
+namespace {
+
+// Why a line does not go on. Feeds and packets name theirs in tables; the rest are words of mailboxes, folders and
+// punches (server/app/*_line.cpp, machine_watch.cpp).
+Words stall_words() {
+  static constexpr std::string_view kOthers[] = {
+      "waiting for credit",
+      "stopped by a fault",
+      "machine held",
+      "machine alarm",
+      "machine in emergency stop",
+      "folder does not answer",
+      "holding the control: what it sent before is not taken yet",
+      "waiting for the sender",
+  };
+  Words words = names_of<feed::Stall>(app::name_of);
+  const auto add = [&](std::string_view word) {
+    if (std::ranges::find(words, word) == words.end()) words.push_back(word);
+  };
+  std::ranges::for_each(names_of<packet::Stall>(packet::name), add);
+  std::ranges::for_each(kOthers, add);
+  return words;
+}
+
+Schema bytes(std::string about) { return integer(std::move(about) + ", in bytes on the wire"); }
+
+Schema line_errors() {
+  return object("what the UART counted since the link is up", {{"parity", integer("characters with wrong parity")},
+                                                               {"framing", integer("characters without a stop bit")},
+                                                               {"overrun", integer("characters that were lost")},
+                                                               {"breaks", integer("breaks of the line")}});
+}
+
+Schema plc_report() {
+  return object("what the machine's PLC says of it; null where the link brings no such words",
+                {{"state", one_of(names_of<modbus::MachineState>(modbus::name), "of the machine")},
+                 {"program", integer("its number; 0: none, or not known")},
+                 {"line", integer("being executed, from 1; 0: not known")},
+                 {"alarm", integer("the control's own number; 0: none")}});
+}
+
+// All that changes while a program goes out.
+Members line_report() {
+  return {
+      {"line", one_of(names_of<app::LineState>(app::name_of), "state of the line")},
+      {"stall", or_null(one_of(stall_words(), "why the line does not go on"))},
+      {"link_error", or_null(text("why the link is down"))},
+      {"link_note", or_null(text("of a link that is up: what its device server did not confirm"))},
+      {"line_errors", line_errors()},
+      {"job", or_null(integer("the last job that was armed here since the server's start"))},
+      {"handed", bytes("given to the system's port")},
+      {"clocked", bytes("that have left, as far as time says")},
+      {"confirmed", bytes("that the protocol acknowledged")},
+      {"confirms", flag("the protocol acknowledges; without, `confirmed` stays 0")},
+      {"estimated", flag("a blind link: how much is on its way is an estimate")},
+      {"total", bytes("of the job")},
+      {"block_from", integer("first line of the text where the control may be; 0: not known")},
+      {"block", integer("last line of the text where the control may be; 0: not known")},
+      {"holds", integer("how often the control held the line in this job")},
+      {"hold_s", number("how long it held it, in seconds")},
+      {"line_use", number("share of line time used while not held, 0 to 1")},
+      {"plc", or_null(plc_report())},
+      {"program", text("name of the job's program; empty: no job")},
+      {"block_text", text("the line `block` of the text; empty: not known")},
+  };
+}
+
+Schema torn_block() {
+  return object("a block that broke off: nothing is sent until a person confirms that the control was reset",
+                {{"job", or_null(integer("whose block it is; null: of an answer, or of another program on the line"))},
+                 {"text", text("one sentence for a person")}});
+}
+
+Members head() { return {{"name", text("of the machine")}, {"revision", integer("of its profile, from 1")}}; }
+
+}  // namespace
+
+Schemas machine_schemas() {
+  return {
+      {"MachineStatus", object("where a machine's line stands now",
+                               line_report() + Members{{"needs_confirmation", or_null(torn_block())}})},
+      {"Machine", object("a machine with its whole profile",
+                         head() + Members{{"profile", reference("Profile")}, {"status", reference("MachineStatus")}})},
+      {"MachineSummary",
+       object("a machine as a list shows it", head() + Members{{"title", text("for people; empty: none")},
+                                                               {"dialect", text("of its control")},
+                                                               {"kind", one_of(kKindWords, "of machine")},
+                                                               {"link", text("URL of its line")},
+                                                               {"status", reference("MachineStatus")}})},
+      {"EventMachine",
+       object("a machine's profile or the stall of its line has changed",
+              {{"name", text("of the machine")}, {"stall", one_of(stall_words(), "of its line"), kOptional}})},
+      {"EventProgress", object("where a machine's line stands; at most five times a second",
+                               Members{{"machine", text("its name")}} + line_report())},
+  };
+}
+
+}  // namespace dripfeed::json

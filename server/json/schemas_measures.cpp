@@ -1,0 +1,84 @@
+// Figures that are measured and not kept.
+#include "server/json/schemas_checks.h"
+
+namespace dripfeed::json {
+
+namespace {
+
+Members cmm_members() {
+  return {{"points", integer("measured points")},
+          {"min_mm", number("least deviation, with its sign")},
+          {"max_mm", number("greatest deviation, with its sign")},
+          {"mean_mm", number("with its sign")},
+          {"rmse_mm", number("root of the mean square")},
+          {"max_at_row", integer("of the largest deviation, from 1")}};
+}
+
+Schema cmm() {
+  const Members fit = {{"shift_mm", list_of(2, number(""), "of the part: Z and X, or X and Y")},
+                       {"turn_deg", number("of the part")}};
+  return object(
+      "points that were measured at a part, held against the nominal",
+      cmm_members() +
+          Members{{"best_fit", object("after the part is shifted and turned to fit best", cmm_members() + fit),
+                   kOptional}});
+}
+
+Members validated() { return {{"validated", flag("the text was validated before it ran")}}; }
+
+Schema trial() {
+  return object("what came of values", {{"passes", flag("all checks")},
+                                        {"check", text("that fails; empty: none")},
+                                        {"text", text("what it says; empty: nothing")}});
+}
+
+Schema side(std::string about) {
+  return or_null(object(std::move(about), {{"fails_at", number("nearest value that fails, in the parameter's unit")},
+                                           {"check", text("that fails there")},
+                                           {"text", text("what it says")}}));
+}
+
+Schema share(std::string about) {
+  return object(std::move(about), {{"tried", integer("sets of values")}, {"passed", integer("of these")}});
+}
+
+Schema sweep() {
+  const Schema parameter = object(
+      "one parameter, from its standard value to both ends of its range; others as usual",
+      {{"name", text("of the parameter")},
+       {"unit", text("of its values; empty: a plain number")},
+       {"low", number("end of its range")},
+       {"high", number("end of its range")},
+       {"standard", number("from which it is moved")},
+       {"passes", list_of(2, number(""), "least and greatest value that passes, as far as bisection goes"), kOptional},
+       {"low_bound", side("what fails below; null: the range ends there"), kOptional},
+       {"high_bound", side("what fails above; null: the range ends there"), kOptional}});
+  const Schema failure = object("the values nearest to the standard that fail; null: none was found",
+                                {{"passes", flag("false")},
+                                 {"check", text("that fails")},
+                                 {"text", text("what it says")},
+                                 {"values", map_of(number("in the parameter's unit"), "by parameter")},
+                                 {"changed", list_of(text("name of a parameter"), "that differ from the standard")}});
+  return object("for which values a family passes", {{"parameters", list_of(parameter, "in the family's order")},
+                                                     {"standard", trial()},
+                                                     {"corners", share("all parameters at an end of their range")},
+                                                     {"samples", share("values drawn at random")},
+                                                     {"smallest_failure", or_null(failure)},
+                                                     {"trials", integer("programs that were rendered and checked")}});
+}
+
+}  // namespace
+
+Schemas measure_schemas() {
+  return {
+      {"AccuracyFigures",
+       object("how far a program lies from the nominal",
+              accuracy_members() + validated() + Members{{"cmm", cmm(), kOptional}, {"not_checked", not_checked()}})},
+      {"GougeFigures", object("where a program cuts what it must not",
+                              gouge_members() + validated() + Members{{"not_checked", not_checked()}})},
+      {"TimingFigures", object("how long a program takes on its machine and line", timing_members() + validated())},
+      {"SweepFigures", sweep()},
+  };
+}
+
+}  // namespace dripfeed::json

@@ -1,0 +1,57 @@
+// Programs, their revisions, and what rendering says.
+#include "dialects/compile/render.h"
+#include "server/app/events.h"
+#include "server/json/enumerators.h"
+#include "server/json/schemas.h"
+#include "server/json/schemas_shared.h"
+
+namespace dripfeed::json {
+
+namespace {
+
+Words render_modes() { return names_of<compile::RenderMode>(compile::name_of); }
+
+Schema origin() {
+  return object("where the text comes from; an uploaded one has its kind alone",
+                {{"kind", one_of(store::kNames<store::OriginKind>, "of origin")},
+                 {"family", text("that was rendered"), kOptional},
+                 {"family_revision", integer("of that family"), kOptional},
+                 {"part", or_null(text("whose values were taken; null: values of the request")), kOptional},
+                 {"part_revision", integer("of that part; 0: none"), kOptional},
+                 {"machine", text("for which it was rendered"), kOptional},
+                 {"machine_revision", integer("of that machine's profile"), kOptional},
+                 {"mode", one_of(render_modes(), "how it was rendered"), kOptional}});
+}
+
+Members revision() {
+  return Members{{"revision", integer("of the text, from 1")}, {"sha256", text("of the text, in hexadecimal")}} +
+         Members{{"bytes", integer("of the text")},
+                 {"blocks", integer("lines of the text that are not empty and no %")},
+                 {"origin", origin()}} +
+         created();
+}
+
+}  // namespace
+
+Schemas program_schemas() {
+  return {
+      {"Program", object("a program with its newest revision", Members{{"id", integer("of the program")},
+                                                                       {"name", text("of the program")},
+                                                                       {"dialect", text("of its text")}} +
+                                                                   revision())},
+      {"ProgramRevision", object("one revision of a program", Members{{"id", integer("of the program")}} + revision())},
+      {"Rendered", object("a program that was rendered and stored",
+                          {{"program", integer("its id")},
+                           {"name", text("of the program")},
+                           {"revision", integer("of its text")},
+                           {"mode", one_of(render_modes(), "that was taken")},
+                           {"because", text("why this mode, as one sentence")},
+                           {"blocks", integer("lines of the text that are not empty and no %")},
+                           {"bytes", integer("of the text")},
+                           {"variables", integer("different user variables that the text touches")},
+                           {"sha256", text("of the text, in hexadecimal")},
+                           {"diagnostics", diagnostics_schema("of the family's text")}})},
+  };
+}
+
+}  // namespace dripfeed::json

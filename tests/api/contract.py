@@ -1,0 +1,155 @@
+"""Holds what goes over the wire against openapi.json, as `dripfeed openapi` prints it: each answer and each request that was taken, whole. A member
+that the document does not name is a fault here, though a client has to bear it. What was held against it is counted."""
+
+import atexit
+import functools
+import json
+import re
+import subprocess
+import sys
+
+from jsonschema import Draft202012Validator
+
+from rig import binary
+
+validated = {}  # (method, path of the route, status): how often; ("event", its name): how often
+
+
+class Drift(AssertionError):
+    """The server and its description are not of one mind."""
+
+
+@functools.cache
+def document():
+    return json.loads(subprocess.run([str(binary()), "openapi"], capture_output=True, check=True, timeout=30).stdout)
+
+
+def closed(node):
+    """The same schemas, where an object has no member but those that are named."""
+    if isinstance(node, list):
+        return [closed(one) for one in node]
+    if not isinstance(node, dict):
+        return node
+    found = {key: closed(value) for key, value in node.items()}
+    if isinstance(node.get("properties"), dict) and "additionalProperties" not in node and node.get("type") is not None:
+        found["additionalProperties"] = False
+    return found
+
+
+@functools.cache
+def validator(reference):
+    return Draft202012Validator({"$ref": reference, "components": closed(document()["components"])})
+
+
+def faults(reference, value):
+    """Sentences; none where the value is what the schema says."""
+    return [f"{'/'.join(str(step) for step in error.absolute_path) or 'the whole'}: {error.message[:300]}"
+            for error in validator(reference).iter_errors(value)]
+
+
+@functools.cache
+def routes():
+    """[(method, path of the route, pattern, operation)]"""
+    found = []
+    for path, item in document()["paths"].items():
+        pattern = re.compile(re.sub(r"\\\{\w+\\\}", "[^/]+", re.escape(path)))
+        found += [(method.upper(), path, pattern, operation) for method, operation in item.items()]
+    return found
+
+
+def route_of(method, path):
+    """(path of the route, operation); None where there is none."""
+    plain, wanted = path.split("?")[0], "GET" if method == "HEAD" else method
+    for of, route, pattern, operation in routes():
+        if of == wanted and pattern.fullmatch(plain):
+            return route, operation
+    return None
+
+
+def check(method, path, body, answer):
+    """One request with its answer. `body` is what was sent: bytes, or None."""
+    what = f"{method} {path} {answer.status}"
+    kind = (answer.headers.get("Content-Type") or "").split(";")[0]
+    route = route_of(method, path)
+    if answer.status >= 400:
+        if kind == "application/problem+json" and answer.body:
+            require(faults("#/components/schemas/Problem", answer.document), what)
+        return
+    if route is None:
+        raise Drift(f"{what}: openapi.json has no such route")
+    pattern, operation = route
+    response = operation["responses"].get(str(answer.status))
+    if response is None:
+        raise Drift(f"{what}: openapi.json says {', '.join(operation['responses'])}")
+    check_content(response.get("content", {}), kind, answer, what, is_head=method == "HEAD")
+    check_taken(operation.get("requestBody"), body, what)
+    count((method, pattern, answer.status))
+
+
+def check_content(content, kind, answer, what, is_head):
+    if not content and not answer.body and not kind:
+        return
+    if kind not in content:
+        raise Drift(f"{what}: came as {kind or 'nothing'}, openapi.json says {', '.join(content) or 'nothing'}")
+    reference = content[kind]["schema"].get("$ref")
+    if reference and not is_head:
+        require(faults(reference, answer.document), what)
+
+
+def check_taken(described, body, what):
+    """A body that the server took is one that the document describes."""
+    if described is None:
+        if body and json.loads(body) != {}:
+            raise Drift(f"{what}: openapi.json has no body, and {body[:200]} was taken")
+        return
+    if not body:
+        if described["required"]:
+            raise Drift(f"{what}: was taken without its body")
+        return
+    require(faults(described["content"]["application/json"]["schema"]["$ref"], json.loads(body)), f"{what}, the request")
+
+
+def check_event(name, data):
+    require(faults(f"#/components/schemas/Event{name.capitalize()}", data), f"the event {name}")
+    count(("event", name))
+
+
+def require(found, what):
+    if found:
+        raise Drift(f"{what}: " + "; ".join(found[:5]))
+
+
+def count(key):
+    validated[key] = validated.get(key, 0) + 1
+
+
+def never_validated():
+    """Routes and their statuses of success that openapi.json has and no answer was held against."""
+    described = {(method, path, int(status)) for method, path, _, operation in routes() for status in operation["responses"] if status != "default"}
+    return sorted(described - validated.keys())
+
+
+def events_never_validated():
+    described = {name.removeprefix("Event").lower() for name in document()["components"]["schemas"] if name.startswith("Event")}
+    return sorted(described - {key[1] for key in validated if key[0] == "event"})
+
+
+def the_check_can_fail():
+    """Answers that are wrong in one place are refused, each by that place."""
+    job = document()["components"]["schemas"]["Job"]
+    reference = "#/components/schemas/Health"
+    for wrong, word in (({"status": "ok"}, "version"), ({"status": "well", "version": "1"}, "well"), ({"status": "ok", "version": 1}, "version"),
+                        ({"status": "ok", "version": "1", "more": 1}, "more")):
+        found = faults(reference, wrong)
+        if not found or word not in " ".join(found):
+            raise AssertionError(f"{wrong} is refused by {found}")
+    if "additionalProperties" in job or faults(reference, {"status": "ok", "version": "1"}):
+        raise AssertionError("answers are closed in the document, or a good one is refused")
+
+
+@atexit.register
+def report():
+    pairs = [key for key in validated if key[0] != "event"]
+    if pairs:
+        print(f"contract: {sum(validated.values())} answers and events of {len(pairs)} routes with their status, "
+              f"{len(validated) - len(pairs)} kinds of events", file=sys.stderr)
