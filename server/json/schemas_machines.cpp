@@ -17,6 +17,7 @@ namespace {
 Words stall_words() {
   static constexpr std::string_view kOthers[] = {
       "waiting for credit",
+      "waiting for receiver",
       "stopped by a fault",
       "machine held",
       "machine alarm",
@@ -55,7 +56,7 @@ Schema plc_report() {
 Members line_report() {
   return {
       {"line", one_of(names_of<app::LineState>(app::name_of), "state of the line")},
-      {"stall", or_null(one_of(stall_words(), "why the line does not go on"))},
+      {"stall", or_null(reference("Stall"))},
       {"link_error", or_null(text("why the link is down"))},
       {"link_note", or_null(text("of a link that is up: what its device server did not confirm"))},
       {"line_errors", line_errors()},
@@ -89,6 +90,7 @@ Members head() { return {{"name", text("of the machine")}, {"revision", integer(
 
 Schemas machine_schemas() {
   return {
+      {"Stall", one_of(stall_words(), "why a line does not go on; `stopped`: a person stopped it at a block end")},
       {"MachineStatus", object("where a machine's line stands now",
                                line_report() + Members{{"needs_confirmation", or_null(torn_block())}})},
       {"Machine", object("a machine with its whole profile",
@@ -99,9 +101,8 @@ Schemas machine_schemas() {
                                                                {"kind", one_of(kKindWords, "of machine")},
                                                                {"link", text("URL of its line")},
                                                                {"status", reference("MachineStatus")}})},
-      {"EventMachine",
-       object("a machine's profile or the stall of its line has changed",
-              {{"name", text("of the machine")}, {"stall", one_of(stall_words(), "of its line"), kOptional}})},
+      {"EventMachine", object("a machine's profile or the stall of its line has changed",
+                              {{"name", text("of the machine")}, {"stall", reference("Stall"), kOptional}})},
       {"EventProgress", object("where a machine's line stands; at most five times a second",
                                Members{{"machine", text("its name")}} + line_report())},
   };
