@@ -39,7 +39,7 @@ run_tests() {
 build_web() {
   local web=$root/web stamp=$root/web/dist/.built
   [[ -f $web/package.json ]] || return 0
-  if [[ -f $stamp ]] && [[ -z $(find "$web" -path "$web/node_modules" -prune -o -path "$web/dist" -prune -o \
+  if [[ -f $stamp ]] && [[ -z $(find "$web" -name node_modules -prune -o -path "$web/dist" -prune -o \
     -type f -newer "$stamp" -print -quit) ]]; then
     return 0
   fi

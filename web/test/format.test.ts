@@ -8,6 +8,7 @@ import { intervalText, positionText } from '../src/format/intervals';
 import { bytes, count, percent, share, shortHash } from '../src/format/numbers';
 import { clockTime, countdown, dateTime, duration, shortTime } from '../src/format/times';
 import { jobWording, lineWording, reasonText, stallText } from '../src/format/words';
+import type { MachineWhole } from '../src/api/types';
 import { statusOf } from './samples';
 
 const plain = (text: string) => text.replace(/\u202F/g, ' ');
@@ -46,10 +47,10 @@ test('times are local', () => {
 });
 
 test('states and stalls have words, and an unknown name is shown as it came', () => {
-  assert.equal(stallText('waiting_for_dc1'), 'waiting for DC1');
+  assert.equal(stallText('stopped'), 'stopped by a person at a block end');
   assert.equal(stallText('held by DC3'), 'held by DC3');
   assert.equal(stallText('CTS off'), 'CTS off');
-  assert.equal(stallText('something_new'), 'something new');
+  assert.equal(stallText('something new' as never), 'something new');
   assert.deepEqual(lineWording('torn'), { text: 'torn', tone: 'bad' });
   assert.equal(lineWording('odd' as never).text, 'odd');
   assert.equal(jobWording('interrupted').tone, 'bad');
@@ -57,7 +58,7 @@ test('states and stalls have words, and an unknown name is shown as it came', ()
 
 test('reasons: causes become words, sentences stay', () => {
   assert.equal(reasonText('expired'), 'the arming expired');
-  assert.equal(reasonText('held_by_dc3'), 'held by DC3');
+  assert.equal(reasonText('held by DC3'), 'held by DC3');
   assert.equal(reasonText('link_lost: between wire byte 1 and 2'), 'the link was lost: between wire byte 1 and 2');
   assert.equal(reasonText('reset confirmed by anna: all clear'), 'reset confirmed by anna: all clear');
   assert.equal(reasonText('other: text'), 'other: text');
@@ -72,7 +73,7 @@ test('positions are intervals, and unknown ones say so', () => {
 });
 
 test('the ledger claims no more than it knows', () => {
-  const text = (low: number, high: number, known: 'handed' | 'clocked' | 'confirmed', ended: boolean) =>
+  const text = (low: number, high: number, known: 'clocked' | 'confirmed', ended: boolean) =>
     plain(intervalText({ low, high, known }, 1000, ended));
   assert.equal(text(0, 0, 'clocked', false), 'Nothing has been sent yet.');
   assert.equal(text(0, 0, 'clocked', true), 'Nothing was sent.');
@@ -103,7 +104,8 @@ test('order keys differ', () => {
 });
 
 test('a whole machine gives the summary of the list', () => {
-  const whole = { name: 'a', revision: 2, profile: { title: 'T', dialect: 'fanuc', kind: 'mill', link: { url: 'pty:/x' } }, status: statusOf() };
+  const profile: MachineWhole['profile'] = { name: 'a', title: 'T', dialect: 'fanuc', kind: 'mill', axes: [], link: { url: 'pty:/x' } };
+  const whole = { name: 'a', revision: 2, profile, status: statusOf() };
   assert.deepEqual(summaryOf(whole), { name: 'a', title: 'T', dialect: 'fanuc', kind: 'mill', link: 'pty:/x', revision: 2, status: statusOf() });
-  assert.equal(summaryOf({ name: 'a', revision: 2, profile: {}, status: statusOf() }).link, '');
+  assert.equal(summaryOf({ ...whole, profile: { ...profile, title: null } }).title, '');
 });

@@ -17,12 +17,12 @@ export const machinesOf = () => [
   { name: 'mill-2', title: 'Machining center', dialect: 'sinumerik-840d', kind: 'mill', link: 'tcp://192.0.2.17:4001',
     status: status({ line: 'feeding', job: 41, handed: 81_240, clocked: 81_198, total: 212_480, estimated: true, block_from: 2401, block: 2403, holds: 3, hold_s: 12.4, line_use: 0.97, program: 'POCKET_12', block_text: 'N24030 G1 X118.402 Y-33.871 Z-4.5' }) },
   { name: 'mill-3', title: '', dialect: 'mitsubishi-m80', kind: 'mill', link: 'modbus-tcp://192.0.2.30/1',
-    status: status({ line: 'held', stall: 'held_by_dc3', job: 39, handed: 9_800, clocked: 9_800, confirmed: 9_216, confirms: true, total: 18_300, block: 0, holds: 17, hold_s: 331.2, program: 'O8001', block_text: 'N1400 G2 X40. Y12.5 I-8. J0.' }) },
+    status: status({ line: 'held', stall: 'held by DC3', job: 39, handed: 9_800, clocked: 9_800, confirmed: 9_216, confirms: true, total: 18_300, block: 0, holds: 17, hold_s: 331.2, program: 'O8001', block_text: 'N1400 G2 X40. Y12.5 I-8. J0.' }) },
   { name: 'lathe-4', title: 'Shaft lathe', dialect: 'sinumerik-810d', kind: 'lathe', link: 'serial:/dev/ttyS3?baud=19200&framing=8N1&flow=rtscts',
     status: status({ line: 'torn', job: 38, handed: 40_130, clocked: 40_122, total: 96_012, block_from: 1187, block: 1188, program: 'SHAFT_7', block_text: 'N11880 G1 X48.25 Z-211.4',
       needs_confirmation: { job: 38, text: 'link_lost: between wire byte 40122 and 40130 of 96012 may have reached the control (line 1187 to 1188); a block is torn: reset the control and confirm it' } }) },
   { name: 'lathe-5', title: 'Old lathe behind the gate', dialect: 'mazak', kind: 'lathe', link: 'rfc2217://192.0.2.44:2217?baud=4800',
-    status: status({ line: 'disconnected', stall: 'peer_gone', link_error: 'connect to 192.0.2.44:2217: connection refused' }) },
+    status: status({ line: 'disconnected', stall: 'peer gone', link_error: 'connect to 192.0.2.44:2217: connection refused' }) },
 ];
 
 export const programs = [
@@ -56,7 +56,7 @@ export const jobsOf = (now) => {
     job(now, { id: 43, created_by: 'operator-1', created_at_ms: now - 4 * 60_000 }),
     job(now, { id: 41, state: 'feeding', machine: 'mill-2', program: 2, revision: 1, bytes: 212_480, link: 'tcp://192.0.2.17:4001', ...ran(12) }),
     job(now, { id: 40, state: 'failed', machine: 'lathe-5', program: 1, reason: 'nak: between wire byte 1200 and 1212 of 61404 may have reached the control (line 40 to 41)', ...ran(50), ended_at_ms: now - 44 * 60_000 }),
-    job(now, { id: 39, state: 'held', machine: 'mill-3', program: 3, revision: 5, bytes: 18_300, link: 'modbus-tcp://192.0.2.30/1', reason: 'held_by_dc3', ...ran(31) }),
+    job(now, { id: 39, state: 'held', machine: 'mill-3', program: 3, revision: 5, bytes: 18_300, link: 'modbus-tcp://192.0.2.30/1', reason: 'held by DC3', ...ran(31) }),
     job(now, { id: 38, state: 'failed', machine: 'lathe-4', program: 4, revision: 2, bytes: 96_012, torn: true, needs_confirmation: true, reason: 'link_lost: between wire byte 40122 and 40130 of 96012 may have reached the control (line 1187 to 1188); a block is torn: reset the control and confirm it', ...ran(70), ended_at_ms: now - 61 * 60_000 }),
     ...old,
   ];

@@ -77,8 +77,8 @@ export function startMock(port, { empty = false } = {}) {
     if (j.state === 'cancelled') return;
     if (m.stopAsked) {
       m.stopAsked = false;
-      line(m, { line: 'held', stall: 'stopped_by_person' });
-      move(j, 'held', 'stopped_by_person');
+      line(m, { line: 'held', stall: 'stopped' });
+      move(j, 'held', 'stopped');
       return;
     }
     if (m.status.stall) return;
@@ -89,9 +89,9 @@ export function startMock(port, { empty = false } = {}) {
     line(m, { handed, clocked, confirmed: m.status.confirms ? clocked : 0, block_from: Math.max(1, block - 1), block, block_text: lines[block - 1] ?? '' });
     note(j, '');
     if (!held && handed > m.status.total / 2) {
-      line(m, { line: 'held', stall: 'held_by_dc3', holds: m.status.holds + 1 });
-      move(j, 'held', 'held_by_dc3');
-      note(j, 'held_by_dc3');
+      line(m, { line: 'held', stall: 'held by DC3', holds: m.status.holds + 1 });
+      move(j, 'held', 'held by DC3');
+      note(j, 'held by DC3');
       if (!m.holdForever) later(1500, () => release(j, m, true));
       return;
     }
@@ -113,7 +113,7 @@ export function startMock(port, { empty = false } = {}) {
   const arm = (j, who) => {
     const m = machine(j.machine);
     j.armed_by = who;
-    line(m, { line: 'armed', stall: 'waiting_for_dc1', job: j.id, program: textOf(j.program), handed: 0, clocked: 0, confirmed: 0, total: j.bytes, block: 0, block_from: 0, block_text: '', holds: 0, hold_s: 0 });
+    line(m, { line: 'armed', stall: 'waiting for DC1', job: j.id, program: textOf(j.program), handed: 0, clocked: 0, confirmed: 0, total: j.bytes, block: 0, block_from: 0, block_text: '', holds: 0, hold_s: 0 });
     move(j, 'armed', 'armed');
     note(j, 'armed');
     later(m.startAfter ?? 1500, () => {
@@ -164,8 +164,8 @@ export function startMock(port, { empty = false } = {}) {
     },
     resume(response, j, body) {
       const m = machine(j.machine);
-      if (m.status.stall === 'held_by_dc3' && !body.reason) return problem(response, 422, 'a reason is needed to go on as if DC1 had come');
-      release(j, m, m.status.stall === 'held_by_dc3');
+      if (m.status.stall === 'held by DC3' && !body.reason) return problem(response, 422, 'a reason is needed to go on as if DC1 had come');
+      release(j, m, m.status.stall === 'held by DC3');
       return answer(response, 200, j);
     },
   };

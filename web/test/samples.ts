@@ -37,7 +37,7 @@ export const machineOf = (name: string, change: Partial<MachineStatus> = {}): Ma
 });
 
 export const progressOf = (machine: string, change: Partial<MachineStatus> = {}): Progress => {
-  const { program, block_text, needs_confirmation, ...report } = statusOf(change);
+  const { needs_confirmation, ...report } = statusOf(change);
   return { machine, ...report };
 };
 
@@ -57,12 +57,15 @@ export const jobOf = (change: Partial<Job> = {}): Job => ({
   created_at_ms: 1,
   armed_by: null,
   armed_at_ms: null,
+  expires_at_ms: null,
   started_at_ms: null,
   ended_at_ms: null,
   torn: false,
   needs_confirmation: false,
   confirmed_by: null,
   confirm_reason: null,
+  read_back: null,
+  read_back_state: null,
   ...change,
 });
 
@@ -76,6 +79,8 @@ export const releaseOf = (change: Partial<Release> = {}): Release => ({
   sha256: 'ab'.repeat(32),
   transfers_allowed: 0,
   transfers_done: 0,
+  created_by: 'mes',
+  created_at_ms: 1,
   approved_by: null,
   sign_off: null,
   changed_at_ms: 1,

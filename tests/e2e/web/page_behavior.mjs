@@ -45,7 +45,7 @@ async function cutStream(page, mock) {
       if (document.querySelector('.lost')) window.wasLost = true;
     }).observe(document.body, { subtree: true, childList: true });
   });
-  await set(mock, 'lathe-1', 'status', { ...(await statusOf(mock, 'lathe-1')), line: 'held', stall: 'cts_off', job: 42 });
+  await set(mock, 'lathe-1', 'status', { ...(await statusOf(mock, 'lathe-1')), line: 'held', stall: 'CTS off', job: 42 });
   expect(await card(page, 'lathe-1').getByText('idle').isVisible(), 'a change without an event is not seen');
   await fetch(`${mock.url}/mock/cut`);
   await until(() => page.evaluate(() => window.wasLost), 'the loss was shown');

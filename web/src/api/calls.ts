@@ -69,9 +69,9 @@ export function summaryOf(whole: MachineWhole): MachineItem {
   return {
     name: whole.name,
     title: profile.title ?? '',
-    dialect: profile.dialect ?? '',
-    kind: profile.kind ?? '',
-    link: profile.link?.url ?? '',
+    dialect: profile.dialect,
+    kind: profile.kind,
+    link: profile.link.url,
     revision: whole.revision,
     status: whole.status,
   };

@@ -11,7 +11,6 @@ export function positionText(fromLine: number, toLine: number): string {
 }
 
 const kCertain: Record<LedgerInterval['known'], (low: number) => string> = {
-  handed: (low) => `${bytes(low)} were handed to the line's driver for certain`,
   clocked: (low) => `${bytes(low)} passed the line for certain`,
   confirmed: (low) => `${bytes(low)} were acknowledged by the other side`,
 };

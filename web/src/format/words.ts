@@ -1,6 +1,6 @@
 // The server's names of states and stalls as words for people, with the tone that goes with them. A name that is not
 // in a table is shown as it came: it is never hidden.
-import type { Delivery, JobState, LineState, ReceiptState, ReleaseState } from '../api/types';
+import type { Delivery, JobState, LineState, ReceiptState, ReleaseState, Stall } from '../api/types';
 
 // What a state asks of the reader; the look of it is in the style sheet, and an icon goes with each.
 export type Tone = 'quiet' | 'ready' | 'active' | 'waiting' | 'good' | 'bad';
@@ -34,23 +34,37 @@ const kJobs: Record<JobState, Wording> = {
   interrupted: { text: 'interrupted', tone: 'bad' },
 };
 
-const kStalls: Record<string, string> = {
-  waiting_for_dc1: 'waiting for DC1',
-  held_by_dc3: 'held by DC3',
-  cts_off: 'CTS off',
-  peer_gone: 'peer gone',
-  waiting_for_ledger: 'waiting for the ledger',
-  waiting_for_text: 'waiting for the text',
-  waiting_for_end: 'waiting for the control’s end sign',
-  stopped_by_person: 'stopped by a person at a block end',
-  held_by_person: 'stopped by a person at a block end',
-  waiting_for_credit: 'waiting for room in the control’s buffer',
-  waiting_for_receiver: 'waiting for the receiver',
-  machine_held: 'the machine is held (feed hold)',
-  machine_alarm: 'the machine has an alarm',
-  machine_in_emergency_stop: 'the machine is in emergency stop',
-  stopped: 'stopped: something does not fit, a person must look',
+const kStalls: Record<Stall, string> = {
+  'waiting for DC1': 'waiting for DC1',
+  'held by DC3': 'held by DC3',
+  'CTS off': 'CTS off',
+  'DSR off': 'DSR off',
+  'peer gone': 'peer gone',
+  'waiting for ledger': 'waiting for the ledger',
+  'waiting for text': 'waiting for the text',
+  'waiting for end': 'waiting for the control’s end sign',
+  stopped: 'stopped by a person at a block end',
+  'stopped, and the control asked anew: it may have been reset':
+    'stopped, and the control asked anew: it may have been reset',
+  'held below': 'held by the system’s driver or the device server',
+  'waiting for trigger': 'waiting for the control’s trigger',
+  "waiting for the receiver's start": 'waiting for the receiver’s start',
+  'waiting for the receiver': 'waiting for the receiver',
+  'waiting for ACK': 'waiting for ACK',
+  "waiting for the end's ACK": 'waiting for the end’s ACK',
+  'the partner sends': 'the partner sends',
+  'waiting for receiver': 'waiting for the receiver',
+  'waiting for credit': 'waiting for room in the control’s buffer',
+  'stopped by a fault': 'stopped: something does not fit, a person must look',
+  'machine held': 'the machine is held (feed hold)',
+  'machine alarm': 'the machine has an alarm',
+  'machine in emergency stop': 'the machine is in emergency stop',
+  'folder does not answer': 'the folder does not answer',
+  'holding the control: what it sent before is not taken yet':
+    'holding the control: what it sent before is not taken yet',
+  'waiting for the sender': 'waiting for the sender',
 };
+const isStall = (name: string): name is Stall => Object.hasOwn(kStalls, name);
 
 // Why a job ended: a protocol's cause.
 const kCauses: Record<string, string> = {
@@ -114,15 +128,14 @@ export const releaseText = (state: ReleaseState): string => kReleases[state] ?? 
 export const deliveryText = (delivery: Delivery): string => kDeliveries[delivery] ?? delivery;
 export const dialectText = (dialect: string): string => kDialects[dialect] ?? dialect;
 
-// Stalls come as "held_by_dc3" or as "held by DC3".
-export const stallKey = (stall: string): string => stall.toLowerCase().replace(/[ -]/g, '_');
-export const stallText = (stall: string): string => kStalls[stallKey(stall)] ?? stall.replace(/_/g, ' ');
+export const stallText = (stall: Stall): string => kStalls[stall] ?? stall;
 
 // The reason of a job's move: the name of a stall, the name of a cause with or without a sentence behind it, or a
 // sentence of the server, which stays as it is.
 export function reasonText(reason: string): string {
+  if (isStall(reason)) return kStalls[reason];
   const [, name, rest] = /^([a-z0-9_]+)(?:: ([^]*))?$/.exec(reason) ?? [];
   if (name === undefined) return reason;
   if (rest !== undefined) return kCauses[name] ? `${kCauses[name]}: ${rest}` : reason;
-  return kStalls[name] ?? kCauses[name] ?? reason.replace(/_/g, ' ');
+  return kCauses[name] ?? reason.replace(/_/g, ' ');
 }

@@ -1,7 +1,6 @@
 // Which orders a job takes now, from its state and from what its machine's line says. As a table of conditions, apart
 // from the buttons, so that it can be tested.
 import type { Job, MachineStatus, Role } from '../api/types';
-import { stallKey } from '../format/words';
 import { isTorn } from './lines';
 import { atLeast } from './roles';
 
@@ -13,7 +12,6 @@ export interface Offer {
 }
 
 const kNothing: Offer = { actions: [], because: null };
-const kStoppedByPerson = ['stopped_by_person', 'held_by_person'];
 
 export function offerFor(job: Job, status: MachineStatus | null, role: Role, live: boolean): Offer {
   if (!atLeast(role, 'operator')) return kNothing;
@@ -25,13 +23,13 @@ export function offerFor(job: Job, status: MachineStatus | null, role: Role, liv
   if (job.state === 'queued') return queued(job, status, live);
   if (job.state === 'armed') return careful(['disarm']);
   if (job.state === 'feeding') return careful(['stop', 'cancel']);
-  const stall = status?.job === job.id && status.stall ? stallKey(status.stall) : '';
+  const stall = status?.job === job.id ? status.stall : null;
   if (job.state === 'held') {
-    if (kStoppedByPerson.includes(stall)) return careful(['resume', 'cancel']);
-    if (stall === 'held_by_dc3') return careful(['resume_as_dc1', 'stop', 'cancel']);
+    if (stall === 'stopped') return careful(['resume', 'cancel']);
+    if (stall === 'held by DC3') return careful(['resume_as_dc1', 'stop', 'cancel']);
     return careful(['cancel']);
   }
-  if (job.state === 'draining') return careful(stall === 'waiting_for_end' ? ['cancel'] : []);
+  if (job.state === 'draining') return careful(stall === 'waiting for end' ? ['cancel'] : []);
   return kNothing;
 }
 

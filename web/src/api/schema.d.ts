@@ -1,0 +1,4680 @@
+// Written by `npm run schema` from `dripfeed openapi`: do not change it by hand.
+export interface paths {
+    "/healthz": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** is the server alive */
+        get: operations["get_healthz"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/openapi.json": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** this description */
+        get: operations["get_api_openapi_json"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** the page */
+        get: operations["get_page"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/assets/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** a file of the page */
+        get: operations["get_assets_name"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/session": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** who am I */
+        get: operations["get_session"];
+        put?: never;
+        /** sign in with a token, get a cookie */
+        post: operations["post_session"];
+        /** sign out */
+        delete: operations["delete_session"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/events": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** live events, resumable (text/event-stream) */
+        get: operations["get_events"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/machines": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** machines with the state of their lines */
+        get: operations["get_machines"];
+        put?: never;
+        /** add a machine by its profile */
+        post: operations["post_machines"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/machines/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** one machine with its profile */
+        get: operations["get_machines_name"];
+        /** change a profile */
+        put: operations["put_machines_name"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/machines/{name}/confirm-reset": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a person says that the control was reset */
+        post: operations["post_machines_name_confirm_reset"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/families": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** part families */
+        get: operations["get_families"];
+        put?: never;
+        /** add a family by its text */
+        post: operations["post_families"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/families/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** one family with its text and parameters */
+        get: operations["get_families_name"];
+        /** a new revision of a family */
+        put: operations["put_families_name"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/parts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** parts: families with values */
+        get: operations["get_parts"];
+        put?: never;
+        /** add a part */
+        post: operations["post_parts"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/parts/{number}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** one part */
+        get: operations["get_parts_number"];
+        /** a new revision of a part's values */
+        put: operations["put_parts_number"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/programs": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** programs */
+        get: operations["get_programs"];
+        put?: never;
+        /** add a program by its text */
+        post: operations["post_programs"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/programs/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** one program */
+        get: operations["get_programs_id"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/programs/{id}/text": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** the text of a revision */
+        get: operations["get_programs_id_text"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/programs/{id}/revisions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** revisions, newest first */
+        get: operations["get_programs_id_revisions"];
+        put?: never;
+        /** a new revision of the text */
+        post: operations["post_programs_id_revisions"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/render": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** render a part or family for a machine and store the program */
+        post: operations["post_render"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/checks": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** verdicts, newest first */
+        get: operations["get_checks"];
+        put?: never;
+        /** check a program for a machine and store the verdict */
+        post: operations["post_checks"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/checks/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** one verdict with its report */
+        get: operations["get_checks_id"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/checks/{id}/waivers": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** waive a verdict, with a reason */
+        post: operations["post_checks_id_waivers"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/accuracy": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** how far a program's surface lies from the nominal, and measured points; with plot=deviation as SVG */
+        post: operations["post_accuracy"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/gouge": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a program's rapids into stock or part and cuts below the nominal; with plot=stock as SVG */
+        post: operations["post_gouge"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/timing": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** how long a program takes on a machine and its line; with plot=feed or plot=buffer as SVG */
+        post: operations["post_timing"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/sweep": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** for which values a family passes on a machine, and the smallest failure; with plot=region as SVG */
+        post: operations["post_sweep"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/releases": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** releases, newest first */
+        get: operations["get_releases"];
+        put?: never;
+        /** a draft that binds text, machine and delivery */
+        post: operations["post_releases"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/releases/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** one release */
+        get: operations["get_releases_id"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/releases/{id}/transitions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** move a release on */
+        post: operations["post_releases_id_transitions"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** transfers, newest first */
+        get: operations["get_jobs"];
+        put?: never;
+        /** queue a released program */
+        post: operations["post_jobs"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** one job */
+        get: operations["get_jobs_id"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/arm": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a person arms the job for its machine's line */
+        post: operations["post_jobs_id_arm"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/stop": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** stop at a block end */
+        post: operations["post_jobs_id_stop"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/cancel": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** end at a block end */
+        post: operations["post_jobs_id_cancel"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/resume": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** go on; as if DC1 had come, with a reason */
+        post: operations["post_jobs_id_resume"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/receipts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** what controls punched, newest first */
+        get: operations["get_receipts"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/receipts/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** one receipt, held against the stored program of its name */
+        get: operations["get_receipts_id"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/receipts/{id}/text": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** its text; of one in quarantine the bytes, or with form=read what they say */
+        get: operations["get_receipts_id_text"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/receipts/{id}/accept": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** make it a program's revision; one in quarantine by an approver, with a reason */
+        post: operations["post_receipts_id_accept"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/receipts/{id}/discard": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** it is not wanted, with a reason */
+        post: operations["post_receipts_id_discard"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/requests": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** what operators asked for, newest first */
+        get: operations["get_requests"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/ledger": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** what is known of a transfer */
+        get: operations["get_jobs_id_ledger"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+}
+export type webhooks = Record<string, never>;
+export interface components {
+    schemas: {
+        /** @description why a request was not answered (RFC 9457) */
+        Problem: {
+            /** @description about:blank */
+            type: string;
+            /** @description the kind of problem, the same for each of its kind */
+            title: string;
+            /** @description of HTTP */
+            status: number;
+            /** @description one sentence for a person */
+            detail: string;
+            /** @description each place that is wrong */
+            errors?: {
+                /** @description JSON pointer into the request's body */
+                pointer?: string;
+                /** @description of a text, from 1 */
+                line?: number;
+                /** @description of that line, from 1, in bytes */
+                column?: number;
+                /** @description what is wrong there */
+                text: string;
+            }[];
+        };
+        /** @description the server is alive */
+        Health: {
+            /**
+             * @description of the server
+             * @enum {string}
+             */
+            status: "ok";
+            /** @description of the server */
+            version: string;
+        };
+        /** @description the API's description (OpenAPI 3.1) */
+        OpenApi: {
+            /** @description its version */
+            openapi: string;
+            /** @description as OpenAPI has it */
+            info: unknown;
+            /** @description as OpenAPI has it */
+            security: unknown;
+            /** @description by path */
+            paths: unknown;
+            /** @description schemas by name */
+            components: unknown;
+        };
+        /** @description who calls */
+        Session: {
+            /** @description of the token */
+            name: string;
+            /**
+             * @description what the caller may do: each role may do what those before it may
+             * @enum {string}
+             */
+            role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+        };
+        /** @description something that a person should know of a machine */
+        EventAlarm: {
+            /** @description its name */
+            machine: string;
+            /** @description one sentence */
+            text: string;
+        };
+        /** @description a control has punched, or its operator has asked for something */
+        EventReceipt: {
+            /** @description its name */
+            machine: string;
+            /** @description one sentence */
+            text: string;
+        };
+        /** @description events were lost, or the server is a new one: all that is shown has to be asked for anew */
+        EventReset: Record<string, never>;
+        /** @description who signs in */
+        NewSession: {
+            /** @description as `dripfeed token add` printed it */
+            token: string;
+        };
+        /** @description a text as a whole */
+        NewText: {
+            /** @description the whole text */
+            text: string;
+        };
+        /** @description a program by its text */
+        NewProgram: {
+            /** @description under which the control calls it */
+            name: string;
+            /** @description of the control: fanuc, sinumerik-840d, mazak, mitsubishi-m80 */
+            dialect: string;
+            /** @description the whole text */
+            text: string;
+        };
+        /** @description a part: a family with values */
+        NewPart: {
+            /** @description of the part, its name */
+            number: string;
+            /** @description name of a part family */
+            family: string;
+            /** @description by parameter, with their units ("120 mm"); what is not given has the family's default */
+            values?: {
+                [key: string]: string | number;
+            } | null;
+        };
+        /** @description all values of a part's new revision */
+        PartChange: {
+            /** @description all of the part's, with their units; what is not given has the family's default */
+            values?: {
+                [key: string]: string | number;
+            } | null;
+        };
+        /** @description what is rendered, and for which machine */
+        RenderOrder: {
+            /** @description number of the part; or family and values */
+            part?: string | null;
+            /** @description name of a part family */
+            family?: string | null;
+            /** @description by parameter, with their units ("120 mm"); what is not given has the family's default */
+            values?: {
+                [key: string]: string | number;
+            } | null;
+            /** @description name of the machine */
+            machine: string;
+            /** @description of the program; not given: after part or family */
+            name?: string | null;
+            /**
+             * @description how the text goes to the control; not given: drip
+             * @enum {string|null}
+             */
+            delivery?: "drip" | "memory" | null;
+            /**
+             * @description macro: the control computes, explicit: dripfeed computes; not given: auto
+             * @enum {string|null}
+             */
+            mode?: "macro" | "explicit" | "auto" | null;
+        };
+        /** @description what is checked, and for which machine */
+        CheckOrder: {
+            /** @description id of the program */
+            program: number;
+            /** @description of the program's text; not given: the newest */
+            revision?: number | null;
+            /** @description name of the machine */
+            machine: string;
+            /**
+             * @description how the text goes to the control; not given: drip
+             * @enum {string|null}
+             */
+            delivery?: "drip" | "memory" | null;
+            /** @description what the program should make; not given: of a rendered program its family */
+            nominal?: {
+                /** @description name of the part family whose nominal counts */
+                family: string;
+                /** @description by parameter, with their units ("120 mm"); what is not given has the family's default */
+                values?: {
+                    [key: string]: string | number;
+                } | null;
+            } | null;
+            /** @description lines that cut the nominal, as "12-60,70-71"; not given: all cuts */
+            profile?: string | null;
+        };
+        /** @description a program, and what it is held against */
+        AccuracyOrder: {
+            /** @description id of the program */
+            program: number;
+            /** @description of the program's text; not given: the newest */
+            revision?: number | null;
+            /** @description name of the machine */
+            machine: string;
+            /**
+             * @description how the text goes to the control; not given: drip
+             * @enum {string|null}
+             */
+            delivery?: "drip" | "memory" | null;
+            /** @description what the program should make; not given: of a rendered program its family */
+            nominal?: {
+                /** @description name of the part family whose nominal counts */
+                family: string;
+                /** @description by parameter, with their units ("120 mm"); what is not given has the family's default */
+                values?: {
+                    [key: string]: string | number;
+                } | null;
+            } | null;
+            /** @description lines that cut the nominal, as "12-60,70-71"; not given: all cuts */
+            profile?: string | null;
+            /** @description text of a CSV of measured points */
+            cmm?: string | null;
+            /** @description the points are shifted and turned to fit best, too */
+            best_fit?: boolean | null;
+        };
+        /** @description a program, and what it is held against */
+        GougeOrder: {
+            /** @description id of the program */
+            program: number;
+            /** @description of the program's text; not given: the newest */
+            revision?: number | null;
+            /** @description name of the machine */
+            machine: string;
+            /**
+             * @description how the text goes to the control; not given: drip
+             * @enum {string|null}
+             */
+            delivery?: "drip" | "memory" | null;
+            /** @description what the program should make; not given: of a rendered program its family */
+            nominal?: {
+                /** @description name of the part family whose nominal counts */
+                family: string;
+                /** @description by parameter, with their units ("120 mm"); what is not given has the family's default */
+                values?: {
+                    [key: string]: string | number;
+                } | null;
+            } | null;
+            /** @description lines that cut the nominal, as "12-60,70-71"; not given: all cuts */
+            profile?: string | null;
+        };
+        /** @description a program, its machine and line */
+        TimingOrder: {
+            /** @description id of the program */
+            program: number;
+            /** @description of the program's text; not given: the newest */
+            revision?: number | null;
+            /** @description name of the machine */
+            machine: string;
+            /**
+             * @description how the text goes to the control; not given: drip
+             * @enum {string|null}
+             */
+            delivery?: "drip" | "memory" | null;
+            /** @description what the program should make; not given: of a rendered program its family */
+            nominal?: {
+                /** @description name of the part family whose nominal counts */
+                family: string;
+                /** @description by parameter, with their units ("120 mm"); what is not given has the family's default */
+                values?: {
+                    [key: string]: string | number;
+                } | null;
+            } | null;
+            /** @description lines that cut the nominal, as "12-60,70-71"; not given: all cuts */
+            profile?: string | null;
+            /** @description of the line, in bit/s; not given: the profile's */
+            baud?: number | null;
+        };
+        /** @description a family, and how it is tried */
+        SweepOrder: {
+            /** @description name of a part family */
+            family: string;
+            /** @description by parameter, with their units ("120 mm"); what is not given has the family's default */
+            values?: {
+                [key: string]: string | number;
+            } | null;
+            /** @description name of the machine */
+            machine: string;
+            /**
+             * @description macro: the control computes, explicit: dripfeed computes; not given: auto
+             * @enum {string|null}
+             */
+            mode?: "macro" | "explicit" | "auto" | null;
+            /**
+             * @description how the text goes to the control; not given: drip
+             * @enum {string|null}
+             */
+            delivery?: "drip" | "memory" | null;
+            /** @description of the random values */
+            seed?: number | null;
+            /** @description how many random values are tried */
+            samples?: number | null;
+        };
+        /** @description what a release binds */
+        NewRelease: {
+            /** @description id of the program */
+            program: number;
+            /** @description of the program's text; not given: the newest */
+            revision?: number | null;
+            /** @description name of the machine */
+            machine: string;
+            /**
+             * @description how the text goes to the control; not given: drip
+             * @enum {string|null}
+             */
+            delivery?: "drip" | "memory" | null;
+        };
+        /** @description one step of a release */
+        ReleaseMove: {
+            /**
+             * @description state of the release after this step
+             * @enum {string}
+             */
+            to: "draft" | "in_review" | "proving" | "approved" | "obsolete";
+            /** @description for the record; of an approval the sign-off */
+            note?: string | null;
+            /** @description that may be made while it is proved; needed for proving */
+            transfers?: number | null;
+        };
+        /** @description which release is transferred */
+        NewJob: {
+            /** @description id of the release */
+            release: number;
+        };
+        /** @description how a job is armed */
+        ArmOrder: {
+            /** @description until the arming ends by itself; not given: the profile's */
+            minutes?: number | null;
+            /** @description how often the text is sent; each waits for the control's own start */
+            rounds?: number | null;
+        };
+        /** @description why a person does it */
+        Reason: {
+            /** @description for the record */
+            reason: string;
+        };
+        /** @description why a person does it, if they say so */
+        OptionalReason: {
+            /** @description for the record */
+            reason?: string | null;
+        };
+        /** @description what a receipt becomes; nothing: a new program */
+        AcceptOrder: {
+            /** @description id of the program that gets a new revision; not given: a new program */
+            program?: number | null;
+            /** @description the newest of that program, as the caller knows it */
+            revision?: number | null;
+            /** @description of a new program; not given: the receipt's */
+            name?: string | null;
+            /** @description for the record */
+            reason?: string | null;
+        };
+        /** @description a machine: its control, axes, tools and line */
+        Profile: {
+            /** @description what the shop calls the machine; also its id */
+            name: string;
+            /** @description for people */
+            title?: string | null;
+            /** @description of the control: fanuc, sinumerik-840d, mazak, mitsubishi-m80 */
+            dialect: string;
+            /** @description where the values are from, and what is assumed */
+            notes?: string[] | null;
+            /**
+             * @description of machine
+             * @enum {string}
+             */
+            kind: "mill" | "lathe" | "mill-turn";
+            /** @description that the machine has */
+            axes: {
+                /**
+                 * @description letter of the axis
+                 * @enum {string}
+                 */
+                name: "X" | "Y" | "Z" | "A" | "B" | "C" | "U" | "V" | "W";
+                /** @description least position of the slide in machine coordinates, mm or degrees; not given: not known */
+                min_mm?: number | null;
+                /** @description greatest position of the slide in machine coordinates, mm or degrees; not given: not known */
+                max_mm?: number | null;
+                /** @description programs and work offsets give diameters of it */
+                diameter?: boolean | null;
+                /** @description speed of rapid motion, mm/min or degrees/min */
+                rapid_mm_min: number;
+                /** @description of this axis alone; not given: its rapid */
+                feed_limit_mm_min?: number | null;
+                /** @description of the axis */
+                acceleration_mm_s2: number;
+                /** @description of the axis; 0: not limited */
+                jerk_mm_s3?: number | null;
+            }[];
+            /** @description along the path; 0: not known */
+            feed_limit_mm_min?: number | null;
+            /** @description its limits; not given: not known */
+            spindle?: {
+                /** @description least speed */
+                min_rpm?: number | null;
+                /** @description greatest speed */
+                max_rpm: number;
+            } | null;
+            /** @description in the magazine or turret */
+            tools?: {
+                /** @description by which programs call it */
+                number: number;
+                /** @description the offset or D number that holds its figures */
+                offset?: number | null;
+                /** @description of a turning tool */
+                nose_radius_mm?: number | null;
+                /** @description where the imaginary tip lies, 0 to 9, as Fanuc and SINUMERIK number it */
+                tip?: number | null;
+                /** @description of a mill or drill */
+                diameter_mm?: number | null;
+                /** @description of a mill or drill: from the spindle's gauge line to the tip */
+                length_mm?: number | null;
+                /** @description of a turning tool: how far the slide lies beyond the tip, as a radius */
+                length_x_mm?: number | null;
+                /** @description of a turning tool: how far the slide lies beyond the tip */
+                length_z_mm?: number | null;
+                /** @description of a mill: 0 is flat, half the diameter a ball */
+                corner_radius_mm?: number | null;
+            }[] | null;
+            /** @description where the work zero lies where `work_offsets` says nothing; machine coordinates */
+            origin?: {
+                /** @description of the slide, never a diameter; not given: not known */
+                X_mm?: number | null;
+                /** @description of the slide; not given: not known */
+                Y_mm?: number | null;
+                /** @description of the slide; not given: not known */
+                Z_mm?: number | null;
+                /** @description in degrees; not given: not known */
+                A_mm?: number | null;
+                /** @description in degrees; not given: not known */
+                B_mm?: number | null;
+                /** @description in degrees; not given: not known */
+                C_mm?: number | null;
+                /** @description of the slide; not given: not known */
+                U_mm?: number | null;
+                /** @description of the slide; not given: not known */
+                V_mm?: number | null;
+                /** @description of the slide; not given: not known */
+                W_mm?: number | null;
+            } | null;
+            /** @description where each puts its zero; machine coordinates */
+            work_offsets?: {
+                /** @description 1 is G54 */
+                number: number;
+                /** @description of the slide, never a diameter; not given: not known */
+                X_mm?: number | null;
+                /** @description of the slide; not given: not known */
+                Y_mm?: number | null;
+                /** @description of the slide; not given: not known */
+                Z_mm?: number | null;
+                /** @description in degrees; not given: not known */
+                A_mm?: number | null;
+                /** @description in degrees; not given: not known */
+                B_mm?: number | null;
+                /** @description in degrees; not given: not known */
+                C_mm?: number | null;
+                /** @description of the slide; not given: not known */
+                U_mm?: number | null;
+                /** @description of the slide; not given: not known */
+                V_mm?: number | null;
+                /** @description of the slide; not given: not known */
+                W_mm?: number | null;
+            }[] | null;
+            /** @description of the control, for programs that are fed; not given: not known */
+            buffer?: {
+                /** @description that it holds; 0: not limited */
+                bytes?: number | null;
+                /** @description that it holds; 0: not limited */
+                blocks?: number | null;
+            } | null;
+            /** @description how fast the control works */
+            timing?: {
+                /** @description of the interpolator; 0: not known */
+                sample_time_ms?: number | null;
+                /** @description 0: not limited */
+                look_ahead_blocks?: number | null;
+                /** @description of one change */
+                tool_change_s?: number | null;
+                /** @description within which the control rounds corners; 0: it does not */
+                contour_tolerance_mm?: number | null;
+                /** @description what the control's computing costs, measured at this machine; not given: its usual cost */
+                cost?: {
+                    /** @description of each block */
+                    block_ms: number;
+                    /** @description of each variable that is read by its number */
+                    number_read_ms?: number | null;
+                    /** @description of each variable that is read by its name */
+                    named_read_ms?: number | null;
+                    /** @description of each operator */
+                    operator_ms?: number | null;
+                    /** @description of each function */
+                    function_ms?: number | null;
+                } | null;
+            } | null;
+            /** @description what this machine's control does otherwise than usual */
+            control?: {
+                /** @description of the control, for people */
+                title?: string | null;
+                /**
+                 * @description G code system of a lathe
+                 * @enum {string|null}
+                 */
+                g_system?: "A" | "B" | "C" | null;
+                /**
+                 * @description what a number without a point is: millimeters, or least increments
+                 * @enum {string|null}
+                 */
+                decimal_mode?: "calculator" | "least-increment" | null;
+                /** @description somebody looked at the machine */
+                decimal_mode_confirmed?: boolean | null;
+                /** @description of a SINUMERIK */
+                iso_mode?: {
+                    /**
+                     * @description what a number without a point is: millimeters, or least increments
+                     * @enum {string|null}
+                     */
+                    decimal_mode?: "calculator" | "least-increment" | null;
+                    /** @description somebody looked at the machine */
+                    decimal_mode_confirmed?: boolean | null;
+                    /** @description G291 is in effect where a program begins */
+                    from_start?: boolean | null;
+                } | null;
+                /** @description positions are rounded to it; 0: not stated */
+                increment_mm?: number | null;
+                /** @description that the control takes; not given: its usual one */
+                block_length_bytes?: number | null;
+                /** @description that the control moves in one block; not given: all */
+                axes_at_once?: number | null;
+                /**
+                 * @description what an arc without I, J, K and R is
+                 * @enum {string|null}
+                 */
+                arc_without_center?: "alarm" | "line" | null;
+                /** @description M numbers of the machine, as "10-19, 25"; empty: any may be */
+                machine_functions?: string | null;
+                /** @description G and M codes that parameters turn into calls */
+                code_calls?: {
+                    /** @description as "G100" */
+                    code: string;
+                    /** @description number of the program that is called */
+                    program: number;
+                    /** @description called as a macro, with arguments */
+                    macro?: boolean | null;
+                }[] | null;
+                /** @description that the control takes; not given: its usual one */
+                nesting?: {
+                    /** @description of subprograms */
+                    calls?: number | null;
+                    /** @description of macro calls */
+                    macros?: number | null;
+                    /** @description of loops */
+                    loops?: number | null;
+                } | null;
+                /** @description by how much an arc's radius may change from start to end */
+                arcs?: {
+                    /** @description at most */
+                    tolerance_mm?: number | null;
+                    /** @description or as a part of the radius, where that is more */
+                    tolerance_factor?: number | null;
+                } | null;
+                /** @description G75 FP= of it is where other controls go by G28 */
+                reference_fixed_point?: number | null;
+                /** @description somebody held a spline of the machine against ours */
+                splines_confirmed?: boolean | null;
+                /** @description parameters of cycles; not given: the control's usual ones */
+                cycles?: {
+                    /** @description by which a drill goes back to break the chip */
+                    chip_break_mm?: number | null;
+                    /** @description above the last depth */
+                    peck_clearance_mm?: number | null;
+                    /** @description of one cut, as a radius */
+                    turning_depth_mm?: number | null;
+                    /** @description after one cut, as a radius */
+                    turning_retract_mm?: number | null;
+                } | null;
+                /** @description modes that the machine wakes up with; not given: its usual ones */
+                power_on?: {
+                    /**
+                     * @description of lengths
+                     * @enum {string|null}
+                     */
+                    unit?: "mm" | "inch" | null;
+                    /**
+                     * @description of positions
+                     * @enum {string|null}
+                     */
+                    distance?: "absolute" | "incremental" | null;
+                    /**
+                     * @description of feeds
+                     * @enum {string|null}
+                     */
+                    feed?: "per-minute" | "per-revolution" | null;
+                    /**
+                     * @description of arcs
+                     * @enum {string|null}
+                     */
+                    plane?: "xy" | "zx" | "yz" | null;
+                    /** @description somebody looked at the machine */
+                    confirmed?: boolean | null;
+                } | null;
+                /** @description that the control has; empty: its usual ranges */
+                variables?: {
+                    /**
+                     * @description # or R
+                     * @enum {string|null}
+                     */
+                    bank?: "#" | "R" | null;
+                    /** @description number */
+                    first?: number | null;
+                    /** @description number */
+                    last?: number | null;
+                    /**
+                     * @description of this range
+                     * @enum {string|null}
+                     */
+                    use?: "local" | "common" | "permanent" | "system" | null;
+                    /** @description programs may set them */
+                    writable?: boolean | null;
+                }[] | null;
+            } | null;
+            /** @description how the control is reached */
+            link: {
+                /** @description serial:///dev/ttyUSB0, tcp://host:port, rfc2217://host:port, modbus+tcp://host:port, file:///folder and others */
+                url: string;
+                /**
+                 * @description what the line speaks
+                 * @enum {string|null}
+                 */
+                protocol?: "dc-codes" | "remote-buffer-b" | "xmodem" | "xmodem-crc" | "xmodem-1k" | "remote-buffer-a" | "3964" | "3964r" | "ymodem" | null;
+                /** @description in bit/s */
+                baud?: number | null;
+                /** @description data bits, parity, stop bits: "7E2", "8N1" */
+                framing?: string | null;
+                /**
+                 * @description of the characters on the line
+                 * @enum {string|null}
+                 */
+                code?: "ascii" | "iso" | "eia" | null;
+                /** @description codes of the characters that EIA has not */
+                eia_specials?: {
+                    /** @description its EIA code */
+                    "["?: number | null;
+                    /** @description its EIA code */
+                    "]"?: number | null;
+                    /** @description its EIA code */
+                    "#"?: number | null;
+                    /** @description its EIA code */
+                    "*"?: number | null;
+                    /** @description its EIA code */
+                    "="?: number | null;
+                    /** @description its EIA code */
+                    ":"?: number | null;
+                } | null;
+                /** @description end of block: lf, cr-lf, lf-cr-cr, cr, or up to four of lf, cr and hex codes, as cr-lf-lf */
+                eob?: string | null;
+                /** @description a blank makes the number of characters of a block even */
+                pad_tv?: boolean | null;
+                /**
+                 * @description of leader and trailer
+                 * @enum {string|null}
+                 */
+                filler?: "nul" | "del" | null;
+                /** @description characters before the text */
+                leader?: number | null;
+                /** @description characters after the text */
+                trailer?: number | null;
+                /**
+                 * @description what starts a transfer
+                 * @enum {string|null}
+                 */
+                start?: "dc1" | "at-once" | "trigger" | null;
+                /** @description of a start by trigger: what the control sends */
+                start_trigger?: string | null;
+                /**
+                 * @description what holds the sender
+                 * @enum {string|null}
+                 */
+                flow?: "none" | "xonxoff" | "rtscts" | "dtrdsr" | "both" | null;
+                /**
+                 * @description who obeys XOFF
+                 * @enum {string|null}
+                 */
+                xoff_by?: "host" | "kernel" | "device" | null;
+                /** @description its code */
+                xon?: number | null;
+                /** @description its code */
+                xoff?: number | null;
+                /** @description additional, between two characters */
+                char_delay_ms?: number | null;
+                /** @description additional, after each EOB */
+                line_delay_ms?: number | null;
+                /** @description DC3 after the last character ends the transfer */
+                end_by_dc3?: boolean | null;
+                /** @description that the control sends at the end */
+                end_by_character?: number | null;
+                /** @description without a character from the control the transfer has ended */
+                end_by_quiet_s?: number | null;
+                /** @description characters that the control takes after its DC3 */
+                overrun_budget?: number | null;
+                /** @description characters that may wait in the port */
+                unsent?: number | null;
+                /** @description characters that leave before a DC3 is obeyed */
+                latency_chars?: number | null;
+                /** @description CTS holds the sender */
+                watch_cts?: boolean | null;
+                /** @description DSR holds the sender */
+                watch_dsr?: boolean | null;
+                /** @description how long an answer of a packet protocol may take; not given: without limit */
+                answer_s?: number | null;
+                /** @description of a packet */
+                payload_bytes?: number | null;
+                /** @description 3964: frames carry a number */
+                counted_frames?: boolean | null;
+                /** @description 3964: withdraws where both call at once */
+                gives_way?: boolean | null;
+                /** @description remote buffer: CR instead of ETX */
+                messages_end_with_cr?: boolean | null;
+                /** @description until an arming ends by itself */
+                arming_minutes?: number | null;
+                /**
+                 * @description that the control takes
+                 * @enum {string|null}
+                 */
+                character_set?: "iso-core" | "fanuc-iso" | "mitsubishi" | "mazak" | "sinumerik" | "ascii" | null;
+            };
+            /** @description how what the control punches is taken */
+            receive?: {
+                /** @description it is taken at all */
+                enabled?: boolean | null;
+                /** @description without a character it has ended */
+                quiet_s?: number | null;
+                /** @description the same, after the final % */
+                quiet_after_end_s?: number | null;
+                /** @description that ends it */
+                end_character?: number | null;
+                /**
+                 * @description line: as the link's; auto: it is found out from what comes
+                 * @enum {string|null}
+                 */
+                code?: "line" | "auto" | null;
+                /**
+                 * @description how the control's output is held while the server cannot keep up
+                 * @enum {string|null}
+                 */
+                hold?: "none" | "dc3" | "rts" | null;
+                /** @description a memory load is compared with what the control punches then */
+                read_back?: boolean | null;
+                /** @description for so long after the load */
+                read_back_minutes?: number | null;
+                /** @description an operator may ask by a program */
+                requests?: boolean | null;
+                /** @description O number of a request */
+                request_number?: number | null;
+                /** @description O number of an answer; not given: the request's */
+                answer_number?: number | null;
+                /** @description or a word in its name, where the control has names */
+                request_marker?: string | null;
+                /** @description that are looked at for the verb */
+                scan_lines?: number | null;
+                /** @description before an answer starts, where the control does not ask with DC1 */
+                request_delay_s?: number | null;
+                /** @description an operator may queue a drip-feed */
+                remote_drip?: boolean | null;
+                /** @description and arm it: the operator at the control is the person */
+                remote_arm?: boolean | null;
+            } | null;
+        };
+        /**
+         * @description why a line does not go on; `stopped`: a person stopped it at a block end
+         * @enum {string}
+         */
+        Stall: "waiting for DC1" | "held by DC3" | "CTS off" | "peer gone" | "waiting for ledger" | "waiting for text" | "waiting for end" | "stopped" | "DSR off" | "held below" | "waiting for trigger" | "stopped, and the control asked anew: it may have been reset" | "waiting for the receiver's start" | "waiting for the receiver" | "waiting for ACK" | "waiting for the end's ACK" | "the partner sends" | "waiting for credit" | "waiting for receiver" | "stopped by a fault" | "machine held" | "machine alarm" | "machine in emergency stop" | "folder does not answer" | "holding the control: what it sent before is not taken yet" | "waiting for the sender";
+        /** @description where a machine's line stands now */
+        MachineStatus: {
+            /**
+             * @description state of the line
+             * @enum {string}
+             */
+            line: "disconnected" | "idle" | "armed" | "feeding" | "held" | "draining" | "torn" | "receiving" | "answering";
+            stall: components["schemas"]["Stall"] | null;
+            /** @description why the link is down */
+            link_error: string | null;
+            /** @description of a link that is up: what its device server did not confirm */
+            link_note: string | null;
+            /** @description what the UART counted since the link is up */
+            line_errors: {
+                /** @description characters with wrong parity */
+                parity: number;
+                /** @description characters without a stop bit */
+                framing: number;
+                /** @description characters that were lost */
+                overrun: number;
+                /** @description breaks of the line */
+                breaks: number;
+            };
+            /** @description the last job that was armed here since the server's start */
+            job: number | null;
+            /** @description given to the system's port, in bytes on the wire */
+            handed: number;
+            /** @description that have left, as far as time says, in bytes on the wire */
+            clocked: number;
+            /** @description that the protocol acknowledged, in bytes on the wire */
+            confirmed: number;
+            /** @description the protocol acknowledges; without, `confirmed` stays 0 */
+            confirms: boolean;
+            /** @description a blind link: how much is on its way is an estimate */
+            estimated: boolean;
+            /** @description of the job, in bytes on the wire */
+            total: number;
+            /** @description first line of the text where the control may be; 0: not known */
+            block_from: number;
+            /** @description last line of the text where the control may be; 0: not known */
+            block: number;
+            /** @description how often the control held the line in this job */
+            holds: number;
+            /** @description how long it held it, in seconds */
+            hold_s: number;
+            /** @description share of line time used while not held, 0 to 1 */
+            line_use: number;
+            /** @description what the machine's PLC says of it; null where the link brings no such words */
+            plc: {
+                /**
+                 * @description of the machine
+                 * @enum {string}
+                 */
+                state: "unknown" | "idle" | "running" | "held" | "alarm" | "emergency stop" | "manual";
+                /** @description its number; 0: none, or not known */
+                program: number;
+                /** @description being executed, from 1; 0: not known */
+                line: number;
+                /** @description the control's own number; 0: none */
+                alarm: number;
+            } | null;
+            /** @description name of the job's program; empty: no job */
+            program: string;
+            /** @description the line `block` of the text; empty: not known */
+            block_text: string;
+            /** @description a block that broke off: nothing is sent until a person confirms that the control was reset */
+            needs_confirmation: {
+                /** @description whose block it is; null: of an answer, or of another program on the line */
+                job: number | null;
+                /** @description one sentence for a person */
+                text: string;
+            } | null;
+        };
+        /** @description a machine with its whole profile */
+        Machine: {
+            /** @description of the machine */
+            name: string;
+            /** @description of its profile, from 1 */
+            revision: number;
+            profile: components["schemas"]["Profile"];
+            status: components["schemas"]["MachineStatus"];
+        };
+        /** @description a machine as a list shows it */
+        MachineSummary: {
+            /** @description of the machine */
+            name: string;
+            /** @description of its profile, from 1 */
+            revision: number;
+            /** @description for people; empty: none */
+            title: string;
+            /** @description of its control */
+            dialect: string;
+            /**
+             * @description of machine
+             * @enum {string}
+             */
+            kind: "mill" | "lathe" | "mill-turn";
+            /** @description URL of its line */
+            link: string;
+            status: components["schemas"]["MachineStatus"];
+        };
+        /** @description a machine's profile or the stall of its line has changed */
+        EventMachine: {
+            /** @description of the machine */
+            name: string;
+            stall?: components["schemas"]["Stall"];
+        };
+        /** @description where a machine's line stands; at most five times a second */
+        EventProgress: {
+            /** @description its name */
+            machine: string;
+            /**
+             * @description state of the line
+             * @enum {string}
+             */
+            line: "disconnected" | "idle" | "armed" | "feeding" | "held" | "draining" | "torn" | "receiving" | "answering";
+            stall: components["schemas"]["Stall"] | null;
+            /** @description why the link is down */
+            link_error: string | null;
+            /** @description of a link that is up: what its device server did not confirm */
+            link_note: string | null;
+            /** @description what the UART counted since the link is up */
+            line_errors: {
+                /** @description characters with wrong parity */
+                parity: number;
+                /** @description characters without a stop bit */
+                framing: number;
+                /** @description characters that were lost */
+                overrun: number;
+                /** @description breaks of the line */
+                breaks: number;
+            };
+            /** @description the last job that was armed here since the server's start */
+            job: number | null;
+            /** @description given to the system's port, in bytes on the wire */
+            handed: number;
+            /** @description that have left, as far as time says, in bytes on the wire */
+            clocked: number;
+            /** @description that the protocol acknowledged, in bytes on the wire */
+            confirmed: number;
+            /** @description the protocol acknowledges; without, `confirmed` stays 0 */
+            confirms: boolean;
+            /** @description a blind link: how much is on its way is an estimate */
+            estimated: boolean;
+            /** @description of the job, in bytes on the wire */
+            total: number;
+            /** @description first line of the text where the control may be; 0: not known */
+            block_from: number;
+            /** @description last line of the text where the control may be; 0: not known */
+            block: number;
+            /** @description how often the control held the line in this job */
+            holds: number;
+            /** @description how long it held it, in seconds */
+            hold_s: number;
+            /** @description share of line time used while not held, 0 to 1 */
+            line_use: number;
+            /** @description what the machine's PLC says of it; null where the link brings no such words */
+            plc: {
+                /**
+                 * @description of the machine
+                 * @enum {string}
+                 */
+                state: "unknown" | "idle" | "running" | "held" | "alarm" | "emergency stop" | "manual";
+                /** @description its number; 0: none, or not known */
+                program: number;
+                /** @description being executed, from 1; 0: not known */
+                line: number;
+                /** @description the control's own number; 0: none */
+                alarm: number;
+            } | null;
+            /** @description name of the job's program; empty: no job */
+            program: string;
+            /** @description the line `block` of the text; empty: not known */
+            block_text: string;
+        };
+        /** @description a part family as a list shows it */
+        FamilySummary: {
+            /** @description of the family */
+            name: string;
+            /** @description for people; empty: none */
+            title: string;
+            /** @description of its text, from 1 */
+            revision: number;
+            /** @description who made this revision */
+            changed_by: string;
+            /** @description when it was made; milliseconds since 1970, UTC */
+            changed_at_ms: number;
+        };
+        /** @description a part family */
+        Family: {
+            /** @description of the family */
+            name: string;
+            /** @description for people; empty: none */
+            title: string;
+            /** @description of its text, from 1 */
+            revision: number;
+            /** @description who made this revision */
+            changed_by: string;
+            /** @description when it was made; milliseconds since 1970, UTC */
+            changed_at_ms: number;
+            /** @description in the family language */
+            text: string;
+            /** @description in the text's order */
+            parameters: {
+                /** @description of the parameter */
+                name: string;
+                /** @description of default, low and high; empty: a plain number */
+                unit: string;
+                /** @description as one would write it: "100 mm" */
+                default: string;
+                /** @description least value, in `unit`; null: no bound */
+                low: number | null;
+                /** @description greatest value, in `unit`; null: no bound */
+                high: number | null;
+                /** @description what it is, for people */
+                text: string;
+            }[];
+        };
+        /** @description a family with values */
+        Part: {
+            /** @description of the part */
+            number: string;
+            /** @description of its values, from 1 */
+            revision: number;
+            /** @description its name */
+            family: string;
+            /** @description against which the values hold */
+            family_revision: number;
+            /** @description those that are given, by parameter */
+            values: {
+                [key: string]: string;
+            };
+            /** @description who made this revision */
+            changed_by: string;
+            /** @description when it was made; milliseconds since 1970, UTC */
+            changed_at_ms: number;
+        };
+        /** @description a program with its newest revision */
+        Program: {
+            /** @description of the program */
+            id: number;
+            /** @description of the program */
+            name: string;
+            /** @description of its text */
+            dialect: string;
+            /** @description of the text, from 1 */
+            revision: number;
+            /** @description of the text, in hexadecimal */
+            sha256: string;
+            /** @description of the text */
+            bytes: number;
+            /** @description lines of the text that are not empty and no % */
+            blocks: number;
+            /** @description where the text comes from; an uploaded one has its kind alone */
+            origin: {
+                /**
+                 * @description of origin
+                 * @enum {string}
+                 */
+                kind: "uploaded" | "rendered";
+                /** @description that was rendered */
+                family?: string;
+                /** @description of that family */
+                family_revision?: number;
+                /** @description whose values were taken; null: values of the request */
+                part?: string | null;
+                /** @description of that part; 0: none */
+                part_revision?: number;
+                /** @description for which it was rendered */
+                machine?: string;
+                /** @description of that machine's profile */
+                machine_revision?: number;
+                /**
+                 * @description how it was rendered
+                 * @enum {string}
+                 */
+                mode?: "macro" | "explicit" | "auto";
+            };
+            /** @description who made it */
+            created_by: string;
+            /** @description when it was made; milliseconds since 1970, UTC */
+            created_at_ms: number;
+        };
+        /** @description one revision of a program */
+        ProgramRevision: {
+            /** @description of the program */
+            id: number;
+            /** @description of the text, from 1 */
+            revision: number;
+            /** @description of the text, in hexadecimal */
+            sha256: string;
+            /** @description of the text */
+            bytes: number;
+            /** @description lines of the text that are not empty and no % */
+            blocks: number;
+            /** @description where the text comes from; an uploaded one has its kind alone */
+            origin: {
+                /**
+                 * @description of origin
+                 * @enum {string}
+                 */
+                kind: "uploaded" | "rendered";
+                /** @description that was rendered */
+                family?: string;
+                /** @description of that family */
+                family_revision?: number;
+                /** @description whose values were taken; null: values of the request */
+                part?: string | null;
+                /** @description of that part; 0: none */
+                part_revision?: number;
+                /** @description for which it was rendered */
+                machine?: string;
+                /** @description of that machine's profile */
+                machine_revision?: number;
+                /**
+                 * @description how it was rendered
+                 * @enum {string}
+                 */
+                mode?: "macro" | "explicit" | "auto";
+            };
+            /** @description who made it */
+            created_by: string;
+            /** @description when it was made; milliseconds since 1970, UTC */
+            created_at_ms: number;
+        };
+        /** @description a program that was rendered and stored */
+        Rendered: {
+            /** @description its id */
+            program: number;
+            /** @description of the program */
+            name: string;
+            /** @description of its text */
+            revision: number;
+            /**
+             * @description that was taken
+             * @enum {string}
+             */
+            mode: "macro" | "explicit" | "auto";
+            /** @description why this mode, as one sentence */
+            because: string;
+            /** @description lines of the text that are not empty and no % */
+            blocks: number;
+            /** @description of the text */
+            bytes: number;
+            /** @description different user variables that the text touches */
+            variables: number;
+            /** @description of the text, in hexadecimal */
+            sha256: string;
+            /** @description of the family's text */
+            diagnostics: {
+                /** @description of the kind of fault */
+                id: string;
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description from 1 */
+                line: number;
+                /** @description from 1, in bytes */
+                column: number;
+                /** @description from 1, in characters */
+                column_chars: number;
+                /** @description one sentence */
+                text: string;
+                /** @description by which the control itself would name it */
+                alarm: string | null;
+            }[];
+        };
+        /** @description what the checks say of a program, without their report */
+        VerdictSummary: {
+            /** @description of the verdict */
+            id: number;
+            /** @description its id */
+            program: number;
+            /** @description of the program's text */
+            revision: number;
+            /** @description of the text, in hexadecimal */
+            sha256: string;
+            /** @description for which it was checked */
+            machine: string;
+            /** @description of that machine's profile */
+            machine_revision: number;
+            /**
+             * @description for which it was checked
+             * @enum {string}
+             */
+            delivery: "drip" | "memory";
+            /**
+             * @description pass needs everything that moves, shifts or writes to be understood
+             * @enum {string}
+             */
+            verdict: "pass" | "warn" | "fail" | "unknown";
+            /** @description the machine's profile has changed since */
+            stale: boolean;
+            /** @description who made it */
+            created_by: string;
+            /** @description when it was made; milliseconds since 1970, UTC */
+            created_at_ms: number;
+            /** @description of this verdict */
+            waivers: {
+                /** @description of the person */
+                name: string;
+                /** @description why */
+                reason: string;
+                /** @description when; milliseconds since 1970, UTC */
+                at_ms: number;
+            }[];
+        };
+        /** @description what the checks say of a program */
+        Verdict: {
+            /** @description of the verdict */
+            id: number;
+            /** @description its id */
+            program: number;
+            /** @description of the program's text */
+            revision: number;
+            /** @description of the text, in hexadecimal */
+            sha256: string;
+            /** @description for which it was checked */
+            machine: string;
+            /** @description of that machine's profile */
+            machine_revision: number;
+            /**
+             * @description for which it was checked
+             * @enum {string}
+             */
+            delivery: "drip" | "memory";
+            /**
+             * @description pass needs everything that moves, shifts or writes to be understood
+             * @enum {string}
+             */
+            verdict: "pass" | "warn" | "fail" | "unknown";
+            /** @description the machine's profile has changed since */
+            stale: boolean;
+            /** @description who made it */
+            created_by: string;
+            /** @description when it was made; milliseconds since 1970, UTC */
+            created_at_ms: number;
+            /** @description in which the text was read */
+            dialect: string;
+            /** @description as which control the text was read */
+            control: {
+                /** @description for people */
+                title: string;
+                /**
+                 * @description of machine
+                 * @enum {string}
+                 */
+                kind: "mill" | "lathe" | "mill-turn";
+                /**
+                 * @description G code system of a lathe
+                 * @enum {string}
+                 */
+                g_system: "A" | "B" | "C";
+                /**
+                 * @description at power-on
+                 * @enum {string}
+                 */
+                feed_mode: "per-minute" | "per-revolution" | "inverse-time";
+                /** @description by which it was inferred; 0: it was named, or is the default */
+                because_line: number;
+                /** @description the text says which control it is, nobody else did */
+                inferred: boolean;
+            };
+            /** @description of reading, validating and running the text; the first of each kind */
+            diagnostics: {
+                /** @description of the kind of fault */
+                id: string;
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description from 1 */
+                line: number;
+                /** @description from 1, in bytes */
+                column: number;
+                /** @description from 1, in characters */
+                column_chars: number;
+                /** @description one sentence */
+                text: string;
+                /** @description by which the control itself would name it */
+                alarm: string | null;
+            }[];
+            /** @description of the diagnostics */
+            folded: {
+                /** @description of the kind of fault */
+                id: string;
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description that are not listed */
+                more: number;
+            }[];
+            /** @description that ran */
+            blocks: number;
+            /** @description it ran to its end */
+            ran: boolean;
+            /** @description how long it takes; null: not checked */
+            timing: {
+                /** @description that ran */
+                blocks: number;
+                /** @description of the whole program */
+                cycle_s: number;
+                /** @description of motion alone */
+                motion_s: number;
+                /** @description of the control's computing alone */
+                compute_s: number;
+                /** @description of the line alone */
+                line_s: number;
+                /** @description standstills while the control waits for blocks */
+                stalls: number;
+                /** @description how much longer the program takes by them */
+                stall_s: number;
+                /** @description of the program; 0: none */
+                first_stall_line: number;
+                /** @description the cost model was measured at the machine */
+                compute_is_measured: boolean;
+                /** @description of the cost model */
+                compute_origin: string;
+                /** @description all standstills together */
+                standstill_s: number;
+                /** @description since the start */
+                first_stall_at_s: number;
+                /** @description of all */
+                longest_standstill_s: number;
+                /** @description of the program; 0: none */
+                longest_standstill_line: number;
+                /** @description since the start */
+                first_move_s: number;
+                /** @description of rapid motion */
+                rapid_s: number;
+                /** @description of all motion */
+                path_mm: number;
+                /** @description on average */
+                blocks_per_s: number;
+                /** @description how long each was what the machine waited for, in seconds */
+                limited_s: {
+                    /** @description in seconds */
+                    motion: number;
+                    /** @description in seconds */
+                    compute: number;
+                    /** @description in seconds */
+                    line: number;
+                    /** @description in seconds */
+                    buffer: number;
+                };
+                /** @description the first ones, in their order */
+                stretches: {
+                    /**
+                     * @description what they wait for
+                     * @enum {string}
+                     */
+                    limited_by: "motion" | "compute" | "line" | "buffer";
+                    /** @description of the program */
+                    first_line: number;
+                    /** @description of the program */
+                    last_line: number;
+                    /** @description since the start */
+                    start_s: number;
+                    /** @description of all of them */
+                    duration_s: number;
+                }[];
+                /** @description how many there are in all */
+                stretch_count: number;
+                /** @description in the control; null: it is not fed over a line */
+                lowest_buffer_bytes: number | null;
+                /** @description in the control; null: it is not fed over a line */
+                lowest_buffer_blocks: number | null;
+                /** @description what would let the program run without a standstill; null: not needed, or nothing would */
+                without_stall: {
+                    /** @description of the programmed feed, 0 to 1 */
+                    feed_share: number | null;
+                    /** @description the highest programmed feed */
+                    feed_mm_min: number | null;
+                    /** @description of the line */
+                    baud: number | null;
+                    /** @description the next usual one */
+                    standard_baud: number | null;
+                };
+            } | null;
+            /** @description how far it lies from the nominal; null: not checked */
+            accuracy: {
+                /** @description that were measured */
+                blocks: number;
+                /** @description places that were measured */
+                points: number;
+                /** @description size of the largest deviation */
+                max_mm: number;
+                /** @description of the program; 0: none */
+                max_at_line: number;
+                /** @description of the size, along the path */
+                mean_mm: number;
+                /** @description root of the mean square */
+                rmse_mm: number;
+                /** @description proved from the curve; null: none */
+                chord_bound_mm: number | null;
+                /**
+                 * @description of what the figures above are
+                 * @enum {string}
+                 */
+                measured: "surface" | "path";
+                /** @description of the programmed path */
+                path: {
+                    /** @description places that were measured */
+                    points: number;
+                    /** @description largest deviation; positive: material is left, negative: too much is taken */
+                    max_mm: number;
+                    /** @description of the program; 0: none */
+                    max_at_line: number;
+                    /** @description where; turning: Z and radius, milling: X and Y */
+                    max_at: number[];
+                    /** @description of the size, along the path */
+                    mean_mm: number;
+                    /** @description root of the mean square */
+                    rmse_mm: number;
+                };
+                /** @description of what the tool leaves; null: the tool is not known */
+                surface: {
+                    /** @description places that were measured */
+                    points: number;
+                    /** @description largest deviation; positive: material is left, negative: too much is taken */
+                    max_mm: number;
+                    /** @description of the program; 0: none */
+                    max_at_line: number;
+                    /** @description where; turning: Z and radius, milling: X and Y */
+                    max_at: number[];
+                    /** @description of the size, along the path */
+                    mean_mm: number;
+                    /** @description root of the mean square */
+                    rmse_mm: number;
+                } | null;
+                /** @description farthest reach of the path beyond the ends of the nominal */
+                overrun_mm: number;
+                /** @description the path passes all of the nominal */
+                covered: boolean;
+                /** @description the first ones of each kind */
+                findings: {
+                    /** @description of the kind of finding */
+                    id: string;
+                    /**
+                     * @description how bad it is
+                     * @enum {string}
+                     */
+                    severity: "note" | "warning" | "error";
+                    /** @description of the program, from 1; 0: of the whole */
+                    line: number;
+                    /** @description index into `programs`; 0: the main one */
+                    program: number;
+                    /** @description that was found */
+                    value: number | null;
+                    /** @description that it breaks */
+                    limit: number | null;
+                    /** @description one sentence */
+                    text: string;
+                    /** @description by which the control itself would name it */
+                    alarm: string | null;
+                }[];
+                /** @description all findings, by their id */
+                counts: {
+                    [key: string]: number;
+                };
+            } | null;
+            /** @description whether it stays inside the machine; null: not checked */
+            envelope: {
+                /** @description the first ones of each kind */
+                findings: {
+                    /** @description of the kind of finding */
+                    id: string;
+                    /**
+                     * @description how bad it is
+                     * @enum {string}
+                     */
+                    severity: "note" | "warning" | "error";
+                    /** @description of the program, from 1; 0: of the whole */
+                    line: number;
+                    /** @description index into `programs`; 0: the main one */
+                    program: number;
+                    /** @description that was found */
+                    value: number | null;
+                    /** @description that it breaks */
+                    limit: number | null;
+                    /** @description one sentence */
+                    text: string;
+                    /** @description by which the control itself would name it */
+                    alarm: string | null;
+                }[];
+                /** @description all findings, by their id */
+                counts: {
+                    [key: string]: number;
+                };
+                /** @description that were checked */
+                moves: number;
+                /** @description reached in machine coordinates, in millimeters or degrees, by axis */
+                machine_travel: {
+                    [key: string]: (number | null)[];
+                };
+                /** @description the highest */
+                feed_max_mm_min: number;
+                /** @description the highest */
+                spindle_max_rpm: number;
+            } | null;
+            /** @description whether it cuts where it must not; null: not checked */
+            gouge: {
+                /** @description the first ones of each kind */
+                findings: {
+                    /** @description of the kind of finding */
+                    id: string;
+                    /**
+                     * @description how bad it is
+                     * @enum {string}
+                     */
+                    severity: "note" | "warning" | "error";
+                    /** @description of the program, from 1; 0: of the whole */
+                    line: number;
+                    /** @description index into `programs`; 0: the main one */
+                    program: number;
+                    /** @description that was found */
+                    value: number | null;
+                    /** @description that it breaks */
+                    limit: number | null;
+                    /** @description one sentence */
+                    text: string;
+                    /** @description by which the control itself would name it */
+                    alarm: string | null;
+                }[];
+                /** @description all findings, by their id */
+                counts: {
+                    [key: string]: number;
+                };
+                /** @description that were checked */
+                rapids: number;
+                /** @description that were checked */
+                cuts: number;
+                /** @description into stock or part */
+                deepest_rapid_mm: number;
+                /** @description below the nominal */
+                deepest_cut_mm: number;
+            } | null;
+            /** @description what was not checked, and why */
+            not_checked: string[];
+            /** @description the main one first, then those that it calls */
+            programs: string[];
+            /** @description of this verdict */
+            waivers: {
+                /** @description of the person */
+                name: string;
+                /** @description why */
+                reason: string;
+                /** @description when; milliseconds since 1970, UTC */
+                at_ms: number;
+            }[];
+        };
+        /** @description a program was checked */
+        EventVerdict: {
+            /** @description of the verdict */
+            id: number;
+            /**
+             * @description of the checks
+             * @enum {string}
+             */
+            verdict: "pass" | "warn" | "fail" | "unknown";
+            /** @description for which it was checked */
+            machine: string;
+            /** @description one sentence */
+            text: string;
+        };
+        /** @description how far a program lies from the nominal */
+        AccuracyFigures: {
+            /** @description that were measured */
+            blocks: number;
+            /** @description places that were measured */
+            points: number;
+            /** @description size of the largest deviation */
+            max_mm: number;
+            /** @description of the program; 0: none */
+            max_at_line: number;
+            /** @description of the size, along the path */
+            mean_mm: number;
+            /** @description root of the mean square */
+            rmse_mm: number;
+            /** @description proved from the curve; null: none */
+            chord_bound_mm: number | null;
+            /**
+             * @description of what the figures above are
+             * @enum {string}
+             */
+            measured: "surface" | "path";
+            /** @description of the programmed path */
+            path: {
+                /** @description places that were measured */
+                points: number;
+                /** @description largest deviation; positive: material is left, negative: too much is taken */
+                max_mm: number;
+                /** @description of the program; 0: none */
+                max_at_line: number;
+                /** @description where; turning: Z and radius, milling: X and Y */
+                max_at: number[];
+                /** @description of the size, along the path */
+                mean_mm: number;
+                /** @description root of the mean square */
+                rmse_mm: number;
+            };
+            /** @description of what the tool leaves; null: the tool is not known */
+            surface: {
+                /** @description places that were measured */
+                points: number;
+                /** @description largest deviation; positive: material is left, negative: too much is taken */
+                max_mm: number;
+                /** @description of the program; 0: none */
+                max_at_line: number;
+                /** @description where; turning: Z and radius, milling: X and Y */
+                max_at: number[];
+                /** @description of the size, along the path */
+                mean_mm: number;
+                /** @description root of the mean square */
+                rmse_mm: number;
+            } | null;
+            /** @description farthest reach of the path beyond the ends of the nominal */
+            overrun_mm: number;
+            /** @description the path passes all of the nominal */
+            covered: boolean;
+            /** @description the first ones of each kind */
+            findings: {
+                /** @description of the kind of finding */
+                id: string;
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description of the program, from 1; 0: of the whole */
+                line: number;
+                /** @description index into `programs`; 0: the main one */
+                program: number;
+                /** @description that was found */
+                value: number | null;
+                /** @description that it breaks */
+                limit: number | null;
+                /** @description one sentence */
+                text: string;
+                /** @description by which the control itself would name it */
+                alarm: string | null;
+            }[];
+            /** @description all findings, by their id */
+            counts: {
+                [key: string]: number;
+            };
+            /** @description the text was validated before it ran */
+            validated: boolean;
+            /** @description points that were measured at a part, held against the nominal */
+            cmm?: {
+                /** @description measured points */
+                points: number;
+                /** @description least deviation, with its sign */
+                min_mm: number;
+                /** @description greatest deviation, with its sign */
+                max_mm: number;
+                /** @description with its sign */
+                mean_mm: number;
+                /** @description root of the mean square */
+                rmse_mm: number;
+                /** @description of the largest deviation, from 1 */
+                max_at_row: number;
+                /** @description after the part is shifted and turned to fit best */
+                best_fit?: {
+                    /** @description measured points */
+                    points: number;
+                    /** @description least deviation, with its sign */
+                    min_mm: number;
+                    /** @description greatest deviation, with its sign */
+                    max_mm: number;
+                    /** @description with its sign */
+                    mean_mm: number;
+                    /** @description root of the mean square */
+                    rmse_mm: number;
+                    /** @description of the largest deviation, from 1 */
+                    max_at_row: number;
+                    /** @description of the part: Z and X, or X and Y */
+                    shift_mm: number[];
+                    /** @description of the part */
+                    turn_deg: number;
+                };
+            };
+            /** @description what was not checked, and why */
+            not_checked: string[];
+        };
+        /** @description where a program cuts what it must not */
+        GougeFigures: {
+            /** @description the first ones of each kind */
+            findings: {
+                /** @description of the kind of finding */
+                id: string;
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description of the program, from 1; 0: of the whole */
+                line: number;
+                /** @description index into `programs`; 0: the main one */
+                program: number;
+                /** @description that was found */
+                value: number | null;
+                /** @description that it breaks */
+                limit: number | null;
+                /** @description one sentence */
+                text: string;
+                /** @description by which the control itself would name it */
+                alarm: string | null;
+            }[];
+            /** @description all findings, by their id */
+            counts: {
+                [key: string]: number;
+            };
+            /** @description that were checked */
+            rapids: number;
+            /** @description that were checked */
+            cuts: number;
+            /** @description into stock or part */
+            deepest_rapid_mm: number;
+            /** @description below the nominal */
+            deepest_cut_mm: number;
+            /** @description the text was validated before it ran */
+            validated: boolean;
+            /** @description what was not checked, and why */
+            not_checked: string[];
+        };
+        /** @description how long a program takes on its machine and line */
+        TimingFigures: {
+            /** @description that ran */
+            blocks: number;
+            /** @description of the whole program */
+            cycle_s: number;
+            /** @description of motion alone */
+            motion_s: number;
+            /** @description of the control's computing alone */
+            compute_s: number;
+            /** @description of the line alone */
+            line_s: number;
+            /** @description standstills while the control waits for blocks */
+            stalls: number;
+            /** @description how much longer the program takes by them */
+            stall_s: number;
+            /** @description of the program; 0: none */
+            first_stall_line: number;
+            /** @description the cost model was measured at the machine */
+            compute_is_measured: boolean;
+            /** @description of the cost model */
+            compute_origin: string;
+            /** @description all standstills together */
+            standstill_s: number;
+            /** @description since the start */
+            first_stall_at_s: number;
+            /** @description of all */
+            longest_standstill_s: number;
+            /** @description of the program; 0: none */
+            longest_standstill_line: number;
+            /** @description since the start */
+            first_move_s: number;
+            /** @description of rapid motion */
+            rapid_s: number;
+            /** @description of all motion */
+            path_mm: number;
+            /** @description on average */
+            blocks_per_s: number;
+            /** @description how long each was what the machine waited for, in seconds */
+            limited_s: {
+                /** @description in seconds */
+                motion: number;
+                /** @description in seconds */
+                compute: number;
+                /** @description in seconds */
+                line: number;
+                /** @description in seconds */
+                buffer: number;
+            };
+            /** @description the first ones, in their order */
+            stretches: {
+                /**
+                 * @description what they wait for
+                 * @enum {string}
+                 */
+                limited_by: "motion" | "compute" | "line" | "buffer";
+                /** @description of the program */
+                first_line: number;
+                /** @description of the program */
+                last_line: number;
+                /** @description since the start */
+                start_s: number;
+                /** @description of all of them */
+                duration_s: number;
+            }[];
+            /** @description how many there are in all */
+            stretch_count: number;
+            /** @description in the control; null: it is not fed over a line */
+            lowest_buffer_bytes: number | null;
+            /** @description in the control; null: it is not fed over a line */
+            lowest_buffer_blocks: number | null;
+            /** @description what would let the program run without a standstill; null: not needed, or nothing would */
+            without_stall: {
+                /** @description of the programmed feed, 0 to 1 */
+                feed_share: number | null;
+                /** @description the highest programmed feed */
+                feed_mm_min: number | null;
+                /** @description of the line */
+                baud: number | null;
+                /** @description the next usual one */
+                standard_baud: number | null;
+            };
+            /** @description the text was validated before it ran */
+            validated: boolean;
+        };
+        /** @description for which values a family passes */
+        SweepFigures: {
+            /** @description in the family's order */
+            parameters: {
+                /** @description of the parameter */
+                name: string;
+                /** @description of its values; empty: a plain number */
+                unit: string;
+                /** @description end of its range */
+                low: number;
+                /** @description end of its range */
+                high: number;
+                /** @description from which it is moved */
+                standard: number;
+                /** @description least and greatest value that passes, as far as bisection goes */
+                passes?: number[];
+                /** @description what fails below; null: the range ends there */
+                low_bound?: {
+                    /** @description nearest value that fails, in the parameter's unit */
+                    fails_at: number;
+                    /** @description that fails there */
+                    check: string;
+                    /** @description what it says */
+                    text: string;
+                } | null;
+                /** @description what fails above; null: the range ends there */
+                high_bound?: {
+                    /** @description nearest value that fails, in the parameter's unit */
+                    fails_at: number;
+                    /** @description that fails there */
+                    check: string;
+                    /** @description what it says */
+                    text: string;
+                } | null;
+            }[];
+            /** @description what came of values */
+            standard: {
+                /** @description all checks */
+                passes: boolean;
+                /** @description that fails; empty: none */
+                check: string;
+                /** @description what it says; empty: nothing */
+                text: string;
+            };
+            /** @description all parameters at an end of their range */
+            corners: {
+                /** @description sets of values */
+                tried: number;
+                /** @description of these */
+                passed: number;
+            };
+            /** @description values drawn at random */
+            samples: {
+                /** @description sets of values */
+                tried: number;
+                /** @description of these */
+                passed: number;
+            };
+            /** @description the values nearest to the standard that fail; null: none was found */
+            smallest_failure: {
+                /** @description false */
+                passes: boolean;
+                /** @description that fails */
+                check: string;
+                /** @description what it says */
+                text: string;
+                /** @description by parameter */
+                values: {
+                    [key: string]: number;
+                };
+                /** @description that differ from the standard */
+                changed: string[];
+            } | null;
+            /** @description programs that were rendered and checked */
+            trials: number;
+        };
+        /** @description a text that may go to one machine by one delivery */
+        Release: {
+            /** @description of the release */
+            id: number;
+            /**
+             * @description of the release
+             * @enum {string}
+             */
+            state: "draft" | "in_review" | "proving" | "approved" | "obsolete";
+            /** @description its id */
+            program: number;
+            /** @description of the program's text */
+            revision: number;
+            /** @description to which it may go */
+            machine: string;
+            /**
+             * @description how the text goes to the control
+             * @enum {string}
+             */
+            delivery: "drip" | "memory";
+            /** @description of the text, in hexadecimal */
+            sha256: string;
+            /** @description while it is proved */
+            transfers_allowed: number;
+            /** @description of these */
+            transfers_done: number;
+            /** @description who made it */
+            created_by: string;
+            /** @description when it was made; milliseconds since 1970, UTC */
+            created_at_ms: number;
+            /** @description who approved it */
+            approved_by: string | null;
+            /** @description what they wrote */
+            sign_off: string | null;
+            /** @description when its state changed last; milliseconds since 1970, UTC */
+            changed_at_ms: number;
+        };
+        /** @description one transfer of a released text to a machine */
+        Job: {
+            /** @description of the job */
+            id: number;
+            /**
+             * @description of the job
+             * @enum {string}
+             */
+            state: "queued" | "armed" | "feeding" | "held" | "draining" | "done" | "failed" | "cancelled" | "interrupted";
+            /** @description to which it goes */
+            machine: string;
+            /** @description its id */
+            release: number;
+            /** @description its id */
+            program: number;
+            /** @description of the program's text */
+            revision: number;
+            /** @description of the text, in hexadecimal */
+            sha256: string;
+            /**
+             * @description how the text goes to the control
+             * @enum {string}
+             */
+            delivery: "drip" | "memory";
+            /** @description URL of the line */
+            link: string;
+            /** @description of the transfer on the wire; 0: not known yet */
+            bytes: number;
+            /** @description of the last change of its state; empty: none */
+            reason: string;
+            /** @description who made it */
+            created_by: string;
+            /** @description when it was made; milliseconds since 1970, UTC */
+            created_at_ms: number;
+            /** @description who armed it last */
+            armed_by: string | null;
+            /** @description when it was armed last; milliseconds since 1970, UTC */
+            armed_at_ms: number | null;
+            /** @description when its arming ends, while it is armed; milliseconds since 1970, UTC */
+            expires_at_ms: number | null;
+            /** @description when it first fed; milliseconds since 1970, UTC */
+            started_at_ms: number | null;
+            /** @description when it ended; milliseconds since 1970, UTC */
+            ended_at_ms: number | null;
+            /** @description it broke off inside a block: the control may hold a part of it */
+            torn: boolean;
+            /** @description it is torn, and nobody has confirmed yet that the control was reset */
+            needs_confirmation: boolean;
+            /** @description who confirmed that the control was reset */
+            confirmed_by: string | null;
+            /** @description what they wrote */
+            confirm_reason: string | null;
+            /** @description what came of reading the program back from the control */
+            read_back: string | null;
+            /**
+             * @description the same as one word
+             * @enum {string|null}
+             */
+            read_back_state: "waiting" | "equal" | "differs" | "expired" | "superseded" | null;
+        };
+        /** @description what is known of a transfer */
+        Ledger: {
+            /** @description in the order of writing */
+            items: {
+                /** @description of the row, from 1 */
+                seq: number;
+                /** @description when it was written; milliseconds since 1970, UTC */
+                at_ms: number;
+                /** @description given to the system's port */
+                handed: number;
+                /** @description that have left, as far as time says */
+                clocked: number;
+                /** @description that the protocol acknowledged */
+                confirmed: number;
+                /** @description the feed hands nothing beyond it before the next row is written */
+                reserve: number;
+                /** @description what happened; empty: nothing but progress */
+                note: string;
+            }[];
+            /** @description for `after` of the next page; null: this is the last */
+            next: string | null;
+            /** @description how much the control has, in bytes on the wire */
+            interval: {
+                /** @description at least */
+                low: number;
+                /** @description at most */
+                high: number;
+                /**
+                 * @description by what `low` is known
+                 * @enum {string}
+                 */
+                known: "clocked" | "confirmed";
+            };
+        };
+        EventJob: components["schemas"]["Job"];
+        /** @description a program that a control punched */
+        Receipt: {
+            /** @description of the receipt */
+            id: number;
+            /** @description whose control punched it */
+            machine: string;
+            /** @description when it ended; milliseconds since 1970, UTC */
+            at_ms: number;
+            /** @description as the program names itself, or by its time */
+            name: string;
+            /**
+             * @description where the name was found
+             * @enum {string}
+             */
+            named_by: "okuma" | "sinumerik" | "fagor" | "heidenhain" | "header" | "number" | "angle" | "comment" | "time";
+            /**
+             * @description of the receipt
+             * @enum {string}
+             */
+            state: "stored" | "quarantined" | "accepted" | "discarded";
+            /** @description why it is in quarantine */
+            reason: string | null;
+            /** @description of what is kept, in hexadecimal */
+            sha256: string;
+            /** @description of what is kept */
+            bytes: number;
+            /** @description as they came on the wire */
+            raw_bytes: number;
+            /**
+             * @description in which it came
+             * @enum {string}
+             */
+            code: "ascii" | "iso" | "eia";
+            /**
+             * @description the sign that ended it
+             * @enum {string}
+             */
+            ended_by: "punch_off" | "percent" | "end_code" | "quiet" | "reader_on" | "reset" | "link_lost" | "too_long" | "renewed";
+            /** @description the stored program of the same name; null: none, or the receipt is decided */
+            stored: {
+                /** @description its id */
+                program: number;
+                /** @description of its text, the newest */
+                revision: number;
+                /** @description the texts are equal */
+                same: boolean;
+                /** @description the first one, as a sentence */
+                difference: string | null;
+            } | null;
+            /** @description that it became */
+            program: number | null;
+            /** @description of that program */
+            revision: number | null;
+            /** @description who accepted or discarded it */
+            decided_by: string | null;
+            /** @description what they wrote */
+            decided_reason: string | null;
+            /** @description when; milliseconds since 1970, UTC */
+            decided_at_ms: number | null;
+        };
+        /** @description what an operator asked for at the control */
+        OperatorRequest: {
+            /** @description of the request */
+            id: number;
+            /** @description where it was asked */
+            machine: string;
+            /** @description when; milliseconds since 1970, UTC */
+            at_ms: number;
+            /** @description load, drip, dir, save, cancel, status, restart, call; of a doorbell also "request 9" */
+            verb: string;
+            /** @description of the verb; empty: none */
+            argument: string;
+            /** @description as it was written */
+            text: string;
+            /**
+             * @description what came of it
+             * @enum {string}
+             */
+            outcome: "answered" | "queued" | "armed" | "refused" | "stored";
+            /** @description for people */
+            detail: string;
+            /** @description that it made or armed */
+            job: number | null;
+        };
+        /** @description a page of a list */
+        MachineSummaryPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["MachineSummary"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        FamilySummaryPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["FamilySummary"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        PartPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["Part"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        ProgramPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["Program"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        ProgramRevisionPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["ProgramRevision"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        VerdictSummaryPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["VerdictSummary"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        ReleasePage: {
+            /** @description in the list's order */
+            items: components["schemas"]["Release"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        JobPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["Job"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        ReceiptPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["Receipt"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        OperatorRequestPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["OperatorRequest"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+    };
+    responses: never;
+    parameters: never;
+    requestBodies: never;
+    headers: never;
+    pathItems: never;
+}
+export type $defs = Record<string, never>;
+export interface operations {
+    get_healthz: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description is the server alive */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Health"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_api_openapi_json: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description this description */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["OpenApi"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_page: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the page */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/html": string;
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_assets_name: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description a file of the page */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/html": string;
+                    "text/javascript": string;
+                    "text/css": string;
+                    "image/svg+xml": string;
+                    "image/png": string;
+                    "application/json": string;
+                    "application/octet-stream": string;
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_session: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description who am I */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Session"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_session: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewSession"];
+            };
+        };
+        responses: {
+            /** @description sign in with a token, get a cookie */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_session: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description sign out */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_events: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description live events, resumable (text/event-stream) */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/event-stream": string;
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_machines: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description machines with the state of their lines */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MachineSummaryPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_machines: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Profile"];
+            };
+        };
+        responses: {
+            /** @description add a machine by its profile */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Machine"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_machines_name: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description one machine with its profile */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Machine"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_machines_name: {
+        parameters: {
+            query?: never;
+            header: {
+                "If-Match": string;
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Profile"];
+            };
+        };
+        responses: {
+            /** @description change a profile */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Machine"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_machines_name_confirm_reset: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Reason"];
+            };
+        };
+        responses: {
+            /** @description a person says that the control was reset */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MachineStatus"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_families: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description part families */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FamilySummaryPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_families: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewText"];
+            };
+        };
+        responses: {
+            /** @description add a family by its text */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Family"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_families_name: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description one family with its text and parameters */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Family"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_families_name: {
+        parameters: {
+            query?: never;
+            header: {
+                "If-Match": string;
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewText"];
+            };
+        };
+        responses: {
+            /** @description a new revision of a family */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Family"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_parts: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+                family?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description parts: families with values */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PartPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_parts: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewPart"];
+            };
+        };
+        responses: {
+            /** @description add a part */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Part"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_parts_number: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                number: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description one part */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Part"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_parts_number: {
+        parameters: {
+            query?: never;
+            header: {
+                "If-Match": string;
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                number: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PartChange"];
+            };
+        };
+        responses: {
+            /** @description a new revision of a part's values */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Part"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_programs: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+                name?: string;
+                part?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description programs */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ProgramPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_programs: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewProgram"];
+            };
+        };
+        responses: {
+            /** @description add a program by its text */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Program"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_programs_id: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description one program */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Program"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_programs_id_text: {
+        parameters: {
+            query?: {
+                revision?: string;
+            };
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the text of a revision */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/plain": string;
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_programs_id_revisions: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+            };
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description revisions, newest first */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ProgramRevisionPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_programs_id_revisions: {
+        parameters: {
+            query?: never;
+            header: {
+                "If-Match": string;
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewText"];
+            };
+        };
+        responses: {
+            /** @description a new revision of the text */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Program"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_render: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["RenderOrder"];
+            };
+        };
+        responses: {
+            /** @description render a part or family for a machine and store the program */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Rendered"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_checks: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+                program?: string;
+                machine?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description verdicts, newest first */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VerdictSummaryPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_checks: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["CheckOrder"];
+            };
+        };
+        responses: {
+            /** @description check a program for a machine and store the verdict */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Verdict"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_checks_id: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description one verdict with its report */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Verdict"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_checks_id_waivers: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Reason"];
+            };
+        };
+        responses: {
+            /** @description waive a verdict, with a reason */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Verdict"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_accuracy: {
+        parameters: {
+            query?: {
+                plot?: string;
+            };
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["AccuracyOrder"];
+            };
+        };
+        responses: {
+            /** @description how far a program's surface lies from the nominal, and measured points; with plot=deviation as SVG */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AccuracyFigures"];
+                    "image/svg+xml": string;
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_gouge: {
+        parameters: {
+            query?: {
+                plot?: string;
+            };
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["GougeOrder"];
+            };
+        };
+        responses: {
+            /** @description a program's rapids into stock or part and cuts below the nominal; with plot=stock as SVG */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GougeFigures"];
+                    "image/svg+xml": string;
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_timing: {
+        parameters: {
+            query?: {
+                plot?: string;
+            };
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["TimingOrder"];
+            };
+        };
+        responses: {
+            /** @description how long a program takes on a machine and its line; with plot=feed or plot=buffer as SVG */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TimingFigures"];
+                    "image/svg+xml": string;
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_sweep: {
+        parameters: {
+            query?: {
+                plot?: string;
+            };
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SweepOrder"];
+            };
+        };
+        responses: {
+            /** @description for which values a family passes on a machine, and the smallest failure; with plot=region as SVG */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SweepFigures"];
+                    "image/svg+xml": string;
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_releases: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+                machine?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description releases, newest first */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReleasePage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_releases: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewRelease"];
+            };
+        };
+        responses: {
+            /** @description a draft that binds text, machine and delivery */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Release"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_releases_id: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description one release */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Release"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_releases_id_transitions: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ReleaseMove"];
+            };
+        };
+        responses: {
+            /** @description move a release on */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Release"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_jobs: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+                machine?: string;
+                state?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description transfers, newest first */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_jobs: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewJob"];
+            };
+        };
+        responses: {
+            /** @description queue a released program */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Job"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_jobs_id: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description one job */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Job"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_jobs_id_arm: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["ArmOrder"];
+            };
+        };
+        responses: {
+            /** @description a person arms the job for its machine's line */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Job"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_jobs_id_stop: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description stop at a block end */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Job"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_jobs_id_cancel: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description end at a block end */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Job"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_jobs_id_resume: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["OptionalReason"];
+            };
+        };
+        responses: {
+            /** @description go on; as if DC1 had come, with a reason */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Job"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_receipts: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+                machine?: string;
+                state?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description what controls punched, newest first */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReceiptPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_receipts_id: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description one receipt, held against the stored program of its name */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Receipt"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_receipts_id_text: {
+        parameters: {
+            query?: {
+                form?: string;
+            };
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description its text; of one in quarantine the bytes, or with form=read what they say */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/plain": string;
+                    "application/octet-stream": string;
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_receipts_id_accept: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["AcceptOrder"];
+            };
+        };
+        responses: {
+            /** @description make it a program's revision; one in quarantine by an approver, with a reason */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Receipt"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_receipts_id_discard: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Reason"];
+            };
+        };
+        responses: {
+            /** @description it is not wanted, with a reason */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Receipt"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_requests: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+                machine?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description what operators asked for, newest first */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["OperatorRequestPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_jobs_id_ledger: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+            };
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description what is known of a transfer */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Ledger"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+}
