@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "server/http/handlers.h"
 #include "server/json/records.h"
 #include "store/hash/hash.h"
 
@@ -165,9 +166,19 @@ Lane lane_of(const Route& route) {
 
 }  // namespace
 
+namespace {
+
+// A browser that comes by a path ("/jobs/3" was typed, or kept) gets the page, which finds the place itself.
+bool wants_page(const Request& request) {
+  if (request.method != Method::get || request.accept.find("text/html") == std::string::npos) return false;
+  return !request.path.empty() && request.path[0] != "api" && request.path[0] != "assets";
+}
+
+}  // namespace
+
 Plan Api::plan(const Request& head) {
   const Match match = find_route(routes(), head);
-  if (match.route == nullptr) return {};
+  if (match.route == nullptr) return {.lane = wants_page(head) ? Lane::bulk : Lane::here};
   return {.lane = lane_of(*match.route),
           .body_limit_bytes = match.route->carries == Carries::text ? kLargeBody_bytes : kSmallBody_bytes};
 }
@@ -194,7 +205,10 @@ Response no_route(const Request& request, const Match& match) {
 }  // namespace
 
 Response Api::answer_found(const Request& request, const Match& match) {
-  return match.route != nullptr ? answer_route(request, match) : no_route(request, match);
+  if (match.route != nullptr) return answer_route(request, match);
+  if (!match.path_known && wants_page(request))
+    return get_page({.api = *this, .request = request, .parameters = {}, .user = {}, .right = Right::anybody});
+  return no_route(request, match);
 }
 
 std::optional<Response> Api::refuse_long(const Request& head) {

@@ -233,6 +233,7 @@ void Connection::copy_headers() {
   request_.if_match = take(bhttp::field::if_match);
   request_.idempotency_key = std::string(message["Idempotency-Key"]);
   request_.last_event_id = std::string(message["Last-Event-ID"]);
+  request_.accept = take(bhttp::field::accept);
   request_.origin = take(bhttp::field::origin);
   request_.host = take(bhttp::field::host);
   request_.fetch_site = std::string(message["Sec-Fetch-Site"]);

@@ -30,6 +30,7 @@ struct Request {
   std::string if_match;
   std::string idempotency_key;
   std::string last_event_id;
+  std::string accept;
   std::string origin;
   std::string host;
   std::string forwarded_host;  // as a trusted proxy says; "" without one

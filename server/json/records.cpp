@@ -26,6 +26,7 @@ Document status_document(const app::MachineStatus& status) {
     waits = {{"job", id_or_null(status.needs_confirmation->job)}, {"text", status.needs_confirmation->text}};
   return {{"line", app::name_of(r.state)},
           {"stall", text_or_null(r.stall)},
+          {"stop_wanted", r.stop_wanted},
           {"link_error", text_or_null(r.link_error)},
           {"link_note", text_or_null(r.link_note)},
           {"line_errors",

@@ -57,6 +57,7 @@ Members line_report() {
   return {
       {"line", one_of(names_of<app::LineState>(app::name_of), "state of the line")},
       {"stall", or_null(reference("Stall"))},
+      {"stop_wanted", flag("a person's stop is in force, reached or not")},
       {"link_error", or_null(text("why the link is down"))},
       {"link_note", or_null(text("of a link that is up: what its device server did not confirm"))},
       {"line_errors", line_errors()},

@@ -252,6 +252,13 @@ def the_page(folder):
             expect("unsafe" not in policy and answer.headers["Cache-Control"] == "no-cache" and answer.headers["X-Content-Type-Options"] == "nosniff", f"{path}: {answer.headers}")
     for path in ("/assets/folder", "/assets/", "/assets/..%2fsecret.txt", "/assets/%2e%2e%2fsecret.txt", "/assets/..%5csecret.txt", "/assets/.hidden", "/secret.txt", "/index.html", "//", "/assets/app.js/"):
         expect_problem(client.call("GET", path, role=None), 404, path) if path.startswith("/assets/") else expect(client.call("GET", f"/api/..{path}", role=None).status in (400, 404), path)
+    browser = {"Accept": "text/html,application/xhtml+xml,*/*;q=0.8"}
+    for path in ("/jobs/3", "/machines/mill%201", "/nowhere"):
+        answer = ask(client.connect(), "GET", path, headers=browser)
+        expect(answer.status == 200 and answer.body == b"/ of a test", f"a browser at {path} is not shown the page: {answer}")
+        expect_problem(ask(client.connect(), "GET", path), 404, path)
+    for path in ("/api/v1/nothing", "/api/nothing", "/assets/nothing.js"):
+        expect_problem(client.call("GET", path, headers=browser), 404, f"{path} for a browser")
     for path in ("/healthz", "/api/openapi.json", "/api/v1/machines", "/api/v1/nothing"):
         headers = client.call("GET", path).headers
         expect((headers["Cache-Control"], headers["X-Content-Type-Options"]) == ("no-store", "nosniff"), f"{path}: {headers}")

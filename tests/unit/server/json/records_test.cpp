@@ -93,7 +93,7 @@ TEST(Records, TheStateOfALine) {
   status.program = "O1";
   status.block_text = "G1X1.";
   const std::string text = machine_status(status);
-  EXPECT_THAT(text, HasSubstr(R"("line":"held","stall":"held by DC3","link_error":null,"link_note":null,)"
+  EXPECT_THAT(text, HasSubstr(R"("line":"held","stall":"held by DC3","stop_wanted":false,"link_error":null,"link_note":null,)"
                               R"("line_errors":{"parity":0,"framing":0,"overrun":0,"breaks":0},"job":7,"handed":50)"));
   EXPECT_THAT(text, HasSubstr(R"("block_from":3,"block":4)"));
   EXPECT_THAT(text, HasSubstr(R"("program":"O1","block_text":"G1X1.","needs_confirmation":null)"));
