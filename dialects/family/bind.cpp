@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -59,10 +61,14 @@ class Binder {
   }
 
   void parameters() {
-    for (const Parameter& parameter : family_.parameters) know(parameter.symbol, parameter.standard);
+    std::unordered_map<std::string_view, const Parameter*> by_name;
+    for (const Parameter& parameter : family_.parameters) {
+      know(parameter.symbol, parameter.standard);
+      by_name.try_emplace(parameter.name, &parameter);
+    }
     for (const Override& given : overrides_) {
-      if (const Parameter* parameter = family_.find_parameter(given.name)) {
-        set(*parameter, given.value);
+      if (const auto found = by_name.find(given.name); found != by_name.end()) {
+        set(*found->second, given.value);
       } else {
         report(DiagnosticId::family_unknown_parameter, {}, {given.name});
       }

@@ -264,8 +264,7 @@ void BodyReader::retract() {
 }
 
 void BodyReader::profile() {
-  const bool nested = std::ranges::find(open_, StepKind::profile_begin, &Open::kind) != open_.end();
-  if (nested) cursor_.syntax(verb_, "a profile inside a profile");
+  if (open_profiles_++ > 0) cursor_.syntax(verb_, "a profile inside a profile");
   add(step(StepKind::profile_begin));
   open_.push_back({StepKind::profile_begin, verb_, line_});
   scope_.open();
@@ -315,6 +314,7 @@ void BodyReader::end() {
   }
   const Open open = open_.back();
   open_.pop_back();
+  if (open.kind == StepKind::profile_begin) --open_profiles_;
   scope_.close();
   if (open.kind == StepKind::profile_begin) {
     if (line_ > open.line + 1) family_.profiles.push_back({open.line + 1, line_ - 1});

@@ -67,7 +67,8 @@ class BodyReader {
   ExpressionReader& expressions_;
   Family& family_;
   std::vector<Open> open_;
-  text::Span verb_;  // first word of the line
+  std::size_t open_profiles_ = 0;  // of those
+  text::Span verb_;                // first word of the line
   std::uint32_t line_ = 0;
   bool ended_ = false;
   bool has_feed_ = false;

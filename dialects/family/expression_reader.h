@@ -36,8 +36,7 @@ struct Literal {
 // The expression itself: reading stands in expression_reader.cpp, numbers, names and functions in operand_reader.cpp.
 class ExpressionReader {
  public:
-  ExpressionReader(Cursor& cursor, const Scope& scope, ir::Program& arena)
-      : cursor_(cursor), scope_(scope), arena_(arena) {}
+  ExpressionReader(Cursor& cursor, Scope& scope, ir::Program& arena) : cursor_(cursor), scope_(scope), arena_(arena) {}
 
   // A value of any dimension.
   Typed value();
@@ -98,7 +97,7 @@ class ExpressionReader {
   [[nodiscard]] const Unit* unit_here(std::size_t& lexemes) const;
 
   Cursor& cursor_;
-  const Scope& scope_;
+  Scope& scope_;
   ir::Program& arena_;
   std::vector<AxisVariable> axis_variables_;
   int depth_ = 0;

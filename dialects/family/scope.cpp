@@ -1,4 +1,4 @@
-// A short list searched from its end: families have tens of names, not thousands.
+// A list with an index: families have tens of names, but a text with thousands must not hold up who reads it.
 #include "dialects/family/scope.h"
 
 #include <algorithm>
@@ -7,31 +7,36 @@
 namespace dripfeed::family {
 
 const Scope::Name* Scope::find(std::string_view name) const {
-  const auto found = std::ranges::find_if(names_, [name](const Name& n) { return n.visible && n.name == name; });
-  return found == names_.end() ? nullptr : &*found;
+  // The last of this name: one is defined only where no earlier one is visible.
+  const auto found = last_.find(name);
+  return found == last_.end() || !names_[found->second].visible ? nullptr : &names_[found->second];
 }
 
 ir::SymbolId Scope::define(ir::Program& arena, std::string_view name, Dimension dimension, text::Span span) {
   Name added{std::string(name), ir::SymbolId::none, dimension, span, true};
   // Two loops over `t` are one variable at the control.
-  const auto closed = std::ranges::find(names_, name, &Name::name);
-  if (closed != names_.end()) {
-    added.symbol = closed->symbol;
+  const auto closed = last_.find(name);
+  if (closed != last_.end()) {
+    added.symbol = names_[closed->second].symbol;
   } else {
     ir::Symbol symbol;
     symbol.name = arena.strings.add(name);
     symbol.span = span;
     added.symbol = arena.add(symbol);
   }
+  last_.insert_or_assign(added.name, names_.size());
   names_.push_back(added);
   return added.symbol;
 }
 
-std::string_view Scope::nearest(std::string_view name) const {
+std::string_view Scope::nearest(std::string_view name) {
+  constexpr std::uint64_t kMostLetters = 10'000'000;  // pairs of them, in a family: a few hundredths of a second
   std::string_view best;
   std::size_t best_distance = name.size() / 3 + 2;  // one change in three letters, and one more
   for (const Name& candidate : names_) {
     if (!candidate.visible) continue;
+    compared_letters_ += name.size() * candidate.name.size();
+    if (compared_letters_ > kMostLetters) return best;
     const std::size_t distance = edit_distance(name, candidate.name);
     if (distance < best_distance) {
       best_distance = distance;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "dialects/family/unit.h"
@@ -27,14 +28,20 @@ class Scope {
   [[nodiscard]] const Name* find(std::string_view name) const;
   // Adds a symbol to `arena`, or takes the one of a name of a closed block over. `name` must not be visible now.
   ir::SymbolId define(ir::Program& arena, std::string_view name, Dimension dimension, text::Span span);
-  // The visible name that is most like `name`, for "did you mean"; "" when none is near.
-  [[nodiscard]] std::string_view nearest(std::string_view name) const;
+  // The visible name that is most like `name`, for "did you mean"; "" when none is near, or when so many were looked
+  // for that more would cost the reader more than it helps.
+  [[nodiscard]] std::string_view nearest(std::string_view name);
 
   void open() { marks_.push_back(names_.size()); }
   void close();
 
  private:
+  struct Hash : std::hash<std::string_view> {
+    using is_transparent = void;
+  };
   std::vector<Name> names_;
+  std::unordered_map<std::string, std::size_t, Hash, std::equal_to<>> last_;  // by name: its last place in names_
+  std::uint64_t compared_letters_ = 0;                                        // by nearest()
   std::vector<std::size_t> marks_;
 };
 

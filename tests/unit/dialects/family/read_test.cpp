@@ -1,6 +1,9 @@
 // Reading families: expressions and their values, structure, faults that must not cascade, hostile input.
 #include "dialects/family/read.h"
 
+#include <algorithm>
+#include <ctime>
+#include <limits>
 #include <memory>
 #include <random>
 #include <string>
@@ -170,6 +173,56 @@ TEST(FamilyRead, AnyBytesAreRead) {
       ASSERT_LE(d.span.begin, d.span.end);
       ASSERT_LE(d.span.end, text.size());
     }
+  }
+}
+
+// A family that says `line` with 1, 2, 3, … for '#', so often.
+std::string repeated(std::string_view before, std::string_view line, int times, std::string_view after) {
+  std::string text(before);
+  for (int i = 1; i <= times; ++i) {
+    for (const char c : line) c == '#' ? text += std::to_string(i) : text += c;
+  }
+  return text + std::string(after);
+}
+
+// Processor time; of several readings the quickest, since what else the machine does only makes one slower.
+double seconds_to_read(const std::string& text) {
+  const text::Source source("t", text);
+  double best = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 5; ++i) {
+    const std::clock_t begin = std::clock();
+    const auto family = std::make_shared<const Family>(read_family(source).family);
+    bind_family(family, {});
+    best = std::min(best, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+  }
+  return best;
+}
+
+// Reading that looked at all names for each name would take 70 to 160 times as long; 10 to 20 were measured, because
+// the longer text no longer fits into the processor's caches.
+TEST(FamilyRead, TenTimesTheTextTakesAboutTenTimesAsLong) {
+  constexpr std::string_view kHead = "family f\nmachine mill\n";
+  constexpr double kLargest = 30.0;
+  constexpr std::string_view kEnd = "program p\nend\n";
+  const struct {
+    const char* what;
+    std::string_view before, line, after;
+  } kinds[] = {
+      {"parameters", kHead, "param p# length 10 mm in 1..20\n", kEnd},
+      {"names", kHead, "let q# = 1 mm + 2 mm\n", kEnd},
+      {"a name and its use", kHead, "let q# = 1 mm\nlet r# = q# + q1\n", kEnd},
+      {"names that are not known", kHead, "let q# = 1 mm\nlet r# = unknown_#\n", kEnd},
+      {"names that are given twice", kHead, "let q = #\n", kEnd},
+      {"blocks", "family f\nmachine mill\nprogram p\n", "for t# from 1 to 2 step 1\nprofile\nend\nend\n", "end\n"},
+      {"open blocks", "family f\nmachine mill\nprogram p\n", "if 1 < #\nprofile\n", ""},
+  };
+  for (const auto& kind : kinds) {
+    double ratio = std::numeric_limits<double>::infinity();
+    for (int attempt = 0; attempt < 3 && ratio > kLargest; ++attempt) {
+      ratio = seconds_to_read(repeated(kind.before, kind.line, 10'000, kind.after)) /
+              seconds_to_read(repeated(kind.before, kind.line, 1'000, kind.after));
+    }
+    EXPECT_LE(ratio, kLargest) << kind.what;
   }
 }
 
