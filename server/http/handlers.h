@@ -46,14 +46,17 @@ Response add_check(const Call& call);
 Response get_check(const Call& call);
 Response waive_check(const Call& call);
 
-// Who waits for heavy work: the client, and the server while it runs.
-app::Waiter waiter_of(const Call& call);
-
 // handlers_measures.cpp
 Response measure_accuracy(const Call& call);
 Response measure_gouge(const Call& call);
 Response measure_timing(const Call& call);
 Response sweep_family(const Call& call);
+
+// handlers_work.cpp
+Response list_work(const Call& call);
+Response cancel_work(const Call& call);
+// Who waits for heavy work: the client, and the server while it runs. `subject`: what it is about, "program/7".
+app::Waiter waiter_of(const Call& call, std::string_view kind, std::string subject, std::string_view machine);
 
 // This revision of a program, or the newest one for 0.
 store::Result<store::ProgramRevision> find_revision(store::Store& store, store::Id program, store::Revision revision);

@@ -49,12 +49,13 @@ Response measure(const Call& call, json::Measure what, std::string_view kind,
   app::Application& app = call.api.application();
   auto stored = app::load_case(app.store(), app.documents(), body->order.of);
   if (!stored) return problem_response(stored.error());
-  return figures_response(call.api.workers().figures({.kind = std::string(kind),
-                                                      .plot = *plot,
-                                                      .body = call.request.body,
-                                                      .of = std::move(stored->order),
-                                                      .sweep = {}},
-                                                     waiter_of(call)));
+  return figures_response(call.api.workers().figures(
+      {.kind = std::string(kind),
+       .plot = *plot,
+       .body = call.request.body,
+       .of = std::move(stored->order),
+       .sweep = {}},
+      waiter_of(call, kind, fmt::format("program/{}", body->order.of.program), body->order.of.machine)));
 }
 
 // Holds the only place for a sweep while it lives, if that was free.
@@ -74,8 +75,6 @@ class SweepPlace {
 };
 
 }  // namespace
-
-app::Waiter waiter_of(const Call& call) { return {.stop = call.api.stop(), .peer = call.request.peer}; }
 
 Response measure_accuracy(const Call& call) {
   return measure(call, json::Measure::accuracy, "accuracy", {"deviation"});
@@ -102,8 +101,9 @@ Response sweep_family(const Call& call) {
                            .mode = order->mode,
                            .delivery = order->delivery,
                            .name = {}};
-  return figures_response(call.api.workers().figures(
-      {.kind = "sweep", .plot = *plot, .body = call.request.body, .of = {}, .sweep = of}, waiter_of(call)));
+  return figures_response(
+      call.api.workers().figures({.kind = "sweep", .plot = *plot, .body = call.request.body, .of = {}, .sweep = of},
+                                 waiter_of(call, "sweep", fmt::format("family/{}", order->family), order->machine)));
 }
 
 }  // namespace dripfeed::http

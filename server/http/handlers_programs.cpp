@@ -111,7 +111,11 @@ Response render(const Call& call) {
   const auto order = json::read_render_body(call.request.body);
   if (!order) return problem_response(order.error());
   app::Application& app = call.api.application();
-  const auto rendered = app.programs().render(*order, call.user, waiter_of(call));
+  const auto rendered = app.programs().render(
+      *order, call.user,
+      waiter_of(call, "render",
+                order->part.empty() ? fmt::format("family/{}", order->family) : fmt::format("part/{}", order->part),
+                order->machine));
   if (!rendered) return problem_response(rendered.error());
   const store::Origin& origin = rendered->program.newest.origin;
   const auto family = app.store().families().get(origin.family, origin.family_revision);
@@ -138,7 +142,8 @@ Response list_checks(const Call& call) {
 Response add_check(const Call& call) {
   const auto order = json::read_check_body(call.request.body);
   if (!order) return problem_response(order.error());
-  const auto verdict = call.api.application().checking().check(*order, call.user, waiter_of(call));
+  const auto verdict = call.api.application().checking().check(
+      *order, call.user, waiter_of(call, "check", fmt::format("program/{}", order->program), order->machine));
   if (!verdict) return problem_response(verdict.error());
   return created(fmt::format("/api/v1/checks/{}", verdict->id), json::verdict(*verdict));
 }

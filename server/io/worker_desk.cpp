@@ -2,6 +2,7 @@
 // nothing but the thread.
 #include "server/io/worker_desk.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -34,32 +35,86 @@ WorkError abandoned(const app::Waiter& waiter) {
 
 WorkerDesk::WorkerDesk(WorkerDeskSettings settings) : settings_(std::move(settings)) { make_ready(); }
 
-WorkerDesk::Load WorkerDesk::load() {
+std::vector<app::Work> WorkerDesk::works() {
   const std::lock_guard lock(mutex_);
-  return load_;
-}
-
-std::optional<WorkError> WorkerDesk::take_place(const app::Waiter& waiter) {
-  std::unique_lock lock(mutex_);
-  if (load_.working >= settings_.at_once && load_.waiting >= settings_.waiting) {
-    return WorkError{WorkFault::busy, fmt::format("{} checks are being made and {} more wait: ask again in a while",
-                                                  load_.working, load_.waiting)};
+  std::vector<app::Work> all;
+  std::uint32_t place = 0;
+  for (const Entry& entry : entries_) {
+    all.push_back(entry.work);
+    if (entry.waits()) all.back().place = ++place;
   }
-  ++load_.waiting;
-  while (load_.working >= settings_.at_once && !waiter.stop.stop_requested() && !has_left(waiter.peer))
-    left_.wait_for(lock, kLookEvery);
-  --load_.waiting;
-  if (load_.working >= settings_.at_once) return abandoned(waiter);
-  ++load_.working;
-  return std::nullopt;
+  return all;
 }
 
-void WorkerDesk::leave_place() {
+bool WorkerDesk::cancel(std::uint64_t work, std::string_view by) {
   {
     const std::lock_guard lock(mutex_);
-    --load_.working;
+    const auto found = std::ranges::find(entries_, work, [](const Entry& entry) { return entry.work.id; });
+    if (found == entries_.end()) return false;
+    if (!found->cancelled_by) found->cancelled_by = by;
   }
-  left_.notify_one();
+  left_.notify_all();
+  return true;
+}
+
+unsigned WorkerDesk::working() const {
+  return static_cast<unsigned>(std::ranges::count_if(entries_, [](const Entry& entry) { return !entry.waits(); }));
+}
+
+// The first of those that wait, and there is a place.
+bool WorkerDesk::is_next(Entries::const_iterator entry) const {
+  const auto first = std::ranges::find_if(entries_, &Entry::waits);
+  return first == entry && working() < settings_.at_once;
+}
+
+bool WorkerDesk::is_cancelled(Entries::const_iterator entry) {
+  const std::lock_guard lock(mutex_);
+  return entry->cancelled_by.has_value();
+}
+
+WorkError WorkerDesk::given_up(Entries::const_iterator entry, const app::Waiter& waiter) {
+  const std::lock_guard lock(mutex_);
+  if (!entry->cancelled_by) return abandoned(waiter);
+  return {WorkFault::cancelled, fmt::format("it was cancelled by {}: nothing is known of it", *entry->cancelled_by)};
+}
+
+std::expected<WorkerDesk::Entries::iterator, WorkError> WorkerDesk::take_place(const app::Waiter& waiter,
+                                                                               std::uint32_t seconds) {
+  std::unique_lock lock(mutex_);
+  const unsigned working_now = working();
+  const std::size_t waiting = entries_.size() - working_now;
+  if (working_now >= settings_.at_once && waiting >= settings_.waiting) {
+    return std::unexpected(WorkError{
+        WorkFault::busy,
+        fmt::format("{} checks are being made and {} more wait: ask again in a while", working_now, waiting)});
+  }
+  const app::Work work{.id = ++last_id_,
+                       .name = waiter.work,
+                       .waiting_since_ms = clock_.wall_ms(),
+                       .running_since_ms = 0,
+                       .place = 0,
+                       .budget_s = seconds};
+  const auto entry = entries_.insert(entries_.end(), Entry{.work = work, .cancelled_by = std::nullopt});
+  while (!is_next(entry) && !entry->cancelled_by && !waiter.stop.stop_requested() && !has_left(waiter.peer))
+    left_.wait_for(lock, kLookEvery);
+  if (is_next(entry) && !entry->cancelled_by) {
+    entry->work.running_since_ms = clock_.wall_ms();
+    lock.unlock();
+    left_.notify_all();  // another place may be free for the next one
+    return entry;
+  }
+  lock.unlock();
+  WorkError error = given_up(entry, waiter);
+  leave_place(entry);
+  return std::unexpected(std::move(error));
+}
+
+void WorkerDesk::leave_place(Entries::iterator entry) {
+  {
+    const std::lock_guard lock(mutex_);
+    entries_.erase(entry);
+  }
+  left_.notify_all();
 }
 
 // The one that is ready, unless it has been killed meanwhile.
@@ -85,19 +140,21 @@ void WorkerDesk::make_ready() {
 
 class WorkerDesk::Place {
  public:
-  explicit Place(WorkerDesk& desk) : desk_(desk) {}
-  ~Place() { desk_.leave_place(); }
+  Place(WorkerDesk& desk, Entries::iterator entry) : desk_(desk), entry_(entry) {}
+  ~Place() { desk_.leave_place(entry_); }
   Place(const Place&) = delete;
   Place& operator=(const Place&) = delete;
 
  private:
   WorkerDesk& desk_;
+  Entries::iterator entry_;
 };
 
 std::expected<std::string, WorkError> WorkerDesk::carry_out(std::string_view request, std::uint32_t seconds,
                                                             const app::Waiter& waiter) {
-  if (auto refused = take_place(waiter)) return std::unexpected(std::move(*refused));
-  const Place place(*this);
+  const auto entry = take_place(waiter, seconds);
+  if (!entry) return std::unexpected(entry.error());
+  const Place place(*this, *entry);
   auto process = take_process();
   if (!process) return std::unexpected(WorkError{WorkFault::not_begun, "no process for a check: " + process.error()});
   make_ready();
@@ -105,13 +162,13 @@ std::expected<std::string, WorkError> WorkerDesk::carry_out(std::string_view req
   bool is_late = false;
   const auto goes_on = [&](bool peer_left) {
     is_late = seconds > 0 && std::chrono::steady_clock::now() >= end;
-    return !is_late && !peer_left && !waiter.stop.stop_requested();
+    return !is_late && !peer_left && !waiter.stop.stop_requested() && !is_cancelled(*entry);
   };
   WorkerProcess::Exchange done = process->exchange(request, waiter.peer, goes_on);
   if (is_late)
     return std::unexpected(
         WorkError{WorkFault::time, fmt::format("the check was stopped at the budget of {} s", seconds)});
-  if (done.was_given_up) return std::unexpected(abandoned(waiter));
+  if (done.was_given_up) return std::unexpected(given_up(*entry, waiter));
   if (done.end.is_good()) return std::move(done.reply);
   if (done.end.signal == 0 && done.end.exit_code == settings_.memory_exit_code)
     return std::unexpected(WorkError{WorkFault::memory, fmt::format("the program needs more than {} MB to be checked",

@@ -1,9 +1,11 @@
-// Hands work to worker processes: so many at once, so many more that wait, the rest is sent away. One process is kept
+// Hands work to worker processes: so many at once, so many more that wait, first come, first served; the rest is sent
+// away. One process is kept
 // ready, so that a short piece of work need not wait for one to start; each does one piece of work and ends.
 #pragma once
 
 #include <condition_variable>
 #include <cstdint>
+#include <list>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -11,6 +13,7 @@
 
 #include "server/app/ports/workplace.h"
 #include "server/io/spawned_worker.h"
+#include "server/io/steady_clock.h"
 
 namespace dripfeed::io {
 
@@ -27,26 +30,35 @@ class WorkerDesk final : public app::Workplace {
   explicit WorkerDesk(WorkerDeskSettings settings);
   std::expected<std::string, app::WorkError> carry_out(std::string_view request, std::uint32_t seconds,
                                                        const app::Waiter& waiter) override;
+  std::vector<app::Work> works() override;
+  bool cancel(std::uint64_t work, std::string_view by) override;
 
-  struct Load {
-    unsigned working = 0;
-    unsigned waiting = 0;
-  };
-  [[nodiscard]] Load load();
   // Threads that may be in carry_out() before one is sent away, and that one.
   [[nodiscard]] unsigned threads() const { return settings_.at_once + settings_.waiting + 1; }
 
  private:
+  struct Entry {
+    app::Work work;
+    std::optional<std::string> cancelled_by;
+    [[nodiscard]] bool waits() const { return work.running_since_ms == 0; }
+  };
+  using Entries = std::list<Entry>;
   class Place;
-  std::optional<app::WorkError> take_place(const app::Waiter& waiter);
-  void leave_place();
+  std::expected<Entries::iterator, app::WorkError> take_place(const app::Waiter& waiter, std::uint32_t seconds);
+  void leave_place(Entries::iterator entry);
+  [[nodiscard]] unsigned working() const;
+  [[nodiscard]] bool is_next(Entries::const_iterator entry) const;
+  [[nodiscard]] bool is_cancelled(Entries::const_iterator entry);
+  app::WorkError given_up(Entries::const_iterator entry, const app::Waiter& waiter);
   std::expected<WorkerProcess, std::string> take_process();
   void make_ready();
 
   const WorkerDeskSettings settings_;
   std::mutex mutex_;
   std::condition_variable_any left_;
-  Load load_;
+  Entries entries_;  // what runs and what waits, in the order in which it came
+  std::uint64_t last_id_ = 0;
+  SteadyClock clock_;
   std::optional<WorkerProcess> ready_;
 };
 

@@ -235,6 +235,20 @@ std::string rendered(const app::Rendered& rendered, const text::Source& family) 
                {"diagnostics", embedded(diagnostics(r.diagnostics, family))}});
 }
 
+std::string work(const app::Work& work) {
+  const bool runs = work.running_since_ms != 0;
+  return dump({{"id", work.id},
+               {"kind", work.name.kind},
+               {"subject", work.name.subject},
+               {"machine", work.name.machine},
+               {"actor", work.name.actor},
+               {"state", app::kWorkStates[runs ? 1 : 0]},
+               {"place", runs ? Document(nullptr) : Document(work.place)},
+               {"waiting_since_ms", work.waiting_since_ms},
+               {"running_since_ms", runs ? Document(work.running_since_ms) : Document(nullptr)},
+               {"budget_s", work.budget_s == 0 ? Document(nullptr) : Document(work.budget_s)}});
+}
+
 std::string release(const store::Release& release) {
   return dump({{"id", release.id},
                {"state", store::name_of(release.state)},

@@ -10,6 +10,7 @@
 
 #include "dialects/compile/render.h"
 #include "server/app/application.h"
+#include "server/app/ports/workplace.h"
 
 namespace dripfeed::json {
 
@@ -45,6 +46,7 @@ std::string ledger(std::span<const store::LedgerRow> rows, std::string_view next
 std::string verdict(const store::Verdict& verdict);
 // Of a list: without the report.
 std::string verdict_summary(const store::Verdict& verdict);
+std::string work(const app::Work& work);
 std::string session(std::string_view name, std::string_view role);
 
 // The data line of a live event, and its name.

@@ -16,14 +16,10 @@ namespace {
 // punches (server/app/*_line.cpp, machine_watch.cpp).
 Words stall_words() {
   static constexpr std::string_view kOthers[] = {
-      "waiting for credit",
-      "waiting for receiver",
-      "stopped by a fault",
-      "machine held",
-      "machine alarm",
-      "machine in emergency stop",
-      "folder does not answer",
-      "holding the control: what it sent before is not taken yet",
+      "waiting for credit",     "waiting for receiver",
+      "stopped by a fault",     "machine held",
+      "machine alarm",          "machine in emergency stop",
+      "folder does not answer", "holding the control: what it sent before is not taken yet",
       "waiting for the sender",
   };
   Words words = names_of<feed::Stall>(app::name_of);

@@ -1,4 +1,5 @@
 // Figures that are measured and not kept.
+#include "server/app/ports/workplace.h"
 #include "server/json/schemas_checks.h"
 
 namespace dripfeed::json {
@@ -67,6 +68,20 @@ Schema sweep() {
                                                      {"trials", integer("programs that were rendered and checked")}});
 }
 
+Schema work() {
+  return object("heavy work that waits for a worker process or runs in one",
+                {{"id", integer("since the server's start")},
+                 {"kind", text("check, render, accuracy, gouge, timing or sweep")},
+                 {"subject", text("the program or family")},
+                 {"machine", text("that it is done for; empty: none")},
+                 {"actor", text("who asked for it")},
+                 {"state", one_of(app::kWorkStates, "of the work")},
+                 {"place", or_null(integer("in the queue, from 1; null: it runs"))},
+                 {"waiting_since_ms", time_ms("when it was asked for")},
+                 {"running_since_ms", or_null(time_ms("when its process began"))},
+                 {"budget_s", or_null(integer("of its process; null: not known yet"))}});
+}
+
 }  // namespace
 
 Schemas measure_schemas() {
@@ -78,6 +93,7 @@ Schemas measure_schemas() {
                               gouge_members() + validated() + Members{{"not_checked", not_checked()}})},
       {"TimingFigures", object("how long a program takes on its machine and line", timing_members() + validated())},
       {"SweepFigures", sweep()},
+      {"Work", work()},
   };
 }
 

@@ -14,6 +14,7 @@ app::ErrorCode code_of(app::WorkFault fault) {
     case app::WorkFault::busy:
     case app::WorkFault::abandoned:
     case app::WorkFault::not_begun: return app::ErrorCode::unavailable;
+    case app::WorkFault::cancelled:
     case app::WorkFault::time:
     case app::WorkFault::memory: return app::ErrorCode::refused;
     case app::WorkFault::ended: break;

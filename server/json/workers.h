@@ -30,6 +30,8 @@ class DocumentWorkers final : public app::Workers {
   // A sweep makes many checks, and has kSweepChecks times the time of one.
   app::Result<Figures> figures(const FiguresWork& work, const app::Waiter& waiter);
 
+  app::Workplace& workplace() { return workplace_; }
+
   static constexpr std::uint32_t kSweepChecks = 10;
 
  private:

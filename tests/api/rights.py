@@ -4,6 +4,7 @@ with /api/openapi.json, which the server writes from its own table, so that no r
 
 import copy
 import sys
+import threading
 
 from client import DC1, ROLES, ROLL, Client, HandControl, contract, expect, expect_problem, hand_profile, in_folder, plain_program, shop
 from openapi_shape import differences, shape_faults
@@ -69,6 +70,8 @@ def rows(made):
         ("POST", "/api/v1/jobs/{id}/stop", "operator", {"id": "job"}, {}, {"ready": "feeding"}),
         ("POST", "/api/v1/jobs/{id}/resume", "operator", {"id": "job"}, {"reason": "looked at it"}, {"ready": "stopped"}),
         ("POST", "/api/v1/jobs/{id}/cancel", "operator", {"id": "job"}, {}, {}),
+        ("GET", "/api/v1/work", "viewer", {}, None, {}),
+        ("DELETE", "/api/v1/work/{id}", "programmer", {"id": "work"}, None, {"ready": "working"}),
         ("GET", "/api/v1/jobs/{id}/ledger", "viewer", {"id": "job"}, None, {}),
         ("POST", "/api/v1/machines/{name}/confirm-reset", "operator", {"name": "lathe"}, {"reason": "RESET pressed"}, {"ready": "torn"}),
     ]
@@ -90,6 +93,12 @@ class Stage:
             self.control.say(wire)
             shop.wait_for("a receipt", lambda: len(self.client.get("/receipts")["items"]) > before)
         self.made["torn_receipt"], self.made["receipt"] = (item["id"] for item in self.client.get("/receipts")["items"])
+
+    def working(self):
+        endless = "%\nO7001\n#100=0\nWHILE[#100GE0]DO1\n#100=#100+1\nIF[#100GT1000]THEN#100=1\nEND1\nM30\n%\n"
+        program = self.client.post("/programs", {"name": "O7001", "dialect": "fanuc", "text": endless})["id"]
+        threading.Thread(target=self.client.call, args=("POST", "/checks", {"program": program, "machine": "lathe"}, "programmer"), daemon=True).start()
+        self.made["work"] = shop.wait_for("a check to run", lambda: [one["id"] for one in self.client.get("/work")["items"]])[0]
 
     def idle(self):
         self.client.wait_line("lathe", "idle")

@@ -28,12 +28,12 @@ class Shop(Client):
     def program(self, text, name, dialect="fanuc"):
         return self.post("/programs", {"name": name, "dialect": dialect, "text": text})["id"]
 
-    def check_in_background(self, program):
+    def check_in_background(self, program, role="admin"):
         answers = []
 
         def ask():
             try:
-                answers.append(self.call("POST", "/checks", {"program": program, "machine": "lathe"}))
+                answers.append(self.call("POST", "/checks", {"program": program, "machine": "lathe"}, role))
             except (OSError, http.client.HTTPException):
                 answers.append(None)  # the server was killed by the test
         thread = threading.Thread(target=ask)
@@ -141,6 +141,60 @@ def who_leaves_is_not_waited_for(folder):
     thread.join(20)
 
 
+def work_is_seen_and_cancelled(folder):
+    s = Shop(folder)
+    endless = s.program(ENDLESS, "O7001")
+    expect(s.get("/work")["items"] == [], "work of nobody")
+    places = max(2, os.cpu_count() - 1)
+    asked = [s.check_in_background(endless, "programmer") for _ in range(places + 2)]
+
+    def seen():
+        items = s.get("/work")["items"]
+        return items if len(items) == places + 2 and sum(one["state"] == "running" for one in items) == places else None
+    items = shop.wait_for("work that runs and work that waits", seen)
+    running, waiting = [one for one in items if one["state"] == "running"], [one for one in items if one["state"] == "waiting"]
+    expect([one["place"] for one in waiting] == [1, 2] and all(one["place"] is None for one in running), f"places: {items}")
+    now_ms = time.time() * 1000
+    for one in items:
+        expect((one["kind"], one["subject"], one["machine"], one["actor"]) == ("check", f"program/{endless}", "lathe", "the programmer"), f"{one}")
+        expect(now_ms - 60_000 < one["waiting_since_ms"] <= now_ms + 1000 and one["budget_s"] > 0, f"{one}")
+        expect((one["running_since_ms"] is not None) == (one in running), f"{one}")
+    s.tokens["stranger"] = s.add_token("programmer", "somebody else")
+    s.refuse(403, "DELETE", f"/api/v1/work/{waiting[0]['id']}", role="stranger", words=["the programmer"])
+    s.refuse(403, "DELETE", f"/api/v1/work/{waiting[0]['id']}", role="operator")
+    s.refuse(404, "DELETE", "/api/v1/work/4711")
+    s.refuse(404, "DELETE", "/api/v1/work/x")
+    expect(len(s.get("/work")["items"]) == places + 2, "work that was not to be cancelled is gone")
+
+    def cancel(one, role):
+        answer = s.call("DELETE", f"/api/v1/work/{one['id']}", role=role)
+        expect(answer.status == 204 and answer.body == b"", f"cancelling: {answer}")
+        shop.wait_for("it to be gone", lambda: one["id"] not in [left["id"] for left in s.get("/work")["items"]] or None)
+
+    def answered():
+        return [answers[0] for _, answers in asked if answers]
+    cancel(waiting[0], "programmer")
+    shop.wait_for("the answer to who waited", lambda: len(answered()) == 1 or None)
+    expect_problem(answered()[0], 409, "a check that was cancelled while it waited", ["cancelled by the programmer"])
+    expect([one["place"] for one in s.get("/work")["items"] if one["state"] == "waiting"] == [1], "who waits moves up")
+
+    workers = [pid for pid in children_of(s.server.process.pid) if cpu_ticks(pid) > 0]
+    cancel(running[0], "admin")
+    shop.wait_for("the worker's process to end", lambda: any(not is_alive(pid) for pid in workers) or None)
+    shop.wait_for("the answer", lambda: len(answered()) == 2 or None)
+    expect(any("cancelled by admin" in str(answer) for answer in answered()), f"{[str(one) for one in answered()]}")
+    shop.wait_for("the one that waited to run", lambda: all(one["state"] == "running" for one in s.get("/work")["items"]) or None)
+    for one in s.get("/work")["items"]:
+        cancel(one, "admin")
+    for thread, answers in asked:
+        thread.join(20)
+        expect(answers and answers[0].status == 409, f"{answers}")
+    expect(s.get("/work")["items"] == [], "work that is left")
+    expect(s.get("/checks")["items"] == [], "a verdict of what was cancelled")
+    s.check(s.add_program(20)["id"])
+    s.server.stop()
+
+
 def a_killed_server_leaves_no_worker(folder):
     s = Shop(folder)
     thread, _ = s.check_in_background(s.program(ENDLESS, "O7001"))
@@ -151,5 +205,5 @@ def a_killed_server_leaves_no_worker(folder):
 
 
 if __name__ == "__main__":
-    for test in (a_crash_touches_no_feed, the_budget_of_time, the_budget_of_memory, who_leaves_is_not_waited_for, a_killed_server_leaves_no_worker):
+    for test in (a_crash_touches_no_feed, the_budget_of_time, the_budget_of_memory, who_leaves_is_not_waited_for, work_is_seen_and_cancelled, a_killed_server_leaves_no_worker):
         in_folder(test)

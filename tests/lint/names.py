@@ -11,7 +11,7 @@ ENDINGS = re.compile(r'_(?:impl|more|part\d*)$')
 SOURCES = {'.cpp': ('//', '/*'), '.h': ('//', '/*'), '.ts': ('//', '/*'), '.tsx': ('//', '/*'), '.js': ('//', '/*'),
            '.mjs': ('//', '/*'), '.css': ('/*',), '.py': ('#', '"""'), '.sh': ('#',)}
 # Written in pieces, so that this file does not name them.
-ELSEWHERE = re.compile('/' + r'work/|\.\./' + 'shared')
+ELSEWHERE = re.compile(r'(?<!\w)/' + r'work/|\.\./' + 'shared')
 BINARY = ('.png', '.ico', '.woff2', '.db', '.gz', '.zst', '.bin', '.lock', '.svg')
 
 

@@ -1,9 +1,11 @@
 // Processes of a shell: what goes in and comes out, and how one ends that crashes, hangs or is not waited for.
 #include "server/io/spawned_worker.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <mutex>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -88,12 +90,78 @@ TEST(WorkerDesk, SendsAwayWhoComesWhenAsManyWaitAsMay) {
   std::vector<std::jthread> callers;
   for (int i = 0; i < 2; ++i)
     callers.emplace_back([&] { (void)desk.carry_out("x", 60, {.stop = stop.get_token(), .peer = -1}); });
-  while (desk.load().working + desk.load().waiting < 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  while (desk.works().size() < 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   const auto third = desk.carry_out("x", 60, {.stop = stop.get_token(), .peer = -1});
   ASSERT_FALSE(third);
   EXPECT_EQ(third.error().fault, app::WorkFault::busy);
   EXPECT_EQ(third.error().text, "1 checks are being made and 1 more wait: ask again in a while");
   stop.request_stop();
+}
+
+// Callers that came one after the other, with what each of them was told.
+class Callers {
+ public:
+  Callers(WorkerDesk& desk, std::size_t count) : desk_(desk), told_(count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      threads_.emplace_back([this, i] {
+        const auto done = desk_.carry_out(
+            "x", 60,
+            {.stop = {}, .peer = -1, .work = {.kind = "check", .subject = {}, .machine = {}, .actor = "anna"}});
+        const std::lock_guard lock(mutex_);
+        told_[i] = done ? *done : done.error().text;
+      });
+      while (desk_.works().size() <= i) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  }
+  // "" until the caller has an answer; it is waited for.
+  std::string told(std::size_t caller) {
+    threads_[caller].join();
+    const std::lock_guard lock(mutex_);
+    return told_[caller];
+  }
+
+ private:
+  WorkerDesk& desk_;
+  std::mutex mutex_;
+  std::vector<std::string> told_;
+  std::vector<std::jthread> threads_;
+};
+
+void wait_until_runs(WorkerDesk& desk, std::uint64_t work) {
+  const auto runs = [&] {
+    const auto all = desk.works();
+    return std::ranges::any_of(all, [&](const app::Work& one) { return one.id == work && one.running_since_ms > 0; });
+  };
+  while (!runs()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+}
+
+TEST(WorkerDesk, DoesWhatCameFirstAndCancelsWhatRunsAndWhatWaits) {
+  WorkerDesk desk({.command = shell("exec sleep 60"), .at_once = 1});
+  Callers callers(desk, 4);
+  const auto all = desk.works();
+  ASSERT_EQ(all.size(), 4U);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_EQ(all[i].id, i + 1);
+    EXPECT_EQ(all[i].place, i);
+    EXPECT_EQ(all[i].running_since_ms > 0, i == 0);
+    EXPECT_GT(all[i].waiting_since_ms, 0);
+    EXPECT_EQ(all[i].budget_s, 60U);
+    EXPECT_EQ(all[i].name.actor, "anna");
+  }
+  EXPECT_FALSE(desk.cancel(5, "bert"));
+  EXPECT_TRUE(desk.cancel(3, "bert"));
+  EXPECT_EQ(callers.told(2), "it was cancelled by bert: nothing is known of it");
+  EXPECT_FALSE(desk.cancel(3, "bert")) << "it is gone";
+  EXPECT_TRUE(desk.cancel(1, "anna"));
+  EXPECT_EQ(callers.told(0), "it was cancelled by anna: nothing is known of it");
+  wait_until_runs(desk, 2);
+  EXPECT_EQ(desk.works().back().place, 1U) << "the last one is next now";
+  EXPECT_TRUE(desk.cancel(2, "anna"));
+  wait_until_runs(desk, 4);
+  EXPECT_TRUE(desk.cancel(4, "anna"));
+  callers.told(1);
+  callers.told(3);
+  EXPECT_TRUE(desk.works().empty());
 }
 
 }  // namespace
