@@ -46,6 +46,9 @@ class Store : public Repository {
   // fails is undone alone. Everybody else's changes wait meanwhile, the ledger's too: only calls of the store belong
   // inside, no check, no rendering, no text of more than a few megabytes.
   virtual Result<void> atomically(const std::function<Result<void>()>& work) = 0;
+  // A number that is another one after every committed change, by this process or another. What was read after it was
+  // asked for holds as long as it stays the same. It costs less than any query.
+  virtual Result<std::uint64_t> version() = 0;
   // A copy of the whole to a new file, while everything goes on. Errors: exists, disk_full, io_failed.
   virtual Result<void> backup(const std::string& path) = 0;
   // Reads the whole file and checks it. Errors: corrupt.

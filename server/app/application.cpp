@@ -99,24 +99,38 @@ Result<void> Application::start() {
   return catalog_.open_lines();
 }
 
-std::optional<TornBlock> Application::torn_on(const std::string& machine, const LineReport& report) {
-  if (const auto known = torn_in_store(store_, machine); known && *known) return *known;
+namespace {
+
+// What the line itself says, where the store knows of nothing.
+std::optional<TornBlock> torn_by_line(const LineFacts& facts) {
   // A job that waits on such a line is cancelled first; a person sees it on the line until then.
-  const bool is_free = report.state == LineState::idle || report.state == LineState::disconnected;
-  if (const std::string why = books_.why_refused(machine); is_free && !why.empty()) return TornBlock{.text = why};
-  if (report.state != LineState::torn) return std::nullopt;
-  const std::string why = lines_.why_torn(machine);
-  return TornBlock{.text = why.empty() ? "a block broke off on this line" : why};
+  const LineState state = facts.report.state;
+  const bool is_free = state == LineState::idle || state == LineState::disconnected;
+  if (is_free && !facts.why_refused.empty()) return TornBlock{.text = facts.why_refused};
+  if (state != LineState::torn) return std::nullopt;
+  return TornBlock{.text = facts.why_torn.empty() ? "a block broke off on this line" : facts.why_torn};
 }
 
-MachineStatus Application::status(const std::string& machine) {
-  MachineStatus status;
+}  // namespace
+
+LineFacts Application::facts(const std::string& machine) {
+  LineFacts facts;
   if (const auto line = lines_.find(machine)) {
-    status.report = line->report();
+    facts.report = line->report();
   } else {
-    status.report.link_error = lines_.why_none(machine);
+    facts.report.link_error = lines_.why_none(machine);
   }
-  status.needs_confirmation = torn_on(machine, status.report);
+  facts.why_refused = books_.why_refused(machine);
+  if (facts.report.state == LineState::torn) facts.why_torn = lines_.why_torn(machine);
+  return facts;
+}
+
+MachineStatus Application::status(const std::string& machine, LineFacts facts) {
+  MachineStatus status;
+  const auto stored = torn_in_store(store_, machine);
+  status.is_certain = stored.has_value();
+  status.needs_confirmation = stored && *stored ? *stored : torn_by_line(facts);
+  status.report = std::move(facts.report);
   if (status.needs_confirmation && status.report.state != LineState::torn) status.report.state = LineState::torn;
   if (status.report.job == 0) return status;
   const auto job = store_.jobs().get(status.report.job);

@@ -16,12 +16,21 @@
 
 namespace dripfeed::app {
 
+// All that is known of a machine's line besides the store.
+struct LineFacts {
+  LineReport report;
+  std::string why_refused;  // why nothing may be sent before a person looked at it; "" otherwise
+  std::string why_torn;     // of a line in the state `torn`; "" where no more is known
+  friend bool operator==(const LineFacts&, const LineFacts&) = default;
+};
+
 // Where a machine's line stands, with the block at the sent position.
 struct MachineStatus {
   LineReport report;
   std::string program;     // name of the job's program
   std::string block_text;  // the block in which the last handed character lies
   std::optional<TornBlock> needs_confirmation;
+  bool is_certain = true;  // false: the store could not say whether a block is torn
 };
 
 class Application {
@@ -50,7 +59,11 @@ class Application {
   // lines open, each as it was left; nothing is armed.
   Result<void> start();
 
-  [[nodiscard]] MachineStatus status(const std::string& machine);
+  [[nodiscard]] MachineStatus status(const std::string& machine) { return status(machine, facts(machine)); }
+  // In two steps, for who keeps what the second one said: it says the same of the same facts as long as the store is
+  // the same.
+  [[nodiscard]] LineFacts facts(const std::string& machine);
+  [[nodiscard]] MachineStatus status(const std::string& machine, LineFacts facts);
 
   store::Store& store() { return store_; }
   const Clock& clock() const { return clock_; }
@@ -63,7 +76,6 @@ class Application {
   Receiving& receiving() { return receiving_; }
 
  private:
-  std::optional<TornBlock> torn_on(const std::string& machine, const LineReport& report);
   void cancel_all();
   void line_changed();
 

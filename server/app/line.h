@@ -46,6 +46,7 @@ struct KnownInterval {
   std::uint64_t from_line = 0;  // 0: unknown
   std::uint64_t to_line = 0;
   std::uint64_t to_text = 0;  // characters of the text before `to`
+  friend bool operator==(const KnownInterval&, const KnownInterval&) = default;
 };
 
 // What a machine says of itself by the words of its PLC.
@@ -105,6 +106,7 @@ struct LineReport {
   AnswerReport answer;
   std::optional<MachineReport> machine;  // nothing where the link brings no such words
   std::uint64_t changes = 0;             // grows with every change of state, stall, end, machine's state or alarm
+  friend bool operator==(const LineReport&, const LineReport&) = default;
 };
 
 struct LineOrder {

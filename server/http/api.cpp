@@ -148,12 +148,14 @@ Api::Api(app::Application& application, json::DocumentWorkers& workers, std::fil
       sessions_(application.store().tokens()),
       live_(
           application.events(), [&application](const std::string& machine) { return application.status(machine); },
-          [this](const Credential& credential) { return sessions_.is_valid(credential); }) {}
+          [this](const Credential& credential) { return sessions_.is_valid(credential); }),
+      machine_list_(application, titles_) {}
 
 namespace {
 
 Lane lane_of(const Route& route) {
   switch (route.weight) {
+    case Weight::stored: return Lane::here;
     case Weight::light: return route.method == Method::get ? Lane::here : Lane::write;
     case Weight::staged: return Lane::write;
     case Weight::command: return Lane::command;
@@ -220,8 +222,9 @@ std::optional<Response> Api::refuse_long(const Request& head) {
 }
 
 // Who calls, if they may.
-std::expected<Caller, Response> Api::admit(const Request& request, const Route& route) {
-  auto caller = sessions_.caller(request);
+std::expected<Caller, Response> Api::admit(const Request& request, const Route& route,
+                                           std::optional<std::uint64_t> version) {
+  auto caller = sessions_.caller(request, version);
   if (!caller) {
     Response response = problem_response(401, "sign in with a token");
     response.headers.emplace_back("WWW-Authenticate", "Bearer");
@@ -238,12 +241,31 @@ std::expected<Caller, Response> Api::admit(const Request& request, const Route& 
   return std::move(*caller);
 }
 
+namespace {
+
+// Nothing where the store cannot say it: then it is asked for everything anew.
+std::optional<std::uint64_t> version_of(store::Store& store) {
+  const auto version = store.version();
+  return version ? std::optional(*version) : std::nullopt;
+}
+
+}  // namespace
+
+Response Api::answer_stored(const Call& call, const Route& route) {
+  if (!call.version) return route.handler(call);
+  if (auto kept = kept_.find(*call.version, call.request.target)) return std::move(*kept);
+  Response response = route.handler(call);
+  kept_.keep(*call.version, call.request.target, response);
+  return response;
+}
+
 Response Api::answer_route(const Request& request, const Match& match) {
   const Route& route = *match.route;
   if (!request.body.empty() && !is_json(request)) return problem_response(415, "a body is JSON, as it is written");
   Call call{.api = *this, .request = request, .parameters = match.parameters, .user = {}, .right = Right::anybody};
   if (route.right == Right::anybody) return route.handler(call);
-  const auto caller = admit(request, route);
+  call.version = version_of(application_.store());
+  const auto caller = admit(request, route, call.version);
   if (!caller) return caller.error();
   if (const std::string_view name = unknown_query(route, request); !name.empty()) {
     return problem_response(
@@ -252,6 +274,7 @@ Response Api::answer_route(const Request& request, const Match& match) {
   call.user = caller->name;
   call.right = caller->right;
   call.caller = &*caller;
+  if (route.weight == Weight::stored) return answer_stored(call, route);
   if (request.method == Method::get || request.idempotency_key.empty()) return route.handler(call);
   return answer_once(request, route, call);
 }

@@ -13,7 +13,9 @@
 #include <string>
 
 #include "server/app/application.h"
+#include "server/http/kept_answers.h"
 #include "server/http/live.h"
+#include "server/http/machine_list.h"
 #include "server/http/router.h"
 #include "server/http/server.h"
 #include "server/http/sessions.h"
@@ -40,6 +42,7 @@ class Api {
   Sessions& sessions() { return sessions_; }
   LiveHub& live() { return live_; }
   Titles& titles() { return titles_; }
+  MachineList& machine_list() { return machine_list_; }
   [[nodiscard]] const std::filesystem::path& web_root() const { return web_root_; }
   [[nodiscard]] const std::string& version() const { return version_; }
   // Set while a sweep runs: it may take minutes, and one at a time leaves the pool to checks.
@@ -47,7 +50,9 @@ class Api {
   [[nodiscard]] const std::stop_token& stop() const { return stop_; }
 
  private:
-  std::expected<Caller, Response> admit(const Request& request, const Route& route);
+  std::expected<Caller, Response> admit(const Request& request, const Route& route,
+                                        std::optional<std::uint64_t> version = std::nullopt);
+  Response answer_stored(const Call& call, const Route& route);
   Response answer_found(const Request& request, const Match& match);
   Response answer_route(const Request& request, const Match& match);
   Response answer_once(const Request& request, const Route& route, const Call& call);
@@ -62,6 +67,8 @@ class Api {
   Sessions sessions_;
   LiveHub live_;
   Titles titles_;
+  MachineList machine_list_;
+  KeptAnswers kept_;
   std::mutex keys_mutex_;
   std::set<std::string> keys_in_use_;
   std::atomic<std::int64_t> forgot_at_ms_ = 0;

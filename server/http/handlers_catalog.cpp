@@ -20,6 +20,7 @@ std::string machine_json(app::Application& app, const store::Machine& machine) {
 Response list_machines(const Call& call) {
   const auto page = page_of(call.request);
   if (!page) return page.error();
+  if (call.version) return call.api.machine_list().answer(*page, *call.version);
   app::Application& app = call.api.application();
   Titles& titles = call.api.titles();
   return list_response(app.store().machines().list(*page), [&](const store::Machine& m) {

@@ -2,7 +2,9 @@
 // that no handler can forget them; /api/openapi.json is written from the same rows.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,14 +20,16 @@ std::string_view name_of(Right right);
 
 // Where a route is answered (see lanes.h), and what an answer under an idempotency key is.
 //
-//   light    reads on the HTTP thread; changes in the lane `write`, each in one transaction with its kept answer
+//   stored   reads on the HTTP thread that say what the store says and no more, to everybody alike: the answer is kept
+//            while the store is the same (see kept_answers.h)
+//   light    other reads on the HTTP thread; changes in the lane `write`, each in one transaction with its kept answer
 //   staged   lane `write`: reads a text first, and then commits its rows, see Call::commit
 //   command  lane `command`: acts on lines, which no transaction can undo
 //   bulk     lane `bulk`: much text. A change puts its text first and then commits its rows, as a staged one, so that
 //            no transaction lasts as long as a text
 //   setup    lane `bulk`: opens lines, or has transactions of its own
 //   heavy    lane `heavy`: rendering, checks
-enum class Weight : std::uint8_t { light, staged, command, bulk, setup, heavy };
+enum class Weight : std::uint8_t { stored, light, staged, command, bulk, setup, heavy };
 
 // What a body may carry: a document, or a text in one.
 enum class Carries : std::uint8_t { document, text };
@@ -73,8 +77,9 @@ struct Call {
   Parameters parameters;
   std::string_view user;
   Right right;
-  const Caller* caller = nullptr;  // nullptr where anybody may call
-  const Commit* once = nullptr;    // nullptr without an idempotency key
+  const Caller* caller = nullptr;                       // nullptr where anybody may call
+  const Commit* once = nullptr;                         // nullptr without an idempotency key
+  std::optional<std::uint64_t> version = std::nullopt;  // of the store when the request came; nothing: not known
 
   // For a `staged` or `bulk` route: its last step. A `light` one stands in it as a whole.
   [[nodiscard]] Response commit(const std::function<Response()>& step) const { return once ? (*once)(step) : step(); }

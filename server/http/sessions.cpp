@@ -1,4 +1,5 @@
-// Tokens are looked up by their hash for each request: the store answers from memory, and a revocation counts at once.
+// Tokens are looked up by their hash. A valid one is known until the store says that anything changed, in this process
+// or another, so a revocation counts with the next request.
 #include "server/http/sessions.h"
 
 #include <algorithm>
@@ -50,8 +51,26 @@ bool same_origin(const Request& request) {
   return names_host(request.origin, request.host) || names_host(request.origin, request.forwarded_host);
 }
 
-std::optional<Caller> Sessions::by_hash(const std::string& hash) {
+std::optional<store::Token> Sessions::token_of(const std::string& hash, std::optional<std::uint64_t> version) {
+  if (version) {
+    const std::lock_guard lock(mutex_);
+    if (known_version_ != version) known_.clear();
+    known_version_ = version;
+    if (const auto known = known_.find(hash); known != known_.end()) return known->second;
+  }
   const auto token = tokens_.find(hash);
+  if (!token) return std::nullopt;
+  const std::lock_guard lock(mutex_);
+  // Read after its version was asked for: should it have changed meanwhile, the next request finds another version.
+  if (version && known_version_ == version) {
+    if (known_.size() >= kMostKnown) known_.clear();
+    known_[hash] = *token;
+  }
+  return *token;
+}
+
+std::optional<Caller> Sessions::by_hash(const std::string& hash, std::optional<std::uint64_t> version) {
+  const auto token = token_of(hash, version);
   if (!token) return std::nullopt;
   // The rights follow the roles in the same order, behind `anybody`.
   return Caller{.name = token->name,
@@ -72,8 +91,8 @@ Sessions::Rows::iterator Sessions::live(const std::string& session) {
   return rows_.end();
 }
 
-std::optional<Caller> Sessions::caller(const Request& request) {
-  if (const auto token = bearer_token(request.authorization)) return by_hash(hash::token_hash(*token));
+std::optional<Caller> Sessions::caller(const Request& request, std::optional<std::uint64_t> version) {
+  if (const auto token = bearer_token(request.authorization)) return by_hash(hash::token_hash(*token), version);
   const std::string cookie = cookie_value(request.cookie, kSessionCookie);
   if (cookie.empty()) return std::nullopt;
   const std::string session = hash::token_hash(cookie);
@@ -85,7 +104,7 @@ std::optional<Caller> Sessions::caller(const Request& request) {
     known->second.used = now_();
     hash = known->second.token_hash;
   }
-  auto caller = by_hash(hash);
+  auto caller = by_hash(hash, version);
   if (!caller) return caller;
   caller->by_cookie = true;
   caller->credential.session = session;

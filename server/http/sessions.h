@@ -41,8 +41,9 @@ class Sessions {
 
   explicit Sessions(store::Tokens& tokens, std::function<Clock::time_point()> now = Clock::now)
       : tokens_(tokens), now_(std::move(now)) {}
-  // Nothing when there is no valid token behind the request.
-  std::optional<Caller> caller(const Request& request);
+  // Nothing when there is no valid token behind the request. `version`: of the store (Store::version()), asked for with
+  // this request: who was let in at the same one is let in again without asking. Nothing: the store is asked.
+  std::optional<Caller> caller(const Request& request, std::optional<std::uint64_t> version = std::nullopt);
   // The cookie's value for this token; nothing when the token is not valid.
   std::optional<std::string> open(std::string_view token);
   void close(const Request& request);
@@ -57,7 +58,10 @@ class Sessions {
   };
   using Rows = std::map<std::string, Session>;  // by the hash of the cookie
 
-  std::optional<Caller> by_hash(const std::string& hash);
+  static constexpr std::size_t kMostKnown = 1024;  // then all are asked for anew
+
+  std::optional<Caller> by_hash(const std::string& hash, std::optional<std::uint64_t> version = std::nullopt);
+  std::optional<store::Token> token_of(const std::string& hash, std::optional<std::uint64_t> version);
   static bool has_expired(const Session& session, Clock::time_point now);
   // The session, unless it has expired: then it is forgotten.
   Rows::iterator live(const std::string& session);
@@ -67,6 +71,8 @@ class Sessions {
   std::function<Clock::time_point()> now_;
   std::mutex mutex_;
   Rows rows_;
+  std::optional<std::uint64_t> known_version_;  // of the store that `known_` was read from
+  std::map<std::string, store::Token> known_;   // valid tokens by their hash
 };
 
 // The cookie's value in a Cookie header, "" without one.

@@ -35,6 +35,24 @@ store::Result<std::unique_ptr<Connection>> Database::connect_to_read() const {
   return Connection::open(path_, settings_, Access::read);
 }
 
+// SQLite counts the commits of all connections but the one that asks.
+store::Result<std::uint64_t> Database::version() {
+  const std::lock_guard lock(version_mutex_);
+  if (!version_reader_) {
+    auto opened = connect_to_read();
+    if (!opened) return std::unexpected(opened.error());
+    version_reader_ = std::move(*opened);
+  }
+  Session session(*version_reader_, "version");
+  std::uint64_t version = 0;
+  {
+    Query query(session, "PRAGMA data_version");
+    if (query.next()) version = query.number();
+  }
+  if (!session.ok()) return std::unexpected(session.error());
+  return version;
+}
+
 store::Result<void> Database::Writing::begin() {
   if (database_.settings_.read_only)
     return std::unexpected(store::Error{store::ErrorCode::append_only, "the store is open to be read only"});

@@ -43,6 +43,9 @@ class Database {
     return result;
   }
 
+  // Another number after every commit, see Store::version().
+  store::Result<std::uint64_t> version();
+
   // A commit brings the log into the file only when it has so many pages. Before the first use by others.
   store::Result<void> checkpoint_in_commits_from(std::uint32_t pages);
   // A connection of one's own, for long reads.
@@ -108,6 +111,8 @@ class Database {
   int depth_ = 0;  // of transactions inside each other; while the lane is taken
   std::mutex pool_mutex_;
   std::vector<std::unique_ptr<Connection>> pool_;
+  std::mutex version_mutex_;
+  std::unique_ptr<Connection> version_reader_;  // never writes: every commit is somebody else's to it
 };
 
 }  // namespace dripfeed::sqlite

@@ -2,6 +2,7 @@
 #include <array>
 #include <atomic>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -122,6 +123,56 @@ TEST_F(Concurrency, ABackupIsOneStateWhileTheLedgerIsWritten) {
     EXPECT_EQ(must(restored->ledger().verify(first.id)), known.seq);
   }
   stop = true;
+}
+
+class StoreVersion : public StoreTest {};
+
+TEST_F(StoreVersion, IsAnotherAfterEveryChangeByThisStoreOrAnotherProcess) {
+  const Token token = must(store_->tokens().add("mes", Role::viewer, "hash", by("anna")));
+  std::uint64_t before = must(store_->version());
+  const auto is_another = [&] {
+    const std::uint64_t now = must(store_->version());
+    return std::exchange(before, now) != now;
+  };
+  EXPECT_FALSE(is_another());
+  must(store_->tokens().find("hash"));
+  must(store_->machines().list({}));
+  EXPECT_FALSE(is_another()) << "reading changes nothing";
+  must(store_->machines().add("a", "0", by("anna")));
+  EXPECT_TRUE(is_another());
+  EXPECT_EQ(refusal(store_->machines().add("a", "0", by("anna"))), ErrorCode::exists);
+  must(store_->tokens().revoke(token.id, by("anna")));
+  EXPECT_TRUE(is_another());
+  // Another connection, as `dripfeed token revoke` has one.
+  must(store_->tokens().add("wall", Role::viewer, "other", by("anna")));
+  EXPECT_TRUE(is_another());
+  EXPECT_EQ(sql("UPDATE token SET revoked_at_ms = 9 WHERE name = 'wall'"), "");
+  EXPECT_TRUE(is_another());
+  const auto beside = must(sqlite::open(path()));
+  must(beside->machines().add("b", "0", by("bert")));
+  EXPECT_TRUE(is_another());
+  EXPECT_FALSE(is_another());
+}
+
+TEST_F(StoreVersion, WhatWasReadAfterItHoldsAsLongAsItIsTheSame) {
+  must(store_->machines().add("a", "0", by("anna")));
+  std::atomic<bool> stop = false;
+  std::jthread writer([&] {
+    for (Revision revision = 1; revision <= 300; ++revision)
+      must(store_->machines().change("a", revision, "p", by("anna")));
+    stop = true;
+  });
+  int held = 0;
+  while (!stop) {
+    const std::uint64_t version = must(store_->version());
+    const Revision seen = must(store_->machines().get("a")).revision;
+    const Revision again = must(store_->machines().get("a")).revision;
+    if (must(store_->version()) != version) continue;
+    ASSERT_EQ(again, seen);
+    ++held;
+  }
+  EXPECT_EQ(must(store_->machines().get("a")).revision, 301U);
+  EXPECT_GT(held, 0);
 }
 
 }  // namespace

@@ -23,7 +23,10 @@ class KnownTokens final : public store::Tokens {
   }
   void take(const std::string& token) { rows_.erase(hash::token_hash(token)); }
 
+  int asked = 0;
+
   store::Result<store::Token> find(std::string_view token_hash) override {
+    ++asked;
     const auto found = rows_.find(std::string(token_hash));
     if (found == rows_.end()) return std::unexpected(store::Error{store::ErrorCode::not_found, ""});
     return found->second;
@@ -202,6 +205,30 @@ TEST(SameOrigin, IsOurHostOrTheBrowsersWord) {
   EXPECT_FALSE(is_same("http://evil/shop:8840", "shop:8840", ""));
   EXPECT_FALSE(is_same("null", "shop:8840", ""));
   EXPECT_FALSE(is_same("http://", "", ""));
+}
+
+TEST_F(SessionsTest, ATokenIsAskedForOnceAsLongAsTheStoreIsTheSame) {
+  Request request;
+  request.authorization = "Bearer secret";
+  for (int i = 0; i < 3; ++i) ASSERT_EQ(sessions_.caller(request, 7).value().name, "olga");
+  EXPECT_EQ(tokens_.asked, 1);
+  tokens_.take("secret");
+  EXPECT_FALSE(sessions_.caller(request, 8)) << "a revocation changes the store";
+  EXPECT_FALSE(sessions_.caller(request, 7)) << "nothing is left of what was known";
+  EXPECT_FALSE(sessions_.caller(request));
+}
+
+TEST_F(SessionsTest, WithoutAVersionATokenIsAskedForEachTime) {
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(by_header("Bearer secret"));
+  EXPECT_EQ(tokens_.asked, 3);
+}
+
+TEST_F(SessionsTest, ACookieOfARevokedTokenEndsWithTheNextVersion) {
+  Request request;
+  request.cookie = cookie(sessions_.open("secret").value());
+  ASSERT_TRUE(sessions_.caller(request, 1).value().by_cookie);
+  tokens_.take("secret");
+  EXPECT_FALSE(sessions_.caller(request, 2));
 }
 
 }  // namespace
