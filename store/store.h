@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "store/alarms.h"
 #include "store/answers.h"
 #include "store/audit.h"
 #include "store/contents.h"
@@ -38,6 +39,7 @@ class Store : public Repository {
   virtual Receipts& receipts() = 0;
   virtual Ledger& ledger() = 0;
   virtual Answers& answers() = 0;
+  virtual Alarms& alarms() = 0;
   virtual Audit& audit() = 0;
   virtual Tokens& tokens() = 0;
   virtual Replies& replies() = 0;

@@ -12,6 +12,7 @@
 #include "store/sqlite/schema_v3.h"
 #include "store/sqlite/schema_v4.h"
 #include "store/sqlite/schema_v5.h"
+#include "store/sqlite/schema_v6.h"
 #include "store/sqlite/session.h"
 
 namespace dripfeed::sqlite {
@@ -120,9 +121,12 @@ Result<void> apply_in_transaction(Connection& connection, std::span<const Migrat
 }  // namespace
 
 std::span<const Migration> migrations() {
-  static const std::array kMigrations{
-      Migration{1, "first", kSchemaV1}, Migration{2, "arming expires", kSchemaV2}, Migration{3, "receipts", kSchemaV3},
-      Migration{4, "torn jobs by index", kSchemaV4}, Migration{5, "answers are booked", kSchemaV5}};
+  static const std::array kMigrations{Migration{1, "first", kSchemaV1},
+                                      Migration{2, "arming expires", kSchemaV2},
+                                      Migration{3, "receipts", kSchemaV3},
+                                      Migration{4, "torn jobs by index", kSchemaV4},
+                                      Migration{5, "answers are booked", kSchemaV5},
+                                      Migration{6, "alarms", kSchemaV6}};
   return kMigrations;
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "store/sqlite/alarm_table.h"
 #include "store/sqlite/answer_table.h"
 #include "store/sqlite/audit_table.h"
 #include "store/sqlite/checkpointer.h"
@@ -40,6 +41,7 @@ class SqliteStore final : public store::Store {
   store::Receipts& receipts() override { return receipts_; }
   store::Ledger& ledger() override { return ledger_; }
   store::Answers& answers() override { return answers_; }
+  store::Alarms& alarms() override { return alarms_; }
   store::Audit& audit() override { return audit_; }
   store::Tokens& tokens() override { return tokens_; }
   store::Replies& replies() override { return replies_; }
@@ -64,6 +66,7 @@ class SqliteStore final : public store::Store {
   JobTable jobs_{*database_, releases_, answers_};
   LedgerTable ledger_{*database_};
   ReceiptTable receipts_{*database_};
+  AlarmTable alarms_{*database_};
   AuditTable audit_{*database_};
   TokenTable tokens_{*database_};
   ReplyTable replies_{*database_};

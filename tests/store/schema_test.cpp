@@ -77,6 +77,9 @@ void write_newest(Store& store, const std::string& path) {
                                      .job = job.id},
                                     by("mill-1")));
   must(store.answers().begin("mill-1", 40, by("dripfeed", 6)));
+  const Alarm raised = must(store.alarms().raise(
+      {.machine = "mill-1", .kind = "torn_block", .text = "a block is torn", .lasts = true, .job = job.id}, 7));
+  must(store.alarms().acknowledge(raised.id, by("olga", 8)));
   std::ofstream(fixture(sqlite::migrations().back().version), std::ios::binary) << dump(path);
 }
 
@@ -107,6 +110,11 @@ TEST_F(SchemaTest, EveryOldOneIsReadByThisProgram) {
     }
     const std::size_t answers = migration.version >= 5 ? 1 : 0;
     EXPECT_EQ(must(store_->answers().tear_unfinished(by("server"))).size(), answers);
+    const auto alarms = must(store_->alarms().lasting());
+    ASSERT_EQ(alarms.size(), migration.version >= 6 ? 1U : 0U);
+    for (const Alarm& alarm : alarms) EXPECT_EQ(alarm.acknowledged_by, "olga");
+    must(store_->alarms().raise({.machine = "mill-1", .kind = "torn_block", .text = "a block is torn"}, 9));
+    EXPECT_EQ(must(store_->alarms().list({})).items.size(), 1U) << "folded, or the first of a store that had no table";
     must(store_->releases().released_for(job.text_sha256, "mill-1", Delivery::drip));
     EXPECT_EQ(must(store_->jobs().interrupt_unfinished(by("server"))).size(), 1U);
     EXPECT_EQ(sql("DELETE FROM audit"), "append-only");

@@ -82,6 +82,7 @@ class WatchedStore final : public store::Store {
   store::Receipts& receipts() override { return store_.receipts(); }
   store::Ledger& ledger() override { return ledger_; }
   store::Answers& answers() override { return store_.answers(); }
+  store::Alarms& alarms() override { return store_.alarms(); }
   store::Audit& audit() override { return audit_; }
   store::Tokens& tokens() override { return store_.tokens(); }
   store::Replies& replies() override { return store_.replies(); }
