@@ -8,6 +8,7 @@
 #include "store/alarms.h"
 #include "store/answers.h"
 #include "store/audit.h"
+#include "store/browser_sessions.h"
 #include "store/contents.h"
 #include "store/families.h"
 #include "store/jobs.h"
@@ -42,6 +43,7 @@ class Store : public Repository {
   virtual Alarms& alarms() = 0;
   virtual Audit& audit() = 0;
   virtual Tokens& tokens() = 0;
+  virtual BrowserSessions& browser_sessions() = 0;
   virtual Replies& replies() = 0;
 
   // All that `work` does on this thread is one transaction; it is undone when work returns an error. A call inside that

@@ -145,7 +145,8 @@ Api::Api(app::Application& application, json::DocumentWorkers& workers, std::fil
       web_root_(std::move(web_root)),
       version_(std::move(version)),
       stop_(std::move(stop)),
-      sessions_(application.store().tokens()),
+      sessions_(application.store().tokens(), application.store().browser_sessions(),
+                [&application] { return application.clock().wall_ms(); }),
       live_(
           application.events(), [&application](const std::string& machine) { return application.status(machine); },
           [this](const Credential& credential) { return sessions_.is_valid(credential); }),

@@ -93,7 +93,9 @@ Response open_session(const Call& call) {
   const auto body = json::read_session_body(call.request.body);
   if (!body) return problem_response(body.error());
   const auto value = call.api.sessions().open(body->token);
-  if (!value) return problem_response(401, "this token is not valid");
+  if (!value && value.error().code == store::ErrorCode::not_found)
+    return problem_response(401, "this token is not valid");
+  if (!value) return problem_response(app::from_store(value.error()));
   Response response;
   response.status = 204;
   response.content_type.clear();
@@ -102,7 +104,8 @@ Response open_session(const Call& call) {
 }
 
 Response close_session(const Call& call) {
-  call.api.sessions().close(call.request);
+  if (const auto closed = call.api.sessions().close(call.request); !closed)
+    return problem_response(app::from_store(closed.error()));
   Response response;
   response.status = 204;
   response.content_type.clear();

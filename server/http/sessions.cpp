@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <spdlog/spdlog.h>
+
 #include "store/hash/hash.h"
 
 namespace dripfeed::http {
@@ -51,103 +53,115 @@ bool same_origin(const Request& request) {
   return names_host(request.origin, request.host) || names_host(request.origin, request.forwarded_host);
 }
 
-std::optional<store::Token> Sessions::token_of(const std::string& hash, std::optional<std::uint64_t> version) {
+std::optional<Sessions::Known> Sessions::ask(const std::string& hash, bool is_session) {
+  if (is_session) {
+    const auto found = kept_.find(hash);
+    if (!found) return std::nullopt;
+    return Known{found->token, found->token_hash, found->opened_at_ms, found->used_at_ms};
+  }
+  const auto token = tokens_.find(hash);
+  if (!token) return std::nullopt;
+  return Known{*token, hash, 0, 0};
+}
+
+std::optional<Sessions::Known> Sessions::known(const std::string& hash, bool is_session,
+                                               std::optional<std::uint64_t> version) {
   if (version) {
     const std::lock_guard lock(mutex_);
     if (known_version_ != version) known_.clear();
     known_version_ = version;
-    if (const auto known = known_.find(hash); known != known_.end()) return known->second;
+    if (const auto found = known_.find(hash); found != known_.end()) return found->second;
   }
-  const auto token = tokens_.find(hash);
-  if (!token) return std::nullopt;
+  auto asked = ask(hash, is_session);
+  if (!asked) return std::nullopt;
   const std::lock_guard lock(mutex_);
   // Read after its version was asked for: should it have changed meanwhile, the next request finds another version.
   if (version && known_version_ == version) {
     if (known_.size() >= kMostKnown) known_.clear();
-    known_[hash] = *token;
+    known_[hash] = *asked;
   }
-  return *token;
+  return asked;
 }
 
-std::optional<Caller> Sessions::by_hash(const std::string& hash, std::optional<std::uint64_t> version) {
-  const auto token = token_of(hash, version);
-  if (!token) return std::nullopt;
-  // The rights follow the roles in the same order, behind `anybody`.
-  return Caller{.name = token->name,
-                .right = static_cast<Right>(static_cast<int>(token->role) + 1),
-                .by_cookie = false,
-                .credential = {.token_hash = hash, .session = {}}};
+// The rights follow the roles in the same order, after `anybody`.
+Caller Sessions::caller_of(const Known& known) {
+  return {.name = known.token.name,
+          .right = static_cast<Right>(static_cast<int>(known.token.role) + 1),
+          .by_cookie = false,
+          .credential = {.token_hash = known.token_hash, .session = {}}};
 }
 
-bool Sessions::has_expired(const Session& session, Clock::time_point now) {
-  return now - session.used >= kIdle || now - session.opened >= kLongest;
-}
-
-Sessions::Rows::iterator Sessions::live(const std::string& session) {
-  const auto found = rows_.find(session);
-  if (found == rows_.end()) return found;
-  if (!has_expired(found->second, now_())) return found;
-  rows_.erase(found);
-  return rows_.end();
+// With the lock held.
+bool Sessions::has_expired(const Known& session, const std::string& hash) const {
+  const auto used = used_.find(hash);
+  const std::int64_t last_ms = std::max(session.used_at_ms, used == used_.end() ? 0 : used->second);
+  const std::int64_t now = now_ms_();
+  return now - last_ms >= kIdle_ms || now - session.opened_at_ms >= kLongest_ms;
 }
 
 std::optional<Caller> Sessions::caller(const Request& request, std::optional<std::uint64_t> version) {
-  if (const auto token = bearer_token(request.authorization)) return by_hash(hash::token_hash(*token), version);
+  if (const auto token = bearer_token(request.authorization)) {
+    const auto found = known(hash::token_hash(*token), false, version);
+    return found ? std::optional(caller_of(*found)) : std::nullopt;
+  }
   const std::string cookie = cookie_value(request.cookie, kSessionCookie);
   if (cookie.empty()) return std::nullopt;
   const std::string session = hash::token_hash(cookie);
-  std::string hash;
+  const auto found = known(session, true, version);
+  if (!found) return std::nullopt;
   {
     const std::lock_guard lock(mutex_);
-    const auto known = live(session);
-    if (known == rows_.end()) return std::nullopt;
-    known->second.used = now_();
-    hash = known->second.token_hash;
+    if (has_expired(*found, session)) return std::nullopt;
+    used_[session] = now_ms_();
   }
-  auto caller = by_hash(hash, version);
-  if (!caller) return caller;
-  caller->by_cookie = true;
-  caller->credential.session = session;
+  Caller caller = caller_of(*found);
+  caller.by_cookie = true;
+  caller.credential.session = session;
   return caller;
 }
 
 bool Sessions::is_valid(const Credential& credential) {
-  if (!credential.session.empty()) {
+  if (credential.session.empty()) {
+    const auto token = tokens_.find(credential.token_hash);
+    // A store that cannot be read says nothing of the token.
+    return token.has_value() || token.error().code != store::ErrorCode::not_found;
+  }
+  const auto found = kept_.find(credential.session);
+  if (!found) return found.error().code != store::ErrorCode::not_found;
+  std::int64_t used_ms = 0;
+  {
     const std::lock_guard lock(mutex_);
-    if (live(credential.session) == rows_.end()) return false;
+    const Known session{found->token, found->token_hash, found->opened_at_ms, found->used_at_ms};
+    if (has_expired(session, credential.session)) return false;
+    if (const auto used = used_.find(credential.session); used != used_.end()) used_ms = used->second;
   }
-  const auto token = tokens_.find(credential.token_hash);
-  // A store that cannot be read says nothing of the token.
-  return token.has_value() || token.error().code != store::ErrorCode::not_found;
+  if (used_ms - found->used_at_ms >= kNoteEvery_ms) {
+    if (const auto noted = kept_.note_use(credential.session, used_ms); !noted)
+      spdlog::warn("the use of a session is not noted: {}", store::message_of(noted.error()));
+  }
+  return true;
 }
 
-// Those of this token alone: nobody ends the session of another by signing in often.
-void Sessions::make_room(const std::string& token_hash) {
-  const auto now = now_();
-  std::erase_if(rows_, [&](const auto& row) { return has_expired(row.second, now); });
-  std::size_t count = 0;
-  auto oldest = rows_.end();
-  for (auto it = rows_.begin(); it != rows_.end(); ++it) {
-    if (it->second.token_hash != token_hash) continue;
-    ++count;
-    if (oldest == rows_.end() || it->second.used < oldest->second.used) oldest = it;
-  }
-  if (count >= kMostOfOne) rows_.erase(oldest);
-}
-
-std::optional<std::string> Sessions::open(std::string_view token) {
-  const std::string hash = hash::token_hash(token);
-  if (!by_hash(hash)) return std::nullopt;
+// What has expired goes with the next sign-in; nobody ends the session of another by signing in often.
+store::Result<std::string> Sessions::open(std::string_view token) {
+  const std::int64_t now = now_ms_();
   std::string cookie = hash::random_token();
+  const auto opened = kept_.open(hash::token_hash(cookie), hash::token_hash(token), kMostOfOne, now);
+  if (!opened) return std::unexpected(opened.error());
+  if (const auto done = kept_.forget(now - kLongest_ms, now - kLongest_ms); !done)
+    spdlog::warn("old sessions are not forgotten: {}", store::message_of(done.error()));
   const std::lock_guard lock(mutex_);
-  make_room(hash);
-  rows_[hash::token_hash(cookie)] = {.token_hash = hash, .opened = now_(), .used = now_()};
+  std::erase_if(used_, [&](const auto& use) { return now - use.second >= kLongest_ms; });
   return cookie;
 }
 
-void Sessions::close(const Request& request) {
+store::Result<void> Sessions::close(const Request& request) {
+  const std::string session = hash::token_hash(cookie_value(request.cookie, kSessionCookie));
+  if (auto done = kept_.close(session); !done) return done;
   const std::lock_guard lock(mutex_);
-  rows_.erase(hash::token_hash(cookie_value(request.cookie, kSessionCookie)));
+  used_.erase(session);
+  known_.erase(session);
+  return {};
 }
 
 }  // namespace dripfeed::http

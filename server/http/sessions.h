@@ -1,9 +1,10 @@
-// Who calls: API tokens in the Authorization header, or a browser's cookie that was given for one. Cookies live in
-// memory: a restart asks for the token again. A revoked token ends its sessions with the next request.
+// Who calls: API tokens in the Authorization header, or a browser's cookie that was given for one. Sessions of browsers
+// live in the store, so a restart of the server signs nobody out. A revoked token ends its sessions with the next
+// request.
 #pragma once
 
-#include <chrono>
 #include <compare>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -34,45 +35,49 @@ struct Caller {
 
 class Sessions {
  public:
-  using Clock = std::chrono::steady_clock;
-  static constexpr std::size_t kMostOfOne = 32;          // sessions of one token; the oldest goes
-  static constexpr std::chrono::hours kIdle{12};         // a session that nobody uses
-  static constexpr std::chrono::hours kLongest{7 * 24};  // any session
+  static constexpr std::size_t kMostOfOne = 32;  // sessions of one token; the one that was used longest ago goes
+  static constexpr std::int64_t kIdle_ms = std::int64_t{12} * 3600 * 1000;         // a session that nobody uses
+  static constexpr std::int64_t kLongest_ms = std::int64_t{7} * 24 * 3600 * 1000;  // any session
 
-  explicit Sessions(store::Tokens& tokens, std::function<Clock::time_point()> now = Clock::now)
-      : tokens_(tokens), now_(std::move(now)) {}
+  // `now_ms`: milliseconds since 1970.
+  Sessions(store::Tokens& tokens, store::BrowserSessions& kept, std::function<std::int64_t()> now_ms)
+      : tokens_(tokens), kept_(kept), now_ms_(std::move(now_ms)) {}
   // Nothing when there is no valid token behind the request. `version`: of the store (Store::version()), asked for with
   // this request: who was let in at the same one is let in again without asking. Nothing: the store is asked.
   std::optional<Caller> caller(const Request& request, std::optional<std::uint64_t> version = std::nullopt);
-  // The cookie's value for this token; nothing when the token is not valid.
-  std::optional<std::string> open(std::string_view token);
-  void close(const Request& request);
-  // Whether the token, and the session where there is one, is valid now. Does not count as a use.
+  // The cookie's value for this token. Errors: not_found (the token is not valid), and those of a store that cannot
+  // write.
+  store::Result<std::string> open(std::string_view token);
+  store::Result<void> close(const Request& request);
+  // Whether the token, and the session where there is one, is valid now. Does not count as a use. It may write: the
+  // uses of this session that were not noted in the store yet.
   bool is_valid(const Credential& credential);
 
  private:
-  struct Session {
+  // What a request by header or cookie stands for.
+  struct Known {
+    store::Token token;
     std::string token_hash;
-    Clock::time_point opened;
-    Clock::time_point used;
+    std::int64_t opened_at_ms = 0;  // 0: no session
+    std::int64_t used_at_ms = 0;
   };
-  using Rows = std::map<std::string, Session>;  // by the hash of the cookie
 
-  static constexpr std::size_t kMostKnown = 1024;  // then all are asked for anew
+  static constexpr std::size_t kMostKnown = 1024;                          // then all are asked for anew
+  static constexpr std::int64_t kNoteEvery_ms = std::int64_t{5} * 60'000;  // uses, in the store
 
-  std::optional<Caller> by_hash(const std::string& hash, std::optional<std::uint64_t> version = std::nullopt);
-  std::optional<store::Token> token_of(const std::string& hash, std::optional<std::uint64_t> version);
-  static bool has_expired(const Session& session, Clock::time_point now);
-  // The session, unless it has expired: then it is forgotten.
-  Rows::iterator live(const std::string& session);
-  void make_room(const std::string& token_hash);
+  // Of a token (its hash) or of a session, from what is known at this version or from the store.
+  std::optional<Known> known(const std::string& hash, bool is_session, std::optional<std::uint64_t> version);
+  std::optional<Known> ask(const std::string& hash, bool is_session);
+  static Caller caller_of(const Known& known);
+  [[nodiscard]] bool has_expired(const Known& session, const std::string& hash) const;
 
   store::Tokens& tokens_;
-  std::function<Clock::time_point()> now_;
+  store::BrowserSessions& kept_;
+  std::function<std::int64_t()> now_ms_;
   std::mutex mutex_;
-  Rows rows_;
   std::optional<std::uint64_t> known_version_;  // of the store that `known_` was read from
-  std::map<std::string, store::Token> known_;   // valid tokens by their hash
+  std::map<std::string, Known> known_;          // by the hash of the token or of the cookie
+  std::map<std::string, std::int64_t> used_;    // sessions: the last use here, later than the store's
 };
 
 // The cookie's value in a Cookie header, "" without one.

@@ -6,6 +6,7 @@
 #include "store/sqlite/alarm_table.h"
 #include "store/sqlite/answer_table.h"
 #include "store/sqlite/audit_table.h"
+#include "store/sqlite/browser_session_table.h"
 #include "store/sqlite/checkpointer.h"
 #include "store/sqlite/content_table.h"
 #include "store/sqlite/family_table.h"
@@ -44,6 +45,7 @@ class SqliteStore final : public store::Store {
   store::Alarms& alarms() override { return alarms_; }
   store::Audit& audit() override { return audit_; }
   store::Tokens& tokens() override { return tokens_; }
+  store::BrowserSessions& browser_sessions() override { return browser_sessions_; }
   store::Replies& replies() override { return replies_; }
 
   store::Result<void> atomically(const std::function<store::Result<void>()>& work) override;
@@ -69,6 +71,7 @@ class SqliteStore final : public store::Store {
   AlarmTable alarms_{*database_};
   AuditTable audit_{*database_};
   TokenTable tokens_{*database_};
+  BrowserSessionTable browser_sessions_{*database_};
   ReplyTable replies_{*database_};
 };
 

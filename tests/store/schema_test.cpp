@@ -80,6 +80,7 @@ void write_newest(Store& store, const std::string& path) {
   const Alarm raised = must(store.alarms().raise(
       {.machine = "mill-1", .kind = "torn_block", .text = "a block is torn", .lasts = true, .job = job.id}, 7));
   must(store.alarms().acknowledge(raised.id, by("olga", 8)));
+  must(store.browser_sessions().open("cookie", "hash", 8, 9));
   std::ofstream(fixture(sqlite::migrations().back().version), std::ios::binary) << dump(path);
 }
 
@@ -115,6 +116,8 @@ TEST_F(SchemaTest, EveryOldOneIsReadByThisProgram) {
     for (const Alarm& alarm : alarms) EXPECT_EQ(alarm.acknowledged_by, "olga");
     must(store_->alarms().raise({.machine = "mill-1", .kind = "torn_block", .text = "a block is torn"}, 9));
     EXPECT_EQ(must(store_->alarms().list({})).items.size(), 1U) << "folded, or the first of a store that had no table";
+    EXPECT_EQ(store_->browser_sessions().find("cookie").has_value(), migration.version >= 7);
+    must(store_->browser_sessions().open("another", "hash", 8, 10));
     must(store_->releases().released_for(job.text_sha256, "mill-1", Delivery::drip));
     EXPECT_EQ(must(store_->jobs().interrupt_unfinished(by("server"))).size(), 1U);
     EXPECT_EQ(sql("DELETE FROM audit"), "append-only");

@@ -85,6 +85,7 @@ class WatchedStore final : public store::Store {
   store::Alarms& alarms() override { return store_.alarms(); }
   store::Audit& audit() override { return audit_; }
   store::Tokens& tokens() override { return store_.tokens(); }
+  store::BrowserSessions& browser_sessions() override { return store_.browser_sessions(); }
   store::Replies& replies() override { return store_.replies(); }
   store::Result<void> atomically(const std::function<store::Result<void>()>& work) override {
     return store_.atomically(work);

@@ -1,7 +1,8 @@
 // Who calls: tokens, cookies given for them, revocation, and where a write by cookie may come from.
 #include "server/http/sessions.h"
 
-#include <chrono>
+#include <algorithm>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -45,6 +46,58 @@ class KnownTokens final : public store::Tokens {
   std::map<std::string, store::Token> rows_;
 };
 
+// Those of KnownTokens, as the store has it.
+class KnownSessions final : public store::BrowserSessions {
+ public:
+  explicit KnownSessions(KnownTokens& tokens) : tokens_(tokens) {}
+
+  int noted = 0;
+
+  store::Result<void> open(std::string_view session_hash, std::string_view token_hash, std::size_t most,
+                           std::int64_t at_ms) override {
+    const auto token = tokens_.find(token_hash);
+    if (!token) return std::unexpected(token.error());
+    std::vector<std::string> own;
+    for (const auto& [hash, row] : rows_)
+      if (row.token_hash == token_hash) own.push_back(hash);
+    std::ranges::sort(own, {}, [&](const std::string& hash) { return rows_[hash].used_at_ms; });
+    for (std::size_t i = 0; i + most <= own.size(); ++i) rows_.erase(own[i]);
+    rows_[std::string(session_hash)] = {*token, std::string(token_hash), at_ms, at_ms};
+    return {};
+  }
+  store::Result<store::BrowserSession> find(std::string_view session_hash) override {
+    const auto found = rows_.find(std::string(session_hash));
+    if (found == rows_.end()) return std::unexpected(store::Error{store::ErrorCode::not_found, ""});
+    const auto token = tokens_.find(found->second.token_hash);
+    if (!token) return std::unexpected(token.error());
+    store::BrowserSession session = found->second;
+    session.token = *token;
+    return session;
+  }
+  store::Result<void> note_use(std::string_view session_hash, std::int64_t at_ms) override {
+    ++noted;
+    rows_[std::string(session_hash)].used_at_ms = at_ms;
+    return {};
+  }
+  store::Result<void> close(std::string_view session_hash) override {
+    rows_.erase(std::string(session_hash));
+    return {};
+  }
+  store::Result<void> forget(std::int64_t opened_before_ms, std::int64_t used_before_ms) override {
+    std::erase_if(rows_, [&](const auto& row) {
+      return row.second.opened_at_ms < opened_before_ms || row.second.used_at_ms < used_before_ms;
+    });
+    return {};
+  }
+
+ private:
+  KnownTokens& tokens_;
+  std::map<std::string, store::BrowserSession> rows_;
+};
+
+constexpr std::int64_t kSecond_ms = 1000;
+constexpr std::int64_t kHour_ms = 3600 * kSecond_ms;
+
 class SessionsTest : public ::testing::Test {
  protected:
   SessionsTest() { tokens_.give("secret", "olga", store::Role::operator_); }
@@ -61,8 +114,9 @@ class SessionsTest : public ::testing::Test {
   static std::string cookie(const std::string& value) { return std::string(kSessionCookie) + "=" + value; }
 
   KnownTokens tokens_;
-  Sessions::Clock::time_point now_{};
-  Sessions sessions_{tokens_, [this] { return now_; }};
+  KnownSessions kept_{tokens_};
+  std::int64_t now_ms_ = 1'700'000'000'000;
+  Sessions sessions_{tokens_, kept_, [this] { return now_ms_; }};
 };
 
 TEST_F(SessionsTest, ATokenIsItsBearer) {
@@ -116,11 +170,11 @@ TEST_F(SessionsTest, SigningOutEndsThatSessionAlone) {
   const std::string second = *sessions_.open("secret");
   Request request;
   request.cookie = cookie(first);
-  sessions_.close(request);
+  ASSERT_TRUE(sessions_.close(request));
   EXPECT_FALSE(by_cookie(cookie(first)));
   EXPECT_TRUE(by_cookie(cookie(second)));
-  sessions_.close(request);
-  sessions_.close({});
+  EXPECT_TRUE(sessions_.close(request));
+  EXPECT_TRUE(sessions_.close({}));
   EXPECT_TRUE(by_cookie(cookie(second)));
 }
 
@@ -129,7 +183,7 @@ TEST_F(SessionsTest, SigningInOftenEndsOnlyOnesOwnSessions) {
   const std::string admins = *sessions_.open("admin");
   std::vector<std::string> own;
   for (std::size_t i = 0; i < 30'000 / 100; ++i) {
-    now_ += std::chrono::seconds(1);
+    now_ms_ += kSecond_ms;
     own.push_back(*sessions_.open("secret"));
   }
   EXPECT_TRUE(by_cookie(cookie(admins))) << "another one's sign-ins";
@@ -141,18 +195,18 @@ TEST_F(SessionsTest, SigningInOftenEndsOnlyOnesOwnSessions) {
 TEST_F(SessionsTest, ASessionEndsWhenNobodyUsesItAndOneDayInAnyCase) {
   const std::string value = *sessions_.open("secret");
   const Credential held = by_cookie(cookie(value))->credential;
-  now_ += Sessions::kIdle - std::chrono::seconds(1);
+  now_ms_ += Sessions::kIdle_ms - kSecond_ms;
   EXPECT_TRUE(by_cookie(cookie(value))) << "a use begins the time anew";
-  now_ += Sessions::kIdle - std::chrono::seconds(1);
+  now_ms_ += Sessions::kIdle_ms - kSecond_ms;
   EXPECT_TRUE(sessions_.is_valid(held)) << "looking is no use";
-  now_ += std::chrono::seconds(1);
+  now_ms_ += kSecond_ms;
   EXPECT_FALSE(sessions_.is_valid(held));
   EXPECT_FALSE(by_cookie(cookie(value)));
   const std::string busy = *sessions_.open("secret");
-  const auto opened = now_;
-  while (now_ - opened < Sessions::kLongest) {
+  const std::int64_t opened_ms = now_ms_;
+  while (now_ms_ - opened_ms < Sessions::kLongest_ms) {
     EXPECT_TRUE(by_cookie(cookie(busy)));
-    now_ += std::chrono::hours(6);
+    now_ms_ += 6 * kHour_ms;
   }
   EXPECT_FALSE(by_cookie(cookie(busy)));
 }
@@ -172,6 +226,23 @@ TEST_F(SessionsTest, AWrongTokenIsNotHelpedByACookie) {
   request.cookie = cookie(*sessions_.open("secret"));
   request.authorization = "Bearer wrong";
   EXPECT_FALSE(sessions_.caller(request));
+}
+
+TEST_F(SessionsTest, ASessionOutlivesTheServer) {
+  const std::string value = *sessions_.open("secret");
+  const Credential held = by_cookie(cookie(value))->credential;
+  now_ms_ += Sessions::kIdle_ms / 2;
+  ASSERT_TRUE(by_cookie(cookie(value)));
+  EXPECT_TRUE(sessions_.is_valid(held)) << "and notes the use";
+  EXPECT_EQ(kept_.noted, 1);
+  EXPECT_TRUE(sessions_.is_valid(held));
+  EXPECT_EQ(kept_.noted, 1) << "not again and again";
+  Sessions after{tokens_, kept_, [this] { return now_ms_; }};
+  now_ms_ += Sessions::kIdle_ms / 2 + kSecond_ms;
+  Request request;
+  request.cookie = cookie(value);
+  ASSERT_TRUE(after.caller(request)) << "used six hours ago, by another server";
+  EXPECT_EQ(after.caller(request)->name, "olga");
 }
 
 TEST(Cookies, AreFoundByTheirName) {
