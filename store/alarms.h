@@ -21,18 +21,18 @@ struct NewAlarm {
 
 struct Alarm {
   Id id = 0;
-  std::string machine;
-  std::string kind;
-  std::string text;
+  std::string machine{};
+  std::string kind{};
+  std::string text{};
   std::uint64_t count = 1;  // how often it was raised while it is open
   std::int64_t raised_at_ms = 0;
   std::int64_t last_at_ms = 0;
   std::int64_t cleared_at_ms = 0;  // 0: it lasts
-  std::string acknowledged_by;
+  std::string acknowledged_by{};
   std::int64_t acknowledged_at_ms = 0;  // 0: not yet
-  std::string shelved_by;
+  std::string shelved_by{};
   std::int64_t shelved_until_ms = 0;  // 0: it is on no shelf
-  std::string shelf_reason;
+  std::string shelf_reason{};
   Id job = 0;
 
   [[nodiscard]] bool is_open() const { return cleared_at_ms == 0 || acknowledged_at_ms == 0; }

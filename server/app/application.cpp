@@ -56,14 +56,15 @@ Application::Application(const Environment& environment)
       clock_(environment.clock),
       documents_(environment.documents),
       events_(static_cast<std::uint64_t>(clock_.wall_ms())),
+      alarms_(store_, events_, clock_),
       lines_(
           environment.links, environment.take_seat, [this] { line_changed(); }, history_of(store_, environment.claim)),
-      books_(store_, lines_, events_, clock_, environment.ballast),
+      books_(store_, lines_, events_, alarms_, clock_, environment.ballast),
       catalog_(store_, lines_, events_, clock_, documents_),
       programs_(store_, clock_, documents_, environment.ballast, environment.workers),
       checking_(store_, events_, clock_, documents_, environment.workers),
       jobs_(store_, lines_, books_, events_, clock_, documents_),
-      receiving_({store_, lines_, jobs_, programs_, events_, clock_, documents_}) {}
+      receiving_({store_, lines_, jobs_, programs_, events_, alarms_, clock_, documents_}) {}
 
 void Application::line_changed() {
   books_.wake();
@@ -96,6 +97,8 @@ Result<void> Application::start() {
   const auto torn = store_.answers().tear_unfinished({"dripfeed", clock_.wall_ms()});
   if (!torn) return std::unexpected(from_store(torn.error()));
   for (const store::Answer& answer : *torn) spdlog::warn("an answer to {}: {}", answer.machine, answer.reason);
+  // Before the lines: what they report is newer.
+  if (auto looked = alarms_.start(); !looked) return looked;
   return catalog_.open_lines();
 }
 
@@ -120,6 +123,7 @@ LineFacts Application::facts(const std::string& machine) {
   } else {
     facts.report.link_error = lines_.why_none(machine);
   }
+  facts.asks = books_.asks_of(machine);
   facts.why_refused = books_.why_refused(machine);
   if (facts.report.state == LineState::torn) facts.why_torn = lines_.why_torn(machine);
   return facts;
@@ -130,6 +134,7 @@ MachineStatus Application::status(const std::string& machine, LineFacts facts) {
   const auto stored = torn_in_store(store_, machine);
   status.is_certain = stored.has_value();
   status.needs_confirmation = stored && *stored ? *stored : torn_by_line(facts);
+  status.asks = facts.asks;
   status.report = std::move(facts.report);
   if (status.needs_confirmation && status.report.state != LineState::torn) status.report.state = LineState::torn;
   if (status.report.job == 0) return status;

@@ -2,6 +2,7 @@
 // needs.
 #pragma once
 
+#include "server/app/alarms.h"
 #include "server/app/books.h"
 #include "server/app/catalog.h"
 #include "server/app/checking.h"
@@ -19,6 +20,7 @@ namespace dripfeed::app {
 // All that is known of a machine's line besides the store.
 struct LineFacts {
   LineReport report;
+  Asks asks{};              // while nothing is armed
   std::string why_refused;  // why nothing may be sent before a person looked at it; "" otherwise
   std::string why_torn;     // of a line in the state `torn`; "" where no more is known
   friend bool operator==(const LineFacts&, const LineFacts&) = default;
@@ -30,6 +32,7 @@ struct MachineStatus {
   std::string program;     // name of the job's program
   std::string block_text;  // the block in which the last handed character lies
   std::optional<TornBlock> needs_confirmation;
+  Asks asks{};             // while nothing is armed
   bool is_certain = true;  // false: the store could not say whether a block is torn
 };
 
@@ -69,6 +72,7 @@ class Application {
   const Clock& clock() const { return clock_; }
   const Documents& documents() const { return documents_; }
   Events& events() { return events_; }
+  Alarms& alarms() { return alarms_; }
   Catalog& catalog() { return catalog_; }
   Programs& programs() { return programs_; }
   Checking& checking() { return checking_; }
@@ -83,6 +87,7 @@ class Application {
   const Clock& clock_;
   const Documents& documents_;
   Events events_;
+  Alarms alarms_;
   Lines lines_;
   Books books_;
   Catalog catalog_;

@@ -12,9 +12,9 @@ constexpr std::chrono::milliseconds kPatience{5'000};  // a person waits for an 
 
 }  // namespace
 
-Books::Books(store::Store& store, Lines& lines, Events& events, const Clock& clock, Ballast* ballast)
+Books::Books(store::Store& store, Lines& lines, Events& events, Alarms& alarms, const Clock& clock, Ballast* ballast)
     : ballast_(ballast),
-      follower_(store, events, texts_, clock),
+      follower_(store, events, alarms, texts_, clock),
       ledger_(store, lines, clock, ballast, [this](std::vector<Booked> booked, const std::string& complaint) {
         follower_.take(std::move(booked), complaint);
       }) {}

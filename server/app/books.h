@@ -17,7 +17,8 @@ namespace dripfeed::app {
 
 class Books {
  public:
-  Books(store::Store& store, Lines& lines, Events& events, const Clock& clock, Ballast* ballast = nullptr);
+  Books(store::Store& store, Lines& lines, Events& events, Alarms& alarms, const Clock& clock,
+        Ballast* ballast = nullptr);
   // All that the lines did is booked and followed first.
   ~Books();
   Books(const Books&) = delete;
@@ -39,6 +40,8 @@ class Books {
   bool settle();
   // Until the texts are read as far ahead as they may be. For a test, whose feeds take no time of their own.
   bool read_ahead(std::chrono::milliseconds patience) { return texts_.settle(patience); }
+  // See JobFollower.
+  [[nodiscard]] Asks asks_of(const std::string& machine) const { return follower_.asks_of(machine); }
   [[nodiscard]] const Ballast* ballast() const { return ballast_; }
 
  private:

@@ -17,15 +17,17 @@ void Events::publish(Event event) {
   wake();
 }
 
-void Events::progress(const std::string& machine, const LineReport& report) {
+void Events::progress(const std::string& machine, const LineReport& report, const Asks& asks) {
   {
     const std::lock_guard lock(mutex_);
-    LineReport& known = progress_[machine];
+    Progress& shown = progress_[machine];
+    const LineReport& known = shown.report;
     if (known.changes == report.changes && known.handed == report.handed && known.clocked == report.clocked &&
-        known.confirmed == report.confirmed && known.job == report.job && known.machine == report.machine) {
+        known.confirmed == report.confirmed && known.job == report.job && known.machine == report.machine &&
+        shown.asks == asks) {
       return;
     }
-    known = report;
+    shown = {machine, report, asks};
   }
   wake();
 }
@@ -47,7 +49,7 @@ std::vector<Progress> Events::snapshot() const {
   const std::lock_guard lock(mutex_);
   std::vector<Progress> all;
   all.reserve(progress_.size());
-  for (const auto& [machine, report] : progress_) all.push_back({machine, report});
+  for (const auto& [machine, shown] : progress_) all.push_back(shown);
   return all;
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "server/app/asks.h"
 #include "server/app/line.h"
 #include "store/store.h"
 
@@ -24,13 +25,15 @@ struct Event {
   store::Job job;         // job
   store::Id verdict = 0;  // verdict
   store::Outcome outcome = store::Outcome::unknown;
-  std::string text;  // alarm, verdict, receipt: a sentence
+  std::string text;      // alarm, verdict, receipt: a sentence
+  store::Alarm alarm{};  // alarm
 };
 
 // What a machine's line does, as a watcher sees it; coalesced, so that only the newest counts.
 struct Progress {
   std::string machine;
   LineReport report;
+  Asks asks{};
 };
 
 class Events {
@@ -41,7 +44,7 @@ class Events {
   explicit Events(std::uint64_t first_id = 1) : first_id_(first_id), next_id_(first_id) {}
 
   void publish(Event event);
-  void progress(const std::string& machine, const LineReport& report);
+  void progress(const std::string& machine, const LineReport& report, const Asks& asks = {});
 
   // What is newer than `after`; `reset` says that the ring no longer holds all of it.
   struct Batch {
@@ -66,7 +69,7 @@ class Events {
   std::vector<Event> ring_;
   std::uint64_t first_id_;
   std::uint64_t next_id_;
-  std::map<std::string, LineReport> progress_;
+  std::map<std::string, Progress> progress_;
   std::mutex watch_mutex_;
   std::map<Watch, std::function<void()>> watchers_;
   Watch next_watch_ = 1;

@@ -19,7 +19,7 @@ namespace dripfeed::app {
 namespace {
 
 constexpr std::chrono::milliseconds kRound{250};
-constexpr feed::Time kAlarmAgain = std::chrono::minutes(1);  // a control that asks over and over
+constexpr feed::Time kLinkMissed = std::chrono::seconds(5);  // a link that is down so long
 constexpr std::string_view kActor = "dripfeed";
 
 // What the job's state should be for a line that runs, and for a job that ended.
@@ -83,16 +83,27 @@ std::vector<store::JobState> steps_to(store::JobState from, store::JobState to, 
   return steps;
 }
 
+// Something of ours is on the line, or may be in a moment.
+bool has_line(LineState state) {
+  return state == LineState::armed || state == LineState::feeding || state == LineState::held ||
+         state == LineState::draining || state == LineState::answering;
+}
+
+bool is_down(const LineReport& report) { return report.state == LineState::disconnected || !report.link_error.empty(); }
+
 std::string_view machine_state(const LineReport& report) {
   return report.machine ? report.machine->state : std::string_view();
 }
 
 }  // namespace
 
-JobFollower::JobFollower(store::Store& store, Events& events, TextReader& texts, const Clock& clock)
-    : store_(store), events_(events), texts_(texts), clock_(clock), thread_("follower", kRound, Urgency::usual, [this] {
-        round();
-      }) {}
+JobFollower::JobFollower(store::Store& store, Events& events, Alarms& alarms, TextReader& texts, const Clock& clock)
+    : store_(store),
+      events_(events),
+      alarms_(alarms),
+      texts_(texts),
+      clock_(clock),
+      thread_("follower", kRound, Urgency::usual, [this] { round(); }) {}
 
 void JobFollower::take(std::vector<Booked> lines, const std::string& complaint) {
   {
@@ -118,25 +129,18 @@ void JobFollower::round() {
   report_complaint(complaint);
 }
 
-// To those who watch a machine that is concerned; once and not ten times a second.
+// At the machines that are concerned; once and not ten times a second.
 void JobFollower::report_complaint(const std::string& complaint) {
   if (complaint == complaint_) return;
   complaint_ = complaint;
-  if (complaint.empty()) return;
   for (const auto& [machine, followed] : followed_) {
-    if (!followed.over) alarm(machine, fmt::format("the ledger cannot be written: {}", complaint));
+    if (complaint.empty()) {
+      alarms_.clear(machine, AlarmKind::ledger_failed);
+    } else if (!followed.over) {
+      alarms_.raise(machine, AlarmKind::ledger_failed, fmt::format("the ledger cannot be written: {}", complaint),
+                    followed.job.id);
+    }
   }
-}
-
-void JobFollower::alarm(const std::string& machine, std::string text) {
-  spdlog::warn("{}: {}", machine, text);
-  events_.publish({.id = 0,
-                   .kind = EventKind::alarm,
-                   .machine = machine,
-                   .job = {},
-                   .verdict = 0,
-                   .outcome = {},
-                   .text = std::move(text)});
 }
 
 void JobFollower::publish_machine(const Booked& booked) {
@@ -149,47 +153,100 @@ void JobFollower::publish_machine(const Booked& booked) {
                    .text = std::string(booked.report.stall)});
 }
 
-// The first one at once; of a control that goes on asking, how often, once a minute.
-void JobFollower::report_unarmed_starts(Followed& followed, const Booked& booked) {
-  const std::uint64_t starts = booked.report.unarmed_starts;
-  const feed::Time now = clock_.now();
-  if (starts < followed.starts_alarmed) followed.starts_alarmed = 0;  // a line that was made anew
-  if (starts == followed.starts_alarmed || now < followed.quiet_until) return;
-  const std::uint64_t more = starts - std::exchange(followed.starts_alarmed, starts);
-  followed.quiet_until = now + kAlarmAgain;
-  const std::string often = more > 1 ? fmt::format(" {} times", more) : std::string();
-  alarm(booked.machine,
-        fmt::format("the control asked for a program (DC1){}; nothing is armed, nothing was sent", often));
+// What lasts on a line is told when it begins and when it ends. Of a line that is seen first all is told: an alarm may
+// be left from a server before this one.
+void JobFollower::report_line(Followed& followed, const Booked& booked) {
+  const LineReport& report = booked.report;
+  const std::string& machine = booked.machine;
+  const bool first = !std::exchange(followed.is_seen, true);
+  const bool is_torn = report.state == LineState::torn;
+  if (first || is_torn != followed.is_torn) alarms_.line_is_torn(machine, is_torn, booked.left_torn);
+  followed.is_torn = is_torn;
+  const bool suspected = report.stall == kResetSuspected;
+  if (suspected && !followed.reset_suspected)
+    alarms_.raise(machine, AlarmKind::reset_suspected,
+                  "the control asked for a program (DC1) while the feed was stopped: it may have been reset. The job "
+                  "cannot be resumed: cancel it",
+                  report.job);
+  if (!suspected && (first || followed.reset_suspected)) alarms_.clear(machine, AlarmKind::reset_suspected);
+  followed.reset_suspected = suspected;
+  if (!booked.refusal.empty() && booked.refusal != followed.refusal)
+    alarms_.raise(machine, AlarmKind::line_refused, "nothing leaves on its line: " + booked.refusal);
+  if (booked.refusal.empty() && (first || !followed.refusal.empty())) alarms_.clear(machine, AlarmKind::line_refused);
+  followed.refusal = booked.refusal;
+  if (first) forget_old(booked);
+  report_note(followed, booked);
+  report_link(followed, booked);
+  report_machine(followed, booked);
+}
+
+// What was left on, and is not on as far as this round can tell; what is on is raised after it.
+void JobFollower::forget_old(const Booked& booked) {
+  using enum AlarmKind;
+  const LineReport& report = booked.report;
+  if (complaint_.empty()) alarms_.clear(booked.machine, ledger_failed);
+  for (const AlarmKind kind : {link_note, line_flooded}) alarms_.clear(booked.machine, kind);
+  if (is_down(report)) return;
+  alarms_.clear(booked.machine, link_lost);
+  if (!report.machine || report.machine->alarm == 0) alarms_.clear(booked.machine, machine_alarm);
+}
+
+// What a device server did not confirm, a ring that nobody saw come, a peer that floods.
+void JobFollower::report_note(Followed& followed, const Booked& booked) {
+  const auto kind_of = [](const std::string& note) {
+    return note == kFloodNote ? AlarmKind::line_flooded : AlarmKind::link_note;
+  };
+  const std::string& note = booked.report.link_note;
+  if (note == followed.link_note) return;
+  if (!followed.link_note.empty()) alarms_.clear(booked.machine, kind_of(followed.link_note));
+  if (!note.empty()) alarms_.raise(booked.machine, kind_of(note), note);
+  followed.link_note = note;
+}
+
+// A cable that is plugged is no alarm; one that was pulled from a job is, at once.
+void JobFollower::report_link(Followed& followed, const Booked& booked) {
+  const LineReport& report = booked.report;
+  const bool was_down = followed.is_down;
+  followed.is_down = is_down(report);
+  if (!followed.is_down) {
+    followed.is_lost = false;
+    if (was_down) alarms_.clear(booked.machine, AlarmKind::link_lost);
+    return;
+  }
+  if (!was_down) followed.down_since = clock_.now();
+  const bool lost_a_job = !was_down && has_line(followed.last.state);
+  if (followed.is_lost || (!lost_a_job && clock_.now() - followed.down_since <= kLinkMissed)) return;
+  followed.is_lost = true;
+  const std::string why = report.link_error.empty() ? std::string() : ": " + report.link_error;
+  alarms_.raise(booked.machine, AlarmKind::link_lost, "the link is down" + why, lost_a_job ? followed.last.job : 0);
+}
+
+// While its words are missing nothing is known of it, so its alarm stays.
+void JobFollower::report_machine(Followed& followed, const Booked& booked) {
+  const LineReport& report = booked.report;
+  if (!report.machine && followed.is_down) return;
+  const std::uint32_t alarm = report.machine ? report.machine->alarm : 0;
+  if (alarm == followed.machine_alarm) return;
+  followed.machine_alarm = alarm;
+  if (alarm == 0) return alarms_.clear(booked.machine, AlarmKind::machine_alarm);
+  alarms_.raise(booked.machine, AlarmKind::machine_alarm, alarm_text(*report.machine));
 }
 
 void JobFollower::follow(const Booked& booked) {
   Followed& followed = followed_[booked.machine];
   const LineReport& report = booked.report;
   const LineReport& last = followed.last;
-  events_.progress(booked.machine, report);
+  const Asks asks = asks_.look(booked.machine, report, clock_.now(), clock_.wall_ms());
+  events_.progress(booked.machine, report, asks);
   if (!booked.is_booked) return begin(followed, booked);
-  report_unarmed_starts(followed, booked);
-  if (std::string text = new_alarm(report, last); !text.empty()) alarm(booked.machine, std::move(text));
-  if (report.stall == kResetSuspected && last.stall != kResetSuspected)
-    alarm(booked.machine,
-          "the control asked for a program (DC1) while the feed was stopped: it may have been reset. The "
-          "job cannot be resumed: cancel it");
-  if (report.answer.stage == AnswerStage::torn && report.answer != last.answer)
-    alarm(booked.machine, fmt::format("an answer broke off inside a block ({}): reset the control and confirm it",
-                                      report.answer.cause));
-  if (followed.refusal != booked.refusal) {
-    followed.refusal = booked.refusal;
-    if (!booked.refusal.empty()) alarm(booked.machine, "nothing leaves on its line: " + booked.refusal);
-  }
-  // What a device server did not confirm, or a ring that nobody saw come.
-  if (!report.link_note.empty() && report.link_note != last.link_note) alarm(booked.machine, report.link_note);
   // A stall within a state ("CTS off" while feeding) is a transition, too.
   const bool changed =
       report.state != last.state || report.stall != last.stall || machine_state(report) != machine_state(last);
   if (changed) publish_machine(booked);
-  followed.last = report;
   begin(followed, booked);
   follow_job(followed, booked);
+  report_line(followed, booked);  // after the job: its torn block is looked up
+  followed.last = report;
 }
 
 void JobFollower::begin(Followed& followed, const Booked& booked) {

@@ -1,5 +1,6 @@
 // Follows the lines with what people and programs see: moves the jobs' states in the store after what the ledger has
-// booked, publishes events and progress, raises alarms. On a thread of its own, because a store that is busy or a slow
+// booked, publishes events and progress, reports what its alarms are
+// about. On a thread of its own, because a store that is busy or a slow
 // watcher must not delay the ledger.
 #pragma once
 
@@ -8,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "server/app/alarms.h"
+#include "server/app/asks.h"
 #include "server/app/events.h"
 #include "server/app/ledger_writer.h"
 #include "server/app/ports/clock.h"
@@ -20,11 +23,13 @@ namespace dripfeed::app {
 
 class JobFollower {
  public:
-  JobFollower(store::Store& store, Events& events, TextReader& texts, const Clock& clock);
+  JobFollower(store::Store& store, Events& events, Alarms& alarms, TextReader& texts, const Clock& clock);
 
   // What the ledger has booked, newest last. From the ledger's thread: kept until the next round.
   void take(std::vector<Booked> lines, const std::string& complaint);
   bool settle(std::chrono::milliseconds patience) { return thread_.settle(patience); }
+  // Who asks while nothing is armed. From any thread.
+  [[nodiscard]] Asks asks_of(const std::string& machine) const { return asks_.of(machine); }
   // One last round.
   void stop() { thread_.stop(); }
 
@@ -33,10 +38,17 @@ class JobFollower {
     store::Job job;
     std::uint64_t session = 0;  // of the arming that is followed
     LineReport last;
-    std::string refusal;  // as an alarm reported it
     bool over = true;
-    std::uint64_t starts_alarmed = 0;  // unarmed starts that an alarm has reported
-    feed::Time quiet_until{};          // until then, further ones are only counted
+    // What the alarms were told last.
+    bool is_seen = false;  // the line was looked at
+    std::string refusal;
+    std::string link_note;
+    bool is_torn = false;
+    bool reset_suspected = false;
+    bool is_down = false;
+    bool is_lost = false;  // ... and an alarm says so
+    feed::Time down_since{};
+    std::uint32_t machine_alarm = 0;
   };
 
   void round();
@@ -44,16 +56,21 @@ class JobFollower {
   void begin(Followed& followed, const Booked& booked);
   void follow_job(Followed& followed, const Booked& booked);
   void move(Followed& followed, store::JobState to, const LineReport& report);
-  void report_unarmed_starts(Followed& followed, const Booked& booked);
+  void report_line(Followed& followed, const Booked& booked);
+  void report_link(Followed& followed, const Booked& booked);
+  void forget_old(const Booked& booked);
+  void report_note(Followed& followed, const Booked& booked);
+  void report_machine(Followed& followed, const Booked& booked);
   void report_complaint(const std::string& complaint);
-  void alarm(const std::string& machine, std::string text);
   void publish_machine(const Booked& booked);
 
   store::Store& store_;
   Events& events_;
+  Alarms& alarms_;
   TextReader& texts_;
   const Clock& clock_;
   std::map<std::string, Followed> followed_;
+  AskWatch asks_;
   std::string complaint_;  // as published last
 
   LineMutex mutex_{"what the ledger leaves for the follower"};  // of what the ledger leaves

@@ -84,6 +84,7 @@ void LedgerWriter::round() {
     booked.push_back({.machine = due.seat.machine,
                       .report = due.report,
                       .refusal = due.tracked.refused_because,
+                      .left_torn = due.seat.left_torn,
                       .is_booked = written});
   }
   take_(std::move(booked), complaint_);

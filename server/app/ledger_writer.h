@@ -35,6 +35,7 @@ struct Booked {
   std::string machine;
   LineReport report;
   std::string refusal;    // why the line's record lets nothing leave, "" where it does
+  std::string left_torn;  // why the line was made torn, "" where it was not
   bool is_booked = true;  // false: the ledger could not be written, so no job moves by this report
 };
 

@@ -26,14 +26,15 @@ std::string read_back_result(std::string_view sent, std::string_view punched) {
 }
 
 // The ledger first: whoever sees the job's word finds its row.
-void Receiving::note_read_back(const std::string& machine, store::Id id, std::string_view result, EventKind kind) {
+void Receiving::note_read_back(const std::string& machine, store::Id id, std::string_view result,
+                               std::optional<AlarmKind> kind) {
   if (const auto interval = store_.ledger().interval(id)) {
     const store::NewLedgerRow row{.job = id, .counts = interval->last, .note = fmt::format("read-back {}", result)};
     const auto written = store_.ledger().append(std::span(&row, 1), clock_.wall_ms());
     if (!written) spdlog::error("ledger: job {}: {}", id, store::message_of(written.error()));
   }
   const auto job = store_.jobs().set_read_back(id, result, stamp("dripfeed"));
-  if (!job) return alarm(machine, "read-back: " + store::message_of(job.error()));
+  if (!job) return alarm(machine, AlarmKind::request_failed, "read-back: " + store::message_of(job.error()), id);
   events_.publish({.id = 0,
                    .kind = EventKind::job,
                    .machine = machine,
@@ -41,14 +42,16 @@ void Receiving::note_read_back(const std::string& machine, store::Id id, std::st
                    .verdict = 0,
                    .outcome = {},
                    .text = fmt::format("read-back {}", result)});
-  alarm(machine, fmt::format("job {}: read-back {}", id, result), kind);
+  std::string text = fmt::format("job {}: read-back {}", id, result);
+  if (!kind) return tell(machine, std::move(text));
+  alarm(machine, *kind, std::move(text), id);
 }
 
 // After a start: what the jobs themselves say of loads that nobody compared.
 void Receiving::find_open_read_backs(const std::string& machine, Waiting& waiting) {
   waiting.looked = true;
   const auto jobs = store_.jobs().list({.limit = kJobsLookedAt, .after = {}}, {.machine = machine, .state = {}});
-  if (!jobs) return alarm(machine, "read-back: " + store::message_of(jobs.error()));
+  if (!jobs) return alarm(machine, AlarmKind::request_failed, "read-back: " + store::message_of(jobs.error()));
   const auto profile = profile_of(machine);
   const double minutes =
       profile ? profile->line.receive.read_back_minutes : machine::ReceiveSettings{}.read_back_minutes;
@@ -73,20 +76,19 @@ void Receiving::expect_read_back(const std::string& machine, const LineReport& r
   if (!profile->line.receive.read_back) return;
   std::erase_if(waiting.read_backs, [&](const OpenReadBack& open) {
     if (open.program != job->program) return false;
-    note_read_back(machine, open.job, fmt::format("superseded: job {} loaded the program again", job->id),
-                   EventKind::receipt);
+    note_read_back(machine, open.job, fmt::format("superseded: job {} loaded the program again", job->id));
     return true;
   });
   waiting.read_backs.push_back(
       {job->id, job->program, job->text_sha256, clock_.wall_ms() + ms_of(profile->line.receive.read_back_minutes)});
-  note_read_back(machine, job->id, kReadBackWaits, EventKind::receipt);
+  note_read_back(machine, job->id, kReadBackWaits);
 }
 
 void Receiving::expire_read_backs(const std::string& machine) {
   Waiting& waiting = waiting_[machine];
   std::erase_if(waiting.read_backs, [&](const OpenReadBack& open) {
     if (clock_.wall_ms() < open.expires_at_ms) return false;
-    note_read_back(machine, open.job, kReadBackExpired, EventKind::alarm);
+    note_read_back(machine, open.job, kReadBackExpired, AlarmKind::read_back_expired);
     return true;
   });
 }
@@ -104,7 +106,7 @@ bool Receiving::compare_read_back(const std::string& machine, std::string_view p
     const bool equal = result == kReadBackEqual;
     const store::Id job = open->job;
     all.erase(std::next(open).base());
-    note_read_back(machine, job, result, equal ? EventKind::receipt : EventKind::alarm);
+    note_read_back(machine, job, result, equal ? std::nullopt : std::optional(AlarmKind::read_back_differs));
     return equal;
   }
   return false;

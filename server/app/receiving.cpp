@@ -43,6 +43,7 @@ Receiving::Receiving(const Parts& parts)
       jobs_(parts.jobs),
       programs_(parts.programs),
       events_(parts.events),
+      alarms_(parts.alarms),
       clock_(parts.clock),
       documents_(parts.documents),
       thread_("receiving", kRound, Urgency::usual, [this] { round(); }) {}
@@ -87,10 +88,19 @@ Result<machine::Profile> Receiving::profile_of(const std::string& machine) {
 
 store::Stamp Receiving::stamp(std::string_view actor) const { return {std::string(actor), clock_.wall_ms()}; }
 
-void Receiving::alarm(const std::string& machine, std::string text, EventKind kind) {
+void Receiving::alarm(const std::string& machine, AlarmKind kind, std::string text, store::Id job) {
+  alarms_.raise(machine, kind, std::move(text), job);
+}
+
+void Receiving::tell(const std::string& machine, std::string text) {
   spdlog::info("{}: {}", machine, text);
-  events_.publish(
-      {.id = 0, .kind = kind, .machine = machine, .job = {}, .verdict = 0, .outcome = {}, .text = std::move(text)});
+  events_.publish({.id = 0,
+                   .kind = EventKind::receipt,
+                   .machine = machine,
+                   .job = {},
+                   .verdict = 0,
+                   .outcome = {},
+                   .text = std::move(text)});
 }
 
 void Receiving::take(const std::string& machine, const machine::Profile& profile, const Reception& reception) {
@@ -102,7 +112,8 @@ void Receiving::take(const std::string& machine, const machine::Profile& profile
       // It may say so at each new connection: one receipt is enough.
       if (waiting_[machine].device == transfer.device) return;
       waiting_[machine].device = transfer.device;
-      alarm(machine, fmt::format("the device server says \"{}\": that is no program", transfer.device));
+      alarm(machine, AlarmKind::device_text,
+            fmt::format("the device server says \"{}\": that is no program", transfer.device));
       return quarantine(machine, reception, transfer);
     case receive::Fault::too_long:
     case receive::Fault::link_lost:
@@ -130,7 +141,9 @@ void Receiving::take(const std::string& machine, const machine::Profile& profile
 
 void Receiving::quarantine(const std::string& machine, const Reception& reception, const receive::Transfer& transfer) {
   const auto content = store_.contents().put(bytes_of(reception));
-  if (!content) return alarm(machine, "a broken reception is lost: " + store::message_of(content.error()));
+  if (!content)
+    return alarm(machine, AlarmKind::reception_lost,
+                 "a broken reception is lost: " + store::message_of(content.error()));
   const auto name = receive::find_name(transfer.text);
   std::string reason(receive::message(transfer.fault));
   if (transfer.first_parity_error) {
@@ -148,14 +161,21 @@ void Receiving::quarantine(const std::string& machine, const Reception& receptio
                                               .quarantined = true,
                                               .reason = reason},
                                              stamp(machine));
-  if (!receipt) return alarm(machine, "a broken reception is lost: " + store::message_of(receipt.error()));
-  alarm(machine, fmt::format("receipt {} is in quarantine: {}", receipt->id, reason));
+  if (!receipt)
+    return alarm(machine, AlarmKind::reception_lost,
+                 "a broken reception is lost: " + store::message_of(receipt.error()));
+  // The alarm names no receipt, so that those of a line that chatters fold.
+  alarm(machine, AlarmKind::quarantined,
+        fmt::format("what the control sent is in quarantine: {}", receive::message(transfer.fault)));
+  tell(machine, fmt::format("receipt {} is in quarantine: {}", receipt->id, reason));
 }
 
 void Receiving::keep(const std::string& machine, const Reception& reception, const receive::Transfer& transfer,
                      std::string_view text, std::string_view given) {
   const auto content = store_.contents().put(text);
-  if (!content) return alarm(machine, "a received program is lost: " + store::message_of(content.error()));
+  if (!content)
+    return alarm(machine, AlarmKind::reception_lost,
+                 "a received program is lost: " + store::message_of(content.error()));
   const auto found = receive::find_name(text);
   std::string name(given);
   if (name.empty()) name = found ? found->name : name_by_time(clock_.wall_ms());
@@ -169,8 +189,10 @@ void Receiving::keep(const std::string& machine, const Reception& reception, con
                                               .quarantined = false,
                                               .reason = {}},
                                              stamp(machine));
-  if (!receipt) return alarm(machine, "a received program is lost: " + store::message_of(receipt.error()));
-  alarm(machine, fmt::format("received {} ({} bytes), receipt {}", name, text.size(), receipt->id), EventKind::receipt);
+  if (!receipt)
+    return alarm(machine, AlarmKind::reception_lost,
+                 "a received program is lost: " + store::message_of(receipt.error()));
+  tell(machine, fmt::format("received {} ({} bytes), receipt {}", name, text.size(), receipt->id));
 }
 
 // --- what people decide

@@ -12,6 +12,7 @@
 #include "protocol/modbus/doorbell.h"
 #include "protocol/receive/request.h"
 #include "protocol/receive/transfer.h"
+#include "server/app/alarms.h"
 #include "server/app/jobs.h"
 #include "server/app/programs.h"
 #include "server/app/round_thread.h"
@@ -42,6 +43,7 @@ class Receiving {
     Jobs& jobs;
     Programs& programs;
     Events& events;
+    Alarms& alarms;
     const Clock& clock;
     const Documents& documents;
   };
@@ -124,8 +126,11 @@ class Receiving {
   void expire_read_backs(const std::string& machine);
   bool compare_read_back(const std::string& machine, std::string_view program);
   // Into the job, the ledger and the events.
-  void note_read_back(const std::string& machine, store::Id job, std::string_view result, EventKind kind);
-  void alarm(const std::string& machine, std::string text, EventKind kind = EventKind::alarm);
+  void note_read_back(const std::string& machine, store::Id job, std::string_view result,
+                      std::optional<AlarmKind> alarm = std::nullopt);
+  void alarm(const std::string& machine, AlarmKind kind, std::string text, store::Id job = 0);
+  // An event that asks for nobody.
+  void tell(const std::string& machine, std::string text);
   bool answer_hides_a_program(const std::string& machine, const machine::Profile& profile);
   [[nodiscard]] store::Stamp stamp(std::string_view actor) const;
 
@@ -134,6 +139,7 @@ class Receiving {
   Jobs& jobs_;
   Programs& programs_;
   Events& events_;
+  Alarms& alarms_;
   const Clock& clock_;
   const Documents& documents_;
   std::mutex round_mutex_;

@@ -73,9 +73,9 @@ void Receiving::handle(const std::string& machine, const machine::Profile& profi
                                                     .detail = outcome.detail,
                                                     .job = outcome.job},
                                                    stamp(actor_of(machine)));
-  if (!noted) return alarm(machine, "a request is not answered: " + store::message_of(noted.error()));
-  alarm(machine, fmt::format("request ({}): {}, {}", request.as_written, outcome.outcome, outcome.detail),
-        EventKind::receipt);
+  if (!noted)
+    return alarm(machine, AlarmKind::request_failed, "a request is not answered: " + store::message_of(noted.error()));
+  tell(machine, fmt::format("request ({}): {}, {}", request.as_written, outcome.outcome, outcome.detail));
   Waiting& waiting = waiting_[machine];
   // A control that asks gets its answer then; one that does not needs time to begin reading.
   const bool asks = profile.line.start == feed::Start::on_dc1;
@@ -92,7 +92,7 @@ bool Receiving::answer_hides_a_program(const std::string& machine, const machine
   if (profile.control.dialect.starts_with("sinumerik")) return false;
   const std::string number = fmt::format("O{:04}", answer_number_of(profile.line.receive));
   if (!find_released(machine, number, store::Delivery::memory)) return false;
-  alarm(machine,
+  alarm(machine, AlarmKind::request_failed,
         fmt::format("no answer is sent: {} is a released program; set receive.answer_number to a free number", number));
   return true;
 }
@@ -138,10 +138,10 @@ void Receiving::handle_ring(const std::string& machine, const machine::Profile& 
                                                     .detail = outcome.detail,
                                                     .job = outcome.job},
                                                    stamp(actor_of(machine)));
-  if (!noted) alarm(machine, "a ring is not recorded: " + store::message_of(noted.error()));
+  if (!noted) alarm(machine, AlarmKind::request_failed, "a ring is not recorded: " + store::message_of(noted.error()));
   const bool calls = ring.request == static_cast<std::uint16_t>(modbus::BellRequest::call);
-  alarm(machine, fmt::format("{}: {}, {}", asked, outcome.outcome, outcome.detail),
-        calls ? EventKind::alarm : EventKind::receipt);
+  if (calls) alarm(machine, AlarmKind::person_called, outcome.detail);
+  tell(machine, fmt::format("{}: {}, {}", asked, outcome.outcome, outcome.detail));
   const auto row = std::ranges::find(kOutcomes, outcome.outcome, &OutcomeRow::outcome);
   line.answer_ring({.bell = ring.bell,
                     .outcome = row == kOutcomes.end() ? modbus::BellOutcome::refused : row->bell,
@@ -344,8 +344,10 @@ void Receiving::expire_request(const std::string& machine) {
   if (!job || by_a_person || job->state != store::JobState::queued) return;
   waiting.job = 0;
   const auto cancelled = jobs_.cancel(job->id, "dripfeed");
-  if (!cancelled) return alarm(machine, fmt::format("job {}: {}", job->id, cancelled.error().text));
-  alarm(machine, fmt::format("the request for job {} expired: nobody fetched it at the control", job->id));
+  if (!cancelled)
+    return alarm(machine, AlarmKind::request_failed, fmt::format("job {}: {}", job->id, cancelled.error().text),
+                 job->id);
+  alarm(machine, AlarmKind::request_expired, "a request expired: nobody fetched its program at the control", job->id);
 }
 
 // What is due goes to the line.
@@ -356,18 +358,20 @@ void Receiving::send_due(const std::string& machine, Line& line) {
   if (const store::Id id = std::exchange(waiting.arm, 0); id != 0) {
     const auto armed = jobs_.arm(id, kAnswerExpires_min, actor_of(machine));
     if (armed) waiting.expires_at = clock_.now() + kAnswerExpires;
-    if (!armed) alarm(machine, fmt::format("job {}: {}", id, armed.error().text));
+    if (!armed) alarm(machine, AlarmKind::request_failed, fmt::format("job {}: {}", id, armed.error().text), id);
   }
   if (waiting.answer.empty()) return;
   const std::string text = std::exchange(waiting.answer, {});
   const auto profile = profile_of(machine);
-  if (!profile) return alarm(machine, profile.error().text);
+  if (!profile) return alarm(machine, AlarmKind::request_failed, profile.error().text);
   feed::ProgramCheck check(answer_syntax(*profile));
   check.append(text);
   const auto facts = check.finish();
-  if (!facts) return alarm(machine, fmt::format("the answer cannot be sent: {}", feed::message(facts.error().fault)));
+  if (!facts)
+    return alarm(machine, AlarmKind::request_failed,
+                 fmt::format("the answer cannot be sent: {}", feed::message(facts.error().fault)));
   const auto sent = line.answer({.facts = *facts, .source = std::make_shared<OwnedText>(text)});
-  if (!sent) alarm(machine, "the answer is not sent: " + sent.error());
+  if (!sent) alarm(machine, AlarmKind::request_failed, "the answer is not sent: " + sent.error());
 }
 
 }  // namespace dripfeed::app

@@ -75,6 +75,13 @@ Response cancel_job(const Call& call);
 Response resume_job(const Call& call);
 Response get_ledger(const Call& call);
 
+// handlers_alarms.cpp
+Response list_alarms(const Call& call);
+Response get_alarm(const Call& call);
+Response acknowledge_alarm(const Call& call);
+Response shelve_alarm(const Call& call);
+Response unshelve_alarm(const Call& call);
+
 // handlers_receipts.cpp
 Response list_receipts(const Call& call);
 Response get_receipt(const Call& call);

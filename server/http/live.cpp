@@ -198,6 +198,7 @@ bool LiveHub::gather_progress(Clock::time_point now) {
   for (const app::Progress& progress : events_.snapshot()) {
     app::MachineStatus line_alone;
     line_alone.report = progress.report;
+    line_alone.asks = progress.asks;
     std::string line = json::progress(progress.machine, line_alone);
     Shown& shown = progress_[progress.machine];
     if (shown.line == line) continue;

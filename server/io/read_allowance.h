@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 
 #include "server/app/ports/clock.h"
 
@@ -15,9 +14,6 @@ namespace dripfeed::io {
 
 inline constexpr std::int64_t kReadsPerSecond_bytes = 262'144;  // 28 lines of 115,200 baud
 inline constexpr std::int64_t kReadsAtOnce_bytes = 16'384;
-inline constexpr std::string_view kFloodNote =
-    "the other side floods the line: more than 262144 bytes a second came. It is read in pieces, and nothing is sent "
-    "until it was heard";
 
 class ReadAllowance {
  public:

@@ -79,7 +79,7 @@ class Core : public std::enable_shared_from_this<Core<Stream>> {
   [[nodiscard]] bool resting() const { return resting_; }
   [[nodiscard]] bool unheard() const { return resting_ || allowance_.pressed(clock_.now()); }
   [[nodiscard]] std::string_view note() const {
-    return allowance_.flooded(clock_.now()) ? kFloodNote : std::string_view();
+    return allowance_.flooded(clock_.now()) ? app::kFloodNote : std::string_view();
   }
 
   void lose(const std::string& reason) {

@@ -34,6 +34,8 @@ Document status_document(const app::MachineStatus& status) {
             {"framing", r.line_errors.framing},
             {"overrun", r.line_errors.overrun},
             {"breaks", r.line_errors.breaks}}},
+          {"asks_since_ms", time_or_null(status.asks.since_ms)},
+          {"asks", status.asks.count},
           {"job", r.job == 0 ? Document(nullptr) : Document(r.job)},
           {"handed", r.handed},
           {"clocked", r.clocked},
@@ -362,6 +364,24 @@ std::string request(const store::Request& request) {
                {"job", request.of.job == 0 ? Document(nullptr) : Document(request.of.job)}});
 }
 
+std::string alarm(const store::Alarm& alarm) {
+  return dump({{"id", id_or_null(alarm.id)},
+               {"machine", alarm.machine},
+               {"kind", alarm.kind},
+               {"text", alarm.text},
+               {"count", alarm.count},
+               {"severity", app::name_of(app::severity_of(alarm.kind))},
+               {"raised_at_ms", alarm.raised_at_ms},
+               {"last_at_ms", alarm.last_at_ms},
+               {"cleared_at_ms", time_or_null(alarm.cleared_at_ms)},
+               {"acknowledged_by", text_or_null(alarm.acknowledged_by)},
+               {"acknowledged_at_ms", time_or_null(alarm.acknowledged_at_ms)},
+               {"shelved_by", text_or_null(alarm.shelved_by)},
+               {"shelved_until_ms", time_or_null(alarm.shelved_until_ms)},
+               {"shelf_reason", text_or_null(alarm.shelf_reason)},
+               {"job", id_or_null(alarm.job)}});
+}
+
 std::string session(std::string_view name, std::string_view role) { return dump({{"name", name}, {"role", role}}); }
 
 std::string_view event_name(app::EventKind kind) {
@@ -377,8 +397,8 @@ std::string event_data(const app::Event& event) {
                  {"machine", event.machine},
                  {"text", event.text}});
   }
-  const bool sentence = event.kind == app::EventKind::alarm || event.kind == app::EventKind::receipt;
-  if (sentence) return dump({{"machine", event.machine}, {"text", event.text}});
+  if (event.kind == app::EventKind::alarm) return alarm(event.alarm);
+  if (event.kind == app::EventKind::receipt) return dump({{"machine", event.machine}, {"text", event.text}});
   Document machine = {{"name", event.machine}};
   if (!event.text.empty()) machine["stall"] = event.text;
   return dump(machine);

@@ -40,6 +40,8 @@ inline constexpr std::string_view kReadBackStates[] = {"waiting", "equal", "diff
 std::string job(const store::Job& job);
 std::string receipt(const store::Receipt& receipt, const std::optional<app::StoredLikeness>& stored);
 std::string request(const store::Request& request);
+// `id` is null while the store could not take it yet.
+std::string alarm(const store::Alarm& alarm);
 std::string ledger(std::span<const store::LedgerRow> rows, std::string_view next, const store::LedgerInterval& interval,
                    bool confirms);
 // A stored verdict: the report's members with the verdict's own.

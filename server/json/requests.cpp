@@ -154,6 +154,12 @@ void read_members(ObjectReader& o, ArmBody& into) {
   o.integer("rounds", into.rounds, 1, feed::kMaxRounds);
 }
 
+void read_members(ObjectReader& o, ShelveBody& into) {
+  constexpr std::int64_t kLongest_min = 480;  // a shift
+  o.integer("minutes", into.minutes, 1, kLongest_min, true);
+  o.text("reason", into.reason, true);
+}
+
 void read_members(ObjectReader& o, SessionBody& into) { o.text("token", into.token, true); }
 
 template <class Body>
@@ -205,6 +211,7 @@ app::Result<app::AcceptOrder> read_accept_body(std::string_view body) {
 }
 app::Result<JobBody> read_job_body(std::string_view body) { return read_body<JobBody>(body); }
 app::Result<ArmBody> read_arm_body(std::string_view body) { return read_body<ArmBody>(or_empty(body)); }
+app::Result<ShelveBody> read_shelve_body(std::string_view body) { return read_body<ShelveBody>(body); }
 app::Result<SessionBody> read_session_body(std::string_view body) { return read_body<SessionBody>(body); }
 
 Schemas request_schemas() {
@@ -224,6 +231,7 @@ Schemas request_schemas() {
       described<store::ReleaseMove>("ReleaseMove", read_members, "one step of a release"),
       described<JobBody>("NewJob", read_members, "which release is transferred"),
       described<ArmBody>("ArmOrder", read_members, "how a job is armed"),
+      described<ShelveBody>("Shelve", read_members, "for how long an alarm asks for nobody"),
       described<ReasonBody>("Reason", read_reason, "why a person does it"),
       described<ReasonBody>("OptionalReason", read_optional_reason, "why a person does it, if they say so"),
       described<app::AcceptOrder>("AcceptOrder", read_members, "what a receipt becomes; nothing: a new program"),

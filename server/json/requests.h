@@ -79,6 +79,12 @@ struct ArmBody {
 };
 app::Result<ArmBody> read_arm_body(std::string_view body);
 
+struct ShelveBody {
+  std::uint32_t minutes = 0;
+  std::string reason;
+};
+app::Result<ShelveBody> read_shelve_body(std::string_view body);
+
 struct SessionBody {
   std::string token;
 };

@@ -57,6 +57,8 @@ Members line_report() {
       {"link_error", or_null(text("why the link is down"))},
       {"link_note", or_null(text("of a link that is up: what its device server did not confirm"))},
       {"line_errors", line_errors()},
+      {"asks_since_ms", or_null(time_ms("since when the control asks for a program while nothing is armed"))},
+      {"asks", integer("how often it has asked since then")},
       {"job", or_null(integer("the last job that was armed here since the server's start"))},
       {"handed", bytes("given to the system's port")},
       {"clocked", bytes("that have left, as far as time says")},

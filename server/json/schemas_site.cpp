@@ -1,4 +1,5 @@
 // The server itself: health, session, problems, and the live events that are no document of a thing.
+#include "server/app/alarms.h"
 #include "server/app/events.h"
 #include "server/json/enumerators.h"
 #include "server/json/schemas.h"
@@ -9,6 +10,31 @@ namespace {
 
 Schema sentence_event(std::string about) {
   return object(std::move(about), {{"machine", text("its name")}, {"text", text("one sentence")}});
+}
+
+Words kind_words() {
+  Words words;
+  for (std::size_t i = 0; i < app::kAlarmKinds; ++i) words.push_back(app::row_of(static_cast<app::AlarmKind>(i)).name);
+  return words;
+}
+
+Schema alarm() {
+  return object("something that a person should know of a machine; it is open while it is not over or not acknowledged",
+                {{"id", integer("of the alarm")},
+                 {"machine", text("its name")},
+                 {"kind", one_of(kind_words(), "what it is about")},
+                 {"severity", one_of(names_of<app::Severity>(app::name_of), "by its kind")},
+                 {"text", text("one sentence")},
+                 {"count", integer("how often it was raised while it was open")},
+                 {"raised_at_ms", time_ms("the first time")},
+                 {"last_at_ms", time_ms("the last time")},
+                 {"cleared_at_ms", or_null(time_ms("when its condition was over; null: it lasts"))},
+                 {"acknowledged_by", or_null(text("who knows of it"))},
+                 {"acknowledged_at_ms", or_null(time_ms("since when"))},
+                 {"shelved_by", or_null(text("who put it off"))},
+                 {"shelved_until_ms", or_null(time_ms("it asks for nobody until then"))},
+                 {"shelf_reason", or_null(text("why it was put off"))},
+                 {"job", or_null(integer("that it is about"))}});
 }
 
 }  // namespace
@@ -40,7 +66,8 @@ Schemas site_schemas() {
        object("who calls", {{"name", text("of the token")},
                             {"role", one_of(store::kNames<store::Role>,
                                             "what the caller may do: each role may do what those before it may")}})},
-      {"EventAlarm", sentence_event("something that a person should know of a machine")},
+      {"Alarm", alarm()},
+      {"EventAlarm", alarm()},
       {"EventReceipt", sentence_event("a control has punched, or its operator has asked for something")},
       {"EventReset",
        object("events were lost, or the server is a new one: all that is shown has to be asked for anew", {})},

@@ -19,7 +19,7 @@ import contract  # noqa: E402
 
 API = "/api/v1"
 ROLES = ["viewer", "operator", "programmer", "approver", "admin"]  # each may do what those before it may
-LISTS = ["machines", "families", "parts", "programs", "checks", "releases", "jobs", "receipts", "requests"]
+LISTS = ["machines", "families", "parts", "programs", "checks", "releases", "jobs", "receipts", "requests", "alarms"]
 ROLL = (shop.ROOT / "deploy/families/hyperbolic-roll.family").read_text()
 DC1, DC3 = b"\x11", b"\x13"
 

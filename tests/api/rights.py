@@ -63,6 +63,11 @@ def rows(made):
         ("POST", "/api/v1/receipts/{id}/accept", "programmer", {"id": "receipt"}, {}, {}),
         ("POST", "/api/v1/receipts/{id}/discard", "approver", {"id": "torn_receipt"}, {"reason": "torn"}, {}),
         ("GET", "/api/v1/requests", "viewer", {}, None, {}),
+        ("GET", "/api/v1/alarms", "viewer", {}, None, {"ready": "alarmed"}),
+        ("GET", "/api/v1/alarms/{id}", "viewer", {"id": "alarm"}, None, {}),
+        ("POST", "/api/v1/alarms/{id}/shelve", "operator", {"id": "alarm"}, {"minutes": 5, "reason": "the cable is ordered"}, {}),
+        ("POST", "/api/v1/alarms/{id}/unshelve", "operator", {"id": "alarm"}, {}, {}),
+        ("POST", "/api/v1/alarms/{id}/acknowledge", "operator", {"id": "alarm"}, {}, {}),
         ("POST", "/api/v1/jobs", "operator", {}, lambda: {"release": made["release"]}, {"keep": "job", "ready": "proving"}),
         ("GET", "/api/v1/jobs", "viewer", {}, None, {}),
         ("GET", "/api/v1/jobs/{id}", "viewer", {"id": "job"}, None, {}),
@@ -99,6 +104,9 @@ class Stage:
         program = self.client.post("/programs", {"name": "O7001", "dialect": "fanuc", "text": endless})["id"]
         threading.Thread(target=self.client.call, args=("POST", "/checks", {"program": program, "machine": "lathe"}, "programmer"), daemon=True).start()
         self.made["work"] = shop.wait_for("a check to run", lambda: [one["id"] for one in self.client.get("/work")["items"]])[0]
+
+    def alarmed(self):
+        self.made["alarm"] = shop.wait_for("an alarm", lambda: next((one["id"] for one in self.client.get("/alarms")["items"] if one["kind"] == "quarantined"), None))
 
     def idle(self):
         self.client.wait_line("lathe", "idle")

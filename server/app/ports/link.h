@@ -18,6 +18,11 @@ struct LineErrors {
   friend bool operator==(const LineErrors&, const LineErrors&) = default;
 };
 
+// The note of a link whose other side sends more than any line can bring.
+inline constexpr std::string_view kFloodNote =
+    "the other side floods the line: more than 262144 bytes a second came. It is read in pieces, and nothing is sent "
+    "until it was heard";
+
 class LinkListener {
  public:
   LinkListener() = default;

@@ -14,34 +14,6 @@ using namespace test;
 
 class LinesAsLeftTest : public ShopTest {};
 
-// A control that goes on asking is one alarm a minute, with a count, and not a flood.
-TEST_F(LinesAsLeftTest, StartsWithNothingArmedAreFolded) {
-  Shop shop(database());
-  shop.add_machine(kLathe);
-  const auto alarms = [&] {
-    return std::ranges::count_if(shop.told(), [](const std::string& text) { return text.starts_with("alarm lathe"); });
-  };
-  shop.round();
-  EXPECT_EQ(alarms(), 0);
-  shop.links.receive(url_of(kLathe), kDc1);
-  shop.round();
-  shop.round();
-  EXPECT_EQ(alarms(), 1);
-  EXPECT_EQ(shop.last_told(), "alarm lathe the control asked for a program (DC1); nothing is armed, nothing was sent");
-  for (int i = 0; i < 20; ++i) {
-    shop.links.receive(url_of(kLathe), kDc1);
-    shop.links.advance(2s);
-    shop.round();
-  }
-  EXPECT_EQ(alarms(), 1);
-  shop.links.advance(20s);
-  shop.round();
-  EXPECT_EQ(alarms(), 2);
-  EXPECT_EQ(shop.last_told(),
-            "alarm lathe the control asked for a program (DC1) 20 times; nothing is armed, nothing was sent");
-  EXPECT_EQ(shop.written(kLathe), "");
-}
-
 TEST_F(LinesAsLeftTest, AJobThatWasOnlyArmedIsNotTornByAKill) {
   Shop shop(database());
   shop.add_machine(kLathe);

@@ -23,8 +23,8 @@ class MachineWordsTest : public ShopTest {
   MachineWordsTest()
       : shop_(database(), seat()),
         programs_(shop_.store, shop_.links.clock(), shop_.documents),
-        receiving_(
-            {shop_.store, shop_.lines, shop_.jobs, programs_, shop_.events, shop_.links.clock(), shop_.documents}) {}
+        receiving_({shop_.store, shop_.lines, shop_.jobs, programs_, shop_.events, shop_.alarms, shop_.links.clock(),
+                    shop_.documents}) {}
   ~MachineWordsTest() override { receiving_.stop(); }
 
   void open() { shop_.add_machine("press", kPlcUrl); }
@@ -178,7 +178,8 @@ TEST_F(MachineWordsTest, ARingIsAnsweredOnceAndRecorded) {
   EXPECT_EQ(ring(4, 9, 42), (Answer{refused, static_cast<int>(modbus::BellReason::unknown)}));
   EXPECT_EQ(ring(5, 3, 0), (Answer{static_cast<int>(modbus::BellOutcome::answered), 0}));
   EXPECT_EQ(ring(6, 4, 0), (Answer{static_cast<int>(modbus::BellOutcome::answered), 0}));
-  EXPECT_TRUE(told("alarm press doorbell 6: call 0: answered, the machine calls for a person"));
+  EXPECT_TRUE(told("receipt press doorbell 6: call 0: answered, the machine calls for a person"));
+  EXPECT_TRUE(until([&] { return told("alarm press the machine calls for a person"); }));
   EXPECT_EQ(plc_.answers(), 6);
   EXPECT_EQ(requests(), 6U);
   until([] { return false; }, 3s);

@@ -54,7 +54,7 @@ class ReceivingTest : public ShopTest {
     receiving_.reset();
     programs_.emplace(shop_->store, shop_->links.clock(), documents_);
     receiving_.emplace(Receiving::Parts{shop_->store, shop_->lines, shop_->jobs, *programs_, shop_->events,
-                                        shop_->links.clock(), documents_});
+                                        shop_->alarms, shop_->links.clock(), documents_});
     receiving_->stop();  // rounds are made here
   }
   void run(feed::Time span) {
@@ -88,7 +88,8 @@ class ReceivingTest : public ShopTest {
     EXPECT_EQ(shop_->state(job.id), store::JobState::done);
     return shop_->job(job.id);
   }
-  [[nodiscard]] bool told(std::string_view words) const {
+  [[nodiscard]] bool told(std::string_view words) {
+    shop_->alarms.settle(10s);
     const auto all = shop_->told();
     return std::ranges::any_of(all, [&](const std::string& one) { return one.find(words) != std::string::npos; });
   }
@@ -159,7 +160,7 @@ TEST_F(ReceivingTest, ALoadThatNobodyFetchesExpires) {
   EXPECT_EQ(shop_->state(job), store::JobState::armed);
   run(3s);
   EXPECT_EQ(shop_->state(job), store::JobState::cancelled);
-  EXPECT_TRUE(told("the request for job 1 expired"));
+  EXPECT_TRUE(told("alarm lathe a request expired: nobody fetched its program"));
   say(kDc1);
   run(2s);
   EXPECT_EQ(got(), "");

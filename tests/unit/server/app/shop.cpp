@@ -72,9 +72,10 @@ std::string killed_copy(const std::string& database) {
 Shop::Shop(const std::string& database, BusSeatMaker take_seat, Ballast* ballast, ClaimLine claim)
     : sqlite_(must(sqlite::open(database, {.own = true}))),
       store(*sqlite_),
+      alarms(store, events, links.clock()),
       lines(
           links, take_seat, [this] { books.wake(); }, history_of(store, std::move(claim))),
-      books(store, lines, events, links.clock(), ballast),
+      books(store, lines, events, alarms, links.clock(), ballast),
       catalog(store, lines, events, links.clock(), documents),
       jobs(store, lines, books, events, links.clock(), documents) {}
 
@@ -111,6 +112,7 @@ void Shop::run(feed::Time span) {
 void Shop::round() {
   books.read_ahead(std::chrono::seconds(10));
   books.settle();
+  alarms.settle(std::chrono::seconds(10));
   links.settle();
 }
 

@@ -95,6 +95,7 @@ class Shop {
   PlainDocuments documents;
   dripfeed::test::WatchedStore store;
   Events events;
+  Alarms alarms;
   Lines lines;
   Books books;
   Catalog catalog;

@@ -18,9 +18,9 @@ using namespace std::chrono_literals;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-app::Event alarm(std::string text) {
+app::Event receipt(std::string text) {
   return {.id = 0,
-          .kind = app::EventKind::alarm,
+          .kind = app::EventKind::receipt,
           .machine = "mill",
           .job = {},
           .verdict = 0,
@@ -77,11 +77,11 @@ bool soon(const Condition& condition) {
 TEST_F(LiveTest, EventsAreFramedWithTheirIds) {
   const auto watcher = watch(0);
   EXPECT_EQ(take(*watcher), "");
-  events_.publish(alarm("one\ntwo"));
-  events_.publish(alarm("three"));
+  events_.publish(receipt("one\ntwo"));
+  events_.publish(receipt("three"));
   EXPECT_EQ(take(*watcher),
-            "id: 1\nevent: alarm\ndata: {\"machine\":\"mill\",\"text\":\"one\\ntwo\"}\n\n"
-            "id: 2\nevent: alarm\ndata: {\"machine\":\"mill\",\"text\":\"three\"}\n\n");
+            "id: 1\nevent: receipt\ndata: {\"machine\":\"mill\",\"text\":\"one\\ntwo\"}\n\n"
+            "id: 2\nevent: receipt\ndata: {\"machine\":\"mill\",\"text\":\"three\"}\n\n");
   EXPECT_EQ(take(*watcher), "");
   EXPECT_THAT(take(*watch(1)), HasSubstr("three"));
   EXPECT_THAT(take(*watch(1)), Not(HasSubstr("one")));
@@ -90,10 +90,10 @@ TEST_F(LiveTest, EventsAreFramedWithTheirIds) {
 TEST_F(LiveTest, AWatcherWhoFellBehindTheRingIsReset) {
   const auto watcher = watch(0);
   EXPECT_EQ(take(*watcher), "");
-  for (std::size_t i = 0; i <= app::Events::kRing; ++i) events_.publish(alarm("x"));
+  for (std::size_t i = 0; i <= app::Events::kRing; ++i) events_.publish(receipt("x"));
   EXPECT_EQ(take(*watcher), "id: 1025\nevent: reset\ndata: {}\n\n");
-  events_.publish(alarm("news"));
-  EXPECT_THAT(take(*watcher), HasSubstr("id: 1026\nevent: alarm"));
+  events_.publish(receipt("news"));
+  EXPECT_THAT(take(*watcher), HasSubstr("id: 1026\nevent: receipt"));
   EXPECT_THAT(take(*watch(5000)), HasSubstr("event: reset")) << "an id of another server";
 }
 
@@ -102,7 +102,7 @@ TEST_F(LiveTest, AllWhoWatchGetAllOnce) {
   std::vector<std::string> got(20);
   for (std::size_t i = 0; i < got.size(); ++i) watchers.push_back(watch(0, std::to_string(i)));
   for (int n = 0; n < 3000; ++n) {
-    events_.publish(alarm(std::to_string(n)));
+    events_.publish(receipt(std::to_string(n)));
     if (n % 100 == 0) hub_.round();
     for (std::size_t i = 0; i < got.size(); ++i) {
       if (n % (static_cast<int>(i) + 1) == 0) got[i] += watchers[i]->take();
@@ -164,14 +164,14 @@ TEST_F(LiveTest, TellsWhenThereIsMoreUntilItIsTold) {
   std::atomic<int> ready = 0;
   const auto watcher = watch(0);
   watcher->on_ready([&] { ++ready; });
-  events_.publish(alarm(""));
+  events_.publish(receipt(""));
   EXPECT_TRUE(soon([&] { return ready >= 1; }));
   watcher->on_ready([&] { ready = 1000; });
-  events_.publish(alarm(""));
+  events_.publish(receipt(""));
   EXPECT_TRUE(soon([&] { return ready == 1000; })) << "the one before is let go";
   watcher->on_ready({});
   ready = 0;
-  events_.publish(alarm(""));
+  events_.publish(receipt(""));
   hub_.round();
   EXPECT_EQ(ready, 0);
 }

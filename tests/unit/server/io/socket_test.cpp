@@ -174,7 +174,7 @@ TEST_F(SocketTest, AFloodIsReadInPiecesAndNamed) {
   const std::size_t read = heard_.received().size();
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   EXPECT_LE(static_cast<double>(read), kReadsAtOnce_bytes + kReadBytes + kReadsPerSecond_bytes * took.count());
-  EXPECT_EQ(note(), kFloodNote);
+  EXPECT_EQ(note(), app::kFloodNote);
   EXPECT_TRUE(unheard());
 }
 

@@ -93,8 +93,11 @@ TEST(Records, TheStateOfALine) {
   status.program = "O1";
   status.block_text = "G1X1.";
   const std::string text = machine_status(status);
-  EXPECT_THAT(text, HasSubstr(R"("line":"held","stall":"held by DC3","stop_wanted":false,"link_error":null,"link_note":null,)"
-                              R"("line_errors":{"parity":0,"framing":0,"overrun":0,"breaks":0},"job":7,"handed":50)"));
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          R"("line":"held","stall":"held by DC3","stop_wanted":false,"link_error":null,"link_note":null,)"
+          R"("line_errors":{"parity":0,"framing":0,"overrun":0,"breaks":0},"asks_since_ms":null,"asks":0,"job":7,"handed":50)"));
   EXPECT_THAT(text, HasSubstr(R"("block_from":3,"block":4)"));
   EXPECT_THAT(text, HasSubstr(R"("program":"O1","block_text":"G1X1.","needs_confirmation":null)"));
   EXPECT_THAT(text, HasSubstr(R"("plc":null,)"));
@@ -135,8 +138,15 @@ TEST(Records, EventsAndProgress) {
   app::Event event;
   event.kind = app::EventKind::alarm;
   event.machine = "mill";
-  event.text = "DC1";
+  event.alarm = {.id = 12, .machine = "mill", .kind = "torn_block", .text = "torn", .count = 3, .raised_at_ms = 5};
   EXPECT_EQ(event_name(event.kind), "alarm");
+  EXPECT_EQ(event_data(event), alarm(event.alarm));
+  EXPECT_EQ(event_data(event),
+            R"({"id":12,"machine":"mill","kind":"torn_block","text":"torn","count":3,"severity":"critical",)"
+            R"("raised_at_ms":5,"last_at_ms":0,"cleared_at_ms":null,"acknowledged_by":null,)"
+            R"("acknowledged_at_ms":null,"shelved_by":null,"shelved_until_ms":null,"shelf_reason":null,"job":null})");
+  event.kind = app::EventKind::receipt;
+  event.text = "DC1";
   EXPECT_EQ(event_data(event), R"({"machine":"mill","text":"DC1"})");
   event.kind = app::EventKind::machine;
   EXPECT_EQ(event_data(event), R"({"name":"mill","stall":"DC1"})");
