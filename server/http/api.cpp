@@ -222,6 +222,15 @@ std::optional<Response> Api::refuse_long(const Request& head) {
   return caller ? std::nullopt : std::optional(caller.error());
 }
 
+namespace {
+
+// A name that no header can carry comes percent-encoded.
+bool is_shown(const std::string& shown, const std::string& name) {
+  return shown.empty() || shown == name || decode_segment(shown) == name;
+}
+
+}  // namespace
+
 // Who calls, if they may.
 std::expected<Caller, Response> Api::admit(const Request& request, const Route& route,
                                            std::optional<std::uint64_t> version) {
@@ -238,6 +247,12 @@ std::expected<Caller, Response> Api::admit(const Request& request, const Route& 
   }
   if (request.method != Method::get && caller->by_cookie && !same_origin(request)) {
     return std::unexpected(problem_response(403, "a change by cookie must come from this server's own page"));
+  }
+  // Two tabs share a cookie: what one of them shows may be another's name by now.
+  if (request.method != Method::get && !is_shown(request.shown_user, caller->name)) {
+    const auto shown = decode_segment(request.shown_user);
+    return std::unexpected(problem_response(409, fmt::format("you are signed in as {}, the page shows {}: reload",
+                                                             caller->name, shown.value_or(request.shown_user))));
   }
   return std::move(*caller);
 }

@@ -16,6 +16,7 @@
 #include "server/http/kept_answers.h"
 #include "server/http/live.h"
 #include "server/http/machine_list.h"
+#include "server/http/page_files.h"
 #include "server/http/router.h"
 #include "server/http/server.h"
 #include "server/http/sessions.h"
@@ -43,6 +44,7 @@ class Api {
   LiveHub& live() { return live_; }
   Titles& titles() { return titles_; }
   MachineList& machine_list() { return machine_list_; }
+  PageFiles& page_files() { return page_files_; }
   [[nodiscard]] const std::filesystem::path& web_root() const { return web_root_; }
   [[nodiscard]] const std::string& version() const { return version_; }
   // Set while a sweep runs: it may take minutes, and one at a time leaves the pool to checks.
@@ -69,6 +71,7 @@ class Api {
   Titles titles_;
   MachineList machine_list_;
   KeptAnswers kept_;
+  PageFiles page_files_;
   std::mutex keys_mutex_;
   std::set<std::string> keys_in_use_;
   std::atomic<std::int64_t> forgot_at_ms_ = 0;

@@ -231,6 +231,9 @@ void Connection::copy_headers() {
   request_.authorization = take(bhttp::field::authorization);
   request_.cookie = take(bhttp::field::cookie);
   request_.if_match = take(bhttp::field::if_match);
+  request_.if_none_match = take(bhttp::field::if_none_match);
+  request_.accept_encoding = take(bhttp::field::accept_encoding);
+  request_.shown_user = std::string(message["X-Dripfeed-User"]);
   request_.idempotency_key = std::string(message["Idempotency-Key"]);
   request_.last_event_id = std::string(message["Last-Event-ID"]);
   request_.accept = take(bhttp::field::accept);

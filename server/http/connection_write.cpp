@@ -37,6 +37,9 @@ bool has_good_headers(const Response& response) {
          std::ranges::all_of(response.headers, [](const auto& header) { return is_header(header.second); });
 }
 
+// These two say nothing of a length.
+bool may_have_body(const Response& response) { return response.status != 204 && response.status != 304; }
+
 }  // namespace
 
 template <class Message>
@@ -67,7 +70,7 @@ void Connection::write_text(Response response) {
   auto message = std::make_shared<bhttp::response<bhttp::string_body>>();
   fill_head(*message, response);
   message->body() = std::move(response.body);
-  if (response.status != 204) message->prepare_payload();  // a 204 says nothing of a length
+  if (may_have_body(response)) message->prepare_payload();
   wire_.lowest().expires_after(kWriteTimeout);
   bhttp::async_write(wire_, *message, fenced([this, message](Error error, auto) { after_answer(error); }));
 }
@@ -99,7 +102,7 @@ void Connection::write_head(const Response& response) {
   fill_head(*message, response);
   if (response.events || response.source) {
     message->chunked(true);
-  } else if (response.status != 204) {
+  } else if (may_have_body(response)) {
     message->content_length(response.body.size());
   }
   auto serializer = std::make_shared<bhttp::response_serializer<bhttp::empty_body>>(*message);

@@ -1,8 +1,5 @@
 // What belongs to the server itself: health, description, page, session, live events.
-#include <array>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 #include <fmt/format.h>
@@ -17,43 +14,13 @@ namespace dripfeed::http {
 
 namespace {
 
-// The page loads nothing from elsewhere and runs nothing inline.
-constexpr std::string_view kPagePolicy =
-    "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src 'self' data:; font-src "
-    "'self'; form-action 'self'; "
-    "base-uri 'none'; frame-ancestors 'none'";
-
 constexpr std::size_t kSignInLimit = 4096;  // bytes that anybody may have read as JSON
-
-struct FileType {
-  std::string_view ending;
-  std::string_view type;
-};
-constexpr std::array kFileTypes = {
-    FileType{".html", "text/html; charset=utf-8"},
-    FileType{".js", "text/javascript; charset=utf-8"},
-    FileType{".css", "text/css; charset=utf-8"},
-    FileType{".svg", "image/svg+xml"},
-    FileType{".png", "image/png"},
-    FileType{".map", "application/json"},
-};
 
 Response no_file() { return problem_response(404, "there is no such file of the page; is web/dist built?"); }
 
-// A folder opens like a file and throws when it is read, so only regular files are looked at.
-Response file_response(const std::filesystem::path& path) {
-  std::error_code unknown;  // what cannot be looked at is not there
-  if (!std::filesystem::is_regular_file(path, unknown)) return no_file();
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return no_file();
-  Response response;
-  response.body.assign(std::istreambuf_iterator<char>(file), {});
-  for (const FileType& row : kFileTypes) {
-    if (path.extension() == row.ending) response.content_type = row.type;
-  }
-  response.headers.emplace_back("Content-Security-Policy", kPagePolicy);
-  response.headers.emplace_back("Cache-Control", "no-cache");
-  return response;
+Response file_response(const Call& call, const std::filesystem::path& path) {
+  auto response = call.api.page_files().answer(path, call.request);
+  return response ? std::move(*response) : no_file();
 }
 
 // Secure where the browser has spoken to us, or to a trusted proxy, by TLS.
@@ -72,7 +39,7 @@ Response get_openapi(const Call& call) { return json_response(200, describe_api(
 
 Response get_page(const Call& call) {
   if (call.api.web_root().empty()) return no_file();
-  return file_response(call.api.web_root() / "index.html");
+  return file_response(call, call.api.web_root() / "index.html");
 }
 
 Response get_asset(const Call& call) {
@@ -80,7 +47,7 @@ Response get_asset(const Call& call) {
   const std::string& name = call.parameters[0];
   if (call.api.web_root().empty() || name.starts_with('.') || name.find_first_of("/\\") != std::string::npos)
     return no_file();
-  return file_response(call.api.web_root() / "assets" / name);
+  return file_response(call, call.api.web_root() / "assets" / name);
 }
 
 Response get_session(const Call& call) { return json_response(200, json::session(call.user, name_of(call.right))); }

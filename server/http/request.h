@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,9 +29,12 @@ struct Request {
   std::string authorization;
   std::string cookie;
   std::string if_match;
+  std::string if_none_match;
+  std::string accept_encoding;
   std::string idempotency_key;
   std::string last_event_id;
   std::string accept;
+  std::string shown_user;  // X-Dripfeed-User: whose name the page shows; "" where it says nothing
   std::string origin;
   std::string host;
   std::string forwarded_host;  // as a trusted proxy says; "" without one
@@ -57,5 +61,7 @@ struct Response {
 
 // Splits and decodes the target of a request. Nothing when an escape is broken or a segment is "." or "..".
 bool read_target(std::string_view target, Request& request);
+// Percent-decoded as a segment of a path is. Nothing when an escape is broken.
+std::optional<std::string> decode_segment(std::string_view text);
 
 }  // namespace dripfeed::http

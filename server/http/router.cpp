@@ -108,6 +108,8 @@ std::string escape_segment(std::string_view name) {
   return out;
 }
 
+std::optional<std::string> decode_segment(std::string_view text) { return decode(text, false); }
+
 bool read_target(std::string_view target, Request& request) {
   request.target = target;
   const std::size_t question = target.find('?');

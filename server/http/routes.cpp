@@ -14,7 +14,8 @@ using enum Weight;
 
 constexpr std::string_view kPicture = "image/svg+xml";
 constexpr std::string_view kPageTypes =
-    "text/html text/javascript text/css image/svg+xml image/png application/json application/octet-stream";
+    "text/html text/javascript text/css image/svg+xml image/png font/woff2 application/manifest+json application/json "
+    "application/octet-stream";
 
 constexpr Route kRoutes[] = {
     {get, "/healthz", anybody, light, get_health, "is the server alive", kNoBody, gives("Health")},

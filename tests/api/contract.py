@@ -75,6 +75,9 @@ def check(method, path, body, answer):
         if kind == "application/problem+json" and answer.body:
             require(faults("#/components/schemas/Problem", answer.document), what)
         return
+    if answer.status == 304:  # what the client has already, RFC 9110, 15.4.5
+        require([] if not answer.body and answer.headers.get("ETag") else ["a body, or no tag"], what)
+        return
     if route is None and kind == "text/html" and not path.startswith("/api/"):
         return  # the page, for a browser that came by one of its addresses
     if route is None:

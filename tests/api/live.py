@@ -211,6 +211,27 @@ def sessions(folder):
     control.close()
 
 
+def the_name_that_the_page_shows(folder):
+    """Two tabs share a cookie: a change under another's name is refused."""
+    client, control = bench(folder)
+    here = {"Origin": f"http://127.0.0.1:{client.server.port}"} | sign_in(client, "programmer")
+    program = {"name": "O1", "dialect": "fanuc", "text": "M30\n"}
+    for shown in ("the operator", "the%20operator", "The programmer", "%zz"):
+        client.refuse(409, "POST", "/programs", program, role=None, headers=here | {"X-Dripfeed-User": shown}, words=["you are signed in as the programmer", "reload"])
+    client.refuse(409, "POST", "/programs", program, role=None, headers=here | {"X-Dripfeed-User": "the%20operator"}, words=["the page shows the operator: reload"])
+    client.refuse(409, "DELETE", "/session", role=None, headers=here | {"X-Dripfeed-User": "the operator"})
+    client.refuse(409, "POST", "/programs", program, headers={"X-Dripfeed-User": "the operator"}, words=["admin"])
+    expect(client.get("/programs")["items"] == [], "a refused change was made")
+    expect(client.call("GET", "/programs", role=None, headers=here | {"X-Dripfeed-User": "the operator"}).status == 200, "reading is refused")
+    for number, shown in enumerate(("the programmer", "the%20programmer")):
+        expect(client.call("POST", "/programs", program, role=None, headers=here | {"X-Dripfeed-User": shown}).status == 201, f"{shown} is refused")
+    token = client.add_token("programmer", "Jürgen 50%")
+    shown = {"Authorization": f"Bearer {token}", "X-Dripfeed-User": "J%C3%BCrgen%2050%25"}
+    expect(client.call("POST", "/programs", program, role=None, headers=shown).status == 201, "a name that needs its encoding")
+    client.server.stop()
+    control.close()
+
+
 def tokens_of_a_running_server(folder):
     client = Client(folder).start()
     token = client.add_token("approver", "anna")
@@ -266,7 +287,48 @@ def the_page(folder):
     client.server.stop()
 
 
+def files_that_are_kept(folder):
+    """Compressed twins, tags, and names that carry a hash."""
+    web = folder / "web"
+    (web / "assets").mkdir(parents=True)
+    forever = "public, max-age=31536000, immutable"
+    script, big = web / "assets" / "app-1A2B3C4D.js", "text of a test " * 10000
+    script.write_text(big)
+    for ending, content in ((".br", "as br"), (".gz", "as gzip")):
+        (web / "assets" / f"app-1A2B3C4D.js{ending}").write_text(content)
+    for name in ("index.html", "assets/app.css", "assets/font-ABCDEFGH.woff2", "assets/app-1a2b3c4d.js", "assets/app-1A2B3C4.js", "assets/w.webmanifest", "assets/d.json", "assets/x.unknown"):
+        (web / name).write_text(f"{name} of a test")
+    client = Client(folder, "--web", str(web)).start()
+
+    def ask_for(path, method="GET", **headers):
+        return client.call(method, path, role=None, headers={name.replace("_", "-"): value for name, value in headers.items()})
+    tags = {}
+    for accept, coding, body in [(None, None, big), ("gzip", "gzip", "as gzip"), ("gzip, deflate, br, zstd", "br", "as br"), ("BR;q=0.1, gzip;q=1", "br", "as br"), ("br;q=0, gzip", "gzip", "as gzip"),
+                                 ("br;q=0.000", None, big), ("identity", None, big), ("brotli, xgzip", None, big), ("gzip ; q=0.5", "gzip", "as gzip")]:
+        answer = ask_for("/assets/app-1A2B3C4D.js", **({"Accept_Encoding": accept} if accept else {}))
+        expect(answer.status == 200 and answer.body.decode() == body and answer.headers.get("Content-Encoding") == coding, f"{accept}: {answer.headers.get('Content-Encoding')}")
+        expect((answer.headers["Content-Type"], answer.headers["Vary"], answer.headers["Cache-Control"]) == ("text/javascript; charset=utf-8", "Accept-Encoding", forever), f"{answer.headers}")
+        expect(tags.setdefault(coding, answer.headers["ETag"]) == answer.headers["ETag"], "one content has two tags")
+    expect(len(set(tags.values())) == 3, f"two contents have one tag: {tags}")
+    for path, kind, cache in [("/", "text/html; charset=utf-8", "no-cache"), ("/assets/app.css", "text/css; charset=utf-8", "no-cache"), ("/assets/font-ABCDEFGH.woff2", "font/woff2", forever),
+                              ("/assets/app-1a2b3c4d.js", "text/javascript; charset=utf-8", "no-cache"), ("/assets/app-1A2B3C4.js", "text/javascript; charset=utf-8", "no-cache"),
+                              ("/assets/w.webmanifest", "application/manifest+json", "no-cache"), ("/assets/d.json", "application/json", "no-cache"), ("/assets/x.unknown", "application/octet-stream", "no-cache")]:
+        answer = ask_for(path)
+        tag = answer.headers["ETag"]
+        expect((answer.headers["Content-Type"], answer.headers["Cache-Control"], "Vary" in answer.headers) == (kind, cache, False), f"{path}: {answer.headers}")
+        for known in (tag, f"W/{tag}", f'"other", {tag}', "*"):
+            for method in ("GET", "HEAD"):
+                kept = ask_for(path, method, If_None_Match=known)
+                expect((kept.status, kept.body, kept.headers["ETag"], kept.headers["Cache-Control"]) == (304, b"", tag, cache), f"{path} with {known}: {kept} {kept.headers}")
+        expect(ask_for(path, If_None_Match='"other"').body == answer.body, f"{path}: another tag")
+    before = ask_for("/").headers["ETag"]
+    (web / "index.html").write_text("a new build")
+    answer = ask_for("/", If_None_Match=before)
+    expect(answer.status == 200 and answer.body == b"a new build" and answer.headers["ETag"] != before, f"an old page is kept: {answer}")
+    client.server.stop()
+
+
 if __name__ == "__main__":
-    for test in (events_are_numbered_and_resumed, a_ring_that_went_round, events_are_as_described, sessions, tokens_of_a_running_server, the_page):
+    for test in (events_are_numbered_and_resumed, a_ring_that_went_round, events_are_as_described, sessions, the_name_that_the_page_shows, tokens_of_a_running_server, the_page, files_that_are_kept):
         in_folder(test)
     sys.exit(0)
