@@ -21,6 +21,7 @@ class Permit:
 
     def set(self, state, why="", blocks_left=0):
         with self.line.loop.lock:
+            self.line.control.poll()  # what arrived by now came under the permit before, however late it is read
             self.state, self.why, self.blocks_left, self.complained = state, why, blocks_left, False
 
     def __call__(self, control, data):
