@@ -1,5 +1,5 @@
 // Texts that were found fit for a machine: a text never changes, and a machine's revision shows whether it did, so the
-// same text is read once for many jobs. Before an arming it is read again all the same.
+// same text and profile are read once for many jobs. Before an arming they are read again all the same.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,6 @@
 #include <optional>
 #include <string>
 
-#include "protocol/feed/program_check.h"
 #include "store/basics.h"
 
 namespace dripfeed::app {
@@ -25,24 +24,30 @@ class CheckedTexts {
     friend bool operator==(const Key&, const Key&) = default;
   };
 
+  // What a job takes from them.
+  struct Fit {
+    std::string link;  // the line's URL
+    std::uint64_t bytes_total = 0;
+  };
+
   // From any thread.
-  [[nodiscard]] std::optional<feed::ProgramFacts> find(const Key& key) const {
+  [[nodiscard]] std::optional<Fit> find(const Key& key) const {
     const std::lock_guard lock(mutex_);
     for (const Row& row : rows_) {
-      if (row.key == key) return row.facts;
+      if (row.key == key) return row.fit;
     }
     return std::nullopt;
   }
-  void keep(const Key& key, const feed::ProgramFacts& facts) {
+  void keep(const Key& key, const Fit& fit) {
     const std::lock_guard lock(mutex_);
     if (rows_.size() == kMostKept) rows_.pop_front();
-    rows_.push_back({key, facts});
+    rows_.push_back({key, fit});
   }
 
  private:
   struct Row {
     Key key;
-    feed::ProgramFacts facts;
+    Fit fit;
   };
   mutable std::mutex mutex_;
   std::deque<Row> rows_;

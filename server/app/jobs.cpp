@@ -116,28 +116,34 @@ Result<std::shared_ptr<Line>> Jobs::line_with(const store::Job& job) {
   return line;
 }
 
+Result<CheckedTexts::Fit> Jobs::read_fit(const CheckedTexts::Key& text, std::string_view document) {
+  const auto profile = documents_.read_profile(document);
+  if (!profile) return std::unexpected(profile.error());
+  const auto facts = check_program(store_.contents(), text.sha256, *profile, delivery_of(text.delivery));
+  if (!facts) return std::unexpected(facts.error());
+  if (auto whole = refuse_drip_into_folder(*profile, text.delivery); !whole) return std::unexpected(whole.error());
+  const auto bytes = wire_bytes(*profile, *facts);
+  if (!bytes) return std::unexpected(bytes.error());
+  return CheckedTexts::Fit{.link = profile->line.link.text, .bytes_total = *bytes};
+}
+
 Result<store::NewJob> Jobs::prepare(store::Id release) {
   if (auto room = refuse_on_full_disk(books_.ballast()); !room) return std::unexpected(room.error());
   const auto row = store_.releases().get(release);
   if (!row) return std::unexpected(from_store(row.error()));
   const auto machine = lift(store_.machines().get(row->of.machine));
   if (!machine) return std::unexpected(machine.error());
-  const auto profile = documents_.read_profile(machine->profile);
-  if (!profile) return std::unexpected(profile.error());
   const CheckedTexts::Key text{row->text_sha256, machine->name, machine->revision, row->of.delivery};
-  auto facts = checked_texts_.find(text);
-  if (!facts) {
-    const auto checked = check_program(store_.contents(), row->text_sha256, *profile, delivery_of(row->of.delivery));
-    if (!checked) return std::unexpected(checked.error());
-    checked_texts_.keep(text, *checked);
-    facts = *checked;
+  auto fit = checked_texts_.find(text);
+  if (!fit) {
+    const auto read = read_fit(text, machine->profile);
+    if (!read) return std::unexpected(read.error());
+    checked_texts_.keep(text, *read);
+    fit = *read;
   }
-  if (auto whole = refuse_drip_into_folder(*profile, row->of.delivery); !whole) return std::unexpected(whole.error());
-  const auto bytes = wire_bytes(*profile, *facts);
-  if (!bytes) return std::unexpected(bytes.error());
   if (auto same = refuse_changed_machine(row->text_sha256, row->of.machine, row->of.delivery); !same)
     return std::unexpected(same.error());
-  return store::NewJob{.release = release, .link = profile->line.link.text, .bytes_total = *bytes};
+  return store::NewJob{.release = release, .link = std::move(fit->link), .bytes_total = fit->bytes_total};
 }
 
 Result<store::Job> Jobs::add(store::Id release, std::string_view actor) {

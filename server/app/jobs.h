@@ -46,6 +46,8 @@ class Jobs {
 
  private:
   Result<machine::Profile> profile_of(std::string_view machine);
+  // A text and the profile of its machine, read and checked. Errors: `invalid`, `refused`.
+  Result<CheckedTexts::Fit> read_fit(const CheckedTexts::Key& text, std::string_view document);
   Result<void> refuse_changed_machine(std::string_view text_sha256, std::string_view machine, store::Delivery delivery);
   Result<std::shared_ptr<Line>> line_with(const store::Job& job);
   Result<std::string> file_name(const machine::Profile& profile, store::Id program);
