@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """What the HTTP side takes: requests a second beside nginx's static rate in the same run (wrk), how long a text and a job take, how long others wait
-beside an upload of 60 MB with a key, and what watchers cost.  tests/bench/http_load.py build/dev/dripfeed [rates texts jobs upload watchers]"""
+beside an upload of 60 MB with a key, how long the largest families take, and what watchers cost.
+tests/bench/http_load.py build/dev/dripfeed [rates texts jobs families upload watchers]"""
 
 import json
 import os
@@ -19,7 +20,8 @@ from client import API, DC1, Client, HandControl, exchange, hand_profile, in_fol
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "e2e"))
 from tls import Nginx, free_port  # noqa: E402
 
-WANTED = set(sys.argv[2:]) or {"rates", "texts", "jobs", "upload", "watchers"}
+WANTED = set(sys.argv[2:]) or {"rates", "texts", "jobs", "families", "upload", "watchers"}
+FAMILY_BYTES = 1_040_000  # as JSON; the limit is 1 MiB
 UPLOAD_BYTES = 60_000_000
 
 
@@ -40,7 +42,7 @@ def rate(name, url, token, process):
     print(f"{name}: {second:.0f} a second, {1e6 * (cpu_s(process) - before) / count:.1f} us of a core each")
 
 
-def rates(client, folder):
+def rates(client, control, folder):
     if not shutil.which("wrk"):
         return print("rates: wrk is not installed")
     page, port = folder / "static", free_port()
@@ -55,6 +57,11 @@ def rates(client, folder):
     for path in ("/healthz", f"{API}/machines", f"{API}/programs/1"):
         rate(path, f"http://127.0.0.1:{client.server.port}{path}", client.tokens["viewer"], client.server.process.pid)
     nginx.stop()
+    fed = feed(client, control, "O79")  # which changes the store ten times a second, and its line with each piece
+    for path in (f"{API}/machines", f"{API}/programs/1"):
+        rate(f"{path}, beside a feed", f"http://127.0.0.1:{client.server.port}{path}", client.tokens["viewer"], client.server.process.pid)
+    client.post(f"/jobs/{fed}/cancel")
+    client.wait_job(fed, "cancelled")
 
 
 def texts(client, program):
@@ -66,13 +73,46 @@ def texts(client, program):
     print("a text of 4 kB:", milliseconds(times))
 
 
-def jobs(client, release):
-    connection, times = client.connect(), []
-    for n in range(500):
+def feed(client, control, name):
+    """A long program on its way to the control."""
+    job = client.queue(client.release(client.add_program(6000, name)["id"])["id"])
+    client.wait_line("lathe", "idle")
+    client.post(f"/jobs/{job}/arm")
+    control.say(DC1)
+    client.wait_job(job, "feeding")
+    return job
+
+
+def jobs(client, control, release):
+    """Beside a feed. Each is followed by one write of the disk by itself, because disks of virtual machines change from one second to the next."""
+    fed, connection, times, disk = feed(client, control, "O78"), client.connect(), [], []
+    file = os.open(client.server.data / "probe", os.O_RDWR | os.O_CREAT)
+    for n in range(2000):
         begin = time.perf_counter()
-        exchange(connection, "POST", f"{API}/jobs", {"release": release}, bearer(client, "operator") | {"Idempotency-Key": f"job-{n}"})
+        answer = exchange(connection, "POST", f"{API}/jobs", {"release": release}, bearer(client, "operator") | {"Idempotency-Key": f"job-{n}"})
         times.append(time.perf_counter() - begin)
-    print(f"a job with a key: {len(times) / sum(times):.0f} a second,", milliseconds(times))
+        assert answer.status == 201, answer
+        begin = time.perf_counter()
+        os.pwrite(file, bytes(4096), 0)
+        os.fdatasync(file)
+        disk.append(time.perf_counter() - begin)
+    print(f"a job with a key beside a feed: {len(times) / sum(times):.0f} a second,", milliseconds(times))
+    print(f"  fdatasync of 4 kB in between: {len(disk) / sum(disk):.0f} a second,", milliseconds(disk), f": a job has {100 * sum(disk) / sum(times):.0f} % of its rate")
+    client.post(f"/jobs/{fed}/cancel")
+    client.wait_job(fed, "cancelled")
+
+
+def families(client):
+    """Families as long as may be, of what a reader could look at again and again."""
+    head, end = "family f\nmachine mill\n", "program p\nend\n"
+    for what, before, line, after in (("parameters", head, "param p# length 10 mm in 1..20\n", end), ("names", head, "let q#=#\n", end), ("names that are not known", head, "let q#=1\nlet r#=u#\n", end),
+                                      ("a name given twice", head, "let q=1\n", end), ("a fault in each line", head, "x\n", end), ("blocks", head + "program p\n", "for t# from 1 to 2 step 1\nend\n", "end\n")):
+        count = FAMILY_BYTES // (len(line) + line.count("\n") + 4 * line.count("#"))
+        text = before.replace("family f", f"family f-{what.replace(' ', '-')}") + "".join(line.replace("#", str(n)) for n in range(count)) + after
+        body, process = json.dumps({"text": text}).encode(), client.server.process.pid
+        used, begin = cpu_s(process), time.perf_counter()
+        answer = client.call("POST", "/families", body, headers={"Content-Type": "application/json"})
+        print(f"a family of {len(body)} bytes, {what}: {answer.status} after {time.perf_counter() - begin:.2f} s, {cpu_s(process) - used:.2f} s of a core")
 
 
 def upload(client, release):
@@ -128,10 +168,7 @@ def watchers(client, control, count=500):
                 got[0] += len(key.fileobj.recv(65536))
 
     threading.Thread(target=drain, daemon=True).start()
-    job = client.queue(client.release(client.add_program(6000, "O77")["id"])["id"])
-    client.wait_line("lathe", "idle")
-    client.post(f"/jobs/{job}/arm")
-    control.say(DC1)
+    feed(client, control, "O77")
     time.sleep(1)
     process, seconds = client.server.process.pid, 5
     before, bytes_before = cpu_s(process), got[0]
@@ -147,11 +184,13 @@ def load(folder):
     release = client.release(program)["id"]
     print(f"load of the machine before: {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")
     if "rates" in WANTED:
-        rates(client, folder)
+        rates(client, control, folder)
     if "texts" in WANTED:
         texts(client, program)
     if "jobs" in WANTED:
-        jobs(client, release)
+        jobs(client, control, release)
+    if "families" in WANTED:
+        families(client)
     if "upload" in WANTED:
         upload(client, release)
     if "watchers" in WANTED:
