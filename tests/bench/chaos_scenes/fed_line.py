@@ -88,6 +88,8 @@ class FedLine(threading.Thread):
         self.served.post(f"/jobs/{self.job}/arm")
 
     def cycle_start(self):
+        # After a break the server may see its connection before this end has taken it: a start would go nowhere.
+        self.wait("the link", self.control.up)
         self.permit.set("sending")
         self.control.start()
 
