@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "store/basics.h"
 #include "store/error.h"
@@ -50,7 +51,9 @@ struct Job {
   std::string link;
   std::uint64_t bytes_total = 0;  // wire bytes
   JobState state = JobState::queued;
-  std::string reason;  // of the last move
+  std::string reason;      // of the last move
+  std::string reason_id;   // the same as one word or name that a page may translate; "" where there is none
+  std::uint64_t rank = 0;  // queued jobs of one machine go by it, then by their ids
   std::string created_by;
   std::string armed_by;
   std::int64_t created_at_ms = 0;
@@ -61,8 +64,9 @@ struct Job {
   bool torn = false;               // the control may hold a part of a block
   std::string confirmed_by;        // who said that the control was reset
   std::string confirm_reason;
-  std::int64_t confirmed_at_ms = 0;  // 0: never
-  std::string read_back;             // of a memory load: "waiting for read-back", "equal", or how it differs
+  std::int64_t confirmed_at_ms = 0;     // 0: never
+  std::optional<std::int64_t> held_ms;  // how long its control held, once it ended; nothing where nobody counted
+  std::string read_back;                // of a memory load: "waiting for read-back", "equal", or how it differs
 
   // Nothing may be armed on the machine until a person confirms.
   [[nodiscard]] bool needs_confirmation() const { return torn && confirmed_at_ms == 0; }
@@ -79,6 +83,15 @@ struct JobMove {
   std::string reason{};
   bool torn = false;               // only with failed, cancelled and interrupted
   std::int64_t expires_at_ms = 0;  // only with armed
+  std::string reason_id{};
+  std::optional<std::int64_t> held_ms{};  // only with what ends it
+};
+
+// What a job did within a time, for a summary.
+struct JobUse {
+  Job job;
+  std::uint64_t clocked = 0;      // wire bytes that passed the line for certain
+  std::int64_t ledger_at_ms = 0;  // of its last row; 0: it has none
 };
 
 struct JobFilter {
@@ -96,6 +109,11 @@ class Jobs : public Repository {
   // A person says that the control of this machine was reset. Errors: not_found (nothing waits), invalid_value (no
   // reason).
   virtual Result<Job> confirm_reset(std::string_view machine, std::string_view reason, const Stamp& by) = 0;
+  // Moves a queued job before another one of its machine, or to the end for 0. Those whose rank changed, in their
+  // order. Errors: not_found; refused_transition (it is not queued); invalid_value (`before` is not queued there).
+  virtual Result<std::vector<Job>> move_before(Id job, Id before, const Stamp& by) = 0;
+  // The jobs of a machine that were on its line, or ended, in this time; oldest first.
+  virtual Result<std::vector<JobUse>> used(std::string_view machine, std::int64_t from_ms, std::int64_t to_ms) = 0;
   // What came of punching a memory load back. Errors: not_found.
   virtual Result<Job> set_read_back(Id job, std::string_view result, const Stamp& by) = 0;
   // Errors: not_found.

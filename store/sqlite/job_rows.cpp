@@ -12,14 +12,14 @@ using store::Job;
 constexpr std::string_view kInsert =
     "INSERT INTO job (text_release, program, revision, sha256, machine, delivery, link, bytes_total, state, reason, "
     "created_by, armed_by, created_at_ms, armed_at_ms, started_at_ms, ended_at_ms, torn, confirmed_by, confirm_reason, "
-    "confirmed_at_ms) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, '', ?, '', ?, 0, 0, 0, 0, '', '', 0)";
+    "confirmed_at_ms, queue_rank) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, '', ?, '', ?, 0, 0, 0, 0, '', '', 0, ?)";
 constexpr std::string_view kInsertHead =
     "INSERT INTO ledger_head (job, last, seq, at_ms, handed, clocked, confirmed, reserve) VALUES (?, NULL, 0, 0, 0, 0, "
     "0, 0)";
 constexpr std::string_view kUpdate =
     "UPDATE job SET state = ?, reason = ?, armed_by = ?, armed_at_ms = ?, started_at_ms = ?, ended_at_ms = ?, torn = "
     "?, "
-    "confirmed_by = ?, confirm_reason = ?, confirmed_at_ms = ?, expires_at_ms = ? WHERE id = ?";
+    "confirmed_by = ?, confirm_reason = ?, confirmed_at_ms = ?, expires_at_ms = ?, reason_id = ? WHERE id = ?";
 
 }  // namespace
 
@@ -30,7 +30,7 @@ std::string jobs_where(std::string_view rest) {
       "SELECT id, text_release, program, revision, sha256, machine, delivery, link, bytes_total, state, reason, "
       "created_by, armed_by, created_at_ms, armed_at_ms, started_at_ms, ended_at_ms, torn, confirmed_by, "
       "confirm_reason, "
-      "confirmed_at_ms, expires_at_ms, read_back FROM job WHERE {}",
+      "confirmed_at_ms, expires_at_ms, read_back, reason_id, queue_rank, coalesce(held_ms, -1) FROM job WHERE {}",
       rest);
 }
 
@@ -59,12 +59,15 @@ Job read_job(Query& query) {
   job.confirmed_at_ms = query.signed_number();
   job.expires_at_ms = query.signed_number();
   job.read_back = query.text();
+  job.reason_id = query.text();
+  job.rank = query.number();
+  if (const std::int64_t held_ms = query.signed_number(); held_ms >= 0) job.held_ms = held_ms;
   return job;
 }
 
 Id insert_job(Session& session, const Job& job) {
   session.run(kInsert, job.release, job.program, job.revision, job.text_sha256, job.machine, job.delivery, job.link,
-              job.bytes_total, job.state, job.created_by, job.created_at_ms);
+              job.bytes_total, job.state, job.created_by, job.created_at_ms, job.rank);
   const Id id = session.last_id();
   session.run(kInsertHead, id);
   return id;
@@ -72,7 +75,9 @@ Id insert_job(Session& session, const Job& job) {
 
 void update_job(Session& session, const Job& job) {
   session.run(kUpdate, job.state, job.reason, job.armed_by, job.armed_at_ms, job.started_at_ms, job.ended_at_ms,
-              job.torn, job.confirmed_by, job.confirm_reason, job.confirmed_at_ms, job.expires_at_ms, job.id);
+              job.torn, job.confirmed_by, job.confirm_reason, job.confirmed_at_ms, job.expires_at_ms, job.reason_id,
+              job.id);
+  if (job.held_ms) session.run("UPDATE job SET held_ms = ? WHERE id = ?", *job.held_ms, job.id);
 }
 
 std::uint64_t reserve_of(Session& session, Id job) {

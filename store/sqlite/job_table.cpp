@@ -35,6 +35,7 @@ bool is_audited(JobState from, JobState to) {
 Job moved(Job job, const JobMove& move, const Stamp& by) {
   job.state = move.to;
   job.reason = move.reason;
+  job.reason_id = move.reason_id;
   job.expires_at_ms = move.to == JobState::armed ? move.expires_at_ms : 0;
   if (move.to == JobState::armed) {
     job.armed_by = by.actor;
@@ -44,6 +45,7 @@ Job moved(Job job, const JobMove& move, const Stamp& by) {
   if (store::ended(move.to)) {
     job.ended_at_ms = by.at_ms;
     job.torn = move.torn;
+    job.held_ms = move.held_ms;
   }
   return job;
 }
@@ -57,6 +59,11 @@ void write_move(Session& session, JobState from, const Job& job, const Stamp& by
                  .detail = fmt::format("{} to {}{}: {}", store::name_of(from), store::name_of(job.state),
                                        job.torn ? ", torn" : "", job.reason)},
                 by);
+}
+
+std::uint64_t last_rank(Session& session, std::string_view machine) {
+  Query query(session, "SELECT coalesce(max(queue_rank), 0) FROM job WHERE machine = ? AND state = 'queued'", machine);
+  return query.next() ? query.number() : 0;
 }
 
 }  // namespace
@@ -102,6 +109,7 @@ Result<Job> JobTable::add(const store::NewJob& job, const Stamp& by) {
     added.bytes_total = job.bytes_total;
     added.created_by = by.actor;
     added.created_at_ms = by.at_ms;
+    added.rank = last_rank(session, added.machine) + 1;
     added.id = insert_job(session, added);
     add_audit_row(session,
                   {.action = "job.add",
@@ -150,6 +158,58 @@ Result<Job> JobTable::confirm_reset(std::string_view machine, std::string_view r
                   {.action = "job.confirm_reset", .subject = job_subject(job.id), .detail = std::string(reason)}, by);
     return job;
   });
+}
+
+Result<std::vector<Job>> JobTable::move_before(Id id, Id before, const Stamp& by) {
+  return database_.write(job_subject(id), [&](Session& session) -> Result<std::vector<Job>> {
+    const auto job = get(id);
+    if (!job) return std::unexpected(job.error());
+    if (job->state != JobState::queued) return session.refuse(ErrorCode::refused_transition, "it is not queued");
+    std::vector<Job> queue;
+    {
+      static const std::string kSql =
+          jobs_where("machine = ? AND state = 'queued' AND id <> ? ORDER BY queue_rank, id");
+      Query query(session, kSql, job->machine, id);
+      while (query.next()) queue.push_back(read_job(query));
+    }
+    const auto place = before == 0 ? queue.end() : std::ranges::find(queue, before, &Job::id);
+    if (before != 0 && place == queue.end())
+      return session.refuse(ErrorCode::invalid_value,
+                            fmt::format("job {} is not another one that is queued for {}", before, job->machine));
+    queue.insert(place, *job);
+    std::vector<Job> changed;
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+      if (queue[i].rank == i + 1) continue;
+      queue[i].rank = i + 1;
+      session.run("UPDATE job SET queue_rank = ? WHERE id = ?", queue[i].rank, queue[i].id);
+      changed.push_back(queue[i]);
+    }
+    if (changed.empty()) return changed;
+    const std::string where = before == 0 ? std::string("to the end") : fmt::format("before job {}", before);
+    add_audit_row(session, {.action = "job.reorder", .subject = job_subject(id), .detail = where}, by);
+    return changed;
+  });
+}
+
+Result<std::vector<store::JobUse>> JobTable::used(std::string_view machine, std::int64_t from_ms, std::int64_t to_ms) {
+  return database_.read(
+      fmt::format("machine/{}", machine), [&](Session& session) -> Result<std::vector<store::JobUse>> {
+        std::vector<store::JobUse> used;
+        {
+          static const std::string kSql = jobs_where(
+              "machine = ? AND created_at_ms < ? AND (ended_at_ms >= ? OR ended_at_ms = 0 AND "
+              "started_at_ms <> 0) ORDER BY id");
+          Query query(session, kSql, machine, to_ms, std::max<std::int64_t>(from_ms, 1));  // 0: not ended
+          while (query.next()) used.push_back({.job = read_job(query)});
+        }
+        for (store::JobUse& use : used) {
+          Query head(session, "SELECT clocked, at_ms FROM ledger_head WHERE job = ?", use.job.id);
+          if (!head.next()) continue;
+          use.clocked = head.number();
+          use.ledger_at_ms = head.signed_number();
+        }
+        return used;
+      });
 }
 
 Result<Job> JobTable::set_read_back(Id job, std::string_view result, const Stamp& by) {
@@ -216,7 +276,12 @@ Result<std::vector<Job>> JobTable::interrupt_unfinished(const Stamp& by) {
       const bool may_have_fed = from != JobState::armed || reserve_of(session, job.id) > 0;
       const std::string_view reason =
           may_have_fed ? "the server stopped" : "the server stopped before anything was sent";
-      job = moved(job, {.to = JobState::interrupted, .reason = std::string(reason), .torn = may_have_fed}, by);
+      job = moved(job,
+                  {.to = JobState::interrupted,
+                   .reason = std::string(reason),
+                   .torn = may_have_fed,
+                   .reason_id = "server_stopped"},
+                  by);
       write_move(session, from, job, by);
     }
     return jobs;

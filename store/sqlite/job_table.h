@@ -16,6 +16,9 @@ class JobTable final : public store::Jobs {
   store::Result<store::Job> move(store::Id job, const store::JobMove& move, const store::Stamp& by) override;
   store::Result<store::Job> confirm_reset(std::string_view machine, std::string_view reason,
                                           const store::Stamp& by) override;
+  store::Result<std::vector<store::Job>> move_before(store::Id job, store::Id before, const store::Stamp& by) override;
+  store::Result<std::vector<store::JobUse>> used(std::string_view machine, std::int64_t from_ms,
+                                                 std::int64_t to_ms) override;
   store::Result<store::Job> set_read_back(store::Id job, std::string_view result, const store::Stamp& by) override;
   store::Result<store::Job> get(store::Id job) override;
   store::Result<store::Page<store::Job>> list(const store::PageRequest& page, const store::JobFilter& filter) override;

@@ -14,6 +14,7 @@
 #include "store/sqlite/schema_v5.h"
 #include "store/sqlite/schema_v6.h"
 #include "store/sqlite/schema_v7.h"
+#include "store/sqlite/schema_v8.h"
 #include "store/sqlite/session.h"
 
 namespace dripfeed::sqlite {
@@ -128,7 +129,8 @@ std::span<const Migration> migrations() {
                                       Migration{4, "torn jobs by index", kSchemaV4},
                                       Migration{5, "answers are booked", kSchemaV5},
                                       Migration{6, "alarms", kSchemaV6},
-                                      Migration{7, "browser sessions", kSchemaV7}};
+                                      Migration{7, "browser sessions", kSchemaV7},
+                                      Migration{8, "queue order", kSchemaV8}};
   return kMigrations;
 }
 

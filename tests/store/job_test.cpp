@@ -1,4 +1,5 @@
 // Jobs: every pair of states, the line that feeds one job, torn blocks, proving, and the start after a crash.
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -44,6 +45,79 @@ TEST_F(JobTest, RoundTrip) {
   EXPECT_EQ(job.reason, "DC3");
   EXPECT_EQ(job.created_by, "tester");
   EXPECT_FALSE(job.torn);
+}
+
+TEST_F(JobTest, QueuedJobsHaveAnOrderThatPeopleChange) {
+  const Job a = add_job(*store_, "mill-1");
+  const Job b = next_job(a);
+  const Job c = next_job(a);
+  const Job other = add_job(*store_, "mill-2");
+  const auto order = [&] {
+    std::vector<Job> jobs = must(store_->jobs().list({}, {.machine = "mill-1", .state = JobState::queued})).items;
+    std::ranges::sort(jobs, {}, [](const Job& job) { return std::pair(job.rank, job.id); });
+    std::vector<Id> ids;
+    for (const Job& job : jobs) ids.push_back(job.id);
+    return ids;
+  };
+  EXPECT_EQ(order(), (std::vector<Id>{a.id, b.id, c.id}));
+  const auto changed = must(store_->jobs().move_before(c.id, b.id, by("olga")));
+  ASSERT_EQ(changed.size(), 2U);
+  EXPECT_EQ(changed[0].id, c.id);
+  EXPECT_EQ(changed[1].id, b.id);
+  EXPECT_EQ(order(), (std::vector<Id>{a.id, c.id, b.id}));
+  must(store_->jobs().move_before(a.id, 0, by("olga")));
+  EXPECT_EQ(order(), (std::vector<Id>{c.id, b.id, a.id}));
+  EXPECT_TRUE(must(store_->jobs().move_before(a.id, 0, by("olga"))).empty()) << "it is there";
+  const Job d = next_job(a);
+  EXPECT_EQ(order(), (std::vector<Id>{c.id, b.id, a.id, d.id})) << "a new one is the last";
+  must(move(b.id, JobState::armed));
+  EXPECT_EQ(order(), (std::vector<Id>{c.id, a.id, d.id}));
+  EXPECT_EQ(refusal(store_->jobs().move_before(b.id, 0, by("olga"))), ErrorCode::refused_transition);
+  EXPECT_EQ(refusal(store_->jobs().move_before(99, 0, by("olga"))), ErrorCode::not_found);
+  for (const Id wrong : {b.id, c.id, other.id, Id{99}})
+    EXPECT_EQ(refusal(store_->jobs().move_before(c.id, wrong, by("olga"))), ErrorCode::invalid_value) << wrong;
+  must(move(b.id, JobState::queued));
+  EXPECT_EQ(order(), (std::vector<Id>{c.id, b.id, a.id, d.id})) << "a disarmed one keeps its place";
+  EXPECT_EQ(must(store_->jobs().get(other.id)).rank, 1U);
+  std::vector<std::string> audited;
+  for (const AuditRow& row : must(store_->audit().list({}, "job/" + std::to_string(a.id))).items)
+    if (row.entry.action == "job.reorder") audited.push_back(row.by.actor + ": " + row.entry.detail);
+  EXPECT_EQ(audited, (std::vector<std::string>{"olga: to the end"}));
+}
+
+TEST_F(JobTest, WhatWasUsedInATime) {
+  const Job model = add_job(*store_, "mill-1");
+  const auto run = [&](std::int64_t from_ms, std::int64_t to_ms) {
+    const Job job = must(store_->jobs().add({model.release, model.link, 100}, by("anna", from_ms)));
+    must(store_->jobs().move(job.id, {JobState::armed, "", false, 620}, by("olga", from_ms)));
+    must(store_->jobs().move(job.id, {JobState::feeding, "", false}, by("line", from_ms)));
+    const NewLedgerRow row{job.id, {90, 80, 0, 96}, ""};
+    must(store_->ledger().append(std::span(&row, 1), from_ms + 1));
+    if (to_ms == 0) return job.id;
+    must(store_->jobs().move(
+        job.id, {.to = JobState::failed, .reason = "nak: between 1 and 2", .reason_id = "nak", .held_ms = 7},
+        by("line", to_ms)));
+    return job.id;
+  };
+  const Id before = run(2000, 3000);
+  const Id across = run(3500, 4500);
+  const Id after = run(6000, 7000);
+  const Id on = run(7500, 0);
+  const auto ids = [&](std::int64_t from_ms, std::int64_t to_ms) {
+    std::vector<Id> found;
+    for (const JobUse& use : must(store_->jobs().used("mill-1", from_ms, to_ms))) found.push_back(use.job.id);
+    return found;
+  };
+  EXPECT_EQ(ids(4000, 5000), (std::vector<Id>{across}));
+  EXPECT_EQ(ids(0, 9000), (std::vector<Id>{before, across, after, on}));
+  EXPECT_EQ(ids(8000, 9000), (std::vector<Id>{on}));
+  EXPECT_TRUE(must(store_->jobs().used("mill-2", 0, 9000)).empty());
+  const JobUse use = must(store_->jobs().used("mill-1", 4000, 5000)).at(0);
+  EXPECT_EQ(use.clocked, 80U);
+  EXPECT_EQ(use.ledger_at_ms, 3501);
+  EXPECT_EQ(use.job.held_ms, 7);
+  EXPECT_EQ(use.job.reason_id, "nak");
+  EXPECT_EQ(must(store_->jobs().get(on)).held_ms, std::nullopt);
 }
 
 TEST_F(JobTest, EveryOtherStepIsRefused) {

@@ -99,6 +99,8 @@ TEST_F(SchemaTest, EveryOldOneIsReadByThisProgram) {
     EXPECT_EQ(must(store_->audit().verify()).first_broken, std::nullopt);
     const Job job = must(store_->jobs().on_line("mill-1")).value();
     EXPECT_EQ(job.state, JobState::held);
+    EXPECT_EQ(job.rank, migration.version >= 8 ? 1U : 0U);
+    EXPECT_EQ(job.held_ms, std::nullopt);
     EXPECT_EQ(must(store_->ledger().interval(job.id)).high, 96U);
     EXPECT_EQ(must(store_->ledger().verify(job.id)), 1U);
     must(store_->contents().verify(job.text_sha256));
