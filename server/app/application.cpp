@@ -62,6 +62,7 @@ Application::Application(const Environment& environment)
       books_(store_, lines_, events_, alarms_, clock_, environment.ballast),
       catalog_(store_, lines_, events_, clock_, documents_),
       programs_(store_, clock_, documents_, environment.ballast, environment.workers),
+      line_reading_(store_),
       checking_(store_, events_, clock_, documents_, environment.workers),
       jobs_(store_, lines_, books_, events_, clock_, documents_),
       receiving_({store_, lines_, jobs_, programs_, events_, alarms_, clock_, documents_}) {}
@@ -109,9 +110,10 @@ std::optional<TornBlock> torn_by_line(const LineFacts& facts) {
   // A job that waits on such a line is cancelled first; a person sees it on the line until then.
   const LineState state = facts.report.state;
   const bool is_free = state == LineState::idle || state == LineState::disconnected;
-  if (is_free && !facts.why_refused.empty()) return TornBlock{.text = facts.why_refused};
+  if (is_free && !facts.why_refused.empty()) return TornBlock{.text = facts.why_refused, .reason_id = "line_record"};
   if (state != LineState::torn) return std::nullopt;
-  return TornBlock{.text = facts.why_torn.empty() ? "a block broke off on this line" : facts.why_torn};
+  return TornBlock{.text = facts.why_torn.empty() ? "a block broke off on this line" : facts.why_torn,
+                   .reason_id = "line_torn"};
 }
 
 }  // namespace

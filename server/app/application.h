@@ -11,6 +11,7 @@
 #include "server/app/jobs.h"
 #include "server/app/lines.h"
 #include "server/app/ports/ports.h"
+#include "server/app/program_lines.h"
 #include "server/app/programs.h"
 #include "server/app/receiving.h"
 #include "store/store.h"
@@ -75,6 +76,7 @@ class Application {
   Alarms& alarms() { return alarms_; }
   Catalog& catalog() { return catalog_; }
   Programs& programs() { return programs_; }
+  LineReading& line_reading() { return line_reading_; }
   Checking& checking() { return checking_; }
   Jobs& jobs() { return jobs_; }
   Receiving& receiving() { return receiving_; }
@@ -92,6 +94,7 @@ class Application {
   Books books_;
   Catalog catalog_;
   Programs programs_;
+  LineReading line_reading_;
   Checking checking_;
   Jobs jobs_;
   Receiving receiving_;

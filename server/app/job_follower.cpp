@@ -91,6 +91,12 @@ bool has_line(LineState state) {
 
 bool is_down(const LineReport& report) { return report.state == LineState::disconnected || !report.link_error.empty(); }
 
+// Lines that have a time of a character count their holds; a folder and a block transfer do not.
+std::optional<std::int64_t> held_ms_of(const LineReport& report) {
+  if (report.char_s <= 0.0) return std::nullopt;
+  return static_cast<std::int64_t>(report.hold_s * 1e3);
+}
+
 std::string_view machine_state(const LineReport& report) {
   return report.machine ? report.machine->state : std::string_view();
 }
@@ -276,7 +282,10 @@ void JobFollower::move(Followed& followed, store::JobState to, const LineReport&
   const bool disarms = to == store::JobState::queued;
   const store::JobMove step{.to = to,
                             .reason = ends || disarms ? reason_of(report) : std::string(report.stall),
-                            .torn = ends && report.state == LineState::torn};
+                            .torn = ends && report.state == LineState::torn,
+                            .expires_at_ms = 0,
+                            .reason_id = reason_id_of(report),
+                            .held_ms = ends ? held_ms_of(report) : std::nullopt};
   const auto moved = store_.jobs().move(followed.job.id, step, {std::string(kActor), clock_.wall_ms()});
   if (!moved) {
     spdlog::error("job {}: {}", followed.job.id, store::message_of(moved.error()));

@@ -32,6 +32,11 @@ std::string reason_of(const LineReport& report) {
   return reason;
 }
 
+std::string reason_id_of(const LineReport& report) {
+  const bool over = report.end != JobEnd::none && report.end != JobEnd::done;
+  return std::string(over ? cause_of(report) : report.stall);
+}
+
 std::string new_alarm(const LineReport& report, const LineReport& last) {
   if (!report.machine || report.machine->alarm == 0) return {};
   if (last.machine && last.machine->alarm == report.machine->alarm) return {};

@@ -208,9 +208,13 @@ Result<store::Job> Jobs::arm(store::Id id, std::optional<double> given, std::str
     return fail(ErrorCode::refused, fmt::format("machine {} has no line", named->machine));
   const double minutes = given.value_or(arming->profile.line.arming_minutes);
   const std::int64_t expires_at_ms = clock_.wall_ms() + static_cast<std::int64_t>(minutes * 60e3);
-  auto armed = lift(store_.jobs().move(
-      id, {.to = store::JobState::armed, .reason = "armed", .torn = false, .expires_at_ms = expires_at_ms},
-      stamp(actor)));
+  auto armed = lift(store_.jobs().move(id,
+                                       {.to = store::JobState::armed,
+                                        .reason = "armed",
+                                        .torn = false,
+                                        .expires_at_ms = expires_at_ms,
+                                        .reason_id = "armed"},
+                                       stamp(actor)));
   if (!armed) return armed;
   // Nothing is reserved before the control's start: of a job that was only armed the ledger proves that nothing left.
   const std::string armed_text = rounds == 1 ? "armed" : fmt::format("armed for {} rounds", rounds);
@@ -249,8 +253,8 @@ Result<void> Jobs::put_on_line(const Arming& arming, double minutes, std::uint32
 
 // Nothing went out: the job waits again, and the caller hears why.
 Result<store::Job> Jobs::disarm_after(const store::Job& job, const std::string& why, std::string_view actor) {
-  const auto moved =
-      store_.jobs().move(job.id, {.to = store::JobState::queued, .reason = why, .torn = false}, stamp(actor));
+  const auto moved = store_.jobs().move(
+      job.id, {.to = store::JobState::queued, .reason = why, .torn = false, .reason_id = "not_armed"}, stamp(actor));
   if (moved) publish(*moved, why);
   return fail(ErrorCode::refused, fmt::format("{} cannot be armed: {}", job.machine, why));
 }
@@ -319,10 +323,18 @@ Result<store::Job> Jobs::cancel(store::Id id, std::string_view actor) {
 }
 
 Result<store::Job> Jobs::cancel_queued(const store::Job& job, std::string_view actor) {
-  auto moved = lift(store_.jobs().move(job.id, {.to = store::JobState::cancelled, .reason = "cancelled", .torn = false},
-                                       stamp(actor)));
+  auto moved = lift(store_.jobs().move(
+      job.id, {.to = store::JobState::cancelled, .reason = "cancelled", .torn = false, .reason_id = "cancelled"},
+      stamp(actor)));
   if (moved) publish(*moved, fmt::format("cancelled by {}", actor));
   return moved;
+}
+
+Result<store::Job> Jobs::move_before(store::Id id, store::Id before, std::string_view actor) {
+  const auto changed = lift(store_.jobs().move_before(id, before, stamp(actor)));
+  if (!changed) return std::unexpected(changed.error());
+  for (const store::Job& job : *changed) publish(job, fmt::format("reordered by {}", actor));
+  return lift(store_.jobs().get(id));
 }
 
 Result<store::Job> Jobs::resume(store::Id id, std::string_view reason, std::string_view actor) {

@@ -34,6 +34,9 @@ class Jobs {
   // At a block end: the feed stops and waits / is over. A queued job is cancelled at once.
   Result<store::Job> stop(store::Id job, std::string_view actor);
   Result<store::Job> cancel(store::Id job, std::string_view actor);
+  // Queued jobs have an order that people make; nothing is armed by it. Before another one of its machine, or to the
+  // end for 0. Errors: not_found, refused (not queued), invalid.
+  Result<store::Job> move_before(store::Id job, store::Id before, std::string_view actor);
   // A stopped job goes on; a held one goes on "as if DC1" had come, with the reason in the ledger and the audit.
   Result<store::Job> resume(store::Id job, std::string_view reason, std::string_view actor);
   // The books follow the lines now: a job that its line ended is not armed in the store any more.

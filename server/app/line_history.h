@@ -14,8 +14,9 @@ namespace dripfeed::app {
 
 // A block that may be torn at the control, until a person confirms that it was reset.
 struct TornBlock {
-  store::Id job = 0;  // 0: an answer to the operator, or another program on the line
-  std::string text;   // why
+  store::Id job = 0;        // 0: an answer to the operator, or another program on the line
+  std::string text;         // why
+  std::string reason_id{};  // why as one word or name: the job's, "answer_torn", "line_record" or "line_torn"
 };
 
 struct LineHistory {

@@ -130,6 +130,16 @@ std::expected<store::PageRequest, Response> page_of(const Request& request) {
   return page;
 }
 
+std::expected<std::uint64_t, Response> number_of(const Request& request, const std::string& name,
+                                                 std::uint64_t standard, std::uint64_t low, std::uint64_t high) {
+  const auto given = request.query.find(name);
+  if (given == request.query.end()) return standard;
+  std::uint64_t number = 0;
+  if (!read_number(given->second, number) || number < low || number > high)
+    return std::unexpected(problem_response(422, fmt::format("{} must be from {} to {}", name, low, high)));
+  return number;
+}
+
 std::expected<store::Id, Response> id_of(std::string_view text) {
   constexpr store::Id kMostId = INT64_MAX;  // of a row
   store::Id id = 0;

@@ -93,6 +93,9 @@ Response with_revision(Response response, std::uint64_t revision);
 std::expected<std::uint64_t, Response> expected_revision(const Request& request);
 // ?limit= and &after=.
 std::expected<store::PageRequest, Response> page_of(const Request& request);
+// A number in the query, from `low` to `high`; `standard` where it is not given; or 422.
+std::expected<std::uint64_t, Response> number_of(const Request& request, const std::string& name,
+                                                 std::uint64_t standard, std::uint64_t low, std::uint64_t high);
 // An id in the path; or 404.
 std::expected<store::Id, Response> id_of(std::string_view text);
 

@@ -53,6 +53,17 @@ Response change_machine(const Call& call) {
   return with_revision(json_response(200, machine_json(app, *machine)), machine->revision);
 }
 
+Response get_utilisation(const Call& call) {
+  constexpr std::uint64_t kMostDays = 90;
+  const auto days = number_of(call.request, "days", 7, 1, kMostDays);
+  if (!days) return days.error();
+  app::Application& app = call.api.application();
+  const auto used =
+      app::utilisation(app.store(), call.parameters[0], static_cast<std::uint32_t>(*days), app.clock().wall_ms());
+  if (!used) return problem_response(used.error());
+  return json_response(200, json::utilisation(*used));
+}
+
 Response confirm_reset(const Call& call) {
   const auto body = json::read_reason_body(call.request.body, true);
   if (!body) return problem_response(body.error());

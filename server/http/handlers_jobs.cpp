@@ -121,6 +121,14 @@ Response arm_job(const Call& call) {
   return job_response(app.jobs().arm(*id, arming->minutes, call.user, arming->rounds));
 }
 
+Response move_job(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  const auto before = json::read_move_body(call.request.body);
+  if (!before) return problem_response(before.error());
+  return job_response(call.api.application().jobs().move_before(*id, before->before.value_or(0), call.user));
+}
+
 Response stop_job(const Call& call) {
   const auto id = id_of(call.parameters[0]);
   if (!id) return id.error();

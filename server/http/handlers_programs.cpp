@@ -83,6 +83,23 @@ Response get_program_text(const Call& call) {
   return with_revision(std::move(response), revision->revision);
 }
 
+Response get_program_lines(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  const auto wanted = revision_of(call.request);
+  if (!wanted) return wanted.error();
+  const auto from = number_of(call.request, "from", 1, 1, INT64_MAX / 2);
+  if (!from) return from.error();
+  const auto count = number_of(call.request, "count", 50, 1, app::LineReading::kMost);
+  if (!count) return count.error();
+  app::Application& app = call.api.application();
+  const auto revision = find_revision(app.store(), *id, *wanted);
+  if (!revision) return problem_response(app::from_store(revision.error()));
+  const auto found = app.line_reading().lines(*revision, *from, static_cast<std::uint32_t>(*count));
+  if (!found) return problem_response(found.error());
+  return with_revision(json_response(200, json::program_lines(*from, *found)), revision->revision);
+}
+
 Response list_revisions(const Call& call) {
   const auto id = id_of(call.parameters[0]);
   if (!id) return id.error();

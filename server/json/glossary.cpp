@@ -35,6 +35,7 @@ constexpr GlossaryRow kRows[] = {
     {"note", "for the record; of an approval the sign-off"},
     {"transfers", "that may be made while it is proved; needed for proving"},
     {"release", "id of the release"},
+    {"before", "id of the queued job of the same machine that it goes in front of; null, or not given: to the end"},
     {"Shelve/minutes", "for which it asks for nobody"},
     {"minutes", "until the arming ends by itself; not given: the profile's"},
     {"rounds", "how often the text is sent; each waits for the control's own start"},

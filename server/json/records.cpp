@@ -21,14 +21,20 @@ Document machine_document(const std::optional<app::MachineReport>& machine) {
 
 Document status_document(const app::MachineStatus& status) {
   const app::LineReport& r = status.report;
+  // The kinds of the alarms that say the same.
+  const app::AlarmKind note = r.link_note == app::kFloodNote ? app::AlarmKind::line_flooded : app::AlarmKind::link_note;
+  const std::string_view note_id = r.link_note.empty() ? std::string_view() : app::row_of(note).name;
   Document waits = nullptr;
   if (status.needs_confirmation)
-    waits = {{"job", id_or_null(status.needs_confirmation->job)}, {"text", status.needs_confirmation->text}};
+    waits = {{"job", id_or_null(status.needs_confirmation->job)},
+             {"text", status.needs_confirmation->text},
+             {"reason_id", text_or_null(status.needs_confirmation->reason_id)}};
   return {{"line", app::name_of(r.state)},
           {"stall", text_or_null(r.stall)},
           {"stop_wanted", r.stop_wanted},
           {"link_error", text_or_null(r.link_error)},
           {"link_note", text_or_null(r.link_note)},
+          {"link_note_id", text_or_null(note_id)},
           {"line_errors",
            {{"parity", r.line_errors.parity},
             {"framing", r.line_errors.framing},
@@ -107,6 +113,8 @@ Document job_document(const store::Job& job) {
           {"link", job.link},
           {"bytes", job.bytes_total},
           {"reason", job.reason},
+          {"reason_id", text_or_null(job.reason_id)},
+          {"rank", job.rank},
           {"created_by", job.created_by},
           {"created_at_ms", job.created_at_ms},
           {"armed_by", text_or_null(job.armed_by)},
@@ -380,6 +388,47 @@ std::string alarm(const store::Alarm& alarm) {
                {"shelved_until_ms", time_or_null(alarm.shelved_until_ms)},
                {"shelf_reason", text_or_null(alarm.shelf_reason)},
                {"job", id_or_null(alarm.job)}});
+}
+
+namespace {
+
+Document line_document(const app::ProgramLine& line) {
+  Document document = {{"line", line.line},
+                       {"text", line.text},
+                       {"family_line", nullptr},
+                       {"family_text", nullptr},
+                       {"values", nullptr}};
+  if (line.family_line) document["family_line"] = *line.family_line;
+  if (line.family_text) document["family_text"] = *line.family_text;
+  if (!line.values) return document;
+  Document values = Document::object();
+  for (const auto& [name, value] : *line.values) values[name] = value;
+  document["values"] = std::move(values);
+  return document;
+}
+
+}  // namespace
+
+std::string program_lines(std::uint64_t from, const app::ProgramLines& found) {
+  Document lines = Document::array();
+  for (const app::ProgramLine& line : found.lines) lines.push_back(line_document(line));
+  return dump({{"from", from}, {"count_all", found.count_all}, {"lines", std::move(lines)}});
+}
+
+std::string utilisation(std::span<const app::DayOfUse> days) {
+  Document all = Document::array();
+  for (const app::DayOfUse& day : days) {
+    all.push_back({{"day", day.day},
+                   {"from_ms", day.from_ms},
+                   {"to_ms", day.to_ms},
+                   {"feeding_s", day.feeding_s},
+                   {"held_s", day.held_s ? Document(*day.held_s) : Document(nullptr)},
+                   {"jobs_done", day.jobs_done},
+                   {"jobs_failed", day.jobs_failed},
+                   {"jobs_cancelled", day.jobs_cancelled},
+                   {"bytes", day.bytes}});
+  }
+  return dump({{"days", std::move(all)}});
 }
 
 std::string session(std::string_view name, std::string_view role) { return dump({{"name", name}, {"role", role}}); }

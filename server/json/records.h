@@ -11,6 +11,7 @@
 #include "dialects/compile/render.h"
 #include "server/app/application.h"
 #include "server/app/ports/workplace.h"
+#include "server/app/utilisation.h"
 
 namespace dripfeed::json {
 
@@ -42,6 +43,8 @@ std::string receipt(const store::Receipt& receipt, const std::optional<app::Stor
 std::string request(const store::Request& request);
 // `id` is null while the store could not take it yet.
 std::string alarm(const store::Alarm& alarm);
+std::string program_lines(std::uint64_t from, const app::ProgramLines& found);
+std::string utilisation(std::span<const app::DayOfUse> days);
 std::string ledger(std::span<const store::LedgerRow> rows, std::string_view next, const store::LedgerInterval& interval,
                    bool confirms);
 // A stored verdict: the report's members with the verdict's own.

@@ -154,6 +154,8 @@ void read_members(ObjectReader& o, ArmBody& into) {
   o.integer("rounds", into.rounds, 1, feed::kMaxRounds);
 }
 
+void read_members(ObjectReader& o, MoveBody& into) { o.integer("before", into.before, 1, kMaxId); }
+
 void read_members(ObjectReader& o, ShelveBody& into) {
   constexpr std::int64_t kLongest_min = 480;  // a shift
   o.integer("minutes", into.minutes, 1, kLongest_min, true);
@@ -211,6 +213,7 @@ app::Result<app::AcceptOrder> read_accept_body(std::string_view body) {
 }
 app::Result<JobBody> read_job_body(std::string_view body) { return read_body<JobBody>(body); }
 app::Result<ArmBody> read_arm_body(std::string_view body) { return read_body<ArmBody>(or_empty(body)); }
+app::Result<MoveBody> read_move_body(std::string_view body) { return read_body<MoveBody>(body); }
 app::Result<ShelveBody> read_shelve_body(std::string_view body) { return read_body<ShelveBody>(body); }
 app::Result<SessionBody> read_session_body(std::string_view body) { return read_body<SessionBody>(body); }
 
@@ -231,6 +234,7 @@ Schemas request_schemas() {
       described<store::ReleaseMove>("ReleaseMove", read_members, "one step of a release"),
       described<JobBody>("NewJob", read_members, "which release is transferred"),
       described<ArmBody>("ArmOrder", read_members, "how a job is armed"),
+      described<MoveBody>("Move", read_members, "the new place of a queued job"),
       described<ShelveBody>("Shelve", read_members, "for how long an alarm asks for nobody"),
       described<ReasonBody>("Reason", read_reason, "why a person does it"),
       described<ReasonBody>("OptionalReason", read_optional_reason, "why a person does it, if they say so"),

@@ -85,6 +85,12 @@ struct ShelveBody {
 };
 app::Result<ShelveBody> read_shelve_body(std::string_view body);
 
+// The job before which another one is moved.
+struct MoveBody {
+  std::optional<store::Id> before;  // nothing: to the end
+};
+app::Result<MoveBody> read_move_body(std::string_view body);
+
 struct SessionBody {
   std::string token;
 };

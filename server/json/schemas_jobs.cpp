@@ -40,7 +40,9 @@ Schema job() {
               {"delivery", delivery()},
               {"link", text("URL of the line")},
               {"bytes", integer("of the transfer on the wire; 0: not known yet")},
-              {"reason", text("of the last change of its state; empty: none")}} +
+              {"reason", text("of the last change of its state; empty: none")},
+              {"reason_id", or_null(text("the same as one word or the name of a stall; null: there is none"))},
+              {"rank", integer("queued jobs of a machine go in this order, equal ones by id")}} +
           created() +
           Members{{"armed_by", or_null(text("who armed it last"))},
                   {"armed_at_ms", or_null(time_ms("when it was armed last"))},

@@ -56,6 +56,7 @@ Members line_report() {
       {"stop_wanted", flag("a person's stop is in force, reached or not")},
       {"link_error", or_null(text("why the link is down"))},
       {"link_note", or_null(text("of a link that is up: what its device server did not confirm"))},
+      {"link_note_id", or_null(text("which kind of note it is"))},
       {"line_errors", line_errors()},
       {"asks_since_ms", or_null(time_ms("since when the control asks for a program while nothing is armed"))},
       {"asks", integer("how often it has asked since then")},
@@ -80,7 +81,8 @@ Members line_report() {
 Schema torn_block() {
   return object("a block that broke off: nothing is sent until a person confirms that the control was reset",
                 {{"job", or_null(integer("whose block it is; null: of an answer, or of another program on the line"))},
-                 {"text", text("one sentence for a person")}});
+                 {"text", text("one sentence for a person")},
+                 {"reason_id", or_null(text("which kind of reason it is; null: none is known"))}});
 }
 
 Members head() { return {{"name", text("of the machine")}, {"revision", integer("of its profile, from 1")}}; }
@@ -100,6 +102,19 @@ Schemas machine_schemas() {
                                                                {"kind", one_of(kKindWords, "of machine")},
                                                                {"link", text("URL of its line")},
                                                                {"status", reference("MachineStatus")}})},
+      {"Utilisation",
+       object("how a machine's line was used",
+              {{"days", list_of(object("a day by the server's clock",
+                                       {{"day", text("as 2026-11-24")},
+                                        {"from_ms", time_ms("its begin")},
+                                        {"to_ms", time_ms("its end")},
+                                        {"feeding_s", number("while a job was on the line, in seconds")},
+                                        {"held_s", or_null(number("of it, held by the control; null: not known"))},
+                                        {"jobs_done", integer("that ended on this day")},
+                                        {"jobs_failed", integer("that ended on this day")},
+                                        {"jobs_cancelled", integer("that ended on this day")},
+                                        {"bytes", bytes("of jobs that ended on this day")}}),
+                                "oldest first")}})},
       {"EventMachine", object("a machine's profile or the stall of its line has changed",
                               {{"name", text("of the machine")}, {"stall", reference("Stall"), kOptional}})},
       {"EventProgress", object("where a machine's line stands; at most five times a second",

@@ -21,6 +21,7 @@ NOT_THERE = [
     ("GET", "/releases/99", None), ("POST", "/releases/99/transitions", {"to": "in_review"}), ("POST", "/jobs", {"release": 99}), ("GET", "/jobs/99", None),
     ("POST", "/jobs/99/arm", {}), ("POST", "/jobs/99/stop", {}), ("POST", "/jobs/99/cancel", {}), ("POST", "/jobs/99/resume", {"reason": "x"}), ("GET", "/jobs/99/ledger", None),
     ("GET", "/alarms/99", None), ("POST", "/alarms/99/acknowledge", {}), ("POST", "/alarms/99/shelve", {"minutes": 1, "reason": "x"}), ("POST", "/alarms/99/unshelve", {}),
+    ("GET", "/programs/99/lines", None), ("GET", "/programs/1/lines?revision=9", None), ("GET", "/machines/nobody/utilisation", None), ("POST", "/jobs/99/move", {"before": None}),
     # What is no id at all.
     ("GET", "/jobs/one", None), ("GET", "/jobs/0", None), ("GET", "/jobs/-1", None), ("GET", "/jobs/1.0", None), ("GET", "/jobs/18446744073709551615", None),
     ("GET", "/jobs/18446744073709551617", None), ("GET", "/jobs/1/", None), ("GET", "/jobs//ledger", None), ("GET", "/api/v2/jobs", None), ("GET", "/assets/none.js", None),
@@ -71,7 +72,8 @@ BODIES = [  # the route, a body that is fine but for one thing, the place that t
     ("POST", "/alarms/1/shelve", {"reason": "x"}, "/minutes"), ("POST", "/alarms/1/shelve", {"minutes": 0, "reason": "x"}, "/minutes"),
     ("POST", "/alarms/1/shelve", {"minutes": 481, "reason": "x"}, "/minutes"), ("POST", "/alarms/1/shelve", {"minutes": 1}, "/reason"),
     ("POST", "/alarms/1/shelve", {"minutes": 1, "reason": ""}, "/reason"), ("POST", "/alarms/1/shelve", {"minutes": 1, "reason": "x", "until": 2}, "/until"),
-    ("POST", "/jobs/1/resume", {"reason": 1}, "/reason"), ("POST", "/machines/lathe/confirm-reset", {"reason": []}, "/reason"),
+    ("POST", "/jobs/1/move", {"before": "1"}, "/before"), ("POST", "/jobs/1/move", {"before": 0}, "/before"), ("POST", "/jobs/1/move", {"before": -1}, "/before"),
+    ("POST", "/jobs/1/move", {"before": 2**64}, "/before"), ("POST", "/jobs/1/resume", {"reason": 1}, "/reason"), ("POST", "/machines/lathe/confirm-reset", {"reason": []}, "/reason"),
 ]
 PROFILES = [  # one member of the profile, its wrong value, the place
     ("name", "", "/name"), ("name", 5, "/name"), ("name", "..", "/name"), ("name", "a\nb", "/name"), ("dialect", "klingon", "/dialect"), ("kind", "boat", "/kind"), ("axes", [], "axes"),
@@ -79,7 +81,8 @@ PROFILES = [  # one member of the profile, its wrong value, the place
     ("link.framing", "9E9", "/link/framing"), ("link.unsent", 40, "/link"), ("link.bawd", 1, "/link/bawd"), ("link.start", "now", "/link/start"),
 ]
 QUERIES = [  # wrong questions
-    ("/machines?limit=0", 422), ("/parts?limit=201", 422), ("/programs?limit=-1", 422), ("/checks?limit=many", 422), ("/releases?limit=", 422), ("/jobs?limit=1e2", 422), ("/jobs?state=asleep", 422), ("/alarms?state=asleep", 422), ("/alarms?after=x", 422), ("/alarms?limit=0", 422), ("/jobs?machin=lathe", 400), ("/programs/1?revision=1", 400),
+    ("/machines?limit=0", 422), ("/parts?limit=201", 422), ("/programs?limit=-1", 422), ("/checks?limit=many", 422), ("/releases?limit=", 422), ("/jobs?limit=1e2", 422), ("/jobs?state=asleep", 422), ("/alarms?state=asleep", 422), ("/alarms?after=x", 422), ("/programs/1/lines?count=0", 422), ("/programs/1/lines?count=201", 422), ("/programs/1/lines?from=0", 422), ("/programs/1/lines?from=x", 422),
+    ("/machines/lathe/utilisation?days=0", 422), ("/machines/lathe/utilisation?days=91", 422), ("/alarms?limit=0", 422), ("/jobs?machin=lathe", 400), ("/programs/1?revision=1", 400),
     ("/programs?after=x", 422), ("/checks?after=-1", 422), ("/releases?after=1.5", 422), ("/jobs?after=99999999999999999999", 422), ("/programs/1/revisions?after=x", 422),
     ("/programs?name=%zz", 400), ("/machines/%", 400), ("/machines/%00", 400), ("/../etc/passwd", 400), ("/machines/%2e%2e/x", 400),
 ]

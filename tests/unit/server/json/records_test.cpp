@@ -96,7 +96,7 @@ TEST(Records, TheStateOfALine) {
   EXPECT_THAT(
       text,
       HasSubstr(
-          R"("line":"held","stall":"held by DC3","stop_wanted":false,"link_error":null,"link_note":null,)"
+          R"("line":"held","stall":"held by DC3","stop_wanted":false,"link_error":null,"link_note":null,"link_note_id":null,)"
           R"("line_errors":{"parity":0,"framing":0,"overrun":0,"breaks":0},"asks_since_ms":null,"asks":0,"job":7,"handed":50)"));
   EXPECT_THAT(text, HasSubstr(R"("block_from":3,"block":4)"));
   EXPECT_THAT(text, HasSubstr(R"("program":"O1","block_text":"G1X1.","needs_confirmation":null)"));
@@ -104,7 +104,11 @@ TEST(Records, TheStateOfALine) {
   status.report.machine = {.state = "alarm", .program = 42, .line = 17, .alarm = 1010};
   EXPECT_THAT(machine_status(status),
               HasSubstr(R"("plc":{"state":"alarm","program":42,"line":17,"alarm":1010},"program":"O1")"));
-  status.needs_confirmation = app::TornBlock{7, a_job().reason};
+  status.needs_confirmation = app::TornBlock{7, a_job().reason, "syn"};
+  status.report.link_note = "doorbell 3 was missed";
+  EXPECT_THAT(machine_status(status), HasSubstr(R"("link_note":"doorbell 3 was missed","link_note_id":"link_note")"));
+  status.report.link_note = app::kFloodNote;
+  EXPECT_THAT(machine_status(status), HasSubstr(R"("link_note_id":"line_flooded")"));
   EXPECT_THAT(machine_status(status), HasSubstr(R"("needs_confirmation":{"job":7,"text":"syn: between)"));
 }
 
