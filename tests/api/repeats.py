@@ -6,7 +6,7 @@ import sys
 from client import LISTS, ROLL, Client, HandControl, expect, hand_profile, in_folder, plain_program
 
 
-ONLY_FROM_A_CONTROL = ("receipts", "requests")  # their pages are walked where a control makes some: receipts.py
+ONLY_FROM_A_CONTROL = {"receipts", "requests", "alarms"}  # their pages are walked by receipts.py and alarms.py
 
 
 def changes(profile):
