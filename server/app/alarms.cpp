@@ -84,7 +84,6 @@ Alarms::Alarms(store::Store& store, Events& events, const Clock& clock)
 // ------------------------------------------------------------------------------------------------------------------
 
 void Alarms::raise(const std::string& machine, AlarmKind kind, std::string text, store::Id job) {
-  spdlog::warn("{}: {}", machine, text);
   const std::int64_t at_ms = clock_.wall_ms();
   {
     const std::lock_guard lock(mutex_);
@@ -94,7 +93,10 @@ void Alarms::raise(const std::string& machine, AlarmKind kind, std::string text,
       text = kMore;
       known = std::ranges::find(pending.raised, text, &Raised::text);
     }
-    if (known == pending.raised.end()) known = pending.raised.insert(known, Raised{.text = text, .job = job});
+    if (known == pending.raised.end()) {
+      spdlog::warn("{}: {}", machine, text);  // once between two writes, however often it comes
+      known = pending.raised.insert(known, Raised{.text = text, .job = job});
+    }
     ++known->count;
     known->at_ms = at_ms;
     pending.is_over = false;

@@ -70,9 +70,12 @@ def feeds_go_on(folder):
         counts = [control.count() for control in controls]
         sent = flood.sent
         named = server.status("lathe")
+        alarms = server.get("/alarms?state=open&machine=lathe")["items"]
         print(f"flood {sent / SECONDS / 1e6:.2f} MB/s taken; worst delay {max(worst_ms):.1f} ms; characters {min(counts)} to {max(counts)}")
         expect(max(worst_ms) < LONGEST_MS, f"a feed waited {max(worst_ms):.1f} ms for a line that floods")
         expect("floods the line" in named.get("link_note", ""), f"nobody names the line that floods: {named}")
+        expect(named["link_note_id"] == "line_flooded" and [one["kind"] for one in alarms] == ["line_flooded"], f"the flood is no alarm, or not the only one: {named} {alarms}")
+        expect(alarms[0]["cleared_at_ms"] is None and alarms[0]["count"] == 1, f"a flood that lasts is one alarm that lasts: {alarms}")
     finally:
         flood.stop()
         server.kill()
