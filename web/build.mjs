@@ -1,10 +1,13 @@
-// Builds the page: one script and one style sheet with fixed names, flat in dist/assets, and index.html beside them.
+// Builds the page into dist: index.html, and beside it dist/assets with names that carry a hash of the content, each
+// text file compressed as .br and .gz as well.
 //   node build.mjs           the page, minified
 //   node build.mjs --watch   the page, again after each change
 //   node build.mjs --tests   the unit tests, each as one file that node runs
-import { copyFile, mkdir, readdir, rm } from 'node:fs/promises';
+import { mkdir, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
+import { brotliCompress, constants, gzip } from 'node:zlib';
 import * as esbuild from 'esbuild';
 
 const root = path.dirname(fileURLToPath(import.meta.url));
@@ -28,20 +31,68 @@ async function buildTests() {
   });
 }
 
+// The page names what was built: the script, the sheet, the icon and the worker that the script starts.
+async function writePage(outputs) {
+  const builtFrom = (source) => {
+    const found = Object.entries(outputs).find(([, output]) => output.entryPoint === source);
+    if (!found) throw new Error(`${source} was not built`);
+    return found;
+  };
+  const asset = (file) => `/assets/${path.basename(file)}`;
+  const [script, { cssBundle }] = builtFrom('src/main.tsx');
+  const [worker] = builtFrom('src/live/worker.ts');
+  const icon = Object.keys(outputs).find((file) => file.endsWith('.svg'));
+  const places = { script, style: cssBundle, worker, icon };
+  let page = await readFile(at('src', 'index.html'), 'utf8');
+  for (const [name, file] of Object.entries(places)) {
+    if (!file || !page.includes(`{${name}}`)) throw new Error(`index.html: no place or no file for {${name}}`);
+    page = page.replaceAll(`{${name}}`, asset(file));
+  }
+  await writeFile(at('dist', 'index.html'), page);
+}
+
+const kTexts = /\.(?:js|css|svg|html)$/;
+
+async function compress(folder) {
+  const pack = { br: promisify(brotliCompress), gz: promisify(gzip) };
+  for (const name of await readdir(folder)) {
+    if (!kTexts.test(name)) continue;
+    const text = await readFile(path.join(folder, name));
+    const hard = { params: { [constants.BROTLI_PARAM_QUALITY]: 11 } };
+    await writeFile(path.join(folder, `${name}.br`), await pack.br(text, hard));
+    await writeFile(path.join(folder, `${name}.gz`), await pack.gz(text, { level: 9 }));
+  }
+}
+
+const finish = {
+  name: 'finish',
+  setup(build) {
+    build.onEnd(async (result) => {
+      if (!result.metafile) return;
+      await writePage(result.metafile.outputs);
+      await compress(at('dist', 'assets'));
+    });
+  },
+};
+
 async function buildPage(watch) {
-  const out = at('dist', 'assets');
   await rm(at('dist'), { recursive: true, force: true });
-  await mkdir(out, { recursive: true });
-  await copyFile(at('src', 'index.html'), at('dist', 'index.html'));
-  await copyFile(at('src', 'icon.svg'), path.join(out, 'icon.svg'));
+  await mkdir(at('dist', 'assets'), { recursive: true });
   const options = {
     ...common,
-    entryPoints: { app: at('src', 'main.tsx') },
-    outdir: out,
+    entryPoints: { app: 'src/main.tsx', live: 'src/live/worker.ts', icon: 'src/icon.svg' },
+    outdir: at('dist', 'assets'),
+    entryNames: '[name]-[hash]',
+    chunkNames: '[name]-[hash]',
+    assetNames: '[name]-[hash]',
+    loader: { '.svg': 'copy' },
     format: 'esm',
+    splitting: true,
+    metafile: true,
     minify: !watch,
     sourcemap: 'linked',
     legalComments: 'none',
+    plugins: [finish],
   };
   if (!watch) return esbuild.build(options);
   return (await esbuild.context(options)).watch();

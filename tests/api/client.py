@@ -188,6 +188,7 @@ class HandControl:
         self.listener = socket.create_server(("127.0.0.1", 0))
         self.url = f"tcp://127.0.0.1:{self.listener.getsockname()[1]}"
         self.link, self.got, self.calls, self.lock = None, bytearray(), 0, threading.Lock()
+        self.gaps_s = None  # pauses between what arrived, where a test wants them
         threading.Thread(target=self._accept, daemon=True).start()
 
     def _accept(self):
@@ -202,9 +203,14 @@ class HandControl:
 
     def _read(self, link):
         try:
+            before = time.monotonic()
             while piece := link.recv(4096):
+                now = time.monotonic()
                 with self.lock:
                     self.got += piece
+                    if self.gaps_s is not None:
+                        self.gaps_s.append(now - before)
+                before = now
         except OSError:
             pass  # cut by the test
 

@@ -1,66 +1,87 @@
 // The page: sign-in or the signed-in views, chosen by the address.
 import { useEffect, useRef } from 'preact/hooks';
-import type { Session } from './api/types';
-import { useRoute, type Route } from './route';
-import type { State } from './state/state';
-import { useStore, type Store } from './state/store';
-import type { Sync } from './state/sync';
-import { Alarms } from './views/alarms';
-import { DeskContext } from './views/context';
+import { t } from './i18n/i18n';
+import { DialogHost } from './parts/dialog';
+import { ErrorBoundary } from './parts/error_boundary';
+import { rememberedScroll, route, type Route } from './router';
+import { connection, loaded, loadError, session } from './state/shop';
+import { AlarmsView } from './views/alarms/alarms_view';
+import { asking } from './views/alarms/tray';
+import { FloorView } from './views/floor/floor_view';
 import { Header } from './views/header';
 import { JobView } from './views/job_view';
 import { JobsView } from './views/jobs_view';
-import { MachinesView } from './views/machines_view';
+import { MachineView } from './views/machine/machine_view';
+import { NotFound } from './views/not_found';
 import { ReceivedView } from './views/received_view';
 import { ReleasesView } from './views/releases_view';
 import { SignIn } from './views/sign_in';
 
-interface Props {
-  store: Store;
-  sync: Sync;
+export function App() {
+  if (session.value === 'unknown') return <p class="waiting">{t('connection.connecting')}</p>;
+  if (session.value === 'none') return <SignIn />;
+  return <Desk />;
 }
 
-export function App({ store, sync }: Props) {
-  const state = useStore(store);
-  if (state.session === 'unknown') return <p class="waiting">Connecting…</p>;
-  if (state.session === 'none') return <SignIn sync={sync} because={state.signedOutBecause} />;
-  return <Desk store={store} sync={sync} state={state} session={state.session} />;
-}
-
-function Desk({ store, sync, state, session }: Props & { state: State; session: Session }) {
-  const route = useRoute();
+function Desk() {
+  const { address, view, query } = route.value;
+  const place = address.split('?', 1)[0] ?? '';
   const main = useRef<HTMLElement>(null);
-  const place = route.view === 'job' ? `job ${route.id}` : route.view;
   const before = useRef(place);
-  // After a change of view a keyboard goes on at its heading.
+  useTitle(route.value);
+  // After a change of view a keyboard goes on at its heading, and one who goes back finds the place again.
   useEffect(() => {
     if (before.current === place) return;
     before.current = place;
-    scrollTo(0, 0);
-    main.current?.querySelector('h1')?.focus();
+    main.current?.querySelector('h1')?.focus({ preventScroll: true });
+    scrollTo(0, rememberedScroll(address));
   }, [place]);
+  const isAlone = query.get('station') === '1' || query.get('look') === 'andon';
   return (
-    <DeskContext.Provider value={{ state, sync, session }}>
-      <Header route={route} />
-      <main ref={main} class={state.connection.phase === 'lost' ? 'main stale' : 'main'}>
-        <Alarms seen={(key) => store.dispatch({ type: 'alarm_seen', key })} />
-        {state.loaded ? <View route={route} /> : <p class="waiting">Loading…</p>}
+    <div class={`desk${isAlone ? ' desk-alone' : ''}${connection.value.phase === 'lost' ? ' stale' : ''}`} data-view={view}>
+      <Header />
+      <main ref={main} id="main" class="main">
+        <ErrorBoundary where={address}>{loaded.value ? <View here={route.value} /> : <Loading />}</ErrorBoundary>
       </main>
-    </DeskContext.Provider>
+      <DialogHost />
+    </div>
   );
 }
 
-function View({ route }: { route: Route }) {
-  switch (route.view) {
-    case 'machines':
-      return <MachinesView />;
+const Loading = () => (
+  <p class="waiting" role="status">
+    {loadError.value ?? t('page.loading')}
+  </p>
+);
+
+function View({ here }: { here: Route }) {
+  const [first = ''] = here.parameters;
+  switch (here.view) {
+    case 'floor':
+    case 'badge':
+      return <FloorView />;
+    case 'machine':
+      return <MachineView name={first} />;
     case 'jobs':
       return <JobsView />;
     case 'job':
-      return <JobView key={route.id} id={route.id} />;
+      return <JobView key={first} id={Number(first)} />;
+    case 'alarms':
+      return <AlarmsView />;
     case 'releases':
       return <ReleasesView />;
     case 'received':
       return <ReceivedView />;
+    case 'not_found':
+      return <NotFound />;
   }
+}
+
+// The tab's title says where one is, and first how many alarms ask for a person.
+function useTitle(here: Route): void {
+  const name = here.view === 'machine' ? (here.parameters[0] ?? '') : here.view === 'job' ? t('job.title', { job: here.parameters[0] ?? '' }) : t(`title.${here.view}`);
+  const count = asking.value.length;
+  useEffect(() => {
+    document.title = `${count > 0 ? `(${count}) ` : ''}${name} – dripfeed`;
+  }, [name, count]);
 }

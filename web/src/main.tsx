@@ -1,14 +1,22 @@
-// The dashboard. Folders: api (requests and documents), live (the event stream), state (all that is known, and how it
-// changes), rules (what follows from it), format (words, numbers, times), views (what is shown). Views never fetch by
-// themselves what the state should know; rules and format know no browser, so plain tests run them.
+// The dashboard. Folders: api (requests and documents), live (the event stream, one a browser), state (all that is known
+// as signals, and the loader that keeps it like the server's), rules (what follows from it), format (numbers, times,
+// names as words), i18n (the words), orders (what a person sets in motion or stops), parts (what several views are made
+// of), views (what is shown). Views never ask the server for what the state should know; rules know no browser and no
+// words, so plain tests run them.
 import { render } from 'preact';
+import '@preact/signals';
 import { App } from './app';
-import { Store } from './state/store';
-import { Sync } from './state/sync';
+import { preferredLanguage, speak } from './i18n/i18n';
+import { startRouter } from './router';
+import { loader } from './state/loader';
 import './styles/app.css';
+import { readSettings } from './views/alarms/signals';
+import { announceAlarms } from './views/alarms/tray';
 
-const store = new Store();
-const sync = new Sync(store);
+startRouter();
+readSettings();
+announceAlarms();
+await speak(preferredLanguage());
 const root = document.getElementById('app');
-if (root) render(<App store={store} sync={sync} />, root);
-void sync.begin();
+if (root) render(<App />, root);
+await loader.begin();

@@ -4,10 +4,10 @@ import { webcrypto } from 'node:crypto';
 import { test } from 'node:test';
 import { summaryOf } from '../src/api/calls';
 import { errorOfProblem, newOrderKey } from '../src/api/client';
-import { intervalText, positionText } from '../src/format/intervals';
+import { intervalText } from '../src/format/intervals';
 import { bytes, count, percent, share, shortHash } from '../src/format/numbers';
 import { clockTime, countdown, dateTime, duration, shortTime } from '../src/format/times';
-import { jobWording, lineWording, reasonText, stallText } from '../src/format/words';
+import { jobWording, placeText, reasonText, stallText } from '../src/format/words';
 import type { MachineWhole } from '../src/api/types';
 import { statusOf } from './samples';
 
@@ -47,18 +47,17 @@ test('times are local', () => {
 });
 
 test('states and stalls have words, and an unknown name is shown as it came', () => {
+  assert.equal(stallText('waiting for DC1'), 'waiting for START at the control (DC1)');
+  assert.equal(stallText('CTS off'), 'CTS is off');
   assert.equal(stallText('stopped'), 'stopped by a person at a block end');
-  assert.equal(stallText('held by DC3'), 'held by DC3');
-  assert.equal(stallText('CTS off'), 'CTS off');
-  assert.equal(stallText('something new' as never), 'something new');
-  assert.deepEqual(lineWording('torn'), { text: 'torn', tone: 'bad' });
-  assert.equal(lineWording('odd' as never).text, 'odd');
+  assert.equal(stallText('something new'), 'something new');
+  assert.equal(jobWording('odd' as never).text, 'odd');
   assert.equal(jobWording('interrupted').tone, 'bad');
 });
 
 test('reasons: causes become words, sentences stay', () => {
   assert.equal(reasonText('expired'), 'the arming expired');
-  assert.equal(reasonText('held by DC3'), 'held by DC3');
+  assert.equal(reasonText('held by DC3'), 'the control’s buffer is full (DC3)');
   assert.equal(reasonText('link_lost: between wire byte 1 and 2'), 'the link was lost: between wire byte 1 and 2');
   assert.equal(reasonText('reset confirmed by anna: all clear'), 'reset confirmed by anna: all clear');
   assert.equal(reasonText('other: text'), 'other: text');
@@ -66,15 +65,16 @@ test('reasons: causes become words, sentences stay', () => {
 });
 
 test('positions are intervals, and unknown ones say so', () => {
-  assert.equal(positionText(12, 14), 'between lines 12 and 14');
-  assert.equal(positionText(14, 14), 'in line 14');
-  assert.equal(positionText(0, 14), 'at most up to line 14');
-  assert.equal(positionText(0, 0), 'position not known');
+  assert.equal(placeText(12, 14), 'between lines 12 and 14');
+  assert.equal(placeText(14, 14), 'in line 14');
+  assert.equal(placeText(0, 14), 'at most up to line 14');
+  assert.equal(placeText(0, 0), 'position not known');
 });
 
 test('the ledger claims no more than it knows', () => {
   const text = (low: number, high: number, known: 'clocked' | 'confirmed', ended: boolean) =>
-    plain(intervalText({ low, high, known }, 1000, ended));
+    plain(intervalText({ low, high, known }, 1000, ended ? 'failed' : 'feeding'));
+  assert.match(plain(intervalText({ low: 950, high: 950, known: 'clocked' }, 1000, 'done')), /^The program was sent to its end: 950 bytes passed/);
   assert.equal(text(0, 0, 'clocked', false), 'Nothing has been sent yet.');
   assert.equal(text(0, 0, 'clocked', true), 'Nothing was sent.');
   assert.equal(text(1000, 1000, 'clocked', true), 'All 1 000 bytes passed the line for certain.');

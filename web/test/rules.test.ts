@@ -3,11 +3,14 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { JobState, LineState, Stall } from '../src/api/types';
 import { offerFor } from '../src/rules/job_actions';
-import { expiresAt, hasJob, isTorn } from '../src/rules/lines';
+import { asksForPerson, byUrgency, stateOf } from '../src/rules/alarms';
+import { timeLeftMs } from '../src/rules/forecast';
+import { hasJob, isTorn } from '../src/rules/lines';
 import { isReleased, mayBeQueued } from '../src/rules/releases';
 import { atLeast } from '../src/rules/roles';
-import { routeOf } from '../src/route';
-import { jobOf, releaseOf, statusOf } from './samples';
+import { kNeedsPerson, standingOf } from '../src/rules/standing';
+import { routeOf } from '../src/router';
+import { alarmOf, jobOf, releaseOf, statusOf } from './samples';
 
 const offered = (state: JobState, stall: Stall | null = null, live = true) =>
   offerFor(jobOf({ state }), statusOf({ job: 1, stall, line: 'held' }), 'operator', live).actions;
@@ -18,7 +21,8 @@ test('each state of a job has its orders', () => {
   assert.deepEqual(offered('held', 'held by DC3'), ['resume_as_dc1', 'stop', 'cancel']);
   assert.deepEqual(offered('held', 'stopped'), ['resume', 'cancel']);
   assert.deepEqual(offered('held', 'stopped, and the control asked anew: it may have been reset'), ['cancel']);
-  assert.deepEqual(offered('held', 'peer gone'), ['cancel']);
+  assert.deepEqual(offered('held', 'waiting for credit'), ['stop', 'cancel']);
+  assert.deepEqual(offered('held', 'peer gone'), ['stop', 'cancel']);
   assert.deepEqual(offered('draining'), []);
   assert.deepEqual(offered('draining', 'waiting for end'), ['cancel']);
   for (const state of ['done', 'failed', 'cancelled', 'interrupted'] as const) assert.deepEqual(offered(state), []);
@@ -26,7 +30,7 @@ test('each state of a job has its orders', () => {
 
 test("another job's stall is not this job's", () => {
   const offer = offerFor(jobOf({ state: 'held' }), statusOf({ job: 2, stall: 'held by DC3', line: 'held' }), 'operator', true);
-  assert.deepEqual(offer.actions, ['cancel']);
+  assert.deepEqual(offer.actions, ['stop', 'cancel']);
 });
 
 test('without a live connection nothing can be set in motion', () => {
@@ -44,7 +48,7 @@ test('a queued job can be armed on an idle line only', () => {
     assert.deepEqual(offer.actions, ['withdraw'], line);
     assert.ok(offer.because, line);
   }
-  const torn = statusOf({ line: 'idle', needs_confirmation: { job: 5, text: 't' } });
+  const torn = statusOf({ line: 'idle', needs_confirmation: { job: 5, text: 't', reason_id: null } });
   assert.deepEqual(offerFor(jobOf(), torn, 'operator', true).actions, ['withdraw']);
   assert.deepEqual(offerFor(jobOf(), null, 'operator', true).actions, ['withdraw']);
 });
@@ -63,11 +67,10 @@ test('roles are in order', () => {
 
 test('lines: torn in the store counts, the last job of an idle line is not on it', () => {
   assert.ok(isTorn(statusOf({ line: 'torn' })));
-  assert.ok(isTorn(statusOf({ line: 'disconnected', needs_confirmation: { job: 1, text: 't' } })));
+  assert.ok(isTorn(statusOf({ line: 'disconnected', needs_confirmation: { job: 1, text: 't', reason_id: null } })));
   assert.ok(!isTorn(statusOf({ line: 'held' })));
   assert.ok(!hasJob(statusOf({ line: 'idle', job: 4 })));
   assert.ok(hasJob(statusOf({ line: 'draining', job: 4 })));
-  assert.equal(expiresAt(1_000), 601_000);
 });
 
 test('a release is queued while proving has transfers left, and when approved', () => {
@@ -80,12 +83,64 @@ test('a release is queued while proving has transfers left, and when approved', 
   }
 });
 
-test('the address names the view', () => {
-  assert.deepEqual(routeOf(''), { view: 'machines' });
-  assert.deepEqual(routeOf('#/jobs'), { view: 'jobs' });
-  assert.deepEqual(routeOf('#/jobs/12'), { view: 'job', id: 12 });
-  assert.deepEqual(routeOf('#/jobs/0'), { view: 'jobs' });
-  assert.deepEqual(routeOf('#/jobs/x'), { view: 'jobs' });
-  assert.deepEqual(routeOf('#/releases'), { view: 'releases' });
-  assert.deepEqual(routeOf('#/nowhere'), { view: 'machines' });
+test('the address names the view, and an unknown one no other', () => {
+  const seen = (hash: string) => {
+    const { view, parameters } = routeOf(hash);
+    return [view, ...parameters].join(' ');
+  };
+  assert.equal(seen(''), 'floor');
+  assert.equal(seen('#/'), 'floor');
+  assert.equal(seen('#/machines'), 'floor');
+  assert.equal(seen('#/machines/mill%201%2F2'), 'machine mill 1/2');
+  assert.equal(seen('#/jobs'), 'jobs');
+  assert.equal(seen('#/jobs/12'), 'job 12');
+  assert.equal(seen('#/releases'), 'releases');
+  for (const wrong of ['#/jobs/0', '#/jobs/x', '#/nowhere', '#/jobs/1/2', '#/machines/%E0%A4%A', '#/machines/'])
+    assert.equal(seen(wrong), 'not_found', wrong);
+  assert.equal(routeOf('#/floor?look=andon').query.get('look'), 'andon');
+});
+
+const now = (change: Parameters<typeof statusOf>[0]) => {
+  const status = statusOf(change);
+  return { ...status, plc_alarm: status.plc?.alarm ?? 0 };
+};
+
+test('where a machine stands is one word, by what is most urgent', () => {
+  const key = (change: Parameters<typeof statusOf>[0], job = jobOf({ state: 'feeding' }), queued = 0) => standingOf(now(change), job, queued).key;
+  const torn = { job: 1, text: 't', reason_id: null };
+  assert.equal(key({ line: 'disconnected', needs_confirmation: torn }), 'torn');
+  assert.equal(key({ line: 'held', job: 1, stall: 'stopped' }), 'stopped');
+  assert.equal(key({ line: 'held', job: 1, stall: 'stopped, and the control asked anew: it may have been reset' }), 'reset_suspected');
+  assert.equal(key({ line: 'held', job: 1, stall: 'held by DC3' }), 'feeding', 'a full buffer is normal');
+  assert.equal(key({ line: 'held', job: 1, stall: 'CTS off' }), 'waiting');
+  assert.equal(key({ line: 'disconnected', job: 1 }), 'lost_with_job');
+  assert.equal(key({ line: 'disconnected', job: 1 }, jobOf({ state: 'done', ended_at_ms: 5 })), 'disconnected');
+  assert.equal(key({ line: 'idle', job: 1 }, jobOf({ state: 'failed', ended_at_ms: 5 })), 'failed');
+  assert.equal(key({ line: 'idle', asks_since_ms: 5 }, jobOf({ state: 'done', ended_at_ms: 5 })), 'asks');
+  assert.equal(key({ line: 'idle' }, jobOf({ state: 'done', ended_at_ms: 5 }), 3), 'queued');
+  assert.equal(key({ line: 'idle', job: 1, plc: { state: 'alarm', program: 0, line: 0, alarm: 7 } }), 'machine_alarm');
+  assert.ok(standingOf(now({ line: 'feeding', job: 1 }), null, 0).urgency < kNeedsPerson);
+  assert.ok(standingOf(now({ line: 'held', job: 1, stall: 'stopped' }), null, 0).urgency > kNeedsPerson);
+});
+
+test('alarms ask for a person until they are acknowledged or shelved', () => {
+  assert.ok(asksForPerson(alarmOf(), 10));
+  assert.ok(asksForPerson(alarmOf({ cleared_at_ms: 5 }), 10), 'over, and nobody saw it');
+  assert.ok(!asksForPerson(alarmOf({ acknowledged_by: 'anna', acknowledged_at_ms: 5 }), 10));
+  assert.ok(!asksForPerson(alarmOf({ shelved_until_ms: 11 }), 10));
+  assert.ok(asksForPerson(alarmOf({ shelved_until_ms: 10 }), 10));
+  assert.equal(stateOf(alarmOf({ acknowledged_at_ms: 5, cleared_at_ms: 6 }), 10), 'closed');
+  const list = [alarmOf({ id: 1, last_at_ms: 9 }), alarmOf({ id: 2, severity: 'critical', acknowledged_at_ms: 3 }), alarmOf({ id: 3, severity: 'critical' })];
+  assert.deepEqual(list.sort(byUrgency).map((one) => one.id), [3, 1, 2]);
+});
+
+test('time left is said only when enough was seen', () => {
+  const job = jobOf({ state: 'feeding', started_at_ms: 0 });
+  const at = (clocked: number, nowMs: number, change = {}) =>
+    timeLeftMs(statusOf({ line: 'feeding', job: 1, total: 1000, clocked, ...change }), job, nowMs);
+  assert.equal(at(250, 60_000), 180_000);
+  assert.equal(at(10, 60_000), null, 'one part in a hundred says nothing');
+  assert.equal(at(250, 2_000), null);
+  assert.equal(at(250, 60_000, { line: 'held', stall: 'stopped' }), null, 'a person decides when it goes on');
+  assert.equal(at(250, 60_000, { job: 2 }), null);
 });

@@ -1,11 +1,13 @@
 // Documents for the unit tests, each whole, with what a test changes.
-import type { Job, MachineItem, MachineStatus, Progress, Release } from '../src/api/types';
+import type { Alarm, Job, MachineItem, MachineStatus, Progress, Release } from '../src/api/types';
 
 export const statusOf = (change: Partial<MachineStatus> = {}): MachineStatus => ({
   line: 'idle',
   stall: null,
+  stop_wanted: false,
   link_error: null,
   link_note: null,
+  link_note_id: null,
   plc: null,
   line_errors: { parity: 0, framing: 0, overrun: 0, breaks: 0 },
   job: null,
@@ -22,6 +24,8 @@ export const statusOf = (change: Partial<MachineStatus> = {}): MachineStatus => 
   line_use: 0,
   program: '',
   block_text: '',
+  asks_since_ms: null,
+  asks: 0,
   needs_confirmation: null,
   ...change,
 });
@@ -38,6 +42,7 @@ export const machineOf = (name: string, change: Partial<MachineStatus> = {}): Ma
 
 export const progressOf = (machine: string, change: Partial<MachineStatus> = {}): Progress => {
   const { needs_confirmation, ...report } = statusOf(change);
+  void needs_confirmation;
   return { machine, ...report };
 };
 
@@ -53,6 +58,8 @@ export const jobOf = (change: Partial<Job> = {}): Job => ({
   link: 'pty:/tmp/x',
   bytes: 1000,
   reason: '',
+  reason_id: null,
+  rank: 0,
   created_by: 'mes',
   created_at_ms: 1,
   armed_by: null,
@@ -79,10 +86,29 @@ export const releaseOf = (change: Partial<Release> = {}): Release => ({
   sha256: 'ab'.repeat(32),
   transfers_allowed: 0,
   transfers_done: 0,
-  created_by: 'mes',
-  created_at_ms: 1,
   approved_by: null,
   sign_off: null,
+  created_by: 'mes',
+  created_at_ms: 1,
   changed_at_ms: 1,
+  ...change,
+});
+
+export const alarmOf = (change: Partial<Alarm> = {}): Alarm => ({
+  id: 1,
+  machine: 'a',
+  kind: 'link_lost',
+  severity: 'warning',
+  text: 'the link was lost',
+  count: 1,
+  raised_at_ms: 1_000,
+  last_at_ms: 1_000,
+  cleared_at_ms: null,
+  acknowledged_by: null,
+  acknowledged_at_ms: null,
+  shelved_by: null,
+  shelved_until_ms: null,
+  shelf_reason: null,
+  job: null,
   ...change,
 });

@@ -1,6 +1,6 @@
 // A headless Chromium with an empty profile of its own, and what the browser tests share: steps, expectations,
 // screenshots (into the folder SCREENSHOTS, where it is set), and that the page reports no fault of its own.
-import { mkdtemp, mkdir, rm } from 'node:fs/promises';
+import { mkdtemp, mkdir, readFile, rm } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import os from 'node:os';
 import path from 'node:path';
@@ -35,7 +35,7 @@ export async function withPage(options, test) {
     if (/Content Security Policy/i.test(message.text())) faults.push(message.text());
   });
   try {
-    await test(page);
+    await test(page, context);
     expect(faults.length === 0, `no fault in the page (${faults.join('; ') || 'none'})`);
   } catch (error) {
     await shot(page, 'failed').catch(() => undefined);
@@ -62,9 +62,37 @@ export async function signIn(page, url, token) {
   await page.goto(url);
   await page.getByLabel('Token').fill(token);
   await page.getByRole('button', { name: 'Sign in' }).click();
-  await page.getByRole('heading', { name: 'Machines' }).waitFor();
-  await page.getByText('live', { exact: true }).waitFor();
+  await live(page);
 }
+
+export const live = (page) => page.locator('[data-phase="live"]').waitFor();
+
+// What axe finds wrong in the page as it stands now. The source is given to the browser's own debugger, because the
+// page's policy lets no other script in.
+const axeSource = await readFile(require.resolve('axe-core/axe.min.js'), 'utf8');
+export async function accessible(page, what) {
+  await page.evaluate(axeSource);
+  const found = await page.evaluate(async () => {
+    const { violations } = await window.axe.run(document, { resultTypes: ['violations'] });
+    return violations.map((one) => `${one.id}: ${one.nodes.map((node) => node.target.join(' ')).join(', ')}`);
+  });
+  expect(found.length === 0, `axe finds nothing: ${what} (${found.join('; ') || 'nothing'})`);
+}
+
+// Counts what a person does: clicks and keys. Tests print it.
+export class Person {
+  steps = 0;
+  async click(locator) {
+    this.steps += 1;
+    await locator.click();
+  }
+  async type(locator, text) {
+    this.steps += 1;
+    await locator.fill(text);
+  }
+}
+
+export const focused = (page) => page.evaluate(() => document.activeElement?.tagName ?? 'none');
 
 // Asks again and again. (The page's policy forbids the eval by which the browser could wait by itself.)
 export async function until(check, what, timeout_ms = 10_000) {
@@ -92,15 +120,23 @@ export async function recordLine(page, machine) {
   return () => page.evaluate(() => window.seenLines);
 }
 
+// All of them, or those whose name holds the first argument. What fails does not hide what comes after it.
 export async function main(tests) {
+  const [only] = process.argv.slice(2);
+  const failed = [];
   for (const [name, test] of tests) {
+    if (only && !name.includes(only)) continue;
     console.log(name);
     try {
       await test();
     } catch (error) {
       console.error(error);
-      process.exit(1);
+      failed.push(name);
     }
+  }
+  if (failed.length > 0) {
+    console.error(`failed: ${failed.join(', ')}`);
+    process.exit(1);
   }
   console.log('all passed');
 }

@@ -1,24 +1,42 @@
 // The calls that this page makes, one function a route.
-import { newOrderKey, request } from './client';
-import type { Job, Ledger, MachineItem, MachineWhole, Page, Program, Receipt, Release, Session, StoredLikeness } from './types';
+import { newOrderKey, request, requestText } from './client';
+import type {
+  Alarm,
+  Job,
+  Ledger,
+  MachineItem,
+  MachineWhole,
+  Page,
+  Program,
+  ProgramLines,
+  Receipt,
+  Release,
+  Session,
+  StoredLikeness,
+  Utilisation,
+} from './types';
 
 const enc = encodeURIComponent;
 
 export interface JobQuery {
   state?: string;
+  machine?: string;
   after?: string;
   limit?: number;
 }
 
+const kMostPages = 50; // a list that never ends is cut here
+
 // All pages of a list, in the server's order.
-async function everything<T>(path: string): Promise<T[]> {
+async function everything<T>(path: string, query: Record<string, string> = {}): Promise<T[]> {
   const items: T[] = [];
-  let after: string | null = null;
-  do {
-    const page: Page<T> = await request('GET', `${path}?limit=200${after ? `&after=${enc(after)}` : ''}`);
+  const asked = new URLSearchParams({ limit: '200', ...query });
+  for (let pages = 0; pages < kMostPages; ++pages) {
+    const page: Page<T> = await request('GET', `${path}?${asked}`);
     items.push(...page.items);
-    after = page.next;
-  } while (after);
+    if (page.next === null) break;
+    asked.set('after', page.next);
+  }
   return items;
 }
 
@@ -28,16 +46,19 @@ export const calls = {
   signOut: () => request<null>('DELETE', '/session'),
 
   machines: () => everything<MachineItem>('/machines'),
-  machine: async (name: string) => summaryOf(await request<MachineWhole>('GET', `/machines/${enc(name)}`)),
+  machine: (name: string) => request<MachineWhole>('GET', `/machines/${enc(name)}`),
+  addMachine: (profile: unknown, key: string) => request<MachineWhole>('POST', '/machines', { body: profile, key }),
   confirmReset: (name: string, reason: string, key: string) =>
     request<unknown>('POST', `/machines/${enc(name)}/confirm-reset`, { body: { reason }, key }),
 
   jobs: (query: JobQuery) => {
     const asked = new URLSearchParams({ limit: String(query.limit ?? 50) });
     if (query.state) asked.set('state', query.state);
+    if (query.machine) asked.set('machine', query.machine);
     if (query.after) asked.set('after', query.after);
     return request<Page<Job>>('GET', `/jobs?${asked}`);
   },
+  jobsIn: (state: string) => everything<Job>('/jobs', { state }),
   job: (id: number) => request<Job>('GET', `/jobs/${id}`),
   addJob: (release: number) => request<Job>('POST', '/jobs', { body: { release }, key: newOrderKey() }),
   arm: (id: number, minutes: number, key: string) => request<Job>('POST', `/jobs/${id}/arm`, { body: { minutes }, key }),
@@ -45,10 +66,30 @@ export const calls = {
   cancel: (id: number, key: string) => request<Job>('POST', `/jobs/${id}/cancel`, { key }),
   resume: (id: number, reason: string, key: string) =>
     request<Job>('POST', `/jobs/${id}/resume`, { body: { reason }, key }),
+  moveJob: (id: number, before: number | null, key: string) =>
+    request<Job>('POST', `/jobs/${id}/move`, { body: { before }, key }),
   ledger: (id: number, limit: number, after: string | null) =>
     request<Ledger>('GET', `/jobs/${id}/ledger?limit=${limit}${after ? `&after=${enc(after)}` : ''}`),
 
-  receipts: () => request<Page<Receipt>>('GET', '/receipts?limit=100'),
+  openAlarms: () => everything<Alarm>('/alarms', { state: 'open' }),
+  alarms: (after: string | null, machine?: string) =>
+    request<Page<Alarm>>(
+      'GET',
+      `/alarms?state=all&limit=50${machine ? `&machine=${enc(machine)}` : ''}${after ? `&after=${enc(after)}` : ''}`,
+    ),
+  acknowledge: (id: number) => request<Alarm>('POST', `/alarms/${id}/acknowledge`, { body: {}, key: newOrderKey() }),
+  shelve: (id: number, minutes: number, reason: string, key: string) =>
+    request<Alarm>('POST', `/alarms/${id}/shelve`, { body: { minutes, reason }, key }),
+  unshelve: (id: number) => request<Alarm>('POST', `/alarms/${id}/unshelve`, { body: {}, key: newOrderKey() }),
+
+  programLines: (program: number, revision: number, from: number, count: number) =>
+    request<ProgramLines>('GET', `/programs/${program}/lines?revision=${revision}&from=${from}&count=${count}`),
+  utilisation: (machine: string, days: number) =>
+    request<Utilisation>('GET', `/machines/${enc(machine)}/utilisation?days=${days}`),
+
+  receipts: (after: string | null) =>
+    request<Page<Receipt>>('GET', `/receipts?limit=100${after ? `&after=${enc(after)}` : ''}`),
+  receiptText: (id: number, broken: boolean) => requestText(`/receipts/${id}/text${broken ? '?form=read' : ''}`),
   acceptReceipt: (id: number, stored: StoredLikeness | null, key: string) =>
     request<Receipt>('POST', `/receipts/${id}/accept`, {
       body: stored ? { program: stored.program, revision: stored.revision } : {},

@@ -1,5 +1,6 @@
 // Requests to the server: JSON out and in, and every failure as one ApiError that has a sentence for a person. It knows
 // no route; those are in calls.ts.
+import { t } from '../i18n/i18n';
 import type { Problem } from './types';
 
 const kBase = '/api/v1';
@@ -19,9 +20,9 @@ export class ApiError extends Error {
 
 // One sentence, and one for each place that the server names.
 export function errorOfProblem(status: number, problem: Partial<Problem> | null): ApiError {
-  const text = problem?.detail || problem?.title || `the server answered ${status}`;
+  const text = problem?.detail || problem?.title || t('error.status', { status });
   const details = (problem?.errors ?? []).map((place) => {
-    if (place.line) return `line ${place.line}, column ${place.column ?? 1}: ${place.text}`;
+    if (place.line) return t('error.place', { line: place.line, column: place.column ?? 1, text: place.text });
     return place.pointer ? `${place.pointer}: ${place.text}` : place.text;
   });
   return new ApiError(status, text, details);
@@ -33,26 +34,42 @@ export function newOrderKey(): string {
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
+// Whom the page shows as signed in. Each order carries the name, so that the server refuses one that would bear another.
+let shownUser = '';
+export const setShownUser = (name: string): void => {
+  shownUser = name;
+};
+
+type Method = 'GET' | 'POST' | 'DELETE';
+
 interface Options {
   body?: unknown;
   key?: string;
 }
 
-export async function request<T>(method: 'GET' | 'POST' | 'DELETE', path: string, options: Options = {}): Promise<T> {
-  const headers: Record<string, string> = { Accept: 'application/json' };
+export async function request<T>(method: Method, path: string, options: Options = {}): Promise<T> {
+  return parse(await answerOf(method, path, options)) as T;
+}
+
+// An answer that is plain text.
+export const requestText = (path: string): Promise<string> => answerOf('GET', path, {});
+
+async function answerOf(method: Method, path: string, options: Options): Promise<string> {
+  const headers: Record<string, string> = { Accept: 'application/json, text/plain' };
   const init: RequestInit = { method, headers, cache: 'no-store', credentials: 'same-origin' };
   if (options.body !== undefined) {
     headers['Content-Type'] = 'application/json';
     init.body = JSON.stringify(options.body);
   }
   if (options.key) headers['Idempotency-Key'] = options.key;
+  if (method !== 'GET' && shownUser !== '') headers['X-Dripfeed-User'] = encodeURIComponent(shownUser);
   const abort = new AbortController();
   const timer = setTimeout(() => abort.abort(), kTimeoutMs);
   try {
     const response = await fetch(kBase + path, { ...init, signal: abort.signal });
     const text = await response.text();
     if (!response.ok) throw errorOfProblem(response.status, parse(text) as Partial<Problem> | null);
-    return parse(text) as T;
+    return text;
   } catch (error) {
     if (error instanceof ApiError) throw error;
     throw new ApiError(0, noAnswer(method));
@@ -69,7 +86,4 @@ function parse(text: string): unknown {
   }
 }
 
-function noAnswer(method: string): string {
-  if (method === 'GET') return 'The server does not answer.';
-  return 'The server does not answer. Whether the order took effect is not known: look at the state before you repeat it.';
-}
+const noAnswer = (method: Method): string => t(method === 'GET' ? 'error.no_answer' : 'error.effect_not_known');

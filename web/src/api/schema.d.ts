@@ -140,6 +140,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/machines/{name}/utilisation": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** how its line was used, by days */
+        get: operations["get_machines_name_utilisation"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/machines/{name}/confirm-reset": {
         parameters: {
             query?: never;
@@ -273,6 +290,23 @@ export interface paths {
         };
         /** the text of a revision */
         get: operations["get_programs_id_text"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/programs/{id}/lines": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** some lines of a revision, each beside the family's line and values that it was rendered from */
+        get: operations["get_programs_id_lines"];
         put?: never;
         post?: never;
         delete?: never;
@@ -436,6 +470,40 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/work": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** heavy work that waits or runs now, in the order in which it came */
+        get: operations["get_work"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/work/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /** cancel it: who asked for it, or an admin */
+        delete: operations["delete_work_id"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/releases": {
         parameters: {
             query?: never;
@@ -540,6 +608,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/jobs/{id}/move": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** move a queued job before another one, or to the end */
+        post: operations["post_jobs_id_move"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs/{id}/stop": {
         parameters: {
             query?: never;
@@ -585,6 +670,91 @@ export interface paths {
         put?: never;
         /** go on; as if DC1 had come, with a reason */
         post: operations["post_jobs_id_resume"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/alarms": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** alarms, newest first; with state=open those that ask for somebody */
+        get: operations["get_alarms"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/alarms/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** one alarm */
+        get: operations["get_alarms_id"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/alarms/{id}/acknowledge": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a person knows of it */
+        post: operations["post_alarms_id_acknowledge"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/alarms/{id}/shelve": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** it asks for nobody for some minutes, with a reason; not a critical one */
+        post: operations["post_alarms_id_shelve"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/alarms/{id}/unshelve": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** it asks again */
+        post: operations["post_alarms_id_unshelve"];
         delete?: never;
         options?: never;
         head?: never;
@@ -769,12 +939,83 @@ export interface components {
              */
             role: "viewer" | "operator" | "programmer" | "approver" | "admin";
         };
-        /** @description something that a person should know of a machine */
-        EventAlarm: {
+        /** @description something that a person should know of a machine; it is open while it is not over or not acknowledged */
+        Alarm: {
+            /** @description of the alarm */
+            id: number;
             /** @description its name */
             machine: string;
+            /**
+             * @description what it is about
+             * @enum {string}
+             */
+            kind: "torn_block" | "reset_suspected" | "line_refused" | "ledger_failed" | "link_lost" | "line_flooded" | "link_note" | "machine_alarm" | "person_called" | "reception_lost" | "quarantined" | "device_text" | "request_failed" | "request_expired" | "read_back_differs" | "read_back_expired";
+            /**
+             * @description by its kind
+             * @enum {string}
+             */
+            severity: "critical" | "warning" | "notice";
             /** @description one sentence */
             text: string;
+            /** @description how often it was raised while it was open */
+            count: number;
+            /** @description the first time; milliseconds since 1970, UTC */
+            raised_at_ms: number;
+            /** @description the last time; milliseconds since 1970, UTC */
+            last_at_ms: number;
+            /** @description when its condition was over; null: it lasts; milliseconds since 1970, UTC */
+            cleared_at_ms: number | null;
+            /** @description who knows of it */
+            acknowledged_by: string | null;
+            /** @description since when; milliseconds since 1970, UTC */
+            acknowledged_at_ms: number | null;
+            /** @description who put it off */
+            shelved_by: string | null;
+            /** @description it asks for nobody until then; milliseconds since 1970, UTC */
+            shelved_until_ms: number | null;
+            /** @description why it was put off */
+            shelf_reason: string | null;
+            /** @description that it is about */
+            job: number | null;
+        };
+        /** @description something that a person should know of a machine; it is open while it is not over or not acknowledged */
+        EventAlarm: {
+            /** @description of the alarm */
+            id: number;
+            /** @description its name */
+            machine: string;
+            /**
+             * @description what it is about
+             * @enum {string}
+             */
+            kind: "torn_block" | "reset_suspected" | "line_refused" | "ledger_failed" | "link_lost" | "line_flooded" | "link_note" | "machine_alarm" | "person_called" | "reception_lost" | "quarantined" | "device_text" | "request_failed" | "request_expired" | "read_back_differs" | "read_back_expired";
+            /**
+             * @description by its kind
+             * @enum {string}
+             */
+            severity: "critical" | "warning" | "notice";
+            /** @description one sentence */
+            text: string;
+            /** @description how often it was raised while it was open */
+            count: number;
+            /** @description the first time; milliseconds since 1970, UTC */
+            raised_at_ms: number;
+            /** @description the last time; milliseconds since 1970, UTC */
+            last_at_ms: number;
+            /** @description when its condition was over; null: it lasts; milliseconds since 1970, UTC */
+            cleared_at_ms: number | null;
+            /** @description who knows of it */
+            acknowledged_by: string | null;
+            /** @description since when; milliseconds since 1970, UTC */
+            acknowledged_at_ms: number | null;
+            /** @description who put it off */
+            shelved_by: string | null;
+            /** @description it asks for nobody until then; milliseconds since 1970, UTC */
+            shelved_until_ms: number | null;
+            /** @description why it was put off */
+            shelf_reason: string | null;
+            /** @description that it is about */
+            job: number | null;
         };
         /** @description a control has punched, or its operator has asked for something */
         EventReceipt: {
@@ -1015,6 +1256,18 @@ export interface components {
             minutes?: number | null;
             /** @description how often the text is sent; each waits for the control's own start */
             rounds?: number | null;
+        };
+        /** @description the new place of a queued job */
+        Move: {
+            /** @description id of the queued job of the same machine that it goes in front of; null, or not given: to the end */
+            before?: number | null;
+        };
+        /** @description for how long an alarm asks for nobody */
+        Shelve: {
+            /** @description for which it asks for nobody */
+            minutes: number;
+            /** @description for the record */
+            reason: string;
         };
         /** @description why a person does it */
         Reason: {
@@ -1465,10 +1718,14 @@ export interface components {
              */
             line: "disconnected" | "idle" | "armed" | "feeding" | "held" | "draining" | "torn" | "receiving" | "answering";
             stall: components["schemas"]["Stall"] | null;
+            /** @description a person's stop is in force, reached or not */
+            stop_wanted: boolean;
             /** @description why the link is down */
             link_error: string | null;
             /** @description of a link that is up: what its device server did not confirm */
             link_note: string | null;
+            /** @description which kind of note it is */
+            link_note_id: string | null;
             /** @description what the UART counted since the link is up */
             line_errors: {
                 /** @description characters with wrong parity */
@@ -1480,6 +1737,10 @@ export interface components {
                 /** @description breaks of the line */
                 breaks: number;
             };
+            /** @description since when the control asks for a program while nothing is armed; milliseconds since 1970, UTC */
+            asks_since_ms: number | null;
+            /** @description how often it has asked since then */
+            asks: number;
             /** @description the last job that was armed here since the server's start */
             job: number | null;
             /** @description given to the system's port, in bytes on the wire */
@@ -1528,6 +1789,8 @@ export interface components {
                 job: number | null;
                 /** @description one sentence for a person */
                 text: string;
+                /** @description which kind of reason it is; null: none is known */
+                reason_id: string | null;
             } | null;
         };
         /** @description a machine with its whole profile */
@@ -1558,6 +1821,30 @@ export interface components {
             link: string;
             status: components["schemas"]["MachineStatus"];
         };
+        /** @description how a machine's line was used */
+        Utilisation: {
+            /** @description oldest first */
+            days: {
+                /** @description as 2026-11-24 */
+                day: string;
+                /** @description its begin; milliseconds since 1970, UTC */
+                from_ms: number;
+                /** @description its end; milliseconds since 1970, UTC */
+                to_ms: number;
+                /** @description while a job was on the line, in seconds */
+                feeding_s: number;
+                /** @description of it, held by the control; null: not known */
+                held_s: number | null;
+                /** @description that ended on this day */
+                jobs_done: number;
+                /** @description that ended on this day */
+                jobs_failed: number;
+                /** @description that ended on this day */
+                jobs_cancelled: number;
+                /** @description of jobs that ended on this day, in bytes on the wire */
+                bytes: number;
+            }[];
+        };
         /** @description a machine's profile or the stall of its line has changed */
         EventMachine: {
             /** @description of the machine */
@@ -1574,10 +1861,14 @@ export interface components {
              */
             line: "disconnected" | "idle" | "armed" | "feeding" | "held" | "draining" | "torn" | "receiving" | "answering";
             stall: components["schemas"]["Stall"] | null;
+            /** @description a person's stop is in force, reached or not */
+            stop_wanted: boolean;
             /** @description why the link is down */
             link_error: string | null;
             /** @description of a link that is up: what its device server did not confirm */
             link_note: string | null;
+            /** @description which kind of note it is */
+            link_note_id: string | null;
             /** @description what the UART counted since the link is up */
             line_errors: {
                 /** @description characters with wrong parity */
@@ -1589,6 +1880,10 @@ export interface components {
                 /** @description breaks of the line */
                 breaks: number;
             };
+            /** @description since when the control asks for a program while nothing is armed; milliseconds since 1970, UTC */
+            asks_since_ms: number | null;
+            /** @description how often it has asked since then */
+            asks: number;
             /** @description the last job that was armed here since the server's start */
             job: number | null;
             /** @description given to the system's port, in bytes on the wire */
@@ -1781,6 +2076,28 @@ export interface components {
             created_by: string;
             /** @description when it was made; milliseconds since 1970, UTC */
             created_at_ms: number;
+        };
+        /** @description some lines of a revision */
+        ProgramLines: {
+            /** @description the first of them, from 1 */
+            from: number;
+            /** @description lines of the revision */
+            count_all: number;
+            /** @description in their order */
+            lines: {
+                /** @description of the text, from 1 */
+                line: number;
+                /** @description as it is sent */
+                text: string;
+                /** @description of the family; null: not known */
+                family_line: number | null;
+                /** @description that line; null: not known */
+                family_text: string | null;
+                /** @description variables of that line at this block; null: not known */
+                values: {
+                    [key: string]: number;
+                } | null;
+            }[];
         };
         /** @description a program that was rendered and stored */
         Rendered: {
@@ -2549,6 +2866,32 @@ export interface components {
             /** @description programs that were rendered and checked */
             trials: number;
         };
+        /** @description heavy work that waits for a worker process or runs in one */
+        Work: {
+            /** @description since the server's start */
+            id: number;
+            /** @description check, render, accuracy, gouge, timing or sweep */
+            kind: string;
+            /** @description the program or family */
+            subject: string;
+            /** @description that it is done for; empty: none */
+            machine: string;
+            /** @description who asked for it */
+            actor: string;
+            /**
+             * @description of the work
+             * @enum {string}
+             */
+            state: "waiting" | "running";
+            /** @description in the queue, from 1; null: it runs */
+            place: number | null;
+            /** @description when it was asked for; milliseconds since 1970, UTC */
+            waiting_since_ms: number;
+            /** @description when its process began; milliseconds since 1970, UTC */
+            running_since_ms: number | null;
+            /** @description of its process; null: not known yet */
+            budget_s: number | null;
+        };
         /** @description a text that may go to one machine by one delivery */
         Release: {
             /** @description of the release */
@@ -2616,6 +2959,10 @@ export interface components {
             bytes: number;
             /** @description of the last change of its state; empty: none */
             reason: string;
+            /** @description the same as one word or the name of a stall; null: there is none */
+            reason_id: string | null;
+            /** @description queued jobs of a machine go in this order, equal ones by id */
+            rank: number;
             /** @description who made it */
             created_by: string;
             /** @description when it was made; milliseconds since 1970, UTC */
@@ -2808,6 +3155,13 @@ export interface components {
             next: string | null;
         };
         /** @description a page of a list */
+        WorkPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["Work"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
         ReleasePage: {
             /** @description in the list's order */
             items: components["schemas"]["Release"][];
@@ -2818,6 +3172,13 @@ export interface components {
         JobPage: {
             /** @description in the list's order */
             items: components["schemas"]["Job"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        AlarmPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["Alarm"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
@@ -2953,6 +3314,8 @@ export interface operations {
                     "text/css": string;
                     "image/svg+xml": string;
                     "image/png": string;
+                    "font/woff2": string;
+                    "application/manifest+json": string;
                     "application/json": string;
                     "application/octet-stream": string;
                 };
@@ -3209,6 +3572,39 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Machine"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_machines_name_utilisation: {
+        parameters: {
+            query?: {
+                days?: string;
+            };
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description how its line was used, by days */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Utilisation"];
                 };
             };
             /** @description a problem */
@@ -3665,6 +4061,41 @@ export interface operations {
             };
         };
     };
+    get_programs_id_lines: {
+        parameters: {
+            query?: {
+                revision?: string;
+                from?: string;
+                count?: string;
+            };
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description some lines of a revision, each beside the family's line and values that it was rendered from */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ProgramLines"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     get_programs_id_revisions: {
         parameters: {
             query?: {
@@ -4061,6 +4492,66 @@ export interface operations {
             };
         };
     };
+    get_work: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description heavy work that waits or runs now, in the order in which it came */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WorkPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_work_id: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description cancel it: who asked for it, or an admin */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     get_releases: {
         parameters: {
             query?: {
@@ -4334,6 +4825,43 @@ export interface operations {
             };
         };
     };
+    post_jobs_id_move: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Move"];
+            };
+        };
+        responses: {
+            /** @description move a queued job before another one, or to the end */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Job"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     post_jobs_id_stop: {
         parameters: {
             query?: never;
@@ -4424,6 +4952,174 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Job"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_alarms: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+                state?: string;
+                machine?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description alarms, newest first; with state=open those that ask for somebody */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AlarmPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_alarms_id: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description one alarm */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Alarm"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_alarms_id_acknowledge: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description a person knows of it */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Alarm"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_alarms_id_shelve: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Shelve"];
+            };
+        };
+        responses: {
+            /** @description it asks for nobody for some minutes, with a reason; not a critical one */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Alarm"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_alarms_id_unshelve: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description it asks again */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Alarm"];
                 };
             };
             /** @description a problem */

@@ -15,8 +15,6 @@ export type Stall = Schemas['Stall'];
 export type TornBlock = NonNullable<MachineStatus['needs_confirmation']>;
 export type PlcReport = NonNullable<MachineStatus['plc']>;
 export type Progress = Schemas['EventProgress'];
-// Everything that changes while a program goes out.
-export type LineReport = Omit<MachineStatus, 'program' | 'block_text' | 'needs_confirmation'>;
 
 export type Job = Schemas['Job'];
 export type JobState = Job['state'];
@@ -33,10 +31,17 @@ export type Receipt = Schemas['Receipt'];
 export type ReceiptState = Receipt['state'];
 export type StoredLikeness = NonNullable<Receipt['stored']>;
 
-export type Alarm = Schemas['EventAlarm'];
 export type Problem = Schemas['Problem'];
 
 export interface Page<T> {
   items: T[];
   next: string | null;
 }
+
+export type Alarm = Schemas['Alarm'];
+export type Severity = Alarm['severity'];
+
+export type ProgramLines = Schemas['ProgramLines'];
+export type ProgramLine = ProgramLines['lines'][number];
+export type Utilisation = Schemas['Utilisation'];
+export type UsedDay = Utilisation['days'][number];

@@ -1,25 +1,18 @@
 // What is known of a transfer, in words. Nothing here says that a control executed something: the server cannot know.
-import type { LedgerInterval } from '../api/types';
+import type { JobState, LedgerInterval } from '../api/types';
+import { t } from '../i18n/i18n';
 import { bytes, count } from './numbers';
 
-// The lines between which the last character that may have reached the control lies.
-export function positionText(fromLine: number, toLine: number): string {
-  if (toLine <= 0) return 'position not known';
-  if (fromLine <= 0) return `at most up to line ${toLine}`;
-  if (fromLine === toLine) return `in line ${toLine}`;
-  return `between lines ${fromLine} and ${toLine}`;
-}
+const kRunning: ReadonlySet<JobState> = new Set(['queued', 'armed', 'feeding', 'held', 'draining']);
 
-const kCertain: Record<LedgerInterval['known'], (low: number) => string> = {
-  clocked: (low) => `${bytes(low)} passed the line for certain`,
-  confirmed: (low) => `${bytes(low)} were acknowledged by the other side`,
-};
-
-export function intervalText(interval: LedgerInterval, total: number, ended: boolean): string {
+// A job that is done was sent to its program's end; what may be left is the trailer after it.
+export function intervalText(interval: LedgerInterval, total: number, state: JobState): string {
   const { low, high } = interval;
-  if (high === 0) return ended ? 'Nothing was sent.' : 'Nothing has been sent yet.';
-  const certain = (kCertain[interval.known] ?? kCertain.clocked)(low);
-  if (low === high && low === total) return `All ${certain}.`;
-  if (low === high) return `${certain}, and no more of ${bytes(total)} left the server.`;
-  return `${certain}; no more than ${count(high)} of ${bytes(total)} can have left the server. The true count lies between the two.`;
+  const ended = !kRunning.has(state);
+  if (high === 0) return t(ended ? 'interval.nothing' : 'interval.nothing_yet');
+  const certain = t(`interval.${interval.known}`, { bytes: bytes(low) });
+  if (state === 'done' && low < total) return t('interval.done', { certain, total: bytes(total) });
+  if (low === high && low === total) return t('interval.all', { certain });
+  if (low === high) return t('interval.no_more', { certain, total: bytes(total) });
+  return t('interval.between', { certain, high: count(high), total: bytes(total) });
 }

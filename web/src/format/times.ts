@@ -1,4 +1,5 @@
 // Instants in local time, and durations. Instants are milliseconds since 1970.
+import { t } from '../i18n/i18n';
 
 const two = (value: number): string => String(value).padStart(2, '0');
 
@@ -22,6 +23,14 @@ export function shortTime(ms: number, nowMs: number): string {
 export function countdown(ms: number): string {
   const seconds = Math.max(0, Math.ceil(ms / 1000));
   return `${Math.floor(seconds / 60)}:${two(seconds % 60)}`;
+}
+
+// About how long, in the roughness that a forecast deserves.
+export function aboutText(ms: number): string {
+  const minutes = ms / 60_000;
+  if (minutes < 1) return t('time.under_a_minute');
+  if (minutes < 90) return t('time.about_minutes', { minutes: Math.round(minutes) });
+  return t('time.about_hours', { hours: Math.round(minutes / 6) / 10 });
 }
 
 export function duration(seconds: number): string {

@@ -1,13 +1,14 @@
 // The one open stream of live events: it connects, hears, notices silence, and connects again with the last id. It is
 // read by fetch and not by EventSource, because EventSource hides the server's comments: with them, a connection that
-// died without a word is noticed in seconds, and what is on the screen is never taken for live.
+// died without a word is noticed in seconds, and what is on the screen is never taken for live. It runs in a page or in
+// a shared worker.
 import { EventParser, type ServerEvent } from './event_stream';
 
 const kSilenceMs = 25_000; // the server says something at least every 15 s
 const kFirstWaitMs = 500;
 const kLongestWaitMs = 5_000;
 
-export interface LiveListener {
+export interface StreamListener {
   opened(): void;
   event(event: ServerEvent): void;
   lost(heardAtMs: number): void; // after opened, or instead of it; 0: never heard
@@ -24,20 +25,20 @@ export class LiveConnection {
 
   constructor(
     private readonly url: string,
-    private readonly listener: LiveListener,
+    private readonly listener: StreamListener,
   ) {}
 
   start(): void {
     addEventListener('offline', this.breakOff);
     addEventListener('online', this.hurry);
-    document.addEventListener('visibilitychange', this.look);
+    this.lastId = '';
+    this.wait = kFirstWaitMs;
     void this.connect();
   }
 
   stop(): void {
     removeEventListener('offline', this.breakOff);
     removeEventListener('online', this.hurry);
-    document.removeEventListener('visibilitychange', this.look);
     clearTimeout(this.retry);
     this.close();
   }
@@ -49,6 +50,12 @@ export class LiveConnection {
     this.again();
   };
 
+  // The next stream begins at once and knows nothing of this one.
+  reopen(): void {
+    this.stop();
+    this.start();
+  }
+
   private readonly hurry = (): void => {
     if (this.abort) return;
     clearTimeout(this.retry);
@@ -56,10 +63,10 @@ export class LiveConnection {
   };
 
   // A page that slept may have a dead stream and a timer that did not run.
-  private readonly look = (): void => {
-    if (document.hidden || !this.abort) return;
+  look(): void {
+    if (!this.abort) return;
     if (Date.now() - this.heardAt > kSilenceMs) this.breakOff();
-  };
+  }
 
   private close(): void {
     clearTimeout(this.silence);

@@ -1,80 +1,103 @@
-// The head of the page: where one is, whether what one sees is live, who one is.
+// The head of the page: where one is, what asks for a person, whether what one sees is live, who one is.
 import { useState } from 'preact/hooks';
 import { clockTime } from '../format/times';
-import { hrefOf, type Route } from '../route';
-import { Icon } from './badge';
-import { useDesk } from './context';
+import { chooseLanguage, kLanguages, spoken, t } from '../i18n/i18n';
+import { Icon } from '../parts/icon';
+import { hrefs, route, type ViewName } from '../router';
+import { loader } from '../state/loader';
+import { connection, loaded, loadError, person } from '../state/shop';
+import { AlarmBell } from './alarms/tray';
 
-const kPlaces: { route: Route; label: string }[] = [
-  { route: { view: 'machines' }, label: 'Machines' },
-  { route: { view: 'jobs' }, label: 'Jobs' },
-  { route: { view: 'releases' }, label: 'New job' },
-  { route: { view: 'received' }, label: 'Received' },
+const kPlaces: { views: ViewName[]; href: string; label: string }[] = [
+  { views: ['floor', 'machine'], href: hrefs.floor, label: 'nav.floor' },
+  { views: ['jobs', 'job'], href: hrefs.jobs, label: 'nav.jobs' },
+  { views: ['releases'], href: hrefs.releases, label: 'nav.releases' },
+  { views: ['received'], href: hrefs.received, label: 'nav.received' },
+  { views: ['alarms'], href: hrefs.alarms, label: 'nav.alarms' },
 ];
 
-export function Header({ route }: { route: Route }) {
-  const { sync, session } = useDesk();
-  const [error, setError] = useState(false);
-  const here = route.view === 'job' ? 'jobs' : route.view;
-  const signOut = () => void sync.signOut().catch(() => setError(true));
+export function Header() {
+  const here = route.value.view;
   return (
     <header class="top">
+      <a class="skip" href="#main" onClick={skipToMain}>
+        {t('nav.skip')}
+      </a>
       <div class="top-row">
-        <a class="brand" href={hrefOf({ view: 'machines' })}>
+        <a class="brand" href={hrefs.floor}>
           dripfeed
         </a>
-        <nav aria-label="Views">
-          {kPlaces.map(({ route: to, label }) => (
-            <a key={to.view} href={hrefOf(to)} aria-current={to.view === here ? 'page' : undefined}>
-              {label}
+        <nav class="places" aria-label={t('nav.label')}>
+          {kPlaces.map(({ views, href, label }) => (
+            <a key={href} href={href} aria-current={views.includes(here) ? 'page' : undefined}>
+              {t(label)}
             </a>
           ))}
         </nav>
+        <AlarmBell />
         <ConnectionSign />
-        <div class="who">
-          <span>
-            {session.name} <span class="quiet-text">{session.role}</span>
-          </span>
-          <button type="button" class="button button-small" onClick={signOut}>
-            Sign out
-          </button>
-        </div>
+        <Person />
       </div>
-      {error && (
-        <p class="notice tone-bad" role="alert">
-          The server did not answer: you are still signed in.
-        </p>
-      )}
       <LostBanner />
     </header>
   );
 }
 
-function ConnectionSign() {
-  const { phase } = useDesk().state.connection;
-  if (phase === 'live')
-    return (
-      <span class="connection tone-good" role="status">
-        <Icon tone="good" /> live
-      </span>
-    );
+function skipToMain(event: Event): void {
+  event.preventDefault();
+  document.querySelector<HTMLElement>('main h1')?.focus();
+}
+
+function Person() {
+  const [error, setError] = useState(false);
+  const { name, role } = person();
   return (
-    <span class="connection tone-waiting" role="status">
-      <Icon tone="waiting" /> {phase === 'connecting' ? 'connecting…' : 'not live'}
+    <details class="who">
+      <summary>
+        {name} <span class="quiet-text">{t(`role.${role}`)}</span>
+      </summary>
+      <div class="who-box">
+        <label class="field">
+          <span>{t('language.label')}</span>
+          <select value={spoken.value.tag} onChange={(event) => void chooseLanguage(event.currentTarget.value)}>
+            {kLanguages.map(({ tag, name: own }) => (
+              <option key={tag} value={tag} lang={tag}>
+                {own}
+              </option>
+            ))}
+          </select>
+        </label>
+        <button type="button" class="button" onClick={() => void loader.signOut().catch(() => setError(true))}>
+          {t('session.sign_out')}
+        </button>
+        {error && (
+          <p class="notice tone-bad" role="alert">
+            {t('session.still_in')}
+          </p>
+        )}
+      </div>
+    </details>
+  );
+}
+
+function ConnectionSign() {
+  const { phase } = connection.value;
+  return (
+    <span class={`connection ${phase === 'live' ? 'tone-good' : 'tone-waiting'}`} role="status" data-phase={phase}>
+      <Icon shape={phase === 'live' ? 'good' : 'waiting'} /> {t(`connection.${phase}`)}
     </span>
   );
 }
 
 function LostBanner() {
-  const { connection, loaded, loadError } = useDesk().state;
-  if (connection.phase !== 'lost') return null;
+  const now = connection.value;
+  if (now.phase !== 'lost') return null;
   return (
     <div class="lost" role="alert">
-      <Icon tone="bad" />
+      <Icon shape="bad" />
       <p>
-        <strong>The connection to the server is lost</strong>, trying again.{' '}
-        {loaded && `What is shown here was true at ${clockTime(connection.since)} at the latest and may be wrong now.`}
-        {loadError && ` ${loadError}`}
+        <strong>{t('lost.title')}</strong> {loaded.value && now.heardAt > 0 && t('lost.old', { time: clockTime(now.heardAt) })}
+        {loadError.value && ` ${loadError.value}`}
       </p>
     </div>
   );

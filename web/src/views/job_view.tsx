@@ -1,95 +1,63 @@
 // One job with all that is known of it, and its ledger.
 import { useEffect, useState } from 'preact/hooks';
+import { ApiError } from '../api/client';
 import { bytes, shortHash } from '../format/numbers';
-import { deliveryText, jobWording } from '../format/words';
-import { hrefOf } from '../route';
+import { deliveryText } from '../format/words';
+import { t } from '../i18n/i18n';
+import { programText } from '../orders/dialogs';
+import { OrderBar } from '../orders/order_bar';
+import { Facts } from '../parts/facts';
+import { Failure } from '../parts/failure';
+import { WireBar, WireFigures } from '../parts/wire_progress';
 import { hasJob } from '../rules/lines';
-import { isLive, programName, statusOf } from '../state/select';
-import { Badge } from './badge';
-import { useDesk } from './context';
-import { Failure } from './dialog';
-import { JobButtons } from './job_buttons';
-import { Reason, Times } from './jobs_view';
+import { hrefs } from '../router';
+import { jobs, machines } from '../state/shop';
+import { loader } from '../state/loader';
+import { StateCell, Times } from './jobs_view';
 import { LedgerView } from './ledger_view';
-import { Expiry } from './machine_card';
-import { WireProgress } from './wire_progress';
+import { NotFound } from './not_found';
 
 export function JobView({ id }: { id: number }) {
-  const { state, sync } = useDesk();
   const [error, setError] = useState<unknown>(null);
-  const job = state.jobs.get(id);
+  const job = jobs.value.get(id);
   const known = job !== undefined;
   useEffect(() => {
     setError(null);
-    if (!known) void sync.order(sync.loadJob(id)).catch(setError);
+    if (!known) loader.order(loader.loadJob(id)).catch(setError);
   }, [id, known]);
-
-  const status = job ? statusOf(state, job.machine) : null;
-  const onLine = status !== null && status.job === id && hasJob(status);
+  if (error instanceof ApiError && error.status === 404) return <NotFound what={t('not_found.job', { job: id })} />;
+  const machine = job ? machines.value.get(job.machine) : undefined;
+  const status = machine?.status.value;
+  const onLine = status?.job === id && hasJob(status);
   return (
     <>
       <p class="back">
-        <a href={hrefOf({ view: 'jobs' })}>All jobs</a>
+        <a href={hrefs.jobs}>{t('job.all')}</a>
       </p>
-      <h1 tabIndex={-1}>Job {id}</h1>
+      <h1 tabIndex={-1}>{t('job.title', { job: id })}</h1>
       <Failure error={error} />
       {job && (
         <>
-          <section class="card" aria-label="Job" data-state={job.state}>
-            <div class="job-head">
-              <Badge wording={jobWording(job.state)} old={!isLive(state) && job.ended_at_ms === null} />
-              <JobButtons job={job} />
-            </div>
-            <Reason job={job} />
-            {job.state === 'armed' && <Expiry job={job} />}
-            {onLine && <WireProgress status={status} />}
+          <section class="card" aria-label={t('column.job')} data-state={job.state}>
+            <StateCell job={job} />
+            {onLine && machine && <OrderBar machine={machine} />}
+            {onLine && machine && <WireBar status={machine.status} />}
+            {onLine && status && <WireFigures status={status} />}
             <div class="job-facts">
-              <dl class="facts">
-                <dt>Program</dt>
-                <dd>
-                  {programName(state, job.program)}, revision {job.revision}
-                </dd>
-                <dt>SHA-256</dt>
-                <dd>
-                  <code title={job.sha256}>{shortHash(job.sha256)}…</code>
-                </dd>
-                <dt>Machine</dt>
-                <dd>{job.machine}</dd>
-                {job.read_back && (
-                  <>
-                    <dt>Read-back</dt>
-                    <dd>{job.read_back}</dd>
-                  </>
-                )}
-                <dt>Link</dt>
-                <dd>
-                  <code>{job.link}</code>
-                </dd>
-                <dt>Delivery</dt>
-                <dd>
-                  {deliveryText(job.delivery)}, {bytes(job.bytes)} on the wire
-                </dd>
-                <dt>Release</dt>
-                <dd>{job.release}</dd>
-                <dt>Queued by</dt>
-                <dd>{job.created_by}</dd>
-                {job.armed_by !== null && (
-                  <>
-                    <dt>Armed by</dt>
-                    <dd>{job.armed_by}</dd>
-                  </>
-                )}
-                {job.torn && (
-                  <>
-                    <dt>Torn block</dt>
-                    <dd>
-                      {job.confirmed_by === null
-                        ? 'waits for a person who confirms that the control was reset'
-                        : `reset confirmed by ${job.confirmed_by}: ${job.confirm_reason ?? ''}`}
-                    </dd>
-                  </>
-                )}
-              </dl>
+              <Facts
+                facts={[
+                  [t('fact.program'), t('fact.program_revision', { program: programText(job), revision: job.revision })],
+                  [t('fact.sha256'), <code title={job.sha256}>{shortHash(job.sha256)}…</code>],
+                  [t('fact.machine'), <a href={hrefs.machine(job.machine)}>{job.machine}</a>],
+                  [t('fact.read_back'), job.read_back ?? null],
+                  [t('fact.link'), <code>{job.link}</code>],
+                  [t('fact.delivery'), t('fact.delivery_bytes', { delivery: deliveryText(job.delivery), bytes: bytes(job.bytes) })],
+                  [t('fact.release'), job.release],
+                  [t('fact.queued_by'), job.created_by],
+                  [t('fact.armed_by'), job.armed_by],
+                  [t('fact.torn'), job.torn ? tornText(job.confirmed_by, job.confirm_reason) : null],
+                ]}
+              />
               <Times job={job} />
             </div>
           </section>
@@ -99,3 +67,6 @@ export function JobView({ id }: { id: number }) {
     </>
   );
 }
+
+const tornText = (by: string | null, reason: string | null): string =>
+  by === null ? t('torn.waits') : t('torn.confirmed', { name: by, reason: reason ?? '' });

@@ -1,116 +1,135 @@
 // The transfers, newest first, with what each takes now.
 import { useState } from 'preact/hooks';
 import type { Job } from '../api/types';
-import { shortTime } from '../format/times';
-import { jobWording, reasonText } from '../format/words';
-import { hrefOf } from '../route';
+import { countdown, clockTime, shortTime } from '../format/times';
+import { jobWording, jobReason } from '../format/words';
+import { t } from '../i18n/i18n';
+import { CancelDialog, programText } from '../orders/dialogs';
+import { Badge } from '../parts/badge';
+import { minutes, seconds } from '../parts/clock';
+import { showDialog } from '../parts/dialog';
+import { Empty } from '../parts/empty';
+import { Failure } from '../parts/failure';
+import { Table } from '../parts/table';
 import { atLeast } from '../rules/roles';
-import { isLive, newestFirst, programName } from '../state/select';
-import { Badge } from './badge';
-import { useDesk, useNow } from './context';
-import { Failure } from './dialog';
-import { JobButtons } from './job_buttons';
-import { Expiry } from './machine_card';
+import { hrefs } from '../router';
+import { isLive, isLost, jobsNewestFirst, olderJobs, person } from '../state/shop';
+import { loader } from '../state/loader';
 
 export function JobsView() {
-  const { state, sync, session } = useDesk();
-  const may = atLeast(session.role, 'operator');
+  const may = atLeast(person().role, 'operator');
   const [error, setError] = useState<unknown>(null);
-  const jobs = newestFirst(state);
-  const older = async () => {
+  const jobs = jobsNewestFirst.value;
+  const older = () => {
     setError(null);
-    await sync.order(sync.loadOlderJobs()).catch(setError);
+    loader.order(loader.loadOlderJobs()).catch(setError);
   };
   return (
     <>
-      <h1 tabIndex={-1}>Jobs</h1>
-      {jobs.length === 0 && (
-        <p class="empty">
-          No job yet. Queue one from a release under <a href={hrefOf({ view: 'releases' })}>New job</a>.
-        </p>
-      )}
-      {jobs.length > 0 && (
-        <table class="table">
-          <thead>
-            <tr>
-              <th scope="col">Job</th>
-              <th scope="col">State</th>
-              <th scope="col">Program</th>
-              <th scope="col">Machine</th>
-              <th scope="col">Times</th>
-              {may && <th scope="col">Orders</th>}
-            </tr>
-          </thead>
-          <tbody>
-            {jobs.map((job) => (
-              <JobRow key={job.id} job={job} may={may} />
-            ))}
-          </tbody>
-        </table>
+      <h1 tabIndex={-1}>{t('nav.jobs')}</h1>
+      {jobs.length === 0 ? (
+        <Empty
+          action={
+            <a class="button button-main" href={hrefs.releases}>
+              {t('jobs.new')}
+            </a>
+          }
+        >
+          {t('jobs.empty')}
+        </Empty>
+      ) : (
+        <Table
+          label={t('nav.jobs')}
+          rows={jobs}
+          keyOf={(job) => job.id}
+          marks={(job) => ({ 'data-job': String(job.id), 'data-state': job.state })}
+          columns={[
+            {
+              id: 'job',
+              head: t('column.job'),
+              cell: (job) => (
+                <a class="job-id" href={hrefs.job(job.id)} aria-label={t('job.details', { job: job.id })}>
+                  {job.id}
+                </a>
+              ),
+            },
+            { id: 'state', head: t('column.state'), cell: (job) => <StateCell job={job} /> },
+            {
+              id: 'program',
+              head: t('column.program'),
+              cell: (job) => (
+                <>
+                  <strong>{programText(job)}</strong> <span class="quiet-text">{t('job.revision', { revision: job.revision })}</span>
+                </>
+              ),
+            },
+            { id: 'machine', head: t('column.machine'), cell: (job) => <a href={hrefs.machine(job.machine)}>{job.machine}</a> },
+            { id: 'times', head: t('column.times'), cell: (job) => <Times job={job} /> },
+            may && { id: 'orders', head: t('column.orders'), class: 'orders', cell: (job) => <RowOrders job={job} /> },
+          ]}
+        />
       )}
       <Failure error={error} />
-      {state.olderJobs !== null && (
-        <button type="button" class="button" onClick={() => void older()}>
-          Show older jobs
+      {olderJobs.value !== null && (
+        <button type="button" class="button" onClick={older}>
+          {t('jobs.older')}
         </button>
       )}
     </>
   );
 }
 
-function JobRow({ job, may }: { job: Job; may: boolean }) {
-  const { state } = useDesk();
+// Who feeds stands at the machine: there are its orders. Here a job is only taken out of the queue.
+const RowOrders = ({ job }: { job: Job }) =>
+  job.state === 'queued' ? (
+    <button type="button" class="button button-small" onClick={() => showDialog(<CancelDialog id={job.id} />)} aria-label={t('order.cancel_job', { job: job.id })}>
+      {t('order.cancel')}
+    </button>
+  ) : job.ended_at_ms === null ? (
+    <a class="button button-small" href={hrefs.machine(job.machine)}>
+      {t('jobs.to_machine')}
+    </a>
+  ) : null;
+
+export const StateCell = ({ job }: { job: Job }) => (
+  <>
+    <Badge wording={jobWording(job.state)} old={isLost.value && job.ended_at_ms === null} />
+    <Reason job={job} />
+    {job.read_back && <p class="reason">{t('job.read_back', { text: job.read_back })}</p>}
+    {job.state === 'armed' && <Expiry job={job} />}
+  </>
+);
+
+// The reason of the last move, where it says more than the state. A job that is done needs none.
+export const Reason = ({ job }: { job: Job }) =>
+  job.reason === '' || job.reason === job.state || job.state === 'done' ? null : <p class="reason">{jobReason(job)}</p>;
+
+export function Expiry({ job }: { job: Job }) {
+  const who = t('expiry.armed_by', { name: job.armed_by ?? '?' });
+  if (job.expires_at_ms === null) return <p class="expiry">{who}</p>;
+  const at = clockTime(job.expires_at_ms);
   return (
-    <tr>
-      <td data-label="Job">
-        <a class="job-id" href={hrefOf({ view: 'job', id: job.id })} aria-label={`Details of job ${job.id}`}>
-          {job.id}
-        </a>
-      </td>
-      <td data-label="State">
-        <Badge wording={jobWording(job.state)} old={!isLive(state) && job.ended_at_ms === null} />
-        <Reason job={job} />
-        {job.read_back && <p class="reason">read-back: {job.read_back}</p>}
-        {job.state === 'armed' && <Expiry job={job} />}
-      </td>
-      <td data-label="Program">
-        <strong>{programName(state, job.program)}</strong> <span class="quiet-text">rev. {job.revision}</span>
-      </td>
-      <td data-label="Machine">{job.machine}</td>
-      <td data-label="Times">
-        <Times job={job} />
-      </td>
-      {may && (
-        <td data-label="Orders" class="orders">
-          <JobButtons job={job} />
-        </td>
-      )}
-    </tr>
+    <p class="expiry">
+      {who}: <strong>{isLive.value ? t('expiry.in', { left: countdown(job.expires_at_ms - seconds.value), at }) : t('expiry.at', { at })}</strong>
+    </p>
   );
 }
 
-// The reason of the last move, where it says more than the state.
-export function Reason({ job }: { job: Job }) {
-  if (job.reason === '' || job.reason === job.state) return null;
-  return <p class="reason">{reasonText(job.reason)}</p>;
-}
-
 export function Times({ job }: { job: Job }) {
-  const now = useNow(60_000);
   const rows: [string, number | null][] = [
-    ['queued', job.created_at_ms],
-    ['armed', job.armed_at_ms],
-    ['started', job.started_at_ms],
-    ['ended', job.ended_at_ms],
+    ['time.queued', job.created_at_ms],
+    ['time.armed', job.armed_at_ms],
+    ['time.started', job.started_at_ms],
+    ['time.ended', job.ended_at_ms],
   ];
   return (
     <dl class="times">
       {rows.map(([name, at]) =>
         at === null ? null : (
           <div key={name}>
-            <dt>{name}</dt>
+            <dt>{t(name)}</dt>
             <dd>
-              <time dateTime={new Date(at).toISOString()}>{shortTime(at, now)}</time>
+              <time dateTime={new Date(at).toISOString()}>{shortTime(at, minutes.value)}</time>
             </dd>
           </div>
         ),

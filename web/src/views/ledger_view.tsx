@@ -7,26 +7,27 @@ import { intervalText } from '../format/intervals';
 import { count } from '../format/numbers';
 import { clockTime } from '../format/times';
 import { reasonText } from '../format/words';
-import { isLive } from '../state/select';
-import { useDesk } from './context';
-import { Failure } from './dialog';
+import { t } from '../i18n/i18n';
+import { Failure } from '../parts/failure';
+import { Table } from '../parts/table';
+import { isLive } from '../state/shop';
+import { loader } from '../state/loader';
 
 const kPage = 50;
 const kAgainMs = 2_000;
 
 export function LedgerView({ job }: { job: Job }) {
-  const { state, sync } = useDesk();
   const [interval, setBounds] = useState<LedgerInterval | null>(null);
   const [rows, setRows] = useState<LedgerRow[]>([]);
   const [next, setNext] = useState<string | null>(null);
   const [error, setError] = useState<unknown>(null);
-  const live = isLive(state);
+  const live = isLive.value;
   const ended = job.ended_at_ms !== null;
 
   const load = async (after: string | null) => {
     setError(null);
     try {
-      const page = await sync.order(calls.ledger(job.id, kPage, after));
+      const page = await loader.order(calls.ledger(job.id, kPage, after));
       setBounds(page.interval);
       setRows((before) => (after === null ? page.items : [...before, ...page.items]));
       setNext(page.next);
@@ -44,50 +45,36 @@ export function LedgerView({ job }: { job: Job }) {
     return () => clearInterval(timer);
   }, [job.id, job.state, live]);
 
+  // A plain serial line confirms nothing: it has no such column.
+  const confirms = interval?.known === 'confirmed';
   return (
-    <section class="card" aria-label="Ledger">
-      <h2>Ledger</h2>
+    <section class="card" aria-label={t('ledger.title')}>
+      <h2>{t('ledger.title')}</h2>
       <Failure error={error} />
-      {interval && <p class="interval">{intervalText(interval, job.bytes, ended)}</p>}
-      {interval && interval.high > 0 && <p class="hint">What the control executed of it is not known here.</p>}
-      {rows.length > 0 && <Rows rows={rows} confirms={interval?.known === 'confirmed'} />}
+      {interval && <p class="interval">{intervalText(interval, job.bytes, job.state)}</p>}
+      {interval && interval.high > 0 && <p class="hint">{t('machine.executed_unknown')}</p>}
+      {rows.length > 0 && (
+        <Table
+          label={t('ledger.title')}
+          numbers
+          rows={rows}
+          keyOf={(row) => row.seq}
+          columns={[
+            { id: 'row', head: t('ledger.row'), cell: (row) => count(row.seq) },
+            { id: 'time', head: t('ledger.time'), cell: (row) => clockTime(row.at_ms) },
+            { id: 'handed', head: t('wire.handed'), cell: (row) => count(row.handed) },
+            { id: 'clocked', head: t('wire.clocked'), cell: (row) => count(row.clocked) },
+            confirms && { id: 'confirmed', head: t('wire.confirmed'), cell: (row) => count(row.confirmed) },
+            { id: 'reserve', head: t('ledger.reserve'), cell: (row) => count(row.reserve) },
+            { id: 'note', head: t('ledger.note'), class: 'note', cell: (row) => reasonText(row.note) },
+          ]}
+        />
+      )}
       {next !== null && (
         <button type="button" class="button" onClick={() => void load(next)}>
-          Show the next {kPage} rows
+          {t('ledger.more', { count: kPage })}
         </button>
       )}
     </section>
   );
 }
-
-// A plain serial line confirms nothing: it has no such column.
-const Rows = ({ rows, confirms }: { rows: LedgerRow[]; confirms: boolean }) => (
-  <table class="table table-numbers">
-    <thead>
-      <tr>
-        <th scope="col">Row</th>
-        <th scope="col">Time</th>
-        <th scope="col">Handed</th>
-        <th scope="col">Clocked</th>
-        {confirms && <th scope="col">Confirmed</th>}
-        <th scope="col">Reserve</th>
-        <th scope="col">Note</th>
-      </tr>
-    </thead>
-    <tbody>
-      {rows.map((row) => (
-        <tr key={row.seq}>
-          <td data-label="Row">{count(row.seq)}</td>
-          <td data-label="Time">{clockTime(row.at_ms)}</td>
-          <td data-label="Handed">{count(row.handed)}</td>
-          <td data-label="Clocked">{count(row.clocked)}</td>
-          {confirms && <td data-label="Confirmed">{count(row.confirmed)}</td>}
-          <td data-label="Reserve">{count(row.reserve)}</td>
-          <td data-label="Note" class="note">
-            {reasonText(row.note)}
-          </td>
-        </tr>
-      ))}
-    </tbody>
-  </table>
-);

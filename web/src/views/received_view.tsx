@@ -1,171 +1,190 @@
 // What controls punched: each receipt with its state, why it is in quarantine, and how it compares with the stored
-// program of its name. Accepting makes a revision; nothing is ever overwritten.
+// program of its name. It is live. Nothing is accepted unread: the text stands in the dialog. Accepting makes a
+// revision; nothing is ever overwritten.
 import { useEffect, useState } from 'preact/hooks';
 import { calls } from '../api/calls';
 import type { Receipt } from '../api/types';
-import { shortHash } from '../format/numbers';
+import { bytes, shortHash } from '../format/numbers';
 import { dateTime } from '../format/times';
 import { receiptWording } from '../format/words';
+import { t } from '../i18n/i18n';
+import { Badge } from '../parts/badge';
+import { OrderDialog, showDialog } from '../parts/dialog';
+import { Empty } from '../parts/empty';
+import { Failure } from '../parts/failure';
+import { Table } from '../parts/table';
 import { atLeast } from '../rules/roles';
-import { isLive } from '../state/select';
-import { Badge } from './badge';
-import { useDesk } from './context';
-import { Failure, OrderDialog } from './dialog';
-
-type Asked = { order: 'accept' | 'discard'; receipt: Receipt } | null;
+import { isLive, person, receiptNews } from '../state/shop';
+import { loader } from '../state/loader';
 
 export function ReceivedView() {
-  const { state, sync, session } = useDesk();
   const [receipts, setReceipts] = useState<Receipt[] | null>(null);
+  const [next, setNext] = useState<string | null>(null);
   const [error, setError] = useState<unknown>(null);
-  const [asked, setAsked] = useState<Asked>(null);
-  const live = isLive(state);
-  const load = async () => {
+  const live = isLive.value;
+  const news = receiptNews.value;
+  const load = async (after: string | null) => {
     setError(null);
     try {
-      setReceipts((await sync.order(calls.receipts())).items);
+      const page = await loader.order(calls.receipts(after));
+      setReceipts((before) => (after === null ? page.items : [...(before ?? []), ...page.items]));
+      setNext(page.next);
     } catch (failure) {
       setError(failure);
     }
   };
   useEffect(() => {
-    if (live) void load();
-  }, [live]);
-
-  const mayAccept = atLeast(session.role, 'programmer');
-  const mayDiscard = atLeast(session.role, 'approver');
+    if (live) void load(null);
+  }, [live, news]);
+  const mayAccept = atLeast(person().role, 'programmer');
   return (
     <>
-      <h1 tabIndex={-1}>Received</h1>
-      <p class="lead">Programs that controls punched. They are kept here until a person accepts or discards them.</p>
+      <h1 tabIndex={-1}>{t('nav.received')}</h1>
+      <p class="lead">{t('received.lead')}</p>
       <Failure error={error} />
-      {receipts?.length === 0 && <p class="empty">Nothing was received yet.</p>}
+      {receipts?.length === 0 && <Empty>{t('received.empty')}</Empty>}
       {receipts && receipts.length > 0 && (
-        <table class="table">
-          <thead>
-            <tr>
-              <th scope="col">Name</th>
-              <th scope="col">State</th>
-              <th scope="col">Machine</th>
-              <th scope="col">Received</th>
-              <th scope="col">Stored program</th>
-              {mayAccept && <th scope="col">Orders</th>}
-            </tr>
-          </thead>
-          <tbody>
-            {receipts.map((receipt) => (
-              <ReceiptRow
-                key={receipt.id}
-                receipt={receipt}
-                orders={
-                  mayAccept
-                    ? { live, mayDiscard, ask: (order) => setAsked({ order, receipt }) }
-                    : null
-                }
-              />
-            ))}
-          </tbody>
-        </table>
+        <Table
+          label={t('nav.received')}
+          rows={receipts}
+          keyOf={(receipt) => receipt.id}
+          marks={(receipt) => ({ 'data-receipt': String(receipt.id) })}
+          columns={[
+            {
+              id: 'name',
+              head: t('column.name'),
+              cell: (receipt) => (
+                <>
+                  <strong>{receipt.name}</strong>{' '}
+                  <span class="quiet-text">
+                    {bytes(receipt.bytes)}, <code title={receipt.sha256}>{shortHash(receipt.sha256)}…</code>
+                  </span>
+                </>
+              ),
+            },
+            {
+              id: 'state',
+              head: t('column.state'),
+              cell: (receipt) => (
+                <>
+                  <Badge wording={receiptWording(receipt.state)} />
+                  {(receipt.decided_reason || receipt.reason) && <span class="reason">{receipt.decided_reason || receipt.reason}</span>}
+                </>
+              ),
+            },
+            { id: 'machine', head: t('column.machine'), cell: (receipt) => receipt.machine },
+            { id: 'at', head: t('column.received'), cell: (receipt) => dateTime(receipt.at_ms) },
+            { id: 'stored', head: t('column.stored'), cell: likenessText },
+            mayAccept && {
+              id: 'orders',
+              head: t('column.orders'),
+              class: 'orders',
+              cell: (receipt) => <Orders receipt={receipt} live={live} done={() => void load(null)} />,
+            },
+          ]}
+        />
       )}
-      {asked && <Decision asked={asked} close={() => setAsked(null)} done={() => void load()} />}
+      {next !== null && (
+        <button type="button" class="button" onClick={() => void load(next)}>
+          {t('list.more')}
+        </button>
+      )}
     </>
   );
 }
 
-interface Orders {
-  live: boolean;
-  mayDiscard: boolean;
-  ask: (order: 'accept' | 'discard') => void;
-}
-
-function ReceiptRow({ receipt, orders }: { receipt: Receipt; orders: Orders | null }) {
-  const wording = receiptWording(receipt.state);
+function Orders({ receipt, live, done }: { receipt: Receipt; live: boolean; done: () => void }) {
+  const mayDiscard = atLeast(person().role, 'approver');
   const open = receipt.state === 'stored' || receipt.state === 'quarantined';
+  const isKept = receipt.state === 'quarantined';
+  const ask = (order: 'accept' | 'discard') => live && showDialog(<Decision receipt={receipt} order={order} done={done} />);
   return (
-    <tr data-receipt={receipt.id}>
-      <td data-label="Name">
-        <strong>{receipt.name}</strong>{' '}
-        <span class="quiet-text">
-          {receipt.bytes} bytes, <code title={receipt.sha256}>{shortHash(receipt.sha256)}…</code>
-        </span>
-      </td>
-      <td data-label="State">
-        <Badge wording={wording} />
-        {(receipt.decided_reason || receipt.reason) && <span class="reason">{receipt.decided_reason || receipt.reason}</span>}
-        {receipt.state === 'quarantined' && <ReadableText receipt={receipt} />}
-      </td>
-      <td data-label="Machine">{receipt.machine}</td>
-      <td data-label="Received">{dateTime(receipt.at_ms)}</td>
-      <td data-label="Stored program">{likenessText(receipt)}</td>
-      {orders && (
-        <td data-label="Orders" class="orders">
-          {receipt.state === 'stored' && (
-            <button type="button" class="button button-main" disabled={!orders.live} onClick={() => orders.ask('accept')} aria-label={`Accept receipt ${receipt.id}`}>
-              Accept
-            </button>
-          )}
-          {receipt.state === 'quarantined' && orders.mayDiscard && (
-            <button type="button" class="button" disabled={!orders.live} onClick={() => orders.ask('accept')} aria-label={`Take receipt ${receipt.id} out of quarantine`}>
-              Accept with a reason
-            </button>
-          )}
-          {open && orders.mayDiscard && (
-            <button type="button" class="button" disabled={!orders.live} onClick={() => orders.ask('discard')} aria-label={`Discard receipt ${receipt.id}`}>
-              Discard
-            </button>
-          )}
-        </td>
+    <>
+      {open && (!isKept || mayDiscard) && (
+        <button
+          type="button"
+          class={isKept ? 'button' : 'button button-main'}
+          aria-disabled={!live}
+          onClick={() => ask('accept')}
+          aria-label={t(isKept ? 'received.take_out_of' : 'received.accept_of', { id: receipt.id })}
+        >
+          {t(isKept ? 'received.accept_reason' : 'received.accept')}
+        </button>
       )}
-    </tr>
+      {open && mayDiscard && (
+        <button type="button" class="button" aria-disabled={!live} onClick={() => ask('discard')} aria-label={t('received.discard_of', { id: receipt.id })}>
+          {t('received.discard')}
+        </button>
+      )}
+    </>
   );
 }
 
 // Accepting goes to the program of the same name where there is one, as its next revision.
-function Decision({ asked, close, done }: { asked: NonNullable<Asked>; close: () => void; done: () => void }) {
-  const { receipt } = asked;
+function Decision({ receipt, order, done }: { receipt: Receipt; order: 'accept' | 'discard'; done: () => void }) {
+  const [read, setRead] = useState(false);
   const finish = async (sent: Promise<unknown>) => {
     await sent;
     done();
   };
-  if (asked.order === 'discard')
+  const { id, name } = receipt;
+  if (order === 'discard')
     return (
-      <OrderDialog title={`Discard ${receipt.name}`} confirm="Discard" danger reason="Why it is not wanted" send={(key, reason) => finish(calls.discardReceipt(receipt.id, reason, key))} close={close}>
-        <p>The receipt stays in the list, with the reason.</p>
+      <OrderDialog title={t('received.discard_title', { name })} confirm={t('received.discard')} danger reason={t('received.why_not')} send={(key, reason) => finish(calls.discardReceipt(id, reason, key))}>
+        <p>{t('received.discard_text')}</p>
       </OrderDialog>
     );
-  if (receipt.state === 'quarantined')
-    return (
-      <OrderDialog title={`Accept ${receipt.name} from quarantine`} confirm="Accept" danger reason="Why it is right all the same" send={(key, reason) => finish(calls.acceptFromQuarantine(receipt.id, reason, key))} close={close}>
-        <p>
-          It is in quarantine: {receipt.reason}. <ReadableText receipt={receipt} /> becomes a new program. It is not released by that.
-        </p>
-      </OrderDialog>
-    );
-  const stored = receipt.stored;
+  const isKept = receipt.state === 'quarantined';
+  const send = (key: string, reason: string) =>
+    finish(isKept ? calls.acceptFromQuarantine(id, reason, key) : calls.acceptReceipt(id, receipt.stored, key));
   return (
-    <OrderDialog title={`Accept ${receipt.name}`} confirm="Accept" send={(key) => finish(calls.acceptReceipt(receipt.id, stored, key))} close={close}>
+    <OrderDialog
+      title={t(isKept ? 'received.take_out_title' : 'received.accept_title', { name })}
+      confirm={t('received.accept')}
+      danger={isKept}
+      {...(isKept ? { reason: t('received.why_right') } : {})}
+      blocked={read ? null : t('received.read_first')}
+      send={send}
+    >
       <p>
-        {stored
-          ? `It becomes revision ${stored.revision + 1} of program ${stored.program}. ${likenessText(receipt)}.`
-          : 'It becomes a new program.'}{' '}
-        It is not released by that.
+        {isKept && t('received.is_kept', { reason: receipt.reason ?? '' })} {becomesText(receipt)} {t('received.not_released')}
       </p>
+      <ReceiptText receipt={receipt} shown={() => setRead(true)} />
     </OrderDialog>
   );
 }
 
-// What can be read of a broken one, in the code that it came in.
-function ReadableText({ receipt }: { receipt: Receipt }) {
+const kMostShown = 20_000; // characters
+
+// The text of a receipt; of a broken one what can be read, in the code that it came in.
+function ReceiptText({ receipt, shown }: { receipt: Receipt; shown: () => void }) {
+  const [text, setText] = useState<string | null>(null);
+  const [error, setError] = useState<unknown>(null);
+  useEffect(() => {
+    loader.order(calls.receiptText(receipt.id, receipt.state === 'quarantined')).then((found) => {
+      setText(found);
+      shown();
+    }, setError);
+  }, [receipt.id]);
   return (
-    <a href={`/api/v1/receipts/${receipt.id}/text?form=read`} target="_blank" rel="noreferrer">
-      What can be read
-    </a>
+    <>
+      <Failure error={error} />
+      {text !== null && (
+        <pre class="text-box" tabIndex={0} aria-label={t('received.text')}>
+          {text.slice(0, kMostShown)}
+          {text.length > kMostShown && `\n${t('received.cut', { rest: text.length - kMostShown })}`}
+        </pre>
+      )}
+    </>
   );
 }
 
+const becomesText = ({ stored }: Receipt): string =>
+  stored ? t('received.becomes_revision', { revision: stored.revision + 1, program: stored.program }) : t('received.becomes_program');
+
 function likenessText(receipt: Receipt): string {
-  if (receipt.program !== null) return `program ${receipt.program} rev. ${receipt.revision}`;
-  if (!receipt.stored) return receipt.state === 'stored' ? 'none of this name' : '';
+  if (receipt.program !== null) return t('received.as', { program: receipt.program, revision: receipt.revision ?? 0 });
+  if (!receipt.stored) return receipt.state === 'stored' ? t('received.none_of_name') : '';
   const { revision, same, difference } = receipt.stored;
-  return same ? `same as rev. ${revision}` : `differs from rev. ${revision}: ${difference ?? 'elsewhere'}`;
+  return same ? t('received.same', { revision }) : t('received.differs', { revision, difference: difference ?? '?' });
 }

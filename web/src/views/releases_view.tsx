@@ -5,109 +5,113 @@ import type { Release } from '../api/types';
 import { shortHash } from '../format/numbers';
 import { dateTime } from '../format/times';
 import { deliveryText, releaseText } from '../format/words';
-import { hrefOf } from '../route';
+import { t } from '../i18n/i18n';
+import { Empty } from '../parts/empty';
+import { Failure } from '../parts/failure';
+import { Table } from '../parts/table';
 import { isReleased, mayBeQueued } from '../rules/releases';
 import { atLeast } from '../rules/roles';
-import { isLive, programName } from '../state/select';
-import { useDesk } from './context';
-import { Failure } from './dialog';
+import { hrefs } from '../router';
+import { isLive, person, programName, releases } from '../state/shop';
+import { loader } from '../state/loader';
 
 export function ReleasesView() {
-  const { state, sync, session } = useDesk();
   const [error, setError] = useState<unknown>(null);
-  const [queued, setQueued] = useState<{ release: number; job: number } | null>(null);
+  const [queued, setQueued] = useState<{ machine: string; job: number } | null>(null);
   const [busy, setBusy] = useState(false);
-  const live = isLive(state);
+  const live = isLive.value;
   useEffect(() => {
-    if (live) void sync.order(sync.loadReleases()).catch(setError);
+    if (live) loader.order(loader.loadReleases()).catch(setError);
   }, [live]);
 
   const queue = async (release: Release) => {
+    if (busy) return;
     setBusy(true);
     setError(null);
     setQueued(null);
     try {
-      const job = await sync.order(calls.addJob(release.id));
-      setQueued({ release: release.id, job: job.id });
+      const job = await loader.order(calls.addJob(release.id));
+      setQueued({ machine: job.machine, job: job.id });
     } catch (failure) {
       setError(failure);
     }
     setBusy(false);
   };
-  const usable = state.releases.filter(isReleased);
-  const may = atLeast(session.role, 'operator');
+  const usable = releases.value.filter(isReleased);
+  const may = atLeast(person().role, 'operator');
   return (
     <>
-      <h1 tabIndex={-1}>New job</h1>
-      <p class="lead">Programs that are released for a machine. To queue one sends nothing: a person arms it at its machine.</p>
+      <h1 tabIndex={-1}>{t('nav.releases')}</h1>
+      <p class="lead">{t('releases.lead')}</p>
       <Failure error={error} />
       {queued && (
         <p class="notice tone-good" role="status">
-          Queued as <a href={hrefOf({ view: 'job', id: queued.job })}>job {queued.job}</a>.{' '}
-          <a href={hrefOf({ view: 'machines' })}>Go to the machines</a> to arm it.
+          {t('releases.queued', { job: queued.job })} <a href={hrefs.machine(queued.machine)}>{t('releases.go', { machine: queued.machine })}</a>
         </p>
       )}
-      {usable.length === 0 && <p class="empty">Nothing is proving or approved at the moment.</p>}
-      {usable.length > 0 && (
-        <table class="table">
-          <thead>
-            <tr>
-              <th scope="col">Release</th>
-              <th scope="col">Program</th>
-              <th scope="col">Machine</th>
-              <th scope="col">Delivery</th>
-              <th scope="col">State</th>
-              {may && <th scope="col">Orders</th>}
-            </tr>
-          </thead>
-          <tbody>
-            {usable.map((release) => (
-              <tr key={release.id}>
-                <td data-label="Release">{release.id}</td>
-                <td data-label="Program">
-                  <strong>{programName(state, release.program)}</strong>{' '}
+      {usable.length === 0 ? (
+        <Empty
+          action={
+            <a class="button" href={hrefs.floor}>
+              {t('not_found.floor')}
+            </a>
+          }
+        >
+          {t('releases.empty')}
+        </Empty>
+      ) : (
+        <Table
+          label={t('nav.releases')}
+          rows={usable}
+          keyOf={(release) => release.id}
+          columns={[
+            { id: 'release', head: t('column.release'), cell: (release) => release.id },
+            {
+              id: 'program',
+              head: t('column.program'),
+              cell: (release) => (
+                <>
+                  <strong>{programName(release.program) ?? t('program.number', { id: release.program })}</strong>{' '}
                   <span class="quiet-text">
-                    rev. {release.revision}, <code title={release.sha256}>{shortHash(release.sha256)}…</code>
+                    {t('job.revision', { revision: release.revision })}, <code title={release.sha256}>{shortHash(release.sha256)}…</code>
                   </span>
-                </td>
-                <td data-label="Machine">{release.machine}</td>
-                <td data-label="Delivery">{deliveryText(release.delivery)}</td>
-                <td data-label="State">
-                  <Standing release={release} />
-                </td>
-                {may && (
-                  <td data-label="Orders" class="orders">
-                    {mayBeQueued(release) && (
-                      <button
-                        type="button"
-                        class="button button-main"
-                        disabled={busy || !live}
-                        onClick={() => void queue(release)}
-                        aria-label={`Queue release ${release.id}`}
-                      >
-                        Queue
-                      </button>
-                    )}
-                  </td>
-                )}
-              </tr>
-            ))}
-          </tbody>
-        </table>
+                </>
+              ),
+            },
+            { id: 'machine', head: t('column.machine'), cell: (release) => release.machine },
+            { id: 'delivery', head: t('column.delivery'), cell: (release) => deliveryText(release.delivery) },
+            { id: 'state', head: t('column.state'), cell: (release) => <Standing release={release} /> },
+            may && {
+              id: 'orders',
+              head: t('column.orders'),
+              class: 'orders',
+              cell: (release) =>
+                mayBeQueued(release) && (
+                  <button
+                    type="button"
+                    class="button button-main"
+                    aria-disabled={busy || !live}
+                    onClick={() => live && void queue(release)}
+                    aria-label={t('releases.queue_of', { release: release.id })}
+                  >
+                    {t('releases.queue')}
+                  </button>
+                ),
+            },
+          ]}
+        />
       )}
     </>
   );
 }
 
-function Standing({ release }: { release: Release }) {
-  return (
-    <>
-      {releaseText(release.state)}
-      <span class="reason">
-        {release.state === 'proving'
-          ? `${release.transfers_done} of ${release.transfers_allowed} transfers used`
-          : `by ${release.approved_by ?? 'somebody'}, ${dateTime(release.changed_at_ms)}`}
-      </span>
-    </>
-  );
-}
+const Standing = ({ release }: { release: Release }) => (
+  <>
+    {releaseText(release.state)}
+    <span class="reason">
+      {release.state === 'proving'
+        ? t('releases.used', { done: release.transfers_done, allowed: release.transfers_allowed })
+        : t('releases.by', { name: release.approved_by ?? '?', at: dateTime(release.changed_at_ms) })}
+    </span>
+  </>
+);

@@ -1,0 +1,90 @@
+// Addresses of the page. All of them stand behind '#', so the server knows one page only. A row says which view it is
+// and what its parameters are; an address that no row has is "not found", never another view.
+import { signal } from '@preact/signals';
+
+export type ViewName = 'floor' | 'machine' | 'jobs' | 'job' | 'alarms' | 'releases' | 'received' | 'badge' | 'not_found';
+
+export interface Route {
+  view: ViewName;
+  parameters: readonly string[];
+  query: URLSearchParams;
+  address: string; // what follows '#'
+}
+
+interface Row {
+  view: ViewName;
+  pattern: RegExp;
+}
+
+const kRows: Row[] = [
+  { view: 'floor', pattern: /^\/?$/ },
+  { view: 'machine', pattern: /^\/machines\/([^/]+)$/ },
+  { view: 'floor', pattern: /^\/(?:floor|machines)$/ },
+  { view: 'job', pattern: /^\/jobs\/([1-9]\d{0,15})$/ },
+  { view: 'jobs', pattern: /^\/jobs$/ },
+  { view: 'alarms', pattern: /^\/alarms$/ },
+  { view: 'releases', pattern: /^\/releases$/ },
+  { view: 'received', pattern: /^\/received$/ },
+  { view: 'badge', pattern: /^\/badge\/([^/]+)$/ },
+];
+
+export function routeOf(hash: string): Route {
+  const address = hash.replace(/^#/, '');
+  const [path = '', query = ''] = address.split('?', 2);
+  for (const { view, pattern } of kRows) {
+    const found = pattern.exec(path);
+    if (!found) continue;
+    const parameters = decoded(found.slice(1));
+    if (parameters) return { view, parameters, query: new URLSearchParams(query), address };
+  }
+  return { view: 'not_found', parameters: [], query: new URLSearchParams(query), address };
+}
+
+// Null where an escape is broken.
+function decoded(values: string[]): string[] | null {
+  try {
+    return values.map((value) => decodeURIComponent(value));
+  } catch {
+    return null;
+  }
+}
+
+export const hrefs = {
+  floor: '#/floor',
+  andon: '#/floor?look=andon',
+  machine: (name: string) => `#/machines/${encodeURIComponent(name)}`,
+  jobs: '#/jobs',
+  job: (id: number) => `#/jobs/${id}`,
+  alarms: '#/alarms',
+  releases: '#/releases',
+  received: '#/received',
+};
+
+export const route = signal<Route>(routeOf(''));
+
+// How far each address was scrolled when it was left.
+const scrolled = new Map<string, number>();
+
+export function startRouter(): void {
+  // A path that people type or keep, "/jobs/3", is the same address behind '#'.
+  if (location.pathname !== '/') history.replaceState(null, '', `/${location.hash || `#${location.pathname}`}`);
+  route.value = routeOf(location.hash);
+  history.scrollRestoration = 'manual';
+  addEventListener('hashchange', () => {
+    route.value = routeOf(location.hash);
+  });
+  addEventListener('scroll', () => scrolled.set(route.peek().address, scrollY), { passive: true });
+}
+
+export const rememberedScroll = (address: string): number => scrolled.get(address) ?? 0;
+
+// Another query of the same view, without a step in the browser's history.
+export function changeQuery(name: string, value: string | null): void {
+  const { address, query } = route.peek();
+  const next = new URLSearchParams(query);
+  if (value === null) next.delete(name);
+  else next.set(name, value);
+  const text = next.toString();
+  history.replaceState(null, '', `#${address.split('?', 1)[0]}${text ? `?${text}` : ''}`);
+  route.value = routeOf(location.hash);
+}

@@ -1,0 +1,119 @@
+// What a card, a tile and the machine's view say of a machine: each as a signal of its own, made once a machine, so that
+// a text is written anew only when it changes.
+import { computed, type ReadonlySignal } from '@preact/signals';
+import type { Job } from '../../api/types';
+import { wholePercent } from '../../format/numbers';
+import { aboutText, countdown } from '../../format/times';
+import { jobReason, reasonText, stallText } from '../../format/words';
+import { t } from '../../i18n/i18n';
+import { minutes, seconds } from '../../parts/clock';
+import { asksForPerson } from '../../rules/alarms';
+import { timeLeftMs } from '../../rules/forecast';
+import { hasJob } from '../../rules/lines';
+import { kNeedsPerson, standingOf, type Standing } from '../../rules/standing';
+import { linesOf } from '../../state/program_lines';
+import { alarms, isLive, jobs, programName, queueOf, type Machine } from '../../state/shop';
+
+export interface Words {
+  job: ReadonlySignal<Job | null>; // the one on the line, or the last
+  onLine: ReadonlySignal<boolean>; // it is on the line now
+  standing: ReadonlySignal<Standing>;
+  alarms: ReadonlySignal<number>; // that ask for a person
+  need: ReadonlySignal<number>; // the urgency, alarms included
+  sentence: ReadonlySignal<string>; // what the machine does, in everyday words
+  line: ReadonlySignal<string>; // where the feed is in the program's text
+  block: ReadonlySignal<string>;
+  remark: ReadonlySignal<string>; // the one thing that is worth saying beside the state
+  program: ReadonlySignal<string>;
+  share: ReadonlySignal<string>;
+}
+
+const made = new WeakMap<Machine, Words>();
+
+export function wordsOf(machine: Machine): Words {
+  const known = made.get(machine);
+  if (known) return known;
+  const { core, status } = machine;
+  const job = computed(() => (core.value.job === null ? null : (jobs.value.get(core.value.job) ?? null)));
+  const onLine = computed(() => hasJob(core.value) && core.value.job !== null);
+  const queued = computed(() => queueOf(machine.name));
+  const standing = computed(() => standingOf(core.value, job.value, queued.value.length));
+  const count = computed(() => alarmsOf(machine.name));
+  const words: Words = {
+    job,
+    onLine,
+    standing,
+    alarms: count,
+    need: computed(() => (count.value > 0 ? Math.max(standing.value.urgency, kNeedsPerson + 1) : standing.value.urgency)),
+    sentence: computed(() => sentence(machine, standing.value, job.value)),
+    line: computed(() => (onLine.value ? lineText(status.value.block, job.value) : '')),
+    block: computed(() => (onLine.value ? status.value.block_text : '')),
+    remark: computed(() => remark(machine, job.value)),
+    program: computed(() => status.value.program || (job.value ? (programName(job.value.program) ?? t('program.number', { id: job.value.program })) : '')),
+    share: computed(() => wholePercent(status.value.clocked, status.value.total)),
+  };
+  made.set(machine, words);
+  return words;
+}
+
+function alarmsOf(machine: string): number {
+  let count = 0;
+  for (const alarm of alarms.value.values()) if (alarm.machine === machine && asksForPerson(alarm, minutes.value)) ++count;
+  return count;
+}
+
+function sentence(machine: Machine, { key }: Standing, job: Job | null): string {
+  const queue = queueOf(machine.name);
+  switch (key) {
+    case 'feeding':
+      return feedingText(machine, job);
+    case 'armed':
+      return armedText(job);
+    case 'waiting':
+      return t('sentence.waiting', { why: stallText(machine.core.value.stall ?? '') });
+    case 'asks':
+      return t(queue.length > 0 ? 'sentence.asks_queued' : 'sentence.asks', { job: queue[0]?.id ?? 0 });
+    case 'machine_alarm':
+      return t('sentence.machine_alarm', { alarm: machine.core.value.plc_alarm });
+    case 'queued':
+      return t('sentence.queued', { count: queue.length });
+    default:
+      return t(`sentence.${key}`);
+  }
+}
+
+function feedingText(machine: Machine, job: Job | null): string {
+  const status = machine.status.value;
+  const sent = t('sentence.sent', { share: wholePercent(status.clocked, status.total) });
+  const left = isLive.value ? timeLeftMs(status, job, seconds.value) : null;
+  return left === null ? sent : t('sentence.sent_left', { sent, left: aboutText(left) });
+}
+
+function armedText(job: Job | null): string {
+  if (!job || job.expires_at_ms === null) return t('sentence.armed');
+  return t('sentence.armed_until', { left: countdown(job.expires_at_ms - seconds.value) });
+}
+
+function lineText(block: number, job: Job | null): string {
+  if (block <= 0) return '';
+  const all = job ? linesOf(job.program, job.revision) : null;
+  return all === null ? t('line.at', { line: block }) : t('line.of', { line: block, all });
+}
+
+function remark(machine: Machine, job: Job | null): string {
+  const { core, status } = machine;
+  const { needs_confirmation, link_error, link_note, wrong } = core.value;
+  if (needs_confirmation) return reasonText(needs_confirmation.text);
+  if (link_error) return t('remark.link', { text: link_error });
+  if (link_note) return t('remark.link', { text: link_note });
+  if (wrong > 0) return t('remark.received_wrongly', { count: wrong });
+  if (hasJob(core.value)) return status.value.holds > 0 ? t('remark.buffer_full', { count: status.value.holds }) : '';
+  if (job?.state === 'queued' && job.reason !== '') return t('remark.back_in_queue', { job: job.id, because: jobReason(job) });
+  return job && job.ended_at_ms !== null ? lastJobText(job) : '';
+}
+
+function lastJobText(job: Job): string {
+  const state = t(`job_state.${job.state}`);
+  const because = job.reason !== '' && job.reason !== job.state && job.state !== 'done' ? jobReason(job) : '';
+  return because === '' ? t('remark.last_job', { job: job.id, state }) : t('remark.last_job_because', { job: job.id, state, because });
+}

@@ -1,0 +1,174 @@
+// One machine, whole: what it does and its orders, the running block among its neighbours, its queue, history, use,
+// alarms and line. A tablet at the machine is bound to it by ?station=1: then the rest of the page steps back.
+import { useEffect, useState } from 'preact/hooks';
+import { calls } from '../../api/calls';
+import type { MachineWhole, Utilisation } from '../../api/types';
+import { dialectText, stallText } from '../../format/words';
+import { count } from '../../format/numbers';
+import { duration } from '../../format/times';
+import { t } from '../../i18n/i18n';
+import { showDialog } from '../../parts/dialog';
+import { Badge } from '../../parts/badge';
+import { Empty } from '../../parts/empty';
+import { Facts } from '../../parts/facts';
+import { Failure } from '../../parts/failure';
+import { WireBar, WireFigures } from '../../parts/wire_progress';
+import { OrderBar } from '../../orders/order_bar';
+import { ResumeAsDc1Dialog } from '../../orders/dialogs';
+import { byUrgency } from '../../rules/alarms';
+import { offerFor } from '../../rules/job_actions';
+import { hasJob, isTorn } from '../../rules/lines';
+import { changeQuery, hrefs, route } from '../../router';
+import { alarms, isLive, isLost, machines, person, type Machine } from '../../state/shop';
+import { loader } from '../../state/loader';
+import { AlarmItem } from '../alarms/item';
+import { wordsOf } from '../floor/words';
+import { NotFound } from '../not_found';
+import { Blocks } from './blocks';
+import { History } from './history';
+import { Queue } from './queue';
+import { Use } from './use';
+
+export function MachineView({ name }: { name: string }) {
+  const machine = machines.value.get(name);
+  if (!machine) return <NotFound what={t('not_found.machine', { machine: name })} />;
+  return <Whole key={name} machine={machine} />;
+}
+
+function Whole({ machine }: { machine: Machine }) {
+  const core = machine.core.value;
+  const { standing, sentence, remark } = wordsOf(machine);
+  const { key, tone } = standing.value;
+  const isStation = route.value.query.get('station') === '1';
+  return (
+    <div class="machine-view" data-line={isTorn(core) ? 'torn' : core.line} data-standing={key}>
+      <header class={`card machine-top edge-${tone}`}>
+        <div class="machine-head">
+          <h1 tabIndex={-1}>{machine.name}</h1>
+          <Badge wording={{ text: t(`standing.${key}`), tone }} old={isLost.value} />
+        </div>
+        <p class="quiet-text">
+          {machine.head.value.title} · {dialectText(machine.head.value.dialect)}, {t(`kind.${machine.head.value.kind}`)}
+        </p>
+        <p class="machine-sentence machine-sentence-big" title={sentence}>
+          {sentence}
+        </p>
+        <OrderBar machine={machine} />
+        <WireBar status={machine.status} />
+        <p class="machine-remark">{remark}</p>
+      </header>
+      <div class="machine-parts">
+        <div>
+          <OnLine machine={machine} />
+          <Queue machine={machine} />
+          <History machine={machine.name} />
+        </div>
+        <div>
+          <MachineAlarms name={machine.name} />
+          <UsePart name={machine.name} />
+          <LinePart machine={machine} />
+          <section class="card">
+            <label class="choice">
+              <input type="checkbox" checked={isStation} onChange={(event) => changeQuery('station', event.currentTarget.checked ? '1' : null)} />
+              {t('station.bind')}
+            </label>
+          </section>
+        </div>
+      </div>
+    </div>
+  );
+}
+
+function OnLine({ machine }: { machine: Machine }) {
+  const status = machine.status.value;
+  const { job: onLine, program } = wordsOf(machine);
+  const job = onLine.value;
+  if (!hasJob(status) || status.job === null) return null;
+  return (
+    <section class="card" aria-label={t('machine.on_line')}>
+      <h2>
+        {program} <a href={hrefs.job(status.job)}>{t('job.number', { job: status.job })}</a>
+      </h2>
+      {job && <Blocks job={job} from={status.block_from} to={status.block} />}
+      <p class="hint">{t('machine.executed_unknown')}</p>
+      <details>
+        <summary>{t('page.details')}</summary>
+        <WireFigures status={status} />
+        <Facts
+          facts={[
+            [t('fact.wire_state'), t('wire.state', { line: status.line, stall: status.stall ? stallText(status.stall) : '–' })],
+            [t('fact.holds'), t('wire.holds', { count: status.holds, time: duration(status.hold_s) })],
+            [t('fact.line_use'), `${(status.line_use * 100).toFixed(1)} %`],
+          ]}
+        />
+        {job && offerFor(job, status, person().role, isLive.value).actions.includes('resume_as_dc1') && (
+          <button type="button" class="button" onClick={() => showDialog(<ResumeAsDc1Dialog id={job.id} />)}>
+            {t('order.resume_as_dc1')}
+          </button>
+        )}
+      </details>
+    </section>
+  );
+}
+
+function MachineAlarms({ name }: { name: string }) {
+  const own = [...alarms.value.values()].filter((alarm) => alarm.machine === name).sort(byUrgency);
+  return (
+    <section class="card" aria-label={t('nav.alarms')}>
+      <h2>{t('nav.alarms')}</h2>
+      {own.length === 0 ? (
+        <p class="quiet-text">{t('alarms.none_open')}</p>
+      ) : (
+        <ul class="alarm-list">
+          {own.map((alarm) => (
+            <AlarmItem key={alarm.id} alarm={alarm} />
+          ))}
+        </ul>
+      )}
+    </section>
+  );
+}
+
+const kDays = 7;
+
+function UsePart({ name }: { name: string }) {
+  const [use, setUse] = useState<Utilisation | null>(null);
+  const [error, setError] = useState<unknown>(null);
+  useEffect(() => {
+    loader.order(calls.utilisation(name, kDays)).then(setUse, setError);
+  }, [name]);
+  return (
+    <section class="card" aria-label={t('use.title')}>
+      <h2>{t('use.title')}</h2>
+      <Failure error={error} />
+      {use && <Use days={use.days} />}
+    </section>
+  );
+}
+
+// How the line is set. What it counted of faults is shown where there were any.
+function LinePart({ machine }: { machine: Machine }) {
+  const [whole, setWhole] = useState<MachineWhole | null>(null);
+  const revision = machine.head.value.revision;
+  useEffect(() => {
+    loader.order(calls.machine(machine.name)).then(setWhole, () => setWhole(null));
+  }, [machine.name, revision]);
+  const status = machine.status.value;
+  const link = (whole?.profile.link ?? {}) as Record<string, unknown>;
+  const errors = Object.entries(status.line_errors).filter(([, seen]) => seen > 0);
+  return (
+    <section class="card" aria-label={t('line.title')}>
+      <h2>{t('line.title')}</h2>
+      {status.link_error && <p class="notice tone-bad">{status.link_error}</p>}
+      {status.link_note && <p class="notice tone-waiting">{status.link_note}</p>}
+      <Facts
+        facts={[
+          ...Object.entries(link).filter(([, value]) => typeof value !== 'object').map(([name, value]): [string, string] => [name, String(value)]),
+          [t('fact.revision'), revision],
+          [t('line.errors'), errors.length === 0 ? null : errors.map(([name, seen]) => `${count(seen)} × ${name}`).join(', ')],
+        ]}
+      />
+      {whole === null && <Empty>{t('line.unknown')}</Empty>}
+    </section>
+  );
+}
