@@ -1,9 +1,11 @@
 // The page: sign-in or the signed-in views, chosen by the address.
 import { useEffect, useRef } from 'preact/hooks';
 import { t } from './i18n/i18n';
-import { DialogHost } from './parts/dialog';
+import { BackButton, Dialog, DialogHost, showDialog } from './parts/dialog';
 import { ErrorBoundary } from './parts/error_boundary';
-import { rememberedScroll, route, type Route } from './router';
+import { Failure } from './parts/failure';
+import { forgetAddress, rememberedScroll, route, type Route } from './router';
+import { loader } from './state/loader';
 import { connection, loaded, loadError, session } from './state/shop';
 import { AlarmsView } from './views/alarms/alarms_view';
 import { asking } from './views/alarms/tray';
@@ -29,6 +31,7 @@ function Desk() {
   const main = useRef<HTMLElement>(null);
   const before = useRef(place);
   useTitle(route.value);
+  useBadge(route.value);
   // After a change of view a keyboard goes on at its heading, and one who goes back finds the place again.
   useEffect(() => {
     if (before.current === place) return;
@@ -75,6 +78,24 @@ function View({ here }: { here: Route }) {
     case 'not_found':
       return <NotFound />;
   }
+}
+
+// A badge that is scanned while somebody is signed in: from here on it is its person. A badge that is not valid changes
+// nothing.
+function useBadge(here: Route): void {
+  const [badge] = here.parameters;
+  useEffect(() => {
+    if (here.view !== 'badge' || badge === undefined) return;
+    forgetAddress();
+    loader.signIn(badge).catch((error: unknown) =>
+      showDialog(
+        <Dialog title={t('badge.refused')}>
+          <Failure error={error} />
+          <BackButton />
+        </Dialog>,
+      ),
+    );
+  }, [here.view, badge]);
 }
 
 // The tab's title says where one is, and first how many alarms ask for a person.

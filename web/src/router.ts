@@ -62,6 +62,12 @@ export const hrefs = {
 
 export const route = signal<Route>(routeOf(''));
 
+// An address that must not stay in the browser's history, such as a badge's, gives way to the floor.
+export function forgetAddress(): void {
+  history.replaceState(null, '', hrefs.floor);
+  route.value = routeOf(location.hash);
+}
+
 // How far each address was scrolled when it was left.
 const scrolled = new Map<string, number>();
 

@@ -402,6 +402,38 @@ async function german(page) {
   expect(true, 'the choice stays');
 }
 
+// A badge's QR code signs in and leaves no trace in the address; a tablet belongs to one machine.
+async function badgeAndStation(page) {
+  const [job] = await rig.machine('station', { blocks: 40 });
+  await page.goto(`${url}/#/badge/${encodeURIComponent(tokens.operator)}`);
+  await live(page);
+  expect(!page.url().includes(tokens.operator), `the token is gone from the address: ${page.url()}`);
+  await page.goBack().catch(() => undefined);
+  expect(!page.url().includes(tokens.operator), 'and from the history');
+  await page.goto(`${url}/#/machines/station`);
+  await page.getByLabel(/This screen belongs to this machine/).check();
+  expect(!(await page.getByRole('navigation', { name: 'Views' }).isVisible()), 'the rest of the page steps back');
+  await page.reload();
+  await live(page);
+  expect(page.url().endsWith('#/machines/station?station=1'), `it stays so: ${page.url()}`);
+  expect(!(await page.getByRole('navigation', { name: 'Views' }).isVisible()), 'also after a reload');
+  await page.getByRole('button', { name: `Arm, job ${job}` }).click();
+  await dialog(page).getByRole('button', { name: /^Arm for/ }).click();
+  await dialog(page).waitFor({ state: 'detached' });
+  await rig.say('station', 'dc1');
+  await page.getByText(`Last: job ${job}, done`).waitFor({ timeout: 30_000 });
+  await accessible(page, 'a station');
+  await shot(page, 'station');
+  await page.goto(`${url}/#/badge/wrong-token`);
+  await dialog(page).getByText('this token is not valid').waitFor();
+  await page.keyboard.press('Escape');
+  expect(await page.locator('.who').getByText('the operator').isVisible(), 'a wrong badge changes nothing');
+  await page.goto(`${url}/#/badge/${encodeURIComponent(tokens.programmer)}`);
+  await page.locator('.who').getByText('the programmer').waitFor();
+  await live(page);
+  expect(page.url().endsWith('#/floor'), 'another badge is another person, and leaves no trace either');
+}
+
 await main([
   ['operator', () => withPage(kDesk, operator)],
   ['modbus', () => withPage(kDesk, overModbus)],
@@ -416,6 +448,7 @@ await main([
   ['received', () => withPage(kDesk, received)],
   ['viewer', () => withPage(kDesk, viewer)],
   ['keyboard', () => withPage(kDesk, keyboard)],
+  ['badge and station', () => withPage(kTablet, badgeAndStation)],
   ['german', () => withPage(kDesk, german)],
   ['many jobs', () => withPage(kDesk, manyJobs)],
   ['phone', () => withPage(kPhone, everywhere('phone'))],

@@ -36,10 +36,7 @@ export class Loader implements LiveListener {
   // At the start of the page, or when another tab changed the session: is there one?
   async begin(): Promise<void> {
     try {
-      const found = await calls.session();
-      const before = shop.session.peek();
-      this.enter(found);
-      if (this.live && typeof before === 'object' && before.name !== found.name) this.live.reopen();
+      this.enter(await calls.session());
     } catch (error) {
       const noSession = error instanceof ApiError && error.status === 401;
       this.end(noSession ? null : shop.textOf(error));
@@ -69,9 +66,13 @@ export class Loader implements LiveListener {
   }
 
   private enter(found: Session): void {
+    const before = shop.session.peek();
     setShownUser(found.name);
     shop.session.value = found;
-    if (this.live) return;
+    if (this.live) {
+      if (typeof before === 'object' && before.name !== found.name) this.live.reopen();
+      return;
+    }
     this.live = openLive(this);
     void this.load(); // what can be shown before the stream is open
   }

@@ -3,7 +3,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import { t } from '../i18n/i18n';
 import { Failure } from '../parts/failure';
-import { hrefs, route } from '../router';
+import { forgetAddress, route } from '../router';
 import { loader } from '../state/loader';
 import { signedOutBecause } from '../state/shop';
 
@@ -26,8 +26,7 @@ export function SignIn() {
   const badge = route.value.view === 'badge' ? route.value.parameters[0] : undefined;
   useEffect(() => {
     if (badge === undefined) return;
-    history.replaceState(null, '', hrefs.floor); // it must not stay in the address
-    dispatchEvent(new HashChangeEvent('hashchange'));
+    forgetAddress();
     void enter(badge);
   }, [badge]);
   return (
