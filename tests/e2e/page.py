@@ -43,7 +43,7 @@ class Shop:
         return self._with_jobs(name, blocks, jobs)
 
     def plc(self, name, blocks=300, jobs=1):
-        """A machine behind a simulated PLC: blocks go over Modbus."""
+        """A machine with a simulated PLC: blocks go over Modbus."""
         url = f"modbus-tcp://127.0.0.1:{shop.free_port()}/1"
         profile = shop.preset("fanuc-0i-lathe", url=url)
         profile["name"] = name

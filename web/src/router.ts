@@ -1,4 +1,4 @@
-// Addresses of the page. All of them stand behind '#', so the server knows one page only. A row says which view it is
+// Addresses of the page. All of them stand after '#', so the server knows one page only. A row says which view it is
 // and what its parameters are; an address that no row has is "not found", never another view.
 import { signal } from '@preact/signals';
 
@@ -72,7 +72,7 @@ export function forgetAddress(): void {
 const scrolled = new Map<string, number>();
 
 export function startRouter(): void {
-  // A path that people type or keep, "/jobs/3", is the same address behind '#'.
+  // A path that people type or keep, "/jobs/3", is the same address after '#'.
   if (location.pathname !== '/') history.replaceState(null, '', `/${location.hash || `#${location.pathname}`}`);
   route.value = routeOf(location.hash);
   history.scrollRestoration = 'manual';

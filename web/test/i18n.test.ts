@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { IntlMessageFormat } from 'intl-messageformat';
 import de from '../src/i18n/de.json';
 import en from '../src/i18n/en.json';
-import { t, told } from '../src/i18n/i18n';
+import { t, wordOf } from '../src/i18n/i18n';
 
 const catalogues: Record<string, Record<string, string>> = { en, de };
 const source = path.resolve('src');
@@ -45,7 +45,7 @@ test('every language has the same messages, with the same values', () => {
 test('every id that the page names is in the catalogue, and none is left over', () => {
   const text = sources(source);
   const named = new Set([...text.matchAll(/['`]([a-z_0-9]+\.[a-z_0-9-]+)['`]/g)].map(([, id]) => id ?? ''));
-  const heads = new Set([...text.matchAll(/`([a-z_]+)\.(?:[a-z_]*)\$\{/g), ...text.matchAll(/told\('([a-z_]+)'/g)].map(([, head]) => head ?? ''));
+  const heads = new Set([...text.matchAll(/`([a-z_]+)\.(?:[a-z_]*)\$\{/g), ...text.matchAll(/wordOf\('([a-z_]+)'/g)].map(([, head]) => head ?? ''));
   const known = new Set(Object.keys(en));
   const groups = new Set([...known].map((id) => id.split('.')[0] ?? ''));
   const missing = [...named].filter((id) => groups.has(id.split('.')[0] ?? '') && !known.has(id) && !/\.(?:tsx?|json|js|css)$/.test(id));
@@ -56,6 +56,6 @@ test('every id that the page names is in the catalogue, and none is left over', 
 
 test('what nobody knows is shown as it came', () => {
   assert.equal(t('no.such_message'), 'no.such_message');
-  assert.equal(told('stall', 'brand_new'), 'brand new');
-  assert.equal(told('dialect', 'okuma', 'okuma'), 'okuma');
+  assert.equal(wordOf('stall', 'brand_new'), 'brand new');
+  assert.equal(wordOf('dialect', 'okuma', 'okuma'), 'okuma');
 });

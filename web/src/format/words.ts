@@ -1,7 +1,7 @@
 // The server's names of states, stalls and causes as words for people, with the tone that goes with them. A name that
 // no catalogue has is shown as it came.
 import type { Delivery, Job, JobState, ReceiptState, ReleaseState } from '../api/types';
-import { t, told } from '../i18n/i18n';
+import { t, wordOf } from '../i18n/i18n';
 import { stallRow } from '../rules/lines';
 import type { Tone } from './tones';
 
@@ -29,16 +29,16 @@ const kReceiptTones: Record<ReceiptState, Tone> = {
   discarded: 'quiet',
 };
 
-export const jobWording = (state: JobState): Wording => ({ text: told('job_state', state), tone: kJobTones[state] ?? 'waiting' });
-export const receiptWording = (state: ReceiptState): Wording => ({ text: told('receipt_state', state), tone: kReceiptTones[state] ?? 'waiting' });
-export const releaseText = (state: ReleaseState): string => told('release_state', state);
-export const deliveryText = (delivery: Delivery): string => told('delivery', delivery);
-export const dialectText = (dialect: string): string => told('dialect', dialect, dialect);
+export const jobWording = (state: JobState): Wording => ({ text: wordOf('job_state', state), tone: kJobTones[state] ?? 'waiting' });
+export const receiptWording = (state: ReceiptState): Wording => ({ text: wordOf('receipt_state', state), tone: kReceiptTones[state] ?? 'waiting' });
+export const releaseText = (state: ReleaseState): string => wordOf('release_state', state);
+export const deliveryText = (delivery: Delivery): string => wordOf('delivery', delivery);
+export const dialectText = (dialect: string): string => wordOf('dialect', dialect, dialect);
 
 // A stall that this page does not know is shown as it came.
 export function stallText(stall: string): string {
   const row = stallRow(stall);
-  return row ? told('stall', row.id) : stall;
+  return row ? wordOf('stall', row.id) : stall;
 }
 
 // The reason of a job's move: a stall, the name of a cause with or without a sentence after it, or a sentence of the
@@ -47,14 +47,14 @@ export function reasonText(reason: string): string {
   if (stallRow(reason)) return stallText(reason);
   const [, name, rest] = /^([a-z0-9_]+)(?:: ([^]*))?$/.exec(reason) ?? [];
   if (name === undefined) return reason;
-  const cause = told('cause', name, '');
+  const cause = wordOf('cause', name, '');
   if (rest === undefined) return cause || name.replace(/_/g, ' ');
   return cause ? `${cause}: ${rest}` : reason;
 }
 
 // Why a job moved last. The server's sentence says what may have reached the control, so it is kept after the cause.
 export function jobReason(job: Job): string {
-  const cause = job.reason_id === null ? '' : told('cause', job.reason_id, '');
+  const cause = job.reason_id === null ? '' : wordOf('cause', job.reason_id, '');
   if (cause === '') return reasonText(job.reason);
   if (job.reason === job.reason_id || job.reason === '') return cause;
   if (job.reason.includes('nothing was sent')) return t('reason.nothing_sent', { cause });

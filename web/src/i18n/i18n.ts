@@ -44,7 +44,7 @@ export function t(id: string, values?: Values): string {
 }
 
 // The text of an id that the server gave; `otherwise` where no catalogue has it.
-export function told(prefix: string, name: string, otherwise = name.replace(/_/g, ' ')): string {
+export function wordOf(prefix: string, name: string, otherwise = name.replace(/_/g, ' ')): string {
   const id = `${prefix}.${name}`;
   const known = spoken.value.words[id] ?? (en as Catalogue)[id];
   return known === undefined ? otherwise : t(id);

@@ -104,7 +104,7 @@ export class LiveConnection {
       this.listener.opened();
       await this.read(response.body, abort);
     } catch {
-      // Every way to fail means the same here: the stream is lost.
+      // Every failure means the same here: the stream is lost.
     }
     if (this.abort !== abort) return; // closed by us meanwhile
     this.close();

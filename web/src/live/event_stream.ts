@@ -1,4 +1,4 @@
-// The text/event-stream format: text in, in any pieces, events out. Comments are not events; that they came is told by
+// The text/event-stream format: text in, in any pieces, events out. Comments are not events; that they came is seen from
 // the bytes themselves.
 
 export interface ServerEvent {

@@ -11,10 +11,10 @@ class Tab {
   private readonly distributor: Distributor;
 
   constructor(readonly port: MessagePort) {
-    this.distributor = new Distributor((heard) => this.tell({ say: 'heard', heard }));
+    this.distributor = new Distributor((heard) => this.send({ say: 'heard', heard }));
   }
 
-  tell(message: ToTab): void {
+  send(message: ToTab): void {
     this.port.postMessage(message);
   }
 
@@ -35,14 +35,14 @@ const tabs = new Map<MessagePort, Tab>();
 let phase: 'shut' | 'connecting' | 'open' | 'lost' = 'shut';
 let lostAt = 0;
 
-const tellAll = (message: ToTab) => {
-  for (const tab of tabs.values()) tab.tell(message);
+const sendAll = (message: ToTab) => {
+  for (const tab of tabs.values()) tab.send(message);
 };
 
 const connection = new LiveConnection('/api/v1/events', {
   opened: () => {
     phase = 'open';
-    tellAll({ say: 'opened' });
+    sendAll({ say: 'opened' });
   },
   event: (event) => {
     const data = read(event.data);
@@ -51,11 +51,11 @@ const connection = new LiveConnection('/api/v1/events', {
   lost: (heardAt) => {
     phase = 'lost';
     lostAt = heardAt;
-    tellAll({ say: 'lost', heardAt });
+    sendAll({ say: 'lost', heardAt });
   },
   refused: () => {
     phase = 'shut';
-    tellAll({ say: 'refused' });
+    sendAll({ say: 'refused' });
   },
 });
 
@@ -76,8 +76,8 @@ function leave(port: MessagePort): void {
 function join(port: MessagePort): void {
   const tab = tabs.get(port) ?? new Tab(port);
   tabs.set(port, tab);
-  if (phase === 'open') return tab.tell({ say: 'opened' });
-  if (phase === 'lost') tab.tell({ say: 'lost', heardAt: lostAt });
+  if (phase === 'open') return tab.send({ say: 'opened' });
+  if (phase === 'lost') tab.send({ say: 'lost', heardAt: lostAt });
   if (phase !== 'shut') return;
   phase = 'connecting';
   connection.start();

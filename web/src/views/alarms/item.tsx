@@ -4,7 +4,7 @@ import { calls } from '../../api/calls';
 import type { Alarm } from '../../api/types';
 import { shortTime } from '../../format/times';
 import { reasonText } from '../../format/words';
-import { t, told } from '../../i18n/i18n';
+import { t, wordOf } from '../../i18n/i18n';
 import { minutes } from '../../parts/clock';
 import { OrderDialog, showDialog } from '../../parts/dialog';
 import { Failure } from '../../parts/failure';
@@ -37,7 +37,7 @@ export function AlarmItem({ alarm }: { alarm: Alarm }) {
           <a href={hrefs.machine(alarm.machine)}>
             <strong>{alarm.machine}</strong>
           </a>{' '}
-          <strong>{told('alarm_kind', alarm.kind)}</strong>: {reasonText(alarm.text)}
+          <strong>{wordOf('alarm_kind', alarm.kind)}</strong>: {reasonText(alarm.text)}
         </p>
         <p class="quiet-text">{historyOf(alarm).join(', ')}</p>
         <Failure error={error} />
@@ -57,7 +57,7 @@ function keepFocus(): void {
 function historyOf(alarm: Alarm): string[] {
   const now = minutes.value;
   const state = stateOf(alarm, now);
-  const said = [told('alarm_state', state), shortTime(alarm.last_at_ms, now)];
+  const said = [wordOf('alarm_state', state), shortTime(alarm.last_at_ms, now)];
   if (alarm.count > 1) said.push(t('alarm.times', { count: alarm.count, since: shortTime(alarm.raised_at_ms, now) }));
   if (alarm.acknowledged_by !== null) said.push(t('alarm.acknowledged_by', { name: alarm.acknowledged_by }));
   if (state === 'shelved') said.push(t('alarm.shelved_by', { name: alarm.shelved_by ?? '', reason: alarm.shelf_reason ?? '' }));

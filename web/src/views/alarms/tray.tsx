@@ -1,7 +1,7 @@
 // The bell in the head: how many alarms ask for a person, and the tray with them. Sound, the title of the page and the
 // browser's own notifications follow the same count, in every view.
 import { computed, effect, signal } from '@preact/signals';
-import { t, told } from '../../i18n/i18n';
+import { t, wordOf } from '../../i18n/i18n';
 import { minutes } from '../../parts/clock';
 import { Icon } from '../../parts/icon';
 import { asksForPerson, byUrgency } from '../../rules/alarms';
@@ -93,6 +93,6 @@ export function announceAlarms(): () => void {
     if (settings.peek().sound) beep();
     const first = fresh[0];
     if (first && settings.peek().notify && document.hidden && Notification.permission === 'granted')
-      new Notification(`${first.machine}: ${told('alarm_kind', first.kind)}`, { body: first.text, tag: `dripfeed ${first.id}` });
+      new Notification(`${first.machine}: ${wordOf('alarm_kind', first.kind)}`, { body: first.text, tag: `dripfeed ${first.id}` });
   });
 }
