@@ -8,7 +8,7 @@ import { Failure } from '../../parts/failure';
 import { byUrgency, isOpen } from '../../rules/alarms';
 import { alarms, isLive } from '../../state/shop';
 import { loader } from '../../state/loader';
-import { AlarmItem } from './item';
+import { AlarmList } from './item';
 
 export function AlarmsView() {
   const [past, setPast] = useState<Alarm[]>([]);
@@ -38,22 +38,14 @@ export function AlarmsView() {
         {open.length === 0 ? (
           <Empty>{t('alarms.none_open')}</Empty>
         ) : (
-          <ul class="alarm-list">
-            {open.map((alarm) => (
-              <AlarmItem key={alarm.id} alarm={alarm} />
-            ))}
-          </ul>
+          <AlarmList alarms={open} />
         )}
       </section>
       <section aria-label={t('alarms.history')}>
         <h2>{t('alarms.history')}</h2>
         <Failure error={error} />
         {closed.length === 0 && error === null && <p class="quiet-text">{t('alarms.none_closed')}</p>}
-        <ul class="alarm-list">
-          {closed.map((alarm) => (
-            <AlarmItem key={alarm.id} alarm={alarm} />
-          ))}
-        </ul>
+        <AlarmList alarms={closed} />
         {next !== null && (
           <button type="button" class="button" onClick={() => void load(next)}>
             {t('list.more')}

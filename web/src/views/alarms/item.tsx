@@ -1,5 +1,5 @@
 // One alarm with what a person does about it.
-import { useState } from 'preact/hooks';
+import { useLayoutEffect, useState } from 'preact/hooks';
 import { calls } from '../../api/calls';
 import type { Alarm } from '../../api/types';
 import { shortTime } from '../../format/times';
@@ -19,14 +19,31 @@ import { isLive, person } from '../../state/shop';
 const kTones = { critical: 'bad', warning: 'waiting', notice: 'ready' } as const;
 const kShelfMinutes = 60;
 
-export function AlarmItem({ alarm }: { alarm: Alarm }) {
+// A person pressed a button of an alarm, which may leave the list by that and take the button with it.
+let pressed = false;
+
+// Alarms one below the other. When the one that was acknowledged leaves, the focus goes to the next one, or to the bell.
+export function AlarmList({ alarms }: { alarms: readonly Alarm[] }) {
+  useLayoutEffect(() => {
+    if (!pressed || document.activeElement !== document.body) return;
+    pressed = false;
+    document.querySelector<HTMLElement>('.tray .alarm button, .alarm button, .bell-button')?.focus();
+  });
+  return (
+    <ul class="alarm-list">
+      {alarms.map((alarm) => (
+        <AlarmItem key={alarm.id} alarm={alarm} />
+      ))}
+    </ul>
+  );
+}
+
+function AlarmItem({ alarm }: { alarm: Alarm }) {
   const [error, setError] = useState<unknown>(null);
   const send = (call: Promise<Alarm>) => {
+    pressed = true;
     setError(null);
-    loader.order(call).then((now) => {
-      takeAlarms([now]);
-      requestAnimationFrame(keepFocus);
-    }, setError);
+    loader.order(call).then((now) => takeAlarms([now]), setError);
   };
   const tone = kTones[alarm.severity] ?? 'waiting';
   return (
@@ -45,12 +62,6 @@ export function AlarmItem({ alarm }: { alarm: Alarm }) {
       <Buttons alarm={alarm} send={send} />
     </li>
   );
-}
-
-// An alarm that leaves the list takes its button with it: the focus goes to the next one, or to the bell.
-function keepFocus(): void {
-  if (document.activeElement !== document.body) return;
-  document.querySelector<HTMLElement>('.tray .alarm button, .bell-button')?.focus();
 }
 
 // What happened to it, in a line.

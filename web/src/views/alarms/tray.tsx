@@ -7,7 +7,7 @@ import { Icon } from '../../parts/icon';
 import { asksForPerson, byUrgency } from '../../rules/alarms';
 import { hrefs } from '../../router';
 import { alarms } from '../../state/shop';
-import { AlarmItem } from './item';
+import { AlarmList } from './item';
 import { beep, settings, setSetting } from './signals';
 
 export const asking = computed(() => [...alarms.value.values()].filter((alarm) => asksForPerson(alarm, minutes.value)).sort(byUrgency));
@@ -47,11 +47,7 @@ function Tray() {
   return (
     <section id="alarm-tray" class="tray" aria-label={t('nav.alarms')} onKeyDown={close}>
       {shown.length === 0 && <p class="quiet-text">{t('tray.none')}</p>}
-      <ul class="alarm-list">
-        {shown.map((alarm) => (
-          <AlarmItem key={alarm.id} alarm={alarm} />
-        ))}
-      </ul>
+      <AlarmList alarms={shown} />
       {asking.value.length > kShown && <p class="quiet-text">{t('tray.more', { count: asking.value.length - kShown })}</p>}
       <div class="tray-foot">
         <a href={hrefs.alarms} onClick={() => (isOpen.value = false)}>

@@ -21,7 +21,7 @@ import { hasJob, isTorn } from '../../rules/lines';
 import { changeQuery, hrefs, route } from '../../router';
 import { alarms, isLive, isLost, machines, person, type Machine } from '../../state/shop';
 import { loader } from '../../state/loader';
-import { AlarmItem } from '../alarms/item';
+import { AlarmList } from '../alarms/item';
 import { wordsOf } from '../floor/words';
 import { NotFound } from '../not_found';
 import { Blocks } from './blocks';
@@ -119,11 +119,7 @@ function MachineAlarms({ name }: { name: string }) {
       {own.length === 0 ? (
         <p class="quiet-text">{t('alarms.none_open')}</p>
       ) : (
-        <ul class="alarm-list">
-          {own.map((alarm) => (
-            <AlarmItem key={alarm.id} alarm={alarm} />
-          ))}
-        </ul>
+        <AlarmList alarms={own} />
       )}
     </section>
   );
