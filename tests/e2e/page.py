@@ -106,9 +106,10 @@ class Shop:
             server.stop()
         server.start()
 
-    def stop_server(self):
+    def kill_server(self):
+        """It is gone between two words: no page hears of an end."""
         self.client.server.given_port = self.client.server.port
-        self.client.server.stop()
+        self.client.server.kill()
 
     def start_server(self):
         self.client.server.start()

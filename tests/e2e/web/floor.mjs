@@ -328,7 +328,7 @@ async function lost(page) {
   await arm(page, 'lost', job);
   await rig.say('lost', 'dc1');
   await standing(page, 'lost', 'feeding');
-  await rig.stopServer();
+  await rig.killServer();
   await page.getByText(/connection to the server is lost/).waitFor();
   await shot(page, 'lost');
   expect(await card(page, 'lost').getByText('last known: feeding').isVisible(), 'a state is named as the last known');

@@ -26,7 +26,7 @@ export const rig = {
   queue: (machine) => ask('queue', [machine]),
   call: (method, path, body = null, role = 'admin') => ask('call', [method, path, body, role]),
   restart: (hard = false) => ask('restart', [hard]),
-  stopServer: () => ask('stop_server', []),
+  killServer: () => ask('kill_server', []),
   startServer: () => ask('start_server', []),
   token: (role, name) => ask('token', [role, name]),
   revoke: (name) => ask('revoke', [name]),
