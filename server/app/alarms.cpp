@@ -24,7 +24,7 @@ constexpr std::int64_t kKept_ms = 90LL * 24 * 3600 * 1000;
 constexpr std::uint64_t kKeptAtMost = 10'000;
 constexpr std::uint32_t kForgottenAtOnce = 500;
 constexpr std::size_t kTextsAtOnce = 16;  // of one machine and kind, between two writes
-constexpr std::string_view kMore = "more of this kind came within a second than are told apart";
+constexpr std::string_view kMore = "more alarms of this kind came within a second than are listed one by one";
 
 constexpr std::array<AlarmKindRow, kAlarmKinds> kKinds = {{
     {AlarmKind::torn_block, "torn_block", Severity::critical, true},

@@ -159,8 +159,8 @@ void JobFollower::publish_machine(const Booked& booked) {
                    .text = std::string(booked.report.stall)});
 }
 
-// What lasts on a line is told when it begins and when it ends. Of a line that is seen first all is told: an alarm may
-// be left from a server before this one.
+// What lasts on a line is reported when it begins and when it ends. Of a line that is seen first all is reported: an
+// alarm may be left from a server before this one.
 void JobFollower::report_line(Followed& followed, const Booked& booked) {
   const LineReport& report = booked.report;
   const std::string& machine = booked.machine;

@@ -118,6 +118,11 @@ std::expected<std::uint64_t, Response> expected_revision(const Request& request)
   return revision;
 }
 
+std::string query_text(const Request& request, const std::string& name) {
+  const auto found = request.query.find(name);
+  return found == request.query.end() ? std::string() : found->second;
+}
+
 std::expected<store::PageRequest, Response> page_of(const Request& request) {
   constexpr std::uint32_t kMostItems = 200;
   store::PageRequest page;

@@ -91,6 +91,8 @@ Response created(std::string location, std::string body);
 Response with_revision(Response response, std::uint64_t revision);
 // The revision named by If-Match; or 428 without one, 412 when it is no revision of ours.
 std::expected<std::uint64_t, Response> expected_revision(const Request& request);
+// A parameter of the query; "" where it is not there.
+std::string query_text(const Request& request, const std::string& name);
 // ?limit= and &after=.
 std::expected<store::PageRequest, Response> page_of(const Request& request);
 // A number in the query, from `low` to `high`; `standard` where it is not given; or 422.

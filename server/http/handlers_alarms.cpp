@@ -11,11 +11,6 @@ namespace dripfeed::http {
 
 namespace {
 
-std::string query_text(const Request& request, const std::string& name) {
-  const auto found = request.query.find(name);
-  return found == request.query.end() ? std::string() : found->second;
-}
-
 Response alarm_response(const app::Result<store::Alarm>& alarm) {
   if (!alarm) return problem_response(alarm.error());
   return json_response(200, json::alarm(*alarm));

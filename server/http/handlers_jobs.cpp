@@ -24,11 +24,6 @@ Response job_response(const app::Result<store::Job>& job) {
   return json_response(200, json::job(*job));
 }
 
-std::string query_text(const Request& request, const std::string& name) {
-  const auto found = request.query.find(name);
-  return found == request.query.end() ? std::string() : found->second;
-}
-
 std::optional<store::JobState> job_state_named(std::string_view name) {
   for (std::size_t i = 0; i < store::kJobStates; ++i) {
     if (store::name_of(static_cast<store::JobState>(i)) == name) return static_cast<store::JobState>(i);

@@ -13,11 +13,6 @@ namespace dripfeed::http {
 
 namespace {
 
-std::string query_text(const Request& request, const std::string& name) {
-  const auto found = request.query.find(name);
-  return found == request.query.end() ? std::string() : found->second;
-}
-
 // With the hint; where it cannot be made the receipt stands without.
 std::string shown(app::Application& app, const store::Receipt& receipt) {
   const bool open = receipt.state == store::ReceiptState::stored;

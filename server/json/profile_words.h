@@ -1,4 +1,4 @@
-// Words that a machine's profile and what is said of it have in common.
+// Words that stand in a machine's profile and in documents about the machine.
 #pragma once
 
 #include <array>

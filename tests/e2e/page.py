@@ -147,7 +147,7 @@ class Answering(http.server.BaseHTTPRequestHandler):
         order = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
         try:
             result = {"result": getattr(self.shop, order["do"])(*order.get("with", []), **order.get("named", {}))}
-        except Exception as error:  # the test is told, and fails there
+        except Exception as error:  # the browser test gets it, and fails there
             result = {"error": f"{type(error).__name__}: {error}"}
         body = json.dumps(result).encode()
         self.send_response(200)

@@ -134,7 +134,7 @@ test('alarms ask for a person until they are acknowledged or shelved', () => {
   assert.deepEqual(list.sort(byUrgency).map((one) => one.id), [3, 1, 2]);
 });
 
-test('time left is said only when enough was seen', () => {
+test('time left is given only when enough was seen', () => {
   const job = jobOf({ state: 'feeding', started_at_ms: 0 });
   const at = (clocked: number, nowMs: number, change = {}) =>
     timeLeftMs(statusOf({ line: 'feeding', job: 1, total: 1000, clocked, ...change }), job, nowMs);

@@ -1,5 +1,5 @@
 // How long a transfer still takes, from what was seen of it: the wire bytes that passed, against the time since the
-// start. It is said only after enough was seen, and never for a feed that a person stopped.
+// start. It is given only after enough was seen, and never for a feed that a person stopped.
 import type { Job, MachineStatus } from '../api/types';
 import { stallKind } from './lines';
 
