@@ -11,18 +11,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "dialects/passes/mode_flow.h"
+#include "dialects/facts/resolved.h"
 
 namespace dripfeed::compile {
 
 namespace {
 
+using facts::Mode;
 using ir::Address;
 using ir::ExpressionId;
 using ir::Function;
 using ir::ModalGroup;
 using ir::StatementKind;
-using passes::Mode;
 
 constexpr double kFeedsPerUnit = 100.0;  // F20 is 0.2 mm per revolution, and a hundredth of that in inch
 // Letters of a macro call that are lengths.
@@ -121,14 +121,14 @@ class Increments {
     const ir::Statement& s = program_.statements[index_];
     if (s.kind == StatementKind::block)
       for (const ir::Code& c : program_.codes_of(program_.blocks[s.payload]))
-        if (passes::mode_of(c) == wanted) return c.function;
-    const passes::ModeFacts* facts = flow_.before(index_);
+        if (facts::mode_of(c) == wanted) return c.function;
+    const facts::Facts* facts = flow_.before(index_);
     if (facts == nullptr) return std::nullopt;
-    const passes::ModeFact& fact = (*facts)[passes::index_of(wanted)];
-    if (fact.agrees() && fact.changer == ir::kNoIndex) return fact.function;
+    const facts::Known<facts::Setting>& fact = (*facts)[wanted];
+    if (fact.is_certain()) return fact.value.function;
     diagnostics_.push_back(
         text::make_diagnostic(text::DiagnosticId::unknown_modal_state, span,
-                              {std::move(name), fmt::format("{}", fmt::join(flow_.ways(fact), ", or "))}));
+                              {std::move(name), fmt::format("{}", fmt::join(flow_.paths(fact), ", or "))}));
     return std::nullopt;
   }
 
@@ -149,7 +149,7 @@ class Increments {
 
   ir::Program& program_;
   const ir::Control& to_;
-  passes::ModeFlow flow_;
+  facts::Resolved flow_;
   double per_mm_;
   double deg_;
   std::vector<text::Diagnostic> diagnostics_;

@@ -7,11 +7,14 @@
 #include <cmath>
 #include <set>
 
-#include "dialects/compile/shape_blocks.h"
+#include "dialects/facts/axis_words.h"
+#include "dialects/facts/calls.h"
+#include "dialects/facts/flow_graph.h"
+#include "dialects/facts/shape_blocks.h"
+#include "dialects/facts/spread.h"
+#include "dialects/facts/subprogram.h"
 #include "dialects/interpreter/repetitive.h"
 #include "dialects/ir/cycle.h"
-#include "dialects/passes/flow_graph.h"
-#include "dialects/passes/state_flow.h"
 
 namespace dripfeed::compile {
 
@@ -64,16 +67,6 @@ void set_data(const ThreadData& data, interpreter::Repetitive& r) {
   r.first_cut_mm = data.first_cut_mm;
 }
 
-// A program that only others call: they have left something in effect.
-bool is_subprogram(const ir::Program& program, const passes::StatementRange& range) {
-  bool returns = false;
-  for (std::uint32_t i = range.first; i < range.last; ++i) {
-    if (program.statements[i].kind == StatementKind::program_end) return false;
-    returns |= passes::returns(program.statements[i].kind);
-  }
-  return returns;
-}
-
 class NoSink final : public ir::MotionSink {
  public:
   void consume(std::span<const ir::Motion>) override {}
@@ -88,13 +81,6 @@ bool may_be_skipped(const ir::Program& program, const ir::Statement& s) {
   return std::ranges::any_of(program.words_of(block), [&](const ir::Word& w) { return ir::in_rest(block, w.span); }) ||
          std::ranges::any_of(program.codes_of(block),
                              [&](const ir::Code& c) { return c.letter != 'M' && ir::in_rest(block, c.span); });
-}
-
-bool has_own_words(const ir::Program& program, const ir::Block& block) {
-  return std::ranges::any_of(program.codes_of(block), [](const ir::Code& c) {
-    return (c.group == ModalGroup::non_modal && c.function != Function::exact_stop_once) ||
-           c.group == ModalGroup::frame || c.function == Function::not_modelled;
-  });
 }
 
 std::optional<Address> turning_axis(Address address, const ir::Control& control) {
@@ -127,19 +113,19 @@ LatheFlow::LatheFlow(const ir::Program& program, const ir::Control& control)
       control_(control),
       rules_(control),
       modes_(program, control),
-      in_shape_(blocks_of_shapes(program)),
+      in_shape_(facts::blocks_of_shapes(program)),
       before_(program.statements.size() + 1) {
-  passes::FlowGraph graph(program);
+  facts::FlowGraph graph(program);
   const std::uint32_t first = program.sections.empty() ? 0 : program.sections.front().first;
-  const bool is_main = !is_subprogram(program, passes::section_of(program, first));
+  const bool is_main = !facts::is_subprogram(program, facts::section_of(program, first));
   for (const std::uint32_t entry : graph.entries()) before_[entry] = entry <= first && is_main ? start() : LatheState();
   const auto after_or_skipped = [this](std::uint32_t i, const LatheState& state) {
     LatheState out = after(i, state);
     if (may_be_skipped(program_, program_.statements[i])) out.meet(state);
     return out;
   };
-  passes::spread_states(program, graph, before_, after_or_skipped,
-                        [](LatheState& state, const LatheState& with) { return state.meet(with); });
+  facts::spread_states(program, graph, before_, after_or_skipped,
+                       [](LatheState& state, const LatheState& with) { return state.meet(with); });
 }
 
 LatheState LatheFlow::start() const {
@@ -157,19 +143,19 @@ const LatheState* LatheFlow::before(std::uint32_t statement) const {
   return before_[statement].has_value() ? &*before_[statement] : nullptr;
 }
 
-std::optional<Function> LatheFlow::mode(passes::Mode mode, std::uint32_t statement) const {
+std::optional<Function> LatheFlow::mode(facts::Mode mode, std::uint32_t statement) const {
   const ir::Statement& s = program_.statements[statement];
   if (s.kind == StatementKind::block)
     for (const ir::Code& c : program_.codes_of(program_.blocks[s.payload]))
-      if (passes::mode_of(c) == mode) return c.function;
+      if (facts::mode_of(c) == mode) return c.function;
   return mode_before(mode, statement);
 }
 
-std::optional<Function> LatheFlow::mode_before(passes::Mode mode, std::uint32_t statement) const {
-  const passes::ModeFacts* facts = modes_.before(statement);
+std::optional<Function> LatheFlow::mode_before(facts::Mode mode, std::uint32_t statement) const {
+  const facts::Facts* facts = modes_.before(statement);
   if (facts == nullptr) return std::nullopt;
-  const passes::ModeFact& fact = (*facts)[passes::index_of(mode)];
-  return fact.agrees() ? std::optional(fact.function) : std::nullopt;
+  const facts::Known<facts::Setting>& fact = (*facts)[mode];
+  return fact.agrees() ? std::optional(fact.value.function) : std::nullopt;
 }
 
 std::optional<double> LatheFlow::number(const ir::Word& word, std::uint32_t statement) const {
@@ -178,7 +164,7 @@ std::optional<double> LatheFlow::number(const ir::Word& word, std::uint32_t stat
   if (e.op != ir::Operator::constant) return std::nullopt;
   if (e.has_point || control_.semantics.decimal_mode != ir::DecimalMode::least_increment || e.value == 0.0)
     return e.value;
-  const std::optional<Function> unit = mode(passes::Mode::unit, statement);
+  const std::optional<Function> unit = mode(facts::Mode::unit, statement);
   if (!unit) return std::nullopt;
   const double per_mm = std::nearbyint(1.0 / control_.semantics.least_increment_mm);
   return e.value / (*unit == Function::unit_inch ? per_mm * 10.0 : per_mm);
@@ -189,8 +175,8 @@ std::optional<double> LatheFlow::feed_of(const ir::Word& word, std::uint32_t sta
   const ir::Expression& e = program_.at(word.value);
   if (e.op != ir::Operator::constant) return std::nullopt;
   if (e.has_point || control_.semantics.decimal_mode != ir::DecimalMode::least_increment) return e.value;
-  const std::optional<Function> feed = mode(passes::Mode::feed, statement);
-  const std::optional<Function> unit = mode(passes::Mode::unit, statement);
+  const std::optional<Function> feed = mode(facts::Mode::feed, statement);
+  const std::optional<Function> unit = mode(facts::Mode::unit, statement);
   if (!feed || !unit) return std::nullopt;
   double value = e.value;
   if (*feed == Function::feed_per_rev) value /= kCountedFeedsPerUnit;
@@ -202,7 +188,7 @@ std::optional<bool> LatheFlow::is_increment(const ir::Word& word, std::uint32_t 
   if (word.mode != ir::WordMode::as_modal) return word.mode == ir::WordMode::incremental;
   if (control_.semantics.incremental_letters_uvw)
     return word.address == Address::u || word.address == Address::w || is_increment_of_c(word);
-  const std::optional<Function> distance = mode(passes::Mode::distance, statement);
+  const std::optional<Function> distance = mode(facts::Mode::distance, statement);
   if (!distance) return std::nullopt;
   return *distance == Function::incremental;
 }
@@ -220,7 +206,7 @@ LatheState LatheFlow::after(std::uint32_t statement, LatheState state) const {
     take_codes(block, statement, state);
     return state;
   }
-  if (passes::keeps_modes(s.kind)) return state;
+  if (facts::keeps_modes(s.kind)) return state;
   LatheState out;
   if (is_cycle(program_, s)) out = state;
   for (Known<double>* place : {&out.x, &out.z, &out.c}) place->value.reset();
@@ -243,7 +229,7 @@ void LatheFlow::take_codes(const ir::Block& block, std::uint32_t statement, Lath
       for (Known<double>* length : {&state.feed, &state.end_x, &state.end_z, &state.taper})
         if (!length->is(0.0)) length->value.reset();
     // G97 of SINUMERIK is of that group, too, and leaves a feed per turn one.
-    if (c.group == ModalGroup::feed && mode_before(passes::Mode::feed, statement) != c.function)
+    if (c.group == ModalGroup::feed && mode_before(facts::Mode::feed, statement) != c.function)
       state.feed.value.reset();
     if (c.group != ModalGroup::motion) continue;
     const bool turns = c.function == Function::turning_cycle;
@@ -256,7 +242,7 @@ void LatheFlow::take_codes(const ir::Block& block, std::uint32_t statement, Lath
     is_move(c.function) ? void(state.motion.value = c.function) : state.motion.value.reset();
     if (!is_move(c.function)) forget_place();
   }
-  const bool own_words = has_own_words(program_, block);
+  const bool own_words = facts::has_own_words(program_, block);
   for (const ir::Word& w : words) {
     // Another offset: the place has another number.
     if (w.address == Address::t || (w.address == Address::d && !own_words)) forget_place();
@@ -310,8 +296,8 @@ std::optional<LatheFlow::Repeated> LatheFlow::repeat(std::uint32_t statement, co
   const ir::Block& block = program_.blocks[program_.statements[statement].payload];
   const auto codes = program_.codes_of(block);
   const auto code = std::ranges::find(codes, Function::repetitive_cycle, &ir::Code::function);
-  const std::optional<Function> unit = mode(passes::Mode::unit, statement);
-  const std::optional<Function> distance = mode(passes::Mode::distance, statement);
+  const std::optional<Function> unit = mode(facts::Mode::unit, statement);
+  const std::optional<Function> distance = mode(facts::Mode::distance, statement);
   const bool by_letter = control_.semantics.incremental_letters_uvw;
   if (code == codes.end() || ir::follows_shape(*code) || !unit || (!distance && !by_letter)) return std::nullopt;
   interpreter::PlainBlock plain;
@@ -400,7 +386,7 @@ bool leaves(const ir::Program& program, const ir::Statement& s) {
 // On some way behind the statement. `use_of`: of a block or a call.
 template <class UseOf>
 bool is_needed_behind(const ir::Program& program, std::uint32_t statement, UseOf use_of) {
-  passes::FlowGraph graph(program);
+  facts::FlowGraph graph(program);
   std::set<std::uint32_t> seen;  // a few as a rule
   std::vector<std::uint32_t> open = graph.after(statement);
   while (!open.empty()) {

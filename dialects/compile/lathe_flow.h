@@ -7,11 +7,11 @@
 #include <optional>
 #include <vector>
 
+#include "dialects/facts/resolved.h"
 #include "dialects/interpreter/block_rules.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/motion.h"
 #include "dialects/ir/program.h"
-#include "dialects/passes/mode_flow.h"
 
 namespace dripfeed::compile {
 
@@ -61,7 +61,7 @@ class LatheFlow {
   // Before the statement; nullptr where no way leads.
   [[nodiscard]] const LatheState* before(std::uint32_t statement) const;
   // Nothing where ways differ or a caller decides.
-  [[nodiscard]] std::optional<ir::Function> mode(passes::Mode mode, std::uint32_t statement) const;
+  [[nodiscard]] std::optional<ir::Function> mode(facts::Mode mode, std::uint32_t statement) const;
   // A word's value in units of the program: nothing where it is computed, or counts increments of an unknown unit.
   [[nodiscard]] std::optional<double> number(const ir::Word& word, std::uint32_t statement) const;
   [[nodiscard]] std::optional<double> feed_of(const ir::Word& word, std::uint32_t statement) const;
@@ -84,7 +84,7 @@ class LatheFlow {
   [[nodiscard]] bool needs_motion(std::uint32_t statement) const;
 
  private:
-  [[nodiscard]] std::optional<ir::Function> mode_before(passes::Mode mode, std::uint32_t statement) const;
+  [[nodiscard]] std::optional<ir::Function> mode_before(facts::Mode mode, std::uint32_t statement) const;
   [[nodiscard]] LatheState start() const;
   [[nodiscard]] LatheState after(std::uint32_t statement, LatheState state) const;
   void take_codes(const ir::Block& block, std::uint32_t statement, LatheState& state) const;
@@ -94,15 +94,13 @@ class LatheFlow {
   const ir::Program& program_;
   const ir::Control& control_;
   interpreter::BlockRules rules_;
-  passes::ModeFlow modes_;
+  facts::Resolved modes_;
   std::vector<bool> in_shape_;  // by statement
   std::vector<std::optional<LatheState>> before_;
 };
 
 // Wholly or in part, by the operator's switch.
 bool may_be_skipped(const ir::Program& program, const ir::Statement& statement);
-// Whether the words of the block's codes are no positions: dwells, shifts, data and the like.
-bool has_own_words(const ir::Program& program, const ir::Block& block);
 // X or Z, by the letter of its increment, too; nothing for other addresses.
 std::optional<ir::Address> turning_axis(ir::Address address, const ir::Control& control);
 

@@ -19,6 +19,7 @@
 #include "dialects/compile/lathe_flow.h"
 #include "dialects/compile/thread_call.h"
 #include "dialects/compile/thread_leads.h"
+#include "dialects/facts/axis_words.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/passes/rewrite.h"
 
@@ -82,7 +83,7 @@ class Lowering {
     const auto turns = std::ranges::find(codes, Function::turning_cycle, &ir::Code::function);
     const auto moves = std::ranges::find(codes, ir::ModalGroup::motion, &ir::Code::group);
     const bool stays = moves == codes.end() && !before.cycle.is(LatheState::kNone);
-    if ((turns == codes.end() && !stays) || (turns == codes.end() && has_own_words(program_, block)))
+    if ((turns == codes.end() && !stays) || (turns == codes.end() && facts::has_own_words(program_, block)))
       return out_.keep();
     if (turns == codes.end() && !moves_axes(block)) return out_.keep();
     if (turns == codes.end() && !before.cycle.value)
@@ -240,8 +241,8 @@ class Lowering {
     const std::expected<std::vector<ir::Motion>, std::string> done =
         moves_of_thread(program_, program_.calls[statement_.payload], from_);
     if (!done) return cannot(done.error());
-    const std::optional<Function> distance = flow_.mode(passes::Mode::distance, index_);
-    const std::optional<Function> diameter = flow_.mode(passes::Mode::diameter, index_);
+    const std::optional<Function> distance = flow_.mode(facts::Mode::distance, index_);
+    const std::optional<Function> diameter = flow_.mode(facts::Mode::diameter, index_);
     if (!distance || !diameter) return cannot("CYCLE97 where absolute, incremental, diameter or radius is not known");
     x_scale_ = *diameter == Function::diameter_off ? 0.5 : 1.0;
     mode_ = *distance == Function::incremental ? ir::WordMode::absolute : ir::WordMode::as_modal;
@@ -326,7 +327,7 @@ class Lowering {
   bool settle_distance() {
     mode_ = ir::WordMode::as_modal;
     if (from_.semantics.incremental_letters_uvw) return true;
-    const std::optional<Function> distance = flow_.mode(passes::Mode::distance, index_);
+    const std::optional<Function> distance = flow_.mode(facts::Mode::distance, index_);
     if (!distance) {
       unknown("absolute or incremental", "two ways lead to this block and differ");
       return false;

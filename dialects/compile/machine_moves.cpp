@@ -5,9 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "dialects/passes/length_flow.h"
-#include "dialects/passes/mode_flow.h"
-#include "dialects/passes/motion_flow.h"
+#include "dialects/facts/needs.h"
+#include "dialects/facts/resolved.h"
 
 namespace dripfeed::compile {
 
@@ -35,10 +34,8 @@ class MachineMoves {
         to_(to),
         one_is_rapid_(from.semantics.machine_move == ir::MachineMove::rapid ||
                       to.semantics.machine_move == ir::MachineMove::rapid),
-        motions_(passes::motions_before(program)),
         modes_(program, from),
-        from_(from),
-        lengths_(program, from) {}
+        from_(from) {}
 
   std::vector<text::Diagnostic> run() {
     for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
@@ -54,13 +51,15 @@ class MachineMoves {
 
  private:
   void look(std::uint32_t i, const ir::Statement& s, const ir::Block& block) {
-    std::optional<Function> motion = motions_[i];
+    std::optional<Function> motion;
     std::optional<Function> distance;
-    if (const passes::ModeFacts* facts = modes_.before(i); facts != nullptr)
-      distance = (*facts)[passes::index_of(passes::Mode::distance)].function;
+    if (const facts::Facts* facts = modes_.before(i); facts != nullptr) {
+      distance = (*facts)[facts::Mode::distance].value.function;
+      if (const facts::Setting* certain = (*facts)[facts::Mode::motion].certain()) motion = certain->function;
+    }
     for (const ir::Code& c : program_.codes_of(block)) {
       if (c.group == ir::ModalGroup::motion) motion = c.function;
-      if (passes::mode_of(c) == passes::Mode::distance) distance = c.function;
+      if (facts::mode_of(c) == facts::Mode::distance) distance = c.function;
     }
     const auto is_increment = [&](const ir::Word& w) {
       return ir::is_axis(w.address) && (w.mode == ir::WordMode::incremental ||
@@ -78,7 +77,12 @@ class MachineMoves {
 
   [[nodiscard]] bool keeps_length(std::uint32_t i, const ir::Block& block) const {
     return from_.semantics.machine_move == ir::MachineMove::without_frames &&
-           passes::moves_length_to_machine(program_, block, from_) && lengths_.at(i) != passes::ToolLength::off;
+           facts::moves_length_to_machine(program_, block, from_) && length_at(i) != facts::ToolLength::off;
+  }
+
+  [[nodiscard]] facts::ToolLength length_at(std::uint32_t i) const {
+    const std::optional<facts::Facts> here = modes_.at(i);
+    return here ? facts::tool_length(*here) : facts::ToolLength::unknown;
   }
 
   void tell(std::string_view what, const ir::Statement& s, text::Severity severity) {
@@ -90,10 +94,8 @@ class MachineMoves {
   const ir::Program& program_;
   const ir::Control& to_;
   bool one_is_rapid_;
-  std::vector<std::optional<Function>> motions_;
-  passes::ModeFlow modes_;
+  facts::Resolved modes_;
   const ir::Control& from_;
-  passes::LengthFlow lengths_;
   std::vector<text::Diagnostic> diagnostics_;
 };
 

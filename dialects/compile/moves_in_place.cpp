@@ -132,7 +132,7 @@ std::vector<text::Diagnostic> MovesInPlace::lower(ir::Program& program) {
         cannot(name_of(kinds_[i], program, s) + " beside " + what, s.span);
     return std::move(diagnostics_);
   }
-  const passes::ModeFlow flow(program, from_);
+  const facts::Resolved flow(program, from_);
   passes::Rewrite out(program);
   const auto count = static_cast<std::uint32_t>(program.statements.size());
   find_cycles(program);
@@ -203,7 +203,7 @@ bool MovesInPlace::is_dropped(std::uint32_t line) const {
   return false;
 }
 
-void MovesInPlace::replace(ir::Program& program, std::uint32_t index, const passes::ModeFlow& flow,
+void MovesInPlace::replace(ir::Program& program, std::uint32_t index, const facts::Resolved& flow,
                            passes::Rewrite& out) {
   const ir::Statement s = program.statements[index];
   const std::string name = name_of(kinds_[index], program, s);
@@ -238,34 +238,34 @@ std::string MovesInPlace::same_each_time(std::uint32_t line, std::span<const ir:
   return motions.size() > kMostMoves ? "of that many moves" : "";
 }
 
-std::string MovesInPlace::terms_at(const ir::Program& program, std::uint32_t index, const passes::ModeFlow& flow,
+std::string MovesInPlace::terms_at(const ir::Program& program, std::uint32_t index, const facts::Resolved& flow,
                                    BlockTerms& terms) const {
-  const passes::ModeFacts* facts = flow.before(index);
+  const facts::Facts* facts = flow.before(index);
   if (facts == nullptr) return "that no way leads to";
-  std::array<Function, passes::kModes> modes{};
-  for (std::size_t mode = 0; mode < passes::kModes; ++mode)
-    if ((*facts)[mode].agrees()) modes[mode] = (*facts)[mode].function;
+  std::array<Function, facts::kModes> modes{};
+  for (std::size_t mode = 0; mode < facts::kModes; ++mode)
+    if (facts->modes[mode].agrees()) modes[mode] = facts->modes[mode].value.function;
   const ir::Statement& s = program.statements[index];
   if (s.kind == StatementKind::block)
     for (const ir::Code& c : program.codes_of(program.blocks[s.payload]))
-      if (const auto mode = passes::mode_of(c)) modes[passes::index_of(*mode)] = c.function;
-  const auto at = [&](passes::Mode mode) { return modes[passes::index_of(mode)]; };
+      if (const auto mode = facts::mode_of(c)) modes[facts::index_of(*mode)] = c.function;
+  const auto at = [&](facts::Mode mode) { return modes[facts::index_of(mode)]; };
   const auto is_lengths_only = [](const ir::Code& c) { return c.function == Function::unit_inch && c.argument == 1; };
   if (std::ranges::any_of(program.codes, is_lengths_only)) return "beside G70, which leaves the feeds metric,";
-  if (at(passes::Mode::unit) == Function::none) return "where the unit of lengths is not known";
-  if (at(passes::Mode::distance) == Function::none) return "where absolute or incremental is not known";
-  if (at(passes::Mode::feed) == Function::none) return "where the kind of feed is not known";
-  if (at(passes::Mode::plane) == Function::none) return "where the plane is not known";
-  terms.unit_mm = at(passes::Mode::unit) == Function::unit_inch ? 25.4 : 1.0;
-  terms.plane = plane_of(at(passes::Mode::plane));
-  terms.feed_mode = feed_mode_of(at(passes::Mode::feed));
+  if (at(facts::Mode::unit) == Function::none) return "where the unit of lengths is not known";
+  if (at(facts::Mode::distance) == Function::none) return "where absolute or incremental is not known";
+  if (at(facts::Mode::feed) == Function::none) return "where the kind of feed is not known";
+  if (at(facts::Mode::plane) == Function::none) return "where the plane is not known";
+  terms.unit_mm = at(facts::Mode::unit) == Function::unit_inch ? 25.4 : 1.0;
+  terms.plane = plane_of(at(facts::Mode::plane));
+  terms.feed_mode = feed_mode_of(at(facts::Mode::feed));
   terms.dwell_p_is_ms = from_.semantics.dwell_p_is_ms;
   terms.decimals = to_.limits.linear_decimals;
   const bool diameter_axis = from_.semantics.power_on_diameter != ir::DiameterMode::radius;
-  const Function diameter = at(passes::Mode::diameter);
+  const Function diameter = at(facts::Mode::diameter);
   if (diameter == Function::none && from_.kind != ir::MachineKind::mill) return "where diameter or radius is not known";
   terms.x_scale = diameter_axis && diameter == Function::diameter_off ? 0.5 : 1.0;
-  if (at(passes::Mode::distance) != Function::incremental) return {};
+  if (at(facts::Mode::distance) != Function::incremental) return {};
   if (ir::has_numbered_variables(from_)) return "where increments are in effect";
   terms.mode = ir::WordMode::absolute;
   return {};

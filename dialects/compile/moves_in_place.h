@@ -20,9 +20,9 @@
 #include "dialects/compile/tap_moves.h"
 #include "dialects/compile/tap_statements.h"
 #include "dialects/compile/without_equal.h"
+#include "dialects/facts/resolved.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
-#include "dialects/passes/mode_flow.h"
 #include "dialects/text/diagnostic.h"
 
 namespace dripfeed::compile {
@@ -57,14 +57,14 @@ class MovesInPlace {
   [[nodiscard]] std::string obstacle(const ir::Program& program);
   [[nodiscard]] std::string run(const ir::Program& program, ProgramLibrary& library);
   void find_taps(const ir::Program& program);
-  void replace(ir::Program& program, std::uint32_t index, const passes::ModeFlow& flow, passes::Rewrite& out);
-  void replace_tap(ir::Program& program, std::uint32_t index, const passes::ModeFlow& flow, passes::Rewrite& out);
+  void replace(ir::Program& program, std::uint32_t index, const facts::Resolved& flow, passes::Rewrite& out);
+  void replace_tap(ir::Program& program, std::uint32_t index, const facts::Resolved& flow, passes::Rewrite& out);
   void replace_tap_part(const ir::Program& program, std::uint32_t index, passes::Rewrite& out) const;
   [[nodiscard]] std::string same_tap_each_time(std::uint32_t line, const TapStatement& tap,
                                                std::span<const ir::Motion>& motions) const;
   [[nodiscard]] bool says_speed_behind(const RecordedRun& run, std::size_t visit) const;
   [[nodiscard]] std::string same_each_time(std::uint32_t line, std::span<const ir::Motion>& motions) const;
-  [[nodiscard]] std::string terms_at(const ir::Program& program, std::uint32_t index, const passes::ModeFlow& flow,
+  [[nodiscard]] std::string terms_at(const ir::Program& program, std::uint32_t index, const facts::Resolved& flow,
                                      BlockTerms& terms) const;
   [[nodiscard]] std::string rest_of(const ir::Program& program, std::uint32_t index, BlockRest& rest) const;
   [[nodiscard]] Restored restored(const ir::Program& program, std::uint32_t index, PlainMoves& moves) const;

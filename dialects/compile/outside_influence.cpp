@@ -6,8 +6,8 @@
 #include <map>
 #include <tuple>
 
+#include "dialects/facts/calls.h"
 #include "dialects/ir/frame_use.h"
-#include "dialects/passes/mode_flow.h"
 #include "dialects/passes/set_on_all_ways.h"
 #include "dialects/passes/walk.h"
 
@@ -62,7 +62,7 @@ class Search {
     const auto row = std::ranges::find(kKinds, s.kind, &KindRow::kind);
     if (row != kKinds.end()) return OutsideInfluence{std::string(row->what), s.span};
     const bool calls = s.kind == StatementKind::call || s.kind == StatementKind::modal_call;
-    if (calls && !passes::is_standard_cycle(program_, s)) return OutsideInfluence{"a call of another program", s.span};
+    if (calls && !facts::is_standard_cycle(program_, s)) return OutsideInfluence{"a call of another program", s.span};
     if (s.kind == StatementKind::native && !program_.natives[s.payload].effects_known)
       return OutsideInfluence{std::string(program_.strings.at(program_.natives[s.payload].name)), s.span};
     if (s.kind != StatementKind::block) return std::nullopt;

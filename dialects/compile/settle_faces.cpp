@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "dialects/compile/lathe_flow.h"
+#include "dialects/facts/flow_graph.h"
 #include "dialects/ir/transformation_use.h"
-#include "dialects/passes/flow_graph.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/text/number.h"
 
@@ -85,7 +85,7 @@ class Faces {
   // The block that began what is in effect, before each statement; kNowhere: none is.
   void find_regions() {
     before_.resize(program_.statements.size() + 1);
-    passes::FlowGraph graph(program_);
+    facts::FlowGraph graph(program_);
     std::deque<std::uint32_t> work;
     for (const std::uint32_t entry : graph.entries()) {
       before_[entry] = Known<std::uint32_t>{kNowhere};
@@ -149,10 +149,10 @@ class Faces {
     if (!before_[index_]->value) return cannot("the end of what began on one way only");
     if (before_[index_]->is(kNowhere)) return out_.keep();  // ends nothing
     const bool cylinder = is_cylinder_here();
-    const std::optional<Function> here = flow_.mode(passes::Mode::plane, index_);
+    const std::optional<Function> here = flow_.mode(facts::Mode::plane, index_);
     const std::optional<Function> now = !to_rotary_ ? (cylinder ? Function::plane_yz : Function::plane_xy)
                                         : cylinder  ? here
-                                                    : flow_.mode(passes::Mode::plane, *before_[index_]->value);
+                                                    : flow_.mode(facts::Mode::plane, *before_[index_]->value);
     if (to_rotary_ && cylinder)
       emit(ir::kCylinderByRotary, {}, {word(Address::c, constant(0.0))});
     else
@@ -194,7 +194,7 @@ class Faces {
     if (!before_[index_]->value) return cannot("a block that stands in polar interpolation on one way only");
     if (block.rest_level != 0) return cannot("block skip inside a block");
     const bool cylinder = is_cylinder_here();
-    const std::optional<Function> here = flow_.mode(passes::Mode::plane, index_);
+    const std::optional<Function> here = flow_.mode(facts::Mode::plane, index_);
     std::vector<ir::Code> codes;
     bool bends = false;
     const bool turned = cylinder && !to_rotary_ && here == Function::plane_zx;

@@ -12,9 +12,9 @@
 #include "dialects/compile/iso_increments.h"
 #include "dialects/compile/iso_mode.h"
 #include "dialects/compile/iso_words.h"
+#include "dialects/facts/flow_graph.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/ir/frame_use.h"
-#include "dialects/passes/flow_graph.h"
 #include "dialects/passes/rewrite.h"
 
 namespace dripfeed::compile {
@@ -103,7 +103,7 @@ class Splicing {
     const auto count = static_cast<std::uint32_t>(program_.statements.size());
     for (std::uint32_t i = 0; i < count; ++i) {
       out_.at(i);
-      if (const passes::StatementRange range = passes::section_of(program_, i); range.first == i) begin_program(range);
+      if (const facts::StatementRange range = facts::section_of(program_, i); range.first == i) begin_program(range);
       if (is_in_part(i))
         iso_line(i);
       else
@@ -119,7 +119,7 @@ class Splicing {
 
  private:
   // What Siemens mode has of its own in the program that begins.
-  void begin_program(passes::StatementRange range) {
+  void begin_program(facts::StatementRange range) {
     words_.begin_program();
     own_ = {};
     calls_each_move_ = iso_calls_each_move_ = told_ = false;

@@ -41,7 +41,7 @@ void MovesInPlace::find_taps(const ir::Program& program) {
   }
 }
 
-void MovesInPlace::replace_tap(ir::Program& program, std::uint32_t index, const passes::ModeFlow& flow,
+void MovesInPlace::replace_tap(ir::Program& program, std::uint32_t index, const facts::Resolved& flow,
                                passes::Rewrite& out) {
   const ir::Statement s = program.statements[index];
   const TapStatement& tap = taps_[index];

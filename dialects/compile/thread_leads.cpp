@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "dialects/compile/lathe_flow.h"
+#include "dialects/facts/axis_words.h"
 #include "dialects/passes/rewrite.h"
 
 namespace dripfeed::compile {
@@ -60,7 +61,7 @@ class Leads {
     const auto motion = std::ranges::find(codes, ir::ModalGroup::motion, &ir::Code::group);
     const bool thread =
         motion == codes.end() ? state->motion.is(Function::thread) : motion->function == Function::thread;
-    if (!thread || has_own_words(program_, block)) return false;
+    if (!thread || facts::has_own_words(program_, block)) return false;
     return leads_by_letters(from_) ? std::ranges::any_of(program_.words_of(block), is_lead) : moves_axes(block);
   }
   // A block that moves under G34 or G35, whatever it says of leads.
@@ -73,7 +74,7 @@ class Leads {
     if (motion != codes.end()) return motion->function == Function::thread_changing;
     const LatheState* state = flow_.before(index);
     return state != nullptr && state->motion.is(Function::thread_changing) && moves_axes(block) &&
-           !has_own_words(program_, block);
+           !facts::has_own_words(program_, block);
   }
 
   // G34 K2 F0.1 here is G34 F2 K0.1 there, G35 the same with K below 0. Behind it F is no feed on the one control and

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "dialects/facts/axis_words.h"
+#include "dialects/facts/flow_graph.h"
 #include "dialects/macro_b/called_hole.h"
-#include "dialects/passes/flow_graph.h"
-#include "dialects/passes/motion_flow.h"
 
 namespace dripfeed::macro_b {
 
@@ -29,7 +29,7 @@ bool changes_height(const ir::Code& c) {
          std::ranges::find(kOtherHeights, c.group) != std::end(kOtherHeights);
 }
 
-bool is_distance(const ir::Code& c) { return passes::mode_of(c) == passes::Mode::distance; }
+bool is_distance(const ir::Code& c) { return facts::mode_of(c) == facts::Mode::distance; }
 
 bool meets_ways(StatementKind kind) { return kind >= StatementKind::if_begin && kind <= StatementKind::loop_end; }
 
@@ -38,9 +38,8 @@ bool meets_ways(StatementKind kind) { return kind >= StatementKind::if_begin && 
 DrillPlace::DrillPlace(const ir::Program& program, const ir::Control& from, const ir::Control& to)
     : program_(program),
       to_(to),
-      is_target_(passes::jump_targets(program)),
+      is_target_(facts::jump_targets(program)),
       modes_(program, from),
-      motions_(passes::motions_before(program)),
       plane_(from.semantics.power_on_plane),
       incremental_(from.semantics.power_on_distance == Function::incremental) {
   state.turning.feed_mode = from.semantics.power_on_feed;
@@ -48,37 +47,38 @@ DrillPlace::DrillPlace(const ir::Program& program, const ir::Control& from, cons
 
 void DrillPlace::move_to(std::uint32_t index) {
   index_ = index;
-  motion_ = motions_[index];
+  const std::optional<facts::Setting> motion = modes_.certain(facts::Mode::motion, index);
+  motion_ = motion ? std::optional(motion->function) : std::nullopt;
   if (is_target_[index] || meets_ways(statement().kind)) forget();
 }
 
 // --- over all ways
 
 void DrillPlace::settle_plane() {
-  const passes::ModeFacts* facts = modes_.before(index_);
+  const facts::Facts* facts = modes_.before(index_);
   if (facts == nullptr) return;
-  const passes::ModeFact& fact = (*facts)[passes::index_of(passes::Mode::plane)];
-  if (is_known("the plane", fact)) plane_ = fact.function;
+  const facts::Known<facts::Setting>& fact = (*facts)[facts::Mode::plane];
+  if (is_known("the plane", fact)) plane_ = fact.value.function;
 }
 
 std::optional<Function> DrillPlace::settle_distance() {
-  const passes::ModeFacts* facts = modes_.before(index_);
+  const facts::Facts* facts = modes_.before(index_);
   if (facts == nullptr) return std::nullopt;
   if (statement().kind == StatementKind::block &&
       std::ranges::any_of(program_.codes_of(program_.blocks[statement().payload]), is_distance))
     return std::nullopt;
-  const passes::ModeFact& fact = (*facts)[passes::index_of(passes::Mode::distance)];
-  if (!is_known("absolute or incremental", fact) || (fact.function == Function::incremental) == incremental_)
+  const facts::Known<facts::Setting>& fact = (*facts)[facts::Mode::distance];
+  if (!is_known("absolute or incremental", fact) || (fact.value.function == Function::incremental) == incremental_)
     return std::nullopt;
   incremental_ = !incremental_;
-  return fact.function;
+  return fact.value.function;
 }
 
-bool DrillPlace::is_known(std::string_view what, const passes::ModeFact& fact) {
-  const bool differs = fact.other != Function::none || (fact.function == Function::none && !fact.inherited);
-  const bool is_certain = fact.agrees() && fact.changer == ir::kNoIndex;
+bool DrillPlace::is_known(std::string_view what, const facts::Known<facts::Setting>& fact) {
+  const bool differs = fact.other_origin != facts::kNobody || (fact.origin == facts::kNobody && !fact.inherited);
+  const bool is_certain = fact.is_certain();
   if (!is_certain && told_.insert({std::string(what), differs}).second) {
-    std::string ways = fmt::format("{}", fmt::join(modes_.ways(fact), ", or "));
+    std::string ways = fmt::format("{}", fmt::join(modes_.paths(fact), ", or "));
     if (fact.changer != ir::kNoIndex)
       ways +=
           fmt::format(", which what line {} calls or does may have changed", program_.statements[fact.changer].line);
@@ -86,17 +86,17 @@ bool DrillPlace::is_known(std::string_view what, const passes::ModeFact& fact) {
                                                  {std::string(what), std::move(ways)}));
     if (!differs) diagnostics_.back().severity = text::Severity::warning;
   }
-  return !differs && fact.function != Function::none;
+  return !differs && fact.origin != facts::kNobody;
 }
 
 std::optional<bool> DrillPlace::is_incremental(std::span<const ir::Code> codes) const {
   const auto said = std::ranges::find_if(codes, is_distance);
   if (said != codes.end()) return said->function == Function::incremental;
-  const passes::ModeFacts* facts = modes_.before(index_);
+  const facts::Facts* facts = modes_.before(index_);
   if (facts == nullptr) return std::nullopt;
-  const passes::ModeFact& fact = (*facts)[passes::index_of(passes::Mode::distance)];
-  if (fact.other != Function::none) return std::nullopt;
-  return fact.function == Function::none ? incremental_ : fact.function == Function::incremental;
+  const facts::Known<facts::Setting>& fact = (*facts)[facts::Mode::distance];
+  if (fact.other_origin != facts::kNobody) return std::nullopt;
+  return fact.origin == facts::kNobody ? incremental_ : fact.value.function == Function::incremental;
 }
 
 // --- in the order of the text
@@ -106,7 +106,7 @@ void DrillPlace::take_block() {
   for (const ir::Code& c : program_.codes_of(block)) take_code(c);
   if (in_cycle_ || statement().skip_level != 0 || block.rest_level != 0)
     state.height.reset();
-  else if (!has_own_words(program_.codes_of(block)))
+  else if (!facts::has_own_words(program_, block))
     take_height(block);
   take_turning(block);
 }
@@ -157,11 +157,6 @@ void DrillPlace::tell(std::string what) {
 void DrillPlace::cannot(std::string what) {
   diagnostics_.push_back(
       text::make_diagnostic(text::DiagnosticId::cannot_translate, statement().span, {std::move(what), to_.title}));
-}
-
-bool has_own_words(std::span<const ir::Code> codes) {
-  return std::ranges::any_of(
-      codes, [](const ir::Code& c) { return c.group == ModalGroup::non_modal || c.group == ModalGroup::frame; });
 }
 
 }  // namespace dripfeed::macro_b

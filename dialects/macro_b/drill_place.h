@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "dialects/facts/resolved.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
-#include "dialects/passes/mode_flow.h"
 #include "dialects/text/diagnostic.h"
 
 namespace dripfeed::macro_b {
@@ -68,7 +68,7 @@ class DrillPlace {
 
  private:
   // What a caller or a called program may have set is taken as it is here, and told.
-  bool is_known(std::string_view what, const passes::ModeFact& fact);
+  bool is_known(std::string_view what, const facts::Known<facts::Setting>& fact);
   // Nothing where the ways differ.
   [[nodiscard]] std::optional<bool> is_incremental(std::span<const ir::Code> codes) const;
   void take_code(const ir::Code& code);
@@ -78,8 +78,7 @@ class DrillPlace {
   const ir::Program& program_;
   const ir::Control& to_;
   std::vector<bool> is_target_;  // of a jump
-  passes::ModeFlow modes_;
-  std::vector<std::optional<ir::Function>> motions_;
+  facts::Resolved modes_;
   std::set<std::pair<std::string, bool>> told_;  // and whether it was an error
   std::vector<text::Diagnostic> diagnostics_;
   std::uint32_t index_ = 0;
@@ -88,8 +87,5 @@ class DrillPlace {
   std::optional<ir::Function> motion_;
   bool in_cycle_ = false;  // by its code, of a program's other language: where it leaves the tool is not followed
 };
-
-// The words of the block are not a move's.
-bool has_own_words(std::span<const ir::Code> codes);
 
 }  // namespace dripfeed::macro_b

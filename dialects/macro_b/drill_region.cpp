@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "dialects/passes/flow_graph.h"
-#include "dialects/passes/mode_flow.h"
+#include "dialects/facts/calls.h"
+#include "dialects/facts/flow_graph.h"
 
 namespace dripfeed::macro_b {
 
@@ -61,7 +61,7 @@ bool calls_in_region(const ir::Program& program, std::uint32_t call) {
   const std::uint32_t end = end_of_region(program, call);
   for (std::uint32_t i = call + 1; i < end; ++i) {
     const ir::Statement& s = program.statements[i];
-    if (s.kind == StatementKind::call && !passes::is_standard_cycle(program, s)) return true;
+    if (s.kind == StatementKind::call && !facts::is_standard_cycle(program, s)) return true;
   }
   return false;
 }
@@ -70,7 +70,7 @@ bool jumps_across_region(const ir::Program& program, std::uint32_t call, std::sp
   const std::uint32_t end = end_of_region(program, call);
   const auto is_inside = [&](std::uint32_t i) { return i > call && i <= end; };
   return std::ranges::any_of(jumps, [&](std::uint32_t jump) {
-    const std::uint32_t target = passes::target_of(program, jump);
+    const std::uint32_t target = facts::target_of(program, jump);
     return target == ir::kNoIndex ? is_inside(jump) : is_inside(jump) != is_inside(target);
   });
 }

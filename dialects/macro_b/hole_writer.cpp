@@ -1,8 +1,8 @@
 // A cycle where its levels are numbers and the tool stands where it would begin; otherwise its moves one by one.
 #include "dialects/macro_b/hole_writer.h"
 
+#include "dialects/facts/needs.h"
 #include "dialects/ir/cycle.h"
-#include "dialects/passes/motion_flow.h"
 #include "dialects/passes/rigid_taps.h"
 
 namespace dripfeed::macro_b {
@@ -196,7 +196,7 @@ void HoleWriter::settle_distance() {
 void HoleWriter::motion_again(bool always) {
   const std::optional<Function> motion = place_.motion();
   if (motion && (always || *motion != Function::rapid)) emit_code(*motion);
-  if (!motion && passes::needs_motion(program_, place_.index()))
+  if (!motion && facts::needs_motion(program_, place_.index()))
     place_.cannot("the motion code in effect behind a cycle, which is not known here,");
 }
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/facts/calls.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/ir/frame_use.h"
 #include "dialects/ir/hole_pattern.h"
@@ -17,7 +18,6 @@
 #include "dialects/macro_b/findings.h"
 #include "dialects/macro_b/lower.h"
 #include "dialects/macro_b/print.h"
-#include "dialects/passes/mode_flow.h"
 
 namespace dripfeed::macro_b {
 
@@ -73,7 +73,7 @@ BlockRaiser::BlockRaiser(ir::Program& program, const ir::Control& from, const ir
   if (!edges_ || same_) return;
   tools_.emplace(program);
   calls_others_ = std::ranges::any_of(program.statements, [&](const ir::Statement& s) {
-    return passes::is_call(s.kind) && !passes::is_standard_cycle(program, s);
+    return facts::is_call(s.kind) && !facts::is_standard_cycle(program, s);
   });
 }
 

@@ -21,6 +21,7 @@
 #include <string_view>
 #include <utility>
 
+#include "dialects/facts/axis_words.h"
 #include "dialects/macro_b/called_hole.h"
 #include "dialects/macro_b/drill_place.h"
 #include "dialects/macro_b/drill_region.h"
@@ -132,7 +133,8 @@ class Drilling {
       std::ranges::remove_copy(codes, std::back_inserter(others), Function::rapid, &ir::Code::function);
       return out_.emit_block(others, {words.begin(), words.end()});
     }
-    const bool positions = !has_own_words(codes) && std::ranges::any_of(words, ir::is_axis, &ir::Word::address);
+    const bool positions =
+        !facts::has_own_words(program_, block) && std::ranges::any_of(words, ir::is_axis, &ir::Word::address);
     out_.keep();
     if (modal_ && positions) holes_.write_moves(*modal_);
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "dialects/passes/flow_graph.h"
+#include "dialects/facts/flow_graph.h"
 #include "dialects/passes/macro_arguments.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/walk.h"
@@ -182,7 +182,7 @@ std::vector<text::Diagnostic> raise_calls(ir::Program& program, const ir::Contro
 
 bool has_company(const ir::Program& program) {
   return std::ranges::any_of(program.statements, [](const ir::Statement& s) {
-    return is_call(s.kind) || s.kind == StatementKind::procedure || passes::returns(s.kind);
+    return is_call(s.kind) || s.kind == StatementKind::procedure || facts::returns(s.kind);
   });
 }
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "dialects/facts/calls.h"
 #include "dialects/macro_b/raise_block.h"
-#include "dialects/passes/mode_flow.h"
 
 namespace dripfeed::macro_b {
 
@@ -192,7 +192,7 @@ bool BlockRaiser::plane_is_always_xy() const {
 bool BlockRaiser::calls_next() const {
   for (std::uint32_t i = index_ + 1; i < program_.statements.size(); ++i) {
     const ir::Statement& s = program_.statements[i];
-    if (s.kind == StatementKind::call) return !passes::is_standard_cycle(program_, s);
+    if (s.kind == StatementKind::call) return !facts::is_standard_cycle(program_, s);
     if (s.kind != StatementKind::empty && moves_without_edge(s)) return false;
   }
   return false;

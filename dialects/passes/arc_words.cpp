@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "dialects/passes/flow_graph.h"
-#include "dialects/passes/motion_flow.h"
+#include "dialects/facts/flow_graph.h"
+#include "dialects/facts/resolved.h"
 
 namespace dripfeed::passes {
 
@@ -34,20 +34,24 @@ bool is_arc(Function f) { return f == Function::arc_cw || f == Function::arc_ccw
 class ArcWords {
  public:
   ArcWords(ir::Program& program, const ir::Control& from, const ir::Control& to)
-      : program_(program), to_(to), takes_radius_(from.semantics.arc_radius_is_r), motions_(motions_before(program)) {}
+      : program_(program), to_(to), takes_radius_(from.semantics.arc_radius_is_r), facts_(program, from) {}
 
   std::vector<text::Diagnostic> run() {
     for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
-      if (section_of(program_, i).first == i) arc_ = false;
+      if (facts::section_of(program_, i).first == i) arc_ = false;
       const ir::Statement& s = program_.statements[i];
       // A missing centre is an alarm there: only where it is certain.
-      if (!takes_radius_) arc_ = motions_[i].has_value() && is_arc(*motions_[i]);
+      if (!takes_radius_) arc_ = is_in_arc(i);
       if (s.kind == StatementKind::block) block(s);
     }
     return std::move(diagnostics_);
   }
 
  private:
+  [[nodiscard]] bool is_in_arc(std::uint32_t statement) const {
+    const std::optional<facts::Setting> motion = facts_.certain(facts::Mode::motion, statement);
+    return motion && is_arc(motion->function);
+  }
   void block(const ir::Statement& s) {
     ir::Block& block = program_.blocks[s.payload];
     bool words_of_another = false;
@@ -82,7 +86,7 @@ class ArcWords {
   ir::Program& program_;
   const ir::Control& to_;
   bool takes_radius_;  // where there is a centre, too
-  std::vector<std::optional<Function>> motions_;
+  facts::Resolved facts_;
   bool arc_ = false;
   std::vector<text::Diagnostic> diagnostics_;
 };

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "dialects/passes/flow_graph.h"
+#include "dialects/facts/flow_graph.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/structure_parts.h"
 #include "dialects/passes/structures.h"
@@ -61,7 +61,7 @@ class ComputedJumps {
 
   // The block numbers of its own program, each once.
   [[nodiscard]] std::vector<std::uint32_t> targets_of(std::uint32_t i) const {
-    const StatementRange own = section_of(program_, i);
+    const facts::StatementRange own = facts::section_of(program_, i);
     std::vector<std::uint32_t> numbers;
     for (const ir::Label& label : program_.labels)
       if (label.name == ir::StringId::none && own.first <= label.statement && label.statement < own.last)

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <optional>
 
-#include "dialects/passes/main_return.h"
-#include "dialects/passes/mode_flow.h"
+#include "dialects/facts/calls.h"
+#include "dialects/facts/subprogram.h"
 #include "dialects/passes/set_on_all_ways.h"
 
 namespace dripfeed::passes {
 
 std::vector<OutsideValue> outside_values(const ir::Program& program, const ir::Control& control, ir::Bank bank) {
-  if (is_subprogram(program)) return {};
+  if (facts::is_subprogram(program)) return {};
   const auto watched = [&](const ir::Variable& v) -> std::optional<std::uint32_t> {
     if (v.bank != bank || v.index != ir::ExpressionId::none) return std::nullopt;
     const ir::VariableRange* range = ir::find_variable(control, bank, v.number);
@@ -19,7 +19,9 @@ std::vector<OutsideValue> outside_values(const ir::Program& program, const ir::C
       return std::nullopt;
     return v.number;
   };
-  const auto calls = [&](const ir::Statement& s) { return is_call(s.kind) && !is_standard_cycle(program, s); };
+  const auto calls = [&](const ir::Statement& s) {
+    return facts::is_call(s.kind) && !facts::is_standard_cycle(program, s);
+  };
   const auto first_call = std::ranges::find_if(program.statements, calls) - program.statements.begin();
   std::vector<OutsideValue> found;
   for (const UnsetRead& read : reads_before_set(program, watched)) {

@@ -5,11 +5,9 @@
 
 #include "dialects/passes/allocation.h"
 #include "dialects/passes/arc_words.h"
-#include "dialects/passes/flow_graph.h"
 #include "dialects/passes/foreign_variables.h"
 #include "dialects/passes/labels.h"
 #include "dialects/passes/machine_functions.h"
-#include "dialects/passes/mode_flow.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/safe_start.h"
 #include "dialects/passes/settle_modes.h"

@@ -12,8 +12,9 @@
 #include <string>
 #include <utility>
 
-#include "dialects/passes/flow_graph.h"
-#include "dialects/passes/mode_flow.h"
+#include "dialects/facts/calls.h"
+#include "dialects/facts/flow_graph.h"
+#include "dialects/facts/resolved.h"
 #include "dialects/passes/rewrite.h"
 
 namespace dripfeed::passes {
@@ -91,7 +92,8 @@ class PolesInEffect {
 
   [[nodiscard]] std::uint32_t after(std::uint32_t i) const {
     const ir::Statement& s = program_.statements[i];
-    const bool elsewhere = s.kind == StatementKind::native || (is_call(s.kind) && !is_standard_cycle(program_, s));
+    const bool elsewhere =
+        s.kind == StatementKind::native || (facts::is_call(s.kind) && !facts::is_standard_cycle(program_, s));
     if (elsewhere) return kUnknown;
     const bool sets =
         s.kind == StatementKind::block && std::ranges::any_of(program_.codes_of(program_.blocks[s.payload]), sets_pole);
@@ -99,7 +101,7 @@ class PolesInEffect {
   }
 
   const ir::Program& program_;
-  FlowGraph graph_;
+  facts::FlowGraph graph_;
   std::vector<std::uint32_t> before_;
   std::vector<std::uint32_t> work_;
 };
@@ -111,7 +113,7 @@ class PolarPositions {
         to_(to),
         modes_(source_, from),
         poles_(source_),
-        is_target_(jump_targets(program)),
+        is_target_(facts::jump_targets(program)),
         out_(program),
         has_arcs_(std::ranges::any_of(program.codes, [](const ir::Code& c) { return is_arc(c.function); })),
         motion_(from.semantics.power_on_motion) {}
@@ -135,7 +137,7 @@ class PolarPositions {
   void statement(const ir::Statement s) {
     const bool meets = is_target_[index_] || ir::is_structure(s.kind);
     const bool leaves = s.kind == StatementKind::go_to || s.kind == StatementKind::native ||
-                        (is_call(s.kind) && !is_standard_cycle(program_, s));
+                        (facts::is_call(s.kind) && !facts::is_standard_cycle(program_, s));
     if (meets || leaves) forget();
     if (letters_ && (meets || leaves)) cannot("G16 over a jump, a loop or a call");
     if (s.kind == StatementKind::block) return block(s);
@@ -172,17 +174,17 @@ class PolarPositions {
   [[nodiscard]] std::optional<Plane> plane_here(const std::vector<ir::Code>& codes) const {
     for (const ir::Code& c : codes)
       if (c.group == ModalGroup::plane) return plane_of(c.function);
-    const ModeFacts* facts = modes_.before(index_);
+    const facts::Facts* facts = modes_.before(index_);
     if (facts == nullptr) return std::nullopt;
-    const ModeFact& fact = (*facts)[index_of(Mode::plane)];
-    return fact.agrees() ? plane_of(fact.function) : std::nullopt;
+    const facts::Known<facts::Setting>& fact = (*facts)[facts::Mode::plane];
+    return fact.agrees() ? plane_of(fact.value.function) : std::nullopt;
   }
   [[nodiscard]] bool counts_from_zero(const std::vector<ir::Code>& codes) const {
     for (const ir::Code& c : codes)
       if (c.group == ModalGroup::distance) return c.function == Function::absolute;
-    const ModeFacts* facts = modes_.before(index_);
-    return facts != nullptr && (*facts)[index_of(Mode::distance)].agrees() &&
-           (*facts)[index_of(Mode::distance)].function == Function::absolute;
+    const facts::Facts* facts = modes_.before(index_);
+    return facts != nullptr && (*facts)[facts::Mode::distance].agrees() &&
+           (*facts)[facts::Mode::distance].value.function == Function::absolute;
   }
 
   // --- the pole
@@ -354,7 +356,7 @@ class PolarPositions {
   ir::Program& program_;
   const ir::Program source_{program_};  // what the modes are followed in
   const ir::Control& to_;
-  ModeFlow modes_;
+  facts::Resolved modes_;
   PolesInEffect poles_;
   std::vector<bool> is_target_;
   Rewrite out_;

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "dialects/facts/flow_graph.h"
+#include "dialects/facts/resolved.h"
 #include "dialects/ir/cycle.h"
-#include "dialects/passes/flow_graph.h"
-#include "dialects/passes/mode_flow.h"
 #include "dialects/passes/rewrite.h"
 
 namespace dripfeed::passes {
@@ -48,7 +48,7 @@ class Taps {
         to_(to),
         said_(form_of(from)),
         flow_(program, from),
-        targets_(jump_targets(program)),
+        targets_(facts::jump_targets(program)),
         out_(program) {}
 
   std::vector<text::Diagnostic> run() {
@@ -153,9 +153,9 @@ class Taps {
   [[nodiscard]] std::optional<Function> feed_mode_at(std::uint32_t i) const {
     for (const ir::Code& code : program_.codes_of(program_.blocks[program_.statements[i].payload]))
       if (code.group == ir::ModalGroup::feed) return code.function;
-    const ModeFacts* facts = flow_.before(i);
-    if (facts == nullptr || !(*facts)[index_of(Mode::feed)].agrees()) return std::nullopt;
-    return (*facts)[index_of(Mode::feed)].function;
+    const facts::Facts* facts = flow_.before(i);
+    if (facts == nullptr || !(*facts)[facts::Mode::feed].agrees()) return std::nullopt;
+    return (*facts)[facts::Mode::feed].value.function;
   }
   [[nodiscard]] double constant_of(const ir::Word& word) const {
     const bool known = word.value != ir::ExpressionId::none && program_.at(word.value).op == ir::Operator::constant;
@@ -226,7 +226,7 @@ class Taps {
   ir::Program& program_;
   const ir::Control& to_;
   Form said_;
-  ModeFlow flow_;
+  facts::Resolved flow_;
   std::vector<bool> targets_;  // of jumps
   Rewrite out_;
   bool rigid_ = false;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "dialects/passes/flow_graph.h"
+#include "dialects/facts/subprogram.h"
 
 namespace dripfeed::passes {
 
@@ -23,15 +23,9 @@ struct Start {
   text::Span first_move;
 };
 
-// A subprogram runs in its caller's modes.
-bool is_subprogram(const ir::Program& program) {
-  return std::ranges::any_of(
-      program.statements, [](const ir::Statement& s) { return s.kind == StatementKind::procedure || returns(s.kind); });
-}
-
 // What is said up to the first block that moves; nothing when none does or another program may say it.
 std::optional<Start> start_of(const ir::Program& program) {
-  if (is_subprogram(program)) return std::nullopt;
+  if (facts::is_subprogram(program)) return std::nullopt;
   Start start;
   for (const ir::Statement& s : program.statements) {
     if (s.kind == StatementKind::call) return std::nullopt;

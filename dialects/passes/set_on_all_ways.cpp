@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "dialects/passes/flow_graph.h"
+#include "dialects/facts/flow_graph.h"
 #include "dialects/passes/walk.h"
 
 namespace dripfeed::passes {
@@ -53,7 +53,7 @@ class SetOnAllWays {
 
   // A statement that was not reached yet has no bits at all; the first way in gives it its own.
   void propagate() {
-    FlowGraph graph(program_);
+    facts::FlowGraph graph(program_);
     const std::size_t words = bit_of_.size() / 64 + 1;
     std::deque<std::uint32_t> work;
     for (const std::uint32_t entry : graph.entries()) {

@@ -1,4 +1,4 @@
-// Which block needs which mode is a short list of rules; mode_flow.h knows what holds there.
+// Which block needs which mode is a short list of rules; dialects/facts knows what is in effect there.
 #include "dialects/passes/settle_modes.h"
 
 #include <algorithm>
@@ -10,18 +10,22 @@
 
 #include <fmt/format.h>
 
+#include "dialects/facts/resolved.h"
 #include "dialects/ir/cycle.h"
-#include "dialects/passes/mode_flow.h"
 
 namespace dripfeed::passes {
 
 namespace {
 
+using facts::Facts;
+using facts::index_of;
+using facts::Known;
+using facts::Mode;
+using facts::Setting;
 using ir::Address;
 using ir::Function;
 using ir::ModalGroup;
 using ir::StatementKind;
-using Needs = std::array<bool, kModes>;
 
 struct ModeRow {
   Mode mode;
@@ -36,6 +40,20 @@ constexpr std::array kRows = {
     ModeRow{Mode::plane, ModalGroup::plane, "the plane"},
     ModeRow{Mode::diameter, ModalGroup::diameter, "diameter or radius"},
 };
+constexpr std::size_t kModes = kRows.size();  // the first ones of Mode
+constexpr bool rows_in_order() {
+  for (std::size_t i = 0; i < kModes; ++i)
+    if (index_of(kRows[i].mode) != i) return false;
+  return true;
+}
+static_assert(rows_in_order());
+using Needs = std::array<bool, kModes>;
+
+// One of these that the code sets.
+std::optional<Mode> mode_of(const ir::Code& code) {
+  const std::optional<Mode> mode = facts::mode_of(code);
+  return mode && index_of(*mode) < kModes ? mode : std::nullopt;
+}
 const ModeRow& row_of(std::size_t mode) { return kRows[mode]; }
 
 bool is_length(Address a) {
@@ -128,9 +146,9 @@ class Settling {
 
   std::vector<text::Diagnostic> run() {
     for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
-      if (section_of(program_, i).first == i) wake_up();
+      if (facts::section_of(program_, i).first == i) wake_up();
       if (program_.statements[i].kind != StatementKind::block) continue;
-      if (const ModeFacts* facts = flow_.before(i)) block(i, *facts);
+      if (const Facts* known = flow_.before(i)) block(i, *known);
       for (const ir::Code& code : program_.codes_of(program_.blocks[program_.statements[i].payload]))
         if (const auto mode = mode_of(code)) by_text_[index_of(*mode)] = code.function;
     }
@@ -139,7 +157,7 @@ class Settling {
 
  private:
   void wake_up() {
-    for (std::size_t m = 0; m < kModes; ++m) by_text_[m] = power_on(static_cast<Mode>(m), from_.semantics);
+    for (std::size_t m = 0; m < kModes; ++m) by_text_[m] = facts::power_on(static_cast<Mode>(m), from_).function;
   }
 
   [[nodiscard]] Needs needs_of(const Traits& t) const {
@@ -162,27 +180,27 @@ class Settling {
     return needs;
   }
 
-  void block(std::uint32_t i, const ModeFacts& facts) {
+  void block(std::uint32_t i, const Facts& facts) {
     const Traits traits = traits_of(program_, program_.blocks[program_.statements[i].payload]);
-    end_surface_speed(program_.blocks[program_.statements[i].payload], traits, facts[index_of(Mode::surface_speed)]);
+    end_surface_speed(program_.blocks[program_.statements[i].payload], traits, facts[Mode::surface_speed]);
     if (traits.counted_feed && reads_feeds_otherwise(from_, to_)) count_feed(i, facts);
     Needs needs = needs_of(traits);
     for (const ir::Code& code : program_.codes_of(program_.blocks[program_.statements[i].payload]))
       if (const auto mode = mode_of(code)) needs[index_of(*mode)] = false;
     for (std::size_t m = 0; m < kModes; ++m)
-      if (needs[m]) settle(i, m, facts[m]);
+      if (needs[m]) settle(i, m, facts.modes[m]);
   }
 
   // A feed code by itself ends constant surface speed where both are one group; elsewhere S800 behind it would be
   // metres.
-  void end_surface_speed(ir::Block& block, const Traits& traits, const ModeFact& fact) {
+  void end_surface_speed(ir::Block& block, const Traits& traits, const Known<Setting>& fact) {
     if (!splits_pair(from_, to_) || !speed_matters_ || !traits.feed_code || traits.speed_code) return;
-    const bool is_off = fact.agrees() && fact.function == Function::surface_speed_off && fact.changer == ir::kNoIndex;
+    const bool is_off = fact.is({.function = Function::surface_speed_off});
     if (!is_off) say(block, index_of(Mode::surface_speed), Function::surface_speed_off);
   }
 
   // A hundredth of a millimetre per revolution, and of all that in inch.
-  void count_feed(std::uint32_t i, const ModeFacts& facts) {
+  void count_feed(std::uint32_t i, const Facts& facts) {
     const ir::Block& block = program_.blocks[program_.statements[i].payload];
     const std::optional<Function> feed = mode_in(i, Mode::feed, facts);
     const std::optional<Function> unit = mode_in(i, Mode::unit, facts);
@@ -205,37 +223,38 @@ class Settling {
   }
 
   // The block's own code, or what holds before it; nothing where that is not known, which is told.
-  std::optional<Function> mode_in(std::uint32_t i, Mode mode, const ModeFacts& facts) {
+  std::optional<Function> mode_in(std::uint32_t i, Mode mode, const Facts& facts) {
     std::optional<Function> own;
     for (const ir::Code& code : program_.codes_of(program_.blocks[program_.statements[i].payload]))
       if (mode_of(code) == mode) own = code.function;
     if (own) return own;
-    const ModeFact& fact = facts[index_of(mode)];
-    return is_known(i, index_of(mode), fact) ? std::optional(fact.function) : std::nullopt;
+    const Known<Setting>& fact = facts[mode];
+    return is_known(i, index_of(mode), fact) ? std::optional(fact.value.function) : std::nullopt;
   }
 
-  void settle(std::uint32_t i, std::size_t mode, const ModeFact& fact) {
+  void settle(std::uint32_t i, std::size_t mode, const Known<Setting>& fact) {
     if (!is_known(i, mode, fact)) return;
-    if (fact.function != by_text_[mode]) say(program_.blocks[program_.statements[i].payload], mode, fact.function);
+    if (fact.value.function != by_text_[mode])
+      say(program_.blocks[program_.statements[i].payload], mode, fact.value.function);
   }
 
   // Tells where it is not, or may not be.
-  bool is_known(std::uint32_t i, std::size_t mode, const ModeFact& fact) {
+  bool is_known(std::uint32_t i, std::size_t mode, const Known<Setting>& fact) {
     const text::Span span = program_.statements[i].span;
     if (!fact.agrees()) {
-      const bool is_new = said_.insert({mode, section_of(program_, i).first}).second;
+      const bool is_new = said_.insert({mode, facts::section_of(program_, i).first}).second;
       if (!is_new) return false;
       diagnostics_.push_back(text::make_diagnostic(
           text::DiagnosticId::unknown_modal_state, span,
-          {std::string(row_of(mode).name), fmt::format("{}", fmt::join(flow_.ways(fact), ", or "))}));
+          {std::string(row_of(mode).name), fmt::format("{}", fmt::join(flow_.paths(fact), ", or "))}));
       return false;
     }
-    if (fact.changer != ir::kNoIndex && said_.insert({mode, fact.changer + (std::uint64_t{1} << 32)}).second) {
+    if (fact.changer != facts::kNobody && said_.insert({mode, fact.changer + (std::uint64_t{1} << 32)}).second) {
       diagnostics_.push_back(
           text::make_diagnostic(text::DiagnosticId::unknown_modal_state, span,
                                 {std::string(row_of(mode).name),
                                  fmt::format("it is taken as {}, which what line {} calls or does may have changed",
-                                             flow_.ways(fact).front(), program_.statements[fact.changer].line)}));
+                                             flow_.paths(fact).front(), program_.statements[fact.changer].line)}));
       diagnostics_.back().severity = text::Severity::warning;
     }
     return true;
@@ -256,7 +275,7 @@ class Settling {
   ir::Program& program_;
   const ir::Control& from_;
   const ir::Control& to_;
-  ModeFlow flow_;
+  facts::Resolved flow_;
   bool speed_matters_;
   std::array<Function, kModes> by_text_{};
   std::set<std::pair<std::size_t, std::uint64_t>> said_;
@@ -275,30 +294,30 @@ class Assuming {
   }
 
   std::vector<text::Diagnostic> run() {
-    const StatementRange main = section_of(program_, 0);
-    const ModeFacts* start = main.first < main.last ? flow_.before(main.first) : nullptr;
-    const auto inherited = [](const ModeFact& fact) { return fact.inherited; };
-    if (start == nullptr || std::ranges::none_of(*start, inherited)) return {};
+    const facts::StatementRange main = facts::section_of(program_, 0);
+    const Facts* start = main.first < main.last ? flow_.before(main.first) : nullptr;
+    const auto inherited = [](const Known<Setting>& fact) { return fact.inherited; };
+    if (start == nullptr || std::ranges::none_of(start->modes, inherited)) return {};
     for (std::uint32_t i = main.first; i < main.last; ++i) {
       const ir::Statement& s = program_.statements[i];
       if (s.kind != StatementKind::block) continue;
-      if (const ModeFacts* facts = flow_.before(i)) block(s, *facts);
+      if (const Facts* known = flow_.before(i)) block(s, *known);
       spindle(s);
     }
     return std::move(diagnostics_);
   }
 
  private:
-  void block(const ir::Statement& s, ModeFacts facts) {
+  void block(const ir::Statement& s, Facts facts) {
     const ir::Block& block = program_.blocks[s.payload];
     for (const ir::Code& code : program_.codes_of(block))
-      if (const auto mode = mode_of(code)) facts[index_of(*mode)] = {.function = code.function};
+      if (const auto mode = mode_of(code)) facts[*mode] = {.value = {.function = code.function}};
     const Traits t = traits_of(program_, block);
     const bool turning = control_.kind != ir::MachineKind::mill;
     const auto words = program_.words_of(block);
     const auto feed = std::ranges::find(words, Address::f, &ir::Word::address);
     const auto assume = [&](Mode mode, bool needed, text::DiagnosticId id, std::string argument) {
-      if (needed && facts[index_of(mode)].inherited) say(mode, id, s.span, std::move(argument));
+      if (needed && facts[mode].inherited) say(mode, id, s.span, std::move(argument));
     };
     using enum text::DiagnosticId;
     assume(Mode::unit, t.axis_word, unit_not_stated, {});
@@ -314,8 +333,8 @@ class Assuming {
 
   void say(Mode mode, text::DiagnosticId id, text::Span span, std::string argument) {
     if (std::exchange(said_[index_of(mode)], true)) return;
-    const ModeFact woken{.function = power_on(mode, control_.semantics), .origin = ModeFact::kPowerOn};
-    const std::string taken = "taken as " + flow_.ways(woken).front() + "; a caller may have set another";
+    const Known<Setting> at_start{.value = facts::power_on(mode, control_), .origin = facts::kPowerOn};
+    const std::string taken = "taken as " + flow_.paths(at_start).front() + "; a caller may have set another";
     std::vector<std::string> arguments;
     if (!argument.empty()) arguments.push_back(std::move(argument));
     if (id == text::DiagnosticId::unknown_modal_state) arguments.push_back(taken);
@@ -343,7 +362,7 @@ class Assuming {
 
   const ir::Program& program_;
   const ir::Control& control_;
-  ModeFlow flow_;
+  facts::Resolved flow_;
   std::array<bool, kModes> said_{};
   bool turns_ = false;
   bool said_speed_ = false;

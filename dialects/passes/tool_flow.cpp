@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "dialects/passes/mode_flow.h"
-#include "dialects/passes/state_flow.h"
+#include "dialects/facts/calls.h"
+#include "dialects/facts/spread.h"
 #include "dialects/passes/walk.h"
 
 namespace dripfeed::passes {
@@ -24,7 +24,7 @@ bool changes_tool(const ir::Code& c) { return c.function == Function::tool_chang
 ToolFlow::ToolFlow(const ir::Program& program)
     : program_(program),
       at_once_(!has_change()),
-      before_(states_before(
+      before_(facts::states_before(
           program, ToolState(), [this](std::uint32_t i, const ToolState& state) { return after(i, state); },
           [this](ToolState& state, const ToolState& with) { return meet(state, with); })) {}
 
@@ -46,7 +46,7 @@ ToolState ToolFlow::after(std::uint32_t statement, ToolState state) const {
     const ToolState before = state;
     take_block(block, state);
     if (block.rest_level != 0) (void)meet(state, before);
-  } else if (is_call(s.kind) && !is_standard_cycle(program_, s)) {
+  } else if (facts::is_call(s.kind) && !facts::is_standard_cycle(program_, s)) {
     state.caller = statement;
   }
   if (s.kind == StatementKind::block) return state;

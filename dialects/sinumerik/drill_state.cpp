@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <array>
 
-#include "dialects/passes/flow_graph.h"
-#include "dialects/passes/mode_flow.h"
-#include "dialects/passes/state_flow.h"
+#include "dialects/facts/axis_words.h"
+#include "dialects/facts/calls.h"
+#include "dialects/facts/flow_graph.h"
+#include "dialects/facts/spread.h"
 
 namespace dripfeed::sinumerik {
 
@@ -23,12 +24,6 @@ bool is_motion(Function f) {
 }
 
 }  // namespace
-
-bool has_own_words(const ir::Code& c) {
-  if (c.function == Function::exact_stop_once) return false;
-  return c.group == ModalGroup::non_modal || c.group == ModalGroup::frame || c.function == Function::not_modelled ||
-         c.function == Function::machine_coordinates || c.number != ir::ExpressionId::none;
-}
 
 ir::Address drilling_axis(Function plane) {
   if (plane == Function::plane_zx) return Address::y;
@@ -74,7 +69,7 @@ void DrillState::forget() {
 
 DrillFlow::DrillFlow(const ir::Program& program, const ir::Control& from)
     : program_(program), from_(from), before_(program.statements.size() + 1) {
-  passes::FlowGraph graph(program);
+  facts::FlowGraph graph(program);
   DrillState start;
   start.height.forget();
   start.initial.forget();
@@ -88,7 +83,7 @@ DrillFlow::DrillFlow(const ir::Program& program, const ir::Control& from)
     before_[entry] = start;
     if (entry != 0) before_[entry]->forget();
   }
-  passes::spread_states(
+  facts::spread_states(
       program, graph, before_,
       [this](std::uint32_t i, const DrillState& state) { return step(state, program_.statements[i]); },
       [](DrillState& state, const DrillState& with) { return state.meet(with); });
@@ -100,7 +95,7 @@ const DrillState* DrillFlow::before(std::uint32_t statement) const {
 
 DrillState DrillFlow::step(const DrillState& state, const ir::Statement& statement) const {
   if (statement.kind == StatementKind::block) return after(state, program_.blocks[statement.payload]);
-  if (passes::keeps_modes(statement.kind)) return state;
+  if (facts::keeps_modes(statement.kind)) return state;
   DrillState out = state;
   out.forget();
   if (statement.kind != StatementKind::call) return out;
@@ -115,7 +110,7 @@ DrillState DrillFlow::after(const DrillState& state, const ir::Block& block) con
   DrillState out = state;
   const auto codes = program_.codes_of(block);
   for (const ir::Code& code : codes) take_code(code, out);
-  const bool own_words = std::ranges::any_of(codes, has_own_words);
+  const bool own_words = facts::has_own_words(program_, block);
   const bool dwell = std::ranges::find(codes, Function::dwell, &ir::Code::function) != codes.end();
   if (own_words && !dwell) out.height.forget();
   if (!own_words) take_words(program_.words_of(block), !out.cycle.is(DrillState::kNone), out);

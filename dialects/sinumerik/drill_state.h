@@ -67,8 +67,6 @@ class DrillFlow {
   std::vector<std::optional<DrillState>> before_;
 };
 
-// Words beside the code are no positions of a cycle, or leave the axis where only the machine knows.
-bool has_own_words(const ir::Code& code);
 // Address of the axis that stands on the plane.
 ir::Address drilling_axis(ir::Function plane);
 

@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "dialects/facts/subprogram.h"
 #include "dialects/passes/macro_arguments.h"
-#include "dialects/passes/main_return.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/passes/set_on_all_ways.h"
 #include "dialects/passes/walk.h"
@@ -49,7 +49,7 @@ class Macro {
     find_locals();
     if (locals_.empty()) return {};
     const auto unset = passes::reads_before_set(program_, [this](const ir::Variable& v) { return local_of(v); });
-    const bool takes = passes::is_subprogram(program_) && std::ranges::any_of(unset, [](const passes::UnsetRead& read) {
+    const bool takes = facts::is_subprogram(program_) && std::ranges::any_of(unset, [](const passes::UnsetRead& read) {
                          return passes::position_of_local(read.watched).has_value();
                        });
     if (!takes && !calls(ir::CallKind::macro)) return {};

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "dialects/facts/axis_words.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/sinumerik/back_boring.h"
@@ -65,14 +66,14 @@ class CycleRaiser {
     if (block.rest_level != 0) return raising_.cannot("block skip inside a block", s.span);
     if (!after.cycle.known) return undecided(block);
     if (!is) return end(before, block);
-    if (std::ranges::any_of(program_.codes_of(block), has_own_words)) return beside(block);
+    if (facts::has_own_words(program_, block)) return beside(block);
     drill(before, after, block);
   }
 
   // A block that may or may not drill: words of shifts, data and the like never do.
   void undecided(const ir::Block& block) {
     const auto words = program_.words_of(block);
-    const bool own_words = std::ranges::any_of(program_.codes_of(block), has_own_words);
+    const bool own_words = facts::has_own_words(program_, block);
     if (!own_words &&
         std::ranges::any_of(words, [](const ir::Word& w) { return ir::is_axis(w.address) || w.address == Address::r; }))
       raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span,
@@ -85,7 +86,7 @@ class CycleRaiser {
   void beside(const ir::Block& block) {
     for (const ir::Code& c : program_.codes_of(block)) {
       const bool stays = c.group == ir::ModalGroup::frame || std::ranges::find(kStaying, c.function) != kStaying.end();
-      if (has_own_words(c) && !stays) return refuse_in_cycle(c);
+      if (facts::has_own_words(c) && !stays) return refuse_in_cycle(c);
       if (c.function == Function::drill || changes_return(c)) return refuse_in_cycle(c);
     }
     out_.keep();

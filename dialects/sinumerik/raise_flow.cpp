@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "dialects/passes/flow_graph.h"
+#include "dialects/facts/flow_graph.h"
 #include "dialects/passes/walk.h"
 #include "dialects/sinumerik/name_index.h"
 #include "dialects/sinumerik/raise.h"
@@ -22,7 +22,7 @@ void raise_jump(const Raising& raising, std::uint32_t i) {
   const ir::Statement& s = program.statements[i];
   ir::Jump& jump = program.jumps[s.payload];
   if (jump.computed != ir::ExpressionId::none) return raising.cannot("a jump to a computed block number", s.span);
-  const std::uint32_t target = passes::target_of(program, i);
+  const std::uint32_t target = facts::target_of(program, i);
   if (target == ir::kNoIndex) {
     if (!jump.tolerant)
       raising.report(text::DiagnosticId::jump_target_missing, s.span, {"N" + std::to_string(jump.number)});
@@ -32,7 +32,7 @@ void raise_jump(const Raising& raising, std::uint32_t i) {
   if (jump.search == wanted) return;
   jump.search = wanted;
   // GOTOB takes the nearest label above; a number that stands twice may lead elsewhere.
-  if (passes::target_of(program, i) != target) raising.cannot("a jump to a block number that stands twice", s.span);
+  if (facts::target_of(program, i) != target) raising.cannot("a jump to a block number that stands twice", s.span);
 }
 
 constexpr std::uint32_t kLastLocal = 33;

@@ -1,4 +1,4 @@
-// The other controls leave the length of the tool out where they go to a place of the machine. Whether SINUMERIK does,
+// The other controls leave the length of the tool out where they go to a machine position. Whether SINUMERIK does,
 // MD10760 G53_TOOLCORR decides (ISO Milling, "Machine coordinate system"); D0 says so on all machines.
 //
 //   G43 H1 …                 D1 …
@@ -8,7 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "dialects/passes/length_flow.h"
+#include "dialects/facts/needs.h"
+#include "dialects/facts/resolved.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/sinumerik/raise.h"
 #include "dialects/sinumerik/tool_offsets.h"
@@ -17,8 +18,8 @@ namespace dripfeed::sinumerik {
 
 namespace {
 
+using facts::ToolLength;
 using ir::Function;
-using passes::ToolLength;
 
 ir::Code code_of(Function function, std::int16_t argument, text::Span span) {
   ir::Code code;
@@ -33,7 +34,7 @@ ir::Code code_of(Function function, std::int16_t argument, text::Span span) {
 // A caller or a called program decides. Taken away it would be missed: the tool would come down by its length.
 void tell_taken_as_on(const Raising& raising, text::Span span) {
   raising.report(text::DiagnosticId::unknown_modal_state, span,
-                 {"whether the length of the tool is in effect", "it is taken away here and put back behind it (D1)"});
+                 {"whether the length of the tool is in effect", "it is taken away here and put back after it (D1)"});
   raising.diagnostics.back().severity = text::Severity::warning;
 }
 
@@ -44,17 +45,19 @@ void raise_machine_moves(const Raising& raising) {
   if (raising.from.semantics.d_selects_edge) return;
   const auto goes = [&](const ir::Statement& s) {
     return s.kind == ir::StatementKind::block &&
-           passes::moves_length_to_machine(program, program.blocks[s.payload], raising.from);
+           facts::moves_length_to_machine(program, program.blocks[s.payload], raising.from);
   };
   if (std::ranges::none_of(program.statements, goes)) return;
-  const passes::LengthFlow flow(program, raising.from);
+  const facts::Resolved known(program, raising.from);
   passes::Rewrite out(program);
   const auto count = static_cast<std::uint32_t>(program.statements.size());
   for (std::uint32_t i = 0; i < count; ++i) {
     out.at(i);
     const ir::Statement s = program.statements[i];
     const bool looks = goes(s) && program.blocks[s.payload].rest_level == 0;  // otherwise it is refused
-    const ToolLength length = looks ? flow.at(i) : ToolLength::off;
+    const std::optional<facts::Facts> here = looks ? known.at(i) : std::nullopt;
+    const ToolLength none = looks ? ToolLength::unknown : ToolLength::off;  // no path leads here
+    const ToolLength length = here ? facts::tool_length(*here) : none;
     if (length == ToolLength::unknown) tell_taken_as_on(raising, s.span);
     if (length == ToolLength::off) {
       out.keep();

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "dialects/passes/flow_graph.h"
-#include "dialects/passes/mode_flow.h"
+#include "dialects/facts/flow_graph.h"
+#include "dialects/facts/resolved.h"
 #include "dialects/passes/rewrite.h"
 #include "dialects/sinumerik/raise.h"
 
@@ -33,9 +33,7 @@ class ReferenceRaiser {
         program_(raising.program),
         letters_are_increments_(!raising.is_own() && raising.from.semantics.incremental_letters_uvw),
         modes_(program_, raising.from),
-        out_(program_) {
-    find_motions();
-  }
+        out_(program_) {}
 
   void run() {
     const auto count = static_cast<std::uint32_t>(program_.statements.size());
@@ -53,32 +51,6 @@ class ReferenceRaiser {
   }
 
  private:
-  // The motion code in effect before each statement; none: not known.
-  void find_motions() {
-    motions_.resize(program_.statements.size() + 1);
-    passes::FlowGraph graph(program_);
-    std::deque<std::uint32_t> work;
-    const auto reach = [&](std::uint32_t statement, Function motion) {
-      std::optional<Function>& before = motions_[statement];
-      if (before == motion || before == Function::none) return;
-      before = before ? Function::none : motion;
-      work.push_back(statement);
-    };
-    for (const std::uint32_t entry : graph.entries()) reach(entry, Function::none);
-    while (!work.empty()) {
-      const std::uint32_t i = work.front();
-      work.pop_front();
-      if (i >= program_.statements.size()) continue;
-      const Function after = motion_after(program_.statements[i], *motions_[i]);
-      for (const std::uint32_t next : graph.after(i)) reach(next, after);
-    }
-  }
-  [[nodiscard]] Function motion_after(const ir::Statement& s, Function before) const {
-    if (s.kind != StatementKind::block) return passes::keeps_modes(s.kind) ? before : Function::none;
-    const ir::Block& block = program_.blocks[s.payload];
-    const Function said = motion_of(program_.codes_of(block), before);
-    return said == before || (s.skip_level == 0 && block.rest_level == 0) ? said : Function::none;
-  }
   static Function motion_of(std::span<const ir::Code> codes, Function before) {
     for (const ir::Code& c : codes) {
       if (c.number != ir::ExpressionId::none && c.letter == 'G') return Function::none;
@@ -88,7 +60,8 @@ class ReferenceRaiser {
   }
   // … where the block's own point is gone to.
   [[nodiscard]] Function motion_here(const std::vector<ir::Code>& codes) const {
-    return motion_of(codes, motions_[index_].value_or(Function::none));
+    const std::optional<facts::Setting> before = modes_.certain(facts::Mode::motion, index_);
+    return motion_of(codes, before ? before->function : Function::none);
   }
 
   // By value: the arenas grow.
@@ -191,10 +164,10 @@ class ReferenceRaiser {
     if (mode != ir::WordMode::as_modal) return mode == ir::WordMode::incremental;
     const auto here = std::ranges::find(codes, ir::ModalGroup::distance, &ir::Code::group);
     if (here != codes.end()) return here->function == Function::incremental;
-    const passes::ModeFacts* before = modes_.before(index_);
+    const facts::Facts* before = modes_.before(index_);
     if (before == nullptr) return false;
-    const passes::ModeFact& distance = (*before)[passes::index_of(passes::Mode::distance)];
-    return distance.agrees() && distance.function == Function::incremental;
+    const facts::Known<facts::Setting>& distance = (*before)[facts::Mode::distance];
+    return distance.agrees() && distance.value.function == Function::incremental;
   }
 
   // The word by the axis that its letter moves.
@@ -217,11 +190,10 @@ class ReferenceRaiser {
   const Raising& raising_;
   ir::Program& program_;
   bool letters_are_increments_;
-  passes::ModeFlow modes_;
+  facts::Resolved modes_;
   passes::Rewrite out_;
   ir::Statement statement_;
   std::uint32_t index_ = 0;
-  std::vector<std::optional<Function>> motions_;
 };
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <deque>
 
+#include "dialects/facts/flow_graph.h"
 #include "dialects/ir/frame_use.h"
-#include "dialects/passes/flow_graph.h"
 
 namespace dripfeed::sinumerik {
 
@@ -34,7 +34,7 @@ bool ShiftFlow::State::meet(const State& other) {
 
 ShiftFlow::ShiftFlow(const ir::Program& program, const ir::Control& from)
     : program_(program), from_(from), before_(program.statements.size() + 1) {
-  passes::FlowGraph graph(program);
+  facts::FlowGraph graph(program);
   std::deque<std::uint32_t> work;
   const std::vector<std::uint32_t> entries = graph.entries();
   for (const std::uint32_t entry : entries) {

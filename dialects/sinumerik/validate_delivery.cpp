@@ -1,6 +1,6 @@
 // What cannot run while the text is fed: the control has only its reload buffer, so loops and jumps back find nothing.
 // A jump forward works as far as its target is in the buffer; IF, ELSE, ENDIF and calls work always.
-#include "dialects/passes/flow_graph.h"
+#include "dialects/facts/flow_graph.h"
 #include "dialects/sinumerik/validate.h"
 
 namespace dripfeed::sinumerik {
@@ -49,7 +49,7 @@ std::string_view loop_word(StatementKind kind) {
 void check_jump(const Check& check, std::uint32_t i) {
   const ir::Statement& s = check.program.statements[i];
   const ir::Jump& jump = check.program.jumps[s.payload];
-  const std::uint32_t target = passes::target_of(check.program, i);
+  const std::uint32_t target = facts::target_of(check.program, i);
   // A target that is missing is reported as such.
   if (target == ir::kNoIndex && jump.computed == ir::ExpressionId::none) return;
   const bool forward = target != ir::kNoIndex ? target > i : jump.search == ir::JumpSearch::forward;

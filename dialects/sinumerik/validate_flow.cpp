@@ -3,8 +3,8 @@
 #include <map>
 #include <utility>
 
+#include "dialects/facts/flow_graph.h"
 #include "dialects/ir/repetition.h"
-#include "dialects/passes/flow_graph.h"
 #include "dialects/sinumerik/validate.h"
 
 namespace dripfeed::sinumerik {
@@ -81,7 +81,7 @@ class Reachability {
 
   const Check& check_;
   const std::vector<ir::Statement>& statements_;
-  passes::FlowGraph graph_{check_.program};
+  facts::FlowGraph graph_{check_.program};
 };
 
 }  // namespace
@@ -103,7 +103,7 @@ void check_labels(const Check& check) {
     const ir::Statement& s = program.statements[i];
     if (s.kind != StatementKind::go_to) continue;
     const ir::Jump& jump = program.jumps[s.payload];
-    if (jump.tolerant || jump.computed != ir::ExpressionId::none || passes::target_of(program, i) != ir::kNoIndex)
+    if (jump.tolerant || jump.computed != ir::ExpressionId::none || facts::target_of(program, i) != ir::kNoIndex)
       continue;
     check.report(DiagnosticId::jump_target_missing, s.span, {name_of_target(program, jump)});
   }

@@ -1,7 +1,7 @@
 // Nesting of IF, WHILE, FOR, LOOP and REPEAT, and jumps that would enter one of them.
 #include <algorithm>
 
-#include "dialects/passes/flow_graph.h"
+#include "dialects/facts/flow_graph.h"
 #include "dialects/sinumerik/validate.h"
 
 namespace dripfeed::sinumerik {
@@ -107,7 +107,7 @@ class Nesting {
     const auto& statements = check_.program.statements;
     for (std::uint32_t i = 0; i < statements.size(); ++i) {
       if (statements[i].kind != StatementKind::go_to) continue;
-      const std::uint32_t target = passes::target_of(check_.program, i);
+      const std::uint32_t target = facts::target_of(check_.program, i);
       if (target == ir::kNoIndex || enclosing_[target] == ir::kNoIndex || is_around(enclosing_[target], i)) continue;
       // The manual forbids it; controls in use do not always stop, and what the structure does then is not defined.
       const ir::Jump& jump = check_.program.jumps[statements[i].payload];
@@ -134,7 +134,7 @@ class Nesting {
       if (kind == StatementKind::program_end || kind == StatementKind::subprogram_return) return true;
       if (kind == StatementKind::native && !check_.program.natives[statements[i].payload].effects_known) return true;
       if (kind != StatementKind::go_to) continue;
-      const std::uint32_t target = passes::target_of(check_.program, i);
+      const std::uint32_t target = facts::target_of(check_.program, i);
       if (target == ir::kNoIndex || target <= begin || target >= end) return true;
     }
     return false;

@@ -159,7 +159,7 @@ TEST(Subprograms, RunByThemselvesTellWhatIsAssumed) {
   const std::string text = "O0100\nG01 X10. F0.2\nM99\n";
   const ConvertResult result = turned(text, "fanuc", "mazak", ConvertMode::explicit_blocks);
   ASSERT_FALSE(text::has_error(result.diagnostics)) << complaints(result);
-  EXPECT_NE(complaints(result).find("taken as feed per revolution as the control wakes up; a caller may have set"),
+  EXPECT_NE(complaints(result).find("taken as feed per revolution at power-on; a caller may have set"),
             std::string::npos)
       << complaints(result);
   EXPECT_NE(complaints(result).find("taken as millimetre"), std::string::npos) << complaints(result);

@@ -1,6 +1,6 @@
 // One case a kind of statement. Labels are in the order of the text, so that a jump's target is searched from where it
 // stands.
-#include "dialects/passes/flow_graph.h"
+#include "dialects/facts/flow_graph.h"
 
 #include <algorithm>
 #include <iterator>
@@ -9,7 +9,7 @@
 #include "dialects/ir/repetition.h"
 #include "dialects/text/upper_case.h"
 
-namespace dripfeed::passes {
+namespace dripfeed::facts {
 
 namespace {
 
@@ -18,8 +18,8 @@ using ir::StatementKind;
 }  // namespace
 
 StatementRange section_of(const ir::Program& program, std::uint32_t statement) {
-  const auto behind = std::ranges::upper_bound(program.sections, statement, {}, &ir::Section::first);
-  if (behind != program.sections.begin()) return {std::prev(behind)->first, std::prev(behind)->last};
+  const auto after = std::ranges::upper_bound(program.sections, statement, {}, &ir::Section::first);
+  if (after != program.sections.begin()) return {std::prev(after)->first, std::prev(after)->last};
   return {0, static_cast<std::uint32_t>(program.statements.size())};
 }
 
@@ -35,18 +35,18 @@ std::uint32_t target_of(const ir::Program& program, std::uint32_t jump_statement
   const auto begin = std::ranges::lower_bound(program.labels, own.first, {}, &ir::Label::statement);
   const auto labels = std::ranges::subrange(
       begin, std::ranges::lower_bound(begin, program.labels.end(), own.last, {}, &ir::Label::statement));
-  const auto behind = std::ranges::partition_point(
+  const auto after = std::ranges::partition_point(
       labels, [jump_statement](const ir::Label& label) { return label.statement <= jump_statement; });
   if (jump.search == ir::JumpSearch::backward) {
     const auto top = std::make_reverse_iterator(labels.begin());
-    const auto found = std::find_if(std::make_reverse_iterator(behind), top, matches);
+    const auto found = std::find_if(std::make_reverse_iterator(after), top, matches);
     return found == top ? ir::kNoIndex : found->statement;
   }
-  const auto found = std::find_if(behind, labels.end(), matches);
+  const auto found = std::find_if(after, labels.end(), matches);
   if (found != labels.end()) return found->statement;
   if (jump.search == ir::JumpSearch::forward) return ir::kNoIndex;
-  const auto from_top = std::find_if(labels.begin(), behind, matches);
-  return from_top == behind ? ir::kNoIndex : from_top->statement;
+  const auto from_top = std::find_if(labels.begin(), after, matches);
+  return from_top == after ? ir::kNoIndex : from_top->statement;
 }
 
 std::vector<bool> jump_targets(const ir::Program& program) {
@@ -131,7 +131,7 @@ int FlowGraph::constant_condition(ir::ExpressionId condition) const {
 
 std::uint32_t FlowGraph::partner_of(const ir::Statement& s) const { return program_.structures[s.payload].partner; }
 
-// Into the body when the condition may be true, behind the partner when it may be false.
+// Into the body when the condition may be true, after the partner when it may be false.
 void FlowGraph::opener(std::uint32_t i, int enter) {
   const std::uint32_t partner = partner_of(program_.statements[i]);
   if (enter != 0 || partner == ir::kNoIndex) after_.push_back(i + 1);
@@ -200,4 +200,4 @@ const std::vector<std::uint32_t>& FlowGraph::after(std::uint32_t i) {
   return after_;
 }
 
-}  // namespace dripfeed::passes
+}  // namespace dripfeed::facts

@@ -1,14 +1,14 @@
 // A number is looked for from its cycle on, then from the top of the program.
-#include "dialects/compile/shape_blocks.h"
+#include "dialects/facts/shape_blocks.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <optional>
 
+#include "dialects/facts/flow_graph.h"
 #include "dialects/ir/cycle.h"
-#include "dialects/passes/flow_graph.h"
 
-namespace dripfeed::compile {
+namespace dripfeed::facts {
 
 namespace {
 
@@ -21,7 +21,7 @@ std::optional<double> number(const ir::Program& program, const ir::Block& block,
 }
 
 std::uint32_t statement_of(const ir::Program& program, double number, std::uint32_t from) {
-  const passes::StatementRange own = passes::section_of(program, from);
+  const StatementRange own = section_of(program, from);
   std::uint32_t found = ir::kNoIndex;
   for (const ir::Label& label : program.labels) {
     const bool matches = label.name == ir::StringId::none && label.number == number;
@@ -52,4 +52,4 @@ std::vector<bool> blocks_of_shapes(const ir::Program& program) {
   return out;
 }
 
-}  // namespace dripfeed::compile
+}  // namespace dripfeed::facts

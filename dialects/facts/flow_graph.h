@@ -1,4 +1,4 @@
-// Where a run can go from a statement: the edges of a program, for checks that follow all ways through it. What a
+// Where a run can go from a statement: the edges of a program, for whoever follows all control-flow paths. What a
 // condition is worth is known here only when it is a constant.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 #include "dialects/ir/program.h"
 
-namespace dripfeed::passes {
+namespace dripfeed::facts {
 
 // Of the program of a text that holds the statement: all statements where the text is one program.
 struct StatementRange {
@@ -58,4 +58,4 @@ class FlowGraph {
   std::vector<std::uint32_t> after_;
 };
 
-}  // namespace dripfeed::passes
+}  // namespace dripfeed::facts

@@ -1,0 +1,74 @@
+// What is known of one modal fact before one statement, on all control-flow paths that lead there: the value and which
+// statement set it, a second value where paths disagree, and whether something whose effect is not in the text may have
+// changed it.
+#pragma once
+
+#include <cstdint>
+
+#include "dialects/ir/statement.h"
+
+namespace dripfeed::facts {
+
+// Who set a value: the index of a statement, or one of these.
+inline constexpr std::uint32_t kNobody = ir::kNoIndex;
+inline constexpr std::uint32_t kPowerOn = ir::kNoIndex - 1;
+inline constexpr std::uint32_t kCaller = ir::kNoIndex - 2;  // stated for the caller, beside the program
+
+template <class T>
+struct Known {
+  T value{};                       // what the first path brings, where `origin` is not kNobody
+  std::uint32_t origin = kNobody;  // kNobody: no path sets it
+  T other{};                       // what another path brings, where `other_origin` is not kNobody
+  std::uint32_t other_origin = kNobody;
+  // On some path a statement may have changed it, and nobody knows to what; kPowerOn: nobody knows how it begins.
+  std::uint32_t changer = kNobody;
+  bool inherited = false;  // on some path it is what a caller outside of the text has set
+  bool more = false;       // paths bring a third value
+
+  void set(const T& to, std::uint32_t by) { *this = Known{.value = to, .origin = by}; }
+  void forget(std::uint32_t by) {
+    if (changer == kNobody) changer = by;
+  }
+  // All paths of the text agree; what `changer` did is not looked at.
+  [[nodiscard]] bool agrees() const { return origin != kNobody && other_origin == kNobody && !inherited; }
+  [[nodiscard]] bool is_certain() const { return agrees() && changer == kNobody; }
+  // nullptr where it is not certain.
+  [[nodiscard]] const T* certain() const { return is_certain() ? &value : nullptr; }
+  [[nodiscard]] bool is(const T& wanted) const { return is_certain() && value == wanted; }
+  // It may be something else than `value` and `other`.
+  [[nodiscard]] bool is_open() const { return inherited || more || changer != kNobody || origin == kNobody; }
+  // Whether it may be that value as far as anybody knows.
+  [[nodiscard]] bool may_be(const T& wanted) const {
+    if (is_open()) return true;
+    return value == wanted || (other_origin != kNobody && other == wanted);
+  }
+
+  // What is left where two paths join; true when that is less than before.
+  bool join(const Known& with) {
+    const Known old = *this;
+    if (with.origin != kNobody) take(with.value, with.origin);
+    if (with.other_origin != kNobody) take(with.other, with.other_origin);
+    inherited |= with.inherited;
+    more |= with.more;
+    if (changer == kNobody) changer = with.changer;
+    return *this != old;
+  }
+  friend bool operator==(const Known&, const Known&) = default;
+
+ private:
+  void take(const T& incoming, std::uint32_t by) {
+    if (origin == kNobody) {
+      value = incoming;
+      origin = by;
+    } else if (incoming == value) {
+      return;
+    } else if (other_origin == kNobody) {
+      other = incoming;
+      other_origin = by;
+    } else {
+      more |= !(incoming == other);
+    }
+  }
+};
+
+}  // namespace dripfeed::facts

@@ -1,0 +1,81 @@
+// The facts that are followed: one row a modal group for what codes set, and the numbers that stay in effect. Values
+// are as the program writes them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "dialects/facts/known.h"
+#include "dialects/ir/control.h"
+#include "dialects/ir/program.h"
+
+namespace dripfeed::facts {
+
+// What a code sets until another one of its group replaces it.
+enum class Mode : std::uint8_t {
+  feed,
+  surface_speed,
+  unit,
+  distance,
+  plane,
+  diameter,
+  motion,
+  cycle,  // cycle_off: none is in effect; a drilling or turning cycle otherwise
+  compensation,
+  work_offset,  // of G54.1 with its P: extended_offset
+  return_level,
+  path,  // exact stop or continuous
+  spindle,
+  coolant,
+  length,      // length_offset_off: no tool length is in effect; see tool_length()
+  modal_call,  // none, or a call that each move makes; Setting::argument is then its statement's number
+  count_,
+};
+inline constexpr std::size_t kModes = static_cast<std::size_t>(Mode::count_);
+constexpr std::size_t index_of(Mode mode) { return static_cast<std::size_t>(mode); }
+
+struct Setting {
+  ir::Function function = ir::Function::none;
+  std::int32_t argument = 0;
+  friend bool operator==(const Setting&, const Setting&) = default;
+};
+
+// Numbers. Positions are those of the program's coordinates, in its unit, an X of a lathe as it is written (a diameter
+// or a radius). `feed` and `speed` are F and S as written, 0 before the first one; `next_tool` is T, `tool` the one in
+// the spindle, kToolByName where it has a name; `length_number` is H, D or the offset of T0101.
+enum class Number : std::uint8_t { feed, speed, next_tool, tool, length_number, x, y, z, a, b, c, u, v, w, count_ };
+inline constexpr double kToolByName = -1.0;
+inline constexpr std::size_t kNumbers = static_cast<std::size_t>(Number::count_);
+inline constexpr Number kFirstAxis = Number::x;
+
+struct Facts {
+  std::array<Known<Setting>, kModes> modes;
+  std::array<Known<double>, kNumbers> numbers;
+
+  Known<Setting>& operator[](Mode mode) { return modes[index_of(mode)]; }
+  const Known<Setting>& operator[](Mode mode) const { return modes[index_of(mode)]; }
+  Known<double>& operator[](Number number) { return numbers[static_cast<std::size_t>(number)]; }
+  const Known<double>& operator[](Number number) const { return numbers[static_cast<std::size_t>(number)]; }
+
+  void forget_all(std::uint32_t changer);
+  void forget_positions(std::uint32_t changer);
+  // What is left where two paths join; true when that is less than before.
+  bool join(const Facts& with);
+};
+
+// H0, D0 and T0100 take it out as G49 does.
+enum class ToolLength : std::uint8_t { off, on, unknown };
+ToolLength tool_length(const Facts& facts);
+
+// The mode that a code sets; nothing for a code that sets none of these. A code of G96 sets two where the control has
+// one group for feed and surface speed: this is the one that it names.
+std::optional<Mode> mode_of(const ir::Code& code);
+// As the control begins a program; function `none` where only the machine knows.
+Setting power_on(Mode mode, const ir::Control& control);
+// The axis that a letter names; nothing for other addresses.
+std::optional<Number> axis_of(ir::Address address);
+// "feed per revolution", for messages.
+std::string_view description_of(const Setting& setting);
+
+}  // namespace dripfeed::facts

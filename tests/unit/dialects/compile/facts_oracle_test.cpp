@@ -1,0 +1,580 @@
+// The facts beside the interpreter: programs made from a seed are run with several inputs and switches, and at each
+// message the run's state is held against what the facts claim there. A fact may say nothing; what it says must hold in
+// every run. Without branches it must also say something.
+//
+// FACTS_STATEMENTS in the environment: how many statements each test makes.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "dialects/facts/facts.h"
+#include "tests/unit/dialects/compile/harness.h"
+
+namespace dripfeed::compile::test {
+namespace {
+
+using facts::Mode;
+using facts::Number;
+using ir::Function;
+
+// What a control writes for each thing that may be in effect.
+struct Spelling {
+  std::string_view dialect;
+  ir::MachineKind kind;
+  std::vector<std::string_view> lines;       // single blocks without flow
+  std::vector<std::string_view> axis_words;  // of moves, {} is a number
+  std::string_view snapshot;                 // a message
+  bool has_names = false;                    // SINUMERIK
+};
+
+const std::vector<Spelling>& spellings() {
+  static const std::vector<Spelling> kSpellings = {
+      {"fanuc",
+       ir::MachineKind::mill,
+       {"G90",
+        "G91",
+        "G17",
+        "G18",
+        "G19",
+        "G20",
+        "G21",
+        "G94",
+        "G95",
+        "G54",
+        "G55",
+        "G54.1 P3",
+        "G98",
+        "G99",
+        "G40",
+        "G43 H1",
+        "G43 H0",
+        "G43",
+        "G44 H2",
+        "G49",
+        "H2",
+        "H0",
+        "M3 S500",
+        "M4 S700",
+        "M5",
+        "M19",
+        "M8",
+        "M7",
+        "M9",
+        "T2",
+        "T3 M6",
+        "M6",
+        "G0",
+        "G1",
+        "G61",
+        "G64",
+        "F120.",
+        "S800",
+        "G80",
+        "G81 Z-5. R2. F100.",
+        "G4 P100",
+        "G28 X0",
+        "G53 Z0",
+        "G52 X5.",
+        "G52 X0",
+        "G92 X1.",
+        "G10 L2 P1 X1.",
+        "G91 G0 X1.",
+        "G90 G1 X2. F50.",
+        "#120=5",
+        "G#130 X1.",
+        "/G91",
+        "/G90 G0",
+        "G1 /G91",
+        "G30 Z0",
+        "G31 Z-1. F50.",
+        "G68 X0 Y0 R30.",
+        "G69"},
+       {"X{}.", "Y{}.", "Z{}.", "X{}. Y{}.", "X{}. F{}.", "Z{}. H2", "X{}. /Y{}."},
+       "#3006=1(HERE)"},
+      {"fanuc",
+       ir::MachineKind::lathe,
+       {"G18",
+        "G20",
+        "G21",
+        "G98",
+        "G99",
+        "G54",
+        "G55",
+        "G96 S100",
+        "G97 S500",
+        "G50 S2000",
+        "M3",
+        "M4",
+        "M5",
+        "M8",
+        "M9",
+        "T0101",
+        "T0200",
+        "T0303",
+        "G0",
+        "G1",
+        "F0.2",
+        "S300",
+        "G4 P100",
+        "G28 U0",
+        "G53 X0 Z0",
+        "G52 X5.",
+        "G50 X10.",
+        "G90 X20. Z-5. F0.2",
+        "G40",
+        "G80",
+        "/G98",
+        "/T0101",
+        "G32 Z-10. F1.",
+        "#120=5"},
+       {"X{}.", "Z{}.", "U{}.", "W{}.", "X{}. Z{}.", "X{}. W{}.", "Z{}. F{}."},
+       "#3006=1(HERE)"},
+      {"sinumerik-840d",
+       ir::MachineKind::mill,
+       {"G90",
+        "G91",
+        "G17",
+        "G18",
+        "G19",
+        "G71",
+        "G700",
+        "G710",
+        "G94",
+        "G95",
+        "G54",
+        "G55",
+        "G500",
+        "G96 S100",
+        "G97 S500",
+        "G60",
+        "G64",
+        "M3 S500",
+        "M4 S700",
+        "M5",
+        "M8",
+        "M9",
+        "T2",
+        "T3 M6",
+        "M6",
+        "T0",
+        "D0",
+        "D1",
+        "D2",
+        "G0",
+        "G1",
+        "F120",
+        "S800",
+        "G4 F1",
+        "SUPA Z0",
+        "TRANS X5",
+        "TRANS",
+        "ROT RPL=30",
+        "ROT",
+        "R10=5",
+        "/G91",
+        "/G90",
+        "G40",
+        "G74 X1=0",
+        "G63 Z-1 F50",
+        "CYCLE81(10,0,2,-5)",
+        "MCALL CYCLE81(10,0,2,-5)",
+        "MCALL"},
+       {"X{}", "Y{}", "Z{}", "X{} Y{}", "X=IC({})", "X=AC({})", "Z=IC({}) F{}", "X{} CHR=1"},
+       "MSG(\"HERE\")",
+       true},
+      {"sinumerik-840d",
+       ir::MachineKind::lathe,
+       {"G90",
+        "G91",
+        "G18",
+        "G71",
+        "G700",
+        "G94",
+        "G95",
+        "G54",
+        "G96 S100 LIMS=2000",
+        "G97 S500",
+        "DIAMON",
+        "DIAMOF",
+        "DIAM90",
+        "M3",
+        "M4",
+        "M5",
+        "M8",
+        "M9",
+        "T2",
+        "T0",
+        "D0",
+        "D1",
+        "G0",
+        "G1",
+        "F0.2",
+        "S300",
+        "G4 F1",
+        "G4 S2",
+        "SUPA Z0",
+        "TRANS Z5",
+        "/G91",
+        "/DIAMOF",
+        "G33 Z-10 K1",
+        "G34 Z-20 K1 F0.1",
+        "R10=5"},
+       {"X{}", "Z{}", "X{} Z{}", "X=IC({})", "X=AC({})", "Z=IC({}) F{}"},
+       "MSG(\"HERE\")",
+       true},
+  };
+  return kSpellings;
+}
+
+class Generator {
+ public:
+  Generator(const Spelling& spelling, std::uint32_t seed) : spelling_(spelling), random_(seed) {}
+
+  std::string straight(std::size_t statements) {
+    begin();
+    for (std::size_t i = 0; i < statements; ++i) plain();
+    end();
+    return text_;
+  }
+  std::string branching(std::size_t statements) {
+    begin();
+    while (made_ < statements) piece(0);
+    end();
+    if (!spelling_.has_names)
+      for (int program = 1; program <= 2; ++program) subprogram(program);
+    return text_;
+  }
+
+ private:
+  int below(int bound) { return static_cast<int>(random_() % static_cast<std::uint32_t>(bound)); }
+  template <class T>
+  const T& any(const std::vector<T>& of) {
+    return of[static_cast<std::size_t>(below(static_cast<int>(of.size())))];
+  }
+  void line(std::string_view text) {
+    text_ += text;
+    text_ += '\n';
+    ++made_;
+  }
+  void begin() {
+    if (!spelling_.has_names) line("O1");
+    if (below(2) == 0) line(spelling_.has_names ? "G90 G71 G17 G0" : "G21 G0");
+  }
+  void end() { line("M30"); }
+  // A number with one digit after the point or none: sums stay exact enough to compare.
+  std::string number() { return std::to_string(below(40) - 20); }
+  void plain() {
+    switch (below(4)) {
+      case 0: return line(spelling_.snapshot);
+      case 1: {
+        std::string words(any(spelling_.axis_words));
+        for (std::size_t at = words.find("{}"); at != std::string::npos; at = words.find("{}")) {
+          const bool is_feed = at > 0 && words[at - 1] == 'F';
+          words.replace(at, 2, is_feed ? std::to_string(below(90) + 10) : number());
+        }
+        if (below(3) == 0) words = std::string(below(2) == 0 ? "G1 " : "G0 ") + words;
+        return line(words);
+      }
+      default: return line(any(spelling_.lines));
+    }
+  }
+  std::string condition() {
+    return spelling_.has_names ? fmt::format("R{}>{}", 1 + below(3), below(3))
+                               : fmt::format("[#{} GT {}]", 101 + below(3), below(3));
+  }
+  void piece(int depth) {
+    const int kind = depth > 2 ? 0 : below(10);
+    if (kind == 7) return jump(depth);
+    if (kind == 8) return loop(depth);
+    if (kind == 9 && !spelling_.has_names && !in_subprogram_) return call();
+    plain();
+  }
+  void body(int depth) {
+    for (int i = below(5) + 1; i > 0; --i) piece(depth + 1);
+  }
+  void jump(int depth) {
+    const int label = ++labels_;
+    if (spelling_.has_names) {
+      if (below(2) == 0) {
+        line("IF " + condition());
+        body(depth);
+        if (below(2) == 0) {
+          line("ELSE");
+          body(depth);
+        }
+        return line("ENDIF");
+      }
+      line(fmt::format("IF {} GOTOF LAB{}", condition(), label));
+      body(depth);
+      return line(fmt::format("LAB{}:", label));
+    }
+    line(fmt::format("IF{}GOTO{}", condition(), 100 + label));
+    body(depth);
+    line(fmt::format("N{}", 100 + label));
+  }
+  void loop(int depth) {
+    const int counter = 20 + depth + (in_subprogram_ ? 10 : 0);
+    if (spelling_.has_names) {
+      line(fmt::format("R{}=0", counter));
+      line(fmt::format("WHILE R{}<R{}", counter, 1 + below(3)));
+      body(depth);
+      line(fmt::format("R{}=R{}+1", counter, counter));
+      return line("ENDWHILE");
+    }
+    line(fmt::format("#{}=0", 100 + counter));
+    line(fmt::format("WHILE[#{} LT #{}]DO{}", 100 + counter, 101 + below(3), depth + 1));
+    body(depth);
+    line(fmt::format("#{}=#{}+1", 100 + counter, 100 + counter));
+    line(fmt::format("END{}", depth + 1));
+  }
+  void call() {
+    const int program = 1001 + below(2);
+    switch (below(5)) {
+      case 0: return line(fmt::format("M98 P{} L2", program));
+      case 1: return line(fmt::format("G65 P{}", program));
+      case 2: return line(fmt::format("/M98 P{}", program));
+      case 3:
+        line(fmt::format("G66 P{}", program));
+        for (int i = below(4); i >= 0; --i) plain();
+        return line("G67");
+      default: return line(fmt::format("M98 P{}", program));
+    }
+  }
+  void subprogram(int number) {
+    in_subprogram_ = true;
+    line(fmt::format("O{}", 1000 + number));
+    for (int i = below(6); i >= 0; --i) piece(1);
+    line("M99");
+  }
+
+  const Spelling& spelling_;
+  std::mt19937 random_;
+  std::string text_;
+  std::size_t made_ = 0;
+  int labels_ = 0;
+  bool in_subprogram_ = false;
+};
+
+Function spindle_of(ir::SpindleState state) {
+  if (state == ir::SpindleState::stopped) return Function::spindle_stop;
+  return state == ir::SpindleState::clockwise ? Function::spindle_cw : Function::spindle_ccw;
+}
+Function coolant_of(ir::CoolantState state) {
+  if (state == ir::CoolantState::off) return Function::coolant_off;
+  return state == ir::CoolantState::mist ? Function::coolant_mist : Function::coolant_flood;
+}
+Function plane_of(ir::Plane plane) {
+  if (plane == ir::Plane::xy) return Function::plane_xy;
+  return plane == ir::Plane::zx ? Function::plane_zx : Function::plane_yz;
+}
+Function feed_of(ir::FeedMode mode) {
+  if (mode == ir::FeedMode::per_min) return Function::feed_per_min;
+  return mode == ir::FeedMode::per_rev ? Function::feed_per_rev : Function::feed_inverse_time;
+}
+
+// Holds a run against the facts.
+class Judge {
+ public:
+  Judge(const ir::Program& program, const ir::Control& control)
+      : program_(program), control_(control), resolved_(program, control) {
+    for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
+      const ir::StatementKind kind = program.statements[i].kind;
+      if (kind == ir::StatementKind::message || kind == ir::StatementKind::alarm || kind == ir::StatementKind::assign)
+        by_line_.try_emplace(program.statements[i].line, i);
+      if (kind == ir::StatementKind::block) blocks_.try_emplace(program.statements[i].line, i);
+    }
+  }
+
+  void take(const std::vector<ir::Motion>& motions) {
+    std::int32_t tool = -1;
+    for (const ir::Motion& m : motions) {
+      if (m.kind == ir::MotionKind::offset) offset_ = m.number;
+      if (m.kind == ir::MotionKind::tool) tool = m.number;
+      if (m.kind == ir::MotionKind::message) snapshot(m, tool);
+      if (m.kind == ir::MotionKind::rapid || m.kind == ir::MotionKind::linear) move(m);
+    }
+    offset_ = -1;
+  }
+
+  std::vector<std::string> faults;
+  std::size_t claims = 0;     // of facts that were certain
+  std::size_t unclaimed = 0;  // … that were not
+
+ private:
+  template <class T>
+  void compare(std::string_view what, const facts::Known<T>& fact, const T& seen, const ir::Motion& m) {
+    if (!fact.is_certain()) {
+      ++unclaimed;
+      return;
+    }
+    ++claims;
+    bool same = fact.value == seen;
+    if constexpr (std::is_same_v<T, double>) same = std::abs(fact.value - seen) < 1e-6;
+    if (!same) faults.push_back(fmt::format("line {}: {} is otherwise", m.place.line, what));
+  }
+  void mode(std::string_view what, const facts::Facts& facts, Mode mode, Function seen, const ir::Motion& m) {
+    facts::Known<facts::Setting> fact = facts[mode];
+    fact.value.argument = 0;
+    compare(what, fact, facts::Setting{.function = seen}, m);
+  }
+
+  void snapshot(const ir::Motion& m, std::int32_t tool) {
+    const auto found = by_line_.find(m.place.line);
+    if (found == by_line_.end()) return;
+    const facts::Facts* facts = resolved_.before(found->second);
+    if (facts == nullptr) {
+      faults.push_back(fmt::format("line {}: no path leads there, and a run did", m.place.line));
+      return;
+    }
+    mode("the plane", *facts, Mode::plane, plane_of(m.plane), m);
+    mode("the feed mode", *facts, Mode::feed, feed_of(m.feed_mode), m);
+    mode("the spindle", *facts, Mode::spindle, spindle_of(m.spindle), m);
+    mode("the coolant", *facts, Mode::coolant, coolant_of(m.coolant), m);
+    if (m.surface_speed_m_min > 0.0) mode("G96", *facts, Mode::surface_speed, Function::surface_speed_on, m);
+    const bool has_length =
+        m.length_offset != ir::LengthOffset::off && (m.length_offset_number != 0 || control_.semantics.d_selects_edge);
+    const facts::ToolLength length = facts::tool_length(*facts);
+    if (length != facts::ToolLength::unknown && (length == facts::ToolLength::on) != has_length)
+      faults.push_back(fmt::format("line {}: the tool length is otherwise", m.place.line));
+    if (offset_ >= 0) {
+      const facts::Known<facts::Setting>& offset = (*facts)[Mode::work_offset];
+      const std::int32_t claimed =
+          offset.value.function == Function::extended_offset ? 100 + offset.value.argument : offset.value.argument;
+      if (offset.is_certain() && claimed != offset_)
+        faults.push_back(fmt::format("line {}: the work offset is otherwise", m.place.line));
+    }
+    if (tool >= 0) compare("the tool", (*facts)[Number::tool], static_cast<double>(tool), m);
+    positions(*facts, m);
+  }
+
+  void positions(const facts::Facts& facts, const ir::Motion& m) {
+    const facts::Setting* unit = facts[Mode::unit].certain();
+    if (unit == nullptr) return;
+    const double mm = unit->function == Function::unit_inch ? 25.4 : 1.0;
+    for (const auto& [number, axis] : {std::pair(Number::x, 0U), std::pair(Number::y, 1U), std::pair(Number::z, 2U)}) {
+      if (!facts[number].is_certain()) continue;
+      const double factor = number == Number::x ? x_factor(facts) : 1.0;
+      if (factor == 0.0 || shifted_) continue;
+      if (((m.axes_unknown >> axis) & 1U) != 0)
+        faults.push_back(fmt::format("line {}: the position of {} is not known to the run", m.place.line, "XYZ"[axis]));
+      else
+        compare(fmt::format("the position of {}", "XYZ"[axis]), facts[number], m.end[axis] / mm / factor, m);
+    }
+  }
+  // What a run's X, always a diameter on a lathe, is of the program's; 0 where that is not known.
+  double x_factor(const facts::Facts& facts) const {
+    if (control_.kind == ir::MachineKind::mill || !control_.semantics.feed_code_ends_surface_speed) return 1.0;
+    const facts::Setting* diameter = facts[Mode::diameter].certain();
+    if (diameter == nullptr || diameter->function == Function::diameter_absolute_only) return 0.0;
+    return diameter->function == Function::diameter_off ? 2.0 : 1.0;
+  }
+
+  void move(const ir::Motion& m) {
+    const auto found = blocks_.find(m.place.line);
+    if (found == blocks_.end() || m.machine_coordinates) return;
+    const ir::Statement& s = program_.statements[found->second];
+    if (facts::has_own_words(program_, program_.blocks[s.payload])) return;
+    const std::optional<facts::Facts> facts = resolved_.at(found->second);
+    if (!facts || !(*facts)[Mode::cycle].is({.function = Function::cycle_off})) return;
+    if ((*facts)[Mode::modal_call].is({}) == false) return;  // the call's moves may have the block's line
+    mode("the motion", *facts, Mode::motion, m.kind == ir::MotionKind::rapid ? Function::rapid : Function::linear, m);
+  }
+
+  const ir::Program& program_;
+  const ir::Control& control_;
+  facts::Resolved resolved_;
+  std::map<std::uint32_t, std::uint32_t> by_line_;
+  std::map<std::uint32_t, std::uint32_t> blocks_;
+  std::int32_t offset_ = -1;
+
+ public:
+  bool shifted_ = false;  // frames or shifts in the program: its coordinates are not the work offset's
+};
+
+bool has_frames(const ir::Program& program) {
+  return std::ranges::any_of(program.codes, [](const ir::Code& c) {
+    return c.group == ir::ModalGroup::frame || c.function == Function::local_shift ||
+           c.function == Function::set_coordinates || c.function == Function::rotate;
+  });
+}
+
+std::size_t wanted_statements() {
+  const char* text = std::getenv("FACTS_STATEMENTS");
+  return text == nullptr ? 20'000 : std::strtoull(text, nullptr, 10);
+}
+
+struct Totals {
+  std::size_t statements = 0;
+  std::size_t runs = 0;
+  std::size_t claims = 0;
+  std::size_t unclaimed = 0;
+};
+
+void judge(const Spelling& spelling, const std::string& text, std::uint32_t seed, Totals& totals) {
+  const ir::Control machine = control(std::string(spelling.dialect), spelling.kind);
+  const text::Source source("program", text);
+  const ir::ReadResult read = find_dialect(machine.dialect)->read(source, machine);
+  totals.statements += read.program.statements.size();
+  Judge judge(read.program, machine);
+  judge.shifted_ = has_frames(read.program);
+  for (std::uint32_t run = 0; run < 3; ++run) {
+    interpreter::RunOptions options;
+    options.limits.blocks = 100'000;
+    options.skip_switches = (seed + run) % 2 == 0 ? 2U : 0U;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const double value = (seed / (i + 1) + run * (i + 1)) % 4;
+      options.initial_values.push_back({.bank = spelling.has_names ? ir::Bank::r : ir::Bank::hash,
+                                        .number = (spelling.has_names ? 1 : 101) + i,
+                                        .value = value});
+    }
+    options.initial_values.push_back({.bank = ir::Bank::hash, .number = 130, .value = 91.0});
+    Motions motions;
+    ProgramLibrary standard(machine, [](std::string_view) { return std::nullopt; });
+    (void)execute(read.program, machine, &standard, motions, options);
+    judge.take(motions.all);
+    ++totals.runs;
+  }
+  totals.claims += judge.claims;
+  totals.unclaimed += judge.unclaimed;
+  ASSERT_TRUE(judge.faults.empty()) << "seed " << seed << " of " << spelling.dialect << ": " << judge.faults.front()
+                                    << "\n"
+                                    << text;
+}
+
+class FactsOracle : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(FactsOracle, SayWhatTheRunDoesWithoutBranches) {
+  const Spelling& spelling = spellings()[GetParam()];
+  Totals totals;
+  for (std::uint32_t seed = 1; totals.statements < wanted_statements() / 4; ++seed) {
+    judge(spelling, Generator(spelling, seed).straight(60), seed, totals);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(totals.claims, totals.unclaimed) << "facts that say nothing are no facts";
+  RecordProperty("claims", std::to_string(totals.claims));
+}
+
+TEST_P(FactsOracle, ClaimNothingThatARunContradicts) {
+  const Spelling& spelling = spellings()[GetParam()];
+  Totals totals;
+  for (std::uint32_t seed = 1; totals.statements < wanted_statements(); ++seed) {
+    judge(spelling, Generator(spelling, seed).branching(60), seed, totals);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(totals.claims, totals.unclaimed / 4);
+  RecordProperty("claims", std::to_string(totals.claims));
+}
+
+INSTANTIATE_TEST_SUITE_P(Controls, FactsOracle, testing::Values(0U, 1U, 2U, 3U));
+
+}  // namespace
+}  // namespace dripfeed::compile::test
