@@ -50,6 +50,10 @@ class Store : public Repository {
   // fails is undone alone. Everybody else's changes wait meanwhile, the ledger's too: only calls of the store belong
   // inside, no check, no rendering, no text of more than a few megabytes.
   virtual Result<void> atomically(const std::function<Result<void>()>& work) = 0;
+  // The same for a few rows that many callers add at once: those that wait together share one commit, and each returns
+  // when it is durable. `work` may run on the thread of another caller: it must not rest on its own thread, nor take a
+  // lock that any caller holds. Where the commit fails it fails for all of them.
+  virtual Result<void> atomically_shared(const std::function<Result<void>()>& work) = 0;
   // A number that is another one after every committed change, by this process or another. What was read after it was
   // asked for holds as long as it stays the same. It costs less than any query.
   virtual Result<std::uint64_t> version() = 0;

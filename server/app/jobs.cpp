@@ -24,6 +24,7 @@ namespace dripfeed::app {
 namespace {
 
 constexpr double kLongestArming_min = 60.0;
+constexpr std::string_view kMachineChanges = "the machine is being changed: try again";
 
 ir::Delivery delivery_of(store::Delivery delivery) {
   return delivery == store::Delivery::drip ? ir::Delivery::drip : ir::Delivery::memory;
@@ -76,23 +77,15 @@ void Jobs::publish(const store::Job& job, std::string_view text) {
                    .text = std::string(text)});
 }
 
-Result<machine::Profile> Jobs::profile_of(std::string_view machine) {
-  const auto row = store_.machines().get(machine);
-  if (!row) return std::unexpected(from_store(row.error()));
-  return documents_.read_profile(row->profile);
-}
-
 // A verdict on the machine as it was says nothing of the machine as it is. The approval stays: a new check is enough.
-Result<void> Jobs::refuse_changed_machine(std::string_view text_sha256, std::string_view machine,
+Result<void> Jobs::refuse_changed_machine(std::string_view text_sha256, const store::Machine& machine,
                                           store::Delivery delivery) {
-  const auto verdict = lift(store_.verdicts().newest(text_sha256, machine, delivery));
+  const auto verdict = lift(store_.verdicts().newest(text_sha256, machine.name, delivery));
   if (!verdict) return std::unexpected(verdict.error());
   if (!*verdict) return {};  // the store says so in its own words
-  const auto row = lift(store_.machines().get(machine));
-  if (!row) return std::unexpected(row.error());
-  if ((*verdict)->of.machine_revision == row->revision) return {};
+  if ((*verdict)->of.machine_revision == machine.revision) return {};
   return fail(ErrorCode::refused, fmt::format("machine {} was changed after verdict {}: check the text for it again",
-                                              machine, (*verdict)->id));
+                                              machine.name, (*verdict)->id));
 }
 
 // "" where the line is no folder and tells no name. What a control calls its files is a rule for folders; where a name
@@ -127,36 +120,55 @@ Result<CheckedTexts::Fit> Jobs::read_fit(const CheckedTexts::Key& text, std::str
   return CheckedTexts::Fit{.link = profile->line.link.text, .bytes_total = *bytes};
 }
 
-Result<store::NewJob> Jobs::prepare(store::Id release) {
-  if (auto room = refuse_on_full_disk(books_.ballast()); !room) return std::unexpected(room.error());
-  const auto row = store_.releases().get(release);
-  if (!row) return std::unexpected(from_store(row.error()));
-  const auto machine = lift(store_.machines().get(row->of.machine));
-  if (!machine) return std::unexpected(machine.error());
-  const CheckedTexts::Key text{row->text_sha256, machine->name, machine->revision, row->of.delivery};
-  auto fit = checked_texts_.find(text);
-  if (!fit) {
-    const auto read = read_fit(text, machine->profile);
-    if (!read) return std::unexpected(read.error());
-    checked_texts_.keep(text, *read);
-    fit = *read;
+struct Jobs::Wanted {
+  store::Release release;
+  store::Machine machine;
+  [[nodiscard]] CheckedTexts::Key text() const {
+    return {release.text_sha256, machine.name, machine.revision, release.of.delivery};
   }
-  if (auto same = refuse_changed_machine(row->text_sha256, row->of.machine, row->of.delivery); !same)
+};
+
+Result<Jobs::Wanted> Jobs::find_wanted(store::Id id) {
+  if (auto room = refuse_on_full_disk(books_.ballast()); !room) return std::unexpected(room.error());
+  auto release = lift(store_.releases().get(id));
+  if (!release) return std::unexpected(release.error());
+  auto machine = lift(store_.machines().get(release->of.machine));
+  if (!machine) return std::unexpected(machine.error());
+  return Wanted{.release = std::move(*release), .machine = std::move(*machine)};
+}
+
+Result<void> Jobs::read_text(store::Id release) {
+  const auto wanted = find_wanted(release);
+  if (!wanted) return std::unexpected(wanted.error());
+  const CheckedTexts::Key text = wanted->text();
+  const auto fit = read_fit(text, wanted->machine.profile);
+  if (!fit) return std::unexpected(fit.error());
+  checked_texts_.keep(text, *fit);
+  return {};
+}
+
+Result<std::optional<store::Job>> Jobs::add_known(store::Id release, std::string_view actor) {
+  const auto wanted = find_wanted(release);
+  if (!wanted) return std::unexpected(wanted.error());
+  auto fit = checked_texts_.find(wanted->text());
+  if (!fit) return std::nullopt;
+  const store::Release& row = wanted->release;
+  if (auto same = refuse_changed_machine(row.text_sha256, wanted->machine, row.of.delivery); !same)
     return std::unexpected(same.error());
-  return store::NewJob{.release = release, .link = std::move(fit->link), .bytes_total = fit->bytes_total};
+  return lift(store_.jobs().add({.release = release, .link = std::move(fit->link), .bytes_total = fit->bytes_total},
+                                stamp(actor)));
 }
 
 Result<store::Job> Jobs::add(store::Id release, std::string_view actor) {
-  const auto prepared = prepare(release);
-  if (!prepared) return std::unexpected(prepared.error());
-  return add(*prepared, actor);
-}
-
-Result<store::Job> Jobs::add(const store::NewJob& prepared, std::string_view actor) {
-  auto job = store_.jobs().add(prepared, stamp(actor));
-  if (!job) return std::unexpected(from_store(job.error()));
-  publish(*job, "queued");
-  return std::move(*job);
+  auto job = add_known(release, actor);
+  if (job && !*job) {
+    if (const auto read = read_text(release); !read) return std::unexpected(read.error());
+    job = add_known(release, actor);
+  }
+  if (!job) return std::unexpected(job.error());
+  if (!*job) return fail(ErrorCode::unavailable, std::string(kMachineChanges));
+  announce(**job);
+  return std::move(**job);
 }
 
 // What an arming needs, all of it known before the job moves: after that only the line can refuse.
@@ -172,13 +184,15 @@ Result<Jobs::Arming> Jobs::prepare_arming(store::Id id, std::uint32_t rounds) {
   if (auto room = refuse_on_full_disk(books_.ballast()); !room) return std::unexpected(room.error());
   const auto job = lift(store_.jobs().get(id));
   if (!job) return std::unexpected(job.error());
-  const auto profile = profile_of(job->machine);
+  const auto machine = lift(store_.machines().get(job->machine));
+  if (!machine) return std::unexpected(machine.error());
+  const auto profile = documents_.read_profile(machine->profile);
   if (!profile) return std::unexpected(profile.error());
   const auto whole = lift(store_.contents().verify(job->text_sha256));
   if (!whole) return std::unexpected(whole.error());
   const auto facts = check_program(store_.contents(), job->text_sha256, *profile, delivery_of(job->delivery));
   if (!facts) return std::unexpected(facts.error());
-  if (auto same = refuse_changed_machine(job->text_sha256, job->machine, job->delivery); !same)
+  if (auto same = refuse_changed_machine(job->text_sha256, *machine, job->delivery); !same)
     return std::unexpected(same.error());
   auto name = file_name(*profile, job->program);
   if (!name) return std::unexpected(name.error());

@@ -21,11 +21,14 @@ class Jobs {
   Jobs(store::Store& store, Lines& lines, Books& books, Events& events, const Clock& clock, const Documents& documents);
 
   // Queued. Errors: not_found, refused (not released, the machine changed after the verdict, or its text cannot be
-  // fed: with the place).
+  // fed: with the place), unavailable (the disk is full).
   Result<store::Job> add(store::Id release, std::string_view actor);
-  // The same in two steps: the first reads the whole text, the second writes rows alone and may share a transaction.
-  Result<store::NewJob> prepare(store::Id release);
-  Result<store::Job> add(const store::NewJob& prepared, std::string_view actor);
+  // The same in steps, for one transaction with what belongs to it. The row alone: nothing where the text has to be
+  // read first, which takes too long for a transaction.
+  Result<std::optional<store::Job>> add_known(store::Id release, std::string_view actor);
+  Result<void> read_text(store::Id release);
+  // Once the transaction is durable.
+  void announce(const store::Job& job) { publish(job, "queued"); }
   // The named person arms it for its machine's line, for so long or as the profile says; to be sent `rounds` times,
   // each with the control's own start. Errors: not_found, invalid, refused with the reason (torn, busy, link down,
   // machine changed, …).
@@ -48,10 +51,13 @@ class Jobs {
   Result<store::Job> confirm_reset(std::string_view machine, std::string_view reason, std::string_view actor);
 
  private:
-  Result<machine::Profile> profile_of(std::string_view machine);
   // A text and the profile of its machine, read and checked. Errors: `invalid`, `refused`.
   Result<CheckedTexts::Fit> read_fit(const CheckedTexts::Key& text, std::string_view document);
-  Result<void> refuse_changed_machine(std::string_view text_sha256, std::string_view machine, store::Delivery delivery);
+  // A release that may become a job as far as the disk goes, and its machine as it is now.
+  struct Wanted;
+  Result<Wanted> find_wanted(store::Id release);
+  Result<void> refuse_changed_machine(std::string_view text_sha256, const store::Machine& machine,
+                                      store::Delivery delivery);
   Result<std::shared_ptr<Line>> line_with(const store::Job& job);
   Result<std::string> file_name(const machine::Profile& profile, store::Id program);
   // `note`: what stands in the ledger, where something does.

@@ -12,8 +12,8 @@
 #include <spdlog/spdlog.h>
 
 #include "server/http/handlers.h"
+#include "server/http/problem_titles.h"
 #include "server/json/records.h"
-#include "store/hash/hash.h"
 
 namespace dripfeed::http {
 
@@ -35,22 +35,6 @@ constexpr std::array kStatuses = {
     StatusRow{app::ErrorCode::unavailable, 503, "unavailable"},
     StatusRow{app::ErrorCode::internal, 500, "internal error"},
 };
-
-struct TitleRow {
-  unsigned status;
-  std::string_view title;
-};
-constexpr std::array kTitles = {
-    TitleRow{400, "malformed"},      TitleRow{401, "not signed in"},      TitleRow{403, "not allowed"},
-    TitleRow{404, "not found"},      TitleRow{405, "method not allowed"}, TitleRow{409, "refused"},
-    TitleRow{412, "stale revision"}, TitleRow{413, "too large"},          TitleRow{415, "no JSON"},
-    TitleRow{422, "invalid"},        TitleRow{428, "revision missing"},   TitleRow{429, "too many"},
-    TitleRow{500, "internal error"}, TitleRow{503, "unavailable"},
-};
-
-// A client that repeats a request does so within minutes.
-constexpr std::int64_t kReplyKept_ms = 24LL * 3600 * 1000;
-constexpr std::int64_t kForgetEvery_ms = 3600LL * 1000;
 
 template <class Number>
 bool read_number(std::string_view text, Number& into) {
@@ -89,10 +73,8 @@ Response problem_response(const app::Error& error) {
 }
 
 Response problem_response(unsigned status, std::string text) {
-  const auto* const row = std::ranges::find(kTitles, status, &TitleRow::status);
-  const std::string_view title = row == kTitles.end() ? "refused" : row->title;
   Response response =
-      json_response(status, json::problem(status, title, {app::ErrorCode::invalid, std::move(text), {}}));
+      json_response(status, json::problem(status, title_of(status), {app::ErrorCode::invalid, std::move(text), {}}));
   response.content_type = "application/problem+json";
   return response;
 }
@@ -306,124 +288,8 @@ Response Api::answer_route(const Request& request, const Match& match) {
   call.right = caller->right;
   call.caller = &*caller;
   if (route.weight == Weight::stored) return answer_stored(call, route);
-  if (request.method == Method::get || request.idempotency_key.empty()) return route.handler(call);
-  return answer_once(request, route, call);
-}
-
-namespace {
-
-constexpr std::string_view kJson = "application/json";
-constexpr std::string_view kContentType = "Content-Type";
-
-// Headers of a kept answer: one a line, its type among them where it is no JSON.
-std::string write_headers(const Response& response) {
-  std::string lines;
-  if (response.content_type != kJson) lines = fmt::format("{}: {}\n", kContentType, response.content_type);
-  for (const auto& [name, value] : response.headers) lines += fmt::format("{}: {}\n", name, value);
-  return lines;
-}
-
-void read_headers(std::string_view lines, Response& response) {
-  while (!lines.empty()) {
-    const std::string_view line = lines.substr(0, lines.find('\n'));
-    lines.remove_prefix(std::min(lines.size(), line.size() + 1));
-    const std::size_t colon = line.find(": ");
-    if (colon == std::string_view::npos) continue;
-    const std::string_view name = line.substr(0, colon);
-    const std::string_view value = line.substr(colon + 2);
-    if (name == kContentType) {
-      response.content_type = value;
-    } else {
-      response.headers.emplace_back(name, value);
-    }
-  }
-}
-
-// Holds a key while it lives, if nobody else does.
-class KeyInUse {
- public:
-  KeyInUse(std::mutex& mutex, std::set<std::string>& keys, std::string key)
-      : mutex_(mutex), keys_(keys), key_(std::move(key)) {
-    const std::lock_guard lock(mutex_);
-    is_ours_ = keys_.insert(key_).second;
-  }
-  KeyInUse(const KeyInUse&) = delete;
-  KeyInUse& operator=(const KeyInUse&) = delete;
-  ~KeyInUse() {
-    const std::lock_guard lock(mutex_);
-    if (is_ours_) keys_.erase(key_);
-  }
-  [[nodiscard]] bool is_ours() const { return is_ours_; }
-
- private:
-  std::mutex& mutex_;
-  std::set<std::string>& keys_;
-  std::string key_;
-  bool is_ours_ = false;
-};
-
-}  // namespace
-
-// While one request with a key is being answered, another with the same key is told to come again.
-Response Api::answer_once(const Request& request, const Route& route, const Call& call) {
-  const std::string key =
-      fmt::format("{} {} {} {}", call.user, name_of(request.method), request.target, request.idempotency_key);
-  const KeyInUse use(keys_mutex_, keys_in_use_, key);
-  if (!use.is_ours()) return problem_response(409, "a request with this key is being answered");
-  return answer_first(request, route, call);
-}
-
-// Once an hour, with the first answer that is kept.
-void Api::forget_old_replies(std::int64_t now_ms) {
-  std::int64_t last_ms = forgot_at_ms_;
-  if (now_ms - last_ms < kForgetEvery_ms || !forgot_at_ms_.compare_exchange_strong(last_ms, now_ms)) return;
-  const auto forgotten = application_.store().replies().forget_before(now_ms - kReplyKept_ms);
-  if (!forgotten) spdlog::warn("old answers under idempotency keys: {}", store::message_of(forgotten.error()));
-}
-
-// Under a key the effect happens once. A light route's effect and its kept answer are one transaction, and so is the
-// last step of a staged or bulk one: its text is stored before, under its hash, which changes nothing. For the others a
-// crash between the two lets a repetition try again, and the state of things (a job that is armed already) refuses it.
-Response Api::answer_first(const Request& request, const Route& route, const Call& call) {
-  store::Store& store = application_.store();
-  const store::ReplyKey key{.actor = std::string(call.user),
-                            .route = fmt::format("{} {}", name_of(request.method), request.target),
-                            .key = request.idempotency_key,
-                            .request_sha256 = hash::sha256_hex(request.body)};
-  const auto before = store.replies().find(key);
-  if (!before) return problem_response(app::from_store(before.error()));
-  if (*before) {
-    Response response = json_response((*before)->status, (*before)->body);
-    if (response.body.empty()) response.content_type.clear();
-    read_headers((*before)->headers, response);
-    return response;
-  }
-  const auto keep = [&](const Response& response) -> store::Result<void> {
-    if (response.status >= 400) return {};
-    const store::Reply reply{.status = static_cast<std::uint16_t>(response.status),
-                             .headers = write_headers(response),
-                             .body = response.body,
-                             .at_ms = application_.clock().wall_ms()};
-    forget_old_replies(reply.at_ms);
-    return store.replies().keep(key, reply);
-  };
-  const Commit once = [&](const std::function<Response()>& step) {
-    Response response;
-    const auto done = store.atomically([&] {
-      response = step();
-      return keep(response);
-    });
-    return done ? response : problem_response(app::from_store(done.error()));
-  };
-  if (route.weight == Weight::light) return once([&] { return route.handler(call); });
-  if (route.weight == Weight::staged || route.weight == Weight::bulk) {
-    Call staged = call;
-    staged.once = &once;
-    return route.handler(staged);
-  }
-  Response response = route.handler(call);
-  if (const auto kept = keep(response); !kept) return problem_response(app::from_store(kept.error()));
-  return response;
+  if (request.method != Method::get && !request.idempotency_key.empty()) return answer_once(request, route, call);
+  return route.weight == Weight::staged ? answer_staged(call, route, nullptr) : route.handler(call);
 }
 
 }  // namespace dripfeed::http

@@ -59,6 +59,9 @@ class Api {
   Response answer_route(const Request& request, const Match& match);
   Response answer_once(const Request& request, const Route& route, const Call& call);
   Response answer_first(const Request& request, const Route& route, const Call& call);
+  Response answer_staged(const Call& call, const Route& route, const store::ReplyKey* key);  // nullptr: without one
+  std::optional<Response> answered_before(const store::ReplyKey& key);
+  store::Result<void> keep_answer(const store::ReplyKey& key, const Response& response);
   void forget_old_replies(std::int64_t now_ms);
 
   app::Application& application_;

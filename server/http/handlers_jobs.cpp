@@ -1,5 +1,6 @@
 // Releases, jobs and their ledgers.
 #include <array>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -86,13 +87,23 @@ Response add_job(const Call& call) {
   const auto body = json::read_job_body(call.request.body);
   if (!body) return problem_response(body.error());
   app::Jobs& jobs = call.api.application().jobs();
-  const auto prepared = jobs.prepare(body->release);
-  if (!prepared) return problem_response(prepared.error());
-  return call.commit([&] {
-    const auto job = jobs.add(*prepared, call.user);
+  std::optional<store::Job> added;
+  bool is_text_known = true;
+  const auto add = [&] {
+    const auto job = jobs.add_known(body->release, call.user);
     if (!job) return problem_response(job.error());
-    return created(fmt::format("/api/v1/jobs/{}", job->id), json::job(*job));
-  });
+    is_text_known = job->has_value();
+    if (!is_text_known) return problem_response(503, "the machine is being changed: try again");
+    added = *job;
+    return created(fmt::format("/api/v1/jobs/{}", added->id), json::job(*added));
+  };
+  Response response = call.commit(add);
+  if (!is_text_known) {
+    if (const auto read = jobs.read_text(body->release); !read) return problem_response(read.error());
+    response = call.commit(add);
+  }
+  if (added && response.status == 201) jobs.announce(*added);
+  return response;
 }
 
 Response get_job(const Call& call) {

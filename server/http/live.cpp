@@ -100,6 +100,7 @@ LiveHub::~LiveHub() { events_.unwatch(watch_); }
 void LiveHub::wake() {
   {
     const std::lock_guard lock(wake_mutex_);
+    if (woken_) return;  // it looks for all that is new
     woken_ = true;
   }
   wake_.notify_one();

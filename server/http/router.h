@@ -23,7 +23,8 @@ std::string_view name_of(Right right);
 //   stored   reads on the HTTP thread that say what the store says and no more, to everybody alike: the answer is kept
 //            while the store is the same (see kept_answers.h)
 //   light    other reads on the HTTP thread; changes in the lane `write`, each in one transaction with its kept answer
-//   staged   lane `write`: reads a text first, and then commits its rows, see Call::commit
+//   staged   lane `write`: its rows are committed at the end, together with those of other callers who wait; see
+//            Call::commit
 //   command  lane `command`: acts on lines, which no transaction can undo
 //   bulk     lane `bulk`: much text. A change puts its text first and then commits its rows, as a staged one, so that
 //            no transaction lasts as long as a text
@@ -78,7 +79,7 @@ struct Call {
   std::string_view user;
   Right right;
   const Caller* caller = nullptr;                       // nullptr where anybody may call
-  const Commit* once = nullptr;                         // nullptr without an idempotency key
+  const Commit* once = nullptr;                         // for commit(); nullptr: it is no step of its own
   std::optional<std::uint64_t> version = std::nullopt;  // of the store when the request came; nothing: not known
 
   // For a `staged` or `bulk` route: its last step. A `light` one stands in it as a whole.

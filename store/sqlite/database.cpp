@@ -9,6 +9,8 @@ namespace {
 // The engine may end a transaction by itself (disk full, I/O error). What came after it would stand alone.
 store::Error lost() { return {store::ErrorCode::io_failed, "the transaction was undone by an earlier error"}; }
 
+store::Error only_read() { return {store::ErrorCode::append_only, "the store is open to be read only"}; }
+
 // A statement about transactions, from the connection's cache.
 store::Result<void> run(Connection& connection, std::string_view sql) {
   Session session(connection, {});
@@ -54,10 +56,9 @@ store::Result<std::uint64_t> Database::version() {
 }
 
 store::Result<void> Database::Writing::begin() {
-  if (database_.settings_.read_only)
-    return std::unexpected(store::Error{store::ErrorCode::append_only, "the store is open to be read only"});
+  if (database_.settings_.read_only) return std::unexpected(only_read());
   if (!database_.writing_here()) {
-    database_.lane_.enter(turn_);
+    if (turn_ != Turn::taken) database_.lane_.enter(turn_);
     holds_lane_ = true;
     // IMMEDIATE: the write lock now, not in the middle, so that nothing read before can be outdated.
     if (auto begun = run(*database_.writer_, "BEGIN IMMEDIATE"); !begun) return begun;
@@ -96,6 +97,26 @@ void Database::Writing::undo() {
   }
   --database_.depth_;
   if (outer) database_.writing_thread_.store(std::thread::id());
+}
+
+void Database::make_shared(SharedChange& change) {
+  if (settings_.read_only) {
+    change.committed = std::unexpected(only_read());
+    return;
+  }
+  if (!lane_.enter_shared(change)) return;
+  std::vector<SharedChange*> made;
+  Writing writing(*this, Turn::taken);  // its end lets the others go on
+  auto outcome = writing.begin();
+  for (SharedChange* next = &change; outcome && next != nullptr; next = lane_.next_shared()) {
+    made.push_back(next);
+    next->make();
+    // What the engine undid takes no more changes: those who still wait are made by the next one.
+    if (!writer_->in_transaction()) outcome = std::unexpected(next->refused.value_or(lost()));
+  }
+  if (outcome) outcome = writing.commit();
+  change.committed = outcome;
+  for (SharedChange* const one : made) one->committed = outcome;
 }
 
 store::Result<void> Database::Reading::begin() {

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <atomic>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -29,6 +31,20 @@ class Database {
   template <class F>
   auto write_first(std::string_view about, F&& body) -> std::invoke_result_t<F, Session&> {
     return write_in_turn(Turn::first, about, std::forward<F>(body));
+  }
+
+  // The same for small changes that come from many callers at once: those that wait together are made one after the
+  // other and share one commit. One that is refused is undone alone. Each returns when that commit is durable; if it
+  // fails, all of them fail. Whoever has the lane runs the body, so it must not rest on its thread, nor take a lock
+  // that a caller may hold.
+  template <class F>
+  auto write_shared(std::string_view about, F&& body) -> std::invoke_result_t<F, Session&> {
+    if (writing_here()) return write(about, std::forward<F>(body));
+    OneShared<std::remove_reference_t<F>> change(*this, about, body);
+    make_shared(change);
+    if (change.thrown) std::rethrow_exception(change.thrown);
+    if (!change.committed) return std::unexpected(change.committed.error());
+    return std::move(*change.result);
   }
 
   // Runs body(Session&) -> store::Result<T> on one state of the database. It may not change anything. Inside a
@@ -66,6 +82,27 @@ class Database {
     if (auto committed = writing.commit(); !committed) return std::unexpected(committed.error());
     return result;
   }
+
+  // The change of one caller of write_shared().
+  template <class F>
+  struct OneShared final : SharedChange {
+    OneShared(Database& to, std::string_view what, F& change) : database(to), about(what), body(change) {}
+    void make() override {
+      try {
+        result = database.write(about, body);
+        if (!*result) refused = result->error();
+      } catch (const std::exception&) {
+        thrown = std::current_exception();
+      }
+    }
+    Database& database;
+    std::string_view about;
+    F& body;
+    std::optional<std::invoke_result_t<F&, Session&>> result{};
+    std::exception_ptr thrown{};
+  };
+  // Returns when the change is durable or has failed.
+  void make_shared(SharedChange& change);
 
   // The outer transaction holds the lane; inner ones are savepoints. The destructor undoes what was not committed.
   class Writing {

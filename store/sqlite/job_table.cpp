@@ -91,7 +91,7 @@ Result<void> JobTable::check_line(const Job& job) {
 }
 
 Result<Job> JobTable::add(const store::NewJob& job, const Stamp& by) {
-  return database_.write("job", [&](Session& session) -> Result<Job> {
+  return database_.write_shared("job", [&](Session& session) -> Result<Job> {
     const auto release = releases_.get(job.release);
     if (!release && release.error().code == ErrorCode::not_found) {
       return session.refuse(ErrorCode::broken_reference, fmt::format("release {}", job.release));

@@ -64,6 +64,10 @@ Result<void> SqliteStore::atomically(const std::function<Result<void>()>& work) 
   return database_->write("transaction", [&](Session& /*session*/) { return work(); });
 }
 
+Result<void> SqliteStore::atomically_shared(const std::function<Result<void>()>& work) {
+  return database_->write_shared("transaction", [&](Session& /*session*/) { return work(); });
+}
+
 Result<void> SqliteStore::backup(const std::string& path) {
   auto source = database_->connect_to_read();
   if (!source) return std::unexpected(source.error());

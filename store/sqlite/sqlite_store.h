@@ -49,6 +49,7 @@ class SqliteStore final : public store::Store {
   store::Replies& replies() override { return replies_; }
 
   store::Result<void> atomically(const std::function<store::Result<void>()>& work) override;
+  store::Result<void> atomically_shared(const std::function<store::Result<void>()>& work) override;
   store::Result<std::uint64_t> version() override { return database_->version(); }
   store::Result<void> backup(const std::string& path) override;
   store::Result<void> check() override;

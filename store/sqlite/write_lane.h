@@ -1,44 +1,109 @@
 // Who may write next: the ledger before everybody else. What a feed waits for is never longer than the one transaction
 // that is being made, and transactions are kept short (a long text is written in slices).
+//
+// Small changes of many callers may share one commit. Whoever of them has the lane makes his own, then those of the
+// others that wait meanwhile, on his thread, and commits once:
+//
+//   caller 1   take ── own ── of 2 ── of 3 ── commit ── leave
+//   caller 2   wait ───────────────────────────────────┘ durable
+//   caller 3        wait ──────────────────────────────┘ durable
+//
+// He takes no further one once the ledger waits.
 #pragma once
 
 #include <condition_variable>
 #include <cstdint>
+#include <deque>
 #include <mutex>
+#include <optional>
+#include <vector>
+
+#include "store/error.h"
 
 namespace dripfeed::sqlite {
 
 enum class Turn : std::uint8_t {
   in_order,  // when nobody who goes first waits
   first,     // the ledger
+  taken,     // the caller has the lane already
+};
+
+// A change that may be made by another thread, with others, while its caller waits. It lives until enter_shared() or
+// leave() returned to its caller.
+class SharedChange {
+ public:
+  SharedChange() = default;
+  SharedChange(const SharedChange&) = delete;
+  SharedChange& operator=(const SharedChange&) = delete;
+  virtual ~SharedChange() = default;
+  // Makes it, as a savepoint inside the open transaction. It throws nothing.
+  virtual void make() = 0;
+
+  std::optional<store::Error> refused;  // by make(): it alone was undone, unless the engine undid all
+  store::Result<void> committed;        // what came of the transaction that it was made in
+
+ private:
+  friend class WriteLane;
+  bool ended_ = false;
 };
 
 class WriteLane {
  public:
+  static constexpr std::size_t kMostShared = 16;  // in one commit
+
+  // Not for Turn::taken.
   void enter(Turn turn) {
     std::unique_lock lock(mutex_);
     if (turn == Turn::first) {
       ++first_waiting_;
-      free_.wait(lock, [this] { return !taken_; });
+      changed_.wait(lock, [this] { return !taken_; });
       --first_waiting_;
     } else {
-      free_.wait(lock, [this] { return !taken_ && first_waiting_ == 0; });
+      changed_.wait(lock, [this] { return !taken_ && first_waiting_ == 0; });
     }
     taken_ = true;
   }
+
+  // True: the caller has the lane, and makes the change and those of next_shared(). False: somebody else made it, and
+  // `committed` says what came of it.
+  bool enter_shared(SharedChange& change) {
+    std::unique_lock lock(mutex_);
+    waiting_.push_back(&change);
+    changed_.wait(lock, [&] { return change.ended_ || (!taken_ && first_waiting_ == 0); });
+    if (change.ended_) return false;
+    std::erase(waiting_, &change);
+    taken_ = true;
+    return true;
+  }
+
+  // The next change to share the caller's commit with; null where none waits, or the ledger does.
+  SharedChange* next_shared() {
+    const std::lock_guard lock(mutex_);
+    if (first_waiting_ > 0 || waiting_.empty() || made_.size() + 1 >= kMostShared) return nullptr;
+    SharedChange* const next = waiting_.front();
+    waiting_.pop_front();
+    made_.push_back(next);
+    return next;
+  }
+
+  // Ends what next_shared() gave: their callers go on.
   void leave() {
     {
       const std::lock_guard lock(mutex_);
       taken_ = false;
+      for (SharedChange* const change : made_) change->ended_ = true;
+      made_.clear();
     }
-    free_.notify_all();
+    changed_.notify_all();
   }
 
  private:
   std::mutex mutex_;
-  std::condition_variable free_;
+  std::condition_variable changed_;
   bool taken_ = false;
   std::uint32_t first_waiting_ = 0;
+  std::deque<SharedChange*> waiting_;  // in their order
+  std::vector<SharedChange*> made_;    // by the one who has the lane, besides his own
 };
 
 }  // namespace dripfeed::sqlite

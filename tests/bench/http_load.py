@@ -9,6 +9,7 @@ import pathlib
 import re
 import selectors
 import shutil
+import socket
 import sqlite3
 import subprocess
 import sys
@@ -89,7 +90,7 @@ def jobs(client, control, release):
     file = os.open(client.server.data / "probe", os.O_RDWR | os.O_CREAT)
     for n in range(2000):
         begin = time.perf_counter()
-        answer = exchange(connection, "POST", f"{API}/jobs", {"release": release}, bearer(client, "operator") | {"Idempotency-Key": f"job-{n}"})
+        _, answer = exchange(connection, "POST", f"{API}/jobs", {"release": release}, bearer(client, "operator") | {"Idempotency-Key": f"job-{n}"})
         times.append(time.perf_counter() - begin)
         assert answer.status == 201, answer
         begin = time.perf_counter()
@@ -98,8 +99,74 @@ def jobs(client, control, release):
         disk.append(time.perf_counter() - begin)
     print(f"a job with a key beside a feed: {len(times) / sum(times):.0f} a second,", milliseconds(times))
     print(f"  fdatasync of 4 kB in between: {len(disk) / sum(disk):.0f} a second,", milliseconds(disk), f": a job has {100 * sum(disk) / sum(times):.0f} % of its rate")
+    for callers in (1, 8):
+        jobs_at_once(client, release, callers, file)
+    os.close(file)
     client.post(f"/jobs/{fed}/cancel")
     client.wait_job(fed, "cancelled")
+
+
+class RawCaller:
+    """Asks for a job again and again on a connection of its own, with requests that are written before, so that the caller costs next to nothing."""
+
+    def __init__(self, client, release, name, count):
+        body = json.dumps({"release": release})
+        head = f"POST {API}/jobs HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nAuthorization: Bearer {client.tokens['operator']}\r\nContent-Length: {len(body)}\r\n"
+        self.waiting = [f"{head}Idempotency-Key: {name}-{n}\r\n\r\n{body}".encode() for n in range(count)]
+        self.socket = socket.create_connection(("127.0.0.1", client.server.port))
+        self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        self.got, self.begin, self.times = b"", 0.0, []
+
+    def ask(self):
+        self.begin = time.perf_counter()
+        self.socket.sendall(self.waiting.pop())
+
+    def take(self):
+        """False when all its requests are answered."""
+        self.got += self.socket.recv(65536)
+        head, _, body = self.got.partition(b"\r\n\r\n")
+        length = re.search(rb"Content-Length: (\d+)", head)
+        if not length or len(body) < int(length[1]):
+            return True
+        assert head.startswith(b"HTTP/1.1 201 "), self.got
+        self.times.append(time.perf_counter() - self.begin)
+        self.got = b""
+        if self.waiting:
+            self.ask()
+            return True
+        return False
+
+
+def disk_rate(file, seconds=0.5):
+    count, begin = 0, time.perf_counter()
+    while time.perf_counter() - begin < seconds:
+        os.pwrite(file, bytes(4096), 0)
+        os.fdatasync(file)
+        count += 1
+    return count / (time.perf_counter() - begin)
+
+
+def jobs_at_once(client, release, callers, file, count=2400, rounds=4):
+    """In slices, each between two looks at the disk alone."""
+    took, times, process, disk, used = 0.0, [], client.server.process.pid, [disk_rate(file)], 0.0
+    for turn in range(rounds):
+        asking, selector = [RawCaller(client, release, f"at-once-{callers}-{turn}-{n}", count // rounds // callers) for n in range(callers)], selectors.DefaultSelector()
+        before, begin = cpu_s(process), time.perf_counter()
+        for caller in asking:
+            selector.register(caller.socket, selectors.EVENT_READ, caller)
+            caller.ask()
+        while selector.get_map():
+            for key, _ in selector.select():
+                if not key.data.take():
+                    selector.unregister(key.fileobj)
+        took, used = took + time.perf_counter() - begin, used + cpu_s(process) - before
+        for caller in asking:
+            times += caller.times
+            caller.socket.close()
+        disk.append(disk_rate(file))
+    rate, alone = len(times) / took, sum(disk) / len(disk)
+    print(f"jobs with a key from {callers} at once: {rate:.0f} a second, {1e6 * used / len(times):.0f} us of a core each,", milliseconds(times))
+    print(f"  fdatasync of 4 kB before, between and after: {', '.join(f'{one:.0f}' for one in disk)} a second: jobs have {100 * rate / alone:.0f} % of its rate")
 
 
 def families(client):

@@ -90,6 +90,9 @@ class WatchedStore final : public store::Store {
   store::Result<void> atomically(const std::function<store::Result<void>()>& work) override {
     return store_.atomically(work);
   }
+  store::Result<void> atomically_shared(const std::function<store::Result<void>()>& work) override {
+    return store_.atomically_shared(work);
+  }
   store::Result<std::uint64_t> version() override { return store_.version(); }
   store::Result<void> backup(const std::string& path) override { return store_.backup(path); }
   store::Result<void> check() override { return store_.check(); }
