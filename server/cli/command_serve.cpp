@@ -191,6 +191,7 @@ int run_server(const Options& options, const http::ListenAddress& address, store
   }
   http::Api api(application, workers, web_root(options), kVersion, stop);
   auto server = http::Server::start({.address = address,
+                                     .spool_folder = fs::path(options.data) / "uploads",
                                      .tls_certificate = options.tls_certificate,
                                      .tls_key = options.tls_key,
                                      .heavy_threads = desk.threads(),

@@ -12,6 +12,7 @@
 #include <spdlog/spdlog.h>
 
 #include "server/http/connection_state.h"
+#include "server/http/problem_titles.h"
 
 namespace dripfeed::http {
 
@@ -69,8 +70,8 @@ Response plain_problem(unsigned status, std::string_view detail) {
   Response response;
   response.status = status;
   response.content_type = "application/problem+json";
-  response.body =
-      fmt::format(R"({{"type":"about:blank","title":"bad request","status":{},"detail":"{}"}})", status, detail);
+  response.body = fmt::format(R"({{"type":"about:blank","title":"{}","status":{},"detail":"{}"}})", title_of(status),
+                              status, detail);
   return response;
 }
 
@@ -98,6 +99,7 @@ void Connection::close() {
   if (events_) events_->on_ready({});
   events_.reset();
   source_ = nullptr;
+  request_.spooled.reset();
   give_room_back();
   Error ignored;  // closing a closed socket is no news
   wire_.lowest().socket().close(ignored);
@@ -166,17 +168,20 @@ void Connection::read_body() {
   if (length > limit)
     return respond_unread(plain_problem(413, fmt::format("the body is too large: this path takes {} bytes", limit)));
   parser_->body_limit(limit);
-  if (!take_room(chunked ? limit : static_cast<std::size_t>(length)))
+  const std::size_t most = chunked ? limit : static_cast<std::size_t>(length);
+  const bool in_file = most > kSmallBody_bytes;
+  if (!take_room(most, in_file))
     return respond_unread(come_again("too many large requests are being read: send this one again"));
   if (parser_->is_done()) return on_read({});
-  wire_.lowest().expires_after(kReadTimeout + std::chrono::seconds(room_bytes_ / kSlowest_bytes_s));
+  wire_.lowest().expires_after(kReadTimeout + std::chrono::seconds(most / kSlowest_bytes_s));
+  if (in_file) return spool_body();
   bhttp::async_read(wire_, buffer_, *parser_, fenced([this](Error error, auto) { on_read(error); }));
 }
 
 void Connection::on_read(Error error) {
   if (error) return refuse_unread(error);
   waits_since_.reset();
-  request_.body = std::move(parser_->get().body());
+  if (!request_.spooled) request_.body = std::move(parser_->get().body());
   wire_.lowest().expires_never();
   if (plan_.lane != Lane::here) return answer_in(plan_.lane);
   respond(shared_.answerer.answer(request_));
@@ -184,8 +189,9 @@ void Connection::on_read(Error error) {
 
 void Connection::answer_in(Lane lane) {
   request_.peer = wire_.lowest().socket().native_handle();
-  const bool taken = shared_.lanes->submit(lane, [self = shared_from_this(), request = std::move(request_)] {
-    Response response = self->shared_.answerer.answer(request);
+  const bool taken = shared_.lanes->submit(lane, [self = shared_from_this(), request = std::move(request_)]() mutable {
+    const auto fetched = fetch_body(request);
+    Response response = fetched ? self->shared_.answerer.answer(request) : plain_problem(507, fetched.error());
     asio::post(self->wire_.get_executor(),
                self->fenced([connection = self.get(), answer = std::move(response)]() mutable {
                  connection->respond(std::move(answer));
@@ -195,17 +201,18 @@ void Connection::answer_in(Lane lane) {
 }
 
 // Of what all bodies may take together. Short ones are not counted.
-bool Connection::take_room(std::size_t bytes) {
+bool Connection::take_room(std::size_t bytes, bool in_file) {
   if (bytes <= kShortBody_bytes) return true;
-  if (bytes > kBodyBudget_bytes - shared_.body_bytes) return false;
-  room_bytes_ = bytes;
-  shared_.body_bytes += bytes;
+  std::size_t& all = in_file ? shared_.spooled_bytes : shared_.body_bytes;
+  if (bytes > (in_file ? kSpoolBudget_bytes : kBodyBudget_bytes) - all) return false;
+  (in_file ? room_file_bytes_ : room_bytes_) = bytes;
+  all += bytes;
   return true;
 }
 
 void Connection::give_room_back() {
-  shared_.body_bytes -= room_bytes_;
-  room_bytes_ = 0;
+  shared_.body_bytes -= std::exchange(room_bytes_, 0);
+  shared_.spooled_bytes -= std::exchange(room_file_bytes_, 0);
 }
 
 void Connection::respond_unread(Response response) {

@@ -12,6 +12,7 @@
 #include <boost/asio/ssl/context.hpp>
 
 #include "server/http/server.h"
+#include "server/http/spool.h"
 
 namespace dripfeed::http {
 
@@ -19,8 +20,10 @@ namespace dripfeed::http {
 struct ConnectionShared {
   Answerer answerer;
   Lanes* lanes = nullptr;
+  const Spool* spool = nullptr;
   std::vector<boost::asio::ip::address> proxies;
-  std::size_t body_bytes = 0;  // of all bodies that are read or answered now
+  std::size_t body_bytes = 0;     // of all bodies in memory that are read or answered now
+  std::size_t spooled_bytes = 0;  // of those in files
 };
 
 // A connection as its server sees it.

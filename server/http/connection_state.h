@@ -1,9 +1,11 @@
-// What one connection knows. Its steps stand in connection.cpp (reading, answering) and connection_write.cpp. Each step
+// What one connection knows. Its steps stand in connection.cpp (reading, answering), connection_spool.cpp (long bodies)
+// and connection_write.cpp. Each step
 // runs on the HTTP thread, so nothing needs a lock, and inside a fence: what it throws closes this connection alone.
 #pragma once
 
 #include <array>
 #include <exception>
+#include <expected>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +15,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/error.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/http/buffer_body.hpp>
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/string_body.hpp>
 
@@ -53,13 +56,20 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
   void read_body();
   void on_read(Error error);
   void answer_in(Lane lane);
-  bool take_room(std::size_t bytes);
+  bool take_room(std::size_t bytes, bool in_file);
   void give_room_back();
   void copy_headers();
   void copy_forwarded();
   void refuse_unread(Error error);
   // Where the next request would begin is not known, or not waited for.
   void respond_unread(Response response);
+
+  // connection_spool.cpp
+  void spool_body();
+  void read_piece();
+  void on_piece(Error error);
+  void on_written(const std::expected<void, std::string>& written);
+  void refuse_upload(std::string_view why);
 
   // connection_write.cpp
   void respond(Response response);
@@ -85,10 +95,12 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
   boost::asio::ip::address peer_;
   boost::beast::flat_buffer buffer_;
   std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
+  std::optional<boost::beast::http::request_parser<boost::beast::http::buffer_body>> long_parser_;  // of a spooled body
   std::optional<Clock::time_point> waits_since_;
   Request request_;
   Plan plan_;
-  std::size_t room_bytes_ = 0;  // taken of the budget for bodies
+  std::size_t room_bytes_ = 0;       // taken of the budget for bodies in memory
+  std::size_t room_file_bytes_ = 0;  // and for those in files
   BodySource source_;
   std::shared_ptr<EventSubscription> events_;
   std::string piece_;
@@ -97,6 +109,7 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
   bool head_only_ = false;
   bool writing_events_ = false;
   bool comment_due_ = false;
+  bool waits_for_disk_ = false;
 };
 
 // `detail` is one of our own sentences, so it needs no escapes.

@@ -6,6 +6,7 @@
 //   write    small changes of the store
 //   bulk     texts: uploads, long answers, files
 //   heavy    checks, rendering, sweeps: they wait for worker processes
+//   spool    files of long bodies on their way here: it waits for the disk (see spool.h)
 //
 // Each lane has a queue with an end: who comes later is asked to come again.
 #pragma once
@@ -17,7 +18,7 @@
 
 namespace dripfeed::http {
 
-enum class Lane : std::uint8_t { here, command, write, bulk, heavy };
+enum class Lane : std::uint8_t { here, command, write, bulk, heavy, spool };
 
 class Lanes {
  public:
@@ -39,7 +40,7 @@ class Lanes {
  private:
   class One;
   One& at(Lane lane);
-  std::unique_ptr<One> lanes_[4];
+  std::unique_ptr<One> lanes_[5];
 };
 
 }  // namespace dripfeed::http

@@ -18,6 +18,8 @@
 
 namespace dripfeed::http {
 
+class SpooledBody;
+
 enum class Method : std::uint8_t { get, post, put, del, other };
 std::string_view name_of(Method method);
 
@@ -43,8 +45,12 @@ struct Request {
   std::string content_type;
   std::string content_encoding;
   std::string body;
+  std::shared_ptr<SpooledBody> spooled;  // a long body before it is fetched into `body`; see fetch_body()
   int peer = -1;  // the socket, for work that is given up when the client leaves; it is open until the answer
 };
+
+// Fetches a long body, for whoever may wait for the disk. Errors: as SpooledBody::read().
+std::expected<void, std::string> fetch_body(Request& request);
 
 // Gives the next piece of a long body: how many bytes it wrote, 0 at the end, or what failed (then the connection is
 // cut, so that a half text never looks whole).

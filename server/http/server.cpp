@@ -46,10 +46,15 @@ std::size_t connection_limit() {
 
 class ListeningServer final : public Server {
  public:
-  ListeningServer(Answerer answerer, unsigned heavy_threads)
-      : lanes_(heavy_threads), acceptor_(context_), again_(context_), look_(context_) {
+  ListeningServer(Answerer answerer, unsigned heavy_threads, std::filesystem::path spool_folder)
+      : lanes_(heavy_threads),
+        spool_(lanes_, std::move(spool_folder)),
+        acceptor_(context_),
+        again_(context_),
+        look_(context_) {
     shared_.answerer = std::move(answerer);
     shared_.lanes = &lanes_;
+    shared_.spool = &spool_;
   }
   ~ListeningServer() override { stop(kNoLimit); }
 
@@ -170,8 +175,9 @@ class ListeningServer final : public Server {
   }
 
   ConnectionShared shared_;  // outlives what lies in the context
+  Lanes lanes_;              // before the context: a body that ends with it goes through a lane
+  Spool spool_;
   asio::io_context context_{1};
-  Lanes lanes_;
   tcp::acceptor acceptor_;
   asio::steady_timer again_;
   asio::steady_timer look_;
@@ -227,7 +233,7 @@ std::expected<std::unique_ptr<Server>, std::string> Server::start(const ServerSe
     if (!files) return std::unexpected(files.error());
     tls.emplace(std::move(*files));
   }
-  auto server = std::make_unique<ListeningServer>(std::move(answerer), settings.heavy_threads);
+  auto server = std::make_unique<ListeningServer>(std::move(answerer), settings.heavy_threads, settings.spool_folder);
   const ListenAddress& address = settings.address;
   try {
     server->listen(address, std::move(tls), std::move(*proxies));

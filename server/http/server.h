@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <expected>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -20,6 +21,8 @@ inline constexpr std::size_t kSmallBody_bytes = std::size_t{1} << 20U;     // of
 inline constexpr std::size_t kLargeBody_bytes = std::size_t{64} << 20U;    // of those that carry a text
 inline constexpr std::size_t kShortBody_bytes = std::size_t{64} << 10U;    // is read whoever sends it
 inline constexpr std::size_t kBodyBudget_bytes = std::size_t{256} << 20U;  // of all bodies in memory at one time
+inline constexpr std::size_t kSpoolBudget_bytes = std::size_t{2}
+                                                  << 30U;  // of all that lie in files: beyond kSmallBody_bytes
 inline constexpr std::size_t kHeaderLimit_bytes = std::size_t{16} << 10U;
 
 struct ListenAddress {
@@ -47,6 +50,7 @@ struct Answerer {
 
 struct ServerSettings {
   ListenAddress address;
+  std::filesystem::path spool_folder;  // for long bodies on their way here; made when it is needed
   // PEM files; empty: plain HTTP. Read again when they change.
   std::string tls_certificate;
   std::string tls_key;
