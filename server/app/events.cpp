@@ -6,7 +6,18 @@
 
 namespace dripfeed::app {
 
+thread_local Events::Hold* Events::Hold::holding_ = nullptr;
+
+void Events::Hold::release() {
+  end();
+  for (Event& event : std::exchange(waiting_, {})) events_.publish(std::move(event));
+}
+
 void Events::publish(Event event) {
+  if (Hold* const hold = Hold::holding_; hold != nullptr && &hold->events_ == this) {
+    hold->waiting_.push_back(std::move(event));
+    return;
+  }
   {
     const std::lock_guard lock(mutex_);
     event.id = next_id_++;

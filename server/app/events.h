@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "server/app/asks.h"
@@ -42,6 +43,28 @@ class Events {
 
   // A server begins above all that the one before it gave, so that a watcher who saw that one is told to reload.
   explicit Events(std::uint64_t first_id = 1) : first_id_(first_id), next_id_(first_id) {}
+
+  // While it lives, what its thread publishes waits, and goes out with release(); without that it never was. For
+  // changes that are told only when the transaction around them is durable.
+  class Hold {
+   public:
+    explicit Hold(Events& events) : events_(events), outer_(std::exchange(holding_, this)) {}
+    Hold(const Hold&) = delete;
+    Hold& operator=(const Hold&) = delete;
+    ~Hold() { end(); }
+    void release();
+
+   private:
+    friend class Events;
+    void end() {
+      if (holding_ == this) holding_ = outer_;
+    }
+    static thread_local Hold* holding_;
+
+    Events& events_;
+    Hold* outer_;
+    std::vector<Event> waiting_;
+  };
 
   void publish(Event event);
   void progress(const std::string& machine, const LineReport& report, const Asks& asks = {});

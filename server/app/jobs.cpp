@@ -24,7 +24,6 @@ namespace dripfeed::app {
 namespace {
 
 constexpr double kLongestArming_min = 60.0;
-constexpr std::string_view kMachineChanges = "the machine is being changed: try again";
 
 ir::Delivery delivery_of(store::Delivery delivery) {
   return delivery == store::Delivery::drip ? ir::Delivery::drip : ir::Delivery::memory;

@@ -18,6 +18,9 @@ namespace dripfeed::app {
 
 class Jobs {
  public:
+  // Where the text was read for a machine that had changed again by then.
+  static constexpr std::string_view kMachineChanges = "the machine is being changed: try again";
+
   Jobs(store::Store& store, Lines& lines, Books& books, Events& events, const Clock& clock, const Documents& documents);
 
   // Queued. Errors: not_found, refused (not released, the machine changed after the verdict, or its text cannot be

@@ -141,10 +141,12 @@ Response Api::answer_first(const Request& request, const Route& route, const Cal
   if (auto before = answered_before(key)) return std::move(*before);
   const Commit once = [&](const std::function<Response()>& step) {
     Response response;
+    app::Events::Hold news(application_.events());
     const auto done = application_.store().atomically([&] {
       response = step();
       return keep_answer(key, response);
     });
+    if (done) news.release();
     return done ? response : problem_response(app::from_store(done.error()));
   };
   if (route.weight == Weight::light) return once([&] { return route.handler(call); });

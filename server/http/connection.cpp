@@ -24,7 +24,7 @@ namespace bhttp = boost::beast::http;
 
 constexpr std::chrono::seconds kReadTimeout{60};
 constexpr std::chrono::seconds kHandshakeTimeout{10};
-constexpr std::size_t kSlowest_bytes_s = 32 * 1024;  // of a body
+constexpr std::size_t kSlowest_bytes_s = std::size_t{32} * 1024;  // of a body
 constexpr std::size_t kReadAtOnce_bytes = 4096;
 constexpr std::string_view kHeadEnd = "\r\n\r\n";
 

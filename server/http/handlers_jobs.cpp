@@ -93,7 +93,7 @@ Response add_job(const Call& call) {
     const auto job = jobs.add_known(body->release, call.user);
     if (!job) return problem_response(job.error());
     is_text_known = job->has_value();
-    if (!is_text_known) return problem_response(503, "the machine is being changed: try again");
+    if (!is_text_known) return problem_response(503, std::string(app::Jobs::kMachineChanges));
     added = *job;
     return created(fmt::format("/api/v1/jobs/{}", added->id), json::job(*added));
   };

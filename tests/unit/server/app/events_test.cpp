@@ -1,6 +1,9 @@
 // The ring of transitions: order, resuming, what is too old, and progress that only counts in its newest form.
 #include "server/app/events.h"
 
+#include <string>
+#include <thread>
+
 #include <gtest/gtest.h>
 
 namespace dripfeed::app {
@@ -30,6 +33,31 @@ TEST(Events, GivesWhatIsNewerInOrder) {
   EXPECT_EQ(batch.events.front().text, "a3");
   EXPECT_EQ(batch.events.back().text, "a5");
   EXPECT_TRUE(events.since(5).events.empty());
+}
+
+TEST(Events, WhatIsHeldGoesOutWithItsReleaseOrNever) {
+  Events events;
+  {
+    Events::Hold undone(events);
+    events.publish(alarm("never was"));
+  }
+  {
+    Events::Hold outer(events);
+    events.publish(alarm("a1"));
+    {
+      Events::Hold inner(events);
+      events.publish(alarm("a2"));
+      inner.release();
+      events.publish(alarm("a3"));
+    }
+    std::jthread([&] { events.publish(alarm("of another thread")); }).join();
+    EXPECT_EQ(events.last_id(), 1U) << "held events went out";
+    outer.release();
+    events.publish(alarm("a4"));
+  }
+  std::string texts;
+  for (const Event& event : events.since(0).events) texts += event.text + ",";
+  EXPECT_EQ(texts, "of another thread,a1,a2,a3,a4,");
 }
 
 TEST(Events, TellsWhenTheRingNoLongerHoldsAll) {
