@@ -227,9 +227,12 @@ def a_disk_that_hangs(folder):
         expect(status == 507 and "does not answer" in json.loads(document)["detail"], f"{status} {document}")
         share.thaw()
         expect(client.call("POST", "/programs", body, headers=JSON).status == 201, "after")
-        client.server.stop()
+        share.freeze()
+        link = begin_upload(client, body, 3_000_000)
+        time.sleep(0.5)
+        client.server.stop()  # which waits for no disk
+        link.close()
     finally:
-        share.thaw()
         share.close()
 
 
