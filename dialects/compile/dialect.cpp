@@ -6,6 +6,7 @@
 
 #include "dialects/compile/iso_mode.h"
 #include "dialects/fanuc/fanuc.h"
+#include "dialects/haas/haas.h"
 #include "dialects/mazak/mazak.h"
 #include "dialects/mitsubishi/mitsubishi.h"
 #include "dialects/sinumerik/sinumerik.h"
@@ -24,6 +25,8 @@ ir::Control sinumerik_control(ir::MachineKind kind, ir::GSystem g_system) {
 constexpr std::array kDialects = {
     Dialect{"fanuc", "Fanuc Custom Macro B", fanuc::control, fanuc::infer_control, fanuc::read, fanuc::plain_scanner,
             fanuc::validate, fanuc::raise, fanuc::print},
+    Dialect{"haas", "Haas NGC", haas::control, haas::infer_control, haas::read, haas::plain_scanner, haas::validate,
+            haas::raise, haas::print},
     Dialect{"mazak", "Mazak EIA/ISO", mazak::control, mazak::infer_control, mazak::read, mazak::plain_scanner,
             mazak::validate, mazak::raise, mazak::print},
     Dialect{"mitsubishi-m80", "Mitsubishi M70, M80", mitsubishi::control, mitsubishi::infer_control, mitsubishi::read,
@@ -56,26 +59,21 @@ constexpr auto kMarks = std::to_array<Mark>({
 });
 
 // Among the controls that read as Fanuc's do: what only one of the others has, in code or as its name in a comment.
+constexpr std::string_view kHaas = "haas";
 constexpr std::string_view kMazak = "mazak";
 constexpr std::string_view kMitsubishi = "mitsubishi-m80";
 constexpr auto kFamilyMarks = std::to_array<Mark>({
-    {"G52.5", false, kMazak},
-    {"G53.5", false, kMazak},
-    {"G68.5", false, kMazak},
-    {"G122.1", false, kMazak},
-    {"G123.1", false, kMazak},
-    {"G270 ", false, kMazak},
-    {"G271 ", false, kMazak},
-    {"G276 ", false, kMazak},
-    {"#70001", false, kMazak},
-    {"#70002", false, kMazak},
-    {"#70003", false, kMazak},
-    {"MAZAK", false, kMazak},
-    {"INTEGREX", false, kMazak},
-    {"G31.1", false, kMitsubishi},
-    {"G31.2", false, kMitsubishi},
-    {"#100100", false, kMitsubishi},
-    {"MITSUBISHI", false, kMitsubishi},
+    {"G154", false, kHaas},          {"G187", false, kHaas},
+    {"G103 P", false, kHaas},        {"M97 P", false, kHaas},
+    {"HAAS", false, kHaas},          {"G52.5", false, kMazak},
+    {"G53.5", false, kMazak},        {"G68.5", false, kMazak},
+    {"G122.1", false, kMazak},       {"G123.1", false, kMazak},
+    {"G270 ", false, kMazak},        {"G271 ", false, kMazak},
+    {"G276 ", false, kMazak},        {"#70001", false, kMazak},
+    {"#70002", false, kMazak},       {"#70003", false, kMazak},
+    {"MAZAK", false, kMazak},        {"INTEGREX", false, kMazak},
+    {"G31.1", false, kMitsubishi},   {"G31.2", false, kMitsubishi},
+    {"#100100", false, kMitsubishi}, {"MITSUBISHI", false, kMitsubishi},
 });
 constexpr std::uint32_t kLinesLookedAt = 5000;
 

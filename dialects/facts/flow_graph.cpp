@@ -87,6 +87,12 @@ std::uint32_t contour_begin(const ir::Program& program, std::uint32_t call) {
   return block ? block->first : ir::kNoIndex;
 }
 
+// A part of the program itself, from a block of it on.
+bool calls_itself(const ir::Call& call) {
+  return call.name == ir::StringId::none && call.number == ir::ExpressionId::none &&
+         call.computed == ir::ExpressionId::none;
+}
+
 bool names_computed_blocks(const ir::Program& program, const ir::Call& call) {
   const ir::Expression* contour = contour_of(program, call);
   return contour != nullptr && contour->op != ir::Operator::string;
@@ -99,7 +105,10 @@ FlowGraph::FlowGraph(const ir::Program& program) : program_(program) {}
 std::vector<std::uint32_t> FlowGraph::entries() const {
   const bool open = std::ranges::any_of(program_.statements, [this](const ir::Statement& s) {
     if (s.kind == StatementKind::repeat_section || s.kind == StatementKind::execute_text) return true;
-    if (s.kind == StatementKind::call) return names_computed_blocks(program_, program_.calls[s.payload]);
+    if (s.kind == StatementKind::call) {
+      const ir::Call& call = program_.calls[s.payload];
+      return calls_itself(call) || names_computed_blocks(program_, call);
+    }
     return s.kind == StatementKind::native && jumps_anywhere(program_.strings.at(program_.natives[s.payload].name));
   });
   return entries_of(open || jumps_to_computed());

@@ -91,6 +91,7 @@ enum class Function : std::uint8_t {
   program_end,
   program_end_rewind,
   subprogram_end,
+  local_call,  // P is the block of the same program where it begins (Haas M97)
   // cycles
   drill,  // argument: drill_argument() of ir/cycle.h
   cycle_off,

@@ -91,6 +91,7 @@ struct Semantics {
   std::uint32_t user_alarm_base = 0;          // #3000 = 1 is shown as alarm 3001: 3000
   std::uint32_t highest_user_alarm = 0;       // above it all are shown as the base alone; 0: no limit
   bool feed_code_ends_surface_speed = false;  // G94, G95, G96 replace each other (SINUMERIK)
+  bool taps_are_rigid = false;                // G84 and G74 always turn the spindle by position (Haas)
   bool d_selects_edge = false;                // D is the tool's edge and takes effect at once; otherwise a comp number
 };
 

@@ -28,6 +28,10 @@ constexpr auto kRows = std::to_array<Row>({
 
 CallWord call_word(const ir::Control& control, char letter, std::int32_t number10) {
   if (code_call(control, letter, number10) != nullptr) return CallWord::by_code;
+  if (letter == 'M') {
+    const ir::CodeRow* const own = ir::find_code(control.m_codes, number10);
+    if (own != nullptr && own->function == ir::Function::local_call) return CallWord::local;
+  }
   const auto row =
       std::ranges::find_if(kRows, [&](const Row& r) { return r.letter == letter && r.number10 == number10; });
   return row == kRows.end() ? CallWord::none : row->word;

@@ -11,6 +11,7 @@ namespace dripfeed::macro_b {
 enum class CallWord : std::uint8_t {
   none,
   subprogram,        // M98
+  local,             // M97 of a Haas: P is a block of the same program
   external,          // M198
   macro,             // G65
   modal,             // G66

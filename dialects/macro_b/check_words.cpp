@@ -194,6 +194,7 @@ class WordCheck {
   void circle_cutting(const ir::Block& block) {
     const auto words = program_.words_of(block);
     if (std::ranges::find(words, Address::d, &ir::Word::address) != words.end()) return;
+    if (ir::alarm_of(control_, comp_without_number).empty()) return;  // on a Haas it is the tool's centre
     for (const ir::Code& code : program_.codes_of(block)) {
       if (code.function != Function::not_modelled) continue;
       const std::string_view name = program_.strings.at(code.name);

@@ -64,16 +64,19 @@ struct Grammar {
   std::span<const NamedVariable> named_variables = {};
   std::uint32_t highest_loop_number = 3;
   std::uint32_t highest_block_number = 99'999'999;
-  std::uint32_t macro_digits = 12;       // of a constant in a macro statement
-  bool condition_blocks = false;         // IF … THEN, ELSE, ENDIF over several blocks
-  bool drip_forbids_conditions = false;  // IF … THEN as well as IF … GOTO while the program is fed
-  bool drip_forbids_output = false;      // DPRNT and the like
-  bool bare_expressions = false;         // X#1+10 without brackets
-  bool packed_calls = true;              // M98 P51234: five times O1234
-  char start_letter = 'Q';               // of M98: the block in the called program where it begins
-  bool logic_in_conditions = true;       // [a GT b] AND [c LT d]
-  bool long_tool_words = false;          // T001001 of a lathe: three digits each for the tool and its offset
-  bool second_tool_is_next = false;      // T2 T3 M6: T3 is made ready for the next change
+  std::uint32_t macro_digits = 12;           // of a constant in a macro statement
+  bool condition_blocks = false;             // IF … THEN, ELSE, ENDIF over several blocks
+  bool drip_forbids_conditions = false;      // IF … THEN as well as IF … GOTO while the program is fed
+  bool drip_forbids_output = false;          // DPRNT and the like
+  bool bare_expressions = false;             // X#1+10 without brackets
+  bool packed_calls = true;                  // M98 P51234: five times O1234
+  char start_letter = 'Q';                   // of M98: the block in the called program where it begins
+  bool logic_in_conditions = true;           // [a GT b] AND [c LT d]
+  bool long_tool_words = false;              // T001001 of a lathe: three digits each for the tool and its offset
+  bool second_tool_is_next = false;          // T2 T3 M6: T3 is made ready for the next change
+  bool dwell_point_is_seconds = false;       // P1. of a dwell is a second, P1000 the same in milliseconds
+  bool reference_alone_is_all_axes = false;  // G28 without an axis
+  char repeat_letter = 'K';                  // of a hole: how often; with 'L' also the count of a hole pattern
 };
 
 // The keywords of Custom Macro B; other controls append theirs.

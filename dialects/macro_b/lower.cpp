@@ -268,6 +268,7 @@ void BlockLowering::lower(std::span<const RawWord> words, const BlockPlace& plac
     program_.words.resize(first_word);
     return emit_native("data of G10", true, place);
   }
+  take_other_forms(first_code, first_word);
   number_extended_offset(first_code, first_word);
   name_contour_control(first_code, first_word);
   if (ends && place.rest_level != 0) {

@@ -80,6 +80,7 @@ class BlockLowering {
   [[nodiscard]] bool changes_tool(std::uint32_t first_code) const;
   void emit_tool_change(std::uint32_t first_code, std::uint32_t first_word, const BlockPlace& place);
   void name_contour_control(std::uint32_t first_code, std::uint32_t first_word);
+  void take_other_forms(std::uint32_t first_code, std::uint32_t first_word);
   void number_extended_offset(std::uint32_t first_code, std::uint32_t first_word);
   void name_direct_angle(std::uint32_t first_code, std::uint32_t first_word);
   ir::ExpressionId in_increments(ir::ExpressionId value, double increment);

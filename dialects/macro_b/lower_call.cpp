@@ -33,7 +33,7 @@ void BlockLowering::lower_call_block(CallWord kind, std::size_t at, std::span<co
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(at));
     return lower(others, place);
   }
-  const bool by_letter = kind == CallWord::subprogram || kind == CallWord::external;
+  const bool by_letter = kind == CallWord::subprogram || kind == CallWord::external || kind == CallWord::local;
   const std::string of_subprogram = std::string("PL<") + grammar_.start_letter;
   const auto first_code = static_cast<std::uint32_t>(program_.codes.size());
   const auto first_word = static_cast<std::uint32_t>(program_.words.size());
@@ -59,6 +59,7 @@ void BlockLowering::lower_call_block(CallWord kind, std::size_t at, std::span<co
   switch (kind) {
     case CallWord::subprogram:
     case CallWord::external:
+    case CallWord::local:
     case CallWord::macro:
     case CallWord::modal: return emit_call(kind, words[at], of_call, place);
     case CallWord::modal_each_block: return begin_each_block(words[at], of_call, place);
@@ -105,7 +106,9 @@ void BlockLowering::emit_call(CallWord kind, const RawWord& code, std::span<cons
   call.first_argument = static_cast<std::uint32_t>(program_.arguments.size());
   const RawWord* program = nullptr;
   for (const RawWord& word : words) {
-    if (word.letter == '<' || (word.letter == 'P' && program == nullptr)) {
+    if (kind == CallWord::local && word.letter == 'P') {
+      call.start = word.value;
+    } else if (word.letter == '<' || (word.letter == 'P' && program == nullptr)) {
       program = &word;
     } else if (word.letter == 'L') {
       call.repeats = word.value;

@@ -155,7 +155,7 @@ void ProgramPrinter::statement(std::uint32_t index) {
     case StatementKind::loop_begin: text = fmt::format("DO{}", program_.structures[s.payload].loop_number); break;
     case StatementKind::while_end:
     case StatementKind::loop_end: text = fmt::format("END{}", program_.structures[s.payload].loop_number); break;
-    case StatementKind::call: text = call(program_.calls[s.payload], call_word(program_.calls[s.payload].kind)); break;
+    case StatementKind::call: text = call(program_.calls[s.payload], call_word(program_.calls[s.payload])); break;
     case StatementKind::message: text = message(program_.messages[s.payload]); break;
     case StatementKind::alarm: text = alarm(program_.messages[s.payload], kAlarmVariable); break;
     case StatementKind::native: text = native(s); break;
@@ -235,7 +235,8 @@ std::string ProgramPrinter::code(const ir::Code& code) const {
     return std::string(program_.strings.at(code.name));
   }
   if (code.function == Function::work_offset && code.argument > kLastPlainOffset) {
-    return fmt::format("G54.1 P{}", code.argument - kExtendedOffset);
+    const ir::CodeRow* extended = find_function(control_, Function::extended_offset, 0);
+    return fmt::format("{} P{}", extended == nullptr ? "G54.1" : extended->name, code.argument - kExtendedOffset);
   }
   if ((code.function == Function::drill || code.function == Function::continuous_path) &&
       code.name != ir::StringId::none)
@@ -285,9 +286,11 @@ std::string ProgramPrinter::jump(const ir::Jump& jump) const {
   return out + fmt::format(" {}", jump.number);
 }
 
-std::string_view ProgramPrinter::call_word(ir::CallKind kind) {
-  if (kind == ir::CallKind::macro) return "G65";
-  return kind == ir::CallKind::external ? "M198" : "M98";
+std::string_view ProgramPrinter::call_word(const ir::Call& call) const {
+  if (call.kind == ir::CallKind::macro) return "G65";
+  const bool is_local = call.name == ir::StringId::none && call.number == ExpressionId::none;
+  if (is_local && has_local_calls_) return kLocalCall;
+  return call.kind == ir::CallKind::external ? "M198" : "M98";
 }
 
 std::string ProgramPrinter::output(const ir::Output& output) const {
@@ -321,7 +324,7 @@ std::string ProgramPrinter::call(const ir::Call& call, std::string_view word) co
   }
   if (call.start != ExpressionId::none) {
     const ir::Expression& start = program_.at(call.start);
-    out += fmt::format(" {}{}", start_letter_,
+    out += fmt::format(" {}{}", word == kLocalCall ? 'P' : start_letter_,
                        start.op == Operator::constant ? fmt::format("{}", std::llround(start.value))
                                                       : expressions_.word_value(call.start));
   }

@@ -1,6 +1,7 @@
 // print: a raised program as text, one block a line. The frame around it (tape marks, program number) is the dialect's.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -17,7 +18,12 @@ namespace dripfeed::macro_b {
 class ProgramPrinter {
  public:
   ProgramPrinter(const ir::Program& program, const ir::Control& control, const Grammar& grammar)
-      : program_(program), control_(control), expressions_(program, grammar), start_letter_(grammar.start_letter) {}
+      : program_(program),
+        control_(control),
+        expressions_(program, grammar),
+        start_letter_(grammar.start_letter),
+        has_local_calls_(std::ranges::find(control.m_codes, ir::Function::local_call, &ir::CodeRow::function) !=
+                         control.m_codes.end()) {}
 
   // A line of the frame.
   void frame_line(std::string_view line);
@@ -37,7 +43,7 @@ class ProgramPrinter {
   std::string assignment(const ir::Assign& assign) const;
   std::string jump(const ir::Jump& jump) const;
   std::string call(const ir::Call& call, std::string_view word) const;
-  static std::string_view call_word(ir::CallKind kind);
+  [[nodiscard]] std::string_view call_word(const ir::Call& call) const;
   std::string output(const ir::Output& output) const;
   std::string alarm(const ir::Message& message, std::uint32_t variable) const;
   std::string message(const ir::Message& message) const;
@@ -49,6 +55,8 @@ class ProgramPrinter {
   const ir::Control& control_;
   ExpressionPrinter expressions_;
   char start_letter_;
+  bool has_local_calls_;
+  static constexpr std::string_view kLocalCall = "M97";
   ir::PrintResult result_;
   std::size_t next_label_ = 0;
 };

@@ -12,6 +12,7 @@
 #include "dialects/macro_b/complete.h"
 #include "dialects/macro_b/flatten.h"
 #include "dialects/macro_b/global_data.h"
+#include "dialects/macro_b/other_forms.h"
 #include "dialects/macro_b/place_globals.h"
 #include "dialects/macro_b/print.h"
 #include "dialects/macro_b/raise_block.h"
@@ -324,6 +325,7 @@ ir::RaiseResult raise(const ir::Program& program, const ir::Control& from, const
   append(result.diagnostics, std::move(placed.diagnostics));
   if (!by_number) tell_outside(outside, placed.variables, to, result.diagnostics);
   check_system_variables(p, to, result.diagnostics);
+  write_other_forms(p, to, grammar, result.diagnostics);
   if (!text::has_error(result.diagnostics)) refuse_unsayable(p, to, grammar, result.diagnostics);
   for (text::Diagnostic& d : result.diagnostics) d.alarm = ir::alarm_of(to, d.id);
   return result;

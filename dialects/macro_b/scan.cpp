@@ -9,6 +9,7 @@
 #include "dialects/ir/idle_code.h"
 #include "dialects/macro_b/call_words.h"
 #include "dialects/macro_b/lower.h"
+#include "dialects/macro_b/other_forms.h"
 #include "dialects/text/scan_decimal.h"
 
 namespace dripfeed::macro_b {
@@ -38,10 +39,13 @@ Class class_of(char c) { return kClasses[static_cast<unsigned char>(c)]; }
 constexpr std::ptrdiff_t kShortPair = 4;  // digits of T0101
 
 // Without the codes that make their block a call or data.
-ir::PlainCodeIndex index_codes(const ir::Control& control, std::span<const ir::CodeRow> table, char letter) {
+ir::PlainCodeIndex index_codes(const ir::Control& control, const Grammar& grammar, std::span<const ir::CodeRow> table,
+                               char letter) {
   ir::PlainCodeIndex index;
   for (const ir::CodeRow& row : table)
-    if (ir::is_plain(row.function) && call_word(control, letter, row.number10) == CallWord::none) index.add(row);
+    if (ir::is_plain(row.function) && !has_other_form(grammar, row.function) &&
+        call_word(control, letter, row.number10) == CallWord::none)
+      index.add(row);
   return index;
 }
 
@@ -50,10 +54,11 @@ class Words {
   Words(const ir::Control& control, const Grammar& grammar)
       : most_digits_(control.limits.digits == 0 ? text::kScannedDigits : control.limits.digits),
         highest_block_number_(grammar.highest_block_number),
-        g_codes_(index_codes(control, control.g_codes, 'G')),
-        m_codes_(index_codes(control, control.m_codes, 'M')),
+        g_codes_(index_codes(control, grammar, control.g_codes, 'G')),
+        m_codes_(index_codes(control, grammar, control.m_codes, 'M')),
         pairs_by_digits_(grammar.long_tool_words && control.semantics.tool_word == ir::ToolWord::number_and_offset),
         second_tool_is_next_(grammar.second_tool_is_next),
+        repeats_by_l_(grammar.repeat_letter == 'L'),
         a_may_be_an_angle_(control.kind == ir::MachineKind::lathe && !control.axes.contains('A')),
         control_(&control) {}
 
@@ -121,6 +126,7 @@ class Words {
     block.take(begin, number.end);
     if (letter == 'T' && pairs_by_digits_ && number.end - at > kShortPair) return nullptr;
     if (letter == 'T' && second_tool_is_next_ && std::exchange(has_tool_, true)) return nullptr;
+    if (letter == 'L' && repeats_by_l_) return nullptr;
     if (letter == 'E') return nullptr;  // of a thread or a cycle: the reader decides by the whole block
     if (letter == 'A' && a_may_be_an_angle_) return nullptr;
     if (letter == 'G' || letter == 'M') return minus ? nullptr : code(letter, number, block);
@@ -168,6 +174,7 @@ class Words {
   ir::PlainCodeIndex m_codes_;
   bool pairs_by_digits_;  // T001001: how many are written counts
   bool second_tool_is_next_;
+  bool repeats_by_l_;
   bool a_may_be_an_angle_;  // of a line: the reader decides by the whole block
   const ir::Control* control_;
   bool has_tool_ = false;  // the block at hand has a T

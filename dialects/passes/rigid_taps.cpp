@@ -46,6 +46,7 @@ class Taps {
   Taps(ir::Program& program, const ir::Control& from, const ir::Control& to)
       : program_(program),
         to_(to),
+        always_rigid_(from.semantics.taps_are_rigid),
         said_(form_of(from)),
         flow_(program, from),
         targets_(facts::jump_targets(program)),
@@ -198,7 +199,7 @@ class Taps {
 
   // Takes the source's word for it away.
   bool takes_rigid(const ir::Code& tap, std::vector<ir::Word>& words, const ir::Statement& s) {
-    bool rigid = std::exchange(rigid_, false);
+    bool rigid = std::exchange(rigid_, false) || always_rigid_;
     if (said_ == Form::own_code) rigid = is_written_rigid(tap.span.in(program_.source.text()));
     if (said_ != Form::comma_r) return rigid;
     for (const ir::Word& w : words) {
@@ -225,6 +226,7 @@ class Taps {
 
   ir::Program& program_;
   const ir::Control& to_;
+  bool always_rigid_;
   Form said_;
   facts::Resolved flow_;
   std::vector<bool> targets_;  // of jumps

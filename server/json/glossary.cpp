@@ -11,7 +11,7 @@ constexpr GlossaryRow kRows[] = {
     {"token", "as `dripfeed token add` printed it"},
     {"text", "the whole text"},
     {"NewProgram/name", "under which the control calls it"},
-    {"dialect", "of the control: fanuc, sinumerik-840d, mazak, mitsubishi-m80"},
+    {"dialect", "of the control: fanuc, haas, sinumerik-840d, mazak, mitsubishi-m80"},
     {"NewPart/number", "of the part, its name"},
     {"family", "name of a part family"},
     {"values", "by parameter, with their units (\"120 mm\"); what is not given has the family's default"},

@@ -20,9 +20,8 @@ struct NameRule {
   bool letters_first;          // two letters or underscores begin it
 };
 constexpr std::array kRules = {
-    NameRule{"fanuc", "", 32, "_-+.", false},
-    NameRule{"mazak", ".EIA", 32, "_-+.", false},
-    NameRule{"mitsubishi-m80", "", 32, "_-+.", false},
+    NameRule{"fanuc", "", 32, "_-+.", false},          NameRule{"haas", ".NC", 32, "_-+.", false},
+    NameRule{"mazak", ".EIA", 32, "_-+.", false},      NameRule{"mitsubishi-m80", "", 32, "_-+.", false},
     NameRule{"sinumerik-840d", ".MPF", 24, "_", true},
 };
 

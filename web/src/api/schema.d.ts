@@ -1040,7 +1040,7 @@ export interface components {
         NewProgram: {
             /** @description under which the control calls it */
             name: string;
-            /** @description of the control: fanuc, sinumerik-840d, mazak, mitsubishi-m80 */
+            /** @description of the control: fanuc, haas, sinumerik-840d, mazak, mitsubishi-m80 */
             dialect: string;
             /** @description the whole text */
             text: string;
@@ -1296,7 +1296,7 @@ export interface components {
             name: string;
             /** @description for people */
             title?: string | null;
-            /** @description of the control: fanuc, sinumerik-840d, mazak, mitsubishi-m80 */
+            /** @description of the control: fanuc, haas, sinumerik-840d, mazak, mitsubishi-m80 */
             dialect: string;
             /** @description where the values are from, and what is assumed */
             notes?: string[] | null;
