@@ -51,13 +51,14 @@ Function function_of(const ir::Motion& motion) {
 
 }  // namespace
 
-BlockWriter::BlockWriter(ir::Program& program, const ir::Control& control, const interpreter::RunNames& names)
-    : program_(program), control_(control), names_(names), emit_(program) {}
+BlockWriter::BlockWriter(ir::Program& program, const ir::Control& control, const interpreter::RunNames& names,
+                         bool inch)
+    : program_(program), control_(control), names_(names), emit_(program), unit_mm_(inch ? 25.4 : 1.0) {}
 
 void BlockWriter::safe_start(ir::Plane plane, ir::FeedMode feed_mode) {
   plane_ = plane;
   feed_mode_ = feed_mode;
-  add(Function::unit_mm);
+  add(unit_mm_ == 1.0 ? Function::unit_mm : Function::unit_inch);
   add(function_of(plane));
   add(Function::absolute);
   add(function_of(feed_mode));
@@ -151,7 +152,8 @@ void BlockWriter::feed(const ir::Motion& motion) {
   if (!thread) feed_mode_ = motion.feed_mode;
   // The lead of a thread is no feed on a control that has a word of its own for it.
   feed_ = thread ? 0.0 : motion.feed;
-  add(thread && counts_along_x(motion) ? Address::i : Address::f, motion.feed);
+  const double unit = motion.feed_mode == ir::FeedMode::inverse_time ? 1.0 : unit_mm_;
+  add(thread && counts_along_x(motion) ? Address::i : Address::f, motion.feed / unit);
 }
 
 // The lead of a cone counts along the axis that moves more; controls that name it by a letter say so by I.
@@ -164,7 +166,7 @@ bool BlockWriter::counts_along_x(const ir::Motion& motion) const {
 // The plane's two axes only; a zero is stated, too, so that no control asks for it.
 void BlockWriter::center(const ir::Motion& motion) {
   for (std::size_t axis = 0; axis < kCenterAddresses.size(); ++axis)
-    if (is_in_plane(motion.plane, axis)) add(kCenterAddresses[axis], motion.center[axis]);
+    if (is_in_plane(motion.plane, axis)) add_length(kCenterAddresses[axis], motion.center[axis]);
 }
 
 void BlockWriter::move(const ir::Motion& motion) {
@@ -179,12 +181,17 @@ void BlockWriter::move(const ir::Motion& motion) {
   if (motion.exact_stop) add(Function::exact_stop_once);
   if (function != motion_ || is_arc(motion.kind) || motion.kind == MotionKind::thread) add(function);
   motion_ = function;
+  const std::uint16_t named = axes_to_name(motion);
   for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
-    if ((motion.axes_commanded & (1U << axis)) != 0) add(kAxisAddresses[axis], motion.end[axis]);
+    if ((named & (1U << axis)) == 0) continue;
+    if (ir::is_rotary_axis(kAxisAddresses[axis]))
+      add(kAxisAddresses[axis], motion.end[axis]);
+    else
+      add_length(kAxisAddresses[axis], motion.end[axis]);
   }
   if (is_arc(motion.kind)) center(motion);
   feed(motion);
-  if (function == Function::thread_changing) add(Address::k, motion.center[0]);
+  if (function == Function::thread_changing) add_length(Address::k, motion.center[0]);
   block();
 }
 
@@ -220,7 +227,9 @@ void BlockWriter::spindle(const ir::Motion& motion) {
   }
   surface_speed_ = surface;
   add(motion.spindle == ir::SpindleState::clockwise ? Function::spindle_cw : Function::spindle_ccw);
-  add(Address::s, surface ? motion.surface_speed_m_min : motion.spindle_rpm);
+  constexpr double kFoot_m = 0.3048;
+  const double speed_unit_m = unit_mm_ == 1.0 ? 1.0 : kFoot_m;
+  add(Address::s, surface ? motion.surface_speed_m_min / speed_unit_m : motion.spindle_rpm);
   if (surface && motion.spindle_rpm > 0.0) add(Address::spindle_limit, motion.spindle_rpm);
   block();
 }

@@ -20,7 +20,7 @@ class BlockWriter {
  public:
   // `control` says how the blocks mean their words: lathe or mill, diameter, tool words. `names` must be those of the
   // run.
-  BlockWriter(ir::Program& program, const ir::Control& control, const interpreter::RunNames& names);
+  BlockWriter(ir::Program& program, const ir::Control& control, const interpreter::RunNames& names, bool inch);
 
   // Unit, plane, distance, feed mode, compensation off, diameter: before the first motion.
   void safe_start(ir::Plane plane, ir::FeedMode feed_mode);
@@ -47,6 +47,8 @@ class BlockWriter {
   [[nodiscard]] bool counts_along_x(const ir::Motion& motion) const;
   void add(ir::Function function, std::int16_t argument = 0) { codes_.push_back({function, argument}); }
   void add(ir::Address address, double value) { words_.push_back({address, emit_.constant(value)}); }
+  // Of a length in mm, or of a feed that is a length.
+  void add_length(ir::Address address, double value_mm) { add(address, value_mm / unit_mm_); }
   // The block of what was added.
   void block();
 
@@ -57,6 +59,7 @@ class BlockWriter {
   std::vector<family::EmittedCode> codes_;
   std::vector<family::EmittedWord> words_;
   CarriedWords carried_;
+  double unit_mm_;
 
   // What the blocks have set.
   ir::Function motion_ = ir::Function::none;

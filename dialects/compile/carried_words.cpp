@@ -47,7 +47,7 @@ constexpr auto kAxes = std::to_array<AxisRow>({
     {Address::w, Address::z},
 });
 
-// H and D stay in effect, so that each is carried wherever it stands.
+// T of a mill is made ready; H and D stay in effect, so that each is carried wherever it stands.
 void add_number(const ir::Program& program, const ir::Word& word, CarriedBlock& out) {
   if (word.value == ir::ExpressionId::none) return;
   const ir::Expression& value = program.at(word.value);
@@ -69,13 +69,16 @@ void add_axes(const ir::Program& program, const ir::Block& block, CarriedWords& 
 
 bool is_carried(Function function) { return std::ranges::find(kRows, function, &CarriedRow::function) != kRows.end(); }
 
+const ir::Program* CarriedBlocks::source_of(std::uint32_t program, const std::vector<std::string>& names) const {
+  if (program == 0 || is_section(program, names)) return &main_;
+  return program < names.size() ? finder_.find(names[program]) : nullptr;
+}
+
 const CarriedBlock* CarriedBlocks::at(std::uint32_t program, const std::vector<std::string>& names,
                                       std::uint32_t line) {
   auto known = programs_.find(program);
   if (known == programs_.end()) {
-    const ir::Program* source = program == 0 || is_section(program, names) ? &main_
-                                : program < names.size()                   ? finder_.find(names[program])
-                                                                           : nullptr;
+    const ir::Program* source = source_of(program, names);
     known = programs_.emplace(program, source == nullptr ? ByLine{} : collect(*source)).first;
   }
   const auto found = known->second.find(line);
@@ -115,6 +118,14 @@ CarriedBlock CarriedBlocks::carried_by(const ir::Program& program, const ir::Blo
     words.codes.push_back({code.function, code.argument});
     if (row->carry == Carry::code_in_own) add_axes(program, block, carried.alone);
   }
+  const bool changes = std::ranges::any_of(program.codes_of(block),
+                                           [](const ir::Code& c) { return c.function == Function::tool_change; });
+  const bool prepares =
+      prepares_tools_ && !changes &&
+      std::ranges::find(program.words_of(block), Address::t, &ir::Word::address) != program.words_of(block).end();
+  for (const ir::Word& word : program.words_of(block))
+    if (prepares && (word.address == Address::t || (semantics_.d_selects_edge && word.address == Address::d)))
+      add_number(program, word, carried);
   if (semantics_.d_selects_edge || other_words) return carried;
   for (const ir::Word& word : program.words_of(block)) {
     const bool length = word.address == Address::h && !semantics_.incremental_letters_uvw;

@@ -10,8 +10,8 @@
 
 #include "dialects/family/emitter.h"
 #include "dialects/interpreter/interpreter.h"
+#include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
-#include "dialects/ir/semantics.h"
 
 namespace dripfeed::compile {
 
@@ -42,12 +42,17 @@ bool is_carried(ir::Function function);
 // The blocks that have something to carry, by program of the run and line. Words with a computed value cannot be.
 class CarriedBlocks {
  public:
-  // `main` is program 0 of the run; the others are asked of `finder` by name. `semantics` are the control's: where D
-  // selects the edge, motions have it, and H is no number of a length.
-  CarriedBlocks(const ir::Program& main, const ir::Semantics& semantics, interpreter::ProgramFinder& finder)
-      : main_(main), semantics_(semantics), finder_(finder) {}
+  // `main` is program 0 of the run; the others are asked of `finder` by name. Where D selects the edge on `control`,
+  // motions have it, and H is no number of a length.
+  CarriedBlocks(const ir::Program& main, const ir::Control& control, interpreter::ProgramFinder& finder)
+      : main_(main),
+        semantics_(control.semantics),
+        prepares_tools_(control.kind == ir::MachineKind::mill && control.semantics.tool_word == ir::ToolWord::number),
+        finder_(finder) {}
 
-  // nullptr: nothing. `names` are the run's programs. Valid as long as this.
+  // Number `program` of the run; nullptr when nobody has it. `names` are the run's programs.
+  const ir::Program* source_of(std::uint32_t program, const std::vector<std::string>& names) const;
+  // nullptr: nothing. Valid as long as this.
   const CarriedBlock* at(std::uint32_t program, const std::vector<std::string>& names, std::uint32_t line);
 
  private:
@@ -58,6 +63,7 @@ class CarriedBlocks {
 
   const ir::Program& main_;
   const ir::Semantics& semantics_;
+  bool prepares_tools_;  // T waits for M6
   interpreter::ProgramFinder& finder_;
   std::map<std::uint32_t, ByLine> programs_;
 };

@@ -16,6 +16,7 @@ constexpr std::size_t kLongestComment = 120;  // characters of one line; longer 
 struct Carried {
   std::uint32_t line = 0;
   std::string text;
+  bool is_title = false;  // behind the program's number
 };
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
@@ -39,6 +40,12 @@ std::string_view inner(std::string_view comment) {
 }
 
 bool is_framing(std::string_view comment) { return comment.starts_with(";$PATH="); }
+
+// "O0012 …"
+bool is_program_number(std::string_view line) {
+  line = trimmed(line);
+  return line.size() > 1 && (line[0] == 'O' || line[0] == ':') && line[1] >= '0' && line[1] <= '9';
+}
 
 class CommentText {
  public:
@@ -104,7 +111,7 @@ std::vector<Carried> comments_of(const ir::Program& program, const ir::Control& 
     }
     if (text.empty()) continue;
     if (out.empty() || out.back().line != line)
-      out.push_back({line, text});
+      out.push_back({line, text, is_program_number(program.source.line(line))});
     else
       out.back().text += " " + text;
   }
@@ -179,6 +186,9 @@ class Weaver {
   }
 
   void put(std::string_view line, std::uint32_t origin) {
+    if (origin == 0 && next_ < comments_.size() && comments_[next_].is_title && is_program_number(line) &&
+        takes_comment(line))
+      return add(std::string(line) + " " + comment(comments_[next_++].text), origin);
     const bool has_own = next_ < comments_.size() && comments_[next_].line == origin && origin != 0;
     if (!has_own) return add(line, origin);
     const Carried& carried = comments_[next_++];

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -15,7 +16,9 @@
 #include "dialects/compile/lower_turning.h"
 #include "dialects/compile/machine_moves.h"
 #include "dialects/compile/moves_in_place.h"
+#include "dialects/compile/own_cycles.h"
 #include "dialects/compile/parameter_calls.h"
+#include "dialects/compile/print_for.h"
 #include "dialects/compile/settle_faces.h"
 #include "dialects/compile/several_programs.h"
 #include "dialects/compile/source_lines.h"
@@ -29,6 +32,7 @@
 #include "dialects/passes/main_return.h"
 #include "dialects/passes/polar_positions.h"
 #include "dialects/passes/rigid_taps.h"
+#include "dialects/passes/safe_start.h"
 #include "dialects/passes/settle_modes.h"
 #include "dialects/passes/structures.h"
 
@@ -98,6 +102,23 @@ bool repeats_a_part(const ir::Statement& s) { return s.kind == ir::StatementKind
 
 constexpr std::uint32_t kHighestBlockNumber = 9999;  // that all of them take
 
+// Operators find their place by the block numbers: the first block that a numbered line makes has its number.
+void number_blocks(const ir::Program& program, ExplicitProgram& made) {
+  std::map<std::uint32_t, std::uint32_t> numbers;  // by line
+  for (const ir::Label& label : program.labels)
+    if (label.number != ir::kNoIndex) numbers.try_emplace(program.statements[label.statement].line, label.number);
+  for (std::uint32_t i = 0; i < made.program.statements.size() && !numbers.empty(); ++i) {
+    const std::uint32_t origin = made.program.statements[i].line;
+    const auto number = origin == 0 ? numbers.end() : numbers.find(made.origins[origin - 1].line);
+    if (number == numbers.end()) continue;
+    ir::Label label;
+    label.number = number->second;
+    label.statement = i;
+    made.program.labels.push_back(label);
+    numbers.erase(number);
+  }
+}
+
 class Converter {
  public:
   Converter(const ConvertRequest& request, const Dialect& from, const Dialect& to)
@@ -124,6 +145,8 @@ class Converter {
     if (!text::has_error(result_.diagnostics)) refuse_faulty(read.program);
     if (text::has_error(result_.diagnostics)) return;
     append(result_.diagnostics, unlike_machine_moves(read.program, request_.from, request_.to));
+    if (request_.mode == ConvertMode::macro)
+      append(result_.diagnostics, own_cycles(read.program, request_.to, request_.library));
     if (request_.mode == ConvertMode::macro) {
       if (!ir::has_numbered_variables(request_.to)) passes::returns_of_main_as_jumps(read.program);
       if (uses_iso_mode(read.program)) {
@@ -157,6 +180,7 @@ class Converter {
       }
       if (!text::has_error(result_.diagnostics)) comments(read.program);
     } else {
+      in_place_.watch(read.program, true);
       explicit_blocks(read.program);
     }
   }
@@ -189,7 +213,7 @@ class Converter {
     ir::RaiseResult raised = raise(program, from);
     append(result_.diagnostics, std::move(raised.diagnostics));
     if (text::has_error(result_.diagnostics)) return;
-    ir::PrintResult printed = to_.print(raised.program, request_.to);
+    ir::PrintResult printed = print_for(to_, raised.program, request_.to);
     result_.text = std::move(printed.text);
     result_.origin_lines = std::move(printed.origin_lines);
   }
@@ -247,7 +271,7 @@ class Converter {
       raised.program.name = joined.name_there(program);
       levels.add(raised.program.name, raised.program);
       if (!text::has_error(result_.diagnostics))
-        joined.add(program, raised.program, to_.print(raised.program, request_.to));
+        joined.add(program, raised.program, print_for(to_, raised.program, request_.to));
     }
     append(result_.diagnostics, joined.diagnostics());
     append(result_.diagnostics, levels.too_deep(request_.to));
@@ -306,8 +330,10 @@ class Converter {
       one.notes = {{.span = one.span, .text = "translated to \"" + std::string(written.line(line)) + "\"" + alarm}};
       result_.diagnostics.push_back(std::move(one));
     }
-    if (!text::has_error(result_.diagnostics))
+    if (!text::has_error(result_.diagnostics)) {
       append(result_.diagnostics, in_place_.compare(read.program, result_.origin_lines));
+      result_.not_verified = in_place_.not_compared();
+    }
     if (text::has_error(result_.diagnostics)) result_.text.clear();
   }
 
@@ -323,16 +349,20 @@ class Converter {
   void explicit_blocks(const ir::Program& program) {
     interpreter::ProgramFinder& none = interpreter::no_programs();
     interpreter::ProgramFinder& finder = request_.library == nullptr ? none : *request_.library;
-    const ExplicitProgram made =
-        explicit_program(program, request_.from, finder, {.limits = request_.limits, .initial_values = {}});
+    ExplicitProgram made = explicit_program(program, request_.from, finder,
+                                            {.limits = request_.limits, .initial_values = {}, .own_unit = true});
     append(result_.diagnostics, run_faults(made));
     say_skip_decided(program);
     append(result_.diagnostics, passes::assumed_modes(program, request_.from));
+    append(result_.diagnostics, passes::unsaid_modes(program, request_.from, false).diagnostics);
     if (text::has_error(result_.diagnostics)) return;
+    number_blocks(program, made);
     print(made.program, made.control);
+    if (text::has_error(result_.diagnostics)) return;
     for (std::uint32_t& line : result_.origin_lines) {
       if (line != 0) line = made.origins[line - 1].line;
     }
+    comments(program);
   }
 
   const ConvertRequest& request_;

@@ -29,6 +29,9 @@ struct ConvertResult {
   std::string text;                           // empty with an error, except where it is the source's own bytes
   std::vector<std::uint32_t> origin_lines;    // per printed line the source's line; empty for the source's own bytes
   std::vector<text::Diagnostic> diagnostics;  // spans in `source`
+  // Source and translation were run and made the same moves; otherwise why that cannot be said. Empty for the source's
+  // own bytes, too.
+  std::string not_verified;
 };
 
 // macro: read, raise, print; explicit: read, interpret, print plain blocks.

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "dialects/compile/block_writer.h"
 #include "dialects/compile/carried_words.h"
 #include "dialects/compile/dialect.h"
+#include "dialects/compile/lost_writes.h"
 #include "dialects/compile/source_lines.h"
 #include "dialects/passes/rigid_taps.h"
 
@@ -37,16 +39,30 @@ ir::Control explicit_control(const ir::Control& source) {
   return out;
 }
 
+// G70 of SINUMERIK leaves the feeds metric: such a program is written in mm.
+bool is_in_inches(const ir::Program& program, const ir::Control& control) {
+  bool inch = false;
+  for (const ir::Code& c : program.codes) {
+    if (c.function == ir::Function::unit_mm || (c.function == ir::Function::unit_inch && c.argument != 0)) return false;
+    inch |= c.function == ir::Function::unit_inch;
+  }
+  const auto given = std::ranges::find(control.caller_modes, ir::ModalGroup::unit, &ir::CodeRow::group);
+  if (inch || given == control.caller_modes.end())
+    return inch || (control.semantics.power_on_known && control.semantics.power_on_unit == ir::Function::unit_inch);
+  return given->function == ir::Function::unit_inch && given->argument == 0;
+}
+
 class Recorder final : public ir::MotionSink, public interpreter::BlockObserver {
  public:
   Recorder(const ir::Program& source, ExplicitProgram& out, CarriedBlocks& carried, const interpreter::RunNames& names,
-           bool want_changes)
+           const ExplicitOptions& options, const ir::Control& control)
       : source_(source),
         out_(out),
         carried_(carried),
+        writes_(control),
         names_(names),
-        writer_(out.program, out.control, names),
-        want_changes_(want_changes) {}
+        writer_(out.program, out.control, names, options.own_unit && is_in_inches(source, control)),
+        want_changes_(options.want_changes) {}
 
   void block(const ir::Place& place, std::span<const interpreter::VariableChange> changes) override {
     if (place.program == 0) {
@@ -59,6 +75,8 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
       for (const std::string& word : carried->computed) lose(word);
       pending_.push_back({place.ordinal, main_line_, carried});
     }
+    if (!source_.source.text().empty())
+      writes_.executed(place.program, program_of(place.program), place.line, span_of_line(out_.source, main_line_));
     if (!want_changes_) return;
     for (const interpreter::VariableChange& change : changes) out_.changes.push_back({place.ordinal, change});
   }
@@ -66,6 +84,8 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   void consume(std::span<const ir::Motion> motions) override {
     for (const ir::Motion& motion : motions) {
       watch_spindle(motion);
+      const bool cuts = ir::is_move(motion.kind) && motion.kind != ir::MotionKind::rapid;
+      if (cuts && motion.feed == 0.0) lose("a cut whose feed is not known");
       carry_until(motion.place.ordinal);
       if (!std::exchange(started_, true)) start(&motion);
       const std::uint32_t line = origin({line_of(motion.place), motion.place.ordinal});
@@ -85,6 +105,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   void finish(const interpreter::RunResult& run) {
     if (!started_) start(nullptr);
     carry_until(~std::uint64_t{0});
+    for (text::Diagnostic& lost : writes_.found()) out_.lost.push_back(std::move(lost));
     writer_.flush(out_.origins.empty() ? 0 : static_cast<std::uint32_t>(out_.origins.size()));
     if (run.ended == interpreter::Ended::end && !ended_ && returns_at(run.last))
       writer_.write_return(origin({run.last.line, run.last.ordinal}));
@@ -160,9 +181,18 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
     return after == calls_.begin() ? 0 : std::prev(after)->line;
   }
 
+  // Asked of the finder once.
+  const ir::Program* program_of(std::uint32_t index) {
+    if (index >= sources_.size()) sources_.resize(index + 1);
+    if (!sources_[index]) sources_[index] = carried_.source_of(index, names_.programs);
+    return *sources_[index];
+  }
+
   const ir::Program& source_;
   ExplicitProgram& out_;
   CarriedBlocks& carried_;
+  LostWrites writes_;
+  std::vector<std::optional<const ir::Program*>> sources_;  // by number of the run
   const interpreter::RunNames& names_;
   BlockWriter writer_;
   bool want_changes_;
@@ -188,8 +218,9 @@ std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made) {
   out.reserve(run.diagnostics.size());
   for (const interpreter::RunDiagnostic& fault : run.diagnostics) out.push_back(fault.diagnostic);
   for (const interpreter::NotInterpreted& lost : run.not_interpreted) {
-    if (lost.effects_known || is_carried(lost.function)) continue;
+    if (is_carried(lost.function)) continue;
     out.push_back(cannot_say(lost.name, span_in_main(made, lost.program, lost.first_line)));
+    if (lost.effects_known) out.back().severity = text::Severity::warning;
     // Its chords are written; whether the control bends as we do is for somebody to look at.
     if (lost.function == ir::Function::spline) out.back().severity = text::Severity::warning;
   }
@@ -197,7 +228,13 @@ std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made) {
   for (const interpreter::ComputedCodeUse& code : run.computed_codes) {
     if (is_carried(code.function)) out.push_back(cannot_say("a calculated code, here " + code.name, {}));
   }
-  out.insert(out.end(), made.lost.begin(), made.lost.end());
+  for (const text::Diagnostic& lost : made.lost) {
+    // What is not interpreted is said already.
+    const auto same = [&](const text::Diagnostic& d) {
+      return d.id == lost.id && d.severity == lost.severity && d.span.begin == lost.span.begin;
+    };
+    if (lost.span.empty() || std::ranges::none_of(out, same)) out.push_back(lost);
+  }
   const bool broke_off = run.ended == interpreter::Ended::alarm || run.ended == interpreter::Ended::limit;
   if (broke_off && !run.diagnostics.empty()) out[run.diagnostics.size() - 1].severity = text::Severity::error;
   return out;
@@ -269,9 +306,9 @@ ExplicitProgram explicit_program(const ir::Program& program, const ir::Control& 
   out.program.name = program.name;
   out.control = explicit_control(control);
   out.source = program.source;
-  CarriedBlocks carried(program, control.semantics, finder);
+  CarriedBlocks carried(program, control, finder);
   interpreter::RunNames names;
-  Recorder recorder(program, out, carried, names, options.want_changes);
+  Recorder recorder(program, out, carried, names, options, control);
   interpreter::RunOptions run;
   run.limits = options.limits;
   run.initial_values = options.initial_values;

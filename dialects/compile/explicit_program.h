@@ -45,6 +45,7 @@ struct ExplicitOptions {
   interpreter::Limits limits = kWrittenLimits;
   std::vector<interpreter::InitialValue> initial_values;
   bool want_changes = false;
+  bool own_unit = false;  // in inches where the program is written in them throughout; otherwise in mm
 };
 
 // Runs `program` as `control` would. The result is whole when run.ended is `end` or `text_end` and no diagnostic is an

@@ -22,6 +22,7 @@
 #include "dialects/facts/axis_words.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/passes/rewrite.h"
+#include "dialects/passes/round_positions.h"
 
 namespace dripfeed::compile {
 
@@ -270,7 +271,7 @@ class Lowering {
       const auto at = [&](std::size_t axis) {
         const bool stays = !first && m.end[axis] == m.start[axis];
         if (stays || (m.axes_commanded & (1U << axis)) == 0) return ExpressionId::none;
-        return constant(rounded(m.end[axis] / mm * (axis == 0 ? x_scale_ : 1.0)));
+        return constant(rounded(m.end[axis] * (axis == 0 ? x_scale_ : 1.0), mm));
       };
       const ExpressionId x = at(0);
       const ExpressionId z = at(2);
@@ -285,9 +286,11 @@ class Lowering {
     }
   }
 
-  [[nodiscard]] double rounded(double value) const {
-    const double places = std::pow(10.0, to_.limits.linear_decimals);
-    return std::nearbyint(value * places) / places;
+  // In units of `mm`, as the control counts them.
+  [[nodiscard]] double rounded(double value_mm, double mm) const {
+    const double increment = passes::least_increment_mm(to_, mm != 1.0) / mm;
+    const double per_unit = std::nearbyint(1.0 / increment);
+    return std::nearbyint(value_mm / mm * per_unit) / per_unit;
   }
 
   // The block's other codes and words go into the first move.
@@ -346,7 +349,8 @@ class Lowering {
   ExpressionId sum(ExpressionId a, ExpressionId b, double times) {
     const std::optional<double> left = number(a);
     const std::optional<double> right = number(b);
-    if (left && right) return constant(rounded(*left + *right * times));
+    // Six places: without what a binary fraction leaves.
+    if (left && right) return constant(std::nearbyint((*left + *right * times) * 1e6) / 1e6);
     const ExpressionId product = times == 1.0 ? b
                                  : right      ? constant(*right * times)
                                               : program_.add_operator(Operator::multiply, b, constant(times));

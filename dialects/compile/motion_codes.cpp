@@ -52,6 +52,14 @@ bool has_row(const ir::Control& control, Function function, std::int16_t argumen
 
 bool is_arc(MotionKind kind) { return kind == MotionKind::arc_cw || kind == MotionKind::arc_ccw; }
 
+std::uint16_t axes_to_name(const ir::Motion& motion) {
+  std::uint16_t named = motion.axes_commanded;
+  if (motion.machine_coordinates) return named;
+  for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis)
+    if (motion.start[axis] != motion.end[axis]) named |= static_cast<std::uint16_t>(1U << axis);
+  return named;
+}
+
 bool is_in_plane(ir::Plane plane, std::size_t axis) {
   const std::size_t normal = plane == ir::Plane::xy ? 2 : plane == ir::Plane::zx ? 1 : 0;
   return axis < kCenterAddresses.size() && axis != normal;

@@ -6,10 +6,16 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "dialects/compile/motion_codes.h"
 #include "dialects/compile/moves_in_place.h"
+#include "dialects/passes/round_positions.h"
+#include "dialects/text/number.h"
 
 namespace dripfeed::compile {
 
@@ -31,8 +37,9 @@ bool matters(const ir::Motion& m) {
 // Whether the end of the first rapid lies on the straight way that both go.
 bool only_stops(const ir::Motion& first, const ir::Motion& second) {
   if (first.kind != ir::MotionKind::rapid || second.kind != ir::MotionKind::rapid) return false;
-  if (first.machine_coordinates || second.machine_coordinates || first.axes_unknown != 0 || second.axes_unknown != 0)
-    return false;
+  const std::uint16_t moved = first.axes_commanded | second.axes_commanded;
+  if (first.machine_coordinates || second.machine_coordinates) return false;
+  if (((first.axes_unknown | second.axes_unknown) & moved) != 0) return false;
   constexpr double kDetour_mm = 1e-6;
   const auto distance = [](const Place& a, const Place& b) {
     double sum = 0.0;
@@ -61,26 +68,42 @@ std::vector<PlacedMove> moves_of(const RecordedRun& run, Origin&& origin_of) {
   return out;
 }
 
+// The first cut behind a rapid, and what else a cycle does.
+enum class CyclePart : std::uint8_t { none, entry, other };
+
 class Comparison {
  public:
-  Comparison(const ir::Control& from, const ir::Control& to)
+  // `inch`: one of the two may be written in inches.
+  Comparison(const ir::Control& from, const ir::Control& to, bool inch)
       : x_factor_(diameter(to) / diameter(from)),
-        tolerance_mm_(1.1 * std::pow(10.0, -std::min(from.limits.linear_decimals, to.limits.linear_decimals))) {}
+        tolerance_mm_(1.1 * std::max(passes::least_increment_mm(from, inch), passes::least_increment_mm(to, inch))) {}
 
-  // `of_cycle`: both are moves of a cycle that is said by another cycle.
-  [[nodiscard]] bool same(const ir::Motion& a, const ir::Motion& b, bool of_cycle) const {
+  // `part`: of a cycle that is said by another cycle, where both are moves of one.
+  [[nodiscard]] bool same(const ir::Motion& a, const ir::Motion& b, CyclePart part) const {
+    const bool of_cycle = part != CyclePart::none;
     if (a.kind == ir::MotionKind::dwell) return b.kind == a.kind && alike(a.feed, b.feed);
     const bool chord = a.kind == ir::MotionKind::spline && b.kind == ir::MotionKind::linear;
     if (a.kind != b.kind && !chord && !(of_cycle && may_stand_for(a.kind, b.kind))) return false;
     if (a.machine_coordinates != b.machine_coordinates || a.comp != b.comp || a.coolant != b.coolant) return false;
     if (!same_end(a, b)) return false;
     if (a.kind != b.kind && !chord) return true;
+    // Where the spindle turns back and which speed it has out of the hole, the cycles know; into it, it is the same.
+    const bool turns = part == CyclePart::none || part == CyclePart::entry;
     const bool has_center = is_arc(a.kind) || a.kind == ir::MotionKind::thread;
     if (has_center && !std::ranges::equal(a.center, b.center, [&](double x, double y) { return near(x, y); }))
       return false;
     const bool same_speed = alike(a.spindle_rpm, b.spindle_rpm) && alike(a.surface_speed_m_min, b.surface_speed_m_min);
-    if (a.spindle != b.spindle || !same_speed) return false;
+    const bool left = a.kind == ir::MotionKind::thread && (a.feed < 0.0) != (b.feed < 0.0);
+    if (left) return std::abs(a.feed + b.feed) <= kLeadShare * std::abs(a.feed) && (!turns || turns_alike(a, b));
+    if (turns && (a.spindle != b.spindle || !same_speed)) return false;
     return a.kind == ir::MotionKind::rapid || (alike(a.feed, b.feed) && a.feed_mode == b.feed_mode);
+  }
+
+  // A straight move, no longer than the control rounds.
+  [[nodiscard]] bool stays(const ir::Motion& m) const {
+    if (m.kind != ir::MotionKind::rapid && m.kind != ir::MotionKind::linear) return false;
+    if (m.machine_coordinates || (m.axes_unknown & m.axes_commanded) != 0) return false;
+    return std::ranges::equal(m.start, m.end, [&](double x, double y) { return near(x, y); });
   }
 
   // Both are moves of one tap.
@@ -104,6 +127,11 @@ class Comparison {
   static double lead_mm(const ir::Motion& m) {
     const bool by_time = m.kind == ir::MotionKind::linear && m.feed_mode == ir::FeedMode::per_min;
     return by_time ? m.feed / m.spindle_rpm : m.feed;
+  }
+  // A lead below 0 is a left-hand tap, whatever the spindle did before it.
+  static bool turns_alike(const ir::Motion& a, const ir::Motion& b) {
+    const ir::Motion& other = a.feed < 0.0 ? b : a;
+    return other.spindle == ir::SpindleState::counterclockwise && alike(a.spindle_rpm, b.spindle_rpm);
   }
   static double diameter(const ir::Control& c) {
     return c.semantics.power_on_diameter == ir::DiameterMode::radius ? 1.0 : 2.0;
@@ -129,26 +157,52 @@ class Comparison {
   double tolerance_mm_;
 };
 
+// "line X10. Y2. F100": what of a move a reader looks for first, and what is in effect otherwise than with the other.
+std::string said(const ir::Motion& m, const ir::Motion& other) {
+  constexpr std::string_view kAxes = "XYZABCUVW";
+  constexpr std::array kKinds = {"rapid", "line", "arc G2", "arc G3", "curve", "thread", "dwell"};
+  static_assert(kKinds.size() == static_cast<std::size_t>(ir::MotionKind::dwell) + 1);
+  std::string out = kKinds[static_cast<std::size_t>(m.kind)];
+  const auto number = [](double value, bool bare) {
+    std::string digits;
+    text::append_word_number(digits, value, 4, bare);
+    return digits;
+  };
+  if (m.kind == ir::MotionKind::dwell) return out + " " + number(m.feed, true) + " s";
+  for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis)
+    if ((axes_to_name(m) & (1U << axis)) != 0) out += fmt::format(" {}{}", kAxes[axis], number(m.end[axis], false));
+  if (m.feed != 0.0) out += " F" + number(m.feed, true);
+  constexpr std::array kComps = {" G40", " G41", " G42"};
+  constexpr std::array kSpindles = {" M5", " M3", " M4"};
+  constexpr std::array kCoolants = {" M9", " M7", " M8"};
+  if (m.comp != other.comp) out += kComps[static_cast<std::size_t>(m.comp)];
+  if (m.spindle != other.spindle) out += kSpindles[static_cast<std::size_t>(m.spindle)];
+  if (m.spindle_rpm != other.spindle_rpm) out += " S" + number(m.spindle_rpm, true);
+  if (m.coolant != other.coolant) out += kCoolants[static_cast<std::size_t>(m.coolant)];
+  if (m.machine_coordinates) out += " in machine coordinates";
+  return out;
+}
+
 }  // namespace
 
 std::vector<text::Diagnostic> MovesInPlace::compare(const ir::Program& translation,
                                                     const std::vector<std::uint32_t>& origin_lines) const {
-  if (owners_.empty() && !as_read_) return {};
   for (std::size_t setting = 0; setting < runs_.size(); ++setting) {
-    const std::optional<std::uint32_t> line = first_difference(translation, origin_lines, setting);
-    if (!line) continue;
-    const auto span = spans_.find(*line);
-    const std::string_view what = owners_.empty() ? "what moves here in a program with ISO mode"
-                                                  : "what moves here beside statements that are written as their moves";
-    return {text::make_diagnostic(text::DiagnosticId::cannot_translate,
-                                  span == spans_.end() ? text::Span{} : span->second, {std::string(what), to_.title})};
+    const std::optional<Difference> other = first_difference(translation, origin_lines, setting);
+    if (!other) continue;
+    const auto span = spans_.find(other->line);
+    return {text::make_diagnostic(
+        text::DiagnosticId::cannot_translate, span == spans_.end() ? text::Span{} : span->second,
+        {fmt::format("what moves here{} ({})",
+                     owners_.empty() ? "" : " beside statements that are written as their moves", other->what),
+         to_.title})};
   }
   return {};
 }
 
-std::optional<std::uint32_t> MovesInPlace::first_difference(const ir::Program& translation,
-                                                            const std::vector<std::uint32_t>& origin_lines,
-                                                            std::size_t setting) const {
+std::optional<MovesInPlace::Difference> MovesInPlace::first_difference(const ir::Program& translation,
+                                                                       const std::vector<std::uint32_t>& origin_lines,
+                                                                       std::size_t setting) const {
   ProgramLibrary standard(to_, [](std::string_view) { return std::nullopt; });
   interpreter::RunOptions options;
   options.limits = kRunLimits;
@@ -157,24 +211,51 @@ std::optional<std::uint32_t> MovesInPlace::first_difference(const ir::Program& t
   const auto wanted = moves_of(runs_[setting], [](std::uint32_t line) { return line; });
   const auto made = moves_of(
       run, [&](std::uint32_t line) { return line == 0 || line > origin_lines.size() ? 0 : origin_lines[line - 1]; });
-  const Comparison comparison(from_, to_);
+  const bool inch =
+      to_.semantics.power_on_unit == ir::Function::unit_inch ||
+      std::ranges::find(translation.codes, ir::Function::unit_inch, &ir::Code::function) != translation.codes.end();
+  const Comparison comparison(from_, to_, inch);
   const auto tap_line = [&](std::uint32_t line) {
     const auto at = tap_lines_.find(line);
     return at == tap_lines_.end() ? 0U : at->second;
   };
-  const std::size_t shorter = std::min(wanted.size(), made.size());
-  for (std::size_t i = 0; i < shorter; ++i) {
-    const std::uint32_t tap = tap_line(wanted[i].line);
-    if (tap != 0 && tap == tap_line(made[i].line)) {
-      if (!comparison.same_of_tap(wanted[i].motion, made[i].motion)) return wanted[i].line;
-      continue;
+  std::size_t i = 0;
+  std::size_t j = 0;
+  const auto same = [&](const PlacedMove& a, const PlacedMove& b) {
+    const std::uint32_t tap = tap_line(a.line);
+    if (tap != 0 && tap == tap_line(b.line)) return comparison.same_of_tap(a.motion, b.motion);
+    const bool of_cycle = cycles_.contains(a.line) && b.line == a.line;
+    const bool enters =
+        a.motion.kind != ir::MotionKind::rapid && (i == 0 || wanted[i - 1].motion.kind == ir::MotionKind::rapid);
+    return comparison.same(a.motion, b.motion,
+                           !of_cycle ? CyclePart::none
+                           : enters  ? CyclePart::entry
+                                     : CyclePart::other);
+  };
+  while (i < wanted.size() && j < made.size()) {
+    if (same(wanted[i], made[j])) {
+      ++i, ++j;
+    } else if (comparison.stays(wanted[i].motion)) {
+      ++i;  // as short as an increment of the control: rounded, it is none
+    } else if (comparison.stays(made[j].motion)) {
+      ++j;
+    } else {
+      return Difference{wanted[i].line, fmt::format("{}; in the translation {}", said(wanted[i].motion, made[j].motion),
+                                                    said(made[j].motion, wanted[i].motion))};
     }
-    const bool of_cycle = cycles_.contains(wanted[i].line) && made[i].line == wanted[i].line;
-    if (!comparison.same(wanted[i].motion, made[i].motion, of_cycle)) return wanted[i].line;
   }
-  if (wanted.size() != made.size()) return wanted.size() > shorter ? wanted[shorter].line : made[shorter].line;
-  if (run.is_whole && run.result.ended == interpreter::Ended::end) return std::nullopt;
-  return owners_.empty() ? wanted.empty() ? 1 : wanted.back().line : owners_.front();
+  while (i < wanted.size() && comparison.stays(wanted[i].motion)) ++i;
+  while (j < made.size() && comparison.stays(made[j].motion)) ++j;
+  if (i < wanted.size())
+    return Difference{wanted[i].line,
+                      said(wanted[i].motion, wanted[i].motion) + ", which the translation does not make"};
+  if (j < made.size())
+    return Difference{made[j].line, "the translation also makes " + said(made[j].motion, made[j].motion)};
+  const bool ended =
+      run.result.ended == interpreter::Ended::end || (returns_ && run.result.ended == runs_[setting].result.ended);
+  if (run.is_whole && ended) return std::nullopt;
+  const std::uint32_t last = wanted.empty() ? 1 : wanted.back().line;
+  return Difference{owners_.empty() ? last : owners_.front(), "the translation does not come to its end"};
 }
 
 }  // namespace dripfeed::compile

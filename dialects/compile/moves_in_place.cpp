@@ -123,8 +123,12 @@ std::vector<text::Diagnostic> MovesInPlace::lower(ir::Program& program) {
   kinds_ = without_equal(program, from_, to_);
   find_taps(program);
   const bool replaces = std::ranges::any_of(kinds_, [](WithoutEqual kind) { return kind != WithoutEqual::no; });
-  if (!replaces && !as_read_) return {};
-  if (const std::string what = obstacle(program); !what.empty()) {
+  if (!replaces && !as_read_) {
+    watch(program, false);
+    return std::move(diagnostics_);
+  }
+  not_compared_ = obstacle(program);
+  if (const std::string& what = not_compared_; !what.empty()) {
     runs_.clear();
     for (std::size_t i = 0; i < kinds_.size(); ++i)
       if (const ir::Statement& s = program.statements[i];
@@ -136,6 +140,10 @@ std::vector<text::Diagnostic> MovesInPlace::lower(ir::Program& program) {
   passes::Rewrite out(program);
   const auto count = static_cast<std::uint32_t>(program.statements.size());
   find_cycles(program);
+  std::erase_if(program.labels, [&](const ir::Label& label) {
+    return label.name == ir::StringId::none && kinds_[label.statement] == WithoutEqual::no &&
+           is_dropped(program.statements[label.statement].line);
+  });
   for (std::uint32_t i = 0; i < count; ++i) {
     out.at(i);
     if (kinds_[i] == WithoutEqual::tap)
@@ -155,10 +163,7 @@ std::vector<text::Diagnostic> MovesInPlace::lower(ir::Program& program) {
 std::string MovesInPlace::obstacle(const ir::Program& program) {
   if (program.sections.size() > 1) return "another program in the same text";
   if (const std::optional<OutsideInfluence> outside = outside_influence(program)) return outside->what;
-  const std::set<std::uint8_t> levels = skip_levels(program);
-  if (levels.size() > 1) return "block skip of several levels";
-  settings_ = {0};
-  if (!levels.empty()) settings_.push_back(1U << *levels.begin());
+  if (std::string levels = set_switches(program); !levels.empty()) return levels;
   shapes_ = shapes_of(program);
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
     if (kinds_[i] == WithoutEqual::no || kinds_[i] == WithoutEqual::tap_part) continue;
@@ -169,6 +174,15 @@ std::string MovesInPlace::obstacle(const ir::Program& program) {
   if (library_ != nullptr) return run(program, *library_);
   ProgramLibrary own(from_, [](std::string_view) { return std::nullopt; });
   return run(program, own);
+}
+
+// All levels off, and all on.
+std::string MovesInPlace::set_switches(const ir::Program& program) {
+  const std::set<std::uint8_t> levels = skip_levels(program);
+  if (levels.size() > 1) return "block skip of several levels";
+  settings_ = {0};
+  if (!levels.empty()) settings_.push_back(1U << *levels.begin());
+  return {};
 }
 
 std::string MovesInPlace::run(const ir::Program& program, ProgramLibrary& library) {
@@ -346,12 +360,18 @@ MovesInPlace::Restored MovesInPlace::restored(const ir::Program& program, std::u
   return out;
 }
 
-// Kept lines of several moves, and where each line stands.
+// Kept lines of several moves, and where each line stands. The blocks of a cycle that the control brings along have the
+// line of its call.
 void MovesInPlace::find_cycles(const ir::Program& program) {
-  for (const RecordedRun& run : runs_)
-    for (const Visit& visit : run.visits)
-      if (std::ranges::count_if(run.motions_of(visit), [](const ir::Motion& m) { return ir::is_move(m.kind); }) > 1)
-        cycles_.insert(visit.line);
+  for (const RecordedRun& run : runs_) {
+    std::uint32_t line = 0;
+    std::ptrdiff_t moves = 0;
+    for (const Visit& visit : run.visits) {
+      if (std::exchange(line, visit.line) != visit.line) moves = 0;
+      moves += std::ranges::count_if(run.motions_of(visit), [](const ir::Motion& m) { return ir::is_move(m.kind); });
+      if (moves > 1) cycles_.insert(line);
+    }
+  }
   for (const std::uint32_t line : owners_) cycles_.erase(line);
   for (const ir::Statement& s : program.statements) spans_.try_emplace(s.line, s.span);
 }

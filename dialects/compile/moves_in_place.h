@@ -44,10 +44,15 @@ class MovesInPlace {
   void run_as(const ir::Program& program) { as_read_ = program; }
   // Replaces what it can; what cannot be said so is an error at its block.
   std::vector<text::Diagnostic> lower(ir::Program& program);
+  // Runs a program of which nothing is replaced, for compare(). `called`: whether the programs that it calls are part
+  // of the translation.
+  void watch(const ir::Program& program, bool called);
   // Whether the translation, with the source's line for each of its lines, moves as the source did; an error at the
-  // first line that does not. Nothing where nothing was replaced or spliced.
+  // first line that does not.
   [[nodiscard]] std::vector<text::Diagnostic> compare(const ir::Program& translation,
                                                       const std::vector<std::uint32_t>& origin_lines) const;
+  // Why compare() cannot say anything; empty when it can.
+  [[nodiscard]] const std::string& not_compared() const { return not_compared_; }
 
  private:
   struct Restored {
@@ -69,10 +74,17 @@ class MovesInPlace {
   [[nodiscard]] std::string rest_of(const ir::Program& program, std::uint32_t index, BlockRest& rest) const;
   [[nodiscard]] Restored restored(const ir::Program& program, std::uint32_t index, PlainMoves& moves) const;
   [[nodiscard]] bool is_dropped(std::uint32_t line) const;
-  // A line of the source whose moves are others in the translation; nothing where there is none.
-  [[nodiscard]] std::optional<std::uint32_t> first_difference(const ir::Program& translation,
-                                                              const std::vector<std::uint32_t>& origin_lines,
-                                                              std::size_t setting) const;
+  [[nodiscard]] std::string watched(const ir::Program& program, bool called);
+  [[nodiscard]] std::string set_switches(const ir::Program& program);
+  // Of the source.
+  struct Difference {
+    std::uint32_t line = 0;
+    std::string what;
+  };
+  // The first move that is another one in the translation; nothing where there is none.
+  [[nodiscard]] std::optional<Difference> first_difference(const ir::Program& translation,
+                                                           const std::vector<std::uint32_t>& origin_lines,
+                                                           std::size_t setting) const;
   void find_cycles(const ir::Program& program);
   [[nodiscard]] std::string lost_with_shape(const ir::Program& program) const;
   void cannot(std::string what, text::Span span);
@@ -92,6 +104,8 @@ class MovesInPlace {
   std::vector<RecordedRun> runs_;                     // one a setting
   std::map<std::uint32_t, text::Span> spans_;         // by line
   std::set<std::uint32_t> cycles_;                    // lines that make several moves and are kept
+  std::string not_compared_ = "it was not run";
+  bool returns_ = false;  // runs_ are of a text without a program end
   std::vector<text::Diagnostic> diagnostics_;
 };
 

@@ -117,7 +117,7 @@ std::expected<void, std::string> PlainMoves::move(const ir::Motion& motion, Bloc
     codes.push_back(code_of(comp, ModalGroup::comp));
   std::vector<ir::Word> words;
   for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis) {
-    const bool named = (motion.axes_commanded & (1U << axis)) != 0;
+    const bool named = (axes_to_name(motion) & (1U << axis)) != 0;
     if (named || (arc && is_in_plane(motion.plane, axis))) words.push_back(position(axis, motion.end[axis]));
   }
   for (std::size_t axis = 0; arc && axis < kCenterAddresses.size(); ++axis)

@@ -12,6 +12,7 @@
 #include "dialects/compile/dialect.h"
 #include "dialects/compile/explicit_program.h"
 #include "dialects/compile/index_places.h"
+#include "dialects/compile/print_for.h"
 #include "dialects/compile/printed_lines.h"
 #include "dialects/compile/wrap.h"
 #include "dialects/family/build.h"
@@ -90,7 +91,7 @@ class Renderer {
     ExplicitProgram made =
         explicit_program(built_, control_, interpreter::no_programs(), {.initial_values = {}, .want_changes = true});
     report(run_faults(made));
-    const ir::RaiseResult raised = dialect_.raise(made.program, made.control, request_.target);
+    ir::RaiseResult raised = dialect_.raise(made.program, made.control, request_.target);
     report(raised.diagnostics);
     if (text::has_error(result_.diagnostics)) return;
     result_.mode = RenderMode::explicit_blocks;
@@ -99,8 +100,8 @@ class Renderer {
     index_places(made);
   }
 
-  void print(const ir::Program& raised) {
-    printed_ = dialect_.print(raised, request_.target);
+  void print(ir::Program& raised) {
+    printed_ = print_for(dialect_, raised, request_.target);
     if (request_.delivery == ir::Delivery::drip) wrap_for_wire(printed_, dialect_.name, built_.name);
   }
 

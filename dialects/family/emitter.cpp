@@ -28,6 +28,7 @@ constexpr auto kGroups = std::to_array<GroupRow>({
     {Function::plane_xy, ModalGroup::plane},
     {Function::plane_zx, ModalGroup::plane},
     {Function::unit_mm, ModalGroup::unit},
+    {Function::unit_inch, ModalGroup::unit},
     {Function::absolute, ModalGroup::distance},
     {Function::feed_per_min, ModalGroup::feed},
     {Function::feed_per_rev, ModalGroup::feed},

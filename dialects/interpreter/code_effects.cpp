@@ -27,7 +27,13 @@ void surface_speed(CodeContext& c, bool on) {
   c.state.modes.surface_speed = on;
   c.effects.surface_code = c.effects.announces = true;
 }
+// An F of the other kind is none of this one: 500 mm a minute are not 500 mm a turn. SINUMERIK wants another F then
+// (PG, "Feedrate"); what the others go on with is not known.
 void feed(CodeContext& c, ir::FeedMode mode) {
+  if (mode != c.state.modes.feed_mode && c.state.feed != 0.0) {
+    c.state.feed = 0.0;
+    c.state.feed_unknown = !c.rules.semantics.feed_code_ends_surface_speed;
+  }
   c.state.modes.feed_mode = mode;
   // … but the feed code that a reader puts beside G96 belongs to it.
   if (c.rules.semantics.feed_code_ends_surface_speed && c.state.modes.surface_speed && !c.effects.surface_code) {

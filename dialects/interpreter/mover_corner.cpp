@@ -99,6 +99,10 @@ bool Mover::cut_corner(ir::Motion& before, ir::Motion& between, ir::Motion& afte
   after.center[axes.p] += was.p - corner->to.p;
   after.center[axes.q] += was.q - corner->to.q;
   if (after.kind == MotionKind::linear) after.center = {};
+  // The pieces turn aside from the letters of the two blocks: each names what it moves.
+  for (ir::Motion* piece : {&before, &between, &after})
+    for (const std::size_t axis : {axes.p, axes.q})
+      if (piece->start[axis] != piece->end[axis]) piece->axes_commanded |= static_cast<std::uint16_t>(1U << axis);
   return true;
 }
 

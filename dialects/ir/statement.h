@@ -259,6 +259,7 @@ struct Native {
   StringId name = StringId::none;
   bool effects_known = false;  // declared to neither move nor change state
   bool moves = false;          // axes may be anywhere after it
+  bool writes = false;         // to a file or a device, for others to read
 };
 
 // A part of the program that is run again: from the first label to where this stands, to the block of the last label

@@ -131,7 +131,6 @@ class HoleReader {
     const std::optional<double> speed = number_at(10, 0.0);
     const std::optional<double> out = number_at(11, 0.0);
     if (!after || !nominal || !lead || !angle || !speed || !out) return " with computed values of its thread";
-    if (*after != 3.0 && *after != 4.0 && *after != 5.0) return " without what its spindle does behind it (SDAC)";
     if (*nominal != 0.0 || *lead == 0.0) return " without the lead of its thread (PIT)";
     if (*angle != 0.0) return " with an angle of its spindle";
     if (*speed <= 0.0 || (*out != 0.0 && *out != *speed)) return " without one speed for both ways";
@@ -139,7 +138,7 @@ class HoleReader {
     hole.cycle = *lead < 0.0 ? DrillCycle::tap_left : DrillCycle::tap_right;
     hole.lead = std::abs(*lead);
     hole.speed = *speed;
-    hole.after = static_cast<int>(*after);
+    hole.after = *after == 3.0 || *after == 4.0 ? static_cast<int>(*after) : 5;  // otherwise it stands
     return {};
   }
 

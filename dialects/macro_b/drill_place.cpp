@@ -19,14 +19,20 @@ using ir::Function;
 using ir::ModalGroup;
 using ir::StatementKind;
 
-// Behind them the number of a height is another height.
-constexpr ModalGroup kOtherHeights[] = {ModalGroup::frame, ModalGroup::work_offset, ModalGroup::unit, ModalGroup::plane,
-                                        ModalGroup::length_offset};
+// Behind them the numbers of a place are another place.
+constexpr ModalGroup kOtherPlaces[] = {ModalGroup::frame, ModalGroup::work_offset, ModalGroup::unit, ModalGroup::plane,
+                                       ModalGroup::length_offset};
 
-bool changes_height(const ir::Code& c) {
+bool changes_place(const ir::Code& c) {
   const bool stays = c.function == Function::dwell || c.function == Function::exact_stop_once;
   return (c.group == ModalGroup::non_modal && !stays) || c.function == Function::cycle_off ||
-         std::ranges::find(kOtherHeights, c.group) != std::end(kOtherHeights);
+         std::ranges::find(kOtherPlaces, c.group) != std::end(kOtherPlaces);
+}
+
+// Words by which a block names its end without its letter.
+bool is_by_angle(Address a) {
+  return a == Address::polar_angle || a == Address::polar_radius || a == Address::opening_angle ||
+         a == Address::direct_angle;
 }
 
 bool is_distance(const ir::Code& c) { return facts::mode_of(c) == facts::Mode::distance; }
@@ -105,9 +111,9 @@ void DrillPlace::take_block() {
   const ir::Block& block = program_.blocks[statement().payload];
   for (const ir::Code& c : program_.codes_of(block)) take_code(c);
   if (in_cycle_ || statement().skip_level != 0 || block.rest_level != 0)
-    state.height.reset();
+    lose_position();
   else if (!facts::has_own_words(program_, block))
-    take_height(block);
+    take_position(block);
   take_turning(block);
 }
 
@@ -118,17 +124,24 @@ void DrillPlace::take_code(const ir::Code& c) {
   if (c.group == ModalGroup::plane) plane_ = c.function;
   if (c.function == Function::absolute || c.function == Function::incremental)
     incremental_ = c.function == Function::incremental;
-  if (changes_height(c)) state.height.reset();
+  if (changes_place(c)) lose_position();
 }
 
-void DrillPlace::take_height(const ir::Block& block) {
+void DrillPlace::lose_position() {
+  state.height.reset();
+  state.in_plane = {};
+}
+
+void DrillPlace::take_position(const ir::Block& block) {
   const std::optional<bool> incremental = is_incremental(program_.codes_of(block));
   for (const ir::Word& w : program_.words_of(block)) {
     if (w.address == Address::d || w.address == Address::t) state.height.reset();
-    if (w.address != Address::z) continue;
     const bool is_absolute =
         w.mode == ir::WordMode::absolute || (w.mode == ir::WordMode::as_modal && incremental == false);
-    state.height = is_absolute ? constant_value(program_, w.value) : std::nullopt;
+    const std::optional<double> value = is_absolute ? constant_value(program_, w.value) : std::nullopt;
+    if (w.address == Address::z) state.height = value;
+    if (w.address == Address::x || w.address == Address::y) state.in_plane[w.address == Address::x ? 0 : 1] = value;
+    if (is_by_angle(w.address)) state.in_plane = {};
   }
 }
 

@@ -2,6 +2,7 @@
 // it. It follows the order of the text; what the ways to a place say otherwise is settled where a hole needs it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -34,7 +35,8 @@ struct Turning {
 
 // What is not known where ways meet or something runs that is not followed.
 struct DrillState {
-  std::optional<double> height;  // along Z
+  std::optional<double> height;                   // along Z
+  std::array<std::optional<double>, 2> in_plane;  // X and Y
   Turning turning;
 };
 
@@ -72,7 +74,8 @@ class DrillPlace {
   // Nothing where the ways differ.
   [[nodiscard]] std::optional<bool> is_incremental(std::span<const ir::Code> codes) const;
   void take_code(const ir::Code& code);
-  void take_height(const ir::Block& block);
+  void take_position(const ir::Block& block);
+  void lose_position();
   void take_turning(const ir::Block& block);
 
   const ir::Program& program_;

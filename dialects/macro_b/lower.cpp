@@ -72,7 +72,7 @@ ir::Statement& BlockLowering::emit(StatementKind kind, std::uint32_t payload, co
 }
 
 void BlockLowering::emit_native(std::string_view name, bool effects_known, const BlockPlace& place, bool moves) {
-  program_.natives.push_back({program_.strings.add(name), effects_known, moves});
+  program_.natives.push_back({.name = program_.strings.add(name), .effects_known = effects_known, .moves = moves});
   emit(StatementKind::native, static_cast<std::uint32_t>(program_.natives.size() - 1), place);
 }
 

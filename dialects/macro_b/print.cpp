@@ -267,9 +267,10 @@ std::string ProgramPrinter::word(const ir::Word& word, bool p_is_angle) const {
   const double magnitude = std::abs(value.value);
   const int whole_digits = magnitude < 1.0 ? 0 : static_cast<int>(std::floor(std::log10(magnitude))) + 1;
   const int room = static_cast<int>(control_.limits.digits) - whole_digits;
-  // Computed values get the places that the trace has; written ones keep theirs, on a named machine both get its own.
-  const int unnamed = value.span.empty() ? kComputedDecimals : kWrittenDecimals;
-  const int wanted = control_.from_profile ? control_.limits.linear_decimals : unnamed;
+  // Computed values get the places that the trace has, and an inch one more than the control has for a millimetre;
+  // written ones keep theirs.
+  const int wanted =
+      value.span.empty() ? std::max(kComputedDecimals, control_.limits.linear_decimals + 1) : kWrittenDecimals;
   text::append_word_number(out, value.value, std::clamp(std::min(room, wanted), 0, 9), !value.has_point);
   return out;
 }

@@ -176,7 +176,7 @@ class StatementRaiser {
     if (same_dialect_ && s.tokens.first != s.tokens.last) return out_.keep();
     const std::string name(program_.strings.at(native.name));
     if (name == kSmoothing) return blocks_.leave_out(s, name);
-    if (!native.effects_known) blocks_.cannot(s, name);
+    if (!native.effects_known || native.writes) blocks_.cannot(s, name);
   }
 
   // The end's statement has a block that holds its code alone.

@@ -154,6 +154,8 @@ class Drilling {
     }
     if (v[5] < 1.0 || v[5] > kMostHoles) return place_.cannot(name + " with that number of holes");
     const bool on_circle = name == "HOLES2";
+    if (!on_circle && v[5] > 1.0 && !begin_nearer(v))
+      return place_.cannot(name + " from a place that is not known here");
     const double step = v[4] == 0.0 ? 360.0 / v[5] : v[4];
     for (int n = 0; n < v[5]; ++n) {
       const double angle = (on_circle ? v[3] + n * step : v[2]) * kRadiansPerDegree;
@@ -163,7 +165,23 @@ class Drilling {
     if (!is_cycle_) holes_.motion_again(false);
   }
 
+  // A row begins with its last hole where that one is nearer. False where the tool stands nobody knows.
+  bool begin_nearer(std::array<double, 6>& row) {
+    const auto [x, y] = place_.state.in_plane;
+    if (!x || !y) return false;
+    const double angle = row[2] * kRadiansPerDegree;
+    const double last = row[3] + (row[5] - 1.0) * row[4];
+    const auto distance = [&](double along) {
+      return std::hypot(*x - row[0] - along * std::cos(angle), *y - row[1] - along * std::sin(angle));
+    };
+    if (distance(last) >= distance(row[3])) return true;
+    row[3] = last;
+    row[4] = -row[4];
+    return true;
+  }
+
   void position(double x, double y) {
+    place_.state.in_plane = {x, y};
     const std::vector<ir::Word> words = {holes_.absolute(Address::x, x), holes_.absolute(Address::y, y)};
     if (is_cycle_) return out_.emit_block({}, words);
     ir::Code rapid;

@@ -47,6 +47,8 @@ struct WarningRow {
   ModalGroup group;
   text::DiagnosticId id;
 };
+constexpr std::string_view kHowToStateUnit =
+    "the translation would have to claim one: state it in the program, by --modes, or in the machine's profile";
 constexpr WarningRow kWarnings[] = {
     {ModalGroup::unit, text::DiagnosticId::unit_not_stated},
     {ModalGroup::distance, text::DiagnosticId::distance_mode_not_stated},
@@ -60,8 +62,11 @@ UnsaidModes unsaid_modes(const ir::Program& program, const ir::Control& from, bo
   if (!start) return out;
   const ir::Semantics& s = from.semantics;
   const auto says = [&](ModalGroup group) { return std::ranges::find(start->said, group) != start->said.end(); };
+  const auto given = [&](ModalGroup group) { return std::ranges::find(from.caller_modes, group, &ir::CodeRow::group); };
   const auto add = [&](ModalGroup group, Function function) {
-    if (!says(group)) out.modes.push_back({group, function});
+    if (says(group)) return;
+    const auto row = given(group);
+    out.modes.push_back({group, row == from.caller_modes.end() ? function : row->function});
   };
   add(ModalGroup::motion, s.power_on_motion);
   add(ModalGroup::plane, s.power_on_plane);
@@ -72,7 +77,13 @@ UnsaidModes unsaid_modes(const ir::Program& program, const ir::Control& from, bo
   if (s.power_on_known) return out;
   for (const WarningRow& row : kWarnings) {
     const bool by_letter = row.group == ModalGroup::distance && s.incremental_letters_uvw;
-    if (!says(row.group) && !by_letter) out.diagnostics.push_back(text::make_diagnostic(row.id, start->first_move));
+    const bool is_given = given(row.group) != from.caller_modes.end();
+    if (says(row.group) || by_letter || is_given) continue;
+    out.diagnostics.push_back(text::make_diagnostic(row.id, start->first_move));
+    // An inch for a millimetre scraps the part: nothing is written that was taken for granted.
+    if (row.group != ModalGroup::unit) continue;
+    out.diagnostics.back().severity = text::Severity::error;
+    out.diagnostics.back().notes = {{.span = start->first_move, .text = std::string(kHowToStateUnit)}};
   }
   return out;
 }

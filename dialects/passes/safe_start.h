@@ -17,8 +17,9 @@ struct UnsaidMode {
 };
 
 struct UnsaidModes {
-  std::vector<UnsaidMode> modes;              // motion, plane, unit, distance, feed, diameter
-  std::vector<text::Diagnostic> diagnostics;  // those of them that no profile has confirmed: warnings
+  std::vector<UnsaidMode> modes;  // motion, plane, unit, distance, feed, diameter
+  std::vector<text::Diagnostic>
+      diagnostics;  // those of them that no profile has confirmed: warnings; of the unit: an error
 };
 
 // Modes that the program relies on and does not say before it first moves, in the order of the text. None for a

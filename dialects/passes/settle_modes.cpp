@@ -339,7 +339,7 @@ class Assuming {
     if (!argument.empty()) arguments.push_back(std::move(argument));
     if (id == text::DiagnosticId::unknown_modal_state) arguments.push_back(taken);
     text::Diagnostic d = text::make_diagnostic(id, span, std::move(arguments));
-    d.severity = text::Severity::warning;
+    d.severity = mode == Mode::unit ? text::Severity::error : text::Severity::warning;
     if (id != text::DiagnosticId::unknown_modal_state) d.notes.push_back({span, taken});
     diagnostics_.push_back(std::move(d));
   }

@@ -1,6 +1,10 @@
 // CYCLE81 to CYCLE89 and the rows and circles of holes (PGZ, "Drilling cycles and drilling patterns"). The lead of a
 // tap is K whatever its axis: the interpreter takes I, J and K alike. Behind CYCLE84 the spindle has the speed again
-// that it had before the call.
+// that it had before the call. It was turned by its position: behind the cycle it turns only where SDAC is 3 or 4.
+// Steps of DAM that is not 0 break chips (VARI 1, back by VRT) or remove them (VARI 2).
+//
+// CYCLE83: DAM above 0 makes each stroke that much shorter, but not shorter than DAM; where at most 2 DAM are left, the
+// last two strokes are alike. Below 0 it is the factor of each stroke to the one before, and MDEP the shortest one.
 #include <array>
 
 #include "dialects/sinumerik/cycle_texts.h"
@@ -43,7 +47,7 @@ ENDIF
 FEED=$P_F
 STROKE=ABS(RFP-FDEP)
 LEAST=MDEP
-IF (LEAST==0) AND (DAM>0)
+IF DAM>0
 LEAST=DAM
 ENDIF
 IF STROKE==0
@@ -88,7 +92,7 @@ IF DAM<0
 STROKE=MAXVAL(STROKE*ABS(DAM),LEAST)
 ENDIF
 LEFT=ABS(AT-DP)
-IF (DAM<>0) AND (LEFT>STROKE) AND (LEFT<2*STROKE)
+IF (DAM>0) AND (LEFT>STROKE) AND (LEFT<=2*DAM)
 STROKE=LEFT/2
 ENDIF
 NEXT=AT-SIDE*STROKE
@@ -105,7 +109,7 @@ M17
     {"CYCLE84",
      R"(PROC CYCLE84(@hole, REAL DTB, INT SDAC, REAL MPIT, REAL PIT, REAL POSS, REAL SST, REAL SST1, INT AXN, INT PITA, INT TECHNO, INT VARI, REAL DAM, REAL VRT, STRING[15] PITM, STRING[20] PTAB, STRING[20] PTABA, @screen) SAVE DISPLOF
 @axes
-DEF REAL LEAD, SPEED
+DEF REAL LEAD, SPEED, NEXT
 DEF INT SIZE
 SPEED=$P_S
 @lead
@@ -116,6 +120,22 @@ IF SST1==0
 SST1=SST
 ENDIF
 G90 G0 AX[TOOLAX]=RFP+SIDE*SDIS
+NEXT=DP
+IF (VARI>0) AND (DAM<>0)
+IF VRT==0
+VRT=1
+ENDIF
+NEXT=RFP-SIDE*ABS(DAM)
+WHILE SIDE*(NEXT-DP)>0
+G331 AX[TOOLAX]=NEXT K=LEAD S=SST
+IF VARI==1
+G332 AX[TOOLAX]=NEXT+SIDE*VRT K=LEAD S=SST1
+ELSE
+G332 AX[TOOLAX]=RFP+SIDE*SDIS K=LEAD S=SST1
+ENDIF
+NEXT=NEXT-SIDE*ABS(DAM)
+ENDWHILE
+ENDIF
 G331 AX[TOOLAX]=DP K=LEAD S=SST
 IF DTB>0
 G4 F=DTB
@@ -125,16 +145,10 @@ G0 AX[TOOLAX]=RTP
 IF SPEED>0
 S=SPEED
 ENDIF
-IF SDAC==3
-M3
-ENDIF
-IF SDAC==4
-M4
-ENDIF
-IF SDAC==5
-M5
-ENDIF
-M17
+CASE (SDAC) OF 3 GOTOF CLOCKWISE 4 GOTOF COUNTERCLOCKWISE DEFAULT GOTOF STANDING
+CLOCKWISE: M3 M17
+COUNTERCLOCKWISE: M4 M17
+STANDING: M5 M17
 )"},
     // ENC: 1 without an encoder at the feed that is programmed, 20 with a dwell. The spindle turns back by SDR, or by
     // itself, and goes on by SDAC.
@@ -272,13 +286,28 @@ G90 G0 AX[FIRST]=PX8 AX[SECOND]=PY8
 ENDIF
 M17
 )"},
+    // From the end that is nearer to where the tool stands (PGZ, "Row of holes - HOLES1").
     {"HOLES1",
      R"(PROC HOLES1(REAL SPCA, REAL SPCO, REAL STA1, REAL FDIS, REAL DBH, INT NUM, INT VARI, INT DM, STRING[200] HIDE, INT NSP, INT AM) SAVE DISPLOF
 @axes
 DEF INT I
+DEF REAL ALONG, NEXT, TO_FIRST, TO_LAST
 @plane
+ALONG=FDIS
+NEXT=DBH
+IF NUM>1
+TO_FIRST=POT($P_EP[FIRST]-SPCA-ALONG*COS(STA1))+POT($P_EP[SECOND]-SPCO-ALONG*SIN(STA1))
+ALONG=FDIS+(NUM-1)*DBH
+TO_LAST=POT($P_EP[FIRST]-SPCA-ALONG*COS(STA1))+POT($P_EP[SECOND]-SPCO-ALONG*SIN(STA1))
+IF TO_LAST<TO_FIRST
+NEXT=-DBH
+ELSE
+ALONG=FDIS
+ENDIF
+ENDIF
 FOR I=0 TO NUM-1
-G90 G0 AX[FIRST]=SPCA+(FDIS+I*DBH)*COS(STA1) AX[SECOND]=SPCO+(FDIS+I*DBH)*SIN(STA1)
+G90 G0 AX[FIRST]=SPCA+ALONG*COS(STA1) AX[SECOND]=SPCO+ALONG*SIN(STA1)
+ALONG=ALONG+NEXT
 ENDFOR
 M17
 )"},

@@ -11,6 +11,9 @@ namespace dripfeed::sinumerik {
 
 namespace {
 
+// Statements that write a file or to a device (PGA, "Write file", "Delete file", "Process DataShare").
+constexpr std::string_view kFileWriters[] = {"WRITE", "DELETE", "EXTOPEN", "EXTCLOSE"};
+
 using ir::StatementKind;
 
 // What a line does before its words that are kept as written.
@@ -242,7 +245,8 @@ void Lowering::keep_as_native(std::string_view native_name, bool effects_known, 
   const auto dropped = std::remove_if(statements.begin() + first_statement_, statements.end(),
                                       [](const ir::Statement& s) { return !is_control_flow(s.kind); });
   statements.erase(dropped, statements.end());
-  push(StatementKind::native, program_.natives, ir::Native{name(native_name), effects_known, moves}, span);
+  const bool writes = std::ranges::find(kFileWriters, native_name) != std::end(kFileWriters);
+  push(StatementKind::native, program_.natives, ir::Native{name(native_name), effects_known, moves, writes}, span);
   native_ = true;
 }
 

@@ -34,13 +34,9 @@ std::string_view name_of(ir::ValueType type) {
 class Printer {
  public:
   Printer(const ir::Program& program, const ir::Control& control)
-      : program_(program),
-        expressions_(program, control),
-        blocks_(program, control),
-        targets_(program.labels.size(), false) {}
+      : program_(program), expressions_(program, control), blocks_(program, control) {}
 
   ir::PrintResult print() {
-    find_targets();
     for (std::uint32_t i = 0; i < program_.statements.size(); ++i) statement(i);
     end_line();
     result_.variables = count_variables();
@@ -48,17 +44,6 @@ class Printer {
   }
 
  private:
-  // Block numbers are printed where a jump leads to them, labels always.
-  void find_targets() {
-    std::set<std::uint32_t> numbers;
-    for (const ir::Jump& jump : program_.jumps)
-      if (jump.label == ir::StringId::none && jump.number != ir::kNoIndex) numbers.insert(jump.number);
-    for (std::size_t i = 0; i < program_.labels.size(); ++i) {
-      const ir::Label& label = program_.labels[i];
-      targets_[i] = label.name != ir::StringId::none || numbers.contains(label.number);
-    }
-  }
-
   void statement(std::uint32_t i) {
     const ir::Statement& s = program_.statements[i];
     const bool labelled = has_printed_label(i);
@@ -76,7 +61,7 @@ class Printer {
     open_skip_ = s.skip_level;
     joinable_ = s.kind == StatementKind::assign && comment_.empty();
     if (s.skip_level > 0) line_ += s.skip_level == 1 ? "/ " : "/" + std::to_string(s.skip_level - 1) + " ";
-    if (labelled) labels(i);
+    if (labelled) labels(i, s);
     line_ += words;
     if (!comment_.empty()) line_ += " ; " + std::exchange(comment_, {});
   }
@@ -104,19 +89,25 @@ class Printer {
 
   [[nodiscard]] bool has_printed_label(std::uint32_t statement) const {
     const auto [first, last] = labels_at(statement);
-    for (std::size_t i = first; i < last; ++i)
-      if (targets_[i]) return true;
-    return false;
+    return first != last;
   }
 
-  void labels(std::uint32_t statement) {
+  // Of several block numbers of one place each but the last has a line of its own.
+  void labels(std::uint32_t statement, const ir::Statement& s) {
     const auto [first, last] = labels_at(statement);
+    const auto is_number = [](const ir::Label& label) { return label.name == ir::StringId::none; };
+    bool numbered = false;
+    for (std::size_t i = first; i < last; ++i) {
+      if (!is_number(program_.labels[i])) continue;
+      if (std::exchange(numbered, true)) {
+        end_line();
+        open_line_ = true;
+        origin_ = s.line;
+      }
+      line_ += "N" + std::to_string(program_.labels[i].number) + " ";
+    }
     for (std::size_t i = first; i < last; ++i)
-      if (targets_[i] && program_.labels[i].name == ir::StringId::none)
-        line_ += "N" + std::to_string(program_.labels[i].number) + " ";
-    for (std::size_t i = first; i < last; ++i)
-      if (program_.labels[i].name != ir::StringId::none)
-        line_ += std::string(program_.strings.at(program_.labels[i].name)) + ": ";
+      if (!is_number(program_.labels[i])) line_ += std::string(program_.strings.at(program_.labels[i].name)) + ": ";
   }
 
   void value(std::string& out, ir::ExpressionId id) const { expressions_.append(out, id); }
@@ -389,7 +380,6 @@ class Printer {
   const ir::Program& program_;
   ExpressionPrinter expressions_;
   BlockPrinter blocks_;
-  std::vector<bool> targets_;  // of the labels: printed
   std::set<std::uint32_t> named_;
   ir::PrintResult result_;
   std::string line_;

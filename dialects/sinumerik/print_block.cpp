@@ -205,10 +205,9 @@ std::string BlockPrinter::word(const ir::Word& w, std::span<const ir::Word> word
 }
 
 int BlockPrinter::position_decimals(const ir::Expression& e) const {
-  const int stated = control_.limits.linear_decimals;
-  if (control_.from_profile && stated > 0) return stated;
-  // Computed values get the places that the trace has, written ones keep theirs.
-  return std::max(stated, e.span.empty() ? kComputedDecimals : kPlainDecimals);
+  // Computed values get the places that the trace has, and an inch one more than the control has for a millimetre;
+  // written ones keep theirs.
+  return std::max(control_.limits.linear_decimals + 1, e.span.empty() ? kComputedDecimals : kPlainDecimals);
 }
 
 }  // namespace dripfeed::sinumerik

@@ -121,7 +121,7 @@ void raise_flow(const Raising& raising) {
       const std::string name(program.strings.at(native.name));
       raising.cannot(name.empty() ? std::string("this block") : name, s.span);
       // What neither moves nor changes state is lost without harm, and said.
-      if (native.effects_known) raising.diagnostics.back().severity = text::Severity::warning;
+      if (native.effects_known && !native.writes) raising.diagnostics.back().severity = text::Severity::warning;
       program.statements[i].kind = StatementKind::empty;
       program.statements[i].payload = ir::kNoIndex;
     }

@@ -6,6 +6,7 @@
 
 #include "dialects/compile/convert.h"
 #include "server/cli/cli.h"
+#include "server/cli/documents.h"
 #include "server/cli/inputs.h"
 #include "server/cli/output.h"
 
@@ -57,9 +58,12 @@ int convert(const Options& options) {
   const auto mode = options.mode == "macro" ? compile::ConvertMode::macro : compile::ConvertMode::explicit_blocks;
   const compile::ConvertResult result = compile::convert(
       {.source = *source, .from = from->control, .to = to->control, .mode = mode, .library = &library});
-  print_diagnostics(result.diagnostics, *source, from->control.title);
+  if (options.text.json && !write_output(options.text.output, convert_document(result, *source))) return kWrongUse;
+  if (!options.text.json) print_diagnostics(result.diagnostics, *source, from->control.title);
   const bool own_bytes = options.from == options.to && mode == compile::ConvertMode::macro;
   if (!own_bytes && text::has_error(result.diagnostics)) return kFailed;
+  if (options.text.json) return kDone;
+  if (!result.not_verified.empty()) print_error("not verified by running it: " + result.not_verified);
   return write_output(options.text.output, result.text) ? kDone : kWrongUse;
 }
 

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "server/json/diagnostics.h"
 #include "store/hash/hash.h"
 
 namespace dripfeed::cli {
@@ -66,6 +67,15 @@ std::string run_document(const interpreter::RunResult& result) {
                {"variables", variables},
                {"variables_left_off", result.variables.size() - variables.size()},
                {"not_interpreted", skipped}});
+}
+
+std::string convert_document(const compile::ConvertResult& result, const text::Source& source) {
+  const bool failed = text::has_error(result.diagnostics);
+  const bool verified = !failed && result.not_verified.empty();
+  return dump({{"text", failed ? Document(nullptr) : Document(result.text)},
+               {"verified", verified},
+               {"not_verified", result.not_verified.empty() ? Document(nullptr) : Document(result.not_verified)},
+               {"diagnostics", Document::parse(json::diagnostics(result.diagnostics, source))}});
 }
 
 std::string render_document(const compile::RenderResult& result) {

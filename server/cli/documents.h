@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dialects/compile/convert.h"
 #include "dialects/compile/execute.h"
 #include "dialects/compile/render.h"
 #include "protocol/receive/transfer.h"
@@ -23,6 +24,8 @@ struct WireHashes {
 };
 
 std::string run_document(const interpreter::RunResult& result);
+// {"text","verified","not_verified","diagnostics"}: `not_verified` is why it is not, null where it is.
+std::string convert_document(const compile::ConvertResult& result, const text::Source& source);
 std::string render_document(const compile::RenderResult& result);
 std::string link_test_document(const app::LinkTestResult& result, const machine::LineSettings& line, bool kept);
 // `read_back`: what came of it; empty: none was due. `line`: the record of the line after it.

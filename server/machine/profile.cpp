@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <initializer_list>
 #include <string_view>
 #include <utility>
@@ -244,7 +245,10 @@ ir::Control control_of(const Profile& profile, ir::Control control) {
   if (settings.power_on_feed) semantics.power_on_feed = *settings.power_on_feed;
   if (settings.power_on_plane) semantics.power_on_plane = *settings.power_on_plane;
   semantics.power_on_known = settings.power_on_confirmed;
-  if (settings.increment_mm > 0) semantics.least_increment_mm = settings.increment_mm;
+  if (settings.increment_mm > 0) {
+    semantics.least_increment_mm = settings.increment_mm;
+    control.limits.linear_decimals = static_cast<int>(std::ceil(-std::log10(settings.increment_mm) - 1e-9));
+  }
   if (!settings.variables.empty()) control.variables = settings.variables;
   if (settings.block_length_bytes) control.limits.block_length_bytes = *settings.block_length_bytes;
   control.code_calls = settings.code_calls;

@@ -113,7 +113,7 @@ TEST(Explicit, SubprogramsGoBackToTheirCaller) {
 
 // What comes first may be no move: a lathe's plane is Z-X all the same.
 TEST(Explicit, LathesBeginInTheirPlane) {
-  const ConvertResult made = converted("%\nO3\nM16\nG00 X20. Z5.\nM30\n%\n", "sinumerik-840d",
+  const ConvertResult made = converted("%\nO3\nM16\nG21 G00 X20. Z5.\nM30\n%\n", "sinumerik-840d",
                                        ConvertMode::explicit_blocks, ir::MachineKind::lathe);
   EXPECT_NE(made.text.find("G18"), std::string::npos) << made.text;
   EXPECT_EQ(made.text.find("G17"), std::string::npos) << made.text;

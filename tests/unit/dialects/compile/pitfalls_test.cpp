@@ -41,8 +41,8 @@ const std::vector<Pitfall>& pitfalls() {
   static const std::vector<Pitfall> all = {
       {"1 decimal point", kS, kF, kMacro, kMillS, "G0 X100 Y=50\n", {"X100.", "Y50."}, {"X100 ", "Y50\n"}},
       {"1 increments", kF, kS, kMacro, kMillF, "G0 X100 Y1.\n", {"X0.1"}, {"X100"}},
-      {"2 power-on state", kF, kS, kMacro, "%\nO1\n", "G0 X1.\nG1 X2. F10.\n", {"G17 G710 G90 G94\n"}, {}},
-      {"2 power-on state", kS, kF, kMacro, kNone, "G0 X1\nG1 X2 F10\n", {"G17 G21 G90 G94\n"}, {}},
+      {"2 power-on state", kF, kS, kMacro, "%\nO1\nG21\n", "G0 X1.\nG1 X2. F10.\n", {"G17 G90 G94\n"}, {}},
+      {"2 power-on state", kS, kF, kMacro, "G710\n", "G0 X1\nG1 X2 F10\n", {"G17 G90 G94\n"}, {}},
       {"3 comparisons",
        kF,
        kS,

@@ -156,14 +156,18 @@ TEST(Subprograms, OfSinumerikNeedToSayTheirDistanceMode) {
 }
 
 TEST(Subprograms, RunByThemselvesTellWhatIsAssumed) {
-  const std::string text = "O0100\nG01 X10. F0.2\nM99\n";
+  const std::string text = "O0100\nG21 G01 X10. F0.2\nM99\n";
   const ConvertResult result = turned(text, "fanuc", "mazak", ConvertMode::explicit_blocks);
   ASSERT_FALSE(text::has_error(result.diagnostics)) << complaints(result);
+  EXPECT_NE(result.not_verified.find("which only its caller can run"), std::string::npos) << result.not_verified;
   EXPECT_NE(complaints(result).find("taken as feed per revolution at power-on; a caller may have set"),
             std::string::npos)
       << complaints(result);
-  EXPECT_NE(complaints(result).find("taken as millimetre"), std::string::npos) << complaints(result);
-  const ConvertResult main = turned("O0100\nG01 X10. F0.2\nM30\n", "fanuc", "mazak", ConvertMode::explicit_blocks);
+  // Inch or millimetre is nothing to take for granted.
+  const ConvertResult no_unit = turned("O0100\nG01 X10. F0.2\nM99\n", "fanuc", "mazak", ConvertMode::explicit_blocks);
+  EXPECT_TRUE(text::has_error(no_unit.diagnostics)) << no_unit.text;
+  EXPECT_NE(complaints(no_unit).find("taken as millimetre"), std::string::npos) << complaints(no_unit);
+  const ConvertResult main = turned("O0100\nG21 G01 X10. F0.2\nM30\n", "fanuc", "mazak", ConvertMode::explicit_blocks);
   EXPECT_EQ(complaints(main).find("a caller"), std::string::npos) << complaints(main);
 }
 
@@ -172,7 +176,7 @@ TEST(Subprograms, RunByThemselvesLoseNoSpeed) {
   const ConvertResult result = turned(text, "fanuc", "mazak", ConvertMode::explicit_blocks);
   EXPECT_TRUE(text::has_error(result.diagnostics)) << result.text;
   const ConvertResult started =
-      turned("O0100\nG99 G97 S200 M03\nG01 X10. F0.2\nM99\n", "fanuc", "mazak", ConvertMode::explicit_blocks);
+      turned("O0100\nG21 G99 G97 S200 M03\nG01 X10. F0.2\nM99\n", "fanuc", "mazak", ConvertMode::explicit_blocks);
   EXPECT_FALSE(text::has_error(started.diagnostics)) << complaints(started);
 }
 
@@ -266,7 +270,7 @@ TEST(Subprograms, OfMacrosHaveLocalVariablesOfTheirOwn) {
 }
 
 TEST(Subprograms, ThatEndTheWholeProgramAreRefused) {
-  const std::string text = "O0001\nG97 G99\nM98 P0100\nG00 X1.\nM30\nO0100\nG00 X5.\nM30\n";
+  const std::string text = "O0001\nG21 G97 G99\nM98 P0100\nG00 X1.\nM30\nO0100\nG21 G00 X5.\nM30\n";
   EXPECT_TRUE(text::has_error(turned(text, "fanuc", "sinumerik-840d").diagnostics));
   EXPECT_FALSE(text::has_error(turned(text, "fanuc", "mazak").diagnostics));
 }

@@ -145,13 +145,24 @@ TEST(Modes, SetCoordinatesWithSIsTheSpindleLimit) {
             "5 spindle off\n");
 }
 
+// 500 mm a minute are not 500 mm a turn.
+TEST(Modes, AnFOfTheOtherKindIsNone) {
+  Builder b;
+  b.block({{Function::linear}, {Function::feed_per_min}}, {{Address::x, 1.0}, {Address::f, 500.0}});
+  b.block({{Function::feed_per_rev}}, {{Address::x, 2.0}});
+  b.block({}, {{Address::x, 3.0}, {Address::f, 0.2}});
+  EXPECT_EQ(trace_of(b, mill_control()),
+            "1 linear X1.0000 Y0.0000 Z0.0000 F500.0000/min\n2 linear X2.0000 Y0.0000 Z0.0000 F0.0000/rev\n"
+            "3 linear X3.0000 Y0.0000 Z0.0000 F0.2000/rev\n");
+}
+
 TEST(Modes, AFeedCodeEndsTheSurfaceSpeedWhereTheyAreOfOneGroup) {
   const auto make = [](const ir::Control& control) {
     Builder b;
     // The feed code beside G96 belongs to it.
     b.block({{Function::surface_speed_on}, {Function::feed_per_rev}, {Function::spindle_cw}, {Function::linear}},
             {{Address::s, 100.0}, {Address::x, 1.0}, {Address::f, 0.2}});
-    b.block({{Function::feed_per_min}}, {{Address::x, 2.0}, {Address::s, 900.0}});
+    b.block({{Function::feed_per_min}}, {{Address::x, 2.0}, {Address::s, 900.0}, {Address::f, 0.2}});
     return trace_of(b, control);
   };
   ir::Control one_group = sinumerik_control();

@@ -139,8 +139,20 @@ TEST(Raise, TheHeadSaysWhatTheProgramLeftToTheMachine) {
   Builder b;
   b.block({{Function::linear, ir::ModalGroup::motion}}, {{Address::x, b.number(5)}, {Address::f, b.number(100)}});
   b.end();
-  EXPECT_EQ(raised(b, other_control(ir::MachineKind::mill)), "G17 G710 G90 G94\nG1 X5. F100\nM30\n");
+  ir::Control mill = other_control(ir::MachineKind::mill);
+  // Whether it woke up in inches nobody knows.
+  EXPECT_EQ(refusal(b, mill), "the program moves before it says inch or millimetre");
+  mill.semantics.power_on_known = true;
+  EXPECT_EQ(raised(b, mill), "G17 G710 G90 G94\nG1 X5. F100\nM30\n");
+  mill.caller_modes = {{.name = "G20",
+                        .number10 = 200,
+                        .function = Function::unit_inch,
+                        .argument = 0,
+                        .group = ir::ModalGroup::unit,
+                        .reference = {}}};
+  EXPECT_EQ(raised(b, mill), "G17 G700 G90 G94\nG1 X5. F100\nM30\n");
   ir::Control lathe = other_control(ir::MachineKind::lathe);
+  lathe.semantics.power_on_known = true;
   lathe.semantics.power_on_feed = Function::feed_per_rev;
   lathe.semantics.power_on_diameter = ir::DiameterMode::diameter;
   EXPECT_EQ(raised(b, lathe), "G18 G710 G90 G95 DIAMON\nG1 X5. F100\nM30\n");
@@ -203,12 +215,13 @@ TEST(Raise, JumpsGetTheirDirection) {
   b.end();
   b.program.labels.push_back({ir::StringId::none, 10, 0, {}});
   b.program.labels.push_back({ir::StringId::none, 20, 1, {}});
-  EXPECT_EQ(raised(b, other_control(ir::MachineKind::mill)), "R101=0\nN20 R101=R101+1\nIF R101<5 GOTOB N20\nM30\n");
+  EXPECT_EQ(raised(b, other_control(ir::MachineKind::mill)), "N10 R101=0\nN20 R101=R101+1\nIF R101<5 GOTOB N20\nM30\n");
 }
 
 TEST(Raise, NamesOfAFamilyBecomeRParametersWithTheirNamesBeside) {
   ir::Control from = control(ir::MachineKind::mill);
   from.dialect = "family";
+  from.semantics.power_on_known = true;
   Builder b;
   ir::Symbol symbol;
   symbol.name = b.program.strings.add("half_axis");
