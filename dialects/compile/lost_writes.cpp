@@ -46,12 +46,13 @@ std::string key_of(const ir::Program& program, const ir::Variable& v) {
 
 }  // namespace
 
-std::optional<LostWrites::Write> LostWrites::write_of(const ir::Program& program, const ir::Variable& v) const {
-  Write out{.name = std::string(v.span.in(program.source.text())), .variable = key_of(program, v)};
+std::optional<OutsideWrite> outside_write(const ir::Program& program, const ir::Variable& v,
+                                          const ir::Control& control) {
+  OutsideWrite out{.name = std::string(v.span.in(program.source.text())), .variable = key_of(program, v)};
   if (out.name.empty()) out.name = out.variable;
   const bool has_number = v.index == ir::ExpressionId::none;
   if (v.bank == Bank::hash && has_number) {
-    const ir::VariableRange* range = ir::find_variable(control_, Bank::hash, v.number);
+    const ir::VariableRange* range = ir::find_variable(control, Bank::hash, v.number);
     if (range != nullptr && range->use == ir::VariableUse::local) return std::nullopt;
     out.is_shared = range != nullptr && range->use != ir::VariableUse::system;
   } else if (v.bank == Bank::hash || v.bank == Bank::r) {
@@ -60,11 +61,24 @@ std::optional<LostWrites::Write> LostWrites::write_of(const ir::Program& program
     if (v.symbol != ir::SymbolId::none && !program.at(v.symbol).is_global) return std::nullopt;
     out.is_shared = true;
   } else {
-    const bool in_table = v.number < control_.system_variables.size();
+    const bool in_table = v.number < control.system_variables.size();
     // Its shift is in the positions.
-    if (in_table && control_.system_variables[v.number].kind == ir::SystemValue::programmable_frame)
-      return std::nullopt;
+    if (in_table && control.system_variables[v.number].kind == ir::SystemValue::programmable_frame) return std::nullopt;
     out.is_shared = is_channel_memory(out.variable);
+  }
+  return out;
+}
+
+std::map<std::uint32_t, std::size_t> writes_by_line(const ir::Program& program, const ir::Control& control) {
+  std::map<std::uint32_t, std::size_t> out;
+  for (const ir::Statement& s : program.statements) {
+    if (s.kind == ir::StatementKind::output) ++out[s.line];
+    if (s.kind == ir::StatementKind::assign &&
+        outside_write(program, program.at(program.assigns[s.payload].target), control))
+      ++out[s.line];
+    if (s.kind != ir::StatementKind::block) continue;
+    const auto codes = program.codes_of(program.blocks[s.payload]);
+    if (std::ranges::find(codes, ir::Function::data_input, &ir::Code::function) != codes.end()) ++out[s.line];
   }
   return out;
 }
@@ -82,7 +96,8 @@ LostWrites::ByLine LostWrites::look_at(const ir::Program& program) {
         continue;
       }
       if (program.is_standard) continue;
-      if (std::optional<Write> write = write_of(program, v)) out[s.line].push_back(std::move(*write));
+      if (std::optional<OutsideWrite> write = outside_write(program, v, control_))
+        out[s.line].push_back(std::move(*write));
     }
     if (s.kind == ir::StatementKind::native && program.natives[s.payload].writes) {
       const std::string name(program.strings.at(program.natives[s.payload].name));
@@ -100,7 +115,7 @@ void LostWrites::executed(std::uint32_t index, const ir::Program* program, std::
     known = programs_.emplace(index, program == nullptr ? ByLine{} : look_at(*program)).first;
   const auto writes = known->second.find(line);
   if (writes == known->second.end()) return;
-  for (const Write& write : writes->second)
+  for (const OutsideWrite& write : writes->second)
     if (said_.insert(write.variable).second) found_.push_back({write, place});
 }
 

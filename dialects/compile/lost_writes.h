@@ -15,6 +15,20 @@
 
 namespace dripfeed::compile {
 
+// A write that outlives the program.
+struct OutsideWrite {
+  std::string name;        // as written
+  std::string variable;    // the same for each way to write it; of a variable with a computed number its bank
+  bool is_shared = false;  // a variable that any program may read; otherwise what the control or the machine reads
+};
+
+// What assigning `v` is; nothing for variables of the program's own, and for the frame that positions are counted in.
+std::optional<OutsideWrite> outside_write(const ir::Program& program, const ir::Variable& v,
+                                          const ir::Control& control);
+
+// How many such writes each line has, G10 and outputs to devices among them.
+std::map<std::uint32_t, std::size_t> writes_by_line(const ir::Program& program, const ir::Control& control);
+
 class LostWrites {
  public:
   // `control` must outlive this.
@@ -27,23 +41,17 @@ class LostWrites {
   [[nodiscard]] std::vector<text::Diagnostic> found() const;
 
  private:
-  struct Write {
-    std::string name;        // as written
-    std::string variable;    // the same for each way to write it; of a variable with a computed number its bank
-    bool is_shared = false;  // a variable that any program may read; otherwise what the control or the machine reads
-  };
-  using ByLine = std::map<std::uint32_t, std::vector<Write>>;
+  using ByLine = std::map<std::uint32_t, std::vector<OutsideWrite>>;
   struct Found {
-    Write write;
+    OutsideWrite write;
     text::Span place;
   };
 
   ByLine look_at(const ir::Program& program);
-  [[nodiscard]] std::optional<Write> write_of(const ir::Program& program, const ir::Variable& v) const;
 
   const ir::Control& control_;
   std::map<std::uint32_t, ByLine> programs_;
-  std::set<std::string> read_;  // Write::variable
+  std::set<std::string> read_;  // OutsideWrite::variable
   std::set<std::string> said_;
   std::vector<Found> found_;
 };

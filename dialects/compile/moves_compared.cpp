@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/compile/lost_writes.h"
 #include "dialects/compile/motion_codes.h"
 #include "dialects/compile/moves_in_place.h"
 #include "dialects/passes/round_positions.h"
@@ -253,9 +254,37 @@ std::optional<MovesInPlace::Difference> MovesInPlace::first_difference(const ir:
     return Difference{made[j].line, "the translation also makes " + said(made[j].motion, made[j].motion)};
   const bool ended =
       run.result.ended == interpreter::Ended::end || (returns_ && run.result.ended == runs_[setting].result.ended);
+  if (const auto lost = first_lost_write(translation, run, origin_lines, setting))
+    return Difference{*lost, "the translation does not write what is written here"};
   if (run.is_whole && ended) return std::nullopt;
   const std::uint32_t last = wanted.empty() ? 1 : wanted.back().line;
   return Difference{owners_.empty() ? last : owners_.front(), "the translation does not come to its end"};
+}
+
+// In order; the translation may write more, to variables that it needs itself.
+std::optional<std::uint32_t> MovesInPlace::first_lost_write(const ir::Program& translation, const RecordedRun& run,
+                                                            const std::vector<std::uint32_t>& origin_lines,
+                                                            std::size_t setting) const {
+  if (writes_.empty()) return std::nullopt;
+  const auto lines_of = [](const RecordedRun& of, const std::map<std::uint32_t, std::size_t>& writes, auto&& origin) {
+    std::vector<std::uint32_t> out;
+    for (const Visit& visit : of.visits) {
+      const auto at = writes.find(visit.line);
+      if (at != writes.end()) out.insert(out.end(), at->second, origin(visit.line));
+    }
+    return out;
+  };
+  const auto wanted = lines_of(runs_[setting], writes_, [](std::uint32_t line) { return line; });
+  const auto made = lines_of(run, writes_by_line(translation, to_), [&](std::uint32_t line) {
+    return line <= origin_lines.size() ? origin_lines[line - 1] : 0;
+  });
+  auto at = made.begin();
+  for (const std::uint32_t line : wanted) {
+    at = std::find(at, made.end(), line);
+    if (at == made.end()) return line;
+    ++at;
+  }
+  return std::nullopt;
 }
 
 }  // namespace dripfeed::compile

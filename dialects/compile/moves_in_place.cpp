@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/compile/lost_writes.h"
 #include "dialects/compile/motion_codes.h"
 #include "dialects/passes/rigid_taps.h"
 
@@ -363,6 +364,7 @@ MovesInPlace::Restored MovesInPlace::restored(const ir::Program& program, std::u
 // Kept lines of several moves, and where each line stands. The blocks of a cycle that the control brings along have the
 // line of its call.
 void MovesInPlace::find_cycles(const ir::Program& program) {
+  writes_ = writes_by_line(program, from_);
   for (const RecordedRun& run : runs_) {
     std::uint32_t line = 0;
     std::ptrdiff_t moves = 0;

@@ -47,10 +47,9 @@ bool ends_as_subprogram(const ir::Program& program) {
 
 void MovesInPlace::watch(const ir::Program& program, bool called) {
   not_compared_ = watched(program, called);
-  if (!not_compared_.empty())
-    runs_.clear();
-  else
-    find_cycles(program);
+  if (!not_compared_.empty()) return runs_.clear();
+  find_cycles(program);
+  if (called) writes_.clear();  // an explicit program says itself what it would lose
 }
 
 std::string MovesInPlace::watched(const ir::Program& program, bool called) {
