@@ -15,6 +15,7 @@
 #include "dialects/compile/lost_writes.h"
 #include "dialects/compile/motion_codes.h"
 #include "dialects/compile/moves_in_place.h"
+#include "dialects/compile/source_lines.h"
 #include "dialects/passes/round_positions.h"
 #include "dialects/text/number.h"
 
@@ -188,6 +189,7 @@ std::string said(const ir::Motion& m, const ir::Motion& other) {
 
 std::vector<text::Diagnostic> MovesInPlace::compare(const ir::Program& translation,
                                                     const std::vector<std::uint32_t>& origin_lines) const {
+  if (runs_.empty()) return alarm_of(translation, origin_lines);
   for (std::size_t setting = 0; setting < runs_.size(); ++setting) {
     const std::optional<Difference> other = first_difference(translation, origin_lines, setting);
     if (!other) continue;
@@ -197,6 +199,27 @@ std::vector<text::Diagnostic> MovesInPlace::compare(const ir::Program& translati
         {fmt::format("what moves here{} ({})",
                      owners_.empty() ? "" : " beside statements that are written as their moves", other->what),
          to_.title})};
+  }
+  return {};
+}
+
+// Of a source whose run says nothing, the translation may still be one that the other control stops at for certain.
+std::vector<text::Diagnostic> MovesInPlace::alarm_of(const ir::Program& translation,
+                                                     const std::vector<std::uint32_t>& origin_lines) const {
+  ProgramLibrary standard(to_, [](std::string_view) { return std::nullopt; });
+  ir::Control control = to_;
+  control.semantics.unset_is_unknown = true;
+  interpreter::RunOptions options;
+  options.limits = kRunLimits;
+  const RecordedRun run = record(translation, control, standard, options, {}, {});
+  for (const interpreter::RunDiagnostic& d : run.result.diagnostics) {
+    constexpr std::array kElsewhere = {text::DiagnosticId::call_target_missing, text::DiagnosticId::limit_reached,
+                                       text::DiagnosticId::user_alarm, text::DiagnosticId::no_feed};
+    const bool is_alarm = d.diagnostic.severity == text::Severity::error && d.program == 0;
+    if (!is_alarm || std::ranges::find(kElsewhere, d.diagnostic.id) != kElsewhere.end()) continue;
+    const std::uint32_t line = d.line > 0 && d.line <= origin_lines.size() ? origin_lines[d.line - 1] : 0;
+    return {text::make_diagnostic(text::DiagnosticId::cannot_translate, span_of_line(source_, line),
+                                  {"what stops here (" + text::message_of(d.diagnostic) + ")", to_.title})};
   }
   return {};
 }

@@ -74,6 +74,8 @@ class MovesInPlace {
   [[nodiscard]] std::string rest_of(const ir::Program& program, std::uint32_t index, BlockRest& rest) const;
   [[nodiscard]] Restored restored(const ir::Program& program, std::uint32_t index, PlainMoves& moves) const;
   [[nodiscard]] bool is_dropped(std::uint32_t line) const;
+  [[nodiscard]] std::vector<text::Diagnostic> alarm_of(const ir::Program& translation,
+                                                       const std::vector<std::uint32_t>& origin_lines) const;
   // Of the source, of a write that the translation does not make.
   [[nodiscard]] std::optional<std::uint32_t> first_lost_write(const ir::Program& translation, const RecordedRun& run,
                                                               const std::vector<std::uint32_t>& origin_lines,
@@ -109,6 +111,7 @@ class MovesInPlace {
   std::map<std::uint32_t, text::Span> spans_;         // by line
   std::set<std::uint32_t> cycles_;                    // lines that make several moves and are kept
   std::map<std::uint32_t, std::size_t> writes_;       // for others, by line
+  text::Source source_;                               // of the program that was run
   std::string not_compared_ = "it was not run";
   bool returns_ = false;  // runs_ are of a text without a program end
   std::vector<text::Diagnostic> diagnostics_;

@@ -46,6 +46,7 @@ bool ends_as_subprogram(const ir::Program& program) {
 }  // namespace
 
 void MovesInPlace::watch(const ir::Program& program, bool called) {
+  source_ = program.source;
   not_compared_ = watched(program, called);
   if (!not_compared_.empty()) return runs_.clear();
   find_cycles(program);

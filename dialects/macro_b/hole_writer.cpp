@@ -63,8 +63,12 @@ bool HoleWriter::has_moves(const Hole& hole) {
 // --- by a cycle
 
 void HoleWriter::write_hole(const Hole& hole) {
-  write_cycle(hole, false);
+  write_cycle(hole, false, false);
   emit_code(Function::cycle_off);
+  end_hole(hole);
+}
+
+void HoleWriter::end_hole(const Hole& hole) {
   turn_again(hole);
   motion_again(true);
   place_.state.height = number(hole.back);
@@ -78,8 +82,8 @@ void HoleWriter::end_modal(const Hole& hole) {
   if (height != number(hole.back)) height.reset();  // as a hole was drilled or not
 }
 
-// `modal`: the holes follow (K0); otherwise one is drilled here.
-void HoleWriter::write_cycle(const Hole& hole, bool modal) {
+// `modal`: the holes follow (K0); otherwise one is drilled here. `to_level`: it ends there (G99).
+void HoleWriter::write_cycle(const Hole& hole, bool modal, bool to_level) {
   settle_distance();
   DrillCycle cycle = hole.cycle;
   if (hole.floats && cutting_way(hole) == Function::spindle_ccw) cycle = DrillCycle::tap_left;
@@ -96,7 +100,7 @@ void HoleWriter::write_cycle(const Hole& hole, bool modal) {
   if (modal) words.push_back(word(Address::k, whole(0.0)));
   if (hole.lead != 0.0) add_tap(hole, drill, words);
   const std::optional<double> back = number(hole.back);
-  const bool to_level = back && back == number(hole.level);
+  to_level |= back && back == number(hole.level);
   out_.emit_block({code(to_level ? Function::return_to_r : Function::return_to_initial), drill}, words);
 }
 
@@ -140,11 +144,13 @@ void HoleWriter::write_moves(const Hole& hole) {
   place_.state.height = number(hole.back);
 }
 
-// From RTP, which is its initial level then.
+// Where the initial level of G98 is no RTP, it ends at the level, and goes on to RTP.
 void HoleWriter::write_by_cycle(const Hole& hole) {
-  settle_distance();
+  if (number(hole.back) && place_.state.height == number(hole.back)) return write_hole(hole);
+  write_cycle(hole, false, true);
+  emit_code(Function::cycle_off);
   out_.emit_block({code(Function::rapid)}, {absolute(Address::z, hole.back)});
-  write_hole(hole);
+  end_hole(hole);
 }
 
 void HoleWriter::cut(const Hole& hole, Address axis) {

@@ -25,7 +25,7 @@ class HoleWriter {
   bool has_moves(const Hole& hole);
 
   // Holes at each position that follows, up to end_modal().
-  void begin_modal(const Hole& hole) { write_cycle(hole, true); }
+  void begin_modal(const Hole& hole) { write_cycle(hole, true, false); }
   void end_modal(const Hole& hole);
   // One hole where the tool stands.
   void write_hole(const Hole& hole);
@@ -45,7 +45,8 @@ class HoleWriter {
   };
   static PlaneAxes axes_of(ir::Function plane);
 
-  void write_cycle(const Hole& hole, bool modal);
+  void write_cycle(const Hole& hole, bool modal, bool to_level);
+  void end_hole(const Hole& hole);
   void add_tap(const Hole& hole, ir::Code& drill, std::vector<ir::Word>& words);
   void write_by_cycle(const Hole& hole);
   void cut(const Hole& hole, ir::Address axis);

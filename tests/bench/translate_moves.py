@@ -668,24 +668,26 @@ def point(words):
     return tuple(value(words.get(axis, "0")) or 0.0 for axis in "XYZC")
 
 
-def without_stops(moves, detour, least):
-    """Moves without those of no length and without rapids that stop on the way of the next rapid."""
+def without_stops(moves, detour):
+    """[(kind, words, start)], without moves of no length and without rapids that stop on the way of the next rapid."""
     out, at = [], (0.0, 0.0, 0.0, 0.0)
     for kind, words in moves:
         if kind == "spline":  # a chord of a curve
             kind = "linear"
-        to = point(words)
-        if kind in ("rapid", "linear") and math.dist(at, to) <= least:
-            at = to
+        to, start = point(words), at
+        if kind in ("rapid", "linear") and to == at:
             continue
         if kind == "rapid" and out and out[-1][0] == "rapid":
-            start = point(out[-2][1]) if len(out) > 1 else (0.0, 0.0, 0.0, 0.0)
-            via = point(out[-1][1])
-            if math.dist(start, via) + math.dist(via, to) - math.dist(start, to) <= detour:
-                out.pop()
-        out.append((kind, words))
+            before = out[-1][2]
+            if math.dist(before, at) + math.dist(at, to) - math.dist(before, to) <= detour:
+                start = out.pop()[2]
+        out.append((kind, words, start))
         at = to
     return out
+
+
+def is_short(move):
+    return move[0] in ("rapid", "linear") and math.dist(move[2], point(move[1])) <= 2 * TOLERANCE_MM
 
 
 def is_one_tap(one, other):
@@ -701,29 +703,44 @@ def is_one_tap(one, other):
 
 def difference(a, b, breaks_chips=False):
     """Rounded to the printed decimals a stop may lie on the way or just beside it, and a short move may be none: either on both sides is no difference."""
-    found = [difference_by(a, b, *limits, breaks_chips) for limits in ((1e-6, TOLERANCE_MM), (1e-5, TOLERANCE_MM), (1e-7, TOLERANCE_MM), (1e-6, 2 * TOLERANCE_MM))]
+    found = [difference_by(a, b, detour, breaks_chips) for detour in (1e-6, 1e-5, 1e-7)]
     return found[0] if all(found) else ""
 
 
-def difference_by(a, b, detour, least, breaks_chips):
-    a, b = without_stops(a, detour, least), without_stops(b, detour, least)
-    for n, (one, other) in enumerate(zip(a, b)):
-        if is_one_tap(one, other):
-            continue
-        # The translation says that it goes back between the pecks at the feed, and not at rapid.
-        if breaks_chips and {one[0], other[0]} == {"rapid", "linear"} and math.dist(point(one[1]), point(other[1])) <= TOLERANCE_MM:
-            continue
-        if one[0] != other[0] or math.dist(point(one[1]), point(other[1])) > TOLERANCE_MM:
-            return f"move {n}: {one} / {other}"
-        changes = [value(move[1].get("change", "0")) or 0.0 for move in (one, other)]
-        if abs(changes[0] - changes[1]) > 1e-4:
-            return f"change of the lead of move {n}: {one} / {other}"
-        feeds = [value(move[1].get("F", "0")) or 0.0 for move in (one, other)]
-        # A time is that of a way, and of a short one the printed decimals are more.
-        share = 1e-2 if one[1].get("F", "").endswith("/inv") else 1e-3
-        if abs(feeds[0] - feeds[1]) > max(1e-3, share * abs(feeds[0])):
-            return f"feed of move {n}: {one} / {other}"
-    return "" if len(a) == len(b) else f"{len(a)} moves / {len(b)} moves"
+def difference_by(a, b, detour, breaks_chips):
+    a, b = without_stops(a, detour), without_stops(b, detour)
+    n, m = 0, 0
+    while n < len(a) and m < len(b):
+        why = difference_of(a[n], b[m], breaks_chips)
+        if not why:
+            n, m = n + 1, m + 1
+        elif is_short(a[n]):
+            n += 1
+        elif is_short(b[m]):
+            m += 1
+        else:
+            return f"{why} of move {n}: {a[n][:2]} / {b[m][:2]}"
+    more, fewer = [move for move in a[n:] if not is_short(move)], [move for move in b[m:] if not is_short(move)]
+    return f"{len(more)} moves less, {len(fewer)} moves more" if more or fewer else ""
+
+
+def difference_of(one, other, breaks_chips):
+    if is_one_tap(one, other):
+        return ""
+    if math.dist(point(one[1]), point(other[1])) > TOLERANCE_MM:
+        return "end"
+    # The translation says that it goes back between the pecks at the feed, and not at rapid.
+    if breaks_chips and {one[0], other[0]} == {"rapid", "linear"}:
+        return ""
+    if one[0] != other[0]:
+        return "kind"
+    changes = [value(move[1].get("change", "0")) or 0.0 for move in (one, other)]
+    if abs(changes[0] - changes[1]) > 1e-4:
+        return "change of the lead"
+    feeds = [value(move[1].get("F", "0")) or 0.0 for move in (one, other)]
+    # A time is that of a way, and of a short one the printed decimals are more.
+    share = 1e-2 if one[1].get("F", "").endswith("/inv") else 1e-3
+    return "feed" if abs(feeds[0] - feeds[1]) > max(1e-3, share * abs(feeds[0])) else ""
 
 
 MOST_MM = 99999.999  # what controls with numbers of eight digits can write at three places
