@@ -42,7 +42,13 @@ def at_the_command(folder):
     subprogram = "%\nO0010\nG98\nG01 X20. Z-5. F100.\nM99\n%\n"
     to_sinumerik = ("convert", "-", "--from", "fanuc", "--to", "sinumerik-840d", "--control", "kind=lathe")
     expect_command(1, ["surface speed", "caller"], *to_sinumerik, stdin=subprogram)
-    expect_command(0, [], *to_sinumerik, "--modes", "G97 G18 G99", stdin=subprogram)
+    expect_command(0, ["not verified", "only its caller can run"], *to_sinumerik, "--modes", "G97 G18 G99", stdin=subprogram)
+    no_unit = "%\nO0001\nG18 G99 G97\nG00 X20. Z5.\nM30\n%\n"
+    expect_command(1, ["inch or millimetre", "--modes"], *to_sinumerik, stdin=no_unit)
+    for modes, unit in [("G20", "G700"), ("G21", "G710")]:
+        _, text, errors = command(*to_sinumerik, "--modes", modes, "--json", stdin=no_unit)
+        answer = json.loads(text)
+        expect(answer["verified"] and answer["not_verified"] is None and unit in answer["text"], f"{answer} {errors}")
     expect_command(2, ["--modes", "X10."], *to_sinumerik, "--modes", "G97 X10.", stdin=subprogram)
     profile = json.loads((shop.ROOT / "deploy/machines/fanuc-0i-mill.json").read_text())
     machine = folder / "listed.json"
