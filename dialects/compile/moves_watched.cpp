@@ -54,6 +54,7 @@ void MovesInPlace::watch(const ir::Program& program, bool called) {
 }
 
 std::string MovesInPlace::watched(const ir::Program& program, bool called) {
+  if (program.statements.size() > kRunLimits.blocks) return "it runs too long";
   if (ends_as_subprogram(program)) return "it is a subprogram, which only its caller can run";
   if (has(program, StatementKind::procedure) && program.sections.size() < 2)
     return "it is a program with parameters, which only its caller can run";

@@ -4,7 +4,8 @@
 // Steps of DAM that is not 0 break chips (VARI 1, back by VRT) or remove them (VARI 2).
 //
 // CYCLE83: DAM above 0 makes each stroke that much shorter, but not shorter than DAM; where at most 2 DAM are left, the
-// last two strokes are alike. Below 0 it is the factor of each stroke to the one before, and MDEP the shortest one.
+// last two strokes are alike. Below 0 it is the factor of each stroke to the one before, and MDEP the shortest one; by
+// a factor alone the hole never ends, which is taken as an alarm.
 #include <array>
 
 #include "dialects/sinumerik/cycle_texts.h"
@@ -90,6 +91,9 @@ STROKE=MAXVAL(STROKE-DAM,LEAST)
 ENDIF
 IF DAM<0
 STROKE=MAXVAL(STROKE*ABS(DAM),LEAST)
+IF STROKE<0.001
+SETAL(61107)
+ENDIF
 ENDIF
 LEFT=ABS(AT-DP)
 IF (DAM>0) AND (LEFT>STROKE) AND (LEFT<=2*DAM)

@@ -37,13 +37,13 @@ class Mixed:
         begin = self.modal_corner()
         dx, dy = 0, 0
         for n in range(self.chance.randint(2, 6)):
-            legs = ((25, 0), (0, 25), (-25, 0), (0, -25), (22, 21), (21, -22), (-23, 5))
-            dx, dy = self.one_of(*(leg for leg in legs if n == 0 or dx * leg[1] != dy * leg[0]))
+            legs = ((25, 0), (0, 25), (-25, 0), (0, -25), (22, 21), (21, -22))
+            dx, dy = self.one_of(*(leg for leg in legs if n == 0 or (dx * leg[1] != dy * leg[0] and dx * leg[0] + dy * leg[1] > -100)))
             x, y = x + dx, y + dy
             words = [f"X{self.scaled(x)}", f"Y{self.scaled(y)}"]
             axes = words if dx and dy else [words[0] if dx else words[1]]
             self.put((self.straight + " " if n == 0 else "") + " ".join(axes) + (" " + self.corner() if self.chance.random() < 0.7 else "") + (feed if n == 0 else ""))
-        out = (30, 10) if dx * 10 != dy * 30 else (10, 30)
+        out = (dx - dy, dx + dy)
         self.put(self.straight + f" X{self.scaled(x + out[0])} Y{self.scaled(y + out[1])}", *begin)
 
     def scaled(self, mm):

@@ -273,5 +273,27 @@ TEST(PlaceIndex, OffsetsOutsideFindTheNearestBlock) {
   EXPECT_EQ(places.at(4'000'000), 1U);
 }
 
+// Its control counts 0.001 mm: every position is a multiple of it, in both forms, and no further from the curve.
+TEST(Render, ForANamedMachineByItsIncrement) {
+  for (const std::string& dialect : dialect_names()) {
+    RenderRequest request;
+    request.family = shipped("hyperbolic-roll");
+    request.target = control(dialect, ir::MachineKind::lathe);
+    request.target.from_profile = true;
+    request.mode = RenderMode::explicit_blocks;
+    request.program_name = dialect == "sinumerik-840d" ? "FAMILY_TEST" : "O0100";
+    const RenderResult made = render(request);
+    ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, request.family);
+    std::size_t positions = 0;
+    for (const ir::Motion& m : moves_of(run_text(made.text, request.target).motions)) {
+      for (const std::size_t axis : {0U, 2U}) {
+        EXPECT_NEAR(m.end[axis] * 1000.0, std::nearbyint(m.end[axis] * 1000.0), 1e-6) << dialect;
+        ++positions;
+      }
+    }
+    EXPECT_GT(positions, 100U);
+  }
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test

@@ -1,6 +1,11 @@
 // Standard cycles of SINUMERIK, from the call to motions. The oracle of each is the sequence that the Programming
 // Manual Cycles (PGZ) states.
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "tests/unit/dialects/compile/sinumerik_run.h"
 
@@ -51,6 +56,90 @@ TEST(SinumerikCycles, DeepHoles) {
   for (const ir::Motion& m : ran.motions)
     if (m.kind == ir::MotionKind::linear) depths += std::to_string(static_cast<int>(m.end[2])) + " ";
   EXPECT_EQ(depths, "-5 -4 -10 -9 -15 ");
+}
+
+// PGZ, CYCLE83, "Degression": each stroke is DAM shorter than the one before and never shorter than DAM; where at most
+// 2 DAM are left, the last two are alike. DAM below 0 is the factor of each stroke, and MDEP the shortest one then.
+std::vector<double> strokes_by_the_manual(double depth, double first, double degression, double least) {
+  std::vector<double> ends;
+  double stroke = first;
+  for (double at = 0.0; at < depth;) {
+    at = std::min(at + stroke, depth);
+    ends.push_back(-at);
+    const double left = depth - at;
+    if (degression > 0.0) {
+      stroke = std::max(stroke - degression, degression);
+      if (stroke < left && left <= 2.0 * degression) stroke = left / 2.0;
+    } else if (degression < 0.0) {
+      stroke = std::max(-stroke * degression, least);
+    }
+  }
+  return ends;
+}
+
+TEST(SinumerikCycles, DeepHolesGetShallowerByStrokes) {
+  int holes = 0;
+  for (const double depth : {20.0, 25.0, 30.0, 37.0})
+    for (const double first : {5.0, 8.0, 10.0})
+      for (const double degression : {0.0, 1.0, 2.0, 3.0, 4.0, -0.5, -0.8})
+        for (const double least : {1.0, 2.5}) {
+          const std::string call =
+              fmt::format("CYCLE83(20,0,2,-{},,-{},,{},0,0,1,1,0,{})", depth, first, degression, least);
+          const Result ran = run("G17 G90 G0 X0 Y0 Z50\nF100\n" + call + "\nM30\n");
+          std::vector<double> ends;
+          for (const ir::Motion& m : ran.motions)
+            if (m.kind == ir::MotionKind::linear) ends.push_back(m.end[2]);
+          const std::vector<double> wanted = strokes_by_the_manual(depth, first, degression, least);
+          ASSERT_EQ(ends.size(), wanted.size()) << call << "\n" << moves(ran);
+          for (std::size_t i = 0; i < ends.size(); ++i) EXPECT_NEAR(ends[i], wanted[i], 1e-9) << call << " " << i;
+          ++holes;
+        }
+  EXPECT_EQ(holes, 168);
+}
+
+// A factor without a shortest stroke would never come to the depth.
+TEST(SinumerikCycles, DeepHolesByAFactorEnd) {
+  const Result ran = run("G17 G90 G0 X0 Y0 Z50\nF100\nCYCLE83(20,0,2,-30,,-10,,-0.5,0,0,1,1)\nM30\n");
+  EXPECT_EQ(ran.result.ended, interpreter::Ended::alarm);
+}
+
+// PGZ, CYCLE84: VARI 1 breaks chips by VRT, 2 goes out of the hole; each step is DAM. The spindle was turned by its
+// position: without SDAC 3 or 4 it stands.
+TEST(SinumerikCycles, TapsByStepsAndTheSpindleBehindThem) {
+  const auto ends_of = [](const std::string& steps) {
+    std::string out;
+    for (const ir::Motion& m :
+         run("G17 G90 G0 X0 Y0 Z50\nS400 M3\nCYCLE84(20,0,3,-12,,0,3,,1.5,0,400,400,3,0,0," + steps + ")\nM30\n")
+             .motions)
+      if (m.kind == ir::MotionKind::thread) out += fmt::format("{} ", m.end[2]);
+    return out;
+  };
+  EXPECT_EQ(ends_of("0,5,1"), "-12 3 ");
+  EXPECT_EQ(ends_of("1,5,2"), "-5 -3 -10 -8 -12 3 ");
+  EXPECT_EQ(ends_of("1,5"), "-5 -4 -10 -9 -12 3 ");
+  EXPECT_EQ(ends_of("2,5,2"), "-5 3 -10 3 -12 3 ");
+  for (const auto& [sdac, state] : {std::pair("3", ir::SpindleState::clockwise),
+                                    {"4", ir::SpindleState::counterclockwise},
+                                    {"5", ir::SpindleState::stopped},
+                                    {"0", ir::SpindleState::stopped},
+                                    {"", ir::SpindleState::stopped}}) {
+    const Result ran = run(std::string("G17 G90 G0 X0 Y0 Z50\nS400 M3\nCYCLE84(20,0,3,-12,,0,") + sdac +
+                           ",,1.5,0,400,400)\nG0 X5\nM30\n");
+    EXPECT_EQ(ran.motions[ran.motions.size() - 2].spindle, state) << sdac << "\n" << ran.trace;
+  }
+}
+
+// PGZ, HOLES1: from the end that is nearer to where the tool stands.
+TEST(SinumerikCycles, ARowBeginsAtTheNearerEnd) {
+  const auto ends_of = [](const std::string& start) {
+    std::string out;
+    for (const ir::Motion& m : run("G17 G90 G0 " + start + " Z50\nHOLES1(0,0,90,10,10,3)\nM30\n").motions)
+      if (m.kind == ir::MotionKind::rapid && m.place.line == 2) out += fmt::format("{:.0f} ", m.end[1]);
+    return out;
+  };
+  EXPECT_EQ(ends_of("X0 Y0"), "10 20 30 ");
+  EXPECT_EQ(ends_of("X0 Y40"), "30 20 10 ");
+  EXPECT_EQ(ends_of("X0 Y20"), "10 20 30 ");
 }
 
 TEST(SinumerikCycles, TappingByLeadAndBySize) {
