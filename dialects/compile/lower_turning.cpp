@@ -239,8 +239,11 @@ class Lowering {
 
   void thread_call(const LatheState& before) {
     if (!is_lathe(to_) || !is_lathe(from_)) return cannot("CYCLE97 between a lathe and a mill");
+    const std::optional<Function> unit = flow_.mode(passes::Mode::unit, index_);
+    if (!unit) return cannot("CYCLE97 where the unit of lengths is not known");
+    const bool inch = *unit == Function::unit_inch;
     const std::expected<std::vector<ir::Motion>, std::string> done =
-        moves_of_thread(program_, program_.calls[statement_.payload], from_);
+        moves_of_thread(program_, program_.calls[statement_.payload], from_, inch);
     if (!done) return cannot(done.error());
     const std::optional<Function> distance = flow_.mode(facts::Mode::distance, index_);
     const std::optional<Function> diameter = flow_.mode(facts::Mode::diameter, index_);
@@ -249,7 +252,7 @@ class Lowering {
     mode_ = *distance == Function::incremental ? ir::WordMode::absolute : ir::WordMode::as_modal;
     first_codes_.clear();
     first_words_.clear();
-    moves(*done, 1.0);
+    moves(*done, inch ? 25.4 : 1.0);
     x_scale_ = 1.0;
     mode_ = ir::WordMode::as_modal;
     // Here the lead was the feed.

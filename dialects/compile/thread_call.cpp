@@ -37,8 +37,8 @@ bool is_thread_call(const ir::Program& program, const ir::Call& call) {
 }
 
 std::expected<std::vector<ir::Motion>, std::string> moves_of_thread(const ir::Program& program, const ir::Call& call,
-                                                                    const ir::Control& control) {
-  std::string written = "G710 G90 G95\n" + std::string(kName) + "(";
+                                                                    const ir::Control& control, bool inch) {
+  std::string written = std::string(inch ? "G700" : "G710") + " G90 G95\n" + std::string(kName) + "(";
   for (const ir::Argument& argument : program.arguments_of(call)) {
     if (written.back() != '(') written += ',';
     if (argument.value == ir::ExpressionId::none) {

@@ -13,8 +13,9 @@ namespace dripfeed::compile {
 
 bool is_thread_call(const ir::Program& program, const ir::Call& call);
 
-// Moves and events in units of the program, X as a diameter. The error names what of the call cannot be said.
+// Moves and events, X as a diameter; `inch`: what the call's lengths are in. The error names what of the call cannot be
+// said.
 std::expected<std::vector<ir::Motion>, std::string> moves_of_thread(const ir::Program& program, const ir::Call& call,
-                                                                    const ir::Control& control);
+                                                                    const ir::Control& control, bool inch);
 
 }  // namespace dripfeed::compile

@@ -78,6 +78,9 @@ std::optional<double> index_in_group(std::uint32_t group, const Modes& modes) {
   constexpr std::uint32_t kDistance = 14;
   constexpr std::uint32_t kFeed = 15;
   constexpr std::uint32_t kDiameter = 29;
+  // None of the control's groups: the texts of its cycles ask by it in what unit they are called. 1 mm, 2 inch.
+  constexpr std::uint32_t kUnitOfCycle = 1013;
+  if (group == kUnitOfCycle) return modes.inch ? 2.0 : 1.0;
   if (group == kMotion && modes.motion_given && modes.motion <= Function::arc_ccw)
     return 1.0 + static_cast<double>(modes.motion) - static_cast<double>(Function::rapid);
   if (group == kPlane) return 1.0 + static_cast<double>(modes.plane);

@@ -46,13 +46,18 @@ M_36: LEAD=4 GOTOF HAS_LEAD
 M_42: LEAD=4.5 GOTOF HAS_LEAD
 M_48: LEAD=5
 HAS_LEAD:
+LEAD=LEAD*MM
 IF MPIT<0
 LEAD=-LEAD
 ENDIF
 ENDIF)"},
     // The axes of the plane and the one that stands on it.
     {"axes", R"(DEF AXIS TOOLAX, FIRST, SECOND
-DEF REAL SIDE=1)"},
+DEF REAL SIDE=1, MM=1)"},
+    // A millimetre in the unit of the call: distances that are not given, and leads of metric threads.
+    {"unit", R"(IF $P_GG[1013]==2
+MM=1/25.4
+ENDIF)"},
     {"plane", R"(TOOLAX=AXNAME("Z")
 FIRST=AXNAME("X")
 SECOND=AXNAME("Y")

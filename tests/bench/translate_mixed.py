@@ -167,4 +167,84 @@ class MixedOther(MixedFanuc):
         self.lines = [line.replace(" K2", "") for line in self.lines]
 
 
-MIXED = {"mixed-sinumerik": ("sinumerik-840d", MixedSinumerik), "mixed-fanuc": ("fanuc", MixedFanuc), "mixed-mazak": ("mazak", MixedOther), "mixed-mitsubishi": ("mitsubishi-m80", MixedOther)}
+class MixedLathe:
+    """Contours in Z and X with corners, chains of increments, and turning cycles, in inch and mm."""
+
+    kind = "lathe"
+
+    def turned(self):
+        z, x = self.chance.uniform(-5, 5), self.chance.uniform(20, 60)
+        self.put(f"{self.fast} X{self.scaled(x)} Z{self.scaled(z)}")
+        dz, dx = 0, 0
+        for n in range(self.chance.randint(2, 5)):
+            legs = ((-15, 0), (0, 24), (-12, 12))
+            dz, dx = self.one_of(*(leg for leg in legs if n == 0 or dz * leg[1] != dx * leg[0]))
+            z, x = z + dz, x + dx
+            words = ([f"X{self.scaled(x)}"] if dx else []) + ([f"Z{self.scaled(z)}"] if dz else [])
+            self.put((self.straight + " " if n == 0 else "") + " ".join(words) + (" " + self.corner() if self.chance.random() < 0.7 else "") + (f" F{self.feed()}" if n == 0 else ""))
+        out = (0, 30) if dz else (-15, 0)
+        self.put(f"{self.straight} X{self.scaled(x + out[1])} Z{self.scaled(z + out[0])}", f"{self.fast} X{self.scaled(x + 60)}", f"Z{self.scaled(20)}")
+
+    def feed(self):
+        return f"{0.2 / (25.4 if self.inch else 1):.4f}"
+
+    def plain(self):
+        self.put(self.one_of(f"{self.fast} X{self.length(62, 90)} Z{self.length(5, 20)}", f"{self.straight} X{self.length(62, 90)} F{self.feed()}"))
+
+    def text(self):
+        self.head()
+        for _ in range(self.chance.randint(2, 5)):
+            self.chance.choice((self.turned, self.turned, self.cycle, self.steps, self.plain))()
+        if self.chance.random() < 0.3:
+            self.lines.insert(self.chance.randint(5, len(self.lines)), self.write())
+        self.end()
+        return "\n".join(self.lines) + "\n"
+
+
+class MixedFanucLathe(MixedLathe, MixedFanuc):
+    def head(self):
+        self.put("%", "O0001 (MIXED LATHE)", "G18 G40 G97 G99 " + ("G20" if self.inch else "G21"), "T0101", "S500 M03", f"G00 X{self.scaled(62)} Z{self.scaled(5)}")
+
+    def end(self):
+        self.put(f"G00 X{self.scaled(120)}", "M30", "%")
+
+    def steps(self):
+        step = 0.0001 if self.inch else 0.001
+        self.put("G01 F" + self.feed())
+        for _ in range(self.chance.randint(3, 30)):
+            self.put(f"U{step * self.chance.randint(-9, 9) * 2:.4f} W{step * self.chance.randint(-9, 9):.4f}")
+
+    def cycle(self):
+        self.put(f"G00 X{self.scaled(62)} Z{self.scaled(5)}")
+        kind = self.chance.randrange(4)
+        if kind == 0:
+            self.put(f"G90 X{self.length(40, 60)} Z{self.length(-40, -5)} F{self.feed()}", f"X{self.length(30, 40)}", "G00 Z" + self.scaled(6))
+        elif kind == 1:
+            self.put(f"G92 X{self.length(50, 58)} Z{self.length(-40, -5)} F{1.5 / (25.4 if self.inch else 1):.4f}", f"X{self.length(45, 50)}", "G00 Z" + self.scaled(6))
+        elif kind == 2:
+            self.put(f"G94 X{self.length(20, 40)} Z{self.length(-5, 4)} F{self.feed()}", "G00 Z" + self.scaled(6))
+        else:
+            self.put(f"G76 P020060 Q{self.chance.randint(5, 20)} R0.0{self.chance.randint(10, 50)}" if not self.inch else f"G76 P020060 Q{self.chance.randint(5, 20)} R0.00{self.chance.randint(10, 50)}",
+                     f"G76 X{self.length(56, 58)} Z{self.length(-40, -20)} P{500 if not self.inch else 200} Q{200 if not self.inch else 80} F{1.5 / (25.4 if self.inch else 1):.4f}", "G00 Z" + self.scaled(6))
+
+
+class MixedSinumerikLathe(MixedLathe, MixedSinumerik):
+    def head(self):
+        self.put("G18 G90 G95 G40 DIAMON " + ("G700" if self.inch else "G710"), "T1 D1", "G97 S500 M3", f"G0 X{self.scaled(62)} Z{self.scaled(5)}", "G1 F" + self.feed())
+
+    def end(self):
+        self.put(f"G0 X{self.scaled(120)}", "M30")
+
+    def steps(self):
+        step = 0.0001 if self.inch else 0.001
+        self.put("G1 F" + self.feed(), "G91")
+        for _ in range(self.chance.randint(3, 30)):
+            self.put(f"X{step * self.chance.randint(-9, 9) * 2:.4f} Z{step * self.chance.randint(-9, 9):.4f}")
+        self.put("G90")
+
+    def cycle(self):
+        d = self.chance.uniform(30, 50)
+        self.put(f"G0 X{self.scaled(62)} Z{self.scaled(5)}", f"CYCLE97({1.5 / (25.4 if self.inch else 1):.4f},,{self.scaled(0)},{self.length(-40, -20)},{self.scaled(d)},{self.scaled(d)},{self.scaled(3)},{self.scaled(2)},{self.scaled(0.92)},{self.scaled(0.05)},{self.one_of(0, 29)},0,{self.chance.randint(3, 8)},{self.chance.randint(0, 2)},{self.one_of(1, 3)},1)", f"G0 X{self.scaled(70)}")
+
+
+MIXED = {"mixed-sinumerik": ("sinumerik-840d", MixedSinumerik), "mixed-fanuc": ("fanuc", MixedFanuc), "mixed-mazak": ("mazak", MixedOther), "mixed-mitsubishi": ("mitsubishi-m80", MixedOther), "turned-sinumerik": ("sinumerik-840d", MixedSinumerikLathe), "turned-fanuc": ("fanuc", MixedFanucLathe), "turned-mazak": ("mazak", MixedFanucLathe), "turned-mitsubishi": ("mitsubishi-m80", MixedFanucLathe)}

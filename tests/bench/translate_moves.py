@@ -637,6 +637,7 @@ class SinumerikLatheIso(SinumerikLathe):
 MAKERS = {"sinumerik-840d": [Sinumerik, SinumerikLathe], "iso-mode": [SinumerikIso, SinumerikLatheIso], "fanuc": [Fanuc, FanucLathe], "mazak": [Figures, MazakLathe], "mitsubishi-m80": [Figures, MitsubishiLathe]} | {name: [maker] for name, (_, maker) in MIXED.items()}
 LANGUAGES = {"iso-mode": "sinumerik-840d"} | {name: dialect for name, (dialect, _) in MIXED.items()}
 MACHINES = {"fanuc": "fanuc-0i-mill", "mazak": "mazak-vcn", "mitsubishi-m80": "mitsubishi-m80-cvm800", "sinumerik-840d": "sinumerik-840d-mill"}
+LATHES = {"fanuc": "fanuc-0i-lathe", "mazak": "mazak-qtn", "sinumerik-840d": "sinumerik-840d-lathe"}
 
 
 def dripfeed(binary, *arguments):
@@ -766,7 +767,10 @@ def try_one(binary, dialect, seed, keep):
             for mode in ("macro", "explicit"):
                 if target == dialect:
                     continue
-                for_whom = ["--machine", MACHINES[target]] if named else ["--control", f"kind={kind}"]
+                machine = (MACHINES if kind == "mill" else LATHES).get(target) if named else None
+                for_whom = ["--machine", machine] if machine else []
+                if not machine or kind != "mill":
+                    for_whom += ["--control", f"kind={kind}"]
                 code, out, err = dripfeed(binary, "convert", source, "--from", dialect, "--to", target, "--mode", mode, *for_whom)
                 if code != 0:
                     why = [line for line in err.splitlines() if ": error[" in line]

@@ -97,6 +97,22 @@ TEST(SinumerikCycles, DeepHolesGetShallowerByStrokes) {
   EXPECT_EQ(holes, 168);
 }
 
+// What is not given is a distance in mm, whatever the unit of the call is: 1 mm back to break chips, 0.6 mm above the
+// last depth, the leads of metric threads.
+TEST(SinumerikCycles, DistancesThatAreNotGivenAreMillimetres) {
+  const auto ends_of = [](const std::string& call) {
+    std::string out;
+    for (const ir::Motion& m : run("G17 G90 G700 G0 X0 Y0 Z2\nS400 M3 F5\n" + call + "\nM30\n").motions)
+      if (ir::is_move(m.kind) && m.place.line == 3) out += fmt::format("{:.1f} ", m.end[2]);
+    return out;
+  };
+  EXPECT_EQ(ends_of("CYCLE83(1,0,0.1,-1,,,0.5,0,0,0,1,0)"), "2.5 -12.7 -11.7 -25.4 25.4 ");
+  EXPECT_EQ(ends_of("CYCLE83(1,0,0.1,-1,,,0.5,0,0,0,1,1)"), "2.5 -12.7 2.5 -12.1 -25.4 25.4 ");
+  EXPECT_EQ(ends_of("CYCLE84(1,0,0.1,-1,,0,3,,0.05,0,400,400,3,0,0,1,0.5)"), "2.5 -12.7 -11.7 -25.4 2.5 25.4 ");
+  const Result size = run("G17 G90 G700 G0 X0 Y0 Z2\nCYCLE84(1,0,0.1,-1,,0,3,8,,0,400,400)\nM30\n");
+  EXPECT_TRUE(size.trace.contains("Z-25.4000 F1.2500/rev")) << size.trace;
+}
+
 // A factor without a shortest stroke would never come to the depth.
 TEST(SinumerikCycles, DeepHolesByAFactorEnd) {
   const Result ran = run("G17 G90 G0 X0 Y0 Z50\nF100\nCYCLE83(20,0,2,-30,,-10,,-0.5,0,0,1,1)\nM30\n");
