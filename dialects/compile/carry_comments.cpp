@@ -16,7 +16,7 @@ constexpr std::size_t kLongestComment = 120;  // characters of one line; longer 
 struct Carried {
   std::uint32_t line = 0;
   std::string text;
-  bool is_title = false;  // behind the program's number
+  bool is_title = false;  // after the program's number
 };
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }

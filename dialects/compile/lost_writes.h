@@ -18,7 +18,7 @@ namespace dripfeed::compile {
 // A write that outlives the program.
 struct OutsideWrite {
   std::string name;        // as written
-  std::string variable;    // the same for each way to write it; of a variable with a computed number its bank
+  std::string variable;    // the same for each form of it; of a variable with a computed number its bank
   bool is_shared = false;  // a variable that any program may read; otherwise what the control or the machine reads
 };
 
@@ -35,9 +35,9 @@ class LostWrites {
   explicit LostWrites(const ir::Control& control) : control_(control) {}
 
   // A block of `program` was executed: number `index` of the run, nullptr for one that nobody can look at. What it
-  // writes is told at `place`, of the main program.
+  // writes is reported at `place`, of the main program.
   void executed(std::uint32_t index, const ir::Program* program, std::uint32_t line, text::Span place);
-  // Errors: what is written for others. A warning: what is computed with and not left behind.
+  // Errors: what is written for others. A warning: what is computed with and not kept at the end.
   [[nodiscard]] std::vector<text::Diagnostic> found() const;
 
  private:

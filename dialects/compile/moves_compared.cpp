@@ -70,7 +70,7 @@ std::vector<PlacedMove> moves_of(const RecordedRun& run, Origin&& origin_of) {
   return out;
 }
 
-// The first cut behind a rapid, and what else a cycle does.
+// The first cut after a rapid, and what else a cycle does.
 enum class CyclePart : std::uint8_t { none, entry, other };
 
 class Comparison {

@@ -19,7 +19,7 @@ using ir::Function;
 using ir::ModalGroup;
 using ir::StatementKind;
 
-// Behind them the numbers of a place are another place.
+// After them the numbers of a place are another place.
 constexpr ModalGroup kOtherPlaces[] = {ModalGroup::frame, ModalGroup::work_offset, ModalGroup::unit, ModalGroup::plane,
                                        ModalGroup::length_offset};
 

@@ -1,4 +1,5 @@
-// In the order of the text. Where ways meet, nothing is taken over; where the unit may be either, the finer one counts.
+// In the order of the text. Where control-flow paths meet, nothing is taken over; where the unit may be either, the
+// finer one counts.
 #include "dialects/passes/round_positions.h"
 
 #include <algorithm>

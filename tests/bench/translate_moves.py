@@ -777,7 +777,7 @@ def try_one(binary, dialect, seed, keep):
                     results.append((target, mode, "refused", why[0].split(": ", 1)[-1] if why else err[:200]))
                     continue
                 if "not verified" in err:
-                    results.append((target, mode, "not run", "not verified: " + err.split("not verified by running it: ")[-1].split("\n")[0]))
+                    results.append((target, mode, "unverified", "not verified: " + err.split("not verified by running it: ")[-1].split("\n")[0]))
                 made = pathlib.Path(name) / "made.nc"
                 made.write_text(out)
                 translated, why = moves_of(binary, made, target, kind)
@@ -808,13 +808,13 @@ def main():
             for seed, results in zip(seeds, pool.map(lambda s: try_one(given.binary, dialect, s, given.keep), seeds)):
                 for target, mode, what, *detail in results:
                     counts[(target, mode, what)] += 1
-                    if what in ("refused", "not run") and detail:
+                    if what in ("refused", "unverified") and detail:
                         refusals[re.sub(r"\(.*\)|\d+(\.\d+)?", "#", detail[0])] += 1
                     if what == "DIFFERS":
                         examples.append(f"  seed {seed} to {target} {mode}: {detail[0]}")
         print(f"{given.programs} programs of {dialect}, from seed {given.seed}")
         for (target, mode, what), n in sorted(counts.items()):
-            print(f"  {target:16} {mode:9} {what:8} {n:5}")
+            print(f"  {target:16} {mode:9} {what:10} {n:5}")
         for text, n in refusals.most_common(given.reasons):
             print(f"  refused {n:4}: {text[:150]}")
         print("\n".join(examples[:20]))

@@ -121,7 +121,7 @@ TEST(SinumerikCycles, DeepHolesByAFactorEnd) {
 
 // PGZ, CYCLE84: VARI 1 breaks chips by VRT, 2 goes out of the hole; each step is DAM. The spindle was turned by its
 // position: without SDAC 3 or 4 it stands.
-TEST(SinumerikCycles, TapsByStepsAndTheSpindleBehindThem) {
+TEST(SinumerikCycles, TapsByStepsAndTheSpindleAfterThem) {
   const auto ends_of = [](const std::string& steps) {
     std::string out;
     for (const ir::Motion& m :
