@@ -48,7 +48,8 @@ constexpr Verdict verdict_of(text::Severity severity) {
 
 inline Verdict verdict_of(const std::vector<text::Diagnostic>& diagnostics) {
   Verdict worst = Verdict::pass;
-  for (const text::Diagnostic& one : diagnostics) worst = std::max(worst, verdict_of(one.severity));
+  for (const text::Diagnostic& one : diagnostics)
+    worst = std::max({worst, verdict_of(one.severity), one.is_open ? Verdict::unknown : Verdict::pass});
   return worst;
 }
 

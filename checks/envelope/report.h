@@ -43,6 +43,9 @@ struct Report {
   std::array<Reach, ir::kAxisCount> machine;  // in machine coordinates, where offset and tool length are known
   double feed_max_mm_min = 0.0;
   double spindle_max_rpm = 0.0;
+  // A move whose place in the machine the program itself made unknown: it changed a zero or a
+  // tool length by what only the control knows.
+  bool lost_place = false;
   checks::FindingList findings;
   checks::NotCheckedList not_checked;
 };

@@ -101,6 +101,7 @@ void Travel::find_length(std::uint32_t line) {
     add(2, tool == nullptr ? missing : tool->length_z_mm);
   }
   if (length_.unknown != 0) length_.name = name_of_length();
+  if (length_.unknown != 0 && key_.changed) report_.lost_place = true;
 }
 
 // The sentence is made when it is said: of most of a million blocks it has been.
@@ -114,6 +115,7 @@ void Travel::say_once(std::uint16_t& said, std::size_t axis, std::uint32_t line,
 bool Travel::knows_zero(const ir::Motion& move, std::size_t axis) {
   const std::uint32_t line = move.place.line;
   if ((move.gaps & ir::kZerosChanged) != 0) {
+    report_.lost_place = true;
     say_once(said_changed_, axis, line, [&] {
       return fmt::format("the program changes coordinates or work offsets: the travel of {} was not checked from there",
                          kLetters[axis]);

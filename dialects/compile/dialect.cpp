@@ -33,7 +33,7 @@ constexpr std::array kDialects = {
             mitsubishi::plain_scanner, mitsubishi::validate, mitsubishi::raise, mitsubishi::print},
     Dialect{"sinumerik-840d", "SINUMERIK 840D sl", sinumerik_control, sinumerik::infer_control, read_sinumerik,
             sinumerik::plain_scanner, validate_sinumerik, sinumerik::raise, sinumerik::print, CommentStyle::semicolon,
-            sinumerik::standard_cycle},
+            sinumerik::standard_cycle, sinumerik::add_definitions},
 };
 
 // What a line holds that only one dialect has. `at_start` counts blanks and a block number before it as nothing.

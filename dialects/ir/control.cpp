@@ -34,6 +34,11 @@ text::Diagnostic diagnose(const Control& control, text::DiagnosticId id, text::S
                           std::vector<std::string> arguments, AlarmDetail detail) {
   text::Diagnostic diagnostic = text::make_diagnostic(id, span, std::move(arguments));
   diagnostic.alarm = alarm_of(control, id, detail);
+  const auto open = std::ranges::find(control.outside, id, &OutsideRow::id);
+  if (open == control.outside.end() || (open->profile_settles && control.from_profile)) return diagnostic;
+  diagnostic.severity = std::min(diagnostic.severity, text::Severity::warning);
+  diagnostic.is_open = true;
+  diagnostic.notes.push_back({span, std::string(open->settled_by)});
   return diagnostic;
 }
 

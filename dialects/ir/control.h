@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "dialects/ir/expression.h"
 #include "dialects/ir/function.h"
 #include "dialects/ir/semantics.h"
+#include "dialects/ir/shared_definitions.h"
 #include "dialects/text/diagnostic.h"
 
 namespace dripfeed::ir {
@@ -144,6 +146,14 @@ struct AlarmRow {
   AlarmDetail detail = AlarmDetail::none;
 };
 
+// A fault that is one only for want of what may exist beside the program: definition files, programs, cycles, options.
+// It is a warning, and says what would settle it.
+struct OutsideRow {
+  text::DiagnosticId id;
+  std::string_view settled_by;
+  bool profile_settles = false;  // a named machine knows: then it is a fault
+};
+
 // 0 means: no limit.
 struct ControlLimits {
   std::uint32_t block_length_bytes = 0;
@@ -180,6 +190,7 @@ struct Control {
   std::span<const CodeRow> m_codes;
   std::span<const SystemVariableRow> system_variables;
   std::span<const AlarmRow> alarms;
+  std::span<const OutsideRow> outside;
   std::vector<VariableRange> variables;
   std::vector<CodeCall> code_calls;  // machine
   // M functions of the machine, by number, beside those of the table; empty: any may be.
@@ -188,6 +199,7 @@ struct Control {
   // before power-on; rows of `g_codes`.
   std::vector<CodeRow> caller_modes;
   std::vector<std::string> definition_files;  // programs that declare global data, by name; read before a run
+  std::shared_ptr<const SharedDefinitions> shared;  // what those declare, as far as they were found
   bool from_profile = false;                  // a named machine: what it leaves unconfirmed is an error, not a warning
   // Why the control was taken for this one, when no machine was named: the line that decided, 0 for the default.
   std::uint32_t because_line = 0;
@@ -204,7 +216,7 @@ const VariableRange* find_variable(const Control& control, Bank bank, std::uint3
 // too, and knows no names and no parts to repeat.
 bool has_numbered_variables(const Control& control);
 
-// A diagnostic with the control's alarm beside it.
+// A diagnostic with the control's alarm beside it, a warning where what exists beside the program decides.
 text::Diagnostic diagnose(const Control& control, text::DiagnosticId id, text::Span span,
                           std::vector<std::string> arguments = {}, AlarmDetail detail = AlarmDetail::none);
 

@@ -3,6 +3,7 @@
 #include "dialects/ir/control.h"
 
 #include "dialects/sinumerik/alarms.h"
+#include "dialects/sinumerik/certainty.h"
 #include "dialects/sinumerik/codes.h"
 #include "dialects/sinumerik/sinumerik.h"
 #include "dialects/sinumerik/system_variables.h"
@@ -60,7 +61,9 @@ ir::Control control(ir::MachineKind kind) {
   c.axes = kind == ir::MachineKind::lathe ? "XZ" : kind == ir::MachineKind::mill ? "XYZ" : "XYZC";
   c.semantics = semantics(lathe);
   // PGA, user data: the definition files of Siemens, the machine tool builder, the user, and further ones.
-  c.definition_files = {"SGUD", "MGUD", "UGUD", "GUD4", "GUD5", "GUD6", "GUD7", "GUD8", "GUD9"};
+  c.definition_files = {"SMAC", "MMAC", "UMAC", "SGUD", "MGUD", "UGUD", "PGUD",
+                        "GUD4", "GUD5", "GUD6", "GUD7", "GUD8", "GUD9"};
+  c.outside = open_faults();
   c.limits.block_length_bytes = 512;
   c.limits.digits = 0;  // none: constants are doubles
   c.limits.expression_nesting = 32;

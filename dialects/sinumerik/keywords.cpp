@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dialects/sinumerik/name_index.h"
-#include "dialects/sinumerik/plain_names.h"
+#include "dialects/sinumerik/vocabulary.h"
 
 namespace dripfeed::sinumerik {
 
@@ -27,8 +27,8 @@ constexpr Keyword function(std::string_view name, ir::Operator op) {
 constexpr Keyword address(std::string_view name, ir::Address address) {
   return {.name = name, .role = Role::address, .address = address};
 }
-constexpr Keyword statement(std::string_view name, Verb verb) {
-  return {.name = name, .role = Role::statement, .verb = verb};
+constexpr Keyword statement(std::string_view name, Verb verb, Effect effect = Effect::unknown) {
+  return {.name = name, .role = Role::statement, .verb = verb, .effect = effect};
 }
 constexpr Keyword type(std::string_view name, ir::ValueType value_type) {
   return {.name = name, .role = Role::type, .type = value_type};
@@ -130,14 +130,14 @@ constexpr auto kKeywords = std::to_array<Keyword>({
   statement("EXTERN", Verb::declare),
   statement("MSG", Verb::message),
   statement("SETAL", Verb::alarm),
-  statement("CALL", Verb::call),
+  statement("CALL", Verb::call, Effect::moves),
   statement("MCALL", Verb::call_modal),
   statement("PCALL", Verb::call_path),
   statement("EXTCALL", Verb::call_external),
   statement("ISOCALL", Verb::call_iso),
   statement("EXECSTRING", Verb::execute),
   statement("DEFINE", Verb::macro),
-  statement("RET", Verb::return_word),
+  statement("RET", Verb::return_word, Effect::moves),
   // types
   type("INT", ir::ValueType::integer),
   type("REAL", ir::ValueType::real),
@@ -165,8 +165,9 @@ constexpr Sign kSigns[] = {
 std::span<const Keyword> keywords() {
   static const std::vector<Keyword> rows = [] {
     std::vector<Keyword> all(kKeywords.begin(), kKeywords.end());
-    for (const PlainNames& list : plain_names())
-      for (const std::string_view name : list.names) all.push_back({.name = name, .role = list.role});
+    for (const WordList& list : vocabulary())
+      for (const std::string_view name : list.names)
+        all.push_back({.name = name, .role = list.role, .effect = list.effect});
     return all;
   }();
   return rows;

@@ -21,10 +21,19 @@ enum class Role : std::uint8_t {
   word_mode,  // AC, IC and the like around the value of a word
   address,    // a word with a name: CR=
   statement,  // opens a statement: Keyword::statement
-  native,     // a statement that is kept as it is; its words are not read
-  display,    // the same, without effect on motion or state
+  procedure,  // a statement that is kept as it is; its words are not read
+  cycle,      // the same: a standard cycle of the control
   type,       // INT, REAL …
   attribute,  // of PROC and DEF
+};
+
+// What a word may do when its statement runs, as far as the reader does not carry it out. Only `none` leaves the
+// verdict on a program as it is.
+enum class Effect : std::uint8_t {
+  unknown,  // neither moves nor shifts for certain; what else it changes is not known here
+  none,     // nothing of motion or state
+  moves,    // axes may be anywhere afterwards
+  shifts,   // coordinates may lie elsewhere afterwards
 };
 
 enum class Verb : std::uint8_t {
@@ -64,12 +73,13 @@ enum class Verb : std::uint8_t {
 
 struct Keyword {
   std::string_view name;
-  Role role = Role::native;
+  Role role = Role::procedure;
   ir::Operator op = ir::Operator::constant;  // infix, prefix, function
   Verb verb = Verb::none;                    // statement
   ir::Address address = ir::Address::other;  // address
   ir::ValueType type = ir::ValueType::real;  // type
   std::uint8_t rank = 0;                     // infix: its level, 1 binds closest
+  Effect effect = Effect::unknown;           // of what is kept as it is
 };
 
 std::span<const Keyword> keywords();

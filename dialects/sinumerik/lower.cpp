@@ -239,6 +239,10 @@ void Lowering::add_plain(StatementKind kind, text::Span span) {
 
 void Lowering::keep_as_native(std::string_view native_name, bool effects_known, text::Span span, bool moves) {
   if (native_) return;
+  // What was read of the line moves no axis any more, and the line may.
+  moves = moves || std::any_of(program_.words.begin() + first_word_, program_.words.end(), [](const ir::Word& word) {
+            return ir::is_axis(word.address) || word.address == ir::Address::named_axis;
+          });
   program_.codes.resize(first_code_);
   program_.words.resize(first_word_);
   auto& statements = program_.statements;

@@ -3,6 +3,7 @@
 // references are to the list of G functions in the Programming Manual Fundamentals (PG) and to the commands in Job
 // Planning (PGA).
 #include <array>
+#include <vector>
 
 #include "dialects/ir/spline_use.h"
 #include "dialects/sinumerik/codes.h"
@@ -27,6 +28,7 @@ constexpr auto kNamed = std::to_array<GCode>({
   {{"INVCCW", -1, not_modelled, 0, Group::motion, "PG, G group 1"}, 1, usual},
   {{"OEMIPO1", -1, not_modelled, 0, Group::motion, "PG, G group 1"}, 1, usual},
   {{"OEMIPO2", -1, not_modelled, 0, Group::motion, "PG, G group 1"}, 1, usual},
+  {{"GORAP", -1, not_modelled, 0, Group::motion, "PG, G group 1"}, 1, usual},
   {{"REPOSL", -1, not_modelled, 0, Group::non_modal, "PG, G group 2"}, 2, own},
   {{"REPOSQ", -1, not_modelled, 0, Group::non_modal, "PG, G group 2"}, 2, own},
   {{"REPOSH", -1, not_modelled, 0, Group::non_modal, "PG, G group 2"}, 2, own},
@@ -48,6 +50,7 @@ constexpr auto kNamed = std::to_array<GCode>({
   {{"STOPFIFO", -1, no_effect, 0, Group::other, "PG, G group 4"}, 4, usual},
   {{"FIFOCTRL", -1, no_effect, 0, Group::other, "PG, G group 4"}, 4, usual},
   {{"SUPA", -1, machine_coordinates, 0, Group::other, "PG, G group 9"}, 9, usual},
+  {{"SUPD", -1, not_modelled, 0, Group::other, "PG, G group 9"}, 9, usual},
   {{"CFC", -1, no_effect, 0, Group::other, "PG, G group 16"}, 16, usual},
   {{"CFTCP", -1, no_effect, 0, Group::other, "PG, G group 16"}, 16, usual},
   {{"CFIN", -1, no_effect, 0, Group::other, "PG, G group 16"}, 16, usual},
@@ -101,6 +104,23 @@ constexpr auto kNamed = std::to_array<GCode>({
   {{"COMPCAD", -1, no_effect, 0, Group::other, "PG, G group 30"}, 30, usual},
   {{"COMPSURF", -1, no_effect, 0, Group::other, "PG, G group 30"}, 30, usual},
   {{"COMPPATH", -1, no_effect, 0, Group::other, "PG, G group 30"}, 30, usual},
+  {{"OSOF", -1, no_effect, 0, Group::other, "PG, G group 34"}, 34, usual},
+  {{"OSC", -1, no_effect, 0, Group::other, "PG, G group 34"}, 34, usual},
+  {{"OSS", -1, no_effect, 0, Group::other, "PG, G group 34"}, 34, usual},
+  {{"OSSE", -1, no_effect, 0, Group::other, "PG, G group 34"}, 34, usual},
+  {{"OSD", -1, no_effect, 0, Group::other, "PG, G group 34"}, 34, usual},
+  {{"OST", -1, no_effect, 0, Group::other, "PG, G group 34"}, 34, usual},
+  {{"FNORM", -1, no_effect, 0, Group::other, "PG, G group 37"}, 37, usual},
+  {{"FLIN", -1, not_modelled, 0, Group::other, "PG, G group 37"}, 37, usual},
+  {{"FCUB", -1, not_modelled, 0, Group::other, "PG, G group 37"}, 37, usual},
+  {{"SPIF1", -1, no_effect, 0, Group::other, "PG, G group 38"}, 38, usual},
+  {{"SPIF2", -1, no_effect, 0, Group::other, "PG, G group 38"}, 38, usual},
+  {{"CPRECOF", -1, no_effect, 0, Group::other, "PG, G group 39"}, 39, usual},
+  {{"CPRECON", -1, no_effect, 0, Group::other, "PG, G group 39"}, 39, usual},
+  {{"CUTCONOF", -1, not_modelled, 0, Group::other, "PG, G group 40"}, 40, usual},
+  {{"CUTCONON", -1, not_modelled, 0, Group::other, "PG, G group 40"}, 40, usual},
+  {{"LFOF", -1, no_effect, 0, Group::other, "PG, G group 41"}, 41, usual},
+  {{"LFON", -1, no_effect, 0, Group::other, "PG, G group 41"}, 41, usual},
   {{"SPATH", -1, no_effect, 0, Group::other, "PG, G group 45"}, 45, usual},
   {{"UPATH", -1, no_effect, 0, Group::other, "PG, G group 45"}, 45, usual},
   {{"LFTXT", -1, no_effect, 0, Group::other, "PG, G group 46"}, 46, usual},
@@ -115,6 +135,7 @@ constexpr auto kNamed = std::to_array<GCode>({
   {{"ORIRPY2", -1, not_modelled, 0, Group::other, "PG, G group 50"}, 50, usual},
   {{"ORIVIRT1", -1, not_modelled, 0, Group::other, "PG, G group 50"}, 50, usual},
   {{"ORIVIRT2", -1, not_modelled, 0, Group::other, "PG, G group 50"}, 50, usual},
+  {{"ORIAXPOS", -1, not_modelled, 0, Group::other, "PG, G group 50"}, 50, usual},
   {{"ORIVECT", -1, not_modelled, 0, Group::other, "PG, G group 51"}, 51, usual},
   {{"ORIAXES", -1, not_modelled, 0, Group::other, "PG, G group 51"}, 51, usual},
   {{"ORIPATH", -1, not_modelled, 0, Group::other, "PG, G group 51"}, 51, usual},
@@ -167,6 +188,10 @@ constexpr auto kNamed = std::to_array<GCode>({
   {{"WALCS10", -1, no_effect, 0, Group::other, "PG, G group 60"}, 60, usual},
   {{"ORISOF", -1, no_effect, 0, Group::other, "PG, G group 61"}, 61, usual},
   {{"ORISON", -1, no_effect, 0, Group::other, "PG, G group 61"}, 61, usual},
+  {{"RMBBL", -1, no_effect, 0, Group::other, "PG, G group 62"}, 62, usual},
+  {{"RMIBL", -1, no_effect, 0, Group::other, "PG, G group 62"}, 62, usual},
+  {{"RMEBL", -1, no_effect, 0, Group::other, "PG, G group 62"}, 62, usual},
+  {{"RMNBL", -1, no_effect, 0, Group::other, "PG, G group 62"}, 62, usual},
   {{"STOPRE", -1, no_effect, 0, Group::other, "PGA, commands"}, 0, usual},
   {{"SBLON", -1, no_effect, 0, Group::other, "PGA, commands"}, 0, usual},
   {{"SBLOF", -1, no_effect, 0, Group::other, "PGA, commands"}, 0, usual},
@@ -175,18 +200,42 @@ constexpr auto kNamed = std::to_array<GCode>({
   {{"ACTBLOCNO", -1, no_effect, 0, Group::other, "PGA, commands"}, 0, usual},
   {{"PREPRO", -1, no_effect, 0, Group::other, "PGA, commands"}, 0, usual},
   {{"DRFOF", -1, no_effect, 0, Group::other, "PGA, commands"}, 0, usual},
-  {{"CORROF", -1, no_effect, 0, Group::other, "PGA, commands"}, 0, usual},
   {{"ICYCON", -1, no_effect, 0, Group::other, "PGA, commands"}, 0, usual},
   {{"ICYCOF", -1, no_effect, 0, Group::other, "PGA, commands"}, 0, usual},
   {{"TRAFOOF", -1, transformation, 0, Group::other, "PGA, transformations"}, 0, usual},
   {{"RTCPON", -1, not_modelled, 0, Group::other, "PGA, commands"}, 0, usual},
   {{"RTCPOF", -1, not_modelled, 0, Group::other, "PGA, commands"}, 0, usual},
-  {{"MEAFRAME", -1, not_modelled, 0, Group::other, "PGA, commands"}, 0, usual},
 });
 // clang-format on
 
+// GFRAME0 to GFRAME100, the frames of grinding.
+constexpr std::size_t kGrindingFrameCount = 101;
+using GrindingFrameName = std::array<char, 10>;
+constexpr std::array<GrindingFrameName, kGrindingFrameCount> kGrindingFrames = [] {
+  std::array<GrindingFrameName, kGrindingFrameCount> names{};
+  for (std::size_t n = 0; n < names.size(); ++n) {
+    GrindingFrameName& name = names[n];
+    std::size_t at = 0;
+    for (const char c : {'G', 'F', 'R', 'A', 'M', 'E'}) name[at++] = c;
+    if (n >= 100) name[at++] = static_cast<char>('0' + n / 100);
+    if (n >= 10) name[at++] = static_cast<char>('0' + n / 10 % 10);
+    name[at] = static_cast<char>('0' + n % 10);
+  }
+  return names;
+}();
+
 }  // namespace
 
-std::span<const GCode> named_codes() { return kNamed; }
+std::span<const GCode> named_codes() {
+  static const std::vector<GCode> rows = [] {
+    std::vector<GCode> all(kNamed.begin(), kNamed.end());
+    for (const GrindingFrameName& name : kGrindingFrames)
+      all.push_back({{name.data(), -1, ir::Function::not_modelled, 0, ir::ModalGroup::other, "PG, G group 64"},
+                     64,
+                     WordUse::usual});
+    return all;
+  }();
+  return rows;
+}
 
 }  // namespace dripfeed::sinumerik

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dialects/sinumerik/codes.h"
+#include "dialects/sinumerik/validate.h"
 #include "dialects/sinumerik/whole_number.h"
 #include "dialects/text/look_alike.h"
 
@@ -201,6 +202,8 @@ void Parser::statement() {
 
 void Parser::stray_symbol() {
   if (cursor_.is_symbol('=')) return missing_target();
+  // $MN_… = 1 '2a3f: the check sum that the control writes behind machine data.
+  if (cursor_.is_symbol('\'') && is_data_file(program_)) return skip_block();
   if (cursor_.is_symbol(')') || cursor_.is_symbol(']') || cursor_.is_symbol('(') || cursor_.is_symbol('[')) {
     return give_up(DiagnosticId::unbalanced_bracket, cursor_.span(), {here()});
   }
@@ -213,17 +216,41 @@ void Parser::variable_statement() {
   assignment(target, head);
 }
 
+// Defined in the program, or in a definition file of the control.
+bool Parser::is_variable(std::string_view name) const {
+  if (lower_.is_declared(lower_.find_symbol(name))) return true;
+  return control_.shared != nullptr && control_.shared->variables.contains(UpperName(name).view());
+}
+
+// XV=IC(3): only a word takes its value so, and a word of a free name is an axis of the machine.
+bool Parser::is_axis_word() const {
+  const TokenCursor equals = cursor_.after();
+  if (!equals.is_symbol('=')) return false;
+  const TokenCursor mode = equals.after();
+  const Keyword* keyword = mode.kind() == TokenKind::name ? find_keyword(mode.text()) : nullptr;
+  return keyword != nullptr && keyword->role == Role::word_mode && mode.after().is_symbol('(');
+}
+
 void Parser::name_statement() {
   const text::Span head = cursor_.span();
   const std::string_view name = cursor_.text();
   const Keyword* keyword = find_keyword(name);
-  const bool variable_here = lower_.is_declared(lower_.find_symbol(name));
+  const bool variable_here = is_variable(name);
   const bool axis_word = same_name(name, "AX") && !variable_here && cursor_.after().is_symbol('[');
+  const bool is_declared_program = externs_.contains(program_.strings.find(UpperName(name).view()));
+  if (is_declared_program && (keyword == nullptr || keyword->role != Role::statement)) {
+    cursor_.advance();
+    return call_by_name(lower_.name(name), head);
+  }
   if (keyword != nullptr && !axis_word && !(variable_here && keyword->role != Role::statement))
     return statement_of(*keyword, head);
   const TokenCursor next = cursor_.after();
   if (same_name(name, "AX") && next.is_symbol('[')) return named_axis_word(head);
   const bool assigned = next.is_symbol('=') || next.is_symbol('[');
+  if (!variable_here && is_axis_word()) {
+    cursor_.advance();
+    return word(ir::Address::other, 0, lower_.name(name), head);
+  }
   if (!variable_here && !assigned) {
     if (const GCode* code = find_named_code(name)) {
       cursor_.advance();

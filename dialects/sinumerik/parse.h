@@ -1,11 +1,13 @@
 // parse: tokens to statements, block by block. parse.cpp reads lines, parse_words.cpp words, parse_polynomial.cpp
 // those of POLY, parse_expression.cpp and parse_variable.cpp values, parse_flow.cpp jumps and structures,
-// parse_declarations.cpp PROC, DEF and EXTERN, parse_calls.cpp calls, parse_statements.cpp messages and what is kept as
-// written. Names are resolved and statements ordered by Lowering; rules that need the whole program are validate's.
+// parse_declarations.cpp PROC, DEF and EXTERN, parse_calls.cpp calls, parse_macros.cpp DEFINE, parse_statements.cpp
+// messages and what is kept as written. Names are resolved and statements ordered by Lowering; rules that need the
+// whole program are validate's.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +39,7 @@ class Parser {
   void statement();
   void variable_statement();
   void name_statement();
+  [[nodiscard]] bool is_axis_word() const;
   void no_parameters(text::Span head, bool may_be_empty);
   void stray_symbol();
   void tape_head();
@@ -88,6 +91,7 @@ class Parser {
   ir::ExpressionId expression();
   ir::ExpressionId binary(std::uint8_t weakest);
   ir::ExpressionId unary();
+  ir::ExpressionId text_of_value(text::Span head);
   ir::ExpressionId primary();
   ir::ExpressionId parenthesized();
   ir::ExpressionId number();
@@ -133,6 +137,7 @@ class Parser {
   bool parameter(ir::Symbol& symbol);
   void definition(text::Span head);
   bool defined_name(ir::ValueType type, std::uint16_t string_length, ir::Symbol& symbol);
+  bool is_code_or_address();
   void dimensions(ir::Symbol& symbol);
   void join_short_name();
   bool value_list(const ir::Variable& first, text::Span head);
@@ -158,17 +163,24 @@ class Parser {
   void return_statement(text::Span head);
   [[nodiscard]] bool returns_usually(std::uint8_t& levels, bool& has_target) const;
 
+  // macros: parse_macros.cpp
+  void macro_definition(text::Span head);
+  bool expand_macro();
+  bool expand_shared_macro(std::string_view name, text::Span span, const TokenCursor& after);
+  std::optional<ir::ExpressionId> macro_value();
+  ir::ExpressionId shared_macro_value(std::string_view body, text::Span span);
+  [[nodiscard]] bool is_variable(std::string_view name) const;
+
   // the rest: parse_statements.cpp
   void assignment(ir::VariableId target, text::Span head);
   void statement_of(const Keyword& keyword, text::Span head);
   void execute_statement(text::Span head);
-  void macro_definition(text::Span head);
-  bool expand_macro();
   void message(text::Span head);
   void alarm(text::Span head);
   void transformation(std::string_view name, text::Span head);
   void native(std::string_view name, bool effects_known, text::Span head);
   [[nodiscard]] bool acts_on_axes() const;
+  [[nodiscard]] bool is_axis_address() const;
   [[nodiscard]] bool positions_are_absolute() const;
   [[nodiscard]] bool names_the_usual_axes() const;
   void missing_target();
@@ -214,6 +226,7 @@ class Parser {
   };
   std::vector<Macro> macros_;  // DEFINE … AS
   bool in_macro_ = false;
+  std::set<ir::StringId> externs_;  // names that EXTERN declares: programs, whatever else they may be
   std::uint64_t elements_ = 0;  // of lists of values, so far
   bool resumes_iso_ = false;    // the line calls as Siemens mode does, in ISO mode
   bool in_iso_ = false;         // behind G291: the last of the foreign parts is open

@@ -99,8 +99,32 @@ bool Parser::parameter(ir::Symbol& symbol) {
   return defined_name(keyword->type, string_length, symbol);
 }
 
+// DEF REAL X, DEF INT G1: an address or a code is no name, the control makes no symbol of it (12200). Which further
+// letters are axes, the machine decides.
+bool Parser::is_code_or_address() {
+  const text::Span head = cursor_.span();
+  const std::string_view text = cursor_.whole();
+  if (cursor_.kind() != TokenKind::address && cursor_.kind() != TokenKind::variable) return false;
+  std::uint32_t end = head.begin;
+  while (end < text.size() && is_name_character(text[end])) ++end;
+  const std::string_view name = text.substr(head.begin, end - head.begin);
+  if (name.empty()) return false;  // $P_GG
+  constexpr std::string_view kCodes = "GMR";
+  const bool code = kCodes.contains(to_upper(name.front())) && std::ranges::all_of(name.substr(1), is_digit);
+  constexpr std::string_view kOfTheMachine = "ABCEOQUVW";
+  const bool letter = name.size() == 1 && !kOfTheMachine.contains(to_upper(name.front()));
+  if (!letter && !code) return false;
+  give_up(DiagnosticId::name_defined_twice, {head.begin, end}, {std::string(name)});
+  if (!diagnostics_.empty()) {
+    diagnostics_.back().alarm = "12200";
+    diagnostics_.back().notes.push_back({head, "the control's own language has that name"});
+  }
+  return true;
+}
+
 // NAME, NAME[10,5], NAME=1.5: the part that DEF and PROC share.
 bool Parser::defined_name(ir::ValueType type, std::uint16_t string_length, ir::Symbol& symbol) {
+  if (is_code_or_address()) return false;
   join_short_name();
   if (cursor_.kind() != TokenKind::name) {
     give_up(DiagnosticId::syntax_error, cursor_.span(), {here() + " is no name"});
@@ -250,16 +274,27 @@ void Parser::repeated_value(const ir::Variable& first, text::Span head) {
     if (!element(first, i, value, head)) return;
 }
 
-// Of the whole array. Nothing where the text does not say it: R parameters are as many as the machine has, and an array
-// of a parameter has as many elements as its caller's.
+// From `first` to the end of the array. Nothing where the text does not say it: R parameters are as many as the machine
+// has, and an array of a parameter has as many elements as its caller's.
 std::optional<std::uint32_t> Parser::elements_of(const ir::Variable& first) const {
   if (first.bank != ir::Bank::named || first.symbol == ir::SymbolId::none) return std::nullopt;
   const ir::Symbol& symbol = program_.at(first.symbol);
-  if (symbol.is_parameter && symbol.dimension1 == 0) return std::nullopt;
+  if (symbol.dimension1 == 0 && (symbol.is_parameter || symbol.span.empty())) return std::nullopt;
   const auto at_least_one = [](std::uint16_t size) { return std::max<std::uint64_t>(size, 1); };
-  const std::uint64_t count =
-      at_least_one(symbol.dimension1) * at_least_one(symbol.dimension2) * at_least_one(symbol.dimension3);
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>(count, kMostElements + 1U));
+  const std::uint64_t layers = at_least_one(symbol.dimension3);
+  const std::uint64_t columns = at_least_one(symbol.dimension2);
+  const std::uint64_t count = at_least_one(symbol.dimension1) * columns * layers;
+  std::uint64_t before = 0;
+  const std::pair<ir::ExpressionId, std::uint64_t> indices[] = {
+      {first.index, columns * layers}, {first.index2, layers}, {first.index3, 1}};
+  for (const auto& [index, step] : indices) {
+    if (index == ir::ExpressionId::none) continue;
+    const auto place = constant_count(index);
+    if (!place) return std::nullopt;
+    before += *place * step;
+  }
+  if (before >= count) return 1U;  // beyond the array: element() says so
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(count - before, kMostElements + 1U));
 }
 
 // Nothing where it is computed, missing, or no count.

@@ -127,6 +127,7 @@ ir::ExpressionId Parser::unary() {
   const bool sign = cursor_.is_symbol('-') || cursor_.is_symbol('+');
   const Keyword* keyword = cursor_.kind() == TokenKind::name ? find_keyword(cursor_.text()) : nullptr;
   const bool prefix = keyword != nullptr && keyword->role == Role::prefix;
+  if (cursor_.is_symbol("<<")) return text_of_value(head);
   if (!sign && !prefix) return primary();
   ir::ExpressionId value = ir::ExpressionId::none;
   if (sign && signed_constant(value)) {
@@ -144,6 +145,23 @@ ir::ExpressionId Parser::unary() {
   if (plus) return value;
   return program_.add_operator(sign ? Operator::negate : keyword->op, value, ir::ExpressionId::none,
                                join(head, program_.at(value).span));
+}
+
+// TEXT=<<R1: the value as a text, as if an empty one stood before it.
+ir::ExpressionId Parser::text_of_value(text::Span head) {
+  if (nesting_ >= kDeepestNesting) return missing_operand();
+  ++nesting_;
+  operator_ = head;
+  cursor_.advance();
+  ir::Expression empty;
+  empty.op = Operator::string;
+  empty.string = program_.strings.add("");
+  empty.span = {head.begin, head.begin};
+  const ir::ExpressionId before = program_.add(empty);
+  const ir::ExpressionId value = binary(static_cast<std::uint8_t>(rank_of(Operator::concatenate) - 1));
+  --nesting_;
+  in_parentheses_ = false;
+  return program_.add_operator(Operator::concatenate, before, value, join(head, program_.at(value).span));
 }
 
 ir::ExpressionId Parser::primary() {
@@ -271,7 +289,8 @@ ir::ExpressionId Parser::axis_name() {
 ir::ExpressionId Parser::name_value() {
   const text::Span span = cursor_.span();
   const std::string_view name = cursor_.text();
-  const bool declared = lower_.is_declared(lower_.find_symbol(name));
+  if (const auto value = macro_value()) return *value;
+  const bool declared = is_variable(name);
   const Keyword* keyword = declared ? nullptr : find_keyword(name);
   if (keyword != nullptr) {
     switch (keyword->role) {
@@ -281,13 +300,17 @@ ir::ExpressionId Parser::name_value() {
         if (keyword->name == "CRPL") return frame_in_plane(*keyword, span);
         return is_frame_of_axes(keyword->op) ? frame_of_axes(*keyword, span) : function_call(*keyword, span);
       case Role::foreign: cursor_.advance(); return foreign_call(span);
+      // Words of later versions and options, which elsewhere may be names: a value that only the control knows.
+      case Role::procedure:
+      case Role::cycle:
+      case Role::address:
+        if (!cursor_.after().is_symbol('(')) break;
+        cursor_.advance();
+        return foreign_call(span);
       case Role::infix:
       case Role::prefix:
       case Role::word_mode:
-      case Role::address:
       case Role::statement:
-      case Role::native:
-      case Role::display:
       case Role::type:
       case Role::attribute: return missing_operand();
     }

@@ -15,18 +15,13 @@ using ir::StatementKind;
 using ir::TokenKind;
 using text::DiagnosticId;
 
-// Diagnostics Manual, alarm 12280.
-constexpr std::uint32_t kLongestMacro_bytes = 256;
-
-// Statements that are kept as written and after which axes may be anywhere: cycles, frames, texts.
+// What is kept as written under that name, and after which axes may be anywhere: cycles, frames, texts, and the words
+// of addresses that move axes by themselves.
 bool may_move(std::string_view name) {
-  constexpr std::string_view kNames[] = {"CALL",  "EXECTAB", "RET",    "LONGHOLE", "POLFA",     "ROTS",
-                                         "AROTS", "CROTS",   "TRAANG", "TRAORI",   "PO",        "MEASA",
-                                         "MEAWA", "MEAC",    "POSP",   "PRESETON", "PRESETONS", "GEOAX"};
-  // Settings of the path, and a contour that is only named.
-  if (name == "CYCLE832" || name == "CYCLE62") return false;
-  return name.starts_with("CYCLE") || name.starts_with("POCKET") || name.starts_with("SLOT") ||
-         name.starts_with("HOLES") || std::ranges::find(kNames, name) != std::end(kNames);
+  constexpr std::string_view kAddresses[] = {"PO", "MEASA", "MEAWA", "MEAC", "POSP", "OSCILL", "MOVT"};
+  if (name.starts_with("HOLES") || std::ranges::find(kAddresses, name) != std::end(kAddresses)) return true;
+  const Keyword* keyword = find_keyword(name);
+  return keyword != nullptr && (keyword->effect == Effect::moves || keyword->effect == Effect::shifts);
 }
 
 }  // namespace
@@ -43,8 +38,8 @@ void Parser::statement_of(const Keyword& keyword, text::Span head) {
   }
   switch (keyword.role) {
     case Role::address: return named_word(keyword);
-    case Role::native:
-    case Role::display: cursor_.advance(); return native(keyword.name, keyword.role == Role::display, head);
+    case Role::procedure:
+    case Role::cycle: cursor_.advance(); return native(keyword.name, keyword.effect == Effect::none, head);
     case Role::foreign: cursor_.advance(); return native(keyword.name, false, head);
     case Role::infix:
     case Role::prefix:
@@ -60,7 +55,10 @@ void Parser::statement_of(const Keyword& keyword, text::Span head) {
   switch (keyword.verb) {
     case Verb::define: return definition(head);
     case Verb::procedure: return procedure(head);
-    case Verb::declare: lower_.add_plain(StatementKind::declaration, head); return skip_block();
+    case Verb::declare:
+      if (cursor_.kind() == TokenKind::name) externs_.insert(lower_.name(cursor_.text()));
+      lower_.add_plain(StatementKind::declaration, head);
+      return skip_block();
     case Verb::message: return message(head);
     case Verb::alarm: return alarm(head);
     case Verb::call: return call_statement(head);
@@ -95,15 +93,25 @@ void Parser::statement_of(const Keyword& keyword, text::Span head) {
 
 // The rest of the block belongs to what stands at its head and is not read, but for its brackets.
 void Parser::native(std::string_view name, bool effects_known, text::Span head) {
-  const bool moves = may_move(name) || acts_on_axes();
+  bool moves = may_move(name) || acts_on_axes();
   std::string open;  // what would close them, the innermost last
   for (; !cursor_.at_block_end(); cursor_.advance()) {
+    moves = moves || (open.empty() && is_axis_address());
     if (cursor_.is_symbol('(')) open += ')';
     if (cursor_.is_symbol('[')) open += ']';
     if (!open.empty() && cursor_.is_symbol(open.back())) open.pop_back();
   }
   if (!open.empty()) report(DiagnosticId::missing_bracket, cursor_.span(), {std::string(1, open.back())});
   lower_.keep_as_native(name, effects_known, to_here(head), moves);
+}
+
+// X10 or Z=R1 at the cursor, with which a block moves whatever else stands in it.
+bool Parser::is_axis_address() const {
+  constexpr std::string_view kAxes = "XYZABCUVW";
+  if (cursor_.kind() != TokenKind::address || cursor_.span().size() != 1) return false;
+  const TokenCursor value = cursor_.after();
+  const bool has_value = value.kind() == TokenKind::number || value.is_symbol('=') || value.is_symbol('-');
+  return has_value && kAxes.contains(to_upper(cursor_.first()));
 }
 
 // CYCLE802(111111111,111111111,…): a digit a position, 1 absolute. Of mixed ones the cycle is said (PGZ, CYCLE802).
@@ -200,66 +208,6 @@ void Parser::execute_statement(text::Span head) {
   ir::Message message;
   message.text = parenthesized();
   lower_.add_message(StatementKind::execute_text, message, to_here(head));
-}
-
-// DEFINE NAME AS …: the rest of the block stands for the name from here on.
-void Parser::macro_definition(text::Span head) {
-  text::Span name = cursor_.span();
-  cursor_.advance();
-  // G306 is an address and a number to the lexer.
-  while (!cursor_.at_block_end() && !cursor_.is_name("AS")) {
-    name.end = cursor_.span().end;
-    cursor_.advance();
-  }
-  if (!cursor_.take_name("AS")) return give_up(DiagnosticId::syntax_error, head, {"DEFINE has no AS"});
-  const std::uint32_t first = cursor_.index();
-  text::Span body = cursor_.span();
-  skip_block();
-  body.end = cursor_.previous_end();
-  if (body.end > body.begin + kLongestMacro_bytes) {
-    report(DiagnosticId::syntax_error, name,
-           {"a macro of more than " + std::to_string(kLongestMacro_bytes) + " bytes"});
-    if (!faulty_) diagnostics_.back().alarm = "12280";
-  }
-  std::string written(UpperName(name.in(cursor_.whole())).view());
-  if (std::ranges::find(macros_, written, &Macro::name) != macros_.end()) {
-    report(DiagnosticId::name_defined_twice, name, {written});
-    if (!faulty_) diagnostics_.back().alarm = "12270";
-  }
-  macros_.push_back({std::move(written), {first, cursor_.index()}});
-  lower_.keep_as_native("DEFINE", true, to_here(head));
-}
-
-// Reads the body of a macro in the place of its name. A macro inside of another is an error of the control (12250) and
-// is not expanded.
-bool Parser::expand_macro() {
-  if (macros_.empty()) return false;
-  text::Span name = cursor_.span();
-  TokenCursor after = cursor_.after();
-  const bool joined =
-      cursor_.kind() == TokenKind::address && after.kind() == TokenKind::number && after.span().begin == name.end;
-  if (joined) {
-    name.end = after.span().end;
-    after.advance();
-  }
-  const UpperName written(name.in(cursor_.whole()));
-  const auto macro = std::ranges::find(macros_, written.view(), &Macro::name);
-  if (macro == macros_.end()) return false;
-  if (in_macro_) {
-    report(DiagnosticId::syntax_error, name, {"a macro inside of a macro"});
-    if (!faulty_) diagnostics_.back().alarm = "12250";
-    return false;
-  }
-  in_macro_ = true;
-  cursor_.go_to(macro->body.first);
-  while (cursor_.index() < macro->body.last && !cursor_.at_block_end()) {
-    const std::uint32_t before = cursor_.index();
-    statement();
-    if (cursor_.index() == before) stray_symbol();
-  }
-  in_macro_ = false;
-  cursor_.go_to(after.index());
-  return true;
 }
 
 // MSG("text" << value), MSG() clears.

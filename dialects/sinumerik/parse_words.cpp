@@ -24,7 +24,13 @@ void Parser::address_word() {
   const text::Span head = cursor_.span();
   const char letter = to_upper(cursor_.first());
   cursor_.advance();
+  // S[SPINDLE]=…: which spindle or tool it is, the run decides.
+  constexpr std::string_view kIndexed = "STHDF";
+  if (cursor_.is_symbol('[') && kIndexed.contains(letter)) return native(std::string{letter} + "[]", false, head);
   switch (letter) {
+    // Axes that a machine may have; where they are is not followed.
+    case 'E':
+    case 'Q': word(Address::other, 0, lower_.name(head.in(cursor_.whole())), head); return;
     case 'G': g_code(head); return;
     case 'M': m_function(0, head); return;
     case 'L': numbered_call(head); return;
@@ -169,6 +175,9 @@ void Parser::named_word(const Keyword& keyword) {
     index_list(index, false);
     const std::string_view written = to_here(head).in(cursor_.whole());
     name = lower_.name(written);
+    constexpr std::string_view kWithoutValue[] = {"SCC", "FOCON", "FOCOF"};
+    if (!cursor_.is_symbol('=') && std::ranges::find(kWithoutValue, keyword.name) != std::end(kWithoutValue))
+      return native(keyword.name, false, head);
     if (is_list_here()) return native(keyword.name, false, head);  // MEASA[X]=(1,2), POSP[Z]=(10,2,0)
     if (keyword.name == "POS" || keyword.name == "POSA") return positioning(keyword, name, index.index, head);
     if (same_name(written, "SPOS[1]") || same_name(written, "SPOSA[1]")) return orientation(name, head);
@@ -250,12 +259,9 @@ void Parser::g_code(text::Span head) {
   const text::Span span = to_here(head);
   const GCode* code = find_g_code(n);
   if (code == nullptr) {
+    // It may be a macro of the machine (DEFINE G301 AS … in its definition files).
     report(DiagnosticId::unknown_code, span, {std::string(span.in(cursor_.whole()))});
-    // Three digits may be a macro of the machine (DEFINE G301 AS … in its definition files).
-    const bool may_be_macro = !faulty_ && !control_.from_profile && n >= 100;
-    if (may_be_macro) diagnostics_.back().severity = text::Severity::warning;
-    return lower_.keep_as_native(may_be_macro ? UpperName(span.in(cursor_.whole())).view() : "unknown code", false,
-                                 span, may_be_macro);
+    return lower_.keep_as_native("unknown code", false, span, true);
   }
   if (n == 75 && reference_approach(head)) return;
   if (code->row.name == "G291" && in_macro_) return native(code->row.name, false, span);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "dialects/sinumerik/certainty.h"
 #include "dialects/sinumerik/lex.h"
 #include "dialects/sinumerik/parse.h"
 #include "dialects/sinumerik/sinumerik.h"
@@ -39,6 +40,7 @@ ir::ReadResult read(const text::Source& source, const ir::Control& control) {
   reserve_arenas(program);
   Parser(program, control, result.diagnostics).run();
   (void)ir::match_structures(program);  // what has no partner is validate's to report
+  keep_one_per_name(program, result.diagnostics);
   std::ranges::sort(result.diagnostics, {},
                     [](const text::Diagnostic& d) { return std::tuple(d.span.begin, d.id, d.span.end); });
   return result;

@@ -1,10 +1,12 @@
 // The short way of plain blocks: addresses of one letter with a constant, G and M codes by number, comments. Names,
 // '=' and all that is computed are the reader's.
+#include <algorithm>
 #include <array>
 #include <utility>
 
 #include "dialects/ir/block_scanner.h"
 #include "dialects/sinumerik/codes.h"
+#include "dialects/sinumerik/name_index.h"
 #include "dialects/sinumerik/sinumerik.h"
 #include "dialects/text/scan_decimal.h"
 
@@ -129,7 +131,7 @@ class Words {
   std::uint32_t seen_ = 0;  // addresses of the block, a bit each
 };
 
-// In ISO mode no block is one of Siemens mode.
+// In ISO mode no block is one of Siemens mode; nor where a code is a macro.
 class NoPlainBlocks final : public ir::PlainScanner {
  public:
   ir::PlainScan scan(std::string_view, ir::PlainBatch&) override { return {0, ir::PlainStop::not_plain}; }
@@ -138,8 +140,15 @@ class NoPlainBlocks final : public ir::PlainScanner {
 
 }  // namespace
 
+// Whether a definition file gives a code another meaning: DEFINE M6 AS L6.
+static bool redefines_codes(const ir::Control& control) {
+  return control.shared != nullptr && std::ranges::any_of(control.shared->macros, [](const auto& macro) {
+           return macro.first.size() > 1 && is_digit(macro.first[1]);
+         });
+}
+
 std::unique_ptr<ir::PlainScanner> plain_scanner(const ir::Control& control) {
-  if (control.semantics.starts_in_iso_mode) return std::make_unique<NoPlainBlocks>();
+  if (control.semantics.starts_in_iso_mode || redefines_codes(control)) return std::make_unique<NoPlainBlocks>();
   return std::make_unique<ir::BlockScanner<Words>>(Words(control));
 }
 

@@ -28,6 +28,9 @@ ir::Control infer_control(const text::Source& source);
 // tile the text. Diagnostics are those of the syntax; the rest is validate's.
 ir::ReadResult read(const text::Source& source, const ir::Control& control);
 
+// What a definition file (GUD or macros) declares, added to what others did; sizes by macros of those before it count.
+void add_definitions(const text::Source& file, const ir::Control& control, ir::SharedDefinitions& into);
+
 // Plain blocks of a text of that control, in batches. `control` must outlive it.
 std::unique_ptr<ir::PlainScanner> plain_scanner(const ir::Control& control);
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dialects/sinumerik/name_index.h"
-#include "dialects/sinumerik/plain_names.h"
+#include "dialects/sinumerik/vocabulary.h"
 
 namespace dripfeed::sinumerik {
 
@@ -146,7 +146,7 @@ std::span<const ir::SystemVariableRow> system_variables() {
   static const std::vector<ir::SystemVariableRow> rows = [] {
     std::vector<ir::SystemVariableRow> all(kVariables.begin(), kVariables.end());
     for (ir::SystemVariableRow& row : all) row.inert = is_harmless_to_write(row.name);
-    for (const PlainNames& list : plain_names()) {
+    for (const WordList& list : vocabulary()) {
       if (list.role != Role::foreign) continue;
       for (const std::string_view name : list.names) all.push_back({name, 0, 0, not_modelled, false, "PGA, functions"});
     }

@@ -37,6 +37,9 @@ std::size_t section_of(const ir::Program& program, std::uint32_t begin);
 // a program.
 bool is_subprogram(const ir::Program& program);
 
+// Data for the control and no program that runs: definition files, initialization files, tool and offset data.
+bool is_data_file(const ir::Program& program);
+
 void check_structures(const Check& check);  // validate_structures.cpp
 void check_labels(const Check& check);      // validate_flow.cpp
 void check_reachability(const Check& check);
@@ -55,5 +58,6 @@ void check_symbols(const Check& check);      // validate_symbols.cpp
 void check_cycles(const Check& check);       // validate_cycles.cpp
 void check_words(const Check& check);        // validate_words.cpp
 void check_interpreted(const Check& check);  // validate_interpreted.cpp
+void check_leftovers(const Check& check);    // validate_leftovers.cpp
 
 }  // namespace dripfeed::sinumerik

@@ -90,12 +90,17 @@ void check_addresses(const Check& check, const ir::Block& block) {
   const auto codes = check.program.codes_of(block);
   const auto dwell = std::ranges::find(codes, ir::Function::dwell, &ir::Code::function);
   for (const ir::Word& word : check.program.words_of(block)) {
-    const bool no_address =
-        word.address == ir::Address::e || word.address == ir::Address::o || word.address == ir::Address::q;
+    const bool no_address = word.address == ir::Address::o;
     const bool no_axis = check.control.from_profile && ir::is_axis(word.address) &&
                          check.control.axes.find(letter_of(word.address)) == std::string::npos;
     if (no_address || no_axis)
       check.report(DiagnosticId::unknown_address, word.span, {std::string(1, letter_of(word.address))});
+    // P is how often a subprogram runs; F or S is how long G4 waits.
+    if (dwell != codes.end() && word.address == ir::Address::p) {
+      text::Diagnostic& d = check.report(DiagnosticId::addresses_exclude, word.span, {"G4", "P"});
+      d.severity = text::Severity::warning;
+      d.notes.push_back({word.span, "G4 waits F seconds or S revolutions; P is ISO mode's"});
+    }
     if (dwell != codes.end() && ir::is_axis(word.address)) {
       check.report(DiagnosticId::statement_not_alone, dwell->span, {"G4"}).alarm = "12120";
       return;

@@ -1,10 +1,12 @@
 // Labels and jumps; blocks that are never reached; the program's end.
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "dialects/facts/flow_graph.h"
 #include "dialects/ir/repetition.h"
+#include "dialects/sinumerik/name_index.h"
 #include "dialects/sinumerik/validate.h"
 
 namespace dripfeed::sinumerik {
@@ -27,7 +29,7 @@ class Reachability {
     std::vector<bool> reached(statements_.size() + 1, false);
     flood(graph_.entries(), ir::kNoIndex, reached);
     report(reached);
-    if (runs_off_the_end()) {
+    if (!is_data_file(check_.program) && runs_off_the_end()) {
       const auto count = static_cast<std::uint32_t>(statements_.size());
       check_.report(DiagnosticId::missing_program_end, ir::span_of_last(check_.program, 0, count));
     }
@@ -60,10 +62,43 @@ class Reachability {
     });
   }
 
+  // Labels that a cycle is given in a text, as CYCLE95("START:END",…): the contour between them is run by the cycle.
+  [[nodiscard]] std::set<ir::StringId> labels_in_texts() const {
+    std::set<ir::StringId> labels;
+    for (const ir::Token& token : check_.program.tokens) {
+      if (token.kind != ir::TokenKind::string) continue;
+      std::string_view text = check_.text_of(token.span);
+      while (!text.empty()) {
+        const std::size_t begin = text.find_first_not_of("\": ");
+        if (begin == std::string_view::npos) break;
+        text.remove_prefix(begin);
+        const std::string_view name = text.substr(0, text.find_first_of("\": "));
+        labels.insert(check_.program.strings.find(UpperName(name).view()));
+        text.remove_prefix(name.size());
+      }
+    }
+    return labels;
+  }
+
+  // Statements that only a cycle runs: from a label that it is given to the next block that is reached.
+  [[nodiscard]] std::vector<bool> contours(const std::vector<bool>& reached) const {
+    std::vector<bool> of_cycle(statements_.size(), false);
+    const std::set<ir::StringId> named = labels_in_texts();
+    for (const ir::Label& label : check_.program.labels)
+      if (label.name != ir::StringId::none && named.contains(label.name))
+        for (std::uint32_t i = label.statement; i < statements_.size() && !reached[i]; ++i) of_cycle[i] = true;
+    return of_cycle;
+  }
+
   // One warning for each stretch that is not reached; closers of structures and empty lines are no blocks to miss.
   void report(const std::vector<bool>& reached) const {
+    const std::vector<bool> of_cycle = contours(reached);
     bool in_stretch = false;
     for (std::uint32_t i = 0; i < statements_.size(); ++i) {
+      if (of_cycle[i]) {
+        in_stretch = false;
+        continue;
+      }
       const StatementKind kind = statements_[i].kind;
       const bool closer = kind == StatementKind::if_end || kind == StatementKind::while_end ||
                           kind == StatementKind::for_end || kind == StatementKind::loop_end ||

@@ -11,7 +11,7 @@ using ir::StatementKind;
 
 class Unread {
  public:
-  explicit Unread(const Check& check) : check_(check) {}
+  explicit Unread(const Check& check) : check_(check), is_data_(is_data_file(check.program)) {}
 
   void run() {
     for (const ir::Statement& s : check_.program.statements) {
@@ -37,7 +37,7 @@ class Unread {
 
   // What a system variable does when it is written is the control's; outputs, timers and counters do nothing here.
   void write(ir::VariableId target, text::Span span) {
-    if (target == ir::VariableId::none) return;
+    if (target == ir::VariableId::none || is_data_) return;
     const ir::Variable& v = check_.program.at(target);
     if (v.bank != ir::Bank::system || v.name == ir::StringId::none) return;
     const bool inert = v.number != 0 && check_.control.system_variables[v.number].inert;
@@ -53,6 +53,7 @@ class Unread {
   }
 
   const Check& check_;
+  bool is_data_;  // such a file is nothing but assignments to the control's data
   std::set<std::string> seen_;
 };
 

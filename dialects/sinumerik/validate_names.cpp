@@ -33,7 +33,6 @@ class Names {
   struct Use {
     bool read = false;
     bool set = false;
-    bool indexed = false;
     text::Span first;  // of the first use, read or set
   };
 
@@ -49,7 +48,6 @@ class Names {
       if (v.bank != ir::Bank::named) continue;
       Use& use = uses_[static_cast<std::size_t>(v.symbol)];
       if (use.first.empty() || v.span.begin < use.first.begin) use.first = v.span;
-      use.indexed = use.indexed || v.index != ir::ExpressionId::none;
     }
     for (const ir::Expression& e : program_.expressions) {
       if (e.op == ir::Operator::variable && program_.at(e.variable).bank == ir::Bank::named)
@@ -96,29 +94,17 @@ class Names {
     }
   }
 
-  // A name that is nowhere defined may be global user data, which the machine's own definition files hold, or in a
-  // subprogram the caller's. Where the program has arrays of that kind, more than one such name, or calls others, it is
-  // taken for one, and the fault is a warning; alone, or beside a defined name of nearly the same spelling, it is most
-  // likely a slip.
+  // A name that is nowhere defined may be global user data or a macro, which the machine's own definition files hold,
+  // an axis, or in a subprogram the caller's. Beside a defined name of nearly the same spelling it is most likely a
+  // slip.
   void unknown_names() const {
-    std::uint32_t unknown = 0;
-    bool global_data = is_subprogram(program_);
-    for (std::size_t i = 0; i < program_.symbols.size(); ++i) {
-      if (is_declared(program_.symbols[i]) || uses_[i].first.empty()) continue;
-      ++unknown;
-      global_data = global_data || uses_[i].indexed;
-    }
-    global_data = global_data || unknown > 1 || std::ranges::any_of(program_.statements, [](const ir::Statement& s) {
-                    return s.kind == StatementKind::call || s.kind == StatementKind::modal_call ||
-                           s.kind == StatementKind::declaration;
-                  });
     for (std::size_t i = 0; i < program_.symbols.size(); ++i) {
       const ir::Symbol& symbol = program_.symbols[i];
-      if (is_declared(symbol) || uses_[i].first.empty()) continue;
+      if (is_declared(symbol) || uses_[i].first.empty() || ir::is_shared(check_.control.shared.get(), name(symbol)))
+        continue;
       text::Diagnostic& d = check_.report(DiagnosticId::unknown_name, uses_[i].first, {name(symbol)});
-      const ir::Symbol* meant = nearly_the_same(symbol);
-      if (meant != nullptr) d.notes.push_back({meant->span, "this one has nearly the same name"});
-      if (global_data && meant == nullptr) d.severity = text::Severity::warning;
+      if (const ir::Symbol* meant = nearly_the_same(symbol))
+        d.notes.push_back({meant->span, "this one has nearly the same name"});
     }
   }
 
@@ -200,12 +186,14 @@ class Names {
         check_.report(DiagnosticId::definition_not_at_start, s.span);
       const bool inert = s.kind == StatementKind::empty || s.kind == StatementKind::procedure ||
                          s.kind == StatementKind::declaration || s.kind == StatementKind::define;
-      // The elements of an array's list are assignments of their DEF's own line, and DEFINE … AS is a definition.
+      // The elements of an array's list are assignments of their DEF's own line.
       const bool of_definition =
           s.kind == StatementKind::assign && s.tokens.first == s.tokens.last && last_define_ == s.line;
-      const bool macro = s.kind == StatementKind::native && check_.native_name(s) == "DEFINE";
+      // DEFINE … AS, groups of the editor; what could not be read has its own fault.
+      const bool quiet = s.kind == StatementKind::native && (program_.natives[s.payload].effects_known ||
+                                                             check_.native_name(s).contains(' '));
       if (s.kind == StatementKind::define) last_define_ = s.line;
-      if (!inert && !of_definition && !macro && acts_from_line == 0) acts_from_line = s.line;
+      if (!inert && !of_definition && !quiet && acts_from_line == 0) acts_from_line = s.line;
     }
   }
 

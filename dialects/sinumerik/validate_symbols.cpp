@@ -22,13 +22,19 @@ using text::DiagnosticId;
 constexpr double kGroups = 64.0;
 constexpr std::uint64_t kMemory_bytes = 16ULL << 20U;  // more than any NC memory of these controls
 
-// What the language itself calls so. Words that only some statements know may still be names.
-bool is_taken(std::string_view upper) {
-  constexpr Role kTaken[] = {Role::infix,     Role::prefix,  Role::function, Role::constant,
-                             Role::word_mode, Role::address, Role::type,     Role::statement};
+// How sure it is that the control refuses a name. The words of every version of the language are certain; of others it
+// depends on version and options, and words that only some statements know may still be names.
+enum class Taken : std::uint8_t { no, perhaps, certainly };
+
+Taken is_taken(std::string_view upper) {
+  constexpr Role kCertain[] = {Role::infix,     Role::prefix, Role::function, Role::constant,
+                               Role::word_mode, Role::type,   Role::statement};
   const Keyword* keyword = find_keyword(upper);
-  if (keyword != nullptr && std::ranges::find(kTaken, keyword->role) != std::end(kTaken)) return true;
-  return find_named_code(upper) != nullptr || !standard_cycle(upper).empty();
+  if (keyword != nullptr && std::ranges::find(kCertain, keyword->role) != std::end(kCertain)) return Taken::certainly;
+  if (keyword != nullptr && keyword->role == Role::address)
+    return keyword->address == ir::Address::other ? Taken::perhaps : Taken::certainly;
+  if (find_named_code(upper) != nullptr || !standard_cycle(upper).empty()) return Taken::certainly;
+  return Taken::no;
 }
 
 std::uint64_t bytes_of(const ir::Symbol& symbol) {
@@ -46,8 +52,9 @@ std::uint64_t bytes_of(const ir::Symbol& symbol) {
 void check_symbol(const Check& check, const ir::Symbol& symbol) {
   if (symbol.span.empty()) return;
   const std::string name(check.program.strings.at(symbol.name));
-  if (is_taken(UpperName(name).view())) {
+  if (const Taken taken = is_taken(UpperName(name).view()); taken != Taken::no) {
     text::Diagnostic& d = check.report(DiagnosticId::name_defined_twice, symbol.span, {name});
+    if (taken == Taken::perhaps) d.severity = text::Severity::warning;
     d.alarm = "12200";
     d.notes.push_back({symbol.span, "the control's own language has that name"});
   } else if (bytes_of(symbol) > kMemory_bytes) {

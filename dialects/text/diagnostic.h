@@ -35,6 +35,12 @@ struct DiagnosticNote {
   std::string text;
 };
 
+// A place in another text than the one at hand: a called program.
+struct ElsewherePlace {
+  std::string name;  // of the text, as messages show it
+  std::uint32_t line = 1;
+};
+
 struct Diagnostic {
   DiagnosticId id;
   Severity severity = Severity::error;
@@ -43,6 +49,8 @@ struct Diagnostic {
   std::vector<DiagnosticNote> notes = {};
   std::optional<Edit> fix = std::nullopt;
   std::string alarm = {};  // the control's own number ("PS0124", "14080"); empty when it has none
+  std::optional<ElsewherePlace> elsewhere = std::nullopt;  // then the spans say nothing
+  bool is_open = false;    // what exists beside the program decides it: until that is given, nothing passes
 };
 
 // A diagnostic with the severity of its row.

@@ -47,6 +47,7 @@ class Checks {
   void finish() {
     if (envelope_) report_.checks.envelope = envelope_->finish();
     if (timing_) report_.checks.timing = timing_->finish();
+    if (report_.checks.envelope && report_.checks.envelope->lost_place) report_.checks.has_unknown_effects = true;
     if (timing_ && !report_.checks.timing->is_whole) report_.checks.has_unknown_effects = true;
     surfaces_.finish(report_.checks, report_.pictures);
     checks::CheckReport& done = report_.checks;
@@ -102,15 +103,25 @@ std::string why_ended(const interpreter::RunResult& run) {
   return fmt::format("the run was stopped at the budget of {}", found->diagnostic.arguments.front());
 }
 
+// The text of the called program of that name, as messages show it: the path where there is one.
+std::string shown_name(const compile::ProgramLibrary& library, const std::string& name) {
+  for (const auto& loaded : library.loaded())
+    if (loaded->name == name && !loaded->read.program.is_standard) return loaded->read.program.source.name();
+  return name;
+}
+
+// A run that an open fault ended did not see the rest.
+bool ended_openly(const interpreter::RunResult& run) {
+  return run.ended == interpreter::Ended::alarm && !run.diagnostics.empty() &&
+         run.diagnostics.back().diagnostic.severity != text::Severity::error;
+}
+
 // What the run said: alarms and warnings, and what it met and did not carry out.
-void take_run(const interpreter::RunResult& run, CheckReport& report) {
+void take_run(const interpreter::RunResult& run, const compile::ProgramLibrary& library, CheckReport& report) {
   for (const interpreter::RunDiagnostic& one : run.diagnostics) {
     text::Diagnostic diagnostic = one.diagnostic;
-    if (one.program != 0) {
-      diagnostic.span = {};
-      diagnostic.notes.push_back(
-          {.span = {}, .text = fmt::format("in {}, line {}", run.programs[one.program], one.line)});
-    }
+    if (one.program != 0)
+      diagnostic.elsewhere = {.name = shown_name(library, run.programs[one.program]), .line = one.line};
     report.checks.diagnostics.push_back(std::move(diagnostic));
   }
   for (const interpreter::NotInterpreted& one : run.not_interpreted) {
@@ -122,6 +133,12 @@ void take_run(const interpreter::RunResult& run, CheckReport& report) {
   report.programs = run.programs;
   report.blocks = run.blocks;
   report.ran = run.ended == interpreter::Ended::end;
+  if (ended_openly(run)) {
+    report.checks.has_unknown_effects = true;
+    report.checks.not_checked.add(
+        fmt::format("what follows line {}: {}", run.last.line, text::message_of(run.diagnostics.back().diagnostic)),
+        run.last.line);
+  }
   if (run.ended != interpreter::Ended::limit) return;
   report.checks.has_unknown_effects = true;
   report.checks.not_checked.add(fmt::format("what follows line {}: {}", run.last.line, why_ended(run)), run.last.line);
@@ -134,7 +151,7 @@ void run_checks(const Examination& e, const ir::Program& program, CheckReport& r
       e.control, e.find_called ? e.find_called : [](std::string_view) { return std::nullopt; });
   interpreter::RunOptions options;
   options.used_up = e.used_up;
-  take_run(compile::execute(program, e.control, &library, sinks, options), report);
+  take_run(compile::execute(program, e.control, &library, sinks, options), library, report);
   for (const auto& loaded : library.loaded()) {
     if (text::has_error(loaded->read.diagnostics)) {
       report.checks.has_unknown_effects = true;
@@ -174,7 +191,7 @@ void sort_and_join(std::vector<text::Diagnostic>& diagnostics) {
   std::ranges::stable_sort(diagnostics, {}, [](const text::Diagnostic& d) { return d.span.begin; });
   // What reading and running both saw is said once.
   const auto same = [](const text::Diagnostic& a, const text::Diagnostic& b) {
-    return a.id == b.id && a.span.begin == b.span.begin && a.arguments == b.arguments;
+    return a.id == b.id && a.span.begin == b.span.begin && a.arguments == b.arguments && !a.elsewhere && !b.elsewhere;
   };
   diagnostics.erase(std::unique(diagnostics.begin(), diagnostics.end(), same), diagnostics.end());
 }

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "dialects/compile/caller_modes.h"
+#include "dialects/compile/shared_definitions.h"
 #include "server/app/catalog.h"
 #include "server/cli/memory_budget.h"
 #include "server/json/profile_document.h"
@@ -23,9 +24,6 @@ namespace dripfeed::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array<std::string_view, 11> kEndings = {"",     ".nc",  ".NC",  ".spf", ".SPF", ".mpf",
-                                                       ".MPF", ".cnc", ".txt", ".def", ".DEF"};
 
 // In large pieces: an iterator over the stream takes as long for a long program as reading its blocks.
 std::string read_all(std::istream& stream) {
@@ -55,12 +53,6 @@ app::Result<std::string> read_file(const std::string& path) {
   std::string text = read_all(file);
   if (file.bad()) return app::fail(app::ErrorCode::unavailable, fmt::format("{}: cannot be read to its end", path));
   return text;
-}
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return out;
 }
 
 struct Settings {
@@ -246,49 +238,11 @@ app::Result<ChosenControl> choose_control(const TextOptions& options) {
 }
 
 app::Result<ChosenControl> choose_control(const TextOptions& options, const text::Source& source) {
-  return with_modes(options, plain_control(options, source));
-}
-
-std::vector<std::string> folders_for(const TextOptions& options, const std::string& file) {
-  std::vector<std::string> folders = options.paths;
-  if (file != "-")
-    folders.push_back(fs::path(file).parent_path().empty() ? "." : fs::path(file).parent_path().string());
-  return folders;
-}
-
-namespace {
-
-// O0012 is kept as O0012, O12, 0012 or 12; other names as they are, or in small letters.
-std::vector<std::string> spellings(std::string_view name) {
-  std::vector<std::string> result = {std::string(name), lower(name)};
-  const bool numbered =
-      name.size() > 1 && name.front() == 'O' && name.find_first_not_of("0123456789", 1) == std::string_view::npos;
-  if (!numbered) return result;
-  const std::string_view digits = name.substr(1);
-  const std::string_view shortest = digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 1));
-  result.emplace_back(digits);
-  result.emplace_back(shortest);
-  result.push_back("O" + std::string(shortest));
-  return result;
-}
-
-}  // namespace
-
-compile::FindText find_in(std::vector<std::string> folders) {
-  return [folders = std::move(folders)](std::string_view name) -> std::optional<text::Source> {
-    for (const std::string& folder : folders) {
-      for (const std::string_view ending : kEndings) {
-        for (const std::string& spelled : spellings(name)) {
-          const fs::path path = fs::path(folder) / (spelled + std::string(ending));
-          std::error_code error;
-          if (!fs::is_regular_file(path, error)) continue;
-          auto text = read_file(path.string());
-          if (text) return text::Source(path.string(), std::move(*text));
-        }
-      }
-    }
-    return std::nullopt;
-  };
+  auto chosen = with_modes(options, plain_control(options, source));
+  if (chosen)
+    chosen->control =
+        compile::with_definitions(std::move(chosen->control), find_in(folders_for(options, source.name())));
+  return chosen;
 }
 
 }  // namespace dripfeed::cli

@@ -15,14 +15,16 @@ inline Schema severity() { return one_of(names_of<text::Severity>(text::name_of)
 inline Schema control_alarm() { return or_null(text("by which the control itself would name it")); }
 
 inline Schema diagnostics_schema(std::string of) {
-  return list_of(object("a fault in a text", {{"id", text("of the kind of fault")},
-                                              {"severity", severity()},
-                                              {"line", integer("from 1")},
-                                              {"column", integer("from 1, in bytes")},
-                                              {"column_chars", integer("from 1, in characters")},
-                                              {"text", text("one sentence")},
-                                              {"alarm", control_alarm()}}),
-                 std::move(of));
+  return list_of(
+      object("a fault in a text", {{"id", text("of the kind of fault")},
+                                   {"severity", severity()},
+                                   {"file", or_null(text("the called program that it is in; null: the text itself"))},
+                                   {"line", integer("from 1")},
+                                   {"column", integer("from 1, in bytes")},
+                                   {"column_chars", integer("from 1, in characters")},
+                                   {"text", text("one sentence")},
+                                   {"alarm", control_alarm()}}),
+      std::move(of));
 }
 
 }  // namespace dripfeed::json

@@ -4,10 +4,10 @@
 // diagnostic came. What a diagnostic is worth is for a person to judge, from the list:
 //
 //   DRIPFEED_CORPUS=DIR ctest --test-dir build/dev -R real_programs -V
-//   build/dev/real_programs DIR [--list FILE] [--only PART] [--broken PART] [--every-length BYTES]...
+//   build/dev/real_programs DIR [--list FILE | --list-all FILE] [--only PART] [--broken PART] [--every-length BYTES]...
 //
 // --list: FILE gets a line for each diagnostic of a file that has errors: severity, id, file:line:column, text, the
-// line.
+// line; --list-all: of every file.
 // --only: files whose path holds PART. --broken: files that are wrong on purpose: read, but left out of the figures.
 // --every-length: a file is broken off after each of its first BYTES bytes, not at 50 places only (takes as long as
 // reading the square of their number).
@@ -31,7 +31,9 @@
 
 #include "dialects/compile/convert.h"
 #include "dialects/compile/dialect.h"
+#include "dialects/compile/shared_definitions.h"
 #include "dialects/text/number.h"
+#include "dialects/text/upper_case.h"
 #include "tests/corpus/reprint.h"
 
 namespace {
@@ -45,6 +47,7 @@ constexpr std::size_t kTruncations = 50;  // of each file, spread over its whole
 struct Options {
   fs::path folder;
   std::string list;
+  bool list_all = false;  // of files without errors, too
   std::string only;
   std::vector<std::string> broken;
   std::size_t every_length = 0;  // bytes of each file that it is broken off after, one by one
@@ -55,6 +58,8 @@ struct Tally {
   std::size_t files = 0;
   std::size_t clean = 0;  // files without an error
   std::size_t broken = 0;
+  std::size_t lines = 0;
+  std::size_t warnings = 0;
   struct Count {
     std::size_t times = 0;
     std::size_t files = 0;
@@ -128,7 +133,7 @@ class Corpus {
     const auto begin = std::chrono::steady_clock::now();
     const std::string name = fs::relative(path, options_.folder).string();
     const text::Source source(name, read_file(path));
-    const ir::Control control = dialect.infer_control(source);
+    const ir::Control control = compile::with_definitions(dialect.infer_control(source), definitions_beside(path));
     ir::ReadResult read = dialect.read(source, control);
     if (const auto fault = fault_of(read.program, source.text())) complain(name, *fault);
     std::vector<text::Diagnostic> found = std::move(read.diagnostics);
@@ -141,6 +146,22 @@ class Corpus {
     cut(source, dialect, control);
     count(source, found, tally);
     note_time(name, std::chrono::steady_clock::now() - begin);
+  }
+
+  // Definition files in the program's folder, and in one named DEF beside it, as a control keeps them.
+  static compile::FindText definitions_beside(const fs::path& program) {
+    return [program](std::string_view name) -> std::optional<text::Source> {
+      const fs::path own = program.parent_path();
+      for (const fs::path& folder : {own, own.parent_path() / "DEF"}) {
+        std::error_code error;
+        for (const auto& entry : fs::directory_iterator(folder, error)) {
+          const bool is_definition = text::upper_case(entry.path().extension().string()) == ".DEF";
+          if (is_definition && text::upper_case(entry.path().stem().string()) == name)
+            return text::Source(entry.path().string(), read_file(entry.path()));
+        }
+      }
+      return std::nullopt;
+    };
   }
 
   // The beginning of a program, broken off anywhere, is read like any other text.
@@ -173,6 +194,7 @@ class Corpus {
       return;
     }
     ++tally.files;
+    tally.lines += source.line_count();
     const bool wrong = text::has_error(found);
     if (!wrong) ++tally.clean;
     std::set<std::pair<text::Severity, std::string_view>> seen;
@@ -182,7 +204,8 @@ class Corpus {
       Tally::Count& count = tally.diagnostics[key];
       ++count.times;
       if (seen.insert(key).second) ++count.files;
-      if (wrong && list_.is_open()) list(source, diagnostic, id);
+      if (diagnostic.severity == text::Severity::warning) ++tally.warnings;
+      if ((wrong || options_.list_all) && list_.is_open()) list(source, diagnostic, id);
     }
   }
 
@@ -208,7 +231,10 @@ class Corpus {
     if (tally.files + tally.broken == 0) return;
     const double share =
         100.0 * static_cast<double>(tally.clean) / static_cast<double>(std::max<std::size_t>(1, tally.files));
-    fmt::print("{}: {} files, {} without error ({} %)", folder, tally.files, tally.clean, text::format_fixed(share, 1));
+    const double warnings =
+        100.0 * static_cast<double>(tally.warnings) / static_cast<double>(std::max<std::size_t>(1, tally.lines));
+    fmt::print("{}: {} files, {} without error ({} %), {} warnings in 100 lines", folder, tally.files, tally.clean,
+               text::format_fixed(share, 1), text::format_fixed(warnings, 2));
     if (tally.broken > 0) fmt::print(", {} more that are wrong on purpose", tally.broken);
     fmt::print("\n");
     for (const auto& [key, count] : tally.diagnostics) {
@@ -234,6 +260,9 @@ Options options_of(int count, char** arguments) {
     const bool more = i + 1 < count;
     if (word == "--list" && more) {
       options.list = arguments[++i];
+    } else if (word == "--list-all" && more) {
+      options.list = arguments[++i];
+      options.list_all = true;
     } else if (word == "--only" && more) {
       options.only = arguments[++i];
     } else if (word == "--broken" && more) {

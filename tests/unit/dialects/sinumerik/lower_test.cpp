@@ -124,7 +124,7 @@ TEST(Lower, StructuresKnowTheirPartners) {
 
 TEST(Lower, ProceduresAndDefinitions) {
   const ir::Program p = good(
-      "PROC PART(REAL A, VAR INT B, STRING[20] C, REAL D=1.5) SAVE DISPLOF\nDEF INT N1=3, LIST[2,3]\nDEF BOOL "
+      "PROC PART(REAL A, VAR INT B, STRING[20] C, REAL DD=1.5) SAVE DISPLOF\nDEF INT N1X=3, LIST[2,3]\nDEF BOOL "
       "FLAG=TRUE\nRET");
   EXPECT_EQ(p.name, "PART");
   ASSERT_EQ(p.symbols.size(), 7U);

@@ -1,0 +1,39 @@
+// The table of open faults.
+#include "dialects/sinumerik/certainty.h"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "dialects/sinumerik/validate.h"
+
+namespace dripfeed::sinumerik {
+
+namespace {
+
+using enum text::DiagnosticId;
+
+constexpr ir::OutsideRow kOpen[] = {
+    {unknown_name,
+     "a definition file (GUD or macros) that defines it settles this: put it beside the program or give "
+     "its folder with --path"},
+    {unknown_code,
+     "a definition file (SMAC, MMAC, UMAC) that defines it as a macro settles this: put it beside the "
+     "program or give its folder with --path"},
+    {call_target_missing, "the called program settles this: put it beside this one or give its folder with --path"},
+    {unknown_address, "a machine profile with its axes settles this", true},
+};
+
+}  // namespace
+
+std::span<const ir::OutsideRow> open_faults() { return kOpen; }
+
+void keep_one_per_name(const ir::Program& program, std::vector<text::Diagnostic>& diagnostics) {
+  std::ranges::stable_sort(diagnostics, {}, [](const text::Diagnostic& d) { return d.span.begin; });
+  std::set<std::tuple<std::size_t, text::DiagnosticId, std::vector<std::string>>> told;
+  std::erase_if(diagnostics, [&](const text::Diagnostic& d) {
+    return d.is_open && !told.emplace(section_of(program, d.span.begin), d.id, d.arguments).second;
+  });
+}
+
+}  // namespace dripfeed::sinumerik
