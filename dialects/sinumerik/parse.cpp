@@ -42,9 +42,13 @@ void Parser::line() {
   const text::Span start = cursor_.span();
   lower_.begin_line(line_, cursor_.index());
   if (in_iso_ && iso_line(start)) return;
-  if (has_invalid_) unreadable_tokens();
+  if (has_invalid_ && !in_other_data_) unreadable_tokens();
   cursor_.skip_blanks();
   if (cursor_.kind() == TokenKind::tape_mark) tape_head();
+  if (in_other_data_) {
+    lower_.keep_as_native("DATA", true, cursor_.span());
+    return finish_line(start);
+  }
   block_head();
   while (!cursor_.at_block_end()) {
     const std::uint32_t before = cursor_.index();
@@ -98,7 +102,11 @@ void Parser::tape_head() {
   std::string_view head = cursor_.text().substr(1);
   while (!head.empty() && (head.back() == ' ' || head.back() == '\t')) head.remove_suffix(1);
   if (head.size() > 3 && same_name(head.substr(0, 3), "_N_")) head.remove_prefix(3);
-  if (head.size() > 4 && head[head.size() - 4] == '_') head.remove_suffix(4);
+  in_other_data_ = false;
+  if (head.size() > 4 && head[head.size() - 4] == '_') {
+    in_other_data_ = is_other_ending(head.substr(head.size() - 3));
+    head.remove_suffix(4);
+  }
   if (head.empty() || !std::ranges::all_of(head, is_name_character)) return;
   const std::string name(UpperName(head).view());
   const bool has_blocks = std::ranges::any_of(

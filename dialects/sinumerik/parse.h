@@ -100,6 +100,7 @@ class Parser {
   ir::ExpressionId function_call(const Keyword& keyword, text::Span name);
   ir::ExpressionId foreign_call(text::Span name);
   ir::ExpressionId axis_name();
+  [[nodiscard]] bool is_axis_at_end() const;
   ir::ExpressionId system_index();
   ir::ExpressionId missing_operand();
   ir::Operator infix_here(std::uint8_t& rank) const;
@@ -206,7 +207,8 @@ class Parser {
   Lowering lower_;
   TokenCursor cursor_;
   std::uint32_t line_ = 1;
-  bool has_head_ = false;  // the text has named a program
+  bool in_other_data_ = false;  // a part of an archive that is not in the control's language
+  bool has_head_ = false;       // the text has named a program
   // of the block
   bool faulty_ = false;         // a fault was reported: what follows from it is not
   bool in_condition_ = false;   // a name before '=' is a comparison gone wrong, not the next word
@@ -227,9 +229,9 @@ class Parser {
   std::vector<Macro> macros_;  // DEFINE … AS
   bool in_macro_ = false;
   std::set<ir::StringId> externs_;  // names that EXTERN declares: programs, whatever else they may be
-  std::uint64_t elements_ = 0;  // of lists of values, so far
-  bool resumes_iso_ = false;    // the line calls as Siemens mode does, in ISO mode
-  bool in_iso_ = false;         // behind G291: the last of the foreign parts is open
+  std::uint64_t elements_ = 0;      // of lists of values, so far
+  bool resumes_iso_ = false;        // the line calls as Siemens mode does, in ISO mode
+  bool in_iso_ = false;             // behind G291: the last of the foreign parts is open
 };
 
 }  // namespace dripfeed::sinumerik

@@ -184,8 +184,8 @@ ir::ExpressionId Parser::primary() {
       return program_.add(e);
     }
     case TokenKind::address:
-      // AXIVAR=C at the end of a block is an axis, X=- F=1 is not.
-      return brackets_ > 0 || cursor_.after().at_block_end() ? axis_name() : missing_operand();
+      // AXIVAR=C and AXIVAR=X1 at the end of a block are axes, X=- F=1 is not.
+      return brackets_ > 0 || is_axis_at_end() ? axis_name() : missing_operand();
     case TokenKind::symbol:
       if (cursor_.is_symbol('(')) {
         const ir::ExpressionId value = parenthesized();
@@ -201,6 +201,13 @@ ir::ExpressionId Parser::primary() {
     case TokenKind::invalid: return missing_operand();
   }
   return missing_operand();
+}
+
+bool Parser::is_axis_at_end() const {
+  TokenCursor after = cursor_.after();
+  const bool joined = after.kind() == TokenKind::number && after.span().begin == cursor_.span().end;
+  if (joined && std::ranges::all_of(after.text(), is_digit)) after.advance();
+  return after.at_block_end();
 }
 
 // Nothing is taken: what stands here may begin the next word.
@@ -276,13 +283,18 @@ ir::ExpressionId Parser::string_literal() {
   return program_.add(e);
 }
 
-// A letter or X1 between brackets: the name of an axis or spindle, as a string.
+// A letter or X1 as a value: the name of an axis or spindle, as a string.
 ir::ExpressionId Parser::axis_name() {
+  text::Span span = cursor_.span();
+  cursor_.advance();
+  if (cursor_.kind() == TokenKind::number && cursor_.span().begin == span.end) {
+    span.end = cursor_.span().end;
+    cursor_.advance();
+  }
   ir::Expression e;
   e.op = Operator::string;
-  e.string = lower_.name(cursor_.text());
-  e.span = cursor_.span();
-  cursor_.advance();
+  e.string = lower_.name(span.in(cursor_.whole()));
+  e.span = span;
   return program_.add(e);
 }
 

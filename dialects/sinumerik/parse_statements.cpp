@@ -19,6 +19,8 @@ using text::DiagnosticId;
 // of addresses that move axes by themselves.
 bool may_move(std::string_view name) {
   constexpr std::string_view kAddresses[] = {"PO", "MEASA", "MEAWA", "MEAC", "POSP", "OSCILL", "MOVT"};
+  constexpr std::string_view kAxes = "XYZABCUVWEQ";
+  if (name.size() == 3 && name.ends_with("[]") && kAxes.contains(name.front())) return true;
   if (name.starts_with("HOLES") || std::ranges::find(kAddresses, name) != std::end(kAddresses)) return true;
   const Keyword* keyword = find_keyword(name);
   return keyword != nullptr && (keyword->effect == Effect::moves || keyword->effect == Effect::shifts);

@@ -24,9 +24,9 @@ void Parser::address_word() {
   const text::Span head = cursor_.span();
   const char letter = to_upper(cursor_.first());
   cursor_.advance();
-  // S[SPINDLE]=…: which spindle or tool it is, the run decides.
-  constexpr std::string_view kIndexed = "STHDF";
-  if (cursor_.is_symbol('[') && kIndexed.contains(letter)) return native(std::string{letter} + "[]", false, head);
+  // S[SPINDLE]=…, X[2]=…: which spindle, tool or axis it is, the index decides (PG, "Extended address notation").
+  constexpr std::string_view kNotIndexed = "GLMNP";
+  if (cursor_.is_symbol('[') && !kNotIndexed.contains(letter)) return native(std::string{letter} + "[]", false, head);
   switch (letter) {
     // Axes that a machine may have; where they are is not followed.
     case 'E':

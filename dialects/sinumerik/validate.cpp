@@ -36,6 +36,12 @@ constexpr std::string_view kDataEndings[] = {"DEF", "INI", "TEA", "SEA", "TOA", 
 
 }  // namespace
 
+bool is_other_ending(std::string_view ending) {
+  constexpr std::string_view kOthers[] = {"COM", "TXT", "XML", "BMP", "PNG", "ICO", "CSV", "LOG", "JOB",
+                                          "WPD", "DIR", "ARC", "TCM", "HLP", "HTM", "DAT", "BIN", "BOT"};
+  return std::ranges::any_of(kOthers, [ending](std::string_view known) { return same_name(known, ending); });
+}
+
 std::size_t section_of(const ir::Program& program, std::uint32_t begin) {
   const auto starts_before = [&](const ir::Section& section) {
     return section.first < program.statements.size() && program.statements[section.first].span.begin <= begin;

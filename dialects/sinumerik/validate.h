@@ -39,6 +39,9 @@ bool is_subprogram(const ir::Program& program);
 
 // Data for the control and no program that runs: definition files, initialization files, tool and offset data.
 bool is_data_file(const ir::Program& program);
+// Whether a file with that ending (three letters) is something else than a program or such data, which an archive may
+// hold as well: alarm texts, pictures, job lists.
+bool is_other_ending(std::string_view ending);
 
 void check_structures(const Check& check);  // validate_structures.cpp
 void check_labels(const Check& check);      // validate_flow.cpp

@@ -190,8 +190,8 @@ class Names {
       const bool of_definition =
           s.kind == StatementKind::assign && s.tokens.first == s.tokens.last && last_define_ == s.line;
       // DEFINE … AS, groups of the editor; what could not be read has its own fault.
-      const bool quiet = s.kind == StatementKind::native && (program_.natives[s.payload].effects_known ||
-                                                             check_.native_name(s).contains(' '));
+      const bool quiet = s.kind == StatementKind::native &&
+                         (program_.natives[s.payload].effects_known || check_.native_name(s).contains(' '));
       if (s.kind == StatementKind::define) last_define_ = s.line;
       if (!inert && !of_definition && !quiet && acts_from_line == 0) acts_from_line = s.line;
     }
