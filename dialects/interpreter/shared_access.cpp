@@ -99,11 +99,22 @@ bool SharedAccess::may_write(const Instruction& i) {
   return true;
 }
 
+// Timers and what the PLC writes: what the program wrote is not what it reads.
+bool SharedAccess::is_changed_by_control(const Instruction& i) const {
+  if (i.detail == 0) return false;
+  const ir::SystemVariableRow& row = control_.system_variables[i.detail - 1U];
+  return row.kind == ir::SystemValue::not_modelled && row.first == 1 && row.name == shared_.name_of(i.a);
+}
+
 bool SharedAccess::store(const Instruction& i) {
   Indices indices{};
   const IndexState state = find_indices(i, i.a, i.b, indices);
   if (state == IndexState::failed || !may_write(i)) return false;
   if (state == IndexState::unknown) {
+    shared_.forget(i.a);
+    return true;
+  }
+  if (is_changed_by_control(i)) {
     shared_.forget(i.a);
     return true;
   }

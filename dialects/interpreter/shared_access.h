@@ -38,6 +38,7 @@ class SharedAccess {
   // Of a system variable that the modal state answers.
   [[nodiscard]] std::optional<double> answer(const Instruction& i, const Indices& indices) const;
   bool may_write(const Instruction& i);
+  [[nodiscard]] bool is_changed_by_control(const Instruction& i) const;
   void say_input(std::string name);
 
   const ir::Control& control_;

@@ -184,11 +184,12 @@ std::string VariableAccess::system_name(std::uint32_t row, std::uint32_t number)
   return named ? std::string(rows[row].name) : variable_name(ir::Bank::hash, number);
 }
 
-// Not known reads vacant, or 0 where there is no vacant; the report says so.
+// Not known reads vacant, or 0 where nothing is vacant or unknown; the report says so.
 double VariableAccess::read_system(std::uint32_t row, std::uint32_t number) {
   if (const auto known = system_.read(row, number, state_)) return *known;
-  report_.count({.name = system_name(row, number)});
-  return control_.semantics.has_vacant ? kVacant : 0.0;
+  const bool is_unknown = control_.semantics.unset_is_unknown;
+  report_.count({.name = system_name(row, number), .is_input = is_unknown});
+  return is_unknown || control_.semantics.has_vacant ? kVacant : 0.0;
 }
 
 bool VariableAccess::load_system(const Instruction& i) {

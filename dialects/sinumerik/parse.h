@@ -97,6 +97,8 @@ class Parser {
   ir::ExpressionId number();
   ir::ExpressionId string_literal();
   ir::ExpressionId name_value();
+  [[nodiscard]] ir::ExpressionId* character_index(ir::Variable& v) const;
+  std::optional<ir::ExpressionId> character_of(ir::VariableId id);
   ir::ExpressionId function_call(const Keyword& keyword, text::Span name);
   ir::ExpressionId foreign_call(text::Span name);
   ir::ExpressionId axis_name();
@@ -104,6 +106,8 @@ class Parser {
   ir::ExpressionId system_index();
   ir::ExpressionId missing_operand();
   ir::Operator infix_here(std::uint8_t& rank) const;
+  [[nodiscard]] bool is_character(ir::ExpressionId id) const;
+  ir::ExpressionId character_code(ir::ExpressionId id);
   void warn_of_rank(ir::ExpressionId operand, bool in_parentheses, text::Span span);
 
   // frames: parse_frame.cpp

@@ -103,8 +103,10 @@ ir::ExpressionId Parser::binary(std::uint8_t weakest) {
       return left;
     }
     cursor_.advance();
-    const ir::ExpressionId right = binary(static_cast<std::uint8_t>(rank - 1));
+    ir::ExpressionId right = binary(static_cast<std::uint8_t>(rank - 1));
     if (is_comparison(op)) {
+      if (is_character(left)) right = character_code(right);
+      if (is_character(right)) left = character_code(left);
       warn_of_rank(left, left_in_parentheses, sign);
       warn_of_rank(right, in_parentheses_, sign);
     }
@@ -114,6 +116,21 @@ ir::ExpressionId Parser::binary(std::uint8_t weakest) {
     in_parentheses_ = false;
   }
   return left;
+}
+
+bool Parser::is_character(ir::ExpressionId id) const {
+  const ir::Expression& e = program_.at(id);
+  if (e.op != Operator::variable) return false;
+  const ir::Variable& v = program_.at(e.variable);
+  return v.bank == ir::Bank::named && lower_.is_declared(v.symbol) &&
+         program_.at(v.symbol).type == ir::ValueType::character;
+}
+
+// IF LETTER=="C": beside a CHAR a text of one character is its code.
+ir::ExpressionId Parser::character_code(ir::ExpressionId id) {
+  const ir::Expression& e = program_.at(id);
+  const std::string_view text = e.op == Operator::string ? program_.strings.at(e.string) : std::string_view();
+  return text.size() == 1 ? constant(static_cast<unsigned char>(text.front()), e.span) : id;
 }
 
 void Parser::warn_of_rank(ir::ExpressionId operand, bool in_parentheses, text::Span span) {
@@ -335,11 +352,36 @@ ir::ExpressionId Parser::name_value() {
     return foreign_call(span);
   }
   const ir::VariableId id = variable();
+  if (const auto character = character_of(id)) return *character;
   ir::Expression e;
   e.op = Operator::variable;
   e.variable = id;
   e.span = program_.at(id).span;
   return program_.add(e);
+}
+
+// The index that picks a character of a text, one more than the array has; nullptr where it is none.
+ir::ExpressionId* Parser::character_index(ir::Variable& v) const {
+  if (v.bank != ir::Bank::named || !lower_.is_declared(v.symbol)) return nullptr;
+  const ir::Symbol& symbol = program_.at(v.symbol);
+  if (symbol.type != ir::ValueType::string) return nullptr;
+  ir::ExpressionId* const index = symbol.dimension1 == 0 ? &v.index : symbol.dimension2 == 0 ? &v.index2 : &v.index3;
+  return *index == ir::ExpressionId::none ? nullptr : index;
+}
+
+// TEXT[2]: its third character (PGA, "Reading and writing of individual characters").
+std::optional<ir::ExpressionId> Parser::character_of(ir::VariableId id) {
+  ir::Variable whole = program_.at(id);
+  ir::ExpressionId* const index = character_index(whole);
+  if (index == nullptr) return std::nullopt;
+  ir::Expression part;
+  part.op = Operator::substring;
+  part.span = whole.span;
+  part.b = *index;
+  *index = ir::ExpressionId::none;
+  part.a = program_.add_variable(whole);
+  part.c = constant(1.0, whole.span);
+  return program_.add(part);
 }
 
 ir::ExpressionId Parser::function_call(const Keyword& keyword, text::Span name) {

@@ -2,6 +2,7 @@
 #include "dialects/sinumerik/name_index.h"
 #include "dialects/sinumerik/parse.h"
 #include "dialects/sinumerik/system_variables.h"
+#include "dialects/sinumerik/vocabulary.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::sinumerik {
@@ -86,8 +87,7 @@ ir::ExpressionId Parser::system_index() {
     cursor_.advance();
     return constant(static_cast<double>(i), span);
   }
-  const bool free_name =
-      find_keyword(cursor_.text()) == nullptr && !lower_.is_declared(lower_.find_symbol(cursor_.text()));
+  const bool free_name = !is_word_of_control(cursor_.text()) && !is_variable(cursor_.text());
   return free_name && is_machine_axis(cursor_.text()) ? axis_name() : ir::ExpressionId::none;
 }
 

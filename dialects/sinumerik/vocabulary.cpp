@@ -99,8 +99,11 @@ constexpr std::string_view kCycle[] = {
     "CYCLE4074", "CYCLE4075", "CYCLE4077", "CYCLE4078", "CYCLE4079", "POCKET1",   "POCKET2",   "POCKET3",   "POCKET4",
     "SLOT1",     "SLOT2",     "LONGHOLE"};
 
-// Settings of the path, and a contour that is only named.
-constexpr std::string_view kSettingCycle[] = {"CYCLE62", "CYCLE832"};
+// Settings of the path: a machine tool builder's part of it may switch more.
+constexpr std::string_view kSettingCycle[] = {"CYCLE832"};
+
+// A contour is only named: the cycle behind it moves.
+constexpr std::string_view kNamingCycle[] = {"CYCLE62"};
 
 // Words inside other statements and definitions.
 constexpr std::string_view kAttribute[] = {"TO",    "OF",    "DEFAULT", "BLOCK", "SET",  "REP",   "AS",    "SAVE",
@@ -118,6 +121,7 @@ constexpr WordList kLists[] = {
     {Role::procedure, Effect::none, kQuietProcedure},
     {Role::cycle, Effect::moves, kCycle},
     {Role::cycle, Effect::unknown, kSettingCycle},
+    {Role::cycle, Effect::none, kNamingCycle},
     {Role::attribute, Effect::none, kAttribute},
 };
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "dialects/compile/execute.h"
+#include "dialects/compile/shared_definitions.h"
 #include "server/app/machine_facts.h"
 #include "server/app/surface_checks.h"
 
@@ -242,7 +243,9 @@ std::vector<std::uint32_t> bytes_of_lines(std::string_view text, const tape_code
   return bytes;
 }
 
-CheckReport examine(const Examination& e) {
+CheckReport examine(const Examination& given) {
+  Examination e = given;
+  e.control = compile::with_definitions(std::move(e.control), e.find_called);
   CheckReport report;
   report.source = e.source;
   report.dialect = e.dialect->name;

@@ -2131,6 +2131,8 @@ export interface components {
                  * @enum {string}
                  */
                 severity: "note" | "warning" | "error";
+                /** @description the called program that it is in; null: the text itself */
+                file: string | null;
                 /** @description from 1 */
                 line: number;
                 /** @description from 1, in bytes */
@@ -2248,6 +2250,8 @@ export interface components {
                  * @enum {string}
                  */
                 severity: "note" | "warning" | "error";
+                /** @description the called program that it is in; null: the text itself */
+                file: string | null;
                 /** @description from 1 */
                 line: number;
                 /** @description from 1, in bytes */

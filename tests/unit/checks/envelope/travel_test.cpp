@@ -145,6 +145,8 @@ TEST(Travel, WhatTheProgramChangesIsNotClaimed) {
   const Report changed = run({far});
   EXPECT_TRUE(changed.findings.empty());
   EXPECT_TRUE(changed.machine[0].empty());
+  EXPECT_TRUE(changed.lost_place);
+  EXPECT_FALSE(run({move(rapid, 0, 0, 10, 10)}).lost_place);
   EXPECT_TRUE(
       says(changed, "the program changes coordinates or work offsets: the travel of X was not checked from there"));
   far.machine_coordinates = true;

@@ -128,5 +128,17 @@ TEST(Expression, PrintedTreesAreReadAsTheyWere) {
   }
 }
 
+TEST(Expression, ACharacterOfATextIsAPartOfIt) {
+  const ir::Program p = good(
+      "DEF STRING[10] S=\"ABCD\"\nDEF STRING[9] LIST[3]\nDEF CHAR C\nC=S[2]\nR1=STRLEN(LIST[1])\n"
+      "IF C==\"C\" GOTOF DONE\nDONE: M30");
+  const ir::Expression& part = p.at(p.assigns[0].value);
+  ASSERT_EQ(part.op, ir::Operator::substring);
+  EXPECT_EQ(p.at(part.b).value, 2.0);
+  EXPECT_EQ(p.at(part.c).value, 1.0);
+  EXPECT_EQ(p.at(p.at(p.assigns[1].value).a).op, ir::Operator::variable) << "an element of an array of texts";
+  EXPECT_EQ(p.at(p.at(p.jumps[0].condition).b).value, 67.0);
+}
+
 }  // namespace
 }  // namespace dripfeed::sinumerik

@@ -2,6 +2,9 @@
 // bytes that its lines take there.
 #include "server/app/examine.h"
 
+#include <functional>
+#include <map>
+
 #include <gtest/gtest.h>
 
 namespace dripfeed::app {
@@ -143,6 +146,64 @@ TEST(Examine, LinesTakeTheirEobAndTheBlankOfATvCheck) {
   EXPECT_EQ(bytes_of_lines("%\nG0X1\nG0X10\n", format), (std::vector<std::uint32_t>{4, 8, 8}));
   format.eia = tape_code::EiaSpecials{};
   EXPECT_EQ(bytes_of_lines("%\nG0X1\nG0X10\n", format), (std::vector<std::uint32_t>{2, 6, 6}));
+}
+
+// A SINUMERIK program, with others beside it by name.
+CheckReport sinumerik_report(const std::string& text, std::map<std::string, std::string, std::less<>> beside = {}) {
+  const compile::Dialect* dialect = compile::find_dialect("sinumerik-840d");
+  return examine({.source = text::Source("MAIN.MPF", text),
+                  .dialect = dialect,
+                  .control = dialect->control(ir::MachineKind::mill, ir::GSystem::a),
+                  .inferred = false,
+                  .profile = nullptr,
+                  .delivery = ir::Delivery::memory,
+                  .find_called = [beside = std::move(beside)](std::string_view name) -> std::optional<text::Source> {
+                    const auto found = beside.find(name);
+                    if (found == beside.end()) return std::nullopt;
+                    return text::Source("/nc/" + found->first + ".SPF", found->second);
+                  },
+                  .geometry = {},
+                  .profile_lines = {}});
+}
+
+constexpr const char* kHead = "G17 G710 G90 G94 M3 S1000 F100\n";
+
+TEST(Examine, AnAlarmInACalledProgramIsAtItsOwnPlace) {
+  const CheckReport report =
+      sinumerik_report(std::string(kHead) + "PART\nM30\n", {{"PART", ";a\nR1=0\nG1 X=1/R1\nM17\n"}});
+  ASSERT_EQ(report.checks.diagnostics.size(), 1U);
+  const text::Diagnostic& one = report.checks.diagnostics.front();
+  EXPECT_EQ(one.id, text::DiagnosticId::division_by_zero);
+  ASSERT_TRUE(one.elsewhere.has_value());
+  EXPECT_EQ(one.elsewhere->name, "/nc/PART.SPF");
+  EXPECT_EQ(one.elsewhere->line, 3U);
+  EXPECT_TRUE(text::format_diagnostic(one, report.source, "").starts_with("/nc/PART.SPF:3: error[division-by-zero]"));
+}
+
+TEST(Examine, AProgramThatIsNotThereIsNoFaultAndNothingPasses) {
+  const CheckReport report = sinumerik_report(std::string(kHead) + "OTHER\nG0 X1\nM30\n");
+  ASSERT_EQ(report.checks.diagnostics.size(), 1U);
+  EXPECT_EQ(report.checks.diagnostics.front().severity, text::Severity::warning);
+  EXPECT_EQ(report.verdict, checks::Verdict::unknown);
+  EXPECT_EQ(sinumerik_report(std::string(kHead) + "OTHER\nG0 X1\nM30\n", {{"OTHER", "G0 Z5\nM17\n"}}).verdict,
+            checks::Verdict::pass);
+}
+
+TEST(Examine, ANameThatNothingDefinesLetsNothingPass) {
+  const std::string text = std::string(kHead) + "GAUGE=10\nM30\n";
+  EXPECT_EQ(sinumerik_report(text).verdict, checks::Verdict::unknown) << "it may be an axis";
+  EXPECT_EQ(sinumerik_report(text, {{"MGUD", "DEF NCK REAL GAUGE\nM30\n"}}).verdict, checks::Verdict::pass);
+}
+
+TEST(Examine, WhatTheControlAnswersIsNeverZero) {
+  for (const char* condition : {"GETT(\"X\",1)==0", "ISFILE(\"A\")==0", "$AC_TIMER[1]==0", "$A_IN[1]==0",
+                                "STRINGIS(\"A\")==0", "$AC_MEA[1]==0"}) {
+    const std::string text =
+        std::string(kHead) + "IF " + condition + "\nSETAL(65000)\nELSE\nSETAL(65001)\nENDIF\nM30\n";
+    const CheckReport report = sinumerik_report(text);
+    EXPECT_NE(report.verdict, checks::Verdict::pass) << condition;
+    EXPECT_NE(report.verdict, checks::Verdict::fail) << condition << ": neither branch is certain";
+  }
 }
 
 }  // namespace
