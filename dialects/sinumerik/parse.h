@@ -1,8 +1,8 @@
 // parse: tokens to statements, block by block. parse.cpp reads lines, parse_words.cpp words, parse_polynomial.cpp
-// those of POLY, parse_expression.cpp and parse_variable.cpp values, parse_flow.cpp jumps and structures,
-// parse_declarations.cpp PROC, DEF and EXTERN, parse_calls.cpp calls, parse_macros.cpp DEFINE, parse_statements.cpp
-// messages and what is kept as written. Names are resolved and statements ordered by Lowering; rules that need the
-// whole program are validate's.
+// those of POLY, parse_expression.cpp, parse_texts.cpp and parse_variable.cpp values, parse_flow.cpp jumps and
+// structures, parse_declarations.cpp PROC, DEF and EXTERN, parse_calls.cpp calls, parse_macros.cpp DEFINE,
+// parse_statements.cpp messages and what is kept as written. Names are resolved and statements ordered by Lowering;
+// rules that need the whole program are validate's.
 #pragma once
 
 #include <cstdint>
@@ -91,14 +91,11 @@ class Parser {
   ir::ExpressionId expression();
   ir::ExpressionId binary(std::uint8_t weakest);
   ir::ExpressionId unary();
-  ir::ExpressionId text_of_value(text::Span head);
   ir::ExpressionId primary();
   ir::ExpressionId parenthesized();
   ir::ExpressionId number();
   ir::ExpressionId string_literal();
   ir::ExpressionId name_value();
-  [[nodiscard]] ir::ExpressionId* character_index(ir::Variable& v) const;
-  std::optional<ir::ExpressionId> character_of(ir::VariableId id);
   ir::ExpressionId function_call(const Keyword& keyword, text::Span name);
   ir::ExpressionId foreign_call(text::Span name);
   ir::ExpressionId axis_name();
@@ -106,9 +103,14 @@ class Parser {
   ir::ExpressionId system_index();
   ir::ExpressionId missing_operand();
   ir::Operator infix_here(std::uint8_t& rank) const;
+  void warn_of_rank(ir::ExpressionId operand, bool in_parentheses, text::Span span);
+
+  // texts: parse_texts.cpp
+  ir::ExpressionId text_of_value(text::Span head);
   [[nodiscard]] bool is_character(ir::ExpressionId id) const;
   ir::ExpressionId character_code(ir::ExpressionId id);
-  void warn_of_rank(ir::ExpressionId operand, bool in_parentheses, text::Span span);
+  [[nodiscard]] ir::ExpressionId* character_index(ir::Variable& v) const;
+  std::optional<ir::ExpressionId> character_of(ir::VariableId id);
 
   // frames: parse_frame.cpp
   ir::ExpressionId frame_chain(ir::ExpressionId first);

@@ -188,7 +188,8 @@ void Parser::assignment(ir::VariableId target, text::Span head) {
   if (list) return native("SET", false, head);
   const ir::ExpressionId value = expression();
   ir::Variable whole = written;
-  if (character_index(whole) != nullptr) return lower_.keep_as_native(variable_span.in(cursor_.whole()), false, to_here(head));
+  if (character_index(whole) != nullptr)
+    return lower_.keep_as_native(variable_span.in(cursor_.whole()), false, to_here(head));
   if (foreign_chain_) return lower_.keep_as_native(variable_span.in(cursor_.whole()), false, to_here(head));
   // $$ stands for a value of the main run: only synchronized actions write it.
   const bool main_run = variable_span.in(cursor_.whole()).starts_with("$$");

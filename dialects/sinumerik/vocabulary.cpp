@@ -63,7 +63,8 @@ constexpr std::string_view kProcedure[] = {
     "POLYPATH",  "FPR",        "FPRAON",   "FPRAOF",   "FPO",       "GWPSON",     "GWPSOF",    "CADAPTON", "CADAPTOF",
     "ESRR",      "ESRS",       "DRVPRD",   "DRVPWR",   "RESET",     "RETB",       "SIRELIN",   "SIRELOUT", "SIRELTIME",
     "TANGDEL",   "TLIFT",      "COUPDEF",  "COUPDEL",  "EGDEF",     "EGDEL",      "MASLDEF",   "MASLDEL",  "CPDEF",
-    "CPDEL",     "CPLDEF",     "CPLDEL",   "INITIAL"};
+    "CPDEL",     "CPLDEF",     "CPLDEL",   "INITIAL",  "READ",      "FILEDATE",   "FILEINFO",  "FILESIZE", "FILESTAT",
+    "FILETIME"};
 
 // Procedures after which axes may be anywhere: couplings that carry axes along, retracts, measuring, exchange of axes.
 constexpr std::string_view kMovingProcedure[] = {
@@ -80,11 +81,11 @@ constexpr std::string_view kShiftingProcedure[] = {"GEOAX",    "TRANSMIT",  "TRA
 // Procedures that change nothing of motion or state that is modelled: displays and groups of the editor, files, blank
 // declarations, acceleration, monitoring, attributes of data.
 constexpr std::string_view kQuietProcedure[] = {
-    "WORKPIECE",  "WRITE",      "READ",        "MMC",        "EXTOPEN",      "EXTCLOSE",  "DELETE",    "WAITP",
-    "WAITS",      "WRTPR",      "GROUP_BEGIN", "GROUP_END",  "GROUP_ADDEND", "FILEDATE",  "FILEINFO",  "FILESIZE",
-    "FILESTAT",   "FILETIME",   "BRISKA",      "SOFTA",      "DRIVEA",       "JERKA",     "AFISON",    "AFISOF",
-    "TMON",       "TMOF",       "REDEF",       "UNDEF",      "AUXFUDEL",     "AUXFUDELG", "AUXFUMSEQ", "AUXFUSYNC",
-    "DELAYFSTON", "DELAYFSTOF", "IPTRLOCK",    "IPTRUNLOCK", "ENDPROC",      "CHANDATA",  "METRIC",    "INCH"};
+    "WORKPIECE", "WRITE",      "MMC",         "EXTOPEN",   "EXTCLOSE",     "DELETE",     "WAITP",
+    "WAITS",     "WRTPR",      "GROUP_BEGIN", "GROUP_END", "GROUP_ADDEND", "BRISKA",     "SOFTA",
+    "DRIVEA",    "JERKA",      "AFISON",      "AFISOF",    "TMON",         "TMOF",       "REDEF",
+    "UNDEF",     "AUXFUDEL",   "AUXFUDELG",   "AUXFUMSEQ", "AUXFUSYNC",    "DELAYFSTON", "DELAYFSTOF",
+    "IPTRLOCK",  "IPTRUNLOCK", "ENDPROC",     "CHANDATA",  "METRIC",       "INCH"};
 
 // Standard cycles that are not read. They move, but for those of the list after it.
 constexpr std::string_view kCycle[] = {
