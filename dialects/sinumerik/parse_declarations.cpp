@@ -111,7 +111,7 @@ bool Parser::is_code_or_address() {
   if (name.empty()) return false;  // $P_GG
   constexpr std::string_view kCodes = "GMR";
   const bool code = kCodes.contains(to_upper(name.front())) && std::ranges::all_of(name.substr(1), is_digit);
-  constexpr std::string_view kLetters = "XYZGMNLRP";
+  constexpr std::string_view kLetters = "XYZGM";
   const bool letter = name.size() == 1 && kLetters.contains(to_upper(name.front()));
   if (!letter && !code) return false;
   give_up(DiagnosticId::name_defined_twice, {head.begin, end}, {std::string(name)});

@@ -36,23 +36,29 @@ class Reachability {
   }
 
  private:
+  // A cycle runs the blocks of its contour and comes back, whatever stands behind them.
+  enum class Contours : std::uint8_t { reached, left_out };
+
   // Marks what comes after those statements; nothing comes after `last`.
-  void flood(std::vector<std::uint32_t> work, std::uint32_t last, std::vector<bool>& reached) {
+  void flood(std::vector<std::uint32_t> work, std::uint32_t last, std::vector<bool>& reached,
+             Contours contours = Contours::reached) {
     while (!work.empty()) {
       const std::uint32_t i = work.back();
       work.pop_back();
       if (reached[i]) continue;
       reached[i] = true;
       if (i == last) continue;
-      const std::vector<std::uint32_t>& after = graph_.after(i);
-      work.insert(work.end(), after.begin(), after.end());
+      const bool skips_contour =
+          contours == Contours::left_out && i < statements_.size() && statements_[i].kind == StatementKind::call;
+      for (const std::uint32_t next : graph_.after(i))
+        if (!skips_contour || next == i + 1) work.push_back(next);
     }
   }
 
   // A part that REPEAT runs may be the text's last: behind its last block the run goes back.
   bool runs_off_the_end() {
     std::vector<bool> reached(statements_.size() + 1, false);
-    flood(graph_.entries_for_good(), ir::kNoIndex, reached);
+    flood(graph_.entries_for_good(), ir::kNoIndex, reached, Contours::left_out);
     if (reached.back()) return true;
     return std::ranges::any_of(ir::repeated_parts(check_.program), [this](const ir::RepeatedPart& part) {
       if (!part.is_found() || (part.last == ir::kNoIndex && part.first > part.repeat)) return false;

@@ -29,12 +29,13 @@ class Leftovers {
     for (std::size_t i = 0; i < statements.size(); ++i) {
       const ir::Statement& s = statements[i];
       if (s.is_label || s.kind == StatementKind::go_to || ir::is_structure(s.kind)) forget_branches();
-      switch_on(s, i + 1 < statements.size() ? &statements[i + 1] : nullptr);
+      has_jumped_ = has_jumped_ || s.kind == StatementKind::go_to;
+      take(s, i + 1 < statements.size() ? &statements[i + 1] : nullptr);
     }
   }
 
  private:
-  void switch_on(const ir::Statement& s, const ir::Statement* next) {
+  void take(const ir::Statement& s, const ir::Statement* next) {
     if (s.kind == StatementKind::block) return block(check_.block_of(s));
     if (s.kind == StatementKind::program_end) return end(s.span, is_main_);
     if (s.kind == StatementKind::call) return forget_all();
@@ -62,9 +63,9 @@ class Leftovers {
     spindle_ = Spindle::unknown;
     has_speed_ = has_limit_ = true;
   }
-  // Another path may lead here. What no block of the text has said so far, none of them has.
+  // Another path may lead here. Before the first jump none can have led past blocks that stand behind.
   void forget_branches() {
-    if (spindle_ == Spindle::stands && has_turned_) spindle_ = Spindle::unknown;
+    if (spindle_ == Spindle::stands && (has_turned_ || has_jumped_)) spindle_ = Spindle::unknown;
     compensation_ = modal_ = {};
   }
   void forget_all() {
@@ -111,22 +112,20 @@ class Leftovers {
   }
 
   void take(const ir::Code& code) {
-    if (code.group == ir::ModalGroup::motion) motion_ = code.function;
-    switch (code.function) {
-      case Function::spindle_cw:
-      case Function::spindle_ccw: spindle_ = Spindle::turns, has_turned_ = true; break;
-      case Function::spindle_stop: spindle_ = Spindle::stands, has_turned_ = true; break;
-      case Function::comp_left:
-      case Function::comp_right: compensation_ = std::string(check_.text_of(code.span)); break;
-      case Function::comp_off: compensation_ = {}; break;
-      case Function::spindle_orient: spindle_ = Spindle::unknown; break;
-      // M functions of the machine may start a spindle; so may what is not read.
-      case Function::machine_function:
-      case Function::not_modelled: forget_spindle(); break;
-      default:
-        if (code.number != ir::ExpressionId::none) forget_all();
-        break;
-    }
+    const Function f = code.function;
+    if (code.group == ir::ModalGroup::motion) motion_ = f;
+    if (code.group == ir::ModalGroup::spindle || f == Function::spindle_orient) spindle(f);
+    if (f == Function::comp_left || f == Function::comp_right) compensation_ = std::string(check_.text_of(code.span));
+    if (f == Function::comp_off) compensation_ = {};
+    // M functions of the machine may start a spindle; so may what is not read.
+    if (f == Function::machine_function || f == Function::not_modelled) forget_spindle();
+    if (code.number != ir::ExpressionId::none) forget_all();
+  }
+
+  void spindle(Function f) {
+    const bool turns = f == Function::spindle_cw || f == Function::spindle_ccw;
+    spindle_ = turns ? Spindle::turns : f == Function::spindle_stop ? Spindle::stands : Spindle::unknown;
+    has_turned_ = has_turned_ || spindle_ != Spindle::unknown;
   }
 
   void cut(const ir::Block& block) {
@@ -164,6 +163,7 @@ class Leftovers {
   bool is_main_;
   Spindle spindle_;
   bool has_turned_ = false;  // a block of the text started or stopped it
+  bool has_jumped_ = false;
   bool has_speed_;
   bool has_limit_;
   Function motion_ = Function::rapid;

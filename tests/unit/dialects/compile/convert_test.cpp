@@ -109,7 +109,7 @@ ir::Control lathe(const std::string& dialect) { return control(dialect, ir::Mach
 struct Cycle {
   int asked = 0;
   ProgramLibrary library{lathe("sinumerik-840d"), [this](std::string_view name) -> std::optional<text::Source> {
-                           if (!name.contains("GUD")) ++asked;  // definition files are asked for once a run
+                           if (!name.contains("GUD") && !name.contains("MAC")) ++asked;  // definition files: once a run
                            if (name != "TURNING_CYCLE") return std::nullopt;
                            return text::Source("TURNING_CYCLE.SPF", std::string(kTurningCycle));
                          }};

@@ -39,7 +39,7 @@ TEST(Vocabulary, OnlyWhatIsQuietLeavesAVerdictAsItIs) {
     EXPECT_FALSE(native(line).effects_known) << line;
     EXPECT_FALSE(native(line).moves) << line;
   }
-  for (const std::string_view line : {"CYCLE95(\"A\",1)", "TRAORI(1)", "PRESETON(X,10)", "TRAILON(X,Y,1)", "TOFFON(Z)",
+  for (const std::string_view line : {"CYCLE93(1)", "TRAORI(1)", "PRESETON(X,10)", "TRAILON(X,Y,1)", "TOFFON(Z)",
                                       "X[R1]=5", "OSCILL[Z]=(X,Y)", "S[2]=100 G0 X10"}) {
     EXPECT_FALSE(native(line).effects_known) << line;
     EXPECT_TRUE(native(line).moves) << line;
