@@ -31,7 +31,8 @@ struct VariableRange {
   bool writable = true;
 };
 
-// A system variable by name (bank `system`) or number range; `kind` says what the interpreter answers.
+// A system variable by name (bank `system`) or number range; `kind` says what the interpreter answers. Of a named one
+// that is not modelled, `first` is 1 where the control changes it by itself: what a program wrote is not what it reads.
 enum class SystemValue : std::uint8_t {
   not_modelled,
   end_position,
@@ -198,9 +199,9 @@ struct Control {
   // Codes that are in effect where a program starts: for subprograms that are taken without their caller. They stand
   // before power-on; rows of `g_codes`.
   std::vector<CodeRow> caller_modes;
-  std::vector<std::string> definition_files;  // programs that declare global data, by name; read before a run
+  std::vector<std::string> definition_files;        // programs that declare global data, by name; read before a run
   std::shared_ptr<const SharedDefinitions> shared;  // what those declare, as far as they were found
-  bool from_profile = false;                  // a named machine: what it leaves unconfirmed is an error, not a warning
+  bool from_profile = false;  // a named machine: what it leaves unconfirmed is an error, not a warning
   // Why the control was taken for this one, when no machine was named: the line that decided, 0 for the default.
   std::uint32_t because_line = 0;
 };

@@ -50,7 +50,7 @@ struct Diagnostic {
   std::optional<Edit> fix = std::nullopt;
   std::string alarm = {};  // the control's own number ("PS0124", "14080"); empty when it has none
   std::optional<ElsewherePlace> elsewhere = std::nullopt;  // then the spans say nothing
-  bool is_open = false;    // what exists beside the program decides it: until that is given, nothing passes
+  bool is_open = false;  // what exists beside the program decides it: until that is given, nothing passes
 };
 
 // A diagnostic with the severity of its row.
