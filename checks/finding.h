@@ -26,14 +26,17 @@ struct Finding {
   std::string alarm;  // what the control calls it, set by whoever knows the control; "" where it has no alarm
 };
 
-// Keeps the first findings of each kind, counts all and remembers the worst. A finding that is neither costs no memory.
+// Keeps the first findings of each kind, counts all and remembers the worst. A finding that is neither costs no memory,
+// and one that says the same of the same program as another is kept once.
 class FindingList {
  public:
   static constexpr std::size_t kKept = 20;
+  static constexpr std::uint64_t kCompared = 2000;  // with those that are kept
 
   struct Kind {
     text::DiagnosticId id = text::DiagnosticId::count_;
     std::uint64_t count = 0;
+    std::size_t kept = 0;
     Finding worst;  // the one farthest from its limit
   };
 
@@ -41,15 +44,20 @@ class FindingList {
   template <class Arguments>
   void add(text::DiagnosticId id, const ir::Place& place, double value, double limit, Arguments&& arguments) {
     auto kind = std::ranges::find(kinds_, id, &Kind::id);
-    if (kind == kinds_.end()) kind = kinds_.insert(kinds_.end(), Kind{id, 0, {}});
-    const bool keeps = kind->count++ < kKept;
+    if (kind == kinds_.end()) kind = kinds_.insert(kinds_.end(), Kind{id, 0, 0, {}});
+    const bool may_keep = kind->count++ < kCompared && kind->kept < kKept;
     const bool is_worst =
         kind->count == 1 || std::fabs(value - limit) > std::fabs(kind->worst.value - kind->worst.limit);
-    if (!keeps && !is_worst) return;
+    if (!may_keep && !is_worst) return;
     const text::Diagnostic diagnostic = text::make_diagnostic(id, {}, std::forward<Arguments>(arguments)());
     Finding finding{id, diagnostic.severity, place, value, limit, text::message_of(diagnostic), {}};
     if (is_worst) kind->worst = finding;
-    if (keeps) findings_.push_back(std::move(finding));
+    const bool is_told = std::ranges::any_of(findings_, [&](const Finding& one) {
+      return one.id == id && one.place.program == place.program && one.text == finding.text;
+    });
+    if (!may_keep || is_told) return;
+    ++kind->kept;
+    findings_.push_back(std::move(finding));
   }
 
   // `alarm_of` is asked for each kept finding and each kind's worst.

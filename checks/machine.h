@@ -25,7 +25,9 @@ struct MachineAxis {
   double rapid_mm_min = 0.0;
   double feed_limit_mm_min = 0.0;  // of this axis alone; 0: its rapid
   double acceleration_mm_s2 = 0.0;
-  double jerk_mm_s3 = 0.0;  // 0: not limited
+  double jerk_mm_s3 = 0.0;                      // 0: not limited
+  std::optional<double> reference = {};         // where G28 takes it
+  std::optional<double> second_reference = {};  // … G30, and G30 P2
 };
 
 // Where the imaginary tip, which the program moves, lies as seen from the centre of the nose, with +X up and +Z right;

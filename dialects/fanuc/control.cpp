@@ -41,6 +41,8 @@ ir::Control control(ir::MachineKind kind, ir::GSystem system) {
   c.semantics.user_alarm_base = 3000;
   c.semantics.arc_without_center_is_line = true;
   c.semantics.pecks_need_depth = mill;  // a lathe's G83 without Q drills in one
+  c.semantics.length_needs_code = mill;
+  c.semantics.g54_takes_p = true;
   return c;
 }
 

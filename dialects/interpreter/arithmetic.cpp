@@ -119,8 +119,7 @@ Arithmetic::Arithmetic(const ir::Semantics& semantics)
       relative_(semantics.comparison == ir::ComparisonMode::relative),
       tolerance_(semantics.relative_tolerance),
       limit_(semantics.number_format == ir::NumberFormat::eight_digit ? kEightDigitLimit
-                                                                      : std::numeric_limits<double>::max()),
-      unset_is_unknown_(semantics.unset_is_unknown) {}
+                                                                      : std::numeric_limits<double>::max()) {}
 
 Outcome Arithmetic::finish(double value) const {
   if (!(std::abs(value) <= limit_)) return fault(Fault::result_overflow);
@@ -251,7 +250,7 @@ constexpr std::array<Arithmetic::Rules::Unary, kOperatorCount> Arithmetic::Rules
 constexpr std::array<Arithmetic::Rules::Binary, kOperatorCount> Arithmetic::Rules::kBinaryTable = table(kBinary);
 
 Outcome Arithmetic::unary(Operator op, double a) const {
-  if (unknown(a)) return {kVacant};
+  if (unknown(a)) return {kUnknown};
   return Rules::kUnaryTable[static_cast<std::size_t>(op)](*this, value_or_zero(a));
 }
 
@@ -260,7 +259,7 @@ Outcome Arithmetic::binary(Operator op, double a, double b) const {
     // One side alone may decide: FALSE AND …, TRUE OR …
     if (op == Operator::logic_and && (a == 0.0 || b == 0.0)) return {0.0};
     if (op == Operator::logic_or && (is_true(a) || is_true(b))) return {1.0};
-    return {kVacant};
+    return {kUnknown};
   }
   if (op == Operator::equal) return {truth(equal(a, b))};
   if (op == Operator::not_equal) return {truth(!equal(a, b))};
@@ -268,17 +267,17 @@ Outcome Arithmetic::binary(Operator op, double a, double b) const {
 }
 
 Outcome Arithmetic::integer_quotient(double a, double b) const {
-  if (unknown(a) || unknown(b)) return {kVacant};
+  if (unknown(a) || unknown(b)) return {kUnknown};
   return Rules::quotient<Rules::whole_quotient>(*this, value_or_zero(a), value_or_zero(b));
 }
 
 Outcome Arithmetic::bound(double low, double high, double value) const {
-  if (unknown(low) || unknown(high) || unknown(value)) return {kVacant};
+  if (unknown(low) || unknown(high) || unknown(value)) return {kUnknown};
   return finish(std::fmax(value_or_zero(low), std::fmin(value_or_zero(high), value_or_zero(value))));
 }
 
 Outcome Arithmetic::convert(ir::ValueType type, double value) const {
-  if (unknown(value)) return {kVacant};
+  if (unknown(value)) return {kUnknown};
   switch (type) {
     case ir::ValueType::integer: {
       const double whole = round(value_or_zero(value));

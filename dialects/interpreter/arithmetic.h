@@ -1,5 +1,6 @@
 // What each operator gives, defined once for the machine and for everybody who folds constants. Values are doubles;
-// vacant is one NaN, and no operator ever gives another NaN: what is not defined is a fault.
+// vacant is one NaN and a value that is not known another, and no operator ever gives a third: what is not defined is a
+// fault.
 #pragma once
 
 #include <bit>
@@ -13,11 +14,16 @@
 
 namespace dripfeed::interpreter {
 
-// The vacant value (#0, a variable that was never set). Where nothing is vacant it is a value that is not known
-// (Semantics::unset_is_unknown): what is computed from one is not known either.
+// The vacant value (#0, a variable that was never set). Where nothing is vacant it is a value that is not known, too.
 inline constexpr double kVacant = std::bit_cast<double>(std::uint64_t{0x7FF8'0000'0000'0D1FULL});
-// Every NaN that gets this far is the vacant one.
+// A value that is not known (Semantics::unset_is_unknown): what is computed from one is not known either.
+inline constexpr double kUnknown = std::bit_cast<double>(std::uint64_t{0x7FF8'0000'0000'0D20ULL});
+// Vacant, or not known: no number to calculate with.
 inline bool is_vacant(double value) { return value != value; }
+inline bool is_unknown(double value, const ir::Semantics& semantics) {
+  if (!is_vacant(value) || !semantics.unset_is_unknown) return false;
+  return !semantics.has_vacant || std::bit_cast<std::uint64_t>(value) == std::bit_cast<std::uint64_t>(kUnknown);
+}
 inline double value_or_zero(double value) { return is_vacant(value) ? 0.0 : value; }
 // What a condition takes a value for: not zero; vacant is false, and one that is not known as well.
 inline bool is_true(double value) { return value != 0.0 && !is_vacant(value); }
@@ -78,12 +84,11 @@ class Arithmetic {
 
   ir::Semantics semantics_;
   // A value that is not known makes the result not known, whatever the operator does with vacant.
-  [[nodiscard]] bool unknown(double a) const { return unset_is_unknown_ && is_vacant(a); }
+  [[nodiscard]] bool unknown(double a) const { return is_unknown(a, semantics_); }
 
   bool relative_;
   double tolerance_;
   double limit_;
-  bool unset_is_unknown_;
 };
 
 }  // namespace dripfeed::interpreter

@@ -74,6 +74,11 @@ void BlockCompiler::compile_codes(const ir::Block& block) {
       continue;
     }
     out.codes.push_back({code.function, code.argument, code.group});
+    if (code.function == Function::machine_function && code.name == ir::StringId::none) {
+      report(ir::name_of_machine_function(code.argument), code.function,
+             ir::is_known_machine_function(builder_.context().control, code.argument));
+      continue;
+    }
     const bool idle = code.function == Function::no_effect || code.function == Function::approach ||
                       code.function == Function::stroke_check;
     if (idle || code.function == Function::not_modelled || code.function == Function::machine_function)
@@ -102,7 +107,7 @@ void BlockCompiler::compile_word(const ir::Word& word) {
 void BlockCompiler::put_word(const ir::Word& word, const Value& value, std::uint8_t flags) {
   CompiledProgram& out = builder_.out();
   if (value.constant.has_value()) {
-    if (is_vacant(*value.constant) && builder_.context().control.semantics.unset_is_unknown) {
+    if (is_unknown(*value.constant, builder_.context().control.semantics)) {
       out.computed_words.push_back({value.operand, Operand::none, word.address, flags, false});
       return;
     }

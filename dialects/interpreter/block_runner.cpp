@@ -72,6 +72,13 @@ std::string letter_of(ir::Address address) {
   return address <= ir::Address::z ? std::string(1, static_cast<char>('A' + static_cast<int>(address))) : "a word";
 }
 
+// Whether a word with a value that is not known leaves no doubt about more than its own axis, feed or speed.
+bool stays_local(ir::Address address, bool is_axis) {
+  constexpr std::uint64_t kLocal = bit_of(ir::Address::f) | bit_of(ir::Address::s) | bit_of(ir::Address::i) |
+                                   bit_of(ir::Address::j) | bit_of(ir::Address::k);
+  return is_axis || (kLocal & bit_of(address)) != 0;
+}
+
 }  // namespace
 
 std::optional<Flow> BlockRunner::run(const Instruction& i, const CompiledProgram& program) {
@@ -127,11 +134,16 @@ std::optional<Flow> BlockRunner::apply_block(const Instruction& i) {
     for (const PlainCode& code : block_.codes)
       if (code.function == ir::Function::work_offset) frames_.select(code.argument);
   const BlockResult result = apply(block_, rules_, state_, out_);
+  if (forgets_) [[unlikely]] {
+    forgets_ = false;
+    if (control_.semantics.has_vacant) state_.unknown = kAllAxes;
+  }
   // A corner may take pieces of the move before it back.
   made_ = out_.count() >= before ? out_.count() - before : 1;
   constexpr std::uint64_t kPolar = bit_of(ir::Address::polar_angle) | bit_of(ir::Address::polar_radius);
   moved_ = (block_.present & (rules_.axis_addresses | kPolar)) != 0 && made_ > 0 && result.moved;
   needs_shape_ = result.needs_shape;
+  watch_.look(i, block_, moved_);
   if (result.sets_data) set_data();
   if (result.notes != 0) take_notes(i, result.notes);
   if (result.fault != DiagnosticId::count_) {
@@ -188,8 +200,9 @@ bool BlockRunner::fill_computed(const Instruction& i, const BlockTemplate& made,
     const bool is_axis = (rules_.axis_addresses & bit_of(address)) != 0;
     if (rules_.coordinate_alarm && is_axis && std::abs(value) > kMostCounted)
       return report_.fail(i, DiagnosticId::result_overflow, {}, ir::AlarmDetail::position);
-    if (is_vacant(value) && control_.semantics.unset_is_unknown) {
+    if (is_unknown(value, control_.semantics)) {
       block_.unknown |= bit_of(address);
+      forgets_ = forgets_ || !stays_local(address, is_axis);
       report_.count({.name = letter_of(address) + " from a value that is not known"});
     } else if (is_vacant(value))
       skip_vacant(i, program, n);
@@ -223,6 +236,11 @@ ir::Address BlockRunner::find_axis(const ComputedWord& word) {
 // A G number is looked up as it comes, G54.1 as 541; an M number is a whole one, M[3.5] is M4.
 bool BlockRunner::add_computed_code(const Instruction& i, const ComputedCode& code) {
   const double value = storage_.reg(raw_of(code.operand));
+  if (is_unknown(value, control_.semantics)) {
+    report_.count({.name = std::string(1, code.letter) + " from a value that is not known"});
+    forgets_ = true;
+    return true;
+  }
   if (is_vacant(value)) return true;  // the word is ignored
   const double tenths = code.letter == 'M' ? arithmetic_.round(value) * 10.0 : arithmetic_.round(value * 10.0);
   const auto table = code.letter == 'M' ? control_.m_codes : control_.g_codes;
@@ -255,6 +273,8 @@ void BlockRunner::skip_vacant(const Instruction& i, const CompiledProgram& progr
 void BlockRunner::take_notes(const Instruction& i, std::uint32_t notes) {
   for (const NoteRow& row : counted_notes())
     if ((notes & row.note) != 0) report_.count(row.report);
+  if ((notes & kNoteArcIsLine) != 0)
+    report_.warn(i, DiagnosticId::arc_without_center, {}, "a parameter decides: a straight line, or this alarm");
   if ((notes & kNoteMeasuringTool) != 0) access_.forget_tool_offsets();
   if ((notes & kNoteMotionWithoutCode) != 0) {
     std::string letters;

@@ -7,6 +7,7 @@
 
 #include "dialects/interpreter/apply.h"
 #include "dialects/interpreter/arithmetic.h"
+#include "dialects/interpreter/block_watch.h"
 #include "dialects/interpreter/frame_access.h"
 #include "dialects/interpreter/run_report.h"
 #include "dialects/interpreter/storage.h"
@@ -28,7 +29,8 @@ class BlockRunner {
         frames_(frames),
         state_(state),
         out_(out),
-        report_(report) {}
+        report_(report),
+        watch_(control, state, report) {}
 
   // What the block asks of the flow; nothing when the run has ended.
   std::optional<Flow> run(const Instruction& i, const CompiledProgram& program);
@@ -38,6 +40,8 @@ class BlockRunner {
   [[nodiscard]] bool moved() const { return moved_; }
   // How many motions and events it made; a cycle makes as many as it is asked for.
   [[nodiscard]] std::uint64_t made() const { return made_; }
+  // A program that nobody has was called.
+  void forget_tool() { watch_.forget(); }
   // … called a cycle whose shape is to be run.
   [[nodiscard]] bool needs_shape() const { return needs_shape_; }
 
@@ -64,10 +68,12 @@ class BlockRunner {
   ModalState& state_;
   MotionBuffer& out_;
   RunReport& report_;
+  BlockWatch watch_;
   PlainBlock block_;
   std::vector<PlainCode> codes_;  // of a block with computed codes
   std::vector<std::pair<const CompiledProgram*, std::uint32_t>> said_vacant_;
   bool said_no_feed_ = false;
+  bool forgets_ = false;  // a word or code of this block leaves it open where the axes are
   std::uint64_t made_ = 0;
   bool moved_ = false;
   bool needs_shape_ = false;

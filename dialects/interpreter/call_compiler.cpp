@@ -90,7 +90,8 @@ Operand CallCompiler::compile_repeats(const ir::Call& call, text::Span span) {
     builder_.at(given).b = builder_.here();
   }
   builder_.emit(Opcode::unary, span, raw_of(left), raw_of(left), 0, static_cast<std::uint8_t>(Operator::round));
-  if (builder_.context().control.semantics.unset_is_unknown && !times.constant.has_value())
+  const ir::Semantics& semantics = builder_.context().control.semantics;
+  if (semantics.unset_is_unknown && !semantics.has_vacant && !times.constant.has_value())
     builder_.emit(Opcode::passes, span, raw_of(left));
   return left;
 }

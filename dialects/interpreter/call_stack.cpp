@@ -50,6 +50,7 @@ void CallStack::enter_language() {
 
 bool CallStack::is_unknown_call(const Instruction& i) const {
   const CallSite& site = program_->calls[i.a];
+  if (site.number != Operand::none) return is_unknown(storage_.reg(raw_of(site.number)), context_.control.semantics);
   return site.text != Operand::none && is_unknown(storage_.text(raw_of(site.text)));
 }
 
@@ -84,31 +85,34 @@ bool is_number_name(std::string_view name) {
 
 }  // namespace
 
-CompiledProgram* CallStack::find_program(const Instruction& i, CallSite& site) {
-  if (site.itself) return program_;
+CallStack::Target CallStack::look_up(CallSite& site) {
+  if (site.itself) return {program_, {}};
   if (site.text != Operand::none) {
     const std::string name = text::upper_case(std::string(ir::program_name_of_path(storage_.text(raw_of(site.text)))));
-    CompiledProgram* target = programs_.find(name, *program_, site.in_other_language);
-    if (target == nullptr) report_.fail(i, DiagnosticId::call_target_missing, {name});
-    return target;
+    return {programs_.find(name, *program_, site.in_other_language), name};
   }
   if (site.number == Operand::none) {
     if (site.target == nullptr) site.target = programs_.find(site.name, *program_, site.in_other_language);
-    if (site.target == nullptr)
-      report_.fail(i, DiagnosticId::call_target_missing, {site.name},
-                   is_number_name(site.name) ? ir::AlarmDetail::none : ir::AlarmDetail::by_name);
-    return site.target;
+    const auto detail = is_number_name(site.name) ? ir::AlarmDetail::none : ir::AlarmDetail::by_name;
+    return {site.target, site.name, detail};
   }
   const double number = context_.arithmetic.round(value_or_zero(storage_.reg(raw_of(site.number))));
-  if (!(number >= 0.0 && number <= 99999999.0)) {
-    report_.fail(i, DiagnosticId::call_target_missing, {"of that number"});
-    return nullptr;
-  }
+  if (!(number >= 0.0 && number <= 99999999.0)) return {nullptr, "of that number"};
   std::string digits = std::to_string(static_cast<std::uint32_t>(number));
   if (digits.size() < 4) digits.insert(0, 4 - digits.size(), '0');
-  CompiledProgram* target = programs_.find("O" + digits, *program_, site.in_other_language);
-  if (target == nullptr) report_.fail(i, DiagnosticId::call_target_missing, {"O" + digits});
-  return target;
+  return {programs_.find("O" + digits, *program_, site.in_other_language), "O" + digits};
+}
+
+CompiledProgram* CallStack::find_program(const Instruction& i, CallSite& site) {
+  const Target target = look_up(site);
+  if (target.program == nullptr) report_.fail(i, DiagnosticId::call_target_missing, {target.name}, target.detail);
+  return target.program;
+}
+
+std::optional<std::string> CallStack::missing_target(const Instruction& i) {
+  Target target = look_up(program_->calls[i.a]);
+  if (target.program != nullptr) return std::nullopt;
+  return std::move(target.name);
 }
 
 // PGA, "Indirect subprogram call with specification of the calling program part": whether the block of the last label
@@ -223,6 +227,8 @@ bool CallStack::enter_program(const Instruction& i, CompiledProgram& target, std
 
 bool CallStack::begin_modal(const Instruction& i, double times) {
   CallSite& site = program_->calls[i.a];
+  // They nest on the control: both would be called. How deep, and which first, is not carried out here.
+  if (modal_.has_value()) report_.count({.name = "a modal call (G66) inside another"});
   ModalCall modal;
   modal.kind = site.kind;
   modal.target = find_program(i, site);

@@ -37,6 +37,8 @@ class CallStack {
   std::optional<std::uint32_t> call(const Instruction& i, std::uint32_t next);
   // Whether the name of the program that call site i.a calls is not known.
   [[nodiscard]] bool is_unknown_call(const Instruction& i) const;
+  // Its name, where the program that the instruction calls cannot be found.
+  std::optional<std::string> missing_target(const Instruction& i);
   // Enters a text that is executed as a block, in the frame of the running program.
   bool enter_text(const Instruction& i, CompiledProgram& text, std::uint32_t next);
   // Enters a part of the running program in the control's other language; it is no level of calls. False when the run
@@ -97,6 +99,12 @@ class CallStack {
   void enter_language();
   Frame& push(CompiledProgram& target, std::uint32_t next, bool is_macro);
   void set_locals(const Bases& bases);
+  struct Target {
+    CompiledProgram* program = nullptr;  // nullptr: nobody has it
+    std::string name = {};
+    ir::AlarmDetail detail = ir::AlarmDetail::none;
+  };
+  Target look_up(CallSite& site);
   CompiledProgram* find_program(const Instruction& i, CallSite& site);
   // CALL … BLOCK … TO …: the part of the program, and where it begins; nullopt: an alarm.
   struct Part {

@@ -1,10 +1,12 @@
 // One row a function.
 #include "dialects/interpreter/code_effects.h"
 
+#include <algorithm>
 #include <array>
 
 #include "dialects/interpreter/drilling.h"
 #include "dialects/interpreter/turning.h"
+#include "dialects/ir/offset_words.h"
 #include "dialects/ir/transformation_use.h"
 
 namespace dripfeed::interpreter {
@@ -80,7 +82,7 @@ void turn(CodeContext& c) {
   c.state.drilling = {};
   c.state.turning = {.active = true, .cycle = static_cast<TurningCycle>(c.code.argument)};
 }
-void work_offset(CodeContext& c) {
+void select_offset(CodeContext& c) {
   c.effects.announces = true;
   if (c.state.modes.work_offset == c.code.argument) return;
   c.state.drilling.initial_known = false;
@@ -91,9 +93,20 @@ void work_offset(CodeContext& c) {
 // G54.1 with a P that was computed; its number is told as those of constant ones are.
 void extended_offset(CodeContext& c) {
   const double p = c.block.has(Address::p) ? c.block.at(Address::p) : 1.0;
-  if (!(p >= 1.0 && p <= 300.0)) return;
+  const bool is_known = (c.block.unknown & bit_of(Address::p)) == 0;
+  if (!is_known || !(p >= 1.0 && p <= ir::kLastExtendedOffset)) {
+    c.state.unknown = kAllAxes;
+    return;
+  }
   c.code.argument = static_cast<std::int16_t>(kExtendedOffset + static_cast<int>(p));
-  work_offset(c);
+  select_offset(c);
+}
+
+void work_offset(CodeContext& c) {
+  const bool has_p = ((c.block.present | c.block.unknown) & bit_of(Address::p)) != 0;
+  const bool takes_p = c.rules.semantics.g54_takes_p && c.code.argument == ir::kFirstWorkOffset && has_p &&
+                       std::ranges::none_of(c.block.codes, ir::takes_p, &PlainCode::function);
+  return takes_p ? extended_offset(c) : select_offset(c);
 }
 
 struct CodeRow {

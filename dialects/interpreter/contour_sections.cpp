@@ -7,7 +7,7 @@ namespace dripfeed::interpreter {
 
 namespace {
 
-constexpr double kSmall = 1e-6;  // mm, as is_monotonic()
+constexpr double kSmall = 1e-6;  // mm
 
 class Sections {
  public:

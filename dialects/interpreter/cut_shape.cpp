@@ -33,6 +33,8 @@ class ShapeCutter {
               BlockResult& result)
       : shape_(shape),
         factor_(rules.x_is_diameter ? 2.0 : 1.0),
+        // Places are rounded to the least increment before the cycle sees them.
+        tolerance_mm_(1.0 / rules.increments_per_mm),
         state_(state),
         out_(out),
         result_(result),
@@ -95,7 +97,7 @@ class ShapeCutter {
         (moves_.front().axes_commanded & (1U << kX)) != 0 && (moves_.front().axes_commanded & (1U << kZ)) != 0;
     std::uint32_t line = 0;
     bool in_level = false;
-    if (!pockets && !is_monotonic(segments_, line, in_level)) {
+    if (!pockets && !is_monotonic(segments_, tolerance_mm_, line, in_level)) {
       const bool in_x = in_level == along_z_;
       return {DiagnosticId::cycle_shape_not_monotonic, in_x ? "X" : "Z", line};
     }
@@ -230,6 +232,7 @@ class ShapeCutter {
 
   const std::vector<ir::Motion>& shape_;
   double factor_;
+  double tolerance_mm_;
   ModalState& state_;
   MotionBuffer& out_;
   BlockResult& result_;

@@ -2,6 +2,7 @@
 #include "dialects/interpreter/machine.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "dialects/interpreter/spline_block.h"
@@ -47,7 +48,7 @@ Machine::Machine(const ir::Control& control, ProgramFinder& finder, ir::MotionSi
                options.observer != nullptr,
                options.skip_switches},
       programs_(context_, finder),
-      storage_(variables_, shared_, control.semantics.has_vacant || control.semantics.unset_is_unknown ? kVacant : 0.0),
+      storage_(variables_, shared_, control.semantics),
       state_(initial_state(control)),
       budget_(options),
       out_(sink, budget_),
@@ -129,6 +130,14 @@ void Machine::execute(std::uint32_t next) {
     reg(i.a) = function(reg(i.b));
     return true;
   };
+  const auto compare = [&](const Instruction& i, auto holds, Operator op) {
+    const double a = reg(i.b);
+    const double b = reg(i.c);
+    if (is_vacant(a) || is_vacant(b)) [[unlikely]]
+      return binary(i, op);
+    reg(i.a) = truth(holds(a, b));
+    return true;
+  };
   bool goes_on = true;
   while (goes_on) {
     const Instruction& i = code[next++];
@@ -143,12 +152,12 @@ void Machine::execute(std::uint32_t next) {
       case Opcode::sqrt:
         goes_on = put_unary(i, reg(i.b) >= 0.0, [](double value) { return std::sqrt(value); }, Operator::sqrt);
         break;
-      case Opcode::equal: reg(i.a) = truth(Arithmetic::equal_exact(reg(i.b), reg(i.c))); break;
-      case Opcode::not_equal: reg(i.a) = truth(!Arithmetic::equal_exact(reg(i.b), reg(i.c))); break;
-      case Opcode::less: reg(i.a) = truth(value_or_zero(reg(i.b)) < value_or_zero(reg(i.c))); break;
-      case Opcode::less_equal: reg(i.a) = truth(value_or_zero(reg(i.b)) <= value_or_zero(reg(i.c))); break;
-      case Opcode::greater: reg(i.a) = truth(value_or_zero(reg(i.b)) > value_or_zero(reg(i.c))); break;
-      case Opcode::greater_equal: reg(i.a) = truth(value_or_zero(reg(i.b)) >= value_or_zero(reg(i.c))); break;
+      case Opcode::equal: goes_on = compare(i, std::equal_to<>(), Operator::equal); break;
+      case Opcode::not_equal: goes_on = compare(i, std::not_equal_to<>(), Operator::not_equal); break;
+      case Opcode::less: goes_on = compare(i, std::less<>(), Operator::less); break;
+      case Opcode::less_equal: goes_on = compare(i, std::less_equal<>(), Operator::less_equal); break;
+      case Opcode::greater: goes_on = compare(i, std::greater<>(), Operator::greater); break;
+      case Opcode::greater_equal: goes_on = compare(i, std::greater_equal<>(), Operator::greater_equal); break;
       case Opcode::unary: goes_on = unary(i, static_cast<Operator>(i.extra)); break;
       case Opcode::binary: goes_on = binary(i, static_cast<Operator>(i.extra)); break;
       case Opcode::load_number: goes_on = access_.load_number(i); break;
@@ -285,7 +294,7 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
     return report_.fail(i, DiagnosticId::cycle_shape_invalid, {"a call, a return or the program's end stands in it"});
   }
   if (i.op == Opcode::call) return call(i, next);
-  if (i.op == Opcode::modal_call) return stack_.begin_modal(i, value_or_zero(reg(i.b)));
+  if (i.op == Opcode::modal_call) return begin_modal(i);
   if (i.op == Opcode::passes) return check_passes(i);
   if (i.op == Opcode::output) return output(i);
   if (i.op == Opcode::repeat_section) return repeat_section(i, next);
@@ -305,7 +314,7 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
     return report_.fail(i, program.failures[i.a].id, program.failures[i.a].arguments, program.failures[i.a].detail);
 
   if (i.op == Opcode::negate_word)
-    reg(i.a) = is_vacant(reg(i.b)) ? kVacant : -reg(i.b);
+    reg(i.a) = is_vacant(reg(i.b)) ? reg(i.b) : -reg(i.b);
   else if (i.op == Opcode::count)
     reg(i.a) = reg(i.b) / (state_.modes.inch ? rules_.increments_per_mm * 10.0 : rules_.increments_per_mm);
   else if (i.op == Opcode::fill_array)

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -55,6 +56,8 @@ class Machine {
   void begin_block(const Instruction& i);
   bool follow(Flow flow, const Instruction& i, std::uint32_t& next);
   bool jump(const Instruction& i, std::uint32_t& next);
+  [[nodiscard]] bool enters_loop(std::uint32_t from, std::uint32_t to);
+  void look_at_allowance(const Instruction& cycle);
   bool call(const Instruction& i, std::uint32_t& next);
   bool check_passes(const Instruction& i);
   bool count_steps(const Instruction& i, std::uint64_t steps);
@@ -68,6 +71,8 @@ class Machine {
   bool run_contour_labels(const Instruction& i, const std::string& name, std::uint32_t& next);
   bool end_contour();
   bool leave_contour(std::string name);
+  bool passes_over_missing(const Instruction& i);
+  bool begin_modal(const Instruction& i);
   bool call_modal(const Instruction& i, std::uint32_t& next);
   bool go_back(const Instruction& i, std::uint32_t& next);
   bool leave_program(std::uint32_t& next);
@@ -89,6 +94,7 @@ class Machine {
   void set_inputs(const CompiledProgram& main);
   [[nodiscard]] bool takes_feed_from_caller(const CompiledProgram& main) const;
   void name_unset_inputs(const CompiledProgram& main);
+  [[nodiscard]] bool is_called_by_others(const CompiledProgram& main) const;
   void name_missing_arguments();
   void note_values_at_alarm();
   void name_input(const ir::Program& source, const ir::Variable& variable);
@@ -128,6 +134,7 @@ class Machine {
   std::uint64_t decisions_ = 0;                                      // since then
   std::vector<VariableChange> changes_;                              // of the running block
   std::unordered_map<const Instruction*, std::uint32_t> undecided_;  // how often a condition was not known
+  std::set<std::string> missing_programs_;                           // that were called and told of
   std::uint32_t undecided_count_ = 0;                                // of all conditions
   struct OpenSection {
     std::size_t depth = 0;  // of calls

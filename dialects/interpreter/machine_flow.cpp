@@ -8,6 +8,7 @@
 #include "dialects/interpreter/repetitive.h"
 #include "dialects/interpreter/unknown.h"
 #include "dialects/ir/alarm_details.h"
+#include "dialects/ir/sections.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::interpreter {
@@ -32,7 +33,7 @@ bool Machine::follow(Flow flow, const Instruction& i, std::uint32_t& next) {
 // Not known is taken as not fulfilled. A loop that waits for an input would never end that way: from the hundredth time
 // on the condition is taken as fulfilled every other time. A loop that ends by its condition ends at once.
 bool Machine::decide_unknown(const Instruction& i) {
-  if (!control_.semantics.unset_is_unknown) return false;
+  if (!is_unknown(storage_.reg(i.a), control_.semantics)) return false;
   constexpr std::uint32_t kPatience = 100;
   constexpr std::uint32_t kMostUndecided = 100'000;
   // So long a way by guesses says nothing more: the next pass of a loop is the last.
@@ -52,8 +53,10 @@ bool Machine::jump(const Instruction& i, std::uint32_t& next) {
   const auto search = static_cast<ir::JumpSearch>(i.extra);
   const bool by_text = i.op == Opcode::jump_text;
   const double value = by_text ? 0.0 : storage_.reg(i.a);
-  if (control_.semantics.unset_is_unknown && (by_text ? is_unknown(storage_.text(i.a)) : is_vacant(value))) {
+  if (by_text ? is_unknown(storage_.text(i.a)) && control_.semantics.unset_is_unknown
+              : is_unknown(value, control_.semantics)) {
     report_.count({.name = "a jump to a label that is not known"});
+    report_.take_uncertain_way();
     return true;
   }
   const std::uint32_t to =
@@ -65,9 +68,33 @@ bool Machine::jump(const Instruction& i, std::uint32_t& next) {
     return passed_over || report_.fail(i, DiagnosticId::jump_target_missing,
                                        {by_text ? storage_.text(i.a) : block_number_name(value)});
   }
+  if (!by_text && enters_loop(next - 1, to))
+    return report_.fail(i, DiagnosticId::jump_into_loop, {block_number_name(value)});
   if (to < next && ++passes_ > options_.limits.loop_passes) return report_.fail_limit(i, "loop passes");
   next = to;
   return true;
+}
+
+// Of a '#' control: a computed jump is looked at where it goes. The block that opens a loop may be jumped to.
+bool Machine::enters_loop(std::uint32_t from, std::uint32_t to) {
+  const CompiledProgram& program = stack_.program();
+  if (program.source == nullptr || !control_.semantics.has_vacant) return false;
+  const std::uint32_t begin = program.spans[from].begin;
+  const std::uint32_t target = program.spans[to].begin;
+  const ir::Section range = ir::section_at(*program.source, program.section);
+  std::vector<std::uint32_t> open;  // where the insides of the open loops begin
+  for (std::uint32_t s = range.first; s < range.last; ++s) {
+    const ir::Statement& statement = program.source->statements[s];
+    const bool opens =
+        statement.kind == ir::StatementKind::while_begin || statement.kind == ir::StatementKind::loop_begin;
+    const bool closes = statement.kind == ir::StatementKind::while_end || statement.kind == ir::StatementKind::loop_end;
+    if (opens) open.push_back(statement.span.end);
+    if (!closes || open.empty()) continue;
+    const auto is_inside = [&](std::uint32_t at) { return at >= open.back() && at < statement.span.end; };
+    if (is_inside(target) && !is_inside(begin)) return true;
+    open.pop_back();
+  }
+  return false;
 }
 
 // The first time it goes back as often as it says; each time that it is reached again counts.
@@ -148,12 +175,46 @@ bool Machine::check_passes(const Instruction& i) {
                       ir::kPasses);
 }
 
+// U of G71 to G73 leaves material on the side that the tool comes from: in a bore that is towards the centre.
+void Machine::look_at_allowance(const Instruction& cycle) {
+  constexpr double kSame_mm = 1e-6;
+  if (!control_.semantics.unset_is_unknown || (state_.unknown & 1U) != 0) return;
+  const double start = state_.position[0];
+  double low = start;
+  double high = start;
+  for (const ir::Motion& motion : shape_.motions()) {
+    low = std::min(low, motion.end[0]);
+    high = std::max(high, motion.end[0]);
+  }
+  const double allowance = state_.repetitive.allowance_x_mm * (rules_.x_is_diameter ? 2.0 : 1.0);
+  const bool is_bore = high > start + kSame_mm && low > start - kSame_mm;
+  const bool is_outside = low < start - kSame_mm && high < start + kSame_mm;
+  if ((is_bore && allowance > 0.0) || (is_outside && allowance < 0.0))
+    report_.say(cycle, DiagnosticId::allowance_inside_part,
+                {"U" + text::format_shortest(allowance) + " mm", is_bore ? "a bore" : "an outside contour"});
+}
+
+// A program that nobody has here may be in the control's memory: what it does is not known, and the run goes on.
+bool Machine::passes_over_missing(const Instruction& i) {
+  if (!control_.semantics.unset_is_unknown || !control_.semantics.has_vacant) return false;
+  const std::optional<std::string> name = stack_.missing_target(i);
+  if (!name.has_value()) return false;
+  if (missing_programs_.insert(*name).second) report_.say(i, DiagnosticId::call_target_missing, {*name});
+  report_.count({.name = "the program " + *name + ", which was not found"});
+  access_.forget_commons();
+  blocks_.forget_tool();
+  state_.unknown = kAllAxes;
+  state_.feed_unknown = true;
+  return true;
+}
+
 bool Machine::call(const Instruction& i, std::uint32_t& next) {
   if (stack_.is_unknown_call(i)) {
     report_.count({.name = "a call of a program that is not known"});
     state_.unknown = kAllAxes;
     return true;
   }
+  if (passes_over_missing(i)) return true;
   if (++passes_ > options_.limits.loop_passes) return report_.fail_limit(i, "loop passes");
   if (is_contour_cycle(i)) [[unlikely]]
     return begin_contour(i, next);
@@ -209,6 +270,7 @@ bool Machine::end_shape(std::uint32_t& next) {
     next -= 1;  // the block behind the shape
     const ir::Place place = std::exchange(out_.place, shape_.place());
     state_ = shape_.before();
+    look_at_allowance(cycle);
     out_.hold(false);  // a corner at the shape's end
     const std::uint64_t before = out_.count();
     fault = cut_shape(shape_.motions(), rules_, state_, out_, result);
@@ -221,6 +283,14 @@ bool Machine::end_shape(std::uint32_t& next) {
                       fault.id == DiagnosticId::cycle_shape_not_monotonic
                           ? std::vector<std::string>{fault.text, std::to_string(fault.line)}
                           : std::vector<std::string>{fault.text});
+}
+
+bool Machine::begin_modal(const Instruction& i) {
+  if (stack_.is_unknown_call(i)) {
+    report_.count({.name = "a call of a program that is not known"});
+    return true;
+  }
+  return passes_over_missing(i) || stack_.begin_modal(i, value_or_zero(storage_.reg(i.b)));
 }
 
 bool Machine::call_modal(const Instruction& i, std::uint32_t& next) {
@@ -251,9 +321,10 @@ bool Machine::go_back(const Instruction& i, std::uint32_t& next) {
     if (stack_.in_foreign_part()) next = stack_.go_back();
   }
   if (!stack_.in_main()) return leave_program(next);
-  if (control_.semantics.return_in_main_restarts)
+  const bool restarts = control_.semantics.return_in_main_restarts;
+  if (restarts && !is_called_by_others(stack_.program()))
     report_.say(i, DiagnosticId::endless_loop);
-  else
+  else if (!restarts)
     emit_event(ir::MotionKind::end, state_, out_);
   return report_.end(Ended::end);
 }

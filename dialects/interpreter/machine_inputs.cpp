@@ -6,19 +6,36 @@
 
 #include "dialects/interpreter/machine.h"
 #include "dialects/interpreter/unknown.h"
+#include "dialects/ir/sections.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::interpreter {
+
+namespace {
+
+std::string describe_value(double value, const ir::Semantics& semantics) {
+  if (is_unknown(value, semantics)) return "not known";
+  return is_vacant(value) ? "vacant" : text::format_shortest(value);
+}
+
+}  // namespace
 
 // Nothing in a subprogram ends a run; a text that was run while it was read has ended by its end or not at all.
 bool Machine::takes_feed_from_caller(const CompiledProgram& main) const {
   if (!control_.semantics.unset_is_unknown) return false;
   if (main.source == nullptr) return report_.result().ended == Ended::text_end;
+  if (control_.semantics.has_vacant) return is_called_by_others(main);
   const std::string& name = main.source->source.name();
   if (name.ends_with(".SPF") || name.ends_with(".spf")) return true;
   return std::ranges::none_of(main.source->statements, [](const ir::Statement& statement) {
     return statement.kind == ir::StatementKind::program_end;
   });
+}
+
+// A subprogram or macro of a '#' control, run by itself.
+bool Machine::is_called_by_others(const CompiledProgram& main) const {
+  if (main.source == nullptr) return false;
+  return ir::is_subprogram(*main.source, ir::section_at(*main.source, main.section));
 }
 
 // Definition files declare the names that programs find in the control.
@@ -36,15 +53,28 @@ void Machine::set_inputs(const CompiledProgram& main) {
       storage_.frame_at(parameter.slot) = parameter.by_reference ? Storage::refer_shared(shared_.nameless()) : kVacant;
   }
   state_.feed_unknown = main.has_procedure;
+  if (!control_.semantics.has_vacant || !is_called_by_others(main)) return;
+  for (std::uint32_t i = 0; i < storage_.local_count(); ++i) storage_.local_at(storage_.bases().local + i) = kUnknown;
+  state_.feed_unknown = true;
+  access_.forget_modes();
 }
 
-// Parameters that the main program names and nobody has set by the end.
+// Parameters that the main program names and nobody has set by the end; those that it sets itself from what is not
+// known are not inputs of their own on a control where every variable is one by number.
 void Machine::name_unset_inputs(const CompiledProgram& main) {
   if (main.source == nullptr) return;
+  const bool by_hash = control_.semantics.has_vacant;
+  std::set<std::uint32_t> assigned;
+  if (by_hash)
+    for (const ir::Assign& assign : main.source->assigns)
+      assigned.insert(main.source->variables[static_cast<std::uint32_t>(assign.target)].number);
   for (const ir::Variable& variable : main.source->variables) {
-    if (variable.bank != ir::Bank::r || variable.index != ir::ExpressionId::none) continue;
+    if (variable.bank != (by_hash ? ir::Bank::hash : ir::Bank::r) || variable.index != ir::ExpressionId::none) continue;
+    if (assigned.contains(variable.number)) continue;
     const Slot slot = variables_.find(variable.bank, variable.number);
-    if (slot.kind != SlotKind::global || !is_vacant(storage_.global_at(slot.index))) continue;
+    const bool is_numbered = slot.kind == SlotKind::global || (by_hash && slot.kind == SlotKind::local);
+    if (!is_numbered || !is_unknown(access_.peek(variable.bank, variable.number).value_or(0.0), control_.semantics))
+      continue;
     out_.place.program = 0;
     name_input(*main.source, variable);
   }
@@ -91,10 +121,9 @@ void Machine::note_values_at_alarm() {
     const std::optional<double> value = access_.peek(variable.bank, variable.number);
     const std::string name = variable_name(variable.bank, variable.number);
     if (!value.has_value() || is_target(variable) || named.size() == kMostNamed || !named.insert(name).second) continue;
-    const std::string_view none = control_.semantics.unset_is_unknown ? "not known" : "vacant";
     if (named.size() == 1) note.span = variable.span;
     note.text += named.size() == 1 ? "here " : ", ";
-    note.text += name + " is " + (is_vacant(*value) ? std::string(none) : text::format_shortest(*value));
+    note.text += name + " is " + describe_value(*value, control_.semantics);
   }
   if (!named.empty()) alarm.notes.push_back(std::move(note));
 }

@@ -30,11 +30,12 @@ class Words {
 
   [[nodiscard]] bool has(Address address) const { return block_.has(address); }
   [[nodiscard]] double length(Address address) const { return rules_.length_mm(block_, address, inch_); }
-  // P and Q count least increments, whatever other words do without a point.
+  // P and Q count least increments, whatever other words do without a point. A fraction was written with one.
   [[nodiscard]] double counted(Address address) const {
     const bool flagged = (block_.in_increments & bit_of(address)) != 0;
-    const bool counts = flagged || address == Address::p || address == Address::d ||
-                        rules_.semantics.decimal_mode == ir::DecimalMode::calculator;
+    const bool counting = flagged || address == Address::p || address == Address::d ||
+                          rules_.semantics.decimal_mode == ir::DecimalMode::calculator;
+    const bool counts = counting && block_.at(address) == std::trunc(block_.at(address));
     const double per_mm = rules_.increments_per_mm * (inch_ ? 10.0 : 1.0);
     const double value = counts ? block_.at(address) / per_mm : block_.at(address);
     return std::abs(inch_ ? value * 25.4 : value);

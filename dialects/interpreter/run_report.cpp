@@ -13,9 +13,17 @@ void RunReport::add(const Instruction& at, DiagnosticId id, std::vector<std::str
                     ir::AlarmDetail detail) {
   const auto index = static_cast<std::size_t>(&at - program_->code.data());
   text::Diagnostic made = ir::diagnose(control_, id, program_->spans[index], std::move(arguments), detail);
+  // The control's memory may have the program; otherwise the search stood at a name that is written here.
+  const bool may_exist = control_.semantics.unset_is_unknown && control_.semantics.has_vacant;
+  if (id == DiagnosticId::call_target_missing && may_exist) {
+    made.severity = text::Severity::warning;
+    made.notes.push_back(
+        {made.span, "it was not among the programs that were given: it may be in the control's memory"});
+  }
   const bool certain = !uncertain_ || id == DiagnosticId::call_target_missing;
   if (!certain && made.severity == text::Severity::error) {
-    made.severity = text::Severity::warning;
+    // A program that guards itself is no fault of its own: whether the guard strikes, those values decide.
+    made.severity = id == DiagnosticId::user_alarm ? text::Severity::note : text::Severity::warning;
     made.notes.push_back({made.span, "behind a condition on a value that is not known"});
   }
   result_.diagnostics.push_back({program_->index, out_.place.line, std::move(made)});
@@ -51,6 +59,16 @@ bool RunReport::end(Ended ended) {
 void RunReport::say(const Instruction& at, DiagnosticId id, std::vector<std::string> arguments) {
   constexpr std::uint32_t kMostOfABlock = 20;
   if (++said_[{program_->index, out_.place.line, id}] <= kMostOfABlock) add(at, id, std::move(arguments));
+}
+
+void RunReport::warn(const Instruction& at, DiagnosticId id, std::vector<std::string> arguments,
+                     std::string_view note) {
+  const std::size_t before = result_.diagnostics.size();
+  say(at, id, std::move(arguments));
+  if (result_.diagnostics.size() == before) return;
+  text::Diagnostic& said = result_.diagnostics.back().diagnostic;
+  said.severity = text::Severity::warning;
+  said.notes.push_back({said.span, std::string(note)});
 }
 
 void RunReport::keep_no_feed(const Instruction& at, ir::AlarmDetail detail) {

@@ -33,6 +33,8 @@ class RunReport {
   bool end(Ended ended);
   // A diagnostic that does not end the run.
   void say(const Instruction& at, text::DiagnosticId id, std::vector<std::string> arguments = {});
+  // … and that is a warning here, whatever it is by its row.
+  void warn(const Instruction& at, text::DiagnosticId id, std::vector<std::string> arguments, std::string_view note);
   // A cut without a feed: said at the end of the run, unless the program turns out to be a subprogram by then.
   void keep_no_feed(const Instruction& at, ir::AlarmDetail detail);
   void say_no_feed();

@@ -101,21 +101,21 @@ std::vector<ShapeSegment> split_at_turns(const ShapeSegment& s) {
   return parts;
 }
 
-bool is_monotonic(const std::vector<ShapeSegment>& shape, std::uint32_t& line, bool& in_level) {
+bool is_monotonic(const std::vector<ShapeSegment>& shape, double tolerance_mm, std::uint32_t& line, bool& in_level) {
   double way = 0.0;
   double level = 0.0;
   for (const ShapeSegment& s : shape) {
     const double dw = s.to.way - s.from.way;
     const double dl = s.to.level - s.from.level;
-    const bool way_back = (std::abs(dw) > kSmall && dw * way < 0.0) || turns_back(s, false);
-    const bool level_back = (std::abs(dl) > kSmall && dl * level < 0.0) || turns_back(s, true);
+    const bool way_back = (std::abs(dw) > tolerance_mm && dw * way < 0.0) || turns_back(s, false);
+    const bool level_back = (std::abs(dl) > tolerance_mm && dl * level < 0.0) || turns_back(s, true);
     if (way_back || level_back) {
       line = s.line;
       in_level = level_back;
       return false;
     }
-    if (std::abs(dw) > kSmall) way = dw;
-    if (std::abs(dl) > kSmall) level = dl;
+    if (std::abs(dw) > tolerance_mm) way = dw;
+    if (std::abs(dl) > tolerance_mm) level = dl;
   }
   return true;
 }

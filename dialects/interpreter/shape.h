@@ -31,7 +31,7 @@ double turn_of(const ShapeSegment& arc, bool positive);
 std::optional<double> way_at(const ShapeSegment& segment, double level);
 // The same in pieces of which both coordinates only rise or only fall.
 std::vector<ShapeSegment> split_at_turns(const ShapeSegment& segment);
-// True when both coordinates only rise or only fall, within a thousandth of a micrometre.
-bool is_monotonic(const std::vector<ShapeSegment>& shape, std::uint32_t& line, bool& in_level);
+// True when both coordinates only rise or only fall; what goes back by no more than `tolerance_mm` does not count.
+bool is_monotonic(const std::vector<ShapeSegment>& shape, double tolerance_mm, std::uint32_t& line, bool& in_level);
 
 }  // namespace dripfeed::interpreter

@@ -3,13 +3,25 @@
 
 #include <algorithm>
 
+#include "dialects/interpreter/arithmetic.h"
+
 namespace dripfeed::interpreter {
 
-Storage::Storage(const VariableMap& variables, SharedData& shared, double unset)
+namespace {
+
+// What a variable reads that outlives programs and was not set by this one.
+double unset_global(const ir::Semantics& semantics) {
+  if (semantics.unset_is_unknown) return kUnknown;
+  return semantics.has_vacant ? kVacant : 0.0;
+}
+
+}  // namespace
+
+Storage::Storage(const VariableMap& variables, SharedData& shared, const ir::Semantics& semantics)
     : shared_(shared),
-      globals_(variables.global_count(), unset),
+      globals_(variables.global_count(), unset_global(semantics)),
       local_count_(variables.local_count()),
-      unset_(unset) {}
+      unset_local_(semantics.has_vacant || semantics.unset_is_unknown ? kVacant : 0.0) {}
 
 void Storage::open_frame(const CompiledProgram& program, const Bases& bases) {
   make_room(program, bases);
@@ -29,7 +41,7 @@ void Storage::make_room(const CompiledProgram& program, const Bases& bases) {
 void Storage::open_locals(const Bases& bases) {
   const std::size_t end = std::size_t{bases.local} + local_count_;
   if (locals_.size() < end) locals_.resize(end);
-  std::fill_n(locals_.begin() + bases.local, local_count_, unset_);
+  std::fill_n(locals_.begin() + bases.local, local_count_, unset_local_);
   if (program_ != nullptr) enter(*program_, current_);
 }
 

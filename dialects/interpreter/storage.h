@@ -22,8 +22,7 @@ struct Bases {
 
 class Storage {
  public:
-  // `unset`: what a variable reads before it is set (vacant or 0).
-  Storage(const VariableMap& variables, SharedData& shared, double unset);
+  Storage(const VariableMap& variables, SharedData& shared, const ir::Semantics& semantics);
 
   // Makes room for the program's frame at `bases` and clears its declared names; the registers that `reg` gives are not
   // changed by it.
@@ -67,7 +66,7 @@ class Storage {
   Bases current_;
   CompiledProgram* program_ = nullptr;
   std::uint32_t local_count_;
-  double unset_;
+  double unset_local_;  // what a fresh local variable reads
 };
 
 }  // namespace dripfeed::interpreter

@@ -53,6 +53,17 @@ RunResult Machine::run(PlainStream& stream) {
   return finish(plain);
 }
 
+namespace {
+
+Report report_of(const ir::PlainReport& report, const ir::Control& control) {
+  if (report.function == ir::Function::machine_function)
+    return {ir::name_of_machine_function(report.argument), report.function,
+            ir::is_known_machine_function(control, report.argument)};
+  return {std::string(report.name), report.function, report.function == ir::Function::no_effect};
+}
+
+}  // namespace
+
 bool Machine::run_plain_blocks(PlainStream& stream, CompiledProgram& plain) {
   const Instruction& here = plain.code.front();
   while (const ir::PlainBatch* batch = stream.next()) {
@@ -67,7 +78,7 @@ bool Machine::run_plain_blocks(PlainStream& stream, CompiledProgram& plain) {
       ++out_.work.blocks;
       state_.clock_ms += control_.cost.block_ms;
       for (; report != batch->reports.end() && report->block == n; ++report)
-        report_.count({std::string(report->name), report->function, report->function == ir::Function::no_effect});
+        report_.count(report_of(*report, control_));
       if (row.word_count + row.code_count > 0 && !blocks_.run_plain(here, *batch, row).has_value()) return false;
       if (!row.ends_program) continue;
       emit_event(ir::MotionKind::end, state_, out_);

@@ -188,12 +188,16 @@ std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number
       return position(index, state.position, ~state.unknown & kAllAxes, state);
     case SystemValue::skip_position: return position(index, state.skipped, state.skipped_known, state);
     case SystemValue::machine_position: return machine_position(index, state);
-    case SystemValue::feed: return state.modes.inch_feed ? state.feed / 25.4 : state.feed;
+    case SystemValue::feed:
+      if (state.feed_unknown) return std::nullopt;
+      return given(state.modes.inch_feed ? state.feed / 25.4 : state.feed);
     case SystemValue::spindle_speed: return state.modes.surface_speed ? state.surface_speed_m_min : state.rpm;
-    case SystemValue::tool_number: return static_cast<double>(state.tool.number);
-    case SystemValue::comp_number: return state.comp_number;
-    case SystemValue::length_number: return state.length_number;
-    case SystemValue::active_code: return active_code(number % kGroupNumbers, state);
+    case SystemValue::tool_number: return given(static_cast<double>(state.tool.number));
+    case SystemValue::comp_number: return given(state.comp_number);
+    case SystemValue::length_number: return given(state.length_number);
+    case SystemValue::active_code:
+      if (modes_unknown_) return std::nullopt;
+      return active_code(number % kGroupNumbers, state);
     case SystemValue::clock_ms: return std::floor(clock_from_ms_ + state.clock_ms);
     case SystemValue::clock_hours: return hours_from_ + state.clock_ms / kMsPerHour;
     case SystemValue::selected_tool:
@@ -214,6 +218,13 @@ std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number
     case SystemValue::program_number: break;
   }
   return std::nullopt;
+}
+
+// What was in effect before the program began is not known: 0 stands for "not named yet".
+std::optional<double> SystemValues::given(double value) const {
+  const bool may_be_older = control_.semantics.has_vacant && control_.semantics.unset_is_unknown;
+  if (value == 0.0 && may_be_older) return std::nullopt;
+  return value;
 }
 
 namespace {

@@ -35,6 +35,8 @@ class SystemValues {
 
   // The control measured a tool: what was written of their offsets may be another value.
   void forget_tool_offsets();
+  // The codes in effect are those of a caller that is not there.
+  void forget_modes() { modes_unknown_ = true; }
 
  private:
   // What a value is kept under: an offset of G54.1 may have two numbers (#7001 and #14001).
@@ -49,6 +51,8 @@ class SystemValues {
   [[nodiscard]] std::optional<double> offset_mm(std::int32_t offset, std::size_t axis, const ModalState& state) const;
   void move_offset(std::uint32_t number, double value, ModalState& state);
   [[nodiscard]] std::size_t place_of(std::uint32_t axis) const;
+  [[nodiscard]] std::optional<double> given(double value) const;
+  bool modes_unknown_ = false;
   [[nodiscard]] std::optional<double> active_code(std::uint32_t group, const ModalState& state) const;
 
   const ir::Control& control_;

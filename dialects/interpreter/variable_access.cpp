@@ -48,7 +48,7 @@ std::optional<double> VariableAccess::peek(ir::Bank bank, std::uint32_t number) 
 
 bool VariableAccess::load_number(const Instruction& i) {
   if (is_unknown(storage_.reg(i.b))) {
-    storage_.reg(i.a) = kVacant;
+    storage_.reg(i.a) = kUnknown;
     return true;
   }
   const auto found = find(i, storage_.reg(i.b));
@@ -64,7 +64,7 @@ bool VariableAccess::load_number(const Instruction& i) {
 }
 
 bool VariableAccess::store_number(const Instruction& i) {
-  if (is_unknown(storage_.reg(i.a))) return forget_bank(bank_of(i));
+  if (is_unknown(storage_.reg(i.a))) return forget_bank(i);
   const auto found = find(i, storage_.reg(i.a));
   if (!found.has_value()) return false;
   if (!found->slot.writable)
@@ -121,10 +121,16 @@ std::string VariableAccess::name_of_element(const CompiledProgram& program, std:
   return name + ']';
 }
 
-// One element was written, nobody knows which: nothing of them is known any more.
-bool VariableAccess::forget_bank(ir::Bank bank) {
+// One element was written, nobody knows which: nothing of them is known any more. Among numbered variables are work
+// offsets and lengths of tools.
+bool VariableAccess::forget_bank(const Instruction& i) {
+  const ir::Bank bank = bank_of(i);
   for (const VariableMap::Named& entry : variables_.list())
-    if (entry.bank == bank && entry.kind == SlotKind::global) storage_.global_at(entry.index) = kVacant;
+    if (entry.bank == bank) at(Slot{entry.kind, true, entry.index}) = kUnknown;
+  if (bank != ir::Bank::hash) return true;
+  report_.count({.name = "an assignment to a variable whose number is not known"});
+  state_.unknown = kAllAxes;
+  state_.gaps |= ir::kZerosChanged | ir::kLengthsChanged;
   return true;
 }
 
@@ -184,12 +190,14 @@ std::string VariableAccess::system_name(std::uint32_t row, std::uint32_t number)
   return named ? std::string(rows[row].name) : variable_name(ir::Bank::hash, number);
 }
 
-// Not known reads vacant, or 0 where nothing is vacant or unknown; the report says so.
+// The report names what is not known. It reads as not known where a run goes on with such values, otherwise vacant, or 0
+// where there is no vacant.
 double VariableAccess::read_system(std::uint32_t row, std::uint32_t number) {
   if (const auto known = system_.read(row, number, state_)) return *known;
-  const bool is_unknown = control_.semantics.unset_is_unknown;
-  report_.count({.name = system_name(row, number), .is_input = is_unknown});
-  return is_unknown || control_.semantics.has_vacant ? kVacant : 0.0;
+  const bool stays_unknown = control_.semantics.unset_is_unknown;
+  report_.count({.name = system_name(row, number), .is_input = stays_unknown});
+  if (stays_unknown && control_.semantics.has_vacant) return kUnknown;
+  return stays_unknown || control_.semantics.has_vacant ? kVacant : 0.0;
 }
 
 bool VariableAccess::load_system(const Instruction& i) {
@@ -213,6 +221,11 @@ void VariableAccess::set_system(const DataValue& set) {
   const std::uint32_t row = set.is_extended_offset ? kExtendedOffsetRow : variables_.system_row(set.number);
   const double before = set.adds ? system_.read(row, set.number, state_).value_or(0.0) : 0.0;
   system_.write(row, set.number, before + set.value, state_);
+}
+
+void VariableAccess::forget_commons() {
+  for (const VariableMap::Named& entry : variables_.list())
+    if (entry.kind == SlotKind::global) storage_.global_at(entry.index) = kUnknown;
 }
 
 void VariableAccess::forget_tool_offsets() { system_.forget_tool_offsets(); }

@@ -43,6 +43,10 @@ class VariableAccess {
   // A numbered system variable, as an assignment of the program would.
   void set_system(const DataValue& set);
   void forget_tool_offsets();
+  // What a program may have set that was not run.
+  void forget_commons();
+  // The modes at the start are those of a caller that is not there.
+  void forget_modes() { system_.forget_modes(); }
   // One of three registers in a row holds an index that is not known.
   bool has_unknown_index(std::uint32_t indices);
   [[nodiscard]] std::string name_of_element(const CompiledProgram& program, std::uint32_t array, std::uint32_t indices);
@@ -60,8 +64,8 @@ class VariableAccess {
   double read_system(std::uint32_t row, std::uint32_t number);
   [[nodiscard]] std::string system_name(std::uint32_t row, std::uint32_t number) const;
   double& at(const Slot& slot);
-  [[nodiscard]] bool is_unknown(double value) const { return control_.semantics.unset_is_unknown && is_vacant(value); }
-  bool forget_bank(ir::Bank bank);
+  [[nodiscard]] bool is_unknown(double value) const { return interpreter::is_unknown(value, control_.semantics); }
+  bool forget_bank(const Instruction& i);
   void fill(const Array& array, double value);
 
   const ir::Control& control_;

@@ -20,7 +20,10 @@ constexpr std::uint32_t kSlotsAtMost = 1U << 20;
 }  // namespace
 
 VariableMap::VariableMap(const ir::Control& control)
-    : system_variables_(control.system_variables), has_vacant_(control.semantics.has_vacant) {
+    : control_(control),
+      system_variables_(control.system_variables),
+      has_vacant_(control.semantics.has_vacant),
+      options_exist_(control.semantics.has_vacant && control.semantics.unset_is_unknown) {
   const std::span<const ir::VariableRange> declared =
       control.variables.empty() ? std::span<const ir::VariableRange>(kNeutralRanges) : control.variables;
   for (ir::VariableRange range : declared) {
@@ -52,6 +55,8 @@ Slot VariableMap::find(ir::Bank bank, std::uint32_t number) const {
   }
   const std::uint32_t row = bank == ir::Bank::hash ? system_row(number) : kNoRow;
   if (row != kNoRow) return {SlotKind::system, system_variables_[row].writable, row};
+  if (options_exist_ && bank == ir::Bank::hash && ir::may_have_variable(control_, bank, number))
+    return {SlotKind::system, true, kNoRow};
   return {};
 }
 

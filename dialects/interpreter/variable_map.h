@@ -53,8 +53,10 @@ class VariableMap {
     bool is_hidden = false;        // no program names them
   };
   std::vector<Range> ranges_;
+  const ir::Control& control_;
   std::span<const ir::SystemVariableRow> system_variables_;
   bool has_vacant_ = true;
+  bool options_exist_ = false;  // a variable beyond the usual ranges is taken for one whose value is not known
   std::uint32_t global_count_ = 0;
   std::uint32_t local_count_ = 0;
 };

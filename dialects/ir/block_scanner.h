@@ -28,8 +28,8 @@ struct ScannedBlock {
   void add_code(Function function, std::int16_t argument, ModalGroup group) {
     batch->codes.push_back({function, argument, group});
   }
-  void report(std::string_view name, Function function) {
-    batch->reports.push_back({static_cast<std::uint32_t>(batch->blocks.size()), name, function});
+  void report(std::string_view name, Function function, std::int16_t argument = 0) {
+    batch->reports.push_back({static_cast<std::uint32_t>(batch->blocks.size()), name, function, argument});
   }
 };
 

@@ -26,6 +26,22 @@ const VariableRange* find_variable(const Control& control, Bank bank, std::uint3
   return range == control.variables.end() ? nullptr : &*range;
 }
 
+std::string name_of_machine_function(int number) { return "M" + std::to_string(number); }
+
+bool is_known_machine_function(const Control& control, int number) {
+  constexpr int kRigidTap = 29;
+  if (number == kRigidTap && has_numbered_variables(control)) return true;
+  const auto same = [number](std::uint16_t listed) { return static_cast<int>(listed) == number; };
+  return std::ranges::any_of(control.machine_functions, same);
+}
+
+bool may_have_variable(const Control& control, Bank bank, std::uint32_t number) {
+  constexpr std::uint32_t kFirstFree = 34;
+  constexpr std::uint32_t kLastFree = 99;
+  if (bank != Bank::hash || control.variables_stated || !has_numbered_variables(control)) return false;
+  return number < kFirstFree || number > kLastFree;
+}
+
 bool has_numbered_variables(const Control& control) {
   return std::ranges::any_of(control.variables, [](const VariableRange& range) { return range.bank == Bank::hash; });
 }

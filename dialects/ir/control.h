@@ -178,6 +178,13 @@ struct CodeCall {
   bool macro = true;  // the block's words are arguments; otherwise as by M98
 };
 
+// A line that says which G-code system a lathe's program is written in.
+struct SystemEvidence {
+  GSystem system = GSystem::a;
+  std::uint32_t line = 0;  // 0: none
+  std::string code;        // "G50 S"
+};
+
 struct Control {
   std::string dialect;  // "fanuc", "sinumerik-840d"
   std::string title;    // as people say it: "Fanuc 0i-TF"
@@ -193,6 +200,7 @@ struct Control {
   std::span<const AlarmRow> alarms;
   std::span<const OutsideRow> outside;
   std::vector<VariableRange> variables;
+  bool variables_stated = false;     // a profile gives them all
   std::vector<CodeCall> code_calls;  // machine
   // M functions of the machine, by number, beside those of the table; empty: any may be.
   std::vector<std::uint16_t> machine_functions;
@@ -202,6 +210,8 @@ struct Control {
   std::vector<std::string> definition_files;        // programs that declare global data, by name; read before a run
   std::shared_ptr<const SharedDefinitions> shared;  // what those declare, as far as they were found
   bool from_profile = false;  // a named machine: what it leaves unconfirmed is an error, not a warning
+  // Two lines of the text that name different G-code systems, when no machine was named: then neither is certain.
+  std::vector<SystemEvidence> contradiction;
   // Why the control was taken for this one, when no machine was named: the line that decided, 0 for the default.
   std::uint32_t because_line = 0;
 };
@@ -211,8 +221,16 @@ const CodeRow* find_code(std::span<const CodeRow> table, std::int32_t number10);
 // The control's own alarm for a diagnostic, "" when it has none.
 // … with that detail, or without one where the control makes no difference.
 std::string_view alarm_of(const Control& control, text::DiagnosticId id, AlarmDetail detail = AlarmDetail::none);
+// "M29" of that number.
+std::string name_of_machine_function(int number);
+// Whether an M function of the machine is known to move no axis and to change nothing that is modelled: M29 of rigid
+// tapping, and those that the profile lists.
+bool is_known_machine_function(const Control& control, int number);
 // The range that holds the variable; nullptr when the control has no such variable.
 const VariableRange* find_variable(const Control& control, Bank bank, std::uint32_t number);
+// Whether a machine may have that variable although the control's usual ranges have not: by an option, or made by the
+// machine's builder. Numbers from 34 to 99 are left free by every control.
+bool may_have_variable(const Control& control, Bank bank, std::uint32_t number);
 // Whether its variables are numbers behind a # (Fanuc, Mazak, Mitsubishi). Such a control jumps to the value of one,
 // too, and knows no names and no parts to repeat.
 bool has_numbered_variables(const Control& control);

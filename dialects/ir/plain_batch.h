@@ -29,6 +29,7 @@ struct PlainReport {
   std::uint32_t block = 0;  // index in the batch
   std::string_view name;    // of a static table
   Function function = Function::no_effect;
+  std::int16_t argument = 0;  // number of a machine function
 };
 
 struct PlainBlockRow {

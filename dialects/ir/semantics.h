@@ -92,6 +92,9 @@ struct Semantics {
   std::uint32_t highest_user_alarm = 0;       // above it all are shown as the base alone; 0: no limit
   bool feed_code_ends_surface_speed = false;  // G94, G95, G96 replace each other (SINUMERIK)
   bool taps_are_rigid = false;                // G84 and G74 always turn the spindle by position (Haas)
+  bool tool_number_has_suffix = false;        // T01.01: the fraction tells tools of one number apart
+  bool g54_takes_p = false;                   // G54 P3 is G54.1 P3
+  bool length_needs_code = false;             // a tool's length acts by G43 alone, not by its change (mills)
   bool d_selects_edge = false;                // D is the tool's edge and takes effect at once; otherwise a comp number
 };
 

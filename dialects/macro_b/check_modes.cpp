@@ -54,7 +54,7 @@ class ModeCheck {
   }
   void assume_all() {
     inverse_time_ = false;
-    unit_ = distance_ = plane_ = feed_mode_ = motion_ = feed_ = true;
+    unit_ = distance_ = plane_ = feed_mode_ = motion_ = feed_ = limit_ = true;
   }
 
   void block(const ir::Block& block, text::Span span) {
@@ -64,11 +64,15 @@ class ModeCheck {
     bool needs_plane = false;
     for (const ir::Code& code : program_.codes_of(block)) {
       take(code);
+      speed_limit(code, block);
       const bool once = code.group == ModalGroup::non_modal && code.function != Function::machine_coordinates &&
                         code.function != Function::exact_stop_once && code.function != Function::no_effect;
       by_reference |= code.function == Function::reference_return;
       own_words |= once && code.function != Function::reference_return;
       own_words |= code.group == ModalGroup::frame;  // G68 X0 Y0 R30 names a centre
+      // It may call a macro by parameter, and the words are arguments then.
+      own_words |=
+          code.function == Function::machine_function && !ir::is_known_machine_function(control_, code.argument);
       computed |= code.number != ir::ExpressionId::none;
       needs_plane |= code.function == Function::arc_cw || code.function == Function::arc_ccw ||
                      code.function == Function::comp_left || code.function == Function::comp_right;
@@ -89,6 +93,16 @@ class ModeCheck {
       findings_.add(no_feed, span, {}, cut_);
       feed_ = true;
     }
+  }
+
+  // With a named machine its highest speed is known, and the run looks at it.
+  void speed_limit(const ir::Code& code, const ir::Block& block) {
+    limit_ |= code.function == Function::set_coordinates && has_word(block, Address::s);
+    if (code.function != Function::surface_speed_on || control_.kind != ir::MachineKind::lathe) return;
+    if (!limit_ && !control_.from_profile)
+      findings_.add(surface_speed_without_limit, code.span,
+                    {control_.g_system == ir::GSystem::a ? "no G50 S" : "no G92 S"});
+    limit_ = true;
   }
 
   void take(const ir::Code& code) {
@@ -140,6 +154,7 @@ class ModeCheck {
   bool feed_mode_ = false;
   bool motion_ = false;
   bool feed_ = false;
+  bool limit_ = false;  // of the spindle, for constant surface speed
   bool cutting_ = false;
   ir::AlarmDetail cut_ = ir::AlarmDetail::none;  // what it is that cuts
   bool inverse_time_ = false;                    // F counts in its own block only

@@ -45,9 +45,11 @@ class OrderCheck {
       block(program_.blocks[s.payload]);
     } else if (s.kind == StatementKind::modal_call) {
       modal_ = State::on;
+      ++modal_depth_;
     } else if (s.kind == StatementKind::modal_call_end) {
       if (modal_ == State::off) add(modal_call_not_open, s.span, "G67");
-      modal_ = State::off;
+      modal_depth_ -= modal_depth_ > 0 ? 1U : 0U;  // each G67 ends the last G66
+      if (modal_depth_ == 0) modal_ = State::off;
     } else if (s.kind == StatementKind::go_to || s.kind == StatementKind::call || s.kind == StatementKind::native ||
                s.kind == StatementKind::while_begin || s.kind == StatementKind::loop_begin) {
       forget();
@@ -354,6 +356,7 @@ class OrderCheck {
   bool has_lathe_corners_;
   enum class Rigid : std::uint8_t { off, waits, taps } rigid_ = Rigid::off;
   // At the start nothing is in effect.
+  std::uint32_t modal_depth_ = 0;  // G66 within G66
   State modal_ = State::off;
   State comp_ = State::off;
   State cycle_ = State::off;

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/ir/offset_words.h"
 #include "dialects/macro_b/check.h"
 #include "dialects/text/number.h"
 
@@ -56,7 +57,7 @@ class ValueCheck {
     for (const ir::Variable& v : program_.variables) {
       const auto number = computed_number(program_, v);
       if (number && *number != 0 && ir::find_variable(control_, ir::Bank::hash, *number) == nullptr)
-        findings_.add(variable_out_of_range, v.span, {fmt::format("#{}", *number)});
+        findings_.add_variable(*number, v.span);
     }
     for (const ir::Expression& e : program_.expressions)
       if (e.op == ir::Operator::variable) read(program_.at(e.variable));
@@ -70,6 +71,8 @@ class ValueCheck {
     corners(block);
     offset_value(block);
     for (const ir::Code& code : program_.codes_of(block)) machine_function(code);
+    extended_offset(block);
+    signs(block);
   }
 
  private:
@@ -144,6 +147,45 @@ class ValueCheck {
                   {"R", std::string(text_of(program_, r.span)), text::format_shortest(-kLargestOffset_mm),
                    text::format_shortest(kLargestOffset_mm)},
                   ir::AlarmDetail::value_of_data);
+  }
+
+  [[nodiscard]] std::optional<double> constant(const ir::Word& word) const {
+    return word.value == ir::ExpressionId::none ? std::nullopt : folded(program_, word.value);
+  }
+
+  // G54.1 P0 and P301: there is no such offset.
+  void extended_offset(const ir::Block& block) {
+    const auto codes = program_.codes_of(block);
+    const auto code = std::ranges::find(codes, Function::extended_offset, &ir::Code::function);
+    if (code == codes.end()) return;
+    for (const ir::Word& word : program_.words_of(block)) {
+      const auto p = word.address == Address::p ? constant(word) : std::nullopt;
+      if (p && (*p < 1.0 || *p > ir::kLastExtendedOffset))
+        findings_.add(value_out_of_range, word.span,
+                      {"P", text::format_shortest(*p), "1", text::format_shortest(ir::kLastExtendedOffset)});
+    }
+  }
+
+  // Speeds and numbers of tools have no sign.
+  void signs(const ir::Block& block) {
+    constexpr std::array kUnsigned = {Address::s, Address::t};
+    for (const ir::Word& word : program_.words_of(block)) {
+      if (std::ranges::find(kUnsigned, word.address) == kUnsigned.end()) continue;
+      const std::string_view written = text_of(program_, word.span);
+      const auto value = written.size() > 1 && written[1] == '-' ? sign_of(word) : std::nullopt;
+      if (!value) continue;
+      text::Diagnostic* finding =
+          findings_.add(value_out_of_range, word.span, {std::string(written.substr(0, 1)), *value, "0", "99999"});
+      if (finding != nullptr) finding->alarm.clear();  // the row's alarm is that of offset numbers
+    }
+  }
+  // The value of a word that is a number below 0, as written.
+  [[nodiscard]] std::optional<std::string> sign_of(const ir::Word& word) const {
+    const ir::Expression& e = program_.at(word.value);
+    if (e.op == ir::Operator::negate && program_.at(e.a).op == ir::Operator::constant && program_.at(e.a).value > 0.0)
+      return text::format_shortest(-program_.at(e.a).value);
+    if (e.op == ir::Operator::constant && e.value < 0.0) return text::format_shortest(e.value);
+    return std::nullopt;
   }
 
   void machine_function(const ir::Code& code) {

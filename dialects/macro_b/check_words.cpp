@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/ir/offset_words.h"
 #include "dialects/macro_b/check.h"
 #include "dialects/text/number.h"
 
@@ -31,15 +32,20 @@ std::string address_name(const ir::Program& program, const ir::Word& word) {
 struct BlockUse {
   bool arc = false;          // I J K R are lengths
   bool hole = false;         // R is a level
+  bool shape = false;        // D is the depth of a pass
   bool other_words = false;  // a code that is not modelled gives the words a meaning of its own
 };
-BlockUse use_of(const ir::Program& program, const ir::Block& block) {
+BlockUse use_of(const ir::Program& program, const ir::Control& control, const ir::Block& block) {
   BlockUse use;
   for (const ir::Code& code : program.codes_of(block)) {
     use.arc |= code.function == Function::arc_cw || code.function == Function::arc_ccw;
     use.hole |= code.function == Function::drill;
+    use.shape |= code.function == Function::repetitive_cycle;
     use.other_words |= code.function == Function::not_modelled || code.function == Function::measure_tool ||
                        code.function == Function::hole_pattern;
+    // It may call a macro by parameter, and its words are arguments then.
+    use.other_words |=
+        code.function == Function::machine_function && !ir::is_known_machine_function(control, code.argument);
   }
   return use;
 }
@@ -66,10 +72,16 @@ constexpr double kLastOffset = 999.0;  // the largest option of tool offsets
 class WordCheck {
  public:
   WordCheck(const ir::Program& program, const ir::Control& control, Findings& findings)
-      : program_(program), control_(control), findings_(findings) {}
+      : program_(program),
+        control_(control),
+        findings_(findings),
+        inch_(control.semantics.power_on_unit == Function::unit_inch) {}
 
   void block(const ir::Block& block) {
-    const BlockUse use = use_of(program_, block);
+    const BlockUse use = use_of(program_, control_, block);
+    take_unit(block);
+    turns_of_arc(block, use);
+    number_of_offset(block);
     groups(block);
     data_setting(block);
     beside_function(block);
@@ -98,6 +110,31 @@ class WordCheck {
   }
 
  private:
+  void take_unit(const ir::Block& block) {
+    for (const ir::Code& code : program_.codes_of(block))
+      if (code.function == Function::unit_inch || code.function == Function::unit_mm)
+        inch_ = code.function == Function::unit_inch;
+  }
+
+  // L of a helix counts turns on other controls.
+  void turns_of_arc(const ir::Block& block, const BlockUse& use) {
+    if (!use.arc || use.other_words) return;
+    for (const ir::Word& word : program_.words_of(block))
+      if (word.address == Address::l) findings_.add(word_ignored, word.span, {"L", "an arc"});
+  }
+
+  // G54 P3 is G54.1 P3 on some controls; on others, and beside G55, P says nothing.
+  void number_of_offset(const ir::Block& block) {
+    const auto codes = program_.codes_of(block);
+    const auto offset = std::ranges::find(codes, Function::work_offset, &ir::Code::function);
+    if (offset == codes.end() || std::ranges::any_of(codes, ir::takes_p, &ir::Code::function)) return;
+    const bool takes_p = control_.semantics.g54_takes_p && offset->argument == ir::kFirstWorkOffset;
+    const std::string_view written = text_of(program_, offset->span);
+    if (takes_p || written.contains('.')) return;
+    for (const ir::Word& word : program_.words_of(block))
+      if (word.address == Address::p) findings_.add(word_ignored, word.span, {"P", std::string(written)});
+  }
+
   void groups(const ir::Block& block) {
     const auto codes = program_.codes_of(block);
     for (std::size_t i = 0; i < codes.size(); ++i) {
@@ -223,16 +260,20 @@ class WordCheck {
     // H is the increment of C where increments have letters.
     if (word.address == Address::h && control_.semantics.incremental_letters_uvw) return;
     const ir::Expression& value = program_.at(word.value);
+    if (word.address == Address::t && control_.semantics.tool_number_has_suffix) return;
     if (value.op == ir::Operator::constant && value.has_point && !text_of(program_, value.span).starts_with('[')) {
-      findings_.add(decimal_point_not_allowed, word.span, {address_name(program_, word)});
+      text::Diagnostic* finding = findings_.add(decimal_point_not_allowed, word.span, {address_name(program_, word)});
+      // Some controls of this family take the depth of a pass with a point.
+      if (finding != nullptr && use.shape && word.address == Address::d) finding->severity = text::Severity::warning;
     }
   }
 
   void point_missing(Address address, ir::ExpressionId id, text::Span span) {
     const ir::Expression& value = program_.at(id);
     if (value.op != ir::Operator::constant || value.has_point || value.value == 0.0) return;
-    const double increment =
-        holds("ABC", address) ? control_.semantics.least_increment_deg : control_.semantics.least_increment_mm;
+    constexpr double kInchPart = 0.1;  // 0.001 mm beside 0.0001 inch
+    const double length = control_.semantics.least_increment_mm * (inch_ ? kInchPart : 1.0);
+    const double increment = holds("ABC", address) ? control_.semantics.least_increment_deg : length;
     std::string counted;
     text::append_word_number(counted, value.value * increment, 6, false);
     findings_.add_open(missing_decimal_point, span,
@@ -243,6 +284,7 @@ class WordCheck {
   const ir::Program& program_;
   const ir::Control& control_;
   Findings& findings_;
+  bool inch_;
 };
 
 }  // namespace
@@ -260,7 +302,7 @@ void check_variables(const ir::Program& program, const ir::Control& control, Fin
   for (const ir::Variable& variable : program.variables) {
     if (variable.bank != ir::Bank::hash || variable.index != ir::ExpressionId::none || variable.number == 0) continue;
     if (ir::find_variable(control, ir::Bank::hash, variable.number) == nullptr) {
-      findings.add(variable_out_of_range, variable.span, {fmt::format("#{}", variable.number)});
+      findings.add_variable(variable.number, variable.span);
     }
   }
   for (const ir::Expression& e : program.expressions) {

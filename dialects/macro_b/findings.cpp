@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "dialects/ir/sections.h"
 #include "dialects/macro_b/lower.h"
 
 namespace dripfeed::macro_b {
@@ -44,10 +47,6 @@ std::uint32_t end_of_tape(const ir::Program& program) {
   return static_cast<std::uint32_t>(program.statements.size());
 }
 
-bool returns(const ir::Statement& statement) {
-  return statement.kind == ir::StatementKind::subprogram_return || statement.kind == ir::StatementKind::return_to;
-}
-
 }  // namespace
 
 text::Diagnostic* Findings::add(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments,
@@ -76,6 +75,16 @@ text::Diagnostic* Findings::add_open(text::DiagnosticId id, text::Span span, std
   return finding;
 }
 
+void Findings::add_variable(std::uint32_t number, text::Span span) {
+  const bool is_option = ir::may_have_variable(control_, ir::Bank::hash, number);
+  if (is_option && !options_told_.insert(number).second) return;
+  text::Diagnostic* finding = add(text::DiagnosticId::variable_out_of_range, span, {fmt::format("#{}", number)});
+  if (finding == nullptr || !is_option) return;
+  finding->severity = text::Severity::warning;
+  finding->notes.push_back(
+      {span, "some machines have it by an option: \"variables\" of the machine's profile settles it"});
+}
+
 std::vector<text::Diagnostic> Findings::take() {
   std::ranges::stable_sort(diagnostics_, {}, [](const text::Diagnostic& d) { return d.span.begin; });
   return std::exchange(diagnostics_, {});
@@ -100,12 +109,7 @@ std::vector<Section> sections_of(const ir::Program& program) {
     has_content |= statement.kind != ir::StatementKind::empty && !noise;
   }
   sections.back().last = end;
-  for (Section& section : sections) {
-    const std::span all = std::span(program.statements).subspan(section.first, section.last - section.first);
-    section.is_subprogram =
-        std::ranges::any_of(all, [&](const ir::Statement& s) { return returns(s); }) &&
-        std::ranges::none_of(all, [](const ir::Statement& s) { return s.kind == ir::StatementKind::program_end; });
-  }
+  for (Section& section : sections) section.is_subprogram = ir::is_subprogram(program, section.first, section.last);
   return sections;
 }
 

@@ -31,12 +31,16 @@ class Findings {
   // has confirmed it.
   text::Diagnostic* add_open(text::DiagnosticId id, text::Span span, std::vector<std::string> arguments,
                              bool confirmed);
+  // A variable that the usual ranges do not have: an error where no such control has it, otherwise a warning that names
+  // what would settle it, once a number.
+  void add_variable(std::uint32_t number, text::Span span);
   // In the order of the text.
   std::vector<text::Diagnostic> take();
 
  private:
   const ir::Control& control_;
   std::vector<text::Diagnostic> diagnostics_;
+  std::unordered_set<std::uint32_t> options_told_;
   std::array<std::uint16_t, static_cast<std::size_t>(text::DiagnosticId::count_)> counts_{};
 };
 

@@ -3,8 +3,9 @@
 //          H with a point, the increment of C, in a block that says no tool length
 //   mill:  a Y word; G43, G44 or G49; G17; M06; G81, G82 or G73 with R
 //   then:  X and Z in one block and no Y anywhere: lathe; otherwise mill, with no line.
-// G-code system of a lathe: A by G50 S, G32, U or W, G98 or G99; B by G90 or G91 alone, G94, G95, G92 S, G33; C by G70
-// or G71 without words, G24. Axes beyond the usual are those that the program moves.
+// G-code system of a lathe: A by G50 S, G32, U or W, G98 or G99 without drilling; B by G90, G91 or G94 without words,
+// G95, G92 S, G33; C by G70 or G71 without words, G24. Where lines contradict each other the system is not certain
+// (Control::contradiction). Axes beyond the usual are those that the program moves.
 #include "dialects/macro_b/infer.h"
 
 #include <algorithm>
@@ -108,15 +109,40 @@ bool is_mill(const Block& b) {
   return b.has('Y') || b.g(43) || b.g(44) || b.g(49) || b.g(17) || b.m(6) || drilling;
 }
 
-std::optional<ir::GSystem> system_of(const Block& b) {
+using SystemLines = std::array<ir::SystemEvidence, 3>;  // the first line for each system
+
+// What the block says of the system; each code may be of another one.
+void note_systems(const Block& b, SystemLines& lines) {
+  const auto note = [&](ir::GSystem system, bool says, std::string_view code) {
+    ir::SystemEvidence& first = lines[static_cast<std::size_t>(system)];
+    if (says && first.line == 0) first = {system, b.line, std::string(code)};
+  };
   const bool words = b.has('X') || b.has('Z') || b.has('U') || b.has('W') || b.has('P') || b.has('R');
-  if ((b.g(70) || b.g(71)) && !words) return ir::GSystem::c;
-  if (b.g(24)) return ir::GSystem::c;
-  if (b.g(91) || b.g(95) || b.g(33) || (b.g(92) && b.has('S') && !words)) return ir::GSystem::b;
-  if ((b.g(90) || b.g(94)) && !words) return ir::GSystem::b;
-  const bool increments = !b.is_call() && (b.has('U') || b.has('W'));
-  if ((b.g(50) && b.has('S')) || b.g(32) || b.g(98) || b.g(99) || increments) return ir::GSystem::a;
-  return std::nullopt;
+  const bool drills = std::ranges::any_of(b.g10, [](std::int32_t g) { return g >= 800 && g <= 890; });
+  note(ir::GSystem::c, b.g(70) && !words, "G70");
+  note(ir::GSystem::c, b.g(71) && !words, "G71");
+  note(ir::GSystem::c, b.g(24), "G24");
+  note(ir::GSystem::b, b.g(91), "G91");
+  note(ir::GSystem::b, b.g(95), "G95");
+  note(ir::GSystem::b, b.g(33), "G33");
+  note(ir::GSystem::b, b.g(92) && b.has('S') && !words, "G92 S");
+  note(ir::GSystem::b, b.g(90) && !words, "G90");
+  note(ir::GSystem::b, b.g(94) && !words, "G94");
+  note(ir::GSystem::a, b.g(50) && b.has('S'), "G50 S");
+  note(ir::GSystem::a, b.g(32), "G32");
+  note(ir::GSystem::a, b.g(98) && !drills, "G98");
+  note(ir::GSystem::a, b.g(99) && !drills, "G99");
+  note(ir::GSystem::a, !b.is_call() && b.has('U'), "U");
+  note(ir::GSystem::a, !b.is_call() && b.has('W'), "W");
+}
+
+// Those that are named, the earliest first. Systems B and C differ in other codes than these.
+std::vector<ir::SystemEvidence> named_systems(const SystemLines& lines) {
+  std::vector<ir::SystemEvidence> named;
+  for (const ir::SystemEvidence& one : lines)
+    if (one.line != 0) named.push_back(one);
+  std::ranges::stable_sort(named, {}, &ir::SystemEvidence::line);
+  return named;
 }
 
 // What all blocks together say.
@@ -126,7 +152,7 @@ struct Evidence {
   bool is_mill_turn = false;
   std::uint32_t profile_line = 0;  // first block with X and Z
   bool has_y = false;
-  std::optional<ir::GSystem> system;
+  SystemLines systems;
   std::bitset<26> axes;  // letters of blocks that are no calls
 };
 
@@ -143,7 +169,7 @@ Evidence evidence_of(const text::Source& source, const Grammar& grammar,
       e.kind = ir::MachineKind::mill_turn;
       if (!std::exchange(e.is_mill_turn, true)) e.kind_line = block->line;
     }
-    if (!e.system) e.system = system_of(*block);
+    note_systems(*block, e.systems);
     if (block->is_call()) continue;
     e.axes |= block->letters;
     e.has_y |= block->has('Y');
@@ -171,7 +197,11 @@ ir::Control infer_control(const text::Source& source, const Grammar& grammar, Us
   const Evidence e = evidence_of(source, grammar, mill_turn_codes);
   const bool profile = !e.kind && e.profile_line != 0 && !e.has_y;
   const ir::MachineKind kind = profile ? ir::MachineKind::lathe : e.kind.value_or(ir::MachineKind::mill);
-  ir::Control result = control(kind, e.system.value_or(ir::GSystem::a));
+  const std::vector<ir::SystemEvidence> systems = named_systems(e.systems);
+  // Nothing decides between two: A is the usual one, and whoever uses the control says that it is not certain.
+  const bool is_clear = systems.size() == 1;
+  ir::Control result = control(kind, is_clear ? systems.front().system : ir::GSystem::a);
+  if (kind == ir::MachineKind::lathe && systems.size() > 1) result.contradiction = {systems[0], systems[1]};
   result.because_line = profile ? e.profile_line : e.kind_line;
   result.axes = axes_of(e, result);
   return result;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dialects/ir/offset_words.h"
+
 namespace dripfeed::macro_b {
 
 namespace {
@@ -199,13 +201,20 @@ void BlockLowering::name_direct_angle(std::uint32_t first_code, std::uint32_t fi
 void BlockLowering::number_extended_offset(std::uint32_t first_code, std::uint32_t first_word) {
   for (std::uint32_t i = first_code; i < program_.codes.size(); ++i) {
     ir::Code& code = program_.codes[i];
-    if (code.function != Function::extended_offset) continue;
+    const bool by_first = code.function == Function::work_offset && code.argument == ir::kFirstWorkOffset &&
+                          control_.semantics.g54_takes_p &&
+                          std::none_of(program_.codes.begin() + static_cast<std::ptrdiff_t>(first_code),
+                                       program_.codes.end(), [](const ir::Code& c) { return ir::takes_p(c.function); });
+    if (code.function != Function::extended_offset && !by_first) continue;
     const auto first = program_.words.begin() + static_cast<std::ptrdiff_t>(first_word);
     const auto p =
         std::find_if(first, program_.words.end(), [](const ir::Word& w) { return w.address == ir::Address::p; });
     if (p == program_.words.end() || program_.at(p->value).op != Operator::constant) continue;
     const double number = program_.at(p->value).value;
-    if (number < 1.0 || number > 300.0) continue;
+    if (number < 1.0 || number > ir::kLastExtendedOffset) {
+      code.function = Function::extended_offset;  // … and its P is refused
+      continue;
+    }
     code.function = Function::work_offset;
     code.argument = static_cast<std::int16_t>(kExtendedOffset + static_cast<std::int16_t>(number));
     program_.words.erase(p);

@@ -163,8 +163,9 @@ class Words {
     const auto number10 = static_cast<std::int32_t>(number.mantissa * 10);
     if (ir::find_code(control_->m_codes, number10) != nullptr) return nullptr;
     if (call_word(*control_, 'M', number10) != CallWord::none) return nullptr;
-    block.report(ir::name_of(Function::machine_function), Function::machine_function);
-    block.add_code(Function::machine_function, static_cast<std::int16_t>(number.mantissa), ir::ModalGroup::none);
+    const auto function = static_cast<std::int16_t>(number.mantissa);
+    block.report(ir::name_of(Function::machine_function), Function::machine_function, function);
+    block.add_code(Function::machine_function, function, ir::ModalGroup::none);
     return number.end;
   }
 

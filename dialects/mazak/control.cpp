@@ -63,6 +63,7 @@ ir::Control control(ir::MachineKind kind, ir::GSystem system) {
     c.semantics.drill_r_from_initial = false;
     c.axes = "XYZBC";
   }
+  c.semantics.tool_number_has_suffix = true;
   return c;
 }
 

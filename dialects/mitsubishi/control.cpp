@@ -52,6 +52,7 @@ ir::Control control(ir::MachineKind kind, ir::GSystem system) {
   c.semantics.machine_move = ir::MachineMove::programmed;
   c.semantics.scale_unit = 1e-6;
   c.semantics.scale_unit_known = true;
+  c.semantics.length_needs_code = kind == ir::MachineKind::mill;
   return c;
 }
 

@@ -70,24 +70,8 @@ std::string format_diagnostic_at(const Diagnostic& diagnostic, std::string_view 
   return out;
 }
 
-namespace {
-
-// Without an excerpt: the text is not at hand.
-std::string format_elsewhere(const Diagnostic& diagnostic, const ElsewherePlace& place, std::string_view control) {
-  std::string out = fmt::format("{}:{}: {}[{}]: {}", place.name, place.line, name_of(diagnostic.severity),
-                                row_of(diagnostic.id).name, message_of(diagnostic));
-  if (!diagnostic.alarm.empty())
-    fmt::format_to(std::back_inserter(out), " ({}{}{})", control, control.empty() ? "" : " ", diagnostic.alarm);
-  out.push_back('\n');
-  for (const DiagnosticNote& note : diagnostic.notes)
-    fmt::format_to(std::back_inserter(out), "{}:{}: note: {}\n", place.name, place.line, shortened(note.text));
-  return out;
-}
-
-}  // namespace
-
-std::string format_diagnostic(const Diagnostic& diagnostic, const Source& source, std::string_view control) {
-  if (diagnostic.elsewhere) return format_elsewhere(diagnostic, *diagnostic.elsewhere, control);
+std::string format_diagnostic(const Diagnostic& diagnostic, const Source& checked, std::string_view control) {
+  const Source& source = diagnostic.elsewhere == nullptr ? checked : *diagnostic.elsewhere;
   const Position position = source.position(diagnostic.span.begin);
   std::string out = format_diagnostic_at(diagnostic, source.name(), position, source.line(position.line), control);
   constexpr std::size_t kNotesShown = 20;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,12 +36,6 @@ struct DiagnosticNote {
   std::string text;
 };
 
-// A place in another text than the one at hand: a called program.
-struct ElsewherePlace {
-  std::string name;  // of the text, as messages show it
-  std::uint32_t line = 1;
-};
-
 struct Diagnostic {
   DiagnosticId id;
   Severity severity = Severity::error;
@@ -49,7 +44,8 @@ struct Diagnostic {
   std::vector<DiagnosticNote> notes = {};
   std::optional<Edit> fix = std::nullopt;
   std::string alarm = {};  // the control's own number ("PS0124", "14080"); empty when it has none
-  std::optional<ElsewherePlace> elsewhere = std::nullopt;  // then the spans say nothing
+  // The text that the spans are in, where it is not the one that is looked at: that of a called program.
+  std::shared_ptr<const Source> elsewhere = nullptr;
   bool is_open = false;  // what exists beside the program decides it: until that is given, nothing passes
 };
 
@@ -60,7 +56,8 @@ Diagnostic make_diagnostic(DiagnosticId id, Span span, std::vector<std::string> 
 std::string message_of(const Diagnostic& diagnostic);
 
 // `name:line:column: severity[id]: text (control alarm)` and an excerpt of the line with a caret, each ended by LF.
-// `control` is the control's name beside its alarm number; tabs before the caret are kept so that it stands right.
+// A diagnostic of a called program is placed in that program. `control` is the control's name beside its alarm number;
+// tabs before the caret are kept so that it stands right.
 std::string format_diagnostic(const Diagnostic& diagnostic, const Source& source, std::string_view control);
 // The same for a text that is not at hand as a whole: its place and line are given; notes are left out.
 std::string format_diagnostic_at(const Diagnostic& diagnostic, std::string_view name, Position position,

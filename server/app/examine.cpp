@@ -2,6 +2,7 @@
 #include "server/app/examine.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -104,11 +105,76 @@ std::string why_ended(const interpreter::RunResult& run) {
   return fmt::format("the run was stopped at the budget of {}", found->diagnostic.arguments.front());
 }
 
-// The text of the called program of that name, as messages show it: the path where there is one.
-std::string shown_name(const compile::ProgramLibrary& library, const std::string& name) {
-  for (const auto& loaded : library.loaded())
-    if (loaded->name == name && !loaded->read.program.is_standard) return loaded->read.program.source.name();
-  return name;
+// The text of each program that was run, by the name that the run has for it.
+class RunTexts {
+ public:
+  RunTexts(const ir::Program& main, const compile::ProgramLibrary& library) {
+    add(main, nullptr);
+    for (const auto& loaded : library.loaded()) {
+      const auto source = std::make_shared<const text::Source>(loaded->read.program.source);
+      texts_.try_emplace(loaded->name, source);
+      add(loaded->read.program, source);
+    }
+  }
+  // nullptr: the text that is checked.
+  [[nodiscard]] std::shared_ptr<const text::Source> find(const std::string& name) const {
+    const auto found = texts_.find(name);
+    return found == texts_.end() ? nullptr : found->second;
+  }
+
+ private:
+  void add(const ir::Program& program, const std::shared_ptr<const text::Source>& source) {
+    for (const ir::Section& section : program.sections)
+      texts_.try_emplace(std::string(program.strings.at(section.name)), source);
+  }
+  std::map<std::string, std::shared_ptr<const text::Source>> texts_;
+};
+
+// The linear axes whose reference point the machine's profile does not say: "X, Z".
+std::string axes_without_reference(const machine::Profile& profile) {
+  std::string letters;
+  for (const checks::MachineAxis& axis : profile.machine.axes) {
+    const bool is_rotary = axis.axis >= ir::Axis::a && axis.axis <= ir::Axis::c;
+    if (axis.reference || is_rotary) continue;
+    letters += letters.empty() ? "" : ", ";
+    letters += std::string_view("XYZABCUVW")[static_cast<std::size_t>(axis.axis)];
+  }
+  return letters;
+}
+
+// Whether what was not carried out leaves it open what the program does; the reason is then among what was not checked.
+bool leaves_open(const interpreter::NotInterpreted& one, const Examination& e, CheckReport& report) {
+  if (one.effects_known) return false;
+  if (one.function == ir::Function::reference_return) {
+    if (e.profile == nullptr) {
+      report.checks.not_checked.add(fmt::format("{}: no machine is named", one.name), one.first_line);
+      return false;
+    }
+    const std::string without = axes_without_reference(*e.profile);
+    if (without.empty()) return false;
+    report.checks.not_checked.add(
+        fmt::format("{}: \"reference_mm\" of {} in the machine's profile settles it", one.name, without),
+        one.first_line);
+    return true;
+  }
+  if (one.function == ir::Function::machine_function) {
+    report.checks.not_checked.add(
+        fmt::format("{}: what it does is not known; \"machine_functions\" of the machine's profile settles it",
+                    one.name),
+        one.first_line);
+    return true;
+  }
+  report.checks.not_checked.add(fmt::format("{}: {}", one.name, one.is_input ? "input not known" : "not interpreted"),
+                                one.first_line);
+  return true;
+}
+
+// H21 with tool 1 where the profile's tool 1 has the offset 21.
+bool is_settled(const text::Diagnostic& one, const machine::Profile* profile) {
+  if (one.id != text::DiagnosticId::length_offset_of_other_tool || profile == nullptr) return false;
+  return std::ranges::any_of(profile->machine.tools, [&](const checks::Tool& tool) {
+    return std::to_string(tool.offset) == one.arguments[0] && "T" + std::to_string(tool.number) == one.arguments[1];
+  });
 }
 
 // A run that an open fault ended did not see the rest.
@@ -118,26 +184,25 @@ bool ended_openly(const interpreter::RunResult& run) {
 }
 
 // What the run said: alarms and warnings, and what it met and did not carry out.
-void take_run(const interpreter::RunResult& run, const compile::ProgramLibrary& library, CheckReport& report) {
+void take_run(const interpreter::RunResult& run, const Examination& e, const RunTexts& texts, CheckReport& report) {
   for (const interpreter::RunDiagnostic& one : run.diagnostics) {
     text::Diagnostic diagnostic = one.diagnostic;
-    if (one.program != 0)
-      diagnostic.elsewhere = {.name = shown_name(library, run.programs[one.program]), .line = one.line};
+    if (is_settled(diagnostic, e.profile)) continue;
+    if (one.program != 0) diagnostic.elsewhere = texts.find(run.programs[one.program]);
     report.checks.diagnostics.push_back(std::move(diagnostic));
   }
-  for (const interpreter::NotInterpreted& one : run.not_interpreted) {
-    if (one.effects_known) continue;
-    report.checks.has_unknown_effects = true;
-    report.checks.not_checked.add(fmt::format("{}: {}", one.name, one.is_input ? "input not known" : "not interpreted"),
-                                  one.first_line);
-  }
+  for (const interpreter::NotInterpreted& one : run.not_interpreted)
+    if (leaves_open(one, e, report)) report.checks.has_unknown_effects = true;
   report.programs = run.programs;
   report.blocks = run.blocks;
   report.ran = run.ended == interpreter::Ended::end;
-  if (ended_openly(run)) {
+  const bool on_unknown_path = run.ended == interpreter::Ended::alarm && !text::has_error(report.checks.diagnostics);
+  if (ended_openly(run) || on_unknown_path) {
+    const std::string why = ended_openly(run) ? text::message_of(run.diagnostics.back().diagnostic)
+                                              : "the run ended there, on a path that values decide which are not known";
     report.checks.has_unknown_effects = true;
     report.checks.not_checked.add(
-        fmt::format("what follows line {}: {}", run.last.line, text::message_of(run.diagnostics.back().diagnostic)),
+        fmt::format("what follows line {}: {}", run.last.line, why),
         run.last.line);
   }
   if (run.ended != interpreter::Ended::limit) return;
@@ -145,14 +210,24 @@ void take_run(const interpreter::RunResult& run, const compile::ProgramLibrary& 
   report.checks.not_checked.add(fmt::format("what follows line {}: {}", run.last.line, why_ended(run)), run.last.line);
 }
 
+// A check goes on with what nobody gave (common variables, arguments of a macro that is checked by itself, inputs, a
+// called program) as not known, and never takes it for vacant.
+ir::Control for_check(const ir::Control& given) {
+  ir::Control control = given;
+  control.semantics.unset_is_unknown = true;
+  return control;
+}
+
 void run_checks(const Examination& e, const ir::Program& program, CheckReport& report) {
+  const ir::Control control = for_check(e.control);
   Checks checks(e, report);
   compile::FanOut sinks(checks.sinks());
   compile::ProgramLibrary library(
-      e.control, e.find_called ? e.find_called : [](std::string_view) { return std::nullopt; });
+      control, e.find_called ? e.find_called : [](std::string_view) { return std::nullopt; });
   interpreter::RunOptions options;
   options.used_up = e.used_up;
-  take_run(compile::execute(program, e.control, &library, sinks, options), library, report);
+  const interpreter::RunResult run = compile::execute(program, control, &library, sinks, options);
+  take_run(run, e, RunTexts(program, library), report);
   for (const auto& loaded : library.loaded()) {
     if (text::has_error(loaded->read.diagnostics)) {
       report.checks.has_unknown_effects = true;
@@ -162,9 +237,15 @@ void run_checks(const Examination& e, const ir::Program& program, CheckReport& r
   checks.finish();
 }
 
+// A comment that the place lies in: newer controls keep what older ones do not show.
+bool is_in_comment(const ir::Program& program, std::uint32_t at) {
+  const auto token = std::ranges::upper_bound(program.tokens, at, {}, [](const ir::Token& t) { return t.span.begin; });
+  return token != program.tokens.begin() && std::prev(token)->kind == ir::TokenKind::comment;
+}
+
 // What the machine's line could not carry, or its control would not take: a job would be refused for it. What the
-// reader said of a character already is not said again.
-void check_characters(const Examination& e, std::vector<text::Diagnostic>& diagnostics) {
+// reader said of a character already is not said again; those of comments are named together.
+void check_characters(const Examination& e, const ir::Program& program, std::vector<text::Diagnostic>& diagnostics) {
   if (e.profile == nullptr) return;
   const auto line = machine::effective_line(e.profile->line);
   if (!line) return;  // the profile's own fault, told where the time is
@@ -172,6 +253,7 @@ void check_characters(const Examination& e, std::vector<text::Diagnostic>& diagn
   taken.add('\r');  // a part of the text's EOBs, and not sent as such
   tape_code::CharacterCheck check(taken);
   check.append(e.source.text());
+  std::optional<text::Diagnostic> of_comments;
   for (const tape_code::IllegalCharacter& one : check.found()) {
     const auto at = static_cast<std::uint32_t>(one.text_offset);
     const bool told = std::ranges::any_of(diagnostics, [&](const text::Diagnostic& d) {
@@ -179,20 +261,49 @@ void check_characters(const Examination& e, std::vector<text::Diagnostic>& diagn
     });
     if (told) continue;
     const bool printable = one.byte > ' ' && one.byte < 0x7F;
-    diagnostics.push_back(
-        {.id = text::DiagnosticId::invalid_character,
-         .severity = text::Severity::error,
-         .span = {at, at + 1},
-         .arguments = {printable ? std::string(1, static_cast<char>(one.byte)) : fmt::format("0x{:02X}", one.byte)},
-         .notes = {{.span = {}, .text = machine::character_refusal(*line, one)}}});
+    text::Diagnostic said = {
+        .id = text::DiagnosticId::invalid_character,
+        .severity = text::Severity::error,
+        .span = {at, at + 1},
+        .arguments = {printable ? std::string(1, static_cast<char>(one.byte)) : fmt::format("0x{:02X}", one.byte)},
+        .notes = {{.span = {}, .text = machine::character_refusal(*line, one)}}};
+    if (!is_in_comment(program, at)) {
+      diagnostics.push_back(std::move(said));
+    } else if (!of_comments) {
+      said.severity = text::Severity::warning;
+      said.notes.push_back({.span = {}, .text = "it stands in a comment, as others may that are not named here"});
+      of_comments = std::move(said);
+    }
   }
+  if (of_comments) diagnostics.push_back(std::move(*of_comments));
+}
+
+// What was taken for granted against the text's own word.
+void tell_contradiction(const Examination& e, CheckReport& report) {
+  if (e.control.contradiction.size() < 2) return;
+  const ir::SystemEvidence& a = e.control.contradiction[0];
+  const ir::SystemEvidence& b = e.control.contradiction[1];
+  const auto letter = [](ir::GSystem system) {
+    return std::string(1, static_cast<char>('A' + static_cast<int>(system)));
+  };
+  const std::string_view line = e.source.line(a.line);
+  const auto begin = static_cast<std::uint32_t>(line.data() - e.source.text().data());
+  report.checks.diagnostics.push_back(text::make_diagnostic(
+      text::DiagnosticId::control_contradicted, {begin, begin + static_cast<std::uint32_t>(line.size())},
+      {std::to_string(a.line), a.code, letter(a.system), std::to_string(b.line), b.code, letter(b.system)}));
+  report.checks.has_unknown_effects = true;
+  report.checks.not_checked.add(
+      fmt::format("what the codes do in another G-code system than {}, which was taken", letter(e.control.g_system)));
 }
 
 void sort_and_join(std::vector<text::Diagnostic>& diagnostics) {
-  std::ranges::stable_sort(diagnostics, {}, [](const text::Diagnostic& d) { return d.span.begin; });
+  // Those of the text itself first, then those of each called program.
+  std::ranges::stable_sort(diagnostics, {}, [](const text::Diagnostic& d) {
+    return std::pair(d.elsewhere == nullptr ? std::string_view() : std::string_view(d.elsewhere->name()), d.span.begin);
+  });
   // What reading and running both saw is said once.
   const auto same = [](const text::Diagnostic& a, const text::Diagnostic& b) {
-    return a.id == b.id && a.span.begin == b.span.begin && a.arguments == b.arguments && !a.elsewhere && !b.elsewhere;
+    return a.id == b.id && a.span.begin == b.span.begin && a.arguments == b.arguments && a.elsewhere == b.elsewhere;
   };
   diagnostics.erase(std::unique(diagnostics.begin(), diagnostics.end(), same), diagnostics.end());
 }
@@ -262,12 +373,13 @@ CheckReport examine(const Examination& given) {
   auto more = e.dialect->validate(read.program, e.control, e.delivery);
   report.checks.diagnostics.insert(report.checks.diagnostics.end(), std::make_move_iterator(more.begin()),
                                    std::make_move_iterator(more.end()));
-  check_characters(e, report.checks.diagnostics);
+  check_characters(e, read.program, report.checks.diagnostics);
   if (readable) {
     run_checks(e, read.program, report);
   } else {
     report.checks.not_checked.add("what the program does: it has errors that keep it from being run");
   }
+  tell_contradiction(e, report);
   if (!e.assumed.empty()) report.checks.not_checked.add(e.assumed);
   sort_and_join(report.checks.diagnostics);
   report.verdict = checks::verdict_of(report.checks);

@@ -6,6 +6,7 @@
 
 #include "server/app/check_budget.h"
 #include "server/app/examine.h"
+#include "server/cli/called_programs.h"
 #include "server/cli/cli.h"
 #include "server/cli/inputs.h"
 #include "server/cli/measured.h"

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "dialects/compile/convert.h"
+#include "server/cli/called_programs.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"
 #include "server/cli/inputs.h"
@@ -52,6 +53,17 @@ int convert(const Options& options) {
   const auto to = options.to == options.from ? from : control_for(target, options.to, nullptr);
   if (!to) {
     print_error(to.error());
+    return kWrongUse;
+  }
+  if (!from->control.contradiction.empty()) {
+    const ir::SystemEvidence& a = from->control.contradiction[0];
+    const ir::SystemEvidence& b = from->control.contradiction[1];
+    print_error(
+        {.code = app::ErrorCode::invalid,
+         .text = fmt::format("{}: line {} has {} and line {} has {}, which are of different G-code systems of a "
+                             "lathe: say which it is with --control kind=lathe,g_system=A (B, C)",
+                             source->name(), a.line, a.code, b.line, b.code),
+         .places = {}});
     return kWrongUse;
   }
   compile::ProgramLibrary library(from->control, find_in(folders_for(options.text, options.file)));

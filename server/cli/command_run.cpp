@@ -13,6 +13,7 @@
 #include "dialects/text/excerpt.h"
 #include "dialects/text/fold.h"
 #include "server/app/check_budget.h"
+#include "server/cli/called_programs.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"
 #include "server/cli/inputs.h"

@@ -59,6 +59,7 @@ struct Settings {
   ir::MachineKind kind = ir::MachineKind::mill;
   ir::GSystem g_system = ir::GSystem::a;
   bool kind_given = false;
+  bool system_given = false;
 };
 
 // kind=mill|lathe|mill-turn,g_system=A|B|C
@@ -77,6 +78,7 @@ app::Result<Settings> read_control_option(std::string_view text) {
       settings.kind_given = true;
     } else if (name == "g_system" && value.size() == 1 && value[0] >= 'A' && value[0] <= 'C') {
       settings.g_system = static_cast<ir::GSystem>(value[0] - 'A');
+      settings.system_given = true;
     } else {
       return app::fail(app::ErrorCode::invalid,
                        fmt::format("--control \"{}\": use kind=mill|lathe|mill-turn and g_system=A|B|C", item));
@@ -223,10 +225,17 @@ app::Result<ChosenControl> plain_control(const TextOptions& options, const text:
   const auto settings = read_control_option(options.control);
   if (!settings) return std::unexpected(settings.error());
   if (settings->kind_given) {
-    return ChosenControl{.dialect = dialect,
-                         .control = dialect->control(settings->kind, settings->g_system),
-                         .profile = {},
-                         .inferred = false};
+    ir::Control control = dialect->control(settings->kind, settings->g_system);
+    // The text says the system of a lathe, if nobody else does.
+    if (settings->kind == ir::MachineKind::lathe && !settings->system_given) {
+      const ir::Control inferred = dialect->infer_control(source);
+      if (inferred.kind == settings->kind) {
+        control = dialect->control(settings->kind, inferred.g_system);
+        control.contradiction = inferred.contradiction;
+        control.because_line = inferred.because_line;
+      }
+    }
+    return ChosenControl{.dialect = dialect, .control = std::move(control), .profile = {}, .inferred = false};
   }
   return ChosenControl{.dialect = dialect, .control = dialect->infer_control(source), .profile = {}, .inferred = true};
 }

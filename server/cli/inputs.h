@@ -61,9 +61,8 @@ app::Result<ChosenControl> choose_control(const TextOptions& options, const text
 // Without a text: a machine or a dialect must be named.
 app::Result<ChosenControl> choose_control(const TextOptions& options);
 
-// program_folders.cpp: finds called programs and definition files by name and the usual endings.
-compile::FindText find_in(std::vector<std::string> folders);
-// --path, the folder of the file, and where that is a directory of a SINUMERIK (MPF.DIR, a workpiece) those beside it.
+// program_folders.cpp: --path, the folder of the file, and where that is a directory of a SINUMERIK (MPF.DIR, a
+// workpiece) those beside it.
 std::vector<std::string> folders_for(const TextOptions& options, const std::string& file);
 
 }  // namespace dripfeed::cli

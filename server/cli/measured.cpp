@@ -8,6 +8,7 @@
 
 #include "dialects/compile/execute.h"
 #include "dialects/compile/stream.h"
+#include "server/cli/called_programs.h"
 #include "server/cli/output.h"
 #include "server/cli/program_file.h"
 

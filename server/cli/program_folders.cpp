@@ -1,10 +1,10 @@
 // Called programs and definition files in folders, by name: whatever the case, with the usual endings, and as the
 // SINUMERIK itself names its files (_N_SHAFT_SPF).
+#include "server/cli/program_folders.h"
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <map>
-#include <memory>
 
 #include "server/cli/inputs.h"
 
@@ -82,33 +82,6 @@ std::vector<std::string> spellings(std::string_view name) {
   return result;
 }
 
-// The files of a folder by their names in small letters; of two that differ in the case only, the first in order.
-class Folder {
- public:
-  explicit Folder(const std::string& path) {
-    std::error_code error;
-    for (const fs::directory_entry& entry : fs::directory_iterator(path, error)) {
-      const auto [known, is_new] = files_.try_emplace(lower(entry.path().filename().string()), entry.path().string());
-      if (!is_new) known->second = std::min(known->second, entry.path().string());
-    }
-  }
-
-  // "" when it has none.
-  [[nodiscard]] std::string find(std::string_view name) const {
-    for (const Affixes& affixes : kAffixes) {
-      for (const std::string& spelled : spellings(name)) {
-        const auto file = files_.find(std::string(affixes.before) + spelled + std::string(affixes.after));
-        std::error_code error;
-        if (file != files_.end() && fs::is_regular_file(file->second, error)) return file->second;
-      }
-    }
-    return {};
-  }
-
- private:
-  std::map<std::string, std::string> files_;
-};
-
 }  // namespace
 
 std::vector<std::string> folders_for(const TextOptions& options, const std::string& file) {
@@ -120,19 +93,23 @@ std::vector<std::string> folders_for(const TextOptions& options, const std::stri
   return folders;
 }
 
-compile::FindText find_in(std::vector<std::string> folders) {
-  // Read when the first program is asked for.
-  const auto read = std::make_shared<std::vector<Folder>>();
-  return [folders = std::move(folders), read](std::string_view name) -> std::optional<text::Source> {
-    if (read->empty())
-      for (const std::string& folder : folders) read->emplace_back(folder);
-    for (const Folder& folder : *read) {
-      const std::string path = folder.find(name);
-      if (path.empty()) continue;
-      if (auto text = read_source(path)) return std::move(*text);
+ProgramFolder::ProgramFolder(const std::string& path) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path, error)) {
+    const auto [known, is_new] = files_.try_emplace(lower(entry.path().filename().string()), entry.path().string());
+    if (!is_new) known->second = std::min(known->second, entry.path().string());
+  }
+}
+
+std::string ProgramFolder::find(std::string_view name) const {
+  for (const Affixes& affixes : kAffixes) {
+    for (const std::string& spelled : spellings(name)) {
+      const auto file = files_.find(std::string(affixes.before) + spelled + std::string(affixes.after));
+      std::error_code error;
+      if (file != files_.end() && fs::is_regular_file(file->second, error)) return file->second;
     }
-    return std::nullopt;
-  };
+  }
+  return {};
 }
 
 }  // namespace dripfeed::cli

@@ -6,6 +6,7 @@
 #include "dialects/compile/stream.h"
 #include "server/app/check_budget.h"
 #include "server/app/examine.h"
+#include "server/cli/called_programs.h"
 #include "server/cli/program_file.h"
 
 namespace dripfeed::cli {

@@ -11,12 +11,11 @@ std::string diagnostics(const std::vector<text::Diagnostic>& all, const text::So
   text::DiagnosticFold fold;
   for (const text::Diagnostic& one : all) {
     if (!fold.shows(one)) continue;
-    const text::Position at = one.elsewhere
-                                  ? text::Position{.line = one.elsewhere->line, .column = 1, .column_chars = 1}
-                                  : source.position(one.span.begin);
+    const text::Source& in = one.elsewhere == nullptr ? source : *one.elsewhere;
+    const text::Position at = in.position(one.span.begin);
     list.push_back({{"id", text::row_of(one.id).name},
                     {"severity", text::name_of(one.severity)},
-                    {"file", one.elsewhere ? Document(one.elsewhere->name) : Document(nullptr)},
+                    {"file", one.elsewhere == nullptr ? Document(nullptr) : Document(in.name())},
                     {"line", at.line},
                     {"column", at.column},
                     {"column_chars", at.column_chars},

@@ -56,6 +56,8 @@ constexpr GlossaryRow kRows[] = {
     {"axes/feed_limit_mm_min", "of this axis alone; not given: its rapid"},
     {"acceleration_mm_s2", "of the axis"},
     {"jerk_mm_s3", "of the axis; 0: not limited"},
+    {"reference_mm", "reference point of G28 in machine coordinates; not given: not known"},
+    {"second_reference_mm", "second reference point of G30 in machine coordinates; not given: not known"},
     {"Profile/feed_limit_mm_min", "along the path; 0: not known"},
     {"spindle", "its limits; not given: not known"},
     {"min_rpm", "least speed"},

@@ -42,6 +42,8 @@ void read_axis(ObjectReader& object, machine::Profile& profile) {
   object.number("feed_limit_mm_min", axis.feed_limit_mm_min, kLeast, kHuge);
   object.number("acceleration_mm_s2", axis.acceleration_mm_s2, kLeast, kHuge, true);
   object.number("jerk_mm_s3", axis.jerk_mm_s3, 0.0, 1e12);
+  object.number("reference_mm", axis.reference, -kLongest_mm, kLongest_mm);
+  object.number("second_reference_mm", axis.second_reference, -kLongest_mm, kLongest_mm);
   if (!letter) return;
   axis.axis = static_cast<ir::Axis>(*letter);
   if (checks::find_axis(profile.machine, axis.axis) != nullptr) object.fault("name", "is given twice");

@@ -249,7 +249,10 @@ ir::Control control_of(const Profile& profile, ir::Control control) {
     semantics.least_increment_mm = settings.increment_mm;
     control.limits.linear_decimals = static_cast<int>(std::ceil(-std::log10(settings.increment_mm) - 1e-9));
   }
-  if (!settings.variables.empty()) control.variables = settings.variables;
+  if (!settings.variables.empty()) {
+    control.variables = settings.variables;
+    control.variables_stated = true;
+  }
   if (settings.block_length_bytes) control.limits.block_length_bytes = *settings.block_length_bytes;
   control.code_calls = settings.code_calls;
   control.machine_functions = settings.machine_functions;

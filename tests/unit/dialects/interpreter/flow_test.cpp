@@ -324,9 +324,14 @@ TEST(Flow, EndOfASubprogramInTheMainProgram) {
   EXPECT_EQ(ends.trace, "1 end\n");
   ir::Control control = mill_control();
   control.semantics.return_in_main_restarts = true;
-  const Ran restarts = run_program(b.build(), control);
-  EXPECT_EQ(restarts.result.ended, Ended::end);
-  EXPECT_EQ(restarts.trace, "");
+  const Ran by_itself = run_program(b.build(), control);
+  EXPECT_EQ(by_itself.result.ended, Ended::end);
+  EXPECT_EQ(by_itself.trace, "");
+  EXPECT_EQ(by_itself.last_diagnostic(), nullptr) << "a subprogram, and its caller is not here";
+  Builder main;
+  main.back();
+  main.end();
+  const Ran restarts = run_program(main.build(), control);
   EXPECT_EQ(restarts.last_diagnostic()->diagnostic.id, DiagnosticId::endless_loop);
 }
 
