@@ -16,6 +16,7 @@
 #include "dialects/compile/caller_modes.h"
 #include "dialects/compile/shared_definitions.h"
 #include "server/app/catalog.h"
+#include "server/cli/called_programs.h"
 #include "server/cli/memory_budget.h"
 #include "server/json/profile_document.h"
 
