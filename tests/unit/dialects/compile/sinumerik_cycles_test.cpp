@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/text/number.h"
 #include "tests/unit/dialects/compile/sinumerik_run.h"
 
 namespace dripfeed::compile::test {
@@ -103,7 +104,7 @@ TEST(SinumerikCycles, DistancesThatAreNotGivenAreMillimetres) {
   const auto ends_of = [](const std::string& call) {
     std::string out;
     for (const ir::Motion& m : run("G17 G90 G700 G0 X0 Y0 Z2\nS400 M3 F5\n" + call + "\nM30\n").motions)
-      if (ir::is_move(m.kind) && m.place.line == 3) out += fmt::format("{:.1f} ", m.end[2]);
+      if (ir::is_move(m.kind) && m.place.line == 3) out += text::format_fixed(m.end[2], 1) + " ";
     return out;
   };
   EXPECT_EQ(ends_of("CYCLE83(1,0,0.1,-1,,,0.5,0,0,0,1,0)"), "2.5 -12.7 -11.7 -25.4 25.4 ");
@@ -150,7 +151,7 @@ TEST(SinumerikCycles, ARowBeginsAtTheNearerEnd) {
   const auto ends_of = [](const std::string& start) {
     std::string out;
     for (const ir::Motion& m : run("G17 G90 G0 " + start + " Z50\nHOLES1(0,0,90,10,10,3)\nM30\n").motions)
-      if (m.kind == ir::MotionKind::rapid && m.place.line == 2) out += fmt::format("{:.0f} ", m.end[1]);
+      if (m.kind == ir::MotionKind::rapid && m.place.line == 2) out += text::format_fixed(m.end[1], 0) + " ";
     return out;
   };
   EXPECT_EQ(ends_of("X0 Y0"), "10 20 30 ");
