@@ -212,9 +212,14 @@ std::vector<text::Diagnostic> MovesInPlace::alarm_of(const ir::Program& translat
   interpreter::RunOptions options;
   options.limits = kRunLimits;
   const RecordedRun run = record(translation, control, standard, options, {}, {});
+  // With a value that is not given it may never come to the block that stops, or calculate there.
+  if (std::ranges::any_of(run.result.not_interpreted, &interpreter::NotInterpreted::is_input)) return {};
   for (const interpreter::RunDiagnostic& d : run.result.diagnostics) {
-    constexpr std::array kElsewhere = {text::DiagnosticId::call_target_missing, text::DiagnosticId::limit_reached,
-                                       text::DiagnosticId::user_alarm, text::DiagnosticId::no_feed};
+    constexpr std::array kElsewhere = {
+        text::DiagnosticId::call_target_missing, text::DiagnosticId::limit_reached,
+        text::DiagnosticId::user_alarm,          text::DiagnosticId::no_feed,
+        text::DiagnosticId::division_by_zero,    text::DiagnosticId::argument_out_of_domain,
+        text::DiagnosticId::result_overflow};
     const bool is_alarm = d.diagnostic.severity == text::Severity::error && d.program == 0;
     if (!is_alarm || std::ranges::find(kElsewhere, d.diagnostic.id) != kElsewhere.end()) continue;
     const std::uint32_t line = d.line > 0 && d.line <= origin_lines.size() ? origin_lines[d.line - 1] : 0;
