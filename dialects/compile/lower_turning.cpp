@@ -239,7 +239,7 @@ class Lowering {
 
   void thread_call(const LatheState& before) {
     if (!is_lathe(to_) || !is_lathe(from_)) return cannot("CYCLE97 between a lathe and a mill");
-    const std::optional<Function> unit = flow_.mode(passes::Mode::unit, index_);
+    const std::optional<Function> unit = flow_.mode(facts::Mode::unit, index_);
     if (!unit) return cannot("CYCLE97 where the unit of lengths is not known");
     const bool inch = *unit == Function::unit_inch;
     const std::expected<std::vector<ir::Motion>, std::string> done =

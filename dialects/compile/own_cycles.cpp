@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "dialects/passes/mode_flow.h"
+#include "dialects/facts/calls.h"
 
 namespace dripfeed::compile {
 
@@ -14,7 +14,7 @@ std::vector<text::Diagnostic> own_cycles(const ir::Program& program, const ir::C
   std::set<std::string, std::less<>> said;
   for (const ir::Statement& s : program.statements) {
     const bool calls = s.kind == ir::StatementKind::call || s.kind == ir::StatementKind::modal_call;
-    if (!calls || !passes::is_standard_cycle(program, s)) continue;
+    if (!calls || !facts::is_standard_cycle(program, s)) continue;
     const std::string name(program.strings.at(program.calls[s.payload].name));
     const bool in_text = std::ranges::any_of(
         program.sections, [&](const ir::Section& section) { return program.strings.at(section.name) == name; });
