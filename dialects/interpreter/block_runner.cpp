@@ -273,7 +273,7 @@ void BlockRunner::skip_vacant(const Instruction& i, const CompiledProgram& progr
 void BlockRunner::take_notes(const Instruction& i, std::uint32_t notes) {
   for (const NoteRow& row : counted_notes())
     if ((notes & row.note) != 0) report_.count(row.report);
-  if ((notes & kNoteArcIsLine) != 0)
+  if ((notes & kNoteArcIsLine) != 0 && control_.semantics.unset_is_unknown)
     report_.warn(i, DiagnosticId::arc_without_center, {}, "a parameter decides: a straight line, or this alarm");
   if ((notes & kNoteMeasuringTool) != 0) access_.forget_tool_offsets();
   if ((notes & kNoteMotionWithoutCode) != 0) {

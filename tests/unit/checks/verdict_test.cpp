@@ -18,7 +18,7 @@ TEST(FindingList, KeepsTheFirstCountsAllAndKnowsTheWorst) {
     const double value = i == 50 ? -7.0 : 1.0;
     list.add(DiagnosticId::feed_too_high, {0, static_cast<std::uint32_t>(i), 0}, value, 0.5, [&] {
       ++made;
-      return std::vector<std::string>{"1", "0.5"};
+      return std::vector<std::string>{std::to_string(i), "0.5"};
     });
   }
   list.add(DiagnosticId::tool_missing, {0, 7, 0}, 3, 0, [] { return std::vector<std::string>{"3"}; });

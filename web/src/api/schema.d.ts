@@ -1326,6 +1326,10 @@ export interface components {
                 acceleration_mm_s2: number;
                 /** @description of the axis; 0: not limited */
                 jerk_mm_s3?: number | null;
+                /** @description reference point of G28 in machine coordinates; not given: not known */
+                reference_mm?: number | null;
+                /** @description second reference point of G30 in machine coordinates; not given: not known */
+                second_reference_mm?: number | null;
             }[];
             /** @description along the path; 0: not known */
             feed_limit_mm_min?: number | null;

@@ -211,11 +211,18 @@ TEST(Envelope, SuspectsInchesAtTheFarthestCut) {
 }
 
 TEST(Envelope, KeepsFewFindingsAndCountsAll) {
-  const std::vector<ir::Motion> motions(1000, move(rapid, 0, 0, 400, 0));
+  std::vector<ir::Motion> motions;
+  for (int n = 0; n < 1000; ++n) motions.push_back(move(rapid, 0, 0, 400 + n, 0));
   const Report report = run(motions);
   EXPECT_EQ(report.findings.count(DiagnosticId::travel_exceeded), 1000U);
   EXPECT_EQ(report.findings.kept().size(), checks::FindingList::kKept);
   EXPECT_EQ(report.moves, 1000U);
+}
+
+TEST(Envelope, KeepsEqualFindingsOnce) {
+  const Report report = run(std::vector<ir::Motion>(1000, move(rapid, 0, 0, 400, 0)));
+  EXPECT_EQ(report.findings.count(DiagnosticId::travel_exceeded), 1000U);
+  EXPECT_EQ(report.findings.kept().size(), 1U);
 }
 
 }  // namespace

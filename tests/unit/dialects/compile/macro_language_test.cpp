@@ -94,7 +94,8 @@ TEST(MacroLanguage, ReturnsToABlockOfTheCaller) {
 
 TEST(MacroLanguage, M99OfTheMainProgramJumpsOrStartsAgain) {
   EXPECT_EQ(x_of(run("%\nO1\nG90 G00\nX1.\nIF[#1EQ1]GOTO90\n#1=1\nM99 P20\nX5.\nN20 X2.\nN90 M30\n%\n")), "1 2 ");
-  const Result r = run("%\nO1\nG90 G00 X1.\nM99\n%\n");
+  EXPECT_TRUE(run("%\nO1\nG90 G00 X1.\nM99\n%\n").result.diagnostics.empty()) << "a subprogram by itself";
+  const Result r = run("%\nO1\nG90 G00 X1.\nM99\nM30\n%\n");
   EXPECT_EQ(r.result.ended, interpreter::Ended::end);
   EXPECT_EQ(r.result.diagnostics.back().diagnostic.id, text::DiagnosticId::endless_loop);
 }
