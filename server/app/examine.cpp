@@ -121,21 +121,28 @@ class RunTexts {
     const auto found = texts_.find(name);
     return found == texts_.end() ? nullptr : found->second;
   }
+  // G30 stands in one of them.
+  [[nodiscard]] bool goes_to_second_reference() const { return goes_to_second_reference_; }
 
  private:
   void add(const ir::Program& program, const std::shared_ptr<const text::Source>& source) {
     for (const ir::Section& section : program.sections)
       texts_.try_emplace(std::string(program.strings.at(section.name)), source);
+    constexpr std::int16_t kSecond = 2;
+    goes_to_second_reference_ |= std::ranges::any_of(program.codes, [](const ir::Code& code) {
+      return code.function == ir::Function::reference_return && code.argument == kSecond;
+    });
   }
+  bool goes_to_second_reference_ = false;
   std::map<std::string, std::shared_ptr<const text::Source>> texts_;
 };
 
 // The linear axes whose reference point the machine's profile does not say: "X, Z".
-std::string axes_without_reference(const machine::Profile& profile) {
+std::string axes_without_reference(const machine::Profile& profile, bool second) {
   std::string letters;
   for (const checks::MachineAxis& axis : profile.machine.axes) {
     const bool is_rotary = axis.axis >= ir::Axis::a && axis.axis <= ir::Axis::c;
-    if (axis.reference || is_rotary) continue;
+    if (is_rotary || (axis.reference && (!second || axis.second_reference))) continue;
     letters += letters.empty() ? "" : ", ";
     letters += std::string_view("XYZABCUVW")[static_cast<std::size_t>(axis.axis)];
   }
@@ -143,17 +150,19 @@ std::string axes_without_reference(const machine::Profile& profile) {
 }
 
 // Whether what was not carried out leaves it open what the program does; the reason is then among what was not checked.
-bool leaves_open(const interpreter::NotInterpreted& one, const Examination& e, CheckReport& report) {
+bool leaves_open(const interpreter::NotInterpreted& one, const Examination& e, bool second_reference,
+                 CheckReport& report) {
   if (one.effects_known) return false;
   if (one.function == ir::Function::reference_return) {
     if (e.profile == nullptr) {
       report.checks.not_checked.add(fmt::format("{}: no machine is named", one.name), one.first_line);
       return false;
     }
-    const std::string without = axes_without_reference(*e.profile);
+    const std::string without = axes_without_reference(*e.profile, second_reference);
     if (without.empty()) return false;
     report.checks.not_checked.add(
-        fmt::format("{}: \"reference_mm\" of {} in the machine's profile settles it", one.name, without),
+        fmt::format("{}: \"reference_mm\"{} of {} in the machine's profile settles it", one.name,
+                    second_reference ? " and \"second_reference_mm\"" : "", without),
         one.first_line);
     return true;
   }
@@ -192,7 +201,7 @@ void take_run(const interpreter::RunResult& run, const Examination& e, const Run
     report.checks.diagnostics.push_back(std::move(diagnostic));
   }
   for (const interpreter::NotInterpreted& one : run.not_interpreted)
-    if (leaves_open(one, e, report)) report.checks.has_unknown_effects = true;
+    if (leaves_open(one, e, texts.goes_to_second_reference(), report)) report.checks.has_unknown_effects = true;
   report.programs = run.programs;
   report.blocks = run.blocks;
   report.ran = run.ended == interpreter::Ended::end;

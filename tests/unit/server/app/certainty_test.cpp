@@ -247,6 +247,10 @@ TEST(Certainty, TheReferencePointIsTheProfiles) {
   EXPECT_TRUE(says(open, "\"reference_mm\" of X, Y, Z in the machine's profile settles it"));
   for (checks::MachineAxis& axis : profile.machine.axes) axis.reference = 0.0;
   EXPECT_NE(check(text, {.profile = &profile}).verdict, checks::Verdict::unknown);
+  const std::string second = kHead + "G91 G30 Z0.\nG90 G00 X1. Y1.\nM30\n%\n";
+  EXPECT_EQ(check(second, {.profile = &profile}).verdict, checks::Verdict::unknown);
+  for (checks::MachineAxis& axis : profile.machine.axes) axis.second_reference = 0.0;
+  EXPECT_NE(check(second, {.profile = &profile}).verdict, checks::Verdict::unknown);
 }
 
 TEST(Certainty, MFunctionsAreTheProfiles) {
