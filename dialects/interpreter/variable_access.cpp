@@ -190,8 +190,8 @@ std::string VariableAccess::system_name(std::uint32_t row, std::uint32_t number)
   return named ? std::string(rows[row].name) : variable_name(ir::Bank::hash, number);
 }
 
-// The report names what is not known. It reads as not known where a run goes on with such values, otherwise vacant, or 0
-// where there is no vacant.
+// The report names what is not known. It reads as not known where a run goes on with such values, otherwise vacant, or
+// 0 where there is no vacant.
 double VariableAccess::read_system(std::uint32_t row, std::uint32_t number) {
   if (const auto known = system_.read(row, number, state_)) return *known;
   const bool stays_unknown = control_.semantics.unset_is_unknown;

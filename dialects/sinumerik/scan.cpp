@@ -118,7 +118,8 @@ class Words {
     }
     block.take(begin, number.end);
     if (row == nullptr) {
-      block.report(ir::name_of(Function::machine_function), Function::machine_function);
+      block.report(ir::name_of(Function::machine_function), Function::machine_function,
+                   static_cast<std::int16_t>(number.mantissa));
       block.add_code(Function::machine_function, static_cast<std::int16_t>(number.mantissa), ir::ModalGroup::none);
       return number.end;
     }

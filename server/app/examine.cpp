@@ -210,9 +210,7 @@ void take_run(const interpreter::RunResult& run, const Examination& e, const Run
     const std::string why = ended_openly(run) ? text::message_of(run.diagnostics.back().diagnostic)
                                               : "the run ended there, on a path that values decide which are not known";
     report.checks.has_unknown_effects = true;
-    report.checks.not_checked.add(
-        fmt::format("what follows line {}: {}", run.last.line, why),
-        run.last.line);
+    report.checks.not_checked.add(fmt::format("what follows line {}: {}", run.last.line, why), run.last.line);
   }
   if (run.ended != interpreter::Ended::limit) return;
   report.checks.has_unknown_effects = true;

@@ -1,5 +1,5 @@
-// A folder's files by the names of the programs in them: whatever the case, with the usual endings, and as the SINUMERIK
-// itself names its files (_N_SHAFT_SPF).
+// A folder's files by the names of the programs in them: whatever the case, with the usual endings, and as the
+// SINUMERIK itself names its files (_N_SHAFT_SPF).
 #pragma once
 
 #include <map>
