@@ -227,6 +227,8 @@ def a_disk_that_hangs(folder):
         expect(status == 507 and "does not answer" in json.loads(document)["detail"], f"{status} {document}")
         share.thaw()
         expect(client.call("POST", "/programs", body, headers=JSON).status == 201, "after")
+        # A file that is open when its disk hangs is closed by the kernel at the end of the process, which waits.
+        shop.wait_for("all files closed", lambda: not spooled(client))
         share.freeze()
         link = begin_upload(client, body, 3_000_000)
         time.sleep(0.5)

@@ -9,7 +9,7 @@ import subprocess
 
 import rig
 
-TEXT = "%\nO0042\nG21 G17 G90 G94 G40\nG54\nT01 M06\nS1000 M03\nG00 X0. Y0. Z50.\n" + "".join(
+TEXT = "%\nO0042\nG21 G17 G90 G94 G40\nG54\nT01 M06\nS1000 M03\nG00 X0. Y0.\nG43 H01 Z50.\n" + "".join(
     f"G01 X{i % 9}.5 Y{i % 7}.25 F500.\n" for i in range(200)) + "G00 Z50.\nM05\nM30\n%\n"
 
 

@@ -21,7 +21,7 @@ def two_machines(folder, control, share):
     profile["name"] = "fetches"
     rig.server.add_machine(profile)
     rig.drop_text = plain_program(20, "O0077").replace("G21 G18 G40 G99", "G21 G17 G40 G94").replace("G55", "G54").replace("T0101", "T01 M06").replace(
-        "G97 S500 M03", "S500 M03").replace("F0.2", "F200.").replace("X100. Z10.", "X100. Z50.")
+        "G97 S500 M03", "S500 M03").replace("F0.2", "F200.").replace("X100. Z10.", "X100. G43 H01 Z50.")
     program = rig.server.post("/programs", {"name": "O0077", "dialect": "fanuc", "text": rig.drop_text})
     check = rig.server.post("/checks", {"program": program["id"], "machine": "fetches", "delivery": "memory"})
     expect(check["verdict"] in ("pass", "warn"), f"verdict {check['verdict']}: {json.dumps(check)[:1500]}")
