@@ -23,7 +23,6 @@ constexpr auto kPlain = ConvertMode::explicit_blocks;
 constexpr std::string_view kMillS = "G710 G17 G90 G94 G40\n";
 constexpr std::string_view kMillF = "%\nO1\nG21 G17 G90 G94 G40\n";
 constexpr std::string_view kTurnF = "%\nO1\nG21 G18 G99 G40\n";
-constexpr std::string_view kNone = "";
 
 struct Pitfall {
   std::string_view name;
