@@ -329,6 +329,7 @@ async function lost(page) {
   await arm(page, 'lost', job);
   await rig.say('lost', 'dc1');
   await standing(page, 'lost', 'feeding');
+  await order(page, 'lost', /^Stop/).waitFor(); // the card knows its job
   await rig.killServer();
   await page.getByText(/connection to the server is lost/).waitFor();
   await shot(page, 'lost');
