@@ -3,11 +3,14 @@
 // guesses nothing. The control and the line are elsewhere; reading it from a profile is left to others.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dialects/ir/control.h"
@@ -113,6 +116,31 @@ inline bool has_places(const ir::Motion& motion) {
     all = all && std::fabs(motion.end[i]) <= kFarthest && std::fabs(motion.start[i]) <= kFarthest;
   for (const double one : motion.center) all = all && std::fabs(one) <= kFarthest;
   return all;
+}
+
+// Whether a move leads along one of these axes, or starts on one at a place that is not known.
+inline bool moves_any(const ir::Motion& motion, std::initializer_list<ir::Axis> axes) {
+  return std::ranges::any_of(axes, [&](ir::Axis axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    return motion.end[i] != motion.start[i] || ((motion.axes_commanded & motion.axes_unknown) >> i & 1U) != 0;
+  });
+}
+
+// Whether a rotary axis turns in the move, or stands turned from where the part was set up.
+inline bool is_turned(const ir::Motion& motion) {
+  if (moves_any(motion, {ir::Axis::a, ir::Axis::b, ir::Axis::c})) return true;
+  for (std::size_t i = static_cast<std::size_t>(ir::Axis::a); i <= static_cast<std::size_t>(ir::Axis::c); ++i)
+    if (motion.end[i] != 0.0 && (motion.axes_unknown >> i & 1U) == 0) return true;
+  return false;
+}
+
+// What makes a cut no turning in the z-x plane through the spindle's axis; "" for one that is.
+inline std::string_view why_no_turning(const ir::Motion& motion) {
+  const auto y = static_cast<std::size_t>(ir::Axis::y);
+  if (moves_any(motion, {ir::Axis::c})) return "a cut that turns C";
+  if (moves_any(motion, {ir::Axis::a, ir::Axis::b})) return "a cut that turns A or B";
+  if (moves_any(motion, {ir::Axis::y}) || motion.end[y] != 0.0) return "a cut beside the spindle's axis, with Y";
+  return {};
 }
 
 }  // namespace dripfeed::checks

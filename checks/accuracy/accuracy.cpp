@@ -35,6 +35,17 @@ curves::PathPiece piece_of(const ir::Motion& motion, bool x_is_diameter) {
   return curves::arc_between(start, end, center, turn);
 }
 
+// "" for a cutting move that can be measured.
+std::string why_unmeasured(const ir::Motion& motion) {
+  constexpr std::uint16_t kBoth = 1U << kX | 1U << kZ;
+  if (!checks::has_places(motion)) return "a cutting move goes beyond all places";
+  if ((motion.axes_unknown & kBoth) != 0) return "a cutting move starts at a place that is not known";
+  if (const std::string_view other = checks::why_no_turning(motion); !other.empty())
+    return fmt::format("{} was not measured", other);
+  if (is_arc(motion) && motion.plane != ir::Plane::zx) return "an arc lies in another plane than z-x";
+  return {};
+}
+
 }  // namespace
 
 Accuracy::Accuracy(Settings settings) : settings_(std::move(settings)), bound_(settings_.nominal) {}
@@ -43,13 +54,9 @@ void Accuracy::consume(std::span<const ir::Motion> motions) {
   for (const ir::Motion& motion : motions) {
     if (motion.kind == ir::MotionKind::tool) follow_tool(motion);
     if (settings_.nominal.empty() || !is_profile(motion, settings_.lines)) continue;
-    constexpr std::uint16_t kBoth = 1U << kX | 1U << kZ;
-    if (!checks::has_places(motion)) {
-      report_.not_checked.add("a cutting move goes beyond all places", motion.place.line);
-    } else if ((motion.axes_unknown & kBoth) != 0) {
-      report_.not_checked.add("a cutting move starts at a place that is not known", motion.place.line);
-    } else if (is_arc(motion) && motion.plane != ir::Plane::zx) {
-      report_.not_checked.add("an arc lies in another plane than z-x", motion.place.line);
+    if (const std::string why = why_unmeasured(motion); !why.empty()) {
+      report_.not_checked.add(why, motion.place.line);
+      is_whole_ = false;
     } else {
       add_move(motion);
     }
@@ -182,6 +189,7 @@ void Accuracy::find_gaps() {
   }
   gap_to(whole.high);
   report_.covered = report_.gaps.empty();
+  if (!is_whole_ && !report_.covered) return report_.not_checked.add(kCoverageNotChecked);
   for (const Gap& gap : report_.gaps) {
     report_.findings.add(text::DiagnosticId::nominal_not_covered, last_place_, gap.high_mm - gap.low_mm, 0.0, [&] {
       return std::vector<std::string>{"z " + text::format_fixed(gap.low_mm, 3), text::format_fixed(gap.high_mm, 3)};

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "checks/finding.h"
@@ -15,6 +16,10 @@ struct LineRange {
   std::uint32_t first = 0;  // 1-based, both included
   std::uint32_t last = 0;
 };
+
+// Said of a nominal with gaps where cuts were not measured.
+inline constexpr std::string_view kCoverageNotChecked =
+    "whether the cuts cover the nominal: some of them were not measured";
 
 // Whether a motion makes the profile: it cuts, in work coordinates, and stands in one of these lines of the main
 // program (none given: anywhere).

@@ -39,6 +39,15 @@ curves::PathPiece piece_of(const ir::Motion& motion) {
   return curves::arc_between(start, end, center, turn);
 }
 
+// "" for a cutting move that can be measured.
+std::string_view why_unmeasured(const ir::Motion& motion) {
+  if (!checks::has_places(motion)) return "a cutting move goes beyond all places";
+  if ((motion.axes_unknown & 3U) != 0) return "a cutting move starts at a place that is not known";
+  if (checks::is_turned(motion)) return "a cut with a turned rotary axis was not measured";
+  if (is_arc(motion) && motion.plane != ir::Plane::xy) return "an arc lies in another plane than x-y";
+  return {};
+}
+
 int places_of(double length) {
   if (length < kShort_mm) return 2;
   const double wanted = std::ceil(length / kPieceLength_mm);
@@ -76,12 +85,9 @@ void PlaneAccuracy::consume(std::span<const ir::Motion> motions) {
       radius_ = radius_known_ ? 0.5 * tool->diameter_mm : 0.0;
     }
     if (settings_.nominal.empty() || !is_profile(motion, settings_.lines)) continue;
-    if (!checks::has_places(motion)) {
-      report_.not_checked.add("a cutting move goes beyond all places", motion.place.line);
-    } else if ((motion.axes_unknown & 3U) != 0) {
-      report_.not_checked.add("a cutting move starts at a place that is not known", motion.place.line);
-    } else if (is_arc(motion) && motion.plane != ir::Plane::xy) {
-      report_.not_checked.add("an arc lies in another plane than x-y", motion.place.line);
+    if (const std::string_view why = why_unmeasured(motion); !why.empty()) {
+      report_.not_checked.add(why, motion.place.line);
+      is_whole_ = false;
     } else {
       add_move(motion);
     }
@@ -288,6 +294,7 @@ void PlaneAccuracy::find_gaps() {
       const double width = curves::distance(from, middle) + curves::distance(middle, to);
       if (width <= settings_.coverage_mm) return;
       report_.gaps.push_back({0.0, width});
+      if (!is_whole_) return;
       report_.findings.add(text::DiagnosticId::nominal_not_covered, last_place_, width, 0.0, [&] {
         const auto said = [](curves::Point at) {
           return fmt::format("x {} y {}", text::format_fixed(at.z, 3), text::format_fixed(at.x, 3));
@@ -302,6 +309,7 @@ void PlaneAccuracy::find_gaps() {
     gap_to(curve.t.high);
   }
   report_.covered = report_.gaps.empty();
+  if (!is_whole_ && !report_.covered) report_.not_checked.add(kCoverageNotChecked);
 }
 
 Report PlaneAccuracy::finish() {

@@ -85,6 +85,12 @@ void Gouge::consume(std::span<const ir::Motion> motions) {
       report_.not_checked.add("a tool for bores was not checked", line);
       continue;
     }
+    if (const std::string_view other = checks::why_no_turning(motion);
+        !other.empty() && motion.kind != ir::MotionKind::rapid) {
+      report_.not_checked.add(fmt::format("{} was not checked, nor later rapids against the stock", other), line);
+      stock_.reset();
+      continue;
+    }
     const curves::Point end = point_of(motion.end, settings_.x_is_diameter);
     constexpr std::uint16_t kBoth = 1U << kX | 1U << kZ;
     const bool start_known = (motion.axes_unknown & kBoth) == 0;

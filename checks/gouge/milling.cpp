@@ -172,10 +172,9 @@ void Milling::check_move(const ir::Motion& motion) {
   if (motion.machine_coordinates) return report_.not_checked.add("a move in machine coordinates was not checked", line);
   if (!map_) return;
   if (!cutter_) return report_.not_checked.add("a move without a known tool was not checked", line);
-  for (std::size_t i = 3; i <= 5; ++i) {
-    if (motion.end[i] != 0.0 && (motion.axes_unknown >> i & 1U) == 0) {
-      return report_.not_checked.add("a move with a turned rotary axis was not checked", line);
-    }
+  if (checks::is_turned(motion)) {
+    knows_stock_ = knows_stock_ && motion.kind == ir::MotionKind::rapid;
+    return report_.not_checked.add("a move with a turned rotary axis was not checked", line);
   }
   const Point3 end = point_of(motion.end);
   if ((motion.axes_unknown & kLinear) != 0) {
@@ -214,8 +213,11 @@ void Milling::add(text::DiagnosticId id, const ir::Motion& motion, const Depth& 
 void Milling::check_rapid(const ir::Motion& motion, const Point3& from, const Point3& to) {
   ++report_.rapids;
   const HeightMap::Touch touch = map_->touch(*cutter_, from, to, settings_.depth_mm);
+  const bool is_nominal = touch.nominal.mm > 0.0;
+  if (!knows_stock_ && !is_nominal)
+    return report_.not_checked.add("rapids were not checked against the stock after a cut with a turned rotary axis",
+                                   motion.place.line);
   if (touch.stock.mm > 0.0) {
-    const bool is_nominal = touch.nominal.mm > 0.0;
     const Depth& depth = is_nominal ? touch.nominal : touch.stock;
     report_.deepest_rapid_mm = std::max(report_.deepest_rapid_mm, depth.mm);
     return add(is_nominal ? text::DiagnosticId::rapid_into_nominal : text::DiagnosticId::rapid_into_stock, motion,

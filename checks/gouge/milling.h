@@ -65,6 +65,7 @@ class Milling final : public ir::MotionSink {
   Compensation compensation_;
   bool knows_speeds_ = false;
   bool has_cut_ = false;
+  bool knows_stock_ = true;  // every cut was taken off the map
   std::optional<std::int32_t> offset_;
   std::vector<plot::Note> notes_;
 };

@@ -13,8 +13,7 @@ std::vector<text::Diagnostic> own_cycles(const ir::Program& program, const ir::C
   std::vector<text::Diagnostic> out;
   std::set<std::string, std::less<>> said;
   for (const ir::Statement& s : program.statements) {
-    const bool calls = s.kind == ir::StatementKind::call || s.kind == ir::StatementKind::modal_call;
-    if (!calls || !facts::is_standard_cycle(program, s)) continue;
+    if (!facts::is_call(s.kind) || !facts::is_standard_cycle(program, s)) continue;
     const std::string name(program.strings.at(program.calls[s.payload].name));
     const bool in_text = std::ranges::any_of(
         program.sections, [&](const ir::Section& section) { return program.strings.at(section.name) == name; });

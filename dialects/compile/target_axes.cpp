@@ -15,20 +15,18 @@ using ir::Function;
 constexpr std::string_view kAxisLetters = "XYZABCUVW";
 constexpr std::string_view kIncrementLetters = "UVWH";  // where increments have letters
 
-char letter_of(ir::Address address) { return static_cast<char>('A' + static_cast<int>(address)); }
-
 // The axis of `control` that the address moves.
 std::optional<char> axis_of(ir::Address address, const ir::Control& control) {
   if (address > ir::Address::z) return std::nullopt;
-  const char letter = letter_of(address);
+  const char letter = ir::letter_of(address);
   if (control.axes.contains(letter)) return letter;
   return ir::incremented_axis(control, letter);
 }
 
 // U10 of an axis U, or H5 of a function, would move X or C where such letters are increments.
 bool becomes_increment(ir::Address address, const ir::Control& from, const ir::Control& to) {
-  return address <= ir::Address::z && ir::incremented_axis(to, letter_of(address)).has_value() &&
-         !ir::incremented_axis(from, letter_of(address)).has_value();
+  return address <= ir::Address::z && ir::incremented_axis(to, ir::letter_of(address)).has_value() &&
+         !ir::incremented_axis(from, ir::letter_of(address)).has_value();
 }
 
 // Codes whose words are no positions.
@@ -58,7 +56,7 @@ std::vector<text::Diagnostic> foreign_axis_words(const ir::Program& program, con
     if (std::ranges::any_of(program.codes_of(block), takes_letters)) continue;
     for (const ir::Word& word : program.words_of(block)) {
       std::optional<char> axis = axis_of(word.address, from);
-      if (!axis && becomes_increment(word.address, from, to)) axis = letter_of(word.address);
+      if (!axis && becomes_increment(word.address, from, to)) axis = ir::letter_of(word.address);
       if (!axis || to.axes.contains(*axis) || said.contains(*axis)) continue;
       said.push_back(*axis);
       const text::Span span = word.span.empty() ? s.span : word.span;

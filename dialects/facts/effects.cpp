@@ -11,6 +11,7 @@
 #include "dialects/facts/block_values.h"
 #include "dialects/facts/calls.h"
 #include "dialects/facts/shape_blocks.h"
+#include "dialects/ir/axis_letters.h"
 #include "dialects/ir/cycle.h"
 
 namespace dripfeed::facts {
@@ -22,11 +23,13 @@ using ir::Function;
 using ir::ModalGroup;
 using ir::StatementKind;
 
-constexpr std::uint32_t kFirstSystemVariable = 1000;  // of those with numbers
-
-bool is_system_variable(const ir::Variable& v) {
+// Writing it may move zeros or lengths.
+bool may_be_system_variable(const ir::Variable& v, const ir::Control& control) {
   if (v.bank == ir::Bank::system) return true;
-  return v.bank == ir::Bank::hash && (v.index != ir::ExpressionId::none || v.number >= kFirstSystemVariable);
+  if (v.bank != ir::Bank::hash) return false;
+  const ir::VariableRange* range =
+      v.index == ir::ExpressionId::none ? ir::find_variable(control, ir::Bank::hash, v.number) : nullptr;
+  return range == nullptr || range->use == ir::VariableUse::system;
 }
 
 // Positions have other numbers after these, or only the machine knows them.
@@ -196,9 +199,7 @@ struct Effects::Walk {
   }
 
   // On lathes of G-code system A H is an increment of C.
-  [[nodiscard]] bool h_is_length() const {
-    return !(of.control_.semantics.incremental_letters_uvw && of.control_.axes.contains('C'));
-  }
+  [[nodiscard]] bool h_is_length() const { return !ir::incremented_axis(of.control_, 'H').has_value(); }
 
   // Of a control whose T or D brings the length along.
   void set_length_number(std::optional<double> number) {
@@ -255,11 +256,9 @@ struct Effects::Walk {
     bool by_letter;  // the letter itself says that it is an increment
   };
   [[nodiscard]] std::optional<AxisTarget> target_of(const ir::Word& word) const {
-    const bool has_letters = of.control_.semantics.incremental_letters_uvw;
-    if (has_letters && word.address == Address::u) return AxisTarget{Number::x, true};
-    if (has_letters && word.address == Address::v) return AxisTarget{Number::y, true};
-    if (has_letters && word.address == Address::w) return AxisTarget{Number::z, true};
-    if (word.address == Address::h && !h_is_length()) return AxisTarget{Number::c, true};
+    const std::optional<char> letter =
+        word.address <= Address::z ? ir::incremented_axis(of.control_, ir::letter_of(word.address)) : std::nullopt;
+    if (letter) return AxisTarget{*axis_of(static_cast<Address>(*letter - 'A')), true};
     const std::optional<Number> axis = axis_of(word.address);
     return axis ? std::optional(AxisTarget{*axis, false}) : std::nullopt;
   }
@@ -340,7 +339,8 @@ void Effects::apply(std::uint32_t statement, Facts& facts) const {
       break;
     case StatementKind::modal_call_end: facts[Mode::modal_call].set({}, statement); break;
     case StatementKind::assign:
-      if (is_system_variable(program_.at(program_.assigns[s.payload].target))) facts.forget_positions(statement);
+      if (may_be_system_variable(program_.at(program_.assigns[s.payload].target), control_))
+        facts.forget_positions(statement);
       break;
     default: break;
   }

@@ -2,10 +2,10 @@
 #include "dialects/interpreter/block_rules.h"
 
 #include <cmath>
-#include <string_view>
 #include <vector>
 
 #include "dialects/interpreter/code_effects.h"
+#include "dialects/ir/axis_letters.h"
 
 namespace dripfeed::interpreter {
 
@@ -32,7 +32,6 @@ constexpr AxisLetter kIncrementalRows[] = {
     {Address::w, Axis::z, 'W', false},
     {Address::h, Axis::c, 'H', true},
 };
-constexpr std::string_view kBaseLetters = "XYZC";
 constexpr std::uint64_t kLengths = bit_of(Address::i) | bit_of(Address::j) | bit_of(Address::k) | bit_of(Address::r) |
                                    bit_of(Address::arc_radius) | bit_of(Address::f) | bit_of(Address::q) |
                                    bit_of(Address::chamfer) | bit_of(Address::rounding) | bit_of(Address::direct_angle);
@@ -64,9 +63,8 @@ BlockRules::BlockRules(const ir::Control& control)
     letters |= bit_of(row.address);
     if (control.axes.contains(row.letter)) add(row, false);
   }
-  for (std::size_t i = 0; semantics.incremental_letters_uvw && i < std::size(kIncrementalRows); ++i)
-    if (control.axes.contains(kBaseLetters[i]) && !control.axes.contains(kIncrementalRows[i].letter))
-      add(kIncrementalRows[i], true);
+  for (const AxisLetter& row : kIncrementalRows)
+    if (ir::incremented_axis(control, row.letter)) add(row, true);
   foreign_axes = letters & ~axis_addresses;
   corner_letters = control.kind == ir::MachineKind::lathe && semantics.arc_radius_is_r;
   using text::DiagnosticId;

@@ -5,17 +5,23 @@
 #include <string_view>
 
 #include "dialects/ir/control.h"
+#include "dialects/ir/statement.h"
 
 namespace dripfeed::ir {
 
+// Of an address that is one: A to Z.
+constexpr char letter_of(Address address) { return static_cast<char>('A' + static_cast<int>(address)); }
+
 // U V W H are increments of X Y Z C on controls where increments have letters (G-code system A), as far as the axis is
-// there and the letter is no axis itself. Nothing for all other letters.
+// there and the letter is no axis itself. Where T is a plain tool number, H is the number of a tool length. Nothing for
+// all other letters.
 inline std::optional<char> incremented_axis(const Control& control, char letter) {
   constexpr std::string_view kIncrements = "UVWH";
   constexpr std::string_view kAxes = "XYZC";
   const std::size_t row = kIncrements.find(letter);
   if (!control.semantics.incremental_letters_uvw || row == std::string_view::npos) return std::nullopt;
   if (!control.axes.contains(kAxes[row]) || control.axes.contains(letter)) return std::nullopt;
+  if (letter == 'H' && control.semantics.tool_word != ToolWord::number_and_offset) return std::nullopt;
   return kAxes[row];
 }
 

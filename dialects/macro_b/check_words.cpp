@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/ir/axis_letters.h"
 #include "dialects/ir/offset_words.h"
 #include "dialects/macro_b/check.h"
 #include "dialects/text/number.h"
@@ -20,7 +21,7 @@ using ir::Function;
 using ir::ModalGroup;
 using enum text::DiagnosticId;
 
-bool holds(std::string_view letters, Address address) { return letters.contains(letter_of(address)); }
+bool holds(std::string_view letters, Address address) { return letters.contains(macro_b::letter_of(address)); }
 
 // A word as written without its value: "X", ",C".
 std::string address_name(const ir::Program& program, const ir::Word& word) {
@@ -257,14 +258,19 @@ class WordCheck {
 
   void point_not_allowed(const ir::Word& word, const BlockUse& use) {
     if (word.value == ir::ExpressionId::none || !holds(use.other_words ? "T" : "DHLPT", word.address)) return;
-    // H is the increment of C where increments have letters.
-    if (word.address == Address::h && control_.semantics.incremental_letters_uvw) return;
+    if (word.address == Address::h && ir::incremented_axis(control_, 'H')) return;
     const ir::Expression& value = program_.at(word.value);
     if (word.address == Address::t && control_.semantics.tool_number_has_suffix) return;
     if (value.op == ir::Operator::constant && value.has_point && !text_of(program_, value.span).starts_with('[')) {
       text::Diagnostic* finding = findings_.add(decimal_point_not_allowed, word.span, {address_name(program_, word)});
+      if (finding == nullptr) return;
       // Some controls of this family take the depth of a pass with a point.
-      if (finding != nullptr && use.shape && word.address == Address::d) finding->severity = text::Severity::warning;
+      if (use.shape && word.address == Address::d) finding->severity = text::Severity::warning;
+      // On a machine that has C and increments with letters it may be the increment of C.
+      if (word.address == Address::h && control_.semantics.incremental_letters_uvw) {
+        finding->severity = text::Severity::warning;
+        finding->is_open = true;
+      }
     }
   }
 

@@ -57,9 +57,10 @@ ir::Control control(ir::MachineKind kind, ir::GSystem system) {
   // #3000 = n: alarms 980 to 999 for n up to 20, 979 for all above.
   c.semantics.user_alarm_base = 979;
   c.semantics.highest_user_alarm = 20;
-  // A mill-turn center's cycles are those of machining centers.
+  // A mill-turn center's cycles and tools are those of machining centers: T1.01 M6, G43 H1.
   if (kind == ir::MachineKind::mill_turn) {
     c.semantics.incremental_letters_uvw = true;
+    c.semantics.tool_word = ir::ToolWord::number;
     c.semantics.drill_r_from_initial = false;
     c.axes = "XYZBC";
   }

@@ -230,10 +230,26 @@ feed::Time seconds(double s) { return feed::Time(static_cast<std::int64_t>(s * 1
 
 }  // namespace
 
+namespace {
+
+// "XZC": the machine's axes by letter, in the order of the trace.
+std::string letters_of(const std::vector<checks::MachineAxis>& axes) {
+  constexpr std::string_view kLetters = "XYZABCUVW";
+  static_assert(kLetters.size() == ir::kAxisCount);
+  std::string letters;
+  for (std::size_t i = 0; i < kLetters.size(); ++i)
+    if (std::ranges::find(axes, static_cast<ir::Axis>(i), &checks::MachineAxis::axis) != axes.end())
+      letters.push_back(kLetters[i]);
+  return letters;
+}
+
+}  // namespace
+
 ir::Control control_of(const Profile& profile, ir::Control control) {
   const ControlSettings& settings = profile.control;
   ir::Semantics& semantics = control.semantics;
   control.from_profile = true;
+  if (!profile.machine.axes.empty()) control.axes = letters_of(profile.machine.axes);
   if (!settings.title.empty()) control.title = settings.title;
   if (settings.decimal_mode) semantics.decimal_mode = *settings.decimal_mode;
   semantics.decimal_mode_confirmed = settings.decimal_mode_confirmed;
