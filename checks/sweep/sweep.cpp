@@ -56,7 +56,10 @@ class Sweeper {
     return attempt_(values);
   }
   [[nodiscard]] double rounded(std::size_t i, double value) const {
-    return parameters_[i].whole ? std::round(value) : value;
+    const Parameter& one = parameters_[i];
+    if (one.step == 0.0) return value;
+    const double highest = std::floor((one.high - one.low) / one.step);
+    return one.low + one.step * std::min(std::round((value - one.low) / one.step), highest);
   }
 
   // The end first: where it passes, the side is taken as free all along.

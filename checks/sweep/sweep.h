@@ -22,7 +22,7 @@ struct Parameter {
   double low = 0.0;
   double high = 0.0;
   double standard = 0.0;
-  bool whole = false;
+  double step = 0.0;  // values are `low` and a whole number of steps; 0: any
 };
 
 struct Trial {

@@ -37,11 +37,17 @@ FamilyDescription describe_family(const text::Source& family) {
   for (const family::Parameter& parameter : read.family.parameters) {
     const double factor = parameter.unit == nullptr ? 1.0 : parameter.unit->factor;
     out.parameters.push_back({.name = parameter.name,
+                              .kind = family::kind_of(parameter),
                               .unit = std::string(parameter.unit == nullptr ? "" : parameter.unit->name),
-                              .standard = family::format_value(parameter, parameter.standard),
+                              .standard = family::format_standard(parameter),
                               .low = parameter.low / factor,
                               .high = parameter.high / factor,
-                              .text = parameter.text});
+                              .step = parameter.step / factor,
+                              .fewest = parameter.fewest,
+                              .most = parameter.most,
+                              .choices = parameter.choices,
+                              .text = parameter.text,
+                              .group = parameter.group});
   }
   return out;
 }

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/compile/annotate.h"
 #include "dialects/compile/dialect.h"
 #include "dialects/compile/explicit_program.h"
 #include "dialects/compile/index_places.h"
@@ -46,11 +47,17 @@ class Renderer {
     result_.diagnostics = std::move(read.diagnostics);
     if (text::has_error(result_.diagnostics)) return std::move(result_);
     family_ = std::make_shared<const family::Family>(std::move(read.family));
+    if (auto fault = fault_of_machine(family_->machine, request_.target)) {
+      fault->span = family_->machine_span;
+      result_.diagnostics.push_back(std::move(*fault));
+      return std::move(result_);
+    }
     family::BindResult bound = family::bind_family(family_, request_.values);
     report(bound.diagnostics);
     if (text::has_error(result_.diagnostics)) return std::move(result_);
-    result_.geometry = family::geometry(bound.bound);
-    built_ = family::build(bound.bound);
+    bound_ = std::move(bound.bound);
+    result_.geometry = family::geometry(bound_);
+    built_ = family::build(bound_);
     if (!request_.program_name.empty()) built_.name = request_.program_name;
     control_ = neutral_control(family_->machine, family_->x_is_diameter);
     choose();
@@ -102,6 +109,8 @@ class Renderer {
 
   void print(ir::Program& raised) {
     printed_ = print_for(dialect_, raised, request_.target);
+    annotate(printed_, annotation_of(bound_, request_.heading, result_.mode == RenderMode::macro), request_.target,
+             dialect_.comments);
     if (request_.delivery == ir::Delivery::drip) wrap_for_wire(printed_, dialect_.name, built_.name);
   }
 
@@ -144,6 +153,7 @@ class Renderer {
   const RenderRequest& request_;
   const Dialect& dialect_;
   std::shared_ptr<const family::Family> family_;
+  family::BoundFamily bound_;
   ir::Program built_;
   ir::Control control_;  // that built_ is written for
   ir::PrintResult printed_;
@@ -159,6 +169,12 @@ std::string_view name_of(RenderMode mode) {
 std::optional<RenderMode> find_render_mode(std::string_view name) {
   const auto row = std::ranges::find(kModes, name, &std::pair<std::string_view, RenderMode>::first);
   return row == kModes.end() ? std::nullopt : std::optional(row->second);
+}
+
+std::optional<text::Diagnostic> fault_of_machine(ir::MachineKind wanted, const ir::Control& control) {
+  if (ir::serves(control.kind, wanted)) return std::nullopt;
+  return text::make_diagnostic(text::DiagnosticId::family_other_machine, {},
+                               {std::string(ir::name_of(wanted)), std::string(ir::name_of(control.kind))});
 }
 
 RenderResult render(const RenderRequest& request) {

@@ -32,6 +32,7 @@ struct RenderRequest {
   RenderMode mode = RenderMode::automatic;
   ir::Delivery delivery = ir::Delivery::memory;
   std::string program_name;  // "O0100", "ROLL_1"; empty: the dialect's form of the family's name
+  std::vector<std::string> heading;  // for people, after the family's name: "revision 3", "part 4711"
 };
 
 struct RenderResult {
@@ -58,14 +59,24 @@ struct FamilyGeometry {
 };
 FamilyGeometry family_geometry(const text::Source& family, const std::vector<family::Override>& values);
 
+// Nothing where the control's machine makes what a family for `wanted` describes; otherwise the error, which has no
+// place in the text.
+std::optional<text::Diagnostic> fault_of_machine(ir::MachineKind wanted, const ir::Control& control);
+
 // What a family is, for lists and forms.
 struct ParameterDescription {
   std::string name;
+  std::string kind;      // "length", "count", "choice", "yes_no", "tool", "list of length" ...
   std::string unit;      // of default, low and high; empty for plain numbers
   std::string standard;  // the default as one would write it: "100 mm"
   double low = 0.0;
   double high = 0.0;
+  double step = 0.0;                 // in the same unit; 0: any value
+  std::int32_t fewest = 0;           // numbers of a list
+  std::int32_t most = 0;
+  std::vector<std::string> choices;  // words of a choice or yes_no
   std::string text;
+  std::string group;  // heading in forms; may be empty
 };
 struct FamilyDescription {
   std::string name;

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "dialects/family/evaluate.h"
 #include "dialects/family/geometry.h"
@@ -38,10 +40,18 @@ class Binder {
   BindResult bind() {
     parameters();
     if (text::has_error(result_.diagnostics)) return std::move(result_);
-    for (const Definition& definition : family_.definitions) define(definition);
+    // In the order of the text: each may use what stands above it.
+    auto list = family_.lists.begin();
+    for (const Definition& definition : family_.definitions) {
+      for (; list != family_.lists.end() && list->line < definition.line; ++list) define(*list);
+      define(definition);
+    }
+    for (; list != family_.lists.end(); ++list) define(*list);
     if (text::has_error(result_.diagnostics)) return std::move(result_);
     for (const Requirement& requirement : family_.requirements) check(requirement);
     for (const CurveShape& curve : family_.curves) check_curve(curve);
+    for (const Step& step : family_.steps)
+      if (step.kind == StepKind::set) known_[static_cast<std::size_t>(step.target)] = 0;
     for (const Step& step : family_.steps) {
       if (step.kind == StepKind::for_begin) check_loop(step);
       if (step.kind == StepKind::tool) check_tool(step);
@@ -63,7 +73,11 @@ class Binder {
   void parameters() {
     std::unordered_map<std::string_view, const Parameter*> by_name;
     for (const Parameter& parameter : family_.parameters) {
-      know(parameter.symbol, parameter.standard);
+      if (parameter.kind == ParameterKind::list) {
+        given_lists_.emplace(parameter.symbol, parameter.standards);
+      } else {
+        know(parameter.symbol, parameter.standard);
+      }
       by_name.try_emplace(parameter.name, &parameter);
     }
     for (const Override& given : overrides_) {
@@ -76,30 +90,71 @@ class Binder {
   }
 
   void set(const Parameter& parameter, const std::string& written) {
+    switch (parameter.kind) {
+      case ParameterKind::number:
+      case ParameterKind::tool:
+        if (const std::optional<double> value = number_of(parameter, written)) know(parameter.symbol, *value);
+        return;
+      case ParameterKind::choice:
+      case ParameterKind::yes_no: return set_choice(parameter, written);
+      case ParameterKind::list: return set_list(parameter, written);
+    }
+  }
+
+  void set_choice(const Parameter& parameter, const std::string& written) {
+    const auto place = std::ranges::find(parameter.choices, written);
+    if (place != parameter.choices.end())
+      return know(parameter.symbol, static_cast<double>(place - parameter.choices.begin()));
+    report(DiagnosticId::family_syntax, parameter.span,
+           {fmt::format("{}: '{}' is none of {}", parameter.name, written, fmt::join(parameter.choices, ", "))});
+  }
+
+  // "10 mm, 12 mm"
+  void set_list(const Parameter& parameter, const std::string& written) {
+    std::vector<double> numbers;
+    for (std::string_view rest = written; !rest.empty();) {
+      const std::string_view one = rest.substr(0, rest.find(','));
+      rest.remove_prefix(std::min(rest.size(), one.size() + 1));
+      const std::optional<double> number = number_of(parameter, std::string(one));
+      if (!number) return;
+      numbers.push_back(*number);
+    }
+    const auto given = static_cast<std::int32_t>(numbers.size());
+    if (given >= parameter.fewest && given <= parameter.most) {
+      given_lists_.insert_or_assign(parameter.symbol, std::move(numbers));
+      return;
+    }
+    report(DiagnosticId::family_syntax, parameter.span,
+           {fmt::format("{} has {} numbers, {} to {} are allowed", parameter.name, given, parameter.fewest,
+                        parameter.most)});
+  }
+
+  // The stored value of a quantity that the parameter may have; nothing after a fault.
+  std::optional<double> number_of(const Parameter& parameter, const std::string& written) {
     const std::optional<Quantity> quantity = parse_quantity(written);
     if (!quantity) {
-      return report(DiagnosticId::family_syntax, parameter.span,
-                    {fmt::format("{}: '{}' is no number with a unit", parameter.name, written)});
+      report(DiagnosticId::family_syntax, parameter.span,
+             {fmt::format("{}: '{}' is no number with a unit", parameter.name, written)});
+      return std::nullopt;
     }
     const std::string named = fmt::format("{} = {}", parameter.name, written);
     const Dimension dimension = quantity->unit == nullptr ? kRatio : quantity->unit->dimension;
     if (quantity->unit == nullptr && parameter.dimension != kRatio) {
-      return report(
-          DiagnosticId::family_missing_unit, parameter.span,
-          {named, fmt::format("{}, such as {} {}", describe(parameter.dimension), written, parameter.unit->name)});
+      report(DiagnosticId::family_missing_unit, parameter.span,
+             {named, fmt::format("{}, such as {} {}", describe(parameter.dimension), written, parameter.unit->name)});
+      return std::nullopt;
     }
     if (dimension != parameter.dimension) {
-      return report(DiagnosticId::family_wrong_unit, parameter.span,
-                    {named, describe(dimension), describe(parameter.dimension)});
+      report(DiagnosticId::family_wrong_unit, parameter.span,
+             {named, describe(dimension), describe(parameter.dimension)});
+      return std::nullopt;
     }
     const double value = quantity->stored();
-    if (!(value >= parameter.low && value <= parameter.high)) {
-      return report(DiagnosticId::family_value_out_of_range, parameter.span, range_arguments(parameter, value));
+    if (auto fault = fault_of_value(parameter, value, written)) {
+      report(fault->id, parameter.span, std::move(fault->arguments));
+      return std::nullopt;
     }
-    if (parameter.whole && !is_whole(value)) {
-      return report(DiagnosticId::family_wrong_unit, parameter.span, {named, "a fraction", "a whole number"});
-    }
-    know(parameter.symbol, value);
+    return value;
   }
 
   // The value, or nothing and a diagnostic at the operation that has none.
@@ -114,6 +169,22 @@ class Binder {
 
   void define(const Definition& definition) {
     if (const std::optional<double> value = compute(definition.value)) know(definition.symbol, *value);
+  }
+
+  // Its numbers go behind all others; see list_in.
+  void define(const List& list) {
+    std::vector<double> numbers;
+    for (const ir::ExpressionId element : list.elements) {
+      const std::optional<double> value = compute(element);
+      if (!value) return;
+      numbers.push_back(*value);
+    }
+    if (list.elements.empty()) numbers = given_lists_.at(list.symbol);
+    std::vector<double>& values = result_.bound.values;
+    values.push_back(static_cast<double>(numbers.size()));
+    know(list.symbol, static_cast<double>(values.size()));
+    know(list.count, static_cast<double>(numbers.size()));
+    values.insert(values.end(), numbers.begin(), numbers.end());
   }
 
   void check(const Requirement& requirement) {
@@ -171,10 +242,16 @@ class Binder {
   const Family& family_;
   std::span<const Override> overrides_;
   BindResult result_;
-  std::vector<std::uint8_t> known_;  // by symbol
+  std::vector<std::uint8_t> known_;                          // by symbol
+  std::map<ir::SymbolId, std::vector<double>> given_lists_;  // of parameters
 };
 
 }  // namespace
+
+std::int32_t tool_number(const BoundFamily& bound, const Step& step) {
+  if (step.target == ir::SymbolId::none) return step.number;
+  return static_cast<std::int32_t>(bound.values[static_cast<std::size_t>(step.target)]);
+}
 
 BindResult bind_family(std::shared_ptr<const Family> family, std::span<const Override> overrides) {
   return Binder(std::move(family), overrides).bind();

@@ -14,12 +14,13 @@ namespace dripfeed::family {
 
 struct Override {
   std::string name;
-  std::string value;  // "120 mm"; a plain number for count and ratio
+  std::string value;  // "120 mm"; a plain number for count and ratio; "10 mm, 12 mm" for a list; a word for a choice
 };
 
 struct BoundFamily {
   std::shared_ptr<const Family> family;
   // One a symbol of Family::arena, stored units: parameters, then lets as computed from them; 0 for the body's own.
+  // After them the numbers of the lists, as list_in (evaluate.h) finds them.
   std::vector<double> values;
 };
 
@@ -32,5 +33,8 @@ struct BindResult {
 // of range, not whole, a failed `require` (with its text), a loop that cannot run, a value that cannot be computed.
 // Spans are in the family's source: at the parameter, the constraint or the loop.
 BindResult bind_family(std::shared_ptr<const Family> family, std::span<const Override> overrides);
+
+// Of a step that names a tool.
+std::int32_t tool_number(const BoundFamily& bound, const Step& step);
 
 }  // namespace dripfeed::family

@@ -38,6 +38,7 @@ constexpr auto kCenters = std::to_array<AxisRow>({
 
 constexpr std::int32_t kLargestTip = 9;
 constexpr std::int32_t kLargestOffset = 99;
+constexpr std::size_t kMostSteps = 100'000;
 
 const AxisRow* find_axis(std::span<const AxisRow> rows, std::string_view name) {
   const auto row = std::ranges::find(rows, name, &AxisRow::name);
@@ -46,7 +47,7 @@ const AxisRow* find_axis(std::span<const AxisRow> rows, std::string_view name) {
 
 }  // namespace
 
-const BodyReader::VerbRow* BodyReader::find_verb(std::string_view word) {
+std::span<const BodyReader::VerbRow> BodyReader::verb_rows() {
   static constexpr auto kVerbs = std::to_array<VerbRow>({
       {"work", &BodyReader::work_offset},
       {"tool", &BodyReader::tool},
@@ -60,38 +61,63 @@ const BodyReader::VerbRow* BodyReader::find_verb(std::string_view word) {
       {"retract", &BodyReader::retract},
       {"profile", &BodyReader::profile},
       {"for", &BodyReader::for_loop},
+      {"while", &BodyReader::while_loop},
       {"if", &BodyReader::if_block},
       {"else", &BodyReader::else_block},
       {"end", &BodyReader::end},
       {"let", &BodyReader::let},
+      {"set", &BodyReader::set},
+      {"call", &BodyReader::call},
       {"message", &BodyReader::message},
       {"dwell", &BodyReader::dwell},
       {"stop", &BodyReader::stop},
       {"optional", &BodyReader::optional_stop},
   });
-  const auto row = std::ranges::find(kVerbs, word, &VerbRow::word);
-  return row == kVerbs.end() ? nullptr : &*row;
+  return kVerbs;
+}
+
+const BodyReader::VerbRow* BodyReader::find_verb(std::string_view word) {
+  const std::span<const VerbRow> rows = verb_rows();
+  const auto row = std::ranges::find(rows, word, &VerbRow::word);
+  return row == rows.end() ? nullptr : &*row;
+}
+
+std::vector<std::string_view> BodyReader::verbs() {
+  std::vector<std::string_view> out;
+  for (const VerbRow& row : verb_rows()) out.push_back(row.word);
+  return out;
+}
+
+void BodyReader::read_subprogram(text::Span head) {
+  is_subprogram_ = true;
+  verb_ = head;
+  read();
 }
 
 void BodyReader::read() {
+  const text::Span head = verb_;
   while (!ended_ && !cursor_.at_end()) {
     if (cursor_.at_line_end()) {
       cursor_.advance();
       continue;
     }
+    if (is_subprogram_ && (cursor_.at_word("program") || cursor_.at_word("sub") || cursor_.at_word("function")))
+      return cursor_.syntax(head, "this subprogram has no 'end'");
     verb_ = cursor_.peek().span;
     line_ = cursor_.peek().line;
     if (const VerbRow* row = find_verb(cursor_.word())) {
       cursor_.advance();
       (this->*row->read)();
     } else {
-      cursor_.expected("a verb such as rapid, cut, feed, for or end");
+      cursor_.expected_one_of("a verb such as rapid, cut, feed, for or end", verbs());
     }
-    cursor_.finish_line();
+    // The line of a subprogram's `end` is its declaration's.
+    if (!ended_ || !is_subprogram_) cursor_.finish_line();
   }
   if (ended_) return;
   if (open_.empty()) {
-    cursor_.syntax(cursor_.peek().span, "the program has no 'end'");
+    cursor_.syntax(is_subprogram_ ? head : cursor_.peek().span,
+                   is_subprogram_ ? "this subprogram has no 'end'" : "the program has no 'end'");
   } else {
     cursor_.syntax(open_.back().span, "this block has no 'end'");
   }
@@ -108,7 +134,7 @@ Step BodyReader::step(StepKind kind) const {
 void BodyReader::add(Step step) {
   if (cursor_.line_failed()) return;
   step.span = {verb_.begin, cursor_.last_span().end};
-  family_.steps.push_back(std::move(step));
+  steps_.push_back(std::move(step));
 }
 
 void BodyReader::work_offset() {
@@ -122,7 +148,13 @@ void BodyReader::work_offset() {
 
 void BodyReader::tool() {
   Step out = step(StepKind::tool);
-  out.number = cursor_.expect_integer("the number of a tool");
+  const Parameter* chosen = family_.find_parameter(cursor_.word());
+  if (chosen != nullptr && chosen->kind == ParameterKind::tool) {
+    out.target = chosen->symbol;
+    cursor_.advance();
+  } else {
+    out.number = cursor_.expect_integer("the number of a tool, or a parameter that is one");
+  }
   if (!cursor_.line_failed() && cursor_.accept_word("nose")) {
     const auto literal = expressions_.literal(true);
     if (!literal) return;
@@ -222,10 +254,16 @@ void BodyReader::axis_words(Step& step) {
   }
 }
 
+// Whether there is a feed here; a fault otherwise, but in a subprogram, where it is the caller's.
+bool BodyReader::may_cut() {
+  if (has_feed_) return true;
+  if (!is_subprogram_) cursor_.report(text::DiagnosticId::no_feed, verb_, {});
+  needs_feed_ = is_subprogram_;
+  return is_subprogram_;
+}
+
 void BodyReader::move(Step out) {
-  if (out.kind != StepKind::rapid && !has_feed_) {
-    return cursor_.report(text::DiagnosticId::no_feed, verb_, {});
-  }
+  if (out.kind != StepKind::rapid && !may_cut()) return;
   axis_words(out);
   add(std::move(out));
 }
@@ -236,7 +274,7 @@ void BodyReader::cut() { move(step(StepKind::cut)); }
 void BodyReader::arc() {
   const bool clockwise = cursor_.at_word("cw");
   if (!cursor_.accept_word("cw") && !cursor_.accept_word("ccw")) return cursor_.expected("cw or ccw");
-  if (!has_feed_) return cursor_.report(text::DiagnosticId::no_feed, verb_, {});
+  if (!may_cut()) return;
   Step out = step(clockwise ? StepKind::arc_cw : StepKind::arc_ccw);
   axis_words(out);
   if (cursor_.line_failed()) return;
@@ -273,6 +311,7 @@ void BodyReader::profile() {
 void BodyReader::for_loop() {
   Step out = step(StepKind::for_begin);
   const std::optional<NewName> name = expect_new_name(cursor_, scope_);
+  if (name && cursor_.accept_word("in")) return for_in(*name);
   Typed from;
   if (name && cursor_.expect_word("from")) {
     from = expressions_.value();
@@ -287,6 +326,33 @@ void BodyReader::for_loop() {
   scope_.open();
   if (name) out.target = scope_.define(family_.arena, name->name, from.dimension, name->span);
   add(std::move(out));
+}
+
+// for NAME in LIST: the name takes each number of the list in turn.
+void BodyReader::for_in(const NewName& name) {
+  Step out = step(StepKind::for_in_begin);
+  const Scope::Name* list = cursor_.peek().kind == LexemeKind::word ? scope_.find(cursor_.word()) : nullptr;
+  Dimension dimension;
+  if (list == nullptr || list->kind != NameKind::list) {
+    cursor_.expected("the name of a list");
+  } else {
+    const auto row = std::ranges::find(family_.lists, list->symbol, &List::symbol);
+    out.number = static_cast<std::int32_t>(row - family_.lists.begin());
+    dimension = list->dimension;
+    cursor_.advance();
+  }
+  open_.push_back({StepKind::for_in_begin, verb_, line_});
+  scope_.open();
+  out.target = scope_.define(family_.arena, name.name, dimension, name.span);
+  add(std::move(out));
+}
+
+void BodyReader::while_loop() {
+  Step out = step(StepKind::while_begin);
+  out.values[0] = expressions_.condition().id;
+  add(std::move(out));
+  open_.push_back({StepKind::while_begin, verb_, line_});
+  scope_.open();
 }
 
 void BodyReader::if_block() {
@@ -320,7 +386,12 @@ void BodyReader::end() {
     if (line_ > open.line + 1) family_.profiles.push_back({open.line + 1, line_ - 1});
     return add(step(StepKind::profile_end));
   }
-  add(step(open.kind == StepKind::for_begin ? StepKind::for_end : StepKind::if_end));
+  static constexpr std::array<std::pair<StepKind, StepKind>, 4> kEnds = {
+      {{StepKind::for_begin, StepKind::for_end},
+       {StepKind::for_in_begin, StepKind::for_in_end},
+       {StepKind::while_begin, StepKind::while_end},
+       {StepKind::if_begin, StepKind::if_end}}};
+  add(step(std::ranges::find(kEnds, open.kind, &std::pair<StepKind, StepKind>::first)->second));
 }
 
 void BodyReader::let() {
@@ -329,8 +400,48 @@ void BodyReader::let() {
   if (!name || !cursor_.expect_symbol("=")) return;
   const Typed value = expressions_.value();
   out.values[0] = value.id;
-  if (!cursor_.line_failed()) out.target = scope_.define(family_.arena, name->name, value.dimension, name->span);
+  if (!cursor_.line_failed())
+    out.target = scope_.define(family_.arena, name->name, value.dimension, name->span, NameKind::variable);
   add(std::move(out));
+}
+
+// set NAME = value, set LIST[index] = value
+void BodyReader::set() {
+  Step out = step(StepKind::set);
+  const std::optional<ExpressionReader::Place> place = expressions_.place();
+  if (!place || !cursor_.expect_symbol("=")) return;
+  out.target = place->name.symbol;
+  out.values[1] = place->index;
+  out.values[0] = expressions_.value_of(place->name.dimension).id;
+  add(std::move(out));
+}
+
+// call NAME(argument, ...): the steps of the subprogram, after its parameters were given their values.
+void BodyReader::call() {
+  const text::Span at = cursor_.peek().span;
+  const auto sub = std::ranges::find(family_.subprograms, cursor_.word(), &Subprogram::name);
+  if (cursor_.peek().kind != LexemeKind::word || sub == family_.subprograms.end()) {
+    std::vector<std::string_view> names;
+    for (const Subprogram& one : family_.subprograms) names.emplace_back(one.name);
+    return cursor_.expected_one_of("the name of a subprogram that stands above", names);
+  }
+  cursor_.advance();
+  const std::vector<FunctionParameter>& parameters = sub->parameters;
+  if (!parameters.empty()) cursor_.expect_symbol("(");
+  for (std::size_t i = 0; i < parameters.size() && !cursor_.line_failed(); ++i) {
+    if (i > 0 && !cursor_.expect_symbol(",")) return;
+    Step argument = step(StepKind::let);
+    argument.target = parameters[i].symbol;
+    argument.values[0] = expressions_.value_of(parameters[i].dimension).id;
+    add(std::move(argument));
+  }
+  if (!parameters.empty()) cursor_.expect_symbol(")");
+  if (cursor_.line_failed()) return;
+  if (sub->needs_feed && !may_cut()) return;
+  if (steps_.size() + sub->steps.size() > kMostSteps)
+    return cursor_.syntax(at, fmt::format("with all its calls the program has more than {} steps", kMostSteps));
+  steps_.insert(steps_.end(), sub->steps.begin(), sub->steps.end());
+  has_feed_ = has_feed_ || sub->sets_feed;
 }
 
 void BodyReader::message() {

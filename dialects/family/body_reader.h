@@ -1,22 +1,30 @@
 // The body of a family, from after `program NAME` to its `end`: verbs become steps, blocks are matched.
 #pragma once
 
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "dialects/family/cursor.h"
 #include "dialects/family/expression_reader.h"
 #include "dialects/family/model.h"
+#include "dialects/family/naming.h"
 #include "dialects/family/scope.h"
 
 namespace dripfeed::family {
 
 class BodyReader {
  public:
-  BodyReader(Cursor& cursor, Scope& scope, ExpressionReader& expressions, Family& family)
-      : cursor_(cursor), scope_(scope), expressions_(expressions), family_(family) {}
+  // The steps go to `steps`.
+  BodyReader(Cursor& cursor, Scope& scope, ExpressionReader& expressions, Family& family, std::vector<Step>& steps)
+      : cursor_(cursor), scope_(scope), expressions_(expressions), family_(family), steps_(steps) {}
 
   // Reads up to and with the `end` of the program, or reports that it is missing.
   void read();
+  // The same of a subprogram, which stands at `head`: its caller may have set the feed.
+  void read_subprogram(text::Span head);
+  [[nodiscard]] bool has_feed() const { return has_feed_; }
+  [[nodiscard]] bool needs_feed() const { return needs_feed_; }
 
  private:
   using Verb = void (BodyReader::*)();
@@ -24,7 +32,9 @@ class BodyReader {
     std::string_view word;
     Verb read;
   };
+  static std::span<const VerbRow> verb_rows();
   static const VerbRow* find_verb(std::string_view word);
+  static std::vector<std::string_view> verbs();
 
   void work_offset();
   void tool();
@@ -38,15 +48,20 @@ class BodyReader {
   void retract();
   void profile();
   void for_loop();
+  void for_in(const NewName& name);
+  void while_loop();
   void if_block();
   void else_block();
   void end();
   void let();
+  void set();
+  void call();
   void message();
   void dwell();
   void stop();
   void optional_stop();
 
+  [[nodiscard]] bool may_cut();
   Step step(StepKind kind) const;
   void add(Step step);
   void move(Step step);
@@ -66,12 +81,15 @@ class BodyReader {
   Scope& scope_;
   ExpressionReader& expressions_;
   Family& family_;
+  std::vector<Step>& steps_;
   std::vector<Open> open_;
   std::size_t open_profiles_ = 0;  // of those
   text::Span verb_;                // first word of the line
   std::uint32_t line_ = 0;
   bool ended_ = false;
   bool has_feed_ = false;
+  bool is_subprogram_ = false;
+  bool needs_feed_ = false;
 };
 
 }  // namespace dripfeed::family

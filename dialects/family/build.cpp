@@ -1,14 +1,18 @@
-// One function a step. Expressions are copied node by node, because passes rewrite a statement's expression in place;
-// minimum and maximum, which not every control has, become an assignment and an IF before the statement.
+// One function a step.
 #include "dialects/family/build.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "dialects/family/build_names.h"
 #include "dialects/family/emitter.h"
+#include "dialects/family/evaluate.h"
+#include "dialects/family/value_writer.h"
 #include "dialects/ir/motion.h"
 
 namespace dripfeed::family {
@@ -35,24 +39,32 @@ std::string upper_name(const Family& family) {
 
 class Builder {
  public:
-  explicit Builder(const BoundFamily& bound) : bound_(bound), family_(*bound.family), emit_(program_) {}
+  explicit Builder(const BoundFamily& bound)
+      : bound_(bound),
+        family_(*bound.family),
+        names_(bound),
+        emit_(program_),
+        values_(bound, names_, program_, emit_) {}
 
   ir::Program build() {
     program_.name = upper_name(family_);
     program_.strings = family_.arena.strings;
     program_.symbols = family_.arena.symbols;
     safe_start();
+    for (const List& list : family_.lists)
+      program_.symbols[static_cast<std::size_t>(list.symbol)].dimension1 =
+          static_cast<std::uint16_t>(list_in(bound_.values, list.symbol).size());
     for (const Parameter& parameter : family_.parameters) {
+      if (!names_.is_needed(parameter.symbol) || names_.is_fixed(parameter.symbol) ||
+          parameter.kind == ParameterKind::list)
+        continue;
       emit_.set_line(family_.source.position(parameter.span.begin).line);
-      emit_.assign(parameter.symbol, emit_.constant(value_of(parameter.symbol)));
+      emit_.assign(parameter.symbol, emit_.constant(names_.value_of(parameter.symbol)));
     }
-    for (const Definition& definition : family_.definitions) {
-      emit_.set_line(definition.line);
-      emit_.assign(definition.symbol, copy(definition.value));
-    }
-    for (const Step& step : family_.steps) {
-      emit_.set_line(step.line);
-      build_step(step);
+    define();
+    for (std::size_t i = 0; i < family_.steps.size(); ++i) {
+      emit_.set_line(family_.steps[i].line);
+      i = build_step(i);
     }
     if (compensation_ != Function::none) emit_.block({compensation_}, {});
     emit_.program_end();
@@ -63,9 +75,30 @@ class Builder {
  private:
   struct Loop {
     ir::SymbolId index;
+    Operator next = Operator::add;  // by one
   };
 
-  [[nodiscard]] double value_of(ir::SymbolId symbol) const { return bound_.values[static_cast<std::size_t>(symbol)]; }
+  // Lets and lists in the order of the text.
+  void define() {
+    auto list = family_.lists.begin();
+    for (const Definition& definition : family_.definitions) {
+      for (; list != family_.lists.end() && list->line < definition.line; ++list) build_list(*list);
+      if (!names_.is_needed(definition.symbol) || names_.is_fixed(definition.symbol)) continue;
+      emit_.set_line(definition.line);
+      values_.assign(definition.symbol, definition.value);
+    }
+    for (; list != family_.lists.end(); ++list) build_list(*list);
+  }
+
+  void build_list(const List& list) {
+    if (!names_.is_needed(list.symbol)) return;
+    emit_.set_line(list.line);
+    const std::span<const double> numbers = list_in(bound_.values, list.symbol);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const ExpressionId value = list.elements.empty() ? emit_.constant(numbers[i]) : values_.copy(list.elements[i]);
+      emit_.assign(list.symbol, value, values_.whole(static_cast<double>(i)));
+    }
+  }
 
   void safe_start() {
     emit_.set_line(family_.program_line);
@@ -82,31 +115,10 @@ class Builder {
     }
   }
 
-  // A copy of a family's expression in the program. What must be computed before is emitted on the way.
-  ExpressionId copy(ExpressionId id) {
-    const ir::Expression& e = family_.arena.at(id);
-    if (e.op == Operator::constant) return program_.add_constant(e.value, e.span);
-    if (e.op == Operator::variable) return emit_.variable(family_.arena.at(e.variable).symbol);
-    const ExpressionId a = copy(e.a);
-    if (ir::operand_count(e.op) == 1) return program_.add_operator(e.op, a, ExpressionId::none, e.span);
-    const ExpressionId b = copy(e.b);
-    if (e.op == Operator::minimum || e.op == Operator::maximum) return choose(e.op, a, b);
-    return program_.add_operator(e.op, a, b, e.span);
-  }
-
-  ExpressionId choose(Operator op, ExpressionId a, ExpressionId b) {
-    const ir::SymbolId chosen = emit_.new_symbol("chosen");
-    const ir::SymbolId other = emit_.new_symbol("other");
-    emit_.assign(chosen, a);
-    emit_.assign(other, b);
-    emit_.open(StatementKind::if_begin, emit_.binary(op == Operator::minimum ? Operator::less : Operator::greater,
-                                                     emit_.variable(other), emit_.variable(chosen)));
-    emit_.assign(chosen, emit_.variable(other));
-    emit_.close(StatementKind::if_end);
-    return emit_.variable(chosen);
-  }
-
-  void build_step(const Step& step) {
+  // Returns the last step that was built.
+  std::size_t build_step(std::size_t at) {
+    const Step& step = family_.steps[at];
+    if (joins_paths(step.kind)) motion_ = Function::none;
     switch (step.kind) {
       case StepKind::work_offset: work_offset(step); break;
       case StepKind::tool: tool(step); break;
@@ -117,39 +129,137 @@ class Builder {
       case StepKind::feed: feed(step); break;
       case StepKind::rapid: move(Function::rapid, step); break;
       case StepKind::cut: move(Function::linear, step); break;
-      case StepKind::arc_cw: emit_.block({Function::arc_cw}, words(step)); break;
-      case StepKind::arc_ccw: emit_.block({Function::arc_ccw}, words(step)); break;
+      case StepKind::arc_cw: arc(Function::arc_cw, step); break;
+      case StepKind::arc_ccw: arc(Function::arc_ccw, step); break;
       case StepKind::profile_begin:
       case StepKind::profile_end: break;  // lines only, see Family::profiles
       case StepKind::for_begin: for_begin(step); break;
       case StepKind::for_end: for_end(); break;
-      case StepKind::if_begin: emit_.open(StatementKind::if_begin, copy(step.values[0])); break;
-      case StepKind::if_else: emit_.close(StatementKind::else_begin); break;
-      case StepKind::if_end: emit_.close(StatementKind::if_end); break;
-      case StepKind::let: emit_.assign(step.target, copy(step.values[0])); break;
+      case StepKind::for_in_begin: for_in_begin(step); break;
+      case StepKind::for_in_end: for_end(); break;
+      case StepKind::while_begin: while_begin(step); break;
+      case StepKind::while_end: while_end(); break;
+      case StepKind::if_begin: return if_begin(at);
+      case StepKind::if_else: return if_else(at);
+      case StepKind::if_end: if_end(); break;
+      case StepKind::let: values_.assign(step.target, step.values[0]); break;
+      case StepKind::set: set(step); break;
       case StepKind::message: emit_.message(step.text); break;
       case StepKind::dwell: dwell(step); break;
       case StepKind::stop: emit_.block({Function::program_stop}, {}); break;
       case StepKind::optional_stop: emit_.block({Function::optional_stop}, {}); break;
     }
+    return at;
+  }
+
+  void set(const Step& step) {
+    const ExpressionId index = step.values[1] == ExpressionId::none ? ExpressionId::none : values_.copy(step.values[1]);
+    if (index == ExpressionId::none) return values_.assign(step.target, step.values[0]);
+    emit_.assign(step.target, values_.copy(step.values[0]), index);
+  }
+
+  // Of a condition that is decided now only one branch is built.
+  std::size_t if_begin(std::size_t at) {
+    const Step& step = family_.steps[at];
+    Branch branch{.is_decided = names_.is_decided(step.values[0])};
+    if (!branch.is_decided) emit_.open(StatementKind::if_begin, values_.copy(step.values[0]));
+    branches_.push_back(branch);
+    if (!branch.is_decided || evaluate(family_.arena, step.values[0], bound_.values).value != 0.0) return at;
+    return skip_branch(at);
+  }
+
+  std::size_t if_else(std::size_t at) {
+    if (branches_.back().is_decided) return skip_branch(at);
+    emit_.close(StatementKind::else_begin);
+    return at;
+  }
+
+  void if_end() {
+    if (!branches_.back().is_decided) emit_.close(StatementKind::if_end);
+    branches_.pop_back();
+  }
+
+  // From an `if` or `else` whose branch is not taken: to its `else`, or to the step before its `end`.
+  [[nodiscard]] std::size_t skip_branch(std::size_t at) const {
+    std::size_t depth = 0;
+    for (++at;; ++at) {
+      const StepKind kind = family_.steps[at].kind;
+      if (depth == 0 && kind == StepKind::if_else) return at;
+      if (depth == 0 && kind == StepKind::if_end) return at - 1;
+      if (kind == StepKind::if_begin) ++depth;
+      if (kind == StepKind::if_end) --depth;
+    }
+  }
+
+  // A condition that takes statements is found in the loop:
+  //   go_on = 1;  while go_on = 1;  statements;  if condition;  body;  else;  go_on = 0;  end;  end
+  void while_begin(const Step& step) {
+    if (!values_.needs_statements(step.values[0])) {
+      emit_.open(StatementKind::while_begin, values_.copy(step.values[0]));
+      return conditions_.push_back(ir::SymbolId::none);
+    }
+    const ir::SymbolId go_on = emit_.new_symbol("go_on");
+    emit_.assign(go_on, emit_.constant(1.0));
+    emit_.open(StatementKind::while_begin, emit_.binary(Operator::equal, emit_.variable(go_on), emit_.constant(1.0)));
+    emit_.open(StatementKind::if_begin, values_.copy(step.values[0]));
+    conditions_.push_back(go_on);
+  }
+
+  void while_end() {
+    const ir::SymbolId go_on = conditions_.back();
+    conditions_.pop_back();
+    if (go_on != ir::SymbolId::none) {
+      emit_.close(StatementKind::else_begin);
+      emit_.assign(go_on, emit_.constant(0.0));
+      emit_.close(StatementKind::if_end);
+    }
+    emit_.close(StatementKind::while_end);
+  }
+
+  // index = 0; while index < count: target = list[index]
+  void for_in_begin(const Step& step) {
+    const List& list = family_.lists[static_cast<std::size_t>(step.number)];
+    const std::string name(program_.strings.at(program_.at(step.target).name));
+    const ir::SymbolId index = emit_.new_symbol(fmt::format("{}_index", name));
+    emit_.assign(index, emit_.constant(0.0));
+    emit_.open(StatementKind::while_begin,
+               emit_.binary(Operator::less, emit_.variable(index), emit_.constant(names_.value_of(list.count))));
+    emit_.assign(step.target, emit_.variable(list.symbol, emit_.variable(index)));
+    loops_.push_back({index, Operator::add});
   }
 
   std::vector<EmittedWord> words(const Step& step) {
     std::vector<EmittedWord> out;
     for (std::uint32_t i = 0; i < step.word_count; ++i) {
       const StepWord& word = family_.words[step.first_word + i];
-      out.push_back({word.address, copy(word.value)});
+      out.push_back({word.address, values_.copy(word.value)});
     }
     return out;
   }
 
   // Compensation begins and ends with a straight move: its code goes into the next one's block.
   void move(Function motion, const Step& step) {
+    const std::vector<EmittedWord> to = words(step);  // may make statements of its own
     std::vector<EmittedCode> codes;
     if (compensation_ != Function::none) codes.push_back({std::exchange(compensation_, Function::none)});
-    codes.push_back({motion});
-    emit_.block(codes, words(step));
+    take_motion(motion, codes);
+    emit_.block(codes, to);
   }
+
+  void arc(Function motion, const Step& step) {
+    const std::vector<EmittedWord> to = words(step);
+    std::vector<EmittedCode> codes;
+    take_motion(motion, codes);
+    emit_.block(codes, to);
+  }
+
+  // The code, unless it is in effect.
+  void take_motion(Function motion, std::vector<EmittedCode>& codes) {
+    if (std::exchange(motion_, motion) != motion) codes.push_back({motion});
+  }
+
+  // After these another block may have come before: what is in effect there is not known.
+  static bool joins_paths(StepKind kind) { return kind >= StepKind::for_begin && kind <= StepKind::if_end; }
 
   void work_offset(const Step& step) {
     const EmittedCode code{Function::work_offset, static_cast<std::int16_t>(step.number)};
@@ -158,7 +268,7 @@ class Builder {
 
   // The first edge of the tool, as controls with edges say it; others make their own offset number of it.
   void tool(const Step& step) {
-    const std::vector<EmittedWord> which = {{ir::Address::t, emit_.constant(step.number)},
+    const std::vector<EmittedWord> which = {{ir::Address::t, emit_.constant(tool_number(bound_, step))},
                                             {ir::Address::d, emit_.constant(1.0)}};
     if (family_.machine == ir::MachineKind::lathe) {
       emit_.block(std::span<const EmittedCode>(), which);
@@ -168,8 +278,8 @@ class Builder {
   }
 
   void spindle(const Step& step) {
-    std::vector<EmittedWord> out = {{ir::Address::s, copy(step.values[0])}};
-    if (step.values[1] != ExpressionId::none) out.push_back({ir::Address::spindle_limit, copy(step.values[1])});
+    std::vector<EmittedWord> out = {{ir::Address::s, values_.copy(step.values[0])}};
+    if (step.values[1] != ExpressionId::none) out.push_back({ir::Address::spindle_limit, values_.copy(step.values[1])});
     std::vector<EmittedCode> codes;
     if (step.dimension == kSurfaceSpeed) {
       codes.push_back({Function::surface_speed_on});
@@ -188,77 +298,100 @@ class Builder {
   }
 
   void feed(const Step& step) {
-    const std::vector<EmittedWord> value = {{ir::Address::f, copy(step.values[0])}};
+    const std::vector<EmittedWord> value = {{ir::Address::f, values_.copy(step.values[0])}};
+    if (has_one_feed_mode()) return emit_.block(std::span<const EmittedCode>(), value);  // stated at the start
     emit_.block({step.dimension == kFeedPerRev ? Function::feed_per_rev : Function::feed_per_min}, value);
+  }
+
+  [[nodiscard]] bool has_one_feed_mode() const {
+    const auto sets = [](Dimension dimension) {
+      return [dimension](const Step& one) { return one.kind == StepKind::feed && one.dimension == dimension; };
+    };
+    return std::ranges::none_of(family_.steps, sets(kFeedPerRev)) ||
+           std::ranges::none_of(family_.steps, sets(kFeedPerMin));
   }
 
   // Seconds, as controls say it that count a dwell in F.
   void dwell(const Step& step) {
-    const std::vector<EmittedWord> value = {{ir::Address::f, copy(step.values[0])}};
+    const std::vector<EmittedWord> value = {{ir::Address::f, values_.copy(step.values[0])}};
     emit_.block({Function::dwell}, value);
-  }
-
-  // What a loop's bound is named by: itself when it is a number or a name, otherwise a variable that is computed once.
-  struct Bound {
-    ir::SymbolId symbol = ir::SymbolId::none;
-    double value = 0.0;
-  };
-  Bound bound(ExpressionId id, std::string_view stem) {
-    const ir::Expression& e = family_.arena.at(id);
-    if (e.op == Operator::constant) return {.value = e.value};
-    if (e.op == Operator::variable) return {family_.arena.at(e.variable).symbol};
-    const ExpressionId value = copy(id);
-    const Bound out{emit_.new_symbol(stem)};
-    emit_.assign(out.symbol, value);
-    return out;
-  }
-  ExpressionId say(const Bound& bound) {
-    return bound.symbol == ir::SymbolId::none ? emit_.constant(bound.value) : emit_.variable(bound.symbol);
   }
 
   // last = trunc((to - from)/step + 0.999999); while index <= last: t = from + index*step, and exactly `to` at last.
   void for_begin(const Step& step) {
     const std::string name(program_.strings.at(program_.at(step.target).name));
-    const Bound from = bound(step.values[0], fmt::format("{}_from", name));
-    const Bound to = bound(step.values[1], fmt::format("{}_to", name));
-    const Bound by = bound(step.values[2], fmt::format("{}_step", name));
-    const ir::SymbolId last = emit_.new_symbol(fmt::format("{}_last", name));
+    const ValueWriter::Bound from = values_.bound(step.values[0], fmt::format("{}_from", name));
+    const ValueWriter::Bound to = values_.bound(step.values[1], fmt::format("{}_to", name));
+    if (counts_whole(step)) return count_begin(step, from, to);
+    const ValueWriter::Bound by = values_.bound(step.values[2], fmt::format("{}_step", name));
+    const ExpressionId way = step.down ? values_.calculate(Operator::subtract, values_.say(from), values_.say(to))
+                                       : values_.calculate(Operator::subtract, values_.say(to), values_.say(from));
+    const ExpressionId trips = values_.calculate(Operator::divide, way, values_.say(by));
+    const ValueWriter::Bound last = last_trip(trips, name);
     const ir::SymbolId index = emit_.new_symbol(fmt::format("{}_index", name));
-
-    const ExpressionId way = step.down ? emit_.binary(Operator::subtract, say(from), say(to))
-                                       : emit_.binary(Operator::subtract, say(to), say(from));
-    emit_.assign(last, emit_.binary(Operator::divide, way, say(by)));
-    // Cutting goes toward zero, so a way that leads back must not come to it.
-    emit_.open(StatementKind::if_begin, emit_.binary(Operator::less, emit_.variable(last), emit_.constant(kBackward)));
-    emit_.assign(last, emit_.constant(-2.0));
-    emit_.close(StatementKind::if_end);
-    const ExpressionId raised = emit_.binary(Operator::add, emit_.variable(last), emit_.constant(kTripRounding));
-    emit_.assign(last, program_.add_operator(Operator::truncate, raised));
     emit_.assign(index, emit_.constant(0.0));
     emit_.open(StatementKind::while_begin,
-               emit_.binary(Operator::less_equal, emit_.variable(index), emit_.variable(last)));
-    const ExpressionId gone = emit_.binary(Operator::multiply, emit_.variable(index), say(by));
-    emit_.assign(step.target, emit_.binary(step.down ? Operator::subtract : Operator::add, say(from), gone));
+               emit_.binary(Operator::less_equal, emit_.variable(index), values_.say(last)));
+    const ExpressionId gone = values_.calculate(Operator::multiply, emit_.variable(index), values_.say(by));
+    emit_.assign(step.target,
+                 values_.calculate(step.down ? Operator::subtract : Operator::add, values_.say(from), gone));
     emit_.open(StatementKind::if_begin,
-               emit_.binary(Operator::greater_equal, emit_.variable(index), emit_.variable(last)));
-    emit_.assign(step.target, say(to));
+               emit_.binary(Operator::greater_equal, emit_.variable(index), values_.say(last)));
+    emit_.assign(step.target, values_.say(to));
     emit_.close(StatementKind::if_end);
-    loops_.push_back({index});
+    loops_.push_back({index, Operator::add});
+  }
+
+  // The number of the last trip, from 0; less than 0 where there is none.
+  ValueWriter::Bound last_trip(ExpressionId trips, std::string_view name) {
+    if (const std::optional<double> known = values_.number(trips))
+      return {.value = *known < kBackward ? -2.0 : std::trunc(*known + kTripRounding)};
+    const ValueWriter::Bound last{emit_.new_symbol(fmt::format("{}_last", name))};
+    emit_.assign(last.symbol, trips);
+    // Cutting goes toward zero, so a path that leads back must not come to it.
+    emit_.open(StatementKind::if_begin, emit_.binary(Operator::less, values_.say(last), emit_.constant(kBackward)));
+    emit_.assign(last.symbol, emit_.constant(-2.0));
+    emit_.close(StatementKind::if_end);
+    const ExpressionId raised = emit_.binary(Operator::add, values_.say(last), emit_.constant(kTripRounding));
+    emit_.assign(last.symbol, program_.add_operator(Operator::truncate, raised));
+    return last;
+  }
+
+  // From a whole number to a whole number by one: the name counts itself.
+  [[nodiscard]] bool counts_whole(const Step& step) const {
+    const ir::Expression& by = family_.arena.at(step.values[2]);
+    return by.op == Operator::constant && by.value == 1.0 && names_.is_always_whole(step.values[0]) &&
+           names_.is_always_whole(step.values[1]);
+  }
+
+  void count_begin(const Step& step, const ValueWriter::Bound& from, const ValueWriter::Bound& to) {
+    emit_.assign(step.target, values_.say(from));
+    emit_.open(StatementKind::while_begin, emit_.binary(step.down ? Operator::greater_equal : Operator::less_equal,
+                                                        emit_.variable(step.target), values_.say(to)));
+    loops_.push_back({step.target, step.down ? Operator::subtract : Operator::add});
   }
 
   void for_end() {
-    const ir::SymbolId index = loops_.back().index;
+    const Loop loop = loops_.back();
     loops_.pop_back();
-    emit_.assign(index, emit_.binary(Operator::add, emit_.variable(index), emit_.constant(1.0)));
+    emit_.assign(loop.index, emit_.binary(loop.next, emit_.variable(loop.index), emit_.constant(1.0)));
     emit_.close(StatementKind::while_end);
   }
 
   const BoundFamily& bound_;
   const Family& family_;
+  BuildNames names_;
   ir::Program program_;
   Emitter emit_;
+  ValueWriter values_;
   std::vector<Loop> loops_;
+  struct Branch {
+    bool is_decided = false;
+  };
+  std::vector<Branch> branches_;
+  std::vector<ir::SymbolId> conditions_;    // of open `while`s: go_on, or none
   Function compensation_ = Function::none;  // waits for the next move
+  Function motion_ = Function::none;        // in effect, as far as that is known
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/family/scope.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::family {
@@ -98,6 +99,16 @@ void Cursor::expected(std::string_view what) {
   } else {
     syntax(here.span, fmt::format("expected {}, found '{}'", what, word()));
   }
+}
+
+void Cursor::expected_one_of(std::string_view what, std::span<const std::string_view> words) {
+  const std::string_view near = peek().kind == LexemeKind::word ? nearest_of(word(), words) : std::string_view();
+  if (near.empty()) return expected(what);
+  text::Diagnostic fault = text::make_diagnostic(text::DiagnosticId::family_syntax, peek().span,
+                                                 {fmt::format("expected {}, found '{}'", what, word())});
+  fault.notes.push_back({peek().span, fmt::format("did you mean {}?", near)});
+  fault.fix = text::Edit{peek().span, std::string(near)};
+  report(std::move(fault));
 }
 
 void Cursor::syntax(text::Span span, std::string sentence) {

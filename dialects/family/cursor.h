@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,6 +58,8 @@ class Cursor {
   void report(text::Diagnostic diagnostic);
   // "expected …, found …" here.
   void expected(std::string_view what);
+  // The same, with the word that is most like the one found.
+  void expected_one_of(std::string_view what, std::span<const std::string_view> words);
   void syntax(text::Span span, std::string sentence);
 
   std::vector<text::Diagnostic> diagnostics;

@@ -106,10 +106,11 @@ void Emitter::block(std::initializer_list<Function> functions, std::span<const E
   block(codes, words);
 }
 
-void Emitter::assign(ir::SymbolId target, ir::ExpressionId value) {
+void Emitter::assign(ir::SymbolId target, ir::ExpressionId value, ir::ExpressionId index) {
   ir::Variable variable;
   variable.bank = ir::Bank::named;
   variable.symbol = target;
+  variable.index = index;
   program_.assigns.push_back({program_.add(variable), value});
   statement(ir::StatementKind::assign, program_.assigns.size() - 1);
 }
@@ -143,10 +144,11 @@ void Emitter::program_end() {
 
 void Emitter::subprogram_return() { statement(ir::StatementKind::subprogram_return, ir::kNoIndex); }
 
-ir::ExpressionId Emitter::variable(ir::SymbolId symbol) {
+ir::ExpressionId Emitter::variable(ir::SymbolId symbol, ir::ExpressionId index) {
   ir::Variable out;
   out.bank = ir::Bank::named;
   out.symbol = symbol;
+  out.index = index;
   return program_.add_variable(out);
 }
 

@@ -31,7 +31,7 @@ class Emitter {
   void block(std::span<const EmittedCode> codes, std::span<const EmittedWord> words);
   // Functions without arguments.
   void block(std::initializer_list<ir::Function> functions, std::span<const EmittedWord> words);
-  void assign(ir::SymbolId target, ir::ExpressionId value);
+  void assign(ir::SymbolId target, ir::ExpressionId value, ir::ExpressionId index = ir::ExpressionId::none);
   void open(ir::StatementKind kind, ir::ExpressionId condition);
   void close(ir::StatementKind kind);
   // An empty text clears the message.
@@ -41,7 +41,7 @@ class Emitter {
 
   // Expressions of the program. Each call makes a new node: nodes are never shared between statements.
   ir::ExpressionId constant(double value) { return program_.add_constant(value); }
-  ir::ExpressionId variable(ir::SymbolId symbol);
+  ir::ExpressionId variable(ir::SymbolId symbol, ir::ExpressionId index = ir::ExpressionId::none);
   ir::ExpressionId binary(ir::Operator op, ir::ExpressionId a, ir::ExpressionId b) {
     return program_.add_operator(op, a, b);
   }

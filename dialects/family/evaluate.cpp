@@ -92,11 +92,38 @@ constexpr auto kBinary = std::to_array<BinaryRow>({
 Dual leaf(const ir::Program& arena, const ir::Expression& e, std::span<const double> values, ir::SymbolId by) {
   if (e.op == Operator::constant) return {e.value};
   if (e.op != Operator::variable) return {kUndefined};
-  const ir::SymbolId symbol = arena.at(e.variable).symbol;
-  return {values[static_cast<std::size_t>(symbol)], truth(symbol == by)};
+  const ir::Variable& v = arena.at(e.variable);
+  return {value_of(arena, v, values), truth(v.symbol == by)};
 }
 
 }  // namespace
+
+std::span<const double> list_in(std::span<const double> values, ir::SymbolId list) {
+  const auto first = static_cast<std::size_t>(values[static_cast<std::size_t>(list)]);
+  return first == 0 ? std::span<const double>() : values.subspan(first, static_cast<std::size_t>(values[first - 1]));
+}
+
+double value_of(const ir::Program& arena, const ir::Variable& variable, std::span<const double> values) {
+  if (variable.index == ir::ExpressionId::none) return values[static_cast<std::size_t>(variable.symbol)];
+  const std::span<const double> list = list_in(values, variable.symbol);
+  const double index = evaluate(arena, variable.index, values).value;
+  const bool is_one = index >= 0.0 && index < static_cast<double>(list.size()) && index == std::floor(index);
+  return is_one ? list[static_cast<std::size_t>(index)] : kUndefined;
+}
+
+std::uint32_t uses_of(const ir::Program& arena, ir::ExpressionId expression, ir::SymbolId symbol) {
+  const ir::Expression& e = arena.at(expression);
+  const int operands = ir::operand_count(e.op);
+  if (operands > 0) return uses_of(arena, e.a, symbol) + (operands > 1 ? uses_of(arena, e.b, symbol) : 0U);
+  if (e.op != Operator::variable) return 0;
+  const ir::Variable& v = arena.at(e.variable);
+  const std::uint32_t in_index = v.index == ir::ExpressionId::none ? 0U : uses_of(arena, v.index, symbol);
+  return in_index + (v.symbol == symbol ? 1U : 0U);
+}
+
+bool names(const ir::Program& arena, ir::ExpressionId expression, ir::SymbolId symbol) {
+  return uses_of(arena, expression, symbol) > 0;
+}
 
 UnaryRule unary_rule(Operator op) {
   const auto row = std::ranges::find(kUnary, op, &UnaryRow::op);
@@ -138,7 +165,10 @@ bool names_unknown(const ir::Program& arena, ir::ExpressionId expression, std::s
   const ir::Expression& e = arena.at(expression);
   const int operands = ir::operand_count(e.op);
   if (operands == 0) {
-    return e.op == Operator::variable && !is_known[static_cast<std::size_t>(arena.at(e.variable).symbol)];
+    if (e.op != Operator::variable) return false;
+    const ir::Variable& v = arena.at(e.variable);
+    return !is_known[static_cast<std::size_t>(v.symbol)] ||
+           (v.index != ir::ExpressionId::none && names_unknown(arena, v.index, is_known));
   }
   return names_unknown(arena, e.a, is_known) || (operands > 1 && names_unknown(arena, e.b, is_known));
 }

@@ -21,10 +21,23 @@ using BinaryRule = Dual (*)(Dual a, Dual b);
 UnaryRule unary_rule(ir::Operator op);
 BinaryRule binary_rule(ir::Operator op);
 
-// `values` has one number a symbol of `arena`. The slope is by the symbol `by` (none: 0). Not finite where the
-// expression is not defined; conditions are 1 or 0.
+// The numbers of a list in `values`. They lie after those of the symbols: at the list's symbol stands where the first
+// is, and one before that how many there are.
+std::span<const double> list_in(std::span<const double> values, ir::SymbolId list);
+
+// `values` has one number a symbol of `arena`, and those of the lists. The slope is by the symbol `by` (none: 0). Not
+// finite where the expression is not defined; conditions are 1 or 0.
 Dual evaluate(const ir::Program& arena, ir::ExpressionId expression, std::span<const double> values,
               ir::SymbolId by = ir::SymbolId::none);
+
+// A name's value, or that of a list's number; not finite where the index is none of the list's.
+double value_of(const ir::Program& arena, const ir::Variable& variable, std::span<const double> values);
+
+// Whether the expression names the symbol.
+bool names(const ir::Program& arena, ir::ExpressionId expression, ir::SymbolId symbol);
+
+// How often the expression, taken as a tree, names the symbol.
+std::uint32_t uses_of(const ir::Program& arena, ir::ExpressionId expression, ir::SymbolId symbol);
 
 // The first node in evaluation order whose operands are finite and whose value is not; none when there is none.
 ir::ExpressionId first_undefined(const ir::Program& arena, ir::ExpressionId expression, std::span<const double> values);

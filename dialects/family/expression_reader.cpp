@@ -27,7 +27,6 @@ constexpr auto kComparisons = std::to_array<ComparisonRow>({{"<", Operator::less
 
 constexpr int kLargestExponent = 6;
 constexpr int kDeepestNesting = 50;
-constexpr std::uint32_t kLargestTree = 2000;  // nodes; powers multiply them
 
 }  // namespace
 

@@ -10,11 +10,14 @@
 #include <vector>
 
 #include "dialects/family/cursor.h"
+#include "dialects/family/model.h"
 #include "dialects/family/scope.h"
 #include "dialects/family/unit.h"
 #include "dialects/ir/program.h"
 
 namespace dripfeed::family {
+
+inline constexpr std::uint32_t kLargestTree = 2000;  // nodes; powers and functions multiply them
 
 // What an expression is: its node and dimension. After a fault the id may be none; readers check Cursor::line_failed.
 struct Typed {
@@ -33,10 +36,12 @@ struct Literal {
   text::Span span = {};
 };
 
-// The expression itself: reading stands in expression_reader.cpp, numbers, names and functions in operand_reader.cpp.
+// The expression itself: reading stands in expression_reader.cpp, numbers and names in operand_reader.cpp, functions in
+// function_reader.cpp.
 class ExpressionReader {
  public:
-  ExpressionReader(Cursor& cursor, Scope& scope, ir::Program& arena) : cursor_(cursor), scope_(scope), arena_(arena) {}
+  ExpressionReader(Cursor& cursor, Scope& scope, Family& family)
+      : cursor_(cursor), scope_(scope), family_(family), arena_(family.arena) {}
 
   // A value of any dimension.
   Typed value();
@@ -44,6 +49,10 @@ class ExpressionReader {
   Typed value_of(Dimension dimension);
   // A comparison or several joined.
   Typed condition();
+  // Either of them.
+  Typed value_or_condition() { return disjunction(); }
+  // The unit that stands here; nullptr, and nothing taken, where none does.
+  const Unit* unit();
   // A number with the unit after it, sign allowed; nothing after a fault.
   std::optional<Literal> literal(bool unit_allowed);
 
@@ -53,6 +62,13 @@ class ExpressionReader {
     ir::SymbolId symbol = ir::SymbolId::none;
   };
   void set_axis_variables(std::vector<AxisVariable> variables) { axis_variables_ = std::move(variables); }
+
+  // "name[" index "]" of a list, or "name" alone of another name: where a value can be put. Nothing after a fault.
+  struct Place {
+    Scope::Name name;
+    ir::ExpressionId index = ir::ExpressionId::none;
+  };
+  std::optional<Place> place();
 
   // A fault unless `typed` has the dimension: missing unit for a bare number (with the fix), else wrong unit.
   bool require_dimension(const Typed& typed, Dimension wanted);
@@ -81,8 +97,15 @@ class ExpressionReader {
   Typed primary();
   Typed number();
   Typed name();
+  Typed known_name(const Scope::Name& known, ir::Variable variable);
+  Typed choice(const Scope::Name& known, ir::Variable variable);
   Typed unknown_name(std::string_view word, text::Span span);
+  ir::ExpressionId index_of(const Scope::Name& list);
   Typed function();
+  Typed count();
+  Typed built_in(std::string_view name, text::Span span);
+  Typed user_function(const UserFunction& function, text::Span span);
+  std::vector<Typed> arguments(std::size_t count);
   bool function_dimension(std::string_view name, const Typed& a, const Typed& b, Dimension& out);
   Typed constant(double stored, Dimension dimension, text::Span span);
 
@@ -98,6 +121,7 @@ class ExpressionReader {
 
   Cursor& cursor_;
   Scope& scope_;
+  Family& family_;
   ir::Program& arena_;
   std::vector<AxisVariable> axis_variables_;
   int depth_ = 0;

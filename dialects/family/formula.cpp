@@ -1,6 +1,7 @@
 // Nodes in evaluation order; each is one call through a pointer.
 #include "dialects/family/formula.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace dripfeed::family {
@@ -8,6 +9,7 @@ namespace dripfeed::family {
 namespace {
 
 constexpr std::size_t kShort = 32;  // nodes that fit the stack
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -15,6 +17,12 @@ Formula::Formula(const ir::Program& arena, ir::ExpressionId expression, std::spa
                  ir::SymbolId first, ir::SymbolId second)
     : free_{first, second}, nodes_(2) {
   root_ = add(arena, expression, values);
+}
+
+// An index that depends on what stays free names no single number of a list.
+bool Formula::is_free_of(const ir::Program& arena, ir::ExpressionId id) const {
+  return std::ranges::none_of(free_,
+                              [&](ir::SymbolId free) { return free != ir::SymbolId::none && names(arena, id, free); });
 }
 
 bool Formula::is_constant(std::uint32_t node) const {
@@ -30,6 +38,9 @@ std::uint32_t Formula::add(const ir::Program& arena, ir::ExpressionId id, std::s
       const ir::SymbolId symbol = arena.at(e.variable).symbol;
       if (symbol == free_[0] && symbol != ir::SymbolId::none) return kFirst;
       if (symbol == free_[1] && symbol != ir::SymbolId::none) return kSecond;
+      node.constant = is_free_of(arena, id) ? evaluate(arena, id, values) : Dual{kNoNumber};
+      nodes_.push_back(node);
+      return static_cast<std::uint32_t>(nodes_.size() - 1);
     }
     node.constant = evaluate(arena, id, values);
   } else {
@@ -38,7 +49,7 @@ std::uint32_t Formula::add(const ir::Program& arena, ir::ExpressionId id, std::s
     node.unary = operands > 1 ? nullptr : unary_rule(e.op);
     node.binary = operands > 1 ? binary_rule(e.op) : nullptr;
     if (node.unary == nullptr && node.binary == nullptr) {
-      node.constant = {std::numeric_limits<double>::quiet_NaN()};
+      node.constant = {kNoNumber};
     } else if (is_constant(node.a) && is_constant(node.b)) {
       const Dual a = nodes_[node.a].constant;
       node.constant = node.unary != nullptr ? node.unary(a) : node.binary(a, nodes_[node.b].constant);

@@ -33,6 +33,7 @@ class Formula {
   static constexpr std::uint32_t kSecond = 1;
 
   std::uint32_t add(const ir::Program& arena, ir::ExpressionId id, std::span<const double> values);
+  [[nodiscard]] bool is_free_of(const ir::Program& arena, ir::ExpressionId id) const;
   [[nodiscard]] bool is_constant(std::uint32_t node) const;
 
   std::array<ir::SymbolId, 2> free_;

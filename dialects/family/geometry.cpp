@@ -68,15 +68,33 @@ curves::HeightField surface(const BoundFamily& bound, const SurfaceShape& shape)
   return out;
 }
 
+// The points, weights and knots that are given as lists. Lists of two lengths leave an empty curve, which is a fault.
+void add_lists(const BoundFamily& bound, const CurveShape& shape, curves::Nurbs& out) {
+  const auto numbers = [&](ir::SymbolId list) {
+    return list == ir::SymbolId::none ? std::span<const double>() : list_in(bound.values, list);
+  };
+  const std::span<const double> x = numbers(shape.x_list);
+  const std::span<const double> y = numbers(shape.y_list);
+  const std::span<const double> weight = numbers(shape.weight_list);
+  if (x.size() != y.size() || (!weight.empty() && weight.size() != x.size())) return;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    out.points.push_back({x[i], y[i]});
+    out.weights.push_back(weight.empty() ? 1.0 : weight[i]);
+  }
+  const std::span<const double> knots = numbers(shape.knot_list);
+  out.knots.insert(out.knots.end(), knots.begin(), knots.end());
+}
+
 // Bezier curves have an order of their points, and knots 0 and 1.
 curves::Nurbs nurbs(const BoundFamily& bound, const CurveShape& shape) {
   curves::Nurbs out;
-  out.order = shape.order == 0 ? shape.points.size() : static_cast<std::size_t>(shape.order);
   for (const CurvePoint& point : shape.points) {
     out.points.push_back({value_of(bound, point.x), value_of(bound, point.y)});
     out.weights.push_back(point.weight == ir::ExpressionId::none ? 1.0 : value_of(bound, point.weight));
   }
   for (const ir::ExpressionId knot : shape.knots) out.knots.push_back(value_of(bound, knot));
+  add_lists(bound, shape, out);
+  out.order = shape.order == 0 ? out.points.size() : static_cast<std::size_t>(shape.order);
   return out;
 }
 
@@ -114,9 +132,11 @@ PlaneCurve plane_curve(const BoundFamily& bound, const CurveShape& shape) {
 std::vector<ToolShape> tools(const BoundFamily& bound) {
   std::vector<ToolShape> out;
   for (const Step& step : bound.family->steps) {
-    if (step.kind != StepKind::tool || std::ranges::find(out, step.number, &ToolShape::number) != out.end()) continue;
+    if (step.kind != StepKind::tool) continue;
+    const std::int32_t number = tool_number(bound, step);
+    if (std::ranges::find(out, number, &ToolShape::number) != out.end()) continue;
     out.push_back(
-        {step.number, step.nose_radius_mm, step.tip, value_of(bound, step.values[0]), value_of(bound, step.values[1])});
+        {number, step.nose_radius_mm, step.tip, value_of(bound, step.values[0]), value_of(bound, step.values[1])});
   }
   return out;
 }
@@ -130,6 +150,7 @@ std::string fault_of(const BoundFamily& bound, const CurveShape& shape) {
 
 Geometry geometry(const BoundFamily& bound) {
   Geometry out;
+  out.machine = bound.family->machine;
   if (bound.family->stock) out.stock = stock(bound, *bound.family->stock);
   for (const NominalShape& shape : bound.family->nominals) out.nominal.pieces.push_back(piece(bound, shape));
   std::ranges::sort(out.nominal.pieces, {}, [](const curves::ProfilePiece& p) { return p.curve.z.low; });

@@ -43,6 +43,7 @@ struct PlaneCurve {
 };
 
 struct Geometry {
+  ir::MachineKind machine = ir::MachineKind::mill;  // that the family is for
   std::optional<Stock> stock;
   // x = f(z), x as radius, pieces in the order of z; empty when the family has none. Slopes are exact and second
   // derivatives are enclosed. The functions are pure and may be called from several threads.

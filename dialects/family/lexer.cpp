@@ -13,7 +13,7 @@ namespace {
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
-constexpr std::string_view kSymbols = "+-*/^()=<>,";
+constexpr std::string_view kSymbols = "+-*/^()[]=<>,";
 constexpr std::array<std::string_view, 4> kDoubles = {"..", "<=", ">=", "!="};
 // A line that ends in one of these is not finished.
 constexpr std::array<std::string_view, 7> kOpenEnds = {"+", "-", "*", "/", "^", "(", ","};
@@ -131,6 +131,17 @@ constexpr auto kKeywords = [] {
       "ratio",
       "in",
       "let",
+      "const",
+      "list",
+      "of",
+      "choice",
+      "yes_no",
+      "group",
+      "function",
+      "sub",
+      "call",
+      "set",
+      "while",
       "require",
       "stock",
       "cylinder",

@@ -14,6 +14,7 @@ namespace {
 
 // A value that went to stored units and back (4.7244 in) is shown without the last bits of that way.
 constexpr int kShownDecimals = 9;
+constexpr double kStepTolerance = 1e-6;  // of a step: values are decimals
 
 std::string in_unit(const Parameter& parameter, double stored) {
   std::string out =
@@ -30,14 +31,49 @@ const Parameter* Family::find_parameter(std::string_view parameter_name) const {
   return found == parameters.end() ? nullptr : &*found;
 }
 
+const List* Family::find_list(ir::SymbolId symbol) const {
+  const auto found = std::ranges::find(lists, symbol, &List::symbol);
+  return found == lists.end() ? nullptr : &*found;
+}
+
+std::string kind_of(const Parameter& parameter) {
+  switch (parameter.kind) {
+    case ParameterKind::number: return std::string(parameter.quantity);
+    case ParameterKind::list: return fmt::format("list of {}", parameter.quantity);
+    case ParameterKind::choice: return "choice";
+    case ParameterKind::yes_no: return "yes_no";
+    case ParameterKind::tool: return "tool";
+  }
+  return {};
+}
+
+std::string format_standard(const Parameter& parameter) {
+  if (!parameter.choices.empty()) return parameter.choices[static_cast<std::size_t>(parameter.standard)];
+  if (parameter.kind != ParameterKind::list) return format_value(parameter, parameter.standard);
+  std::string out;
+  for (const double one : parameter.standards) out += (out.empty() ? "" : ", ") + format_value(parameter, one);
+  return out;
+}
+
 std::string format_value(const Parameter& parameter, double stored) {
   const std::string number = in_unit(parameter, stored);
   return parameter.unit == nullptr ? number : fmt::format("{} {}", number, parameter.unit->name);
 }
 
-std::vector<std::string> range_arguments(const Parameter& parameter, double stored) {
-  return {parameter.name, format_value(parameter, stored), in_unit(parameter, parameter.low),
-          format_value(parameter, parameter.high)};
+std::optional<ValueFault> fault_of_value(const Parameter& parameter, double stored, const std::string& written) {
+  if (!(stored >= parameter.low && stored <= parameter.high))
+    return ValueFault{text::DiagnosticId::family_value_out_of_range,
+                      {parameter.name, format_value(parameter, stored), in_unit(parameter, parameter.low),
+                       format_value(parameter, parameter.high)}};
+  if (parameter.whole && !is_whole(stored))
+    return ValueFault{text::DiagnosticId::family_wrong_unit,
+                      {fmt::format("{} = {}", parameter.name, written), "a fraction", "a whole number"}};
+  if (parameter.step == 0.0) return std::nullopt;
+  const double steps = (stored - parameter.low) / parameter.step;
+  if (std::abs(steps - std::round(steps)) <= kStepTolerance) return std::nullopt;
+  return ValueFault{text::DiagnosticId::family_value_between_steps,
+                    {parameter.name, format_value(parameter, stored), format_value(parameter, parameter.step),
+                     format_value(parameter, parameter.low)}};
 }
 
 bool is_whole(double value) { return std::trunc(value) == value; }

@@ -6,34 +6,72 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dialects/family/unit.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
 #include "dialects/ir/statement.h"
+#include "dialects/text/diagnostic.h"
 #include "dialects/text/source.h"
 
 namespace dripfeed::family {
 
+// number: a quantity or a count; tool: the number of one. choice and yes_no are decided when the program is built.
+enum class ParameterKind : std::uint8_t { number, choice, yes_no, tool, list };
+
 struct Parameter {
   std::string name;
-  Dimension dimension = {};
-  bool whole = false;          // count: whole numbers only
-  const Unit* unit = nullptr;  // as its default was written; nullptr for count and ratio
-  double standard = 0.0;       // the default, stored unit
-  double low = 0.0;            // stored unit
+  ParameterKind kind = ParameterKind::number;
+  std::string_view quantity;           // number, list: "length", as it was written
+  Dimension dimension = {};            // lists: of each number
+  bool whole = false;                  // count, tool: whole numbers only
+  const Unit* unit = nullptr;          // as its default was written; nullptr for count and ratio
+  double standard = 0.0;               // the default, stored unit; choice: its place in `choices`; yes_no: 1 or 0
+  std::vector<double> standards = {};  // list: the default
+  double low = 0.0;                    // stored unit
   double high = 0.0;
-  std::string text = {};  // what it is, for people; may be empty
+  double step = 0.0;        // stored unit; values are low + a whole number of steps; 0: any
+  std::int32_t fewest = 0;  // list: how many numbers it has
+  std::int32_t most = 0;
+  std::vector<std::string> choices = {};  // words
+  std::string text = {};                  // what it is, for people; may be empty
+  std::string group = {};                 // heading under which forms show it; may be empty
   ir::SymbolId symbol = ir::SymbolId::none;
   text::Span span;  // of its name
 };
 
-// `let name = value` before the body. `line` is 1-based.
+// Numbers of one kind, counted from 0: consecutive variables at the control.
+struct List {
+  ir::SymbolId symbol = ir::SymbolId::none;
+  ir::SymbolId count = ir::SymbolId::none;  // how many there are, as a name that expressions use
+  Dimension dimension;
+  std::vector<ir::ExpressionId> elements;  // empty for a parameter
+  std::uint32_t line = 0;
+};
+
+// `let name = value` or `const name = value` before the body. `line` is 1-based.
 struct Definition {
   ir::SymbolId symbol = ir::SymbolId::none;
   ir::ExpressionId value = ir::ExpressionId::none;
   std::uint32_t line = 0;
+  bool is_constant = false;
+};
+
+// function name(parameters) = value. Where it is used, its value stands with the arguments in it.
+struct FunctionParameter {
+  ir::SymbolId symbol = ir::SymbolId::none;
+  Dimension dimension;
+  std::uint32_t uses = 0;  // places of the value that name it
+};
+struct UserFunction {
+  std::string name;
+  std::vector<FunctionParameter> parameters;
+  ir::ExpressionId value = ir::ExpressionId::none;
+  Dimension dimension;
+  bool is_condition = false;
+  std::uint32_t size = 0;  // nodes of its tree
 };
 
 struct Requirement {
@@ -88,7 +126,12 @@ struct CurveShape {
   std::int32_t order = 0;  // points: degree + 1; 0: Bezier, as many as points
   std::vector<CurvePoint> points;
   std::vector<ir::ExpressionId> knots;  // empty: clamped and uniform
-  bool of_center = false;               // where the tool's centre goes, not what it leaves
+  // Or of all points, their weights and the knots as lists; none where there is no such list.
+  ir::SymbolId x_list = ir::SymbolId::none;
+  ir::SymbolId y_list = ir::SymbolId::none;
+  ir::SymbolId weight_list = ir::SymbolId::none;
+  ir::SymbolId knot_list = ir::SymbolId::none;
+  bool of_center = false;  // where the tool's centre goes, not what it leaves
   ir::ExpressionId tolerance = ir::ExpressionId::none;
   std::uint32_t line = 0;
   text::Span span;
@@ -110,10 +153,15 @@ enum class StepKind : std::uint8_t {
   profile_end,
   for_begin,  // target; values: from, to, step
   for_end,
+  for_in_begin,  // target; number: row of Family::lists
+  for_in_end,
+  while_begin,  // values[0]
+  while_end,
   if_begin,  // values[0]
   if_else,
   if_end,
   let,      // target = values[0]
+  set,      // target = values[0], or target[values[1]] of a list
   message,  // text
   dwell,    // values[0]
   stop,
@@ -130,7 +178,7 @@ struct Step {
   StepKind kind = StepKind::stop;
   std::uint32_t line = 0;  // 1-based
   text::Span span = {};
-  std::int32_t number = 0;
+  std::int32_t number = 0;                      // tool: 0 when `target` is a parameter
   Dimension dimension;                          // feed, spindle: of values[0]
   ir::Function direction = ir::Function::none;  // spindle: spindle_cw, spindle_ccw, none
   bool down = false;                            // for
@@ -143,6 +191,15 @@ struct Step {
   std::int32_t tip = 0;         // tool: imaginary tip 0..9
 };
 
+// Its steps stand wherever it is called, after the assignments of its arguments.
+struct Subprogram {
+  std::string name;
+  std::vector<FunctionParameter> parameters;
+  std::vector<Step> steps;
+  bool needs_feed = false;  // it cuts before it sets a feed
+  bool sets_feed = false;
+};
+
 struct LineRange {
   std::uint32_t first = 0;  // 1-based, both included
   std::uint32_t last = 0;
@@ -153,12 +210,15 @@ struct Family {
   std::string title;  // for people; may be empty
   text::Source source;
   ir::MachineKind machine = ir::MachineKind::mill;
+  text::Span machine_span;  // of its word
   bool x_is_diameter = false;
   std::string program_name;  // after `program`
   std::uint32_t program_line = 0;
 
   std::vector<Parameter> parameters;
   std::vector<Definition> definitions;
+  std::vector<List> lists;
+  std::vector<UserFunction> functions;
   std::vector<Requirement> requirements;
   std::optional<StockShape> stock;
   std::vector<NominalShape> nominals;
@@ -169,6 +229,7 @@ struct Family {
   ir::SymbolId y_variable = ir::SymbolId::none;
   ir::SymbolId z_variable = ir::SymbolId::none;
 
+  std::vector<Subprogram> subprograms;
   std::vector<Step> steps;
   std::vector<StepWord> words;
   std::vector<LineRange> profiles;  // lines between `profile` and its `end`
@@ -177,12 +238,23 @@ struct Family {
   ir::Program arena;
 
   [[nodiscard]] const Parameter* find_parameter(std::string_view parameter_name) const;
+  // nullptr for what is no list.
+  [[nodiscard]] const List* find_list(ir::SymbolId symbol) const;
 };
 
+// "length", "list of length", "choice": as `param` lines name it.
+std::string kind_of(const Parameter& parameter);
+// The default as one would write it: "100 mm", "10 mm, 12 mm", "rough".
+std::string format_standard(const Parameter& parameter);
 // "120 mm", "3": a stored value in the unit of the parameter's default.
 std::string format_value(const Parameter& parameter, double stored);
-// Arguments of family_value_out_of_range.
-std::vector<std::string> range_arguments(const Parameter& parameter, double stored);
+// What forbids a stored value, or one number of a list: beyond the range, between the steps, no whole number. `written`
+// is the value as somebody wrote it.
+struct ValueFault {
+  text::DiagnosticId id;
+  std::vector<std::string> arguments;
+};
+std::optional<ValueFault> fault_of_value(const Parameter& parameter, double stored, const std::string& written);
 bool is_whole(double value);
 
 }  // namespace dripfeed::family

@@ -109,6 +109,27 @@ void NominalReader::point(CurveShape& out) {
   if (!cursor_.line_failed()) out.points.push_back(point);
 }
 
+// points LIST LIST [weights LIST]
+void NominalReader::points(CurveShape& out) {
+  const auto expect_list = [&](Dimension dimension, ir::SymbolId& into) {
+    if (!cursor_.line_failed() && !accept_list(dimension, into)) cursor_.expected("the name of a list");
+  };
+  expect_list(kLength, out.x_list);
+  expect_list(kLength, out.y_list);
+  if (!cursor_.line_failed() && cursor_.accept_word("weights")) expect_list(kRatio, out.weight_list);
+}
+
+// A list's name without an index.
+bool NominalReader::accept_list(Dimension dimension, ir::SymbolId& into) {
+  const Scope::Name* known = cursor_.peek().kind == LexemeKind::word ? scope_.find(cursor_.word()) : nullptr;
+  if (known == nullptr || known->kind != NameKind::list || cursor_.at_symbol("[", 1)) return false;
+  into = known->symbol;
+  const Typed numbers{.dimension = known->dimension, .span = cursor_.peek().span};
+  cursor_.advance();
+  expressions_.require_dimension(numbers, dimension);
+  return true;
+}
+
 void NominalReader::point_curve(CurveShape out) {
   const text::Span head = cursor_.last_span();
   tolerance(out.tolerance);
@@ -122,12 +143,19 @@ void NominalReader::point_curve(CurveShape out) {
     }
     if (cursor_.accept_word("point")) {
       point(out);
+    } else if (cursor_.accept_word("points")) {
+      points(out);
     } else if (cursor_.accept_word("knots")) {
+      if (accept_list(kRatio, out.knot_list)) {
+        failed = failed || cursor_.line_failed();
+        cursor_.finish_line();
+        continue;
+      }
       while (!cursor_.line_failed() && !cursor_.at_line_end()) {
         out.knots.push_back(expressions_.value_of(kRatio).id);
       }
     } else {
-      cursor_.expected("point, knots or end");
+      cursor_.expected("point, points, knots or end");
     }
     failed = failed || cursor_.line_failed();
     cursor_.finish_line();

@@ -24,6 +24,8 @@ class NominalReader {
   void formula_curve(CurveShape out);
   void point_curve(CurveShape out);
   void point(CurveShape& out);
+  void points(CurveShape& out);
+  bool accept_list(Dimension dimension, ir::SymbolId& into);
   // "in" a ".." b, both of that dimension.
   ExpressionRange range(Dimension dimension);
   void tolerance(ir::ExpressionId& out);

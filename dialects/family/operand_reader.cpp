@@ -1,55 +1,15 @@
-// The operands of expressions: brackets, numbers with units, names and functions. Functions are a table: what their
-// arguments must be and what they give.
+// The operands of expressions: brackets, numbers with units, and names: of numbers, of lists with an index, of choices.
 #include <algorithm>
-#include <array>
 #include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "dialects/family/expression_reader.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::family {
-
-namespace {
-
-using ir::Operator;
-
-enum class Rule : std::uint8_t { angle_to_ratio, ratio_to_angle, ratio_to_ratio, root, same, legs_to_angle };
-struct FunctionRow {
-  std::string_view name;
-  Operator op;
-  int arguments;
-  Rule rule;
-};
-constexpr auto kFunctions = std::to_array<FunctionRow>({
-    {"sin", Operator::sin, 1, Rule::angle_to_ratio},
-    {"cos", Operator::cos, 1, Rule::angle_to_ratio},
-    {"tan", Operator::tan, 1, Rule::angle_to_ratio},
-    {"asin", Operator::asin, 1, Rule::ratio_to_angle},
-    {"acos", Operator::acos, 1, Rule::ratio_to_angle},
-    {"atan", Operator::atan, 1, Rule::ratio_to_angle},
-    {"atan2", Operator::atan2, 2, Rule::legs_to_angle},
-    {"sqrt", Operator::sqrt, 1, Rule::root},
-    {"abs", Operator::abs, 1, Rule::same},
-    {"min", Operator::minimum, 2, Rule::same},
-    {"max", Operator::maximum, 2, Rule::same},
-    {"round", Operator::round, 1, Rule::ratio_to_ratio},
-    {"trunc", Operator::truncate, 1, Rule::ratio_to_ratio},
-    {"ln", Operator::ln, 1, Rule::ratio_to_ratio},
-    {"exp", Operator::exp, 1, Rule::ratio_to_ratio},
-    {"radians", Operator::multiply, 1, Rule::angle_to_ratio},  // by pi/180
-});
-
-const FunctionRow* find_function(std::string_view name) {
-  const auto row = std::ranges::find(kFunctions, name, &FunctionRow::name);
-  return row == kFunctions.end() ? nullptr : &*row;
-}
-
-constexpr std::int8_t half(std::int8_t exponent) { return static_cast<std::int8_t>(exponent / 2); }
-
-}  // namespace
 
 Typed ExpressionReader::primary() {
   if (cursor_.peek().kind == LexemeKind::number) return number();
@@ -112,13 +72,16 @@ std::optional<Literal> ExpressionReader::literal(bool unit_allowed) {
   cursor_.advance();
   Literal out{decimal ? decimal->value : 0.0, nullptr, text::join(start, cursor_.last_span())};
   if (negative) out.written = -out.written;
-  std::size_t lexemes = 0;
-  if (unit_allowed) out.unit = unit_here(lexemes);
-  if (out.unit != nullptr) {
-    for (std::size_t i = 0; i < lexemes; ++i) cursor_.advance();
-    out.span.end = cursor_.last_span().end;
-  }
+  if (unit_allowed) out.unit = unit();
+  if (out.unit != nullptr) out.span.end = cursor_.last_span().end;
   return out;
+}
+
+const Unit* ExpressionReader::unit() {
+  std::size_t lexemes = 0;
+  const Unit* found = unit_here(lexemes);
+  for (std::size_t i = 0; found != nullptr && i < lexemes; ++i) cursor_.advance();
+  return found;
 }
 
 Typed ExpressionReader::name() {
@@ -129,17 +92,92 @@ Typed ExpressionReader::name() {
   ir::Variable variable;
   variable.bank = ir::Bank::named;
   variable.span = span;
-  Typed out{.dimension = kLength, .span = span};
   if (const auto axis = std::ranges::find(axis_variables_, word, &AxisVariable::word); axis != axis_variables_.end()) {
     variable.symbol = axis->symbol;
-  } else if (const Scope::Name* known = scope_.find(word)) {
-    variable.symbol = known->symbol;
-    out.dimension = known->dimension;
-  } else {
-    return unknown_name(word, span);
+    cursor_.advance();
+    return {.id = arena_.add_variable(variable), .dimension = kLength, .span = span};
+  }
+  const Scope::Name* known = scope_.find(word);
+  if (known == nullptr) return unknown_name(word, span);
+  variable.symbol = known->symbol;
+  return known_name(Scope::Name(*known), variable);
+}
+
+Typed ExpressionReader::known_name(const Scope::Name& known, ir::Variable variable) {
+  Typed out{.dimension = known.dimension, .span = variable.span};
+  cursor_.advance();
+  if (known.kind == NameKind::choice) return choice(known, variable);
+  if (known.kind == NameKind::list) {
+    variable.index = index_of(known);
+    variable.span.end = out.span.end = cursor_.last_span().end;
+  }
+  if (cursor_.line_failed()) return out;
+  out.id = arena_.add_variable(variable);
+  if (known.kind == NameKind::yes_no) {
+    out = make(ir::Operator::not_equal, {out, constant(0.0, kRatio, out.span)}, kRatio);
+    out.is_condition = true;
+  }
+  return out;
+}
+
+// "name is word".
+Typed ExpressionReader::choice(const Scope::Name& known, ir::Variable variable) {
+  Typed out{.span = variable.span};
+  if (!cursor_.expect_word("is")) return out;
+  const Parameter& parameter = *family_.find_parameter(known.name);
+  const auto word = std::ranges::find(parameter.choices, cursor_.word());
+  if (word == parameter.choices.end()) {
+    cursor_.expected(fmt::format("{}", fmt::join(parameter.choices, " or ")));
+    return out;
   }
   cursor_.advance();
   out.id = arena_.add_variable(variable);
+  out.span.end = cursor_.last_span().end;
+  const auto place = static_cast<double>(word - parameter.choices.begin());
+  out = make(ir::Operator::equal, {out, constant(place, kRatio, out.span)}, kRatio);
+  out.is_condition = true;
+  return out;
+}
+
+// "[" index "]" of a list; a constant one must be one of the list's.
+ir::ExpressionId ExpressionReader::index_of(const Scope::Name& list) {
+  if (!cursor_.at_symbol("[")) {
+    cursor_.syntax(cursor_.last_span(),
+                   fmt::format("{} is a list: name one of its numbers, {}[0]", list.name, list.name));
+    return ir::ExpressionId::none;
+  }
+  const Depth depth(*this);
+  if (cursor_.line_failed()) return ir::ExpressionId::none;
+  cursor_.advance();
+  const Typed index = value_of(kRatio);
+  cursor_.expect_symbol("]");
+  if (cursor_.line_failed()) return ir::ExpressionId::none;
+  const ir::Expression& e = arena_.at(index.id);
+  const std::uint16_t most = arena_.at(list.symbol).dimension1;
+  if (e.op == ir::Operator::constant && (e.value >= most || !is_whole(e.value)))
+    cursor_.syntax(index.span, fmt::format("{} has the numbers [0] to [{}]", list.name, most - 1));
+  return index.id;
+}
+
+std::optional<ExpressionReader::Place> ExpressionReader::place() {
+  const text::Span at = cursor_.peek().span;
+  const Scope::Name* known = cursor_.peek().kind == LexemeKind::word ? scope_.find(cursor_.word()) : nullptr;
+  if (known == nullptr) {
+    if (cursor_.peek().kind == LexemeKind::word) {
+      unknown_name(cursor_.word(), at);
+    } else {
+      cursor_.expected("a name");
+    }
+    return std::nullopt;
+  }
+  Place out{*known};
+  if (out.name.kind != NameKind::variable && out.name.kind != NameKind::list) {
+    cursor_.syntax(at, fmt::format("{} cannot be set: only a let of the program or a list can", out.name.name));
+    return std::nullopt;
+  }
+  cursor_.advance();
+  if (out.name.kind == NameKind::list) out.index = index_of(out.name);
+  if (cursor_.line_failed()) return std::nullopt;
   return out;
 }
 
@@ -155,48 +193,6 @@ Typed ExpressionReader::unknown_name(std::string_view word, text::Span span) {
   }
   cursor_.report(std::move(fault));
   return {.span = span};
-}
-
-Typed ExpressionReader::function() {
-  const text::Span at = cursor_.peek().span;
-  const FunctionRow* row = find_function(cursor_.word());
-  if (row == nullptr) {
-    cursor_.report(text::DiagnosticId::family_unknown_name, at, {std::string(cursor_.word())});
-    return {.span = at};
-  }
-  const Depth depth(*this);
-  cursor_.advance();
-  cursor_.expect_symbol("(");
-  const Typed a = cursor_.line_failed() ? Typed{} : sum();
-  if (row->arguments == 2) cursor_.expect_symbol(",");
-  const Typed b = cursor_.line_failed() || row->arguments == 1 ? a : sum();
-  cursor_.expect_symbol(")");
-  Typed out{.span = {at.begin, cursor_.last_span().end}};
-  if (!is_value(a) || !is_value(b) || !function_dimension(row->name, a, b, out.dimension)) return out;
-  if (row->name == "radians") {
-    out = scaled(a, std::numbers::pi / 180.0);
-    out.dimension = kRatio;
-  } else {
-    out = row->arguments == 1 ? make(row->op, {a}, out.dimension) : make(row->op, {a, b}, out.dimension);
-  }
-  out.span = {at.begin, cursor_.last_span().end};
-  return out;
-}
-
-bool ExpressionReader::function_dimension(std::string_view name, const Typed& a, const Typed& b, Dimension& out) {
-  switch (find_function(name)->rule) {
-    case Rule::angle_to_ratio: out = kRatio; return require_dimension(a, kAngle);
-    case Rule::ratio_to_angle: out = kAngle; return require_dimension(a, kRatio);
-    case Rule::ratio_to_ratio: out = kRatio; return require_dimension(a, kRatio);
-    case Rule::same: out = a.dimension; return same_dimension(a, b);
-    case Rule::legs_to_angle: out = kAngle; return same_dimension(a, b);
-    case Rule::root: break;
-  }
-  const Dimension d = a.dimension;
-  out = {half(d.length), half(d.angle), half(d.time), half(d.revolution), half(d.surface)};
-  if (out + out == d && time_scale(d) == 1.0 && time_scale(out) == 1.0) return true;
-  wrong_unit(a, "something that has a square root");
-  return false;
 }
 
 }  // namespace dripfeed::family

@@ -10,9 +10,12 @@
 
 #include "dialects/family/body_reader.h"
 #include "dialects/family/cursor.h"
+#include "dialects/family/evaluate.h"
 #include "dialects/family/expression_reader.h"
 #include "dialects/family/naming.h"
 #include "dialects/family/nominal_reader.h"
+#include "dialects/family/parameter_reader.h"
+#include "dialects/family/routine_reader.h"
 #include "dialects/family/scope.h"
 
 namespace dripfeed::family {
@@ -20,28 +23,10 @@ namespace dripfeed::family {
 namespace {
 
 // What a parameter may be: by its kind the dimensions that its default may have.
-struct KindRow {
-  std::string_view name;
-  std::array<Dimension, 2> dimensions;
-  bool whole;
-};
-constexpr auto kKinds = std::to_array<KindRow>({
-    {"length", {kLength, kLength}, false},
-    {"angle", {kAngle, kAngle}, false},
-    {"feed", {kFeedPerMin, kFeedPerRev}, false},
-    {"speed", {kSpeed, kSurfaceSpeed}, false},
-    {"time", {kTime, kTime}, false},
-    {"count", {kRatio, kRatio}, true},
-    {"ratio", {kRatio, kRatio}, false},
-});
-
-constexpr std::array<std::pair<std::string_view, ir::MachineKind>, 3> kMachines = {
-    {{"lathe", ir::MachineKind::lathe}, {"mill", ir::MachineKind::mill}, {"mill-turn", ir::MachineKind::mill_turn}}};
-
 class FamilyReader {
  public:
   explicit FamilyReader(const text::Source& source)
-      : cursor_(source.text(), lex(source.text())), expressions_(cursor_, scope_, family_.arena) {
+      : cursor_(source.text(), lex(source.text())), expressions_(cursor_, scope_, family_) {
     family_.source = source;
   }
 
@@ -82,12 +67,13 @@ class FamilyReader {
   void machine() {
     const text::Span at = cursor_.peek().span;
     const std::string kind = cursor_.expect_hyphenated("lathe, mill or mill-turn");
-    const auto row = std::ranges::find(kMachines, kind, &std::pair<std::string_view, ir::MachineKind>::first);
-    if (row == kMachines.end()) {
+    const auto row = std::ranges::find(ir::kMachineKindNames, kind);
+    if (row == ir::kMachineKindNames.end()) {
       cursor_.syntax(at, fmt::format("expected lathe, mill or mill-turn, found '{}'", kind));
       return;
     }
-    family_.machine = row->second;
+    family_.machine = static_cast<ir::MachineKind>(row - ir::kMachineKindNames.begin());
+    family_.machine_span = at;
     const bool stated = cursor_.accept_symbol(",");
     if (stated && cursor_.expect_word("x") && cursor_.expect_word("is")) {
       family_.x_is_diameter = cursor_.accept_word("diameter");
@@ -98,89 +84,74 @@ class FamilyReader {
   }
 
   void declaration() {
-    if (cursor_.accept_word("param")) {
-      parameter();
-    } else if (cursor_.accept_word("let")) {
-      definition();
-    } else if (cursor_.accept_word("require")) {
-      requirement();
-    } else if (cursor_.accept_word("stock")) {
-      stock();
-    } else if (cursor_.accept_word("nominal")) {
-      nominal();
+    using Read = void (FamilyReader::*)();
+    static constexpr auto kRows = std::to_array<std::pair<std::string_view, Read>>({
+        {"param", &FamilyReader::parameter},
+        {"let", &FamilyReader::definition},
+        {"const", &FamilyReader::constant},
+        {"list", &FamilyReader::list},
+        {"function", &FamilyReader::function},
+        {"sub", &FamilyReader::subprogram},
+        {"require", &FamilyReader::requirement},
+        {"stock", &FamilyReader::stock},
+        {"nominal", &FamilyReader::nominal},
+    });
+    const auto row = std::ranges::find(kRows, cursor_.word(), &std::pair<std::string_view, Read>::first);
+    if (row == kRows.end()) {
+      cursor_.expected("param, let, const, list, function, sub, require, stock, nominal or program");
     } else {
-      cursor_.expected("param, let, require, stock, nominal or program");
+      cursor_.advance();
+      (this->*row->second)();
     }
     cursor_.finish_line();
   }
 
-  void parameter() {
-    const std::optional<NewName> name = expect_new_name(cursor_, scope_);
-    if (!name) return;
-    const auto kind = std::ranges::find(kKinds, cursor_.word(), &KindRow::name);
-    if (kind == kKinds.end()) return cursor_.expected("length, angle, feed, speed, time, count or ratio");
-    cursor_.advance();
-    Parameter out{.name = name->name, .dimension = kind->dimensions.front(), .whole = kind->whole, .span = name->span};
-    parameter_values(out, *kind);
-    // The name stays known when its line is wrong, so that its uses are not reported as well.
-    out.symbol = scope_.define(family_.arena, out.name, out.dimension, out.span);
-    family_.parameters.push_back(std::move(out));
-  }
+  void parameter() { ParameterReader(cursor_, scope_, expressions_, family_).read(); }
 
-  void parameter_values(Parameter& out, const KindRow& kind) {
-    const auto standard = expressions_.literal(true);
-    if (!standard || !has_kind(*standard, kind)) return;
-    out.unit = standard->unit;
-    out.dimension = out.unit == nullptr ? kRatio : out.unit->dimension;
-    out.standard = Quantity{standard->written, standard->unit}.stored();
-    cursor_.expect_word("in");
-    const auto low = bound(out);
-    cursor_.expect_symbol("..");
-    const auto high = bound(out);
-    if (auto text = cursor_.accept_string()) out.text = std::move(*text);
-    if (!cursor_.line_failed() && low && high) check_range(out, *standard, *low, *high);
-  }
+  void definition() { define(false); }
+  void constant() { define(true); }
 
-  // The default's unit must be one of the kind's.
-  bool has_kind(const Literal& literal, const KindRow& kind) {
-    const Dimension found = literal.unit == nullptr ? kRatio : literal.unit->dimension;
-    if (std::ranges::find(kind.dimensions, found) != kind.dimensions.end()) return true;
-    Typed typed{.dimension = found, .is_bare = literal.unit == nullptr, .span = literal.span};
-    return expressions_.require_dimension(typed, kind.dimensions.front());
-  }
-
-  // One end of the range, stored unit.
-  std::optional<double> bound(const Parameter& parameter) {
-    const auto literal = expressions_.literal(parameter.unit != nullptr);
-    if (!literal) return std::nullopt;
-    const Unit* unit = literal->unit == nullptr ? parameter.unit : literal->unit;
-    Typed typed{.dimension = unit == nullptr ? kRatio : unit->dimension, .span = literal->span};
-    if (!expressions_.require_dimension(typed, parameter.dimension)) return std::nullopt;
-    return Quantity{literal->written, unit}.stored();
-  }
-
-  void check_range(Parameter& out, const Literal& standard, double low, double high) {
-    out.low = low;
-    out.high = high;
-    if (low > high) {
-      cursor_.syntax(out.span, fmt::format("the range of {} ends before it begins", out.name));
-    } else if (out.standard < low || out.standard > high) {
-      cursor_.report(text::DiagnosticId::family_value_out_of_range, standard.span, range_arguments(out, out.standard));
-    } else if (out.whole && !is_whole(out.standard)) {
-      cursor_.report(text::DiagnosticId::family_wrong_unit, standard.span,
-                     {std::string(standard.span.in(cursor_.text())), "a fraction", "a whole number"});
-    }
-  }
-
-  void definition() {
+  void define(bool is_constant) {
     const std::uint32_t line = cursor_.peek().line;
     const std::optional<NewName> name = expect_new_name(cursor_, scope_);
     if (!name || !cursor_.expect_symbol("=")) return;
     const Typed value = expressions_.value();
+    if (is_constant && depends_on_values(value.id))
+      cursor_.syntax(value.span,
+                     "a const is made of numbers and other consts; use let for what follows from parameters");
     if (cursor_.line_failed()) return;
     const ir::SymbolId symbol = scope_.define(family_.arena, name->name, value.dimension, name->span);
-    family_.definitions.push_back({symbol, value.id, line});
+    family_.definitions.push_back({symbol, value.id, line, is_constant});
   }
+
+  [[nodiscard]] bool depends_on_values(ir::ExpressionId value) const {
+    if (value == ir::ExpressionId::none) return false;
+    const auto names_one = [&](const auto& one) { return names(family_.arena, value, one.symbol); };
+    return std::ranges::any_of(family_.parameters, names_one) || std::ranges::any_of(family_.lists, names_one) ||
+           std::ranges::any_of(family_.definitions,
+                               [&](const Definition& one) { return !one.is_constant && names_one(one); });
+  }
+
+  // list NAME = value, value, ...
+  void list() {
+    const std::uint32_t line = cursor_.peek().line;
+    const std::optional<NewName> name = expect_new_name(cursor_, scope_);
+    if (!name || !cursor_.expect_symbol("=")) return;
+    List out;
+    out.line = line;
+    const Typed first = expressions_.value();
+    out.dimension = first.dimension;
+    out.elements.push_back(first.id);
+    while (!cursor_.line_failed() && cursor_.accept_symbol(","))
+      out.elements.push_back(expressions_.value_of(out.dimension).id);
+    if (out.elements.size() > kMostNumbers)
+      cursor_.syntax(name->span, fmt::format("a list has at most {} numbers", kMostNumbers));
+    if (!cursor_.line_failed())
+      add_list(family_, scope_, *name, std::move(out), static_cast<std::uint16_t>(out.elements.size()));
+  }
+
+  void function() { RoutineReader(cursor_, scope_, expressions_, family_).function(); }
+  void subprogram() { RoutineReader(cursor_, scope_, expressions_, family_).subprogram(); }
 
   void requirement() {
     const Typed condition = expressions_.condition();
@@ -226,7 +197,7 @@ class FamilyReader {
     family_.program_line = cursor_.peek().line;
     family_.program_name = cursor_.expect_hyphenated("the program's name");
     cursor_.finish_line();
-    BodyReader(cursor_, scope_, expressions_, family_).read();
+    BodyReader(cursor_, scope_, expressions_, family_, family_.steps).read();
   }
 
   Family family_;

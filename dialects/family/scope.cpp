@@ -6,17 +6,25 @@
 
 namespace dripfeed::family {
 
+namespace {
+
+// Words with fewer changes are near: one in three letters, and one more.
+std::size_t furthest(std::string_view word) { return word.size() / 3 + 2; }
+
+}  // namespace
+
 const Scope::Name* Scope::find(std::string_view name) const {
   // The last of this name: one is defined only where no earlier one is visible.
   const auto found = last_.find(name);
   return found == last_.end() || !names_[found->second].visible ? nullptr : &names_[found->second];
 }
 
-ir::SymbolId Scope::define(ir::Program& arena, std::string_view name, Dimension dimension, text::Span span) {
-  Name added{std::string(name), ir::SymbolId::none, dimension, span, true};
+ir::SymbolId Scope::define(ir::Program& arena, std::string_view name, Dimension dimension, text::Span span,
+                           NameKind kind) {
+  Name added{std::string(name), ir::SymbolId::none, dimension, span, true, kind};
   // Two loops over `t` are one variable at the control.
   const auto closed = last_.find(name);
-  if (closed != last_.end()) {
+  if (closed != last_.end() && kind != NameKind::list && names_[closed->second].kind != NameKind::list) {
     added.symbol = names_[closed->second].symbol;
   } else {
     ir::Symbol symbol;
@@ -32,7 +40,7 @@ ir::SymbolId Scope::define(ir::Program& arena, std::string_view name, Dimension 
 std::string_view Scope::nearest(std::string_view name) {
   constexpr std::uint64_t kMostLetters = 10'000'000;  // pairs of them, in a family: a few hundredths of a second
   std::string_view best;
-  std::size_t best_distance = name.size() / 3 + 2;  // one change in three letters, and one more
+  std::size_t best_distance = furthest(name);
   for (const Name& candidate : names_) {
     if (!candidate.visible) continue;
     compared_letters_ += name.size() * candidate.name.size();
@@ -46,9 +54,27 @@ std::string_view Scope::nearest(std::string_view name) {
   return best;
 }
 
+std::string_view nearest_of(std::string_view word, std::span<const std::string_view> words) {
+  std::string_view best;
+  std::size_t best_distance = furthest(word);
+  for (const std::string_view candidate : words) {
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance >= best_distance) continue;
+    best_distance = distance;
+    best = candidate;
+  }
+  return best;
+}
+
 void Scope::close() {
   for (std::size_t i = marks_.back(); i < names_.size(); ++i) names_[i].visible = false;
   marks_.pop_back();
+}
+
+void Scope::seal() {
+  const std::size_t first = marks_.back();
+  close();
+  std::erase_if(last_, [first](const auto& one) { return one.second >= first; });
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -14,6 +15,15 @@
 
 namespace dripfeed::family {
 
+// What a name may be used as.
+enum class NameKind : std::uint8_t {
+  value,     // a number that is given once, or counts a loop
+  variable,  // … that `set` may change
+  list,
+  choice,
+  yes_no,
+};
+
 class Scope {
  public:
   struct Name {
@@ -22,18 +32,22 @@ class Scope {
     Dimension dimension;
     text::Span span;
     bool visible = true;
+    NameKind kind = NameKind::value;
   };
 
   // nullptr when no visible name is so called.
   [[nodiscard]] const Name* find(std::string_view name) const;
   // Adds a symbol to `arena`, or takes the one of a name of a closed block over. `name` must not be visible now.
-  ir::SymbolId define(ir::Program& arena, std::string_view name, Dimension dimension, text::Span span);
+  ir::SymbolId define(ir::Program& arena, std::string_view name, Dimension dimension, text::Span span,
+                      NameKind kind = NameKind::value);
   // The visible name that is most like `name`, for "did you mean"; "" when none is near, or when so many were looked
   // for that more would cost the reader more than it helps.
   [[nodiscard]] std::string_view nearest(std::string_view name);
 
   void open() { marks_.push_back(names_.size()); }
   void close();
+  // Closes a block whose symbols are its own for ever: a later name that is so called gets another one.
+  void seal();
 
  private:
   struct Hash : std::hash<std::string_view> {
@@ -44,6 +58,9 @@ class Scope {
   std::uint64_t compared_letters_ = 0;                                        // by nearest()
   std::vector<std::size_t> marks_;
 };
+
+// The word that is most like `word`; "" when none is near.
+std::string_view nearest_of(std::string_view word, std::span<const std::string_view> words);
 
 // Changes (insert, drop, replace a letter) from one word to the other.
 std::size_t edit_distance(std::string_view a, std::string_view b);

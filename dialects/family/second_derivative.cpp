@@ -9,6 +9,8 @@
 #include <limits>
 #include <numbers>
 
+#include "dialects/family/evaluate.h"
+
 namespace dripfeed::family {
 
 namespace {
@@ -155,9 +157,11 @@ class Enclosure {
   [[nodiscard]] Jet leaf(const ir::Expression& e) const {
     if (e.op == Operator::constant) return {{e.value, e.value}, {}, {}};
     if (e.op != Operator::variable) return kUnknown;
-    const ir::SymbolId symbol = arena_.at(e.variable).symbol;
-    if (symbol == by_) return {range_, {1.0, 1.0}, {}};
-    const double value = values_[static_cast<std::size_t>(symbol)];
+    const ir::Variable& v = arena_.at(e.variable);
+    if (v.symbol == by_) return {range_, {1.0, 1.0}, {}};
+    // An index that depends on the variable names no single number of a list.
+    if (v.index != ir::ExpressionId::none && names(arena_, v.index, by_)) return kUnknown;
+    const double value = value_of(arena_, v, values_);
     return {{value, value}, {}, {}};
   }
 

@@ -2,6 +2,8 @@
 // owned by the dialect; a machine's profile copies the struct and overrides single fields.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -19,6 +21,14 @@
 namespace dripfeed::ir {
 
 enum class MachineKind : std::uint8_t { mill, lathe, mill_turn };
+// By MachineKind.
+inline constexpr std::array<std::string_view, 3> kMachineKindNames = {"mill", "lathe", "mill-turn"};
+constexpr std::string_view name_of(MachineKind kind) { return kMachineKindNames[static_cast<std::size_t>(kind)]; }
+// Whether a machine makes what was written for a kind: a mill-turn center turns like a lathe. It does not mill like a
+// mill: its X is a diameter and its plane is that of turning.
+constexpr bool serves(MachineKind machine, MachineKind wanted) {
+  return machine == wanted || (machine == MachineKind::mill_turn && wanted == MachineKind::lathe);
+}
 enum class GSystem : std::uint8_t { a, b, c };  // of lathes
 
 // A consecutive range of variables that the control has.

@@ -282,6 +282,8 @@ constexpr auto kRows = std::to_array<DiagnosticRow>({
    "Check the spelling against the param lines of the family."},
   {family_value_out_of_range, "family-value-out-of-range", error, "{} = {} lies outside {} .. {}",
    "The family's param line gives the range. Choose a value inside it."},
+  {family_value_between_steps, "family-value-between-steps", error, "{} = {} lies between the steps of {} from {}",
+   "The family's param line gives the step. Choose the lowest value plus a whole number of steps."},
   {family_missing_unit, "family-missing-unit", error, "{} needs a unit: {}",
    "Lengths, angles and feeds are written with their unit, so that nobody has to guess."},
   {family_wrong_unit, "family-wrong-unit", error, "{} is {}, {} is needed",
@@ -294,6 +296,8 @@ constexpr auto kRows = std::to_array<DiagnosticRow>({
    "Every param, let and for name is used once, and keywords are no names."},
   {family_bad_loop, "family-bad-loop", error, "the loop {}",
    "A loop needs a step that is not zero and that leads from its start to its end."},
+  {family_other_machine, "family-other-machine", error, "the family is for a {}, the machine is a {}",
+   "X of a lathe is a diameter, its plane and tools are others: choose a machine of the kind that the family names. A mill-turn center also takes families for lathes."},
   // checks
   {travel_exceeded, "travel-exceeded", error, "{} goes to {} in machine coordinates, the travel is {}",
    "The control stops at its limit, or the slide does. Check the work offset, the clamping and the program's zero."},

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "dialects/compile/execute.h"
+#include "dialects/compile/render.h"
 #include "dialects/compile/shared_definitions.h"
 #include "server/app/machine_facts.h"
 #include "server/app/surface_checks.h"
@@ -381,6 +382,10 @@ CheckReport examine(const Examination& given) {
   report.checks.diagnostics.insert(report.checks.diagnostics.end(), std::make_move_iterator(more.begin()),
                                    std::make_move_iterator(more.end()));
   check_characters(e, read.program, report.checks.diagnostics);
+  if (e.geometry) {
+    if (auto fault = compile::fault_of_machine(e.geometry->machine, e.control))
+      report.checks.diagnostics.push_back(std::move(*fault));
+  }
   if (readable) {
     run_checks(e, read.program, report);
   } else {

@@ -11,16 +11,16 @@ namespace dripfeed::app {
 
 namespace {
 
-bool is_whole(double value) { return std::floor(value) == value; }
-
 std::vector<sweep::Parameter> parameters_of(const FamilySweep& order) {
   std::vector<sweep::Parameter> parameters;
   for (const compile::ParameterDescription& one : compile::describe_family(order.family).parameters) {
+    // Lists, choices and tools keep their defaults.
+    if (one.most > 0 || !one.choices.empty() || one.kind == "tool") continue;
     if (std::ranges::find(order.fixed, one.name, &family::Override::name) != order.fixed.end()) continue;
     const std::string_view number = std::string_view(one.standard).substr(0, one.standard.find(' '));
     const double standard = text::parse_number(number).value_or(one.low);
-    const bool whole = one.unit.empty() && is_whole(standard) && is_whole(one.low) && is_whole(one.high);
-    parameters.push_back({one.name, one.unit, one.low, one.high, standard, whole});
+    const double step = one.kind == "count" ? std::max(one.step, 1.0) : one.step;
+    parameters.push_back({one.name, one.unit, one.low, one.high, standard, step});
   }
   return parameters;
 }

@@ -126,6 +126,10 @@ SurfaceChecks::SurfaceChecks(const Examination& e, SurfaceScope scope, checks::N
     return;
   }
   const family::Geometry& g = *e.geometry;
+  if (!ir::serves(e.control.kind, g.machine)) {
+    skipped.add("gouges and accuracy: stock and nominal are of a family for another kind of machine");
+    return;
+  }
   const bool turns = e.control.kind != ir::MachineKind::mill;
   const bool has_surface = g.stock || (turns ? !g.nominal.empty() : !g.surfaces.empty());
   if (scope == SurfaceScope::all) {

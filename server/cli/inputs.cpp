@@ -65,7 +65,6 @@ struct Settings {
 
 // kind=mill|lathe|mill-turn,g_system=A|B|C
 app::Result<Settings> read_control_option(std::string_view text) {
-  static constexpr std::array<std::string_view, 3> kKinds = {"mill", "lathe", "mill-turn"};
   Settings settings;
   while (!text.empty()) {
     const std::string_view item = text.substr(0, text.find(','));
@@ -73,9 +72,9 @@ app::Result<Settings> read_control_option(std::string_view text) {
     const std::size_t equals = item.find('=');
     const std::string_view name = item.substr(0, equals);
     const std::string_view value = equals == std::string_view::npos ? std::string_view() : item.substr(equals + 1);
-    const auto kind = std::ranges::find(kKinds, value);
-    if (name == "kind" && kind != kKinds.end()) {
-      settings.kind = static_cast<ir::MachineKind>(kind - kKinds.begin());
+    const auto kind = std::ranges::find(ir::kMachineKindNames, value);
+    if (name == "kind" && kind != ir::kMachineKindNames.end()) {
+      settings.kind = static_cast<ir::MachineKind>(kind - ir::kMachineKindNames.begin());
       settings.kind_given = true;
     } else if (name == "g_system" && value.size() == 1 && value[0] >= 'A' && value[0] <= 'C') {
       settings.g_system = static_cast<ir::GSystem>(value[0] - 'A');

@@ -353,7 +353,7 @@ void read_whole(ObjectReader& object, machine::Profile& profile) {
   object.text("title", profile.title);
   object.text("dialect", profile.control.dialect, true);
   if (const Document* notes = object.member("notes", list_of(json::text(""), ""))) read_notes(object, *notes, profile);
-  if (const auto kind = object.choice("kind", kKindWords, true))
+  if (const auto kind = object.choice("kind", ir::kMachineKindNames, true))
     profile.control.kind = static_cast<ir::MachineKind>(*kind);
   profile.machine.kind = profile.control.kind;
   read_machine(object, profile);

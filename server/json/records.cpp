@@ -198,12 +198,19 @@ std::string family(const store::Family& family, const compile::FamilyDescription
   document["text"] = family.text;
   Document parameters = Document::array();
   for (const compile::ParameterDescription& p : description.parameters) {
+    const bool has_range = p.choices.empty();
     parameters.push_back({{"name", p.name},
+                          {"kind", p.kind},
                           {"unit", p.unit},
                           {"default", p.standard},
-                          {"low", p.low},
-                          {"high", p.high},
-                          {"text", p.text}});
+                          {"low", has_range ? Document(p.low) : Document()},
+                          {"high", has_range ? Document(p.high) : Document()},
+                          {"step", p.step},
+                          {"choices", p.choices},
+                          {"fewest", p.fewest},
+                          {"most", p.most},
+                          {"text", p.text},
+                          {"group", p.group}});
   }
   document["parameters"] = std::move(parameters);
   return dump(document);

@@ -153,7 +153,7 @@ Document timing_document(const timing::Report& report) {
 
 Document control_document(const app::CheckReport& report) {
   return {{"title", report.control_title},
-          {"kind", kKindWords[static_cast<std::size_t>(report.kind)]},
+          {"kind", ir::name_of(report.kind)},
           {"g_system", kGSystemWords[static_cast<std::size_t>(report.g_system)]},
           {"feed_mode", kFeedModeWords[static_cast<std::size_t>(report.feed_mode)]},
           {"because_line", report.because_line},

@@ -18,11 +18,19 @@ Members family_head() {
 
 Schema parameter() {
   return object("a value that a part gives", {{"name", text("of the parameter")},
+                                              {"kind", text("as the family's `param` line names it: length, count, "
+                                                            "choice, yes_no, tool, list of length ...")},
                                               {"unit", text("of default, low and high; empty: a plain number")},
                                               {"default", text("as one would write it: \"100 mm\"")},
                                               {"low", or_null(number("least value, in `unit`; null: no bound"))},
                                               {"high", or_null(number("greatest value, in `unit`; null: no bound"))},
-                                              {"text", text("what it is, for people")}});
+                                              {"step", number("values are `low` plus a whole number of steps, in "
+                                                              "`unit`; 0: any value")},
+                                              {"choices", list_of(text(""), "the words of a choice or of yes_no")},
+                                              {"fewest", integer("numbers of a list; 0: it is none")},
+                                              {"most", integer("numbers of a list; 0: it is none")},
+                                              {"text", text("what it is, for people")},
+                                              {"group", text("the heading under which forms show it; may be empty")}});
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ Schema without_stall() {
 Schema control() {
   return object("as which control the text was read",
                 {{"title", text("for people")},
-                 {"kind", one_of(kKindWords, "of machine")},
+                 {"kind", one_of(ir::kMachineKindNames, "of machine")},
                  {"g_system", one_of(kGSystemWords, "G code system of a lathe")},
                  {"feed_mode", one_of(kFeedModeWords, "at power-on")},
                  {"because_line", integer("by which it was inferred; 0: it was named, or is the default")},

@@ -1,6 +1,7 @@
 // Machines and what their lines report.
 #include <algorithm>
 
+#include "dialects/ir/control.h"
 #include "protocol/modbus/machine_words.h"
 #include "protocol/packet/event.h"
 #include "server/app/line.h"
@@ -99,7 +100,7 @@ Schemas machine_schemas() {
       {"MachineSummary",
        object("a machine as a list shows it", head() + Members{{"title", text("for people; empty: none")},
                                                                {"dialect", text("of its control")},
-                                                               {"kind", one_of(kKindWords, "of machine")},
+                                                               {"kind", one_of(ir::kMachineKindNames, "of machine")},
                                                                {"link", text("URL of its line")},
                                                                {"status", reference("MachineStatus")}})},
       {"Utilisation",

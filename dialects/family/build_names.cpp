@@ -1,0 +1,89 @@
+// From the steps back to the declarations: what nothing names is not in the program.
+#include "dialects/family/build_names.h"
+
+#include <algorithm>
+
+#include "dialects/family/evaluate.h"
+
+namespace dripfeed::family {
+
+using ir::ExpressionId;
+using ir::Operator;
+
+BuildNames::BuildNames(const BoundFamily& bound)
+    : bound_(bound),
+      family_(*bound.family),
+      fixed_(family_.arena.symbols.size()),
+      needed_(family_.arena.symbols.size()) {
+  find_fixed();
+  find_needed();
+}
+
+void BuildNames::find_fixed() {
+  const auto fix = [this](ir::SymbolId symbol) { fixed_[static_cast<std::size_t>(symbol)] = 1; };
+  for (const Parameter& one : family_.parameters)
+    if (one.kind == ParameterKind::choice || one.kind == ParameterKind::yes_no || one.kind == ParameterKind::tool)
+      fix(one.symbol);
+  for (const Definition& one : family_.definitions)
+    if (one.is_constant) fix(one.symbol);
+  for (const List& one : family_.lists) fix(one.count);
+}
+
+void BuildNames::need(ExpressionId id) {
+  if (id == ExpressionId::none) return;
+  const ir::Expression& e = family_.arena.at(id);
+  const int operands = ir::operand_count(e.op);
+  if (operands > 0) need(e.a);
+  if (operands > 1) need(e.b);
+  if (e.op != Operator::variable) return;
+  const ir::Variable& v = family_.arena.at(e.variable);
+  need(v.index);
+  need(v.symbol);
+}
+
+void BuildNames::need(const Step& step) {
+  for (const ExpressionId value : step.values) need(value);
+  for (std::uint32_t i = 0; i < step.word_count; ++i) need(family_.words[step.first_word + i].value);
+  if (step.kind == StepKind::for_in_begin) need(family_.lists[static_cast<std::size_t>(step.number)].symbol);
+  if (step.kind != StepKind::set) return;
+  need(step.target);  // a list's other numbers stay as they are
+  set_.insert(step.target);
+}
+
+void BuildNames::need_numbers(const List& list) {
+  if (!is_needed(list.symbol)) return;
+  for (const ExpressionId element : list.elements) need(element);
+}
+
+void BuildNames::find_needed() {
+  for (const Step& step : family_.steps) need(step);
+  // What stands lower uses what stands above.
+  auto list = family_.lists.rbegin();
+  for (auto one = family_.definitions.rbegin(); one != family_.definitions.rend(); ++one) {
+    for (; list != family_.lists.rend() && list->line > one->line; ++list) need_numbers(*list);
+    if (is_needed(one->symbol)) need(one->value);
+  }
+  for (; list != family_.lists.rend(); ++list) need_numbers(*list);
+}
+
+bool BuildNames::is_decided(ExpressionId id) const {
+  const ir::Expression& e = family_.arena.at(id);
+  const int operands = ir::operand_count(e.op);
+  if (operands > 0) return is_decided(e.a) && (operands == 1 || is_decided(e.b));
+  return e.op == Operator::constant || (e.op == Operator::variable && is_fixed(family_.arena.at(e.variable).symbol));
+}
+
+bool BuildNames::is_always_whole(ExpressionId id) const {
+  const ir::Expression& e = family_.arena.at(id);
+  if (e.op == Operator::constant) return is_whole(e.value);
+  if (e.op == Operator::negate) return is_always_whole(e.a);
+  if (e.op == Operator::add || e.op == Operator::subtract || e.op == Operator::multiply)
+    return is_always_whole(e.a) && is_always_whole(e.b);
+  if (e.op != Operator::variable) return false;
+  const ir::SymbolId symbol = family_.arena.at(e.variable).symbol;
+  if (is_fixed(symbol)) return is_whole(value_of(symbol));
+  const auto parameter = std::ranges::find(family_.parameters, symbol, &Parameter::symbol);
+  return parameter != family_.parameters.end() && parameter->kind == ParameterKind::number && parameter->whole;
+}
+
+}  // namespace dripfeed::family

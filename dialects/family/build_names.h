@@ -1,0 +1,45 @@
+// What becomes of a family's names when its program is built: which are numbers in the text, which are variables at
+// all, and which of those change.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "dialects/family/bind.h"
+
+namespace dripfeed::family {
+
+class BuildNames {
+ public:
+  explicit BuildNames(const BoundFamily& bound);
+
+  // Decided now, and a number in the text: constants, choices, tools, the counts of lists.
+  [[nodiscard]] bool is_fixed(ir::SymbolId symbol) const { return fixed_[static_cast<std::size_t>(symbol)] != 0; }
+  // Named by a step, or by what a step names.
+  [[nodiscard]] bool is_needed(ir::SymbolId symbol) const { return needed_[static_cast<std::size_t>(symbol)] != 0; }
+  // The target of a `set`.
+  [[nodiscard]] bool is_set(ir::SymbolId symbol) const { return set_.contains(symbol); }
+  [[nodiscard]] double value_of(ir::SymbolId symbol) const { return bound_.values[static_cast<std::size_t>(symbol)]; }
+
+  // Whether what the expression says is decided now.
+  [[nodiscard]] bool is_decided(ir::ExpressionId id) const;
+  // Whether it is a whole number whatever the parameters are.
+  [[nodiscard]] bool is_always_whole(ir::ExpressionId id) const;
+
+ private:
+  void find_fixed();
+  void find_needed();
+  void need(ir::ExpressionId id);
+  void need(ir::SymbolId symbol) { needed_[static_cast<std::size_t>(symbol)] = 1; }
+  void need(const Step& step);
+  void need_numbers(const List& list);
+
+  const BoundFamily& bound_;
+  const Family& family_;
+  std::vector<std::uint8_t> fixed_;   // by symbol
+  std::vector<std::uint8_t> needed_;  // by symbol
+  std::set<ir::SymbolId> set_;
+};
+
+}  // namespace dripfeed::family
