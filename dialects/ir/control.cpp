@@ -30,7 +30,8 @@ std::string name_of_machine_function(int number) { return "M" + std::to_string(n
 
 bool is_known_machine_function(const Control& control, int number) {
   constexpr int kRigidTap = 29;
-  if (number == kRigidTap && has_numbered_variables(control)) return true;
+  // Where taps are rigid by themselves nothing is announced, and the number is a relay's (Haas, M21 to M29).
+  if (number == kRigidTap && has_numbered_variables(control) && !control.semantics.taps_are_rigid) return true;
   const auto same = [number](std::uint16_t listed) { return static_cast<int>(listed) == number; };
   return std::ranges::any_of(control.machine_functions, same);
 }

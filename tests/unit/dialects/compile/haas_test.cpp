@@ -1,4 +1,5 @@
 // What a Haas reads otherwise than its relatives: the same moves as the common form, and back again.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -116,6 +117,24 @@ TEST(Haas, M29OfAFanucIsLeftOut) {
   EXPECT_EQ(result.text.find("M29"), std::string::npos) << "a relay on a Haas: " << result.text;
   const ConvertResult back = between(result.text, "haas", "fanuc");
   EXPECT_NE(back.text.find("M29"), std::string::npos) << "its taps are rigid: " << back.text;
+}
+
+// Whether what follows M29 is understood: only where it announces a rigid tap.
+TEST(Haas, M29OfItsOwnIsARelay) {
+  const text::Source source("program", "O1\nG21 G17 G90 G94 G54\nG0 X0. Y0.\nM29 S500\nM30\n");
+  const auto says_m29 = [&](const ir::Control& on) {
+    const Dialect* dialect = find_dialect(on.dialect);
+    const ir::ReadResult read = dialect->read(source, on);
+    Motions motions;
+    const interpreter::RunResult result = execute(read.program, on, nullptr, motions, {});
+    const auto found = std::ranges::find(result.not_interpreted, "M29", &interpreter::NotInterpreted::name);
+    return found != result.not_interpreted.end() && !found->effects_known;
+  };
+  EXPECT_TRUE(says_m29(haas()));
+  EXPECT_FALSE(says_m29(control("fanuc", ir::MachineKind::mill)));
+  ir::Control listed = haas();
+  listed.machine_functions = {29};
+  EXPECT_FALSE(says_m29(listed)) << "the profile knows what its relay does";
 }
 
 TEST(Haas, ADwellThatIsComputedIsRefused) {
