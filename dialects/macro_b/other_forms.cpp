@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "dialects/facts/facts.h"
@@ -88,7 +89,10 @@ bool names_all_axes(const ir::Program& program, std::span<const ir::Word> words,
 void write_other_forms(ir::Program& program, const ir::Control& control, const Grammar& grammar,
                        std::vector<text::Diagnostic>& diagnostics) {
   if (grammar.repeat_letter != 'L' && !grammar.dwell_point_is_seconds) return;
-  const facts::Resolved known(program, control);
+  // Of K alone the cycle in effect decides; most programs have none.
+  std::optional<facts::Resolved> known;
+  if (std::ranges::find(program.words, Address::k, &ir::Word::address) != program.words.end())
+    known.emplace(program, control);
   const auto refuse = [&](const ir::Statement& s, std::string_view what) {
     diagnostics.push_back(
         text::make_diagnostic(text::DiagnosticId::cannot_translate, s.span, {std::string(what), control.title}));
@@ -121,7 +125,7 @@ void write_other_forms(ir::Program& program, const ir::Control& control, const G
       continue;
     }
     if (std::ranges::find(words, Address::k, &ir::Word::address) == words.end()) continue;
-    const std::optional<facts::Facts> here = known.at(i);
+    const std::optional<facts::Facts> here = known->at(i);
     constexpr facts::Setting kNoCycle{.function = Function::cycle_off};
     if (here && (*here)[facts::Mode::cycle].is(kNoCycle)) continue;  // K of an arc or a thread
     const facts::Setting* cycle = here ? (*here)[facts::Mode::cycle].certain() : nullptr;
