@@ -99,8 +99,9 @@ bool Parser::parameter(ir::Symbol& symbol) {
   return defined_name(keyword->type, string_length, symbol);
 }
 
-// DEF REAL X, DEF INT G1: an axis or a code is no name, the control makes no symbol of it (12200). By the manual no
-// single letter is one, but programs have such, and which further letters are axes, the machine decides.
+// DEF REAL X, DEF INT G1: an axis, an address or a code is no name, the control makes no symbol of it (12200). By the
+// manual no single letter is one, but programs have such: of the letters that a machine may give to axes or keep as
+// addresses (A, I, U ...), those are axes that it is known to have.
 bool Parser::is_code_or_address() {
   const text::Span head = cursor_.span();
   const std::string_view text = cursor_.whole();
@@ -111,8 +112,11 @@ bool Parser::is_code_or_address() {
   if (name.empty()) return false;  // $P_GG
   constexpr std::string_view kCodes = "GMR";
   const bool code = kCodes.contains(to_upper(name.front())) && std::ranges::all_of(name.substr(1), is_digit);
-  constexpr std::string_view kLetters = "XYZGM";
-  const bool letter = name.size() == 1 && kLetters.contains(to_upper(name.front()));
+  constexpr std::string_view kFixedAddresses = "DFGHLMNPRST";  // PG, "Fixed addresses"
+  constexpr std::string_view kGeometry = "XYZ";
+  const char upper = to_upper(name.front());
+  const bool letter = name.size() == 1 && (kFixedAddresses.contains(upper) || kGeometry.contains(upper) ||
+                                           (control_.from_profile && control_.axes.contains(upper)));
   if (!letter && !code) return false;
   give_up(DiagnosticId::name_defined_twice, {head.begin, end}, {std::string(name)});
   if (!diagnostics_.empty()) {

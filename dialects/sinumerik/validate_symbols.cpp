@@ -49,9 +49,15 @@ std::uint64_t bytes_of(const ir::Symbol& symbol) {
   return one;
 }
 
+// Names of real programs have it (L1, D2), so that it is no fault for certain.
+bool begins_as_names_do(std::string_view name) {
+  return name.size() > 1 && std::ranges::all_of(name.substr(0, 2), [](char c) { return is_letter(c) || c == '_'; });
+}
+
 void check_symbol(const Check& check, const ir::Symbol& symbol) {
   if (symbol.span.empty()) return;
   const std::string name(check.program.strings.at(symbol.name));
+  if (!begins_as_names_do(name)) check.report(DiagnosticId::name_beginning, symbol.span, {name});
   if (const Taken taken = is_taken(UpperName(name).view()); taken != Taken::no) {
     text::Diagnostic& d = check.report(DiagnosticId::name_defined_twice, symbol.span, {name});
     if (taken == Taken::perhaps) d.severity = text::Severity::warning;

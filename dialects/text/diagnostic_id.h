@@ -57,6 +57,7 @@ enum class DiagnosticId : std::uint16_t {
   variable_write_protected,
   unknown_name,
   name_too_long,
+  name_beginning,
   name_defined_twice,
   parameter_defined_twice,
   definition_not_at_start,

@@ -112,6 +112,8 @@ constexpr auto kRows = std::to_array<DiagnosticRow>({
    "Define the name before it is used, or check its spelling."},
   {name_too_long, "name-too-long", error, "the name {} has {} characters, the control takes {}",
    "Shorten the name; some controls cut it off without a word, and two names become one."},
+  {name_beginning, "name-beginning", warning, "the name {} does not begin with two letters or underscores",
+   "The manual asks for that. Some controls take the name nevertheless, others read an address; choose another name."},
   {name_defined_twice, "name-defined-twice", error, "the name {} is defined twice",
    "Every name is defined once in a program. Remove or rename the second."},
   {parameter_defined_twice, "parameter-defined-twice", error, "the parameter {} stands twice in the list",

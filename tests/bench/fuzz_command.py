@@ -34,7 +34,7 @@ NOT_PROGRAMS = {".md", ".txt", ".json", ".py", ".pdf", ".png"}
 # Words that mutations put in: what programs decide counts, places and loops by.
 SPICE = [b"REP(5,", b"SET(1,,", b"WHILE[1EQ1]DO1\n", b"END1\n", b"GOTO1\n", b"N1", b"M98P1L9999\n", b"G83Z-99.R0Q0.0001F100\n", b"#[#1]=", b"R[R1]=",
          b"REPEATB A P=99999\n", b"FOR R1=0 TO 1E9\n", b"ENDFOR\n", b"LOOP\n", b"ENDLOOP\n", b"CYCLE83(", b"HOLES1(", b"POCKET3(", b"CYCLE95(", b"G76P999999Q1R0\n",
-         b"EXECSTRING(\"X\"<<R1)\n", b"DEF REAL A[999,999]\n", b"DEF STRING[200] S\n", b"TURN=9999", b"BSPLINE\n", b"POLY PO[X]=(1,2,3)\n", b"G34I10J0K9999\n", b"G71P1Q2U1.W1.\n",
+         b"EXECSTRING(\"X\"<<R1)\n", b"DEF REAL A[999,999]\n", b"DEF STRING[200] TX\n", b"TURN=9999", b"BSPLINE\n", b"POLY PO[X]=(1,2,3)\n", b"G34I10J0K9999\n", b"G71P1Q2U1.W1.\n",
          b"(", b")", b"[", b"]", b"\"", b"%", b"@", b"\x00", b"\xff", b"\xe2\x82", b"99999999999999999999", b"-0.", b"1E308", b".", b"=", b"<<", b"\n\n", b"\r", b";", b"/"]
 
 

@@ -313,7 +313,7 @@ TEST(Convert, LeastIncrementsCountInTheUnitInEffect) {
 // No control has words for half a structure: it is refused in both modes, and the whole one is not.
 TEST(Convert, RefusesHalfAStructure) {
   const ir::Control from = control("sinumerik-840d", ir::MachineKind::mill);
-  const std::string head = "DEF INT N\nG17 G90 G94 G710\n";
+  const std::string head = "DEF INT NR\nG17 G90 G94 G710\n";
   for (const ConvertMode mode : {ConvertMode::macro, ConvertMode::explicit_blocks}) {
     const auto refused = [&](const std::string& body) {
       ConvertRequest request;
@@ -324,16 +324,16 @@ TEST(Convert, RefusesHalfAStructure) {
       const ConvertResult result = convert(request);
       return text::has_error(result.diagnostics) && result.text.empty();
     };
-    EXPECT_TRUE(refused("FOR N=1 TO 3\nG1 X=N F100\nM30\n"));
+    EXPECT_TRUE(refused("FOR NR=1 TO 3\nG1 X=NR F100\nM30\n"));
     EXPECT_TRUE(refused("G1 X1 F100\nENDWHILE\nM30\n"));
     EXPECT_TRUE(refused("ELSE\nG1 X1 F100\nM30\n"));
-    EXPECT_FALSE(refused("FOR N=1 TO 3\nG1 X=N F100\nENDFOR\nM30\n"));
+    EXPECT_FALSE(refused("FOR NR=1 TO 3\nG1 X=NR F100\nENDFOR\nM30\n"));
   }
 }
 
 // A comment is the nearest to a message; the values in it are told as left out.
 TEST(Convert, MessagesBecomeCommentsOfTheirWrittenParts) {
-  const std::string text = "DEF INT N=3\nG17 G710 G90 G94\nMSG(\"layer \"<<N<<\" of \"<<N+1)\nMSG(\"done\")\nM30\n";
+  const std::string text = "DEF INT NR=3\nG17 G710 G90 G94\nMSG(\"layer \"<<NR<<\" of \"<<NR+1)\nMSG(\"done\")\nM30\n";
   const ConvertResult result = translated(text, "sinumerik-840d", "fanuc");
   EXPECT_TRUE(result.text.contains("(LAYER ... OF ...)\n(DONE)\n")) << result.text;
   ASSERT_EQ(result.diagnostics.size(), 1U);

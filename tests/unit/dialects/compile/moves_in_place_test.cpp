@@ -78,7 +78,7 @@ TEST(MovesInPlace, AnArcInSpace) {
 
 TEST(MovesInPlace, ArcsAgainAndAgainInALoop) {
   const std::string text =
-      "DEF INT N\nG17 G90 G71 G94\nS1000 M3\nG0 Z5\nFOR N=1 TO 3\nG0 X0 Y0\nCIP X20 Y0 I1=10 J1=10 F200\nX0 I1=10 "
+      "DEF INT NR\nG17 G90 G71 G94\nS1000 M3\nG0 Z5\nFOR NR=1 TO 3\nG0 X0 Y0\nCIP X20 Y0 I1=10 J1=10 F200\nX0 I1=10 "
       "J1=-10\nENDFOR\nG0 Z10\nM30\n";
   for (const std::string& to : kNumbered) {
     const std::string made = expect_same_there(text, "sinumerik-840d", to, MachineKind::mill);

@@ -144,9 +144,9 @@ TEST(SinumerikValues, AxesAreValues) {
 
 TEST(SinumerikValues, TextFunctions) {
   const Result ran =
-      run("DEF STRING[20] S=\"TURN_12.SPF\"\nDEF STRING[20] PART\nR1=INDEX(S,\"_\") R2=RINDEX(S,\"N\")\n"
-          "R3=MINDEX(S,\".0123456789\") R4=INDEX(S,\"Q\")\nPART=SUBSTR(S,5,2)\nR5=NUMBER(PART)\n"
-          "R6=ISNUMBER(PART) R7=ISNUMBER(S) R8=STRLEN(SUBSTR(S,5))\nM30\n");
+      run("DEF STRING[20] TX=\"TURN_12.SPF\"\nDEF STRING[20] PART\nR1=INDEX(TX,\"_\") R2=RINDEX(TX,\"N\")\n"
+          "R3=MINDEX(TX,\".0123456789\") R4=INDEX(TX,\"Q\")\nPART=SUBSTR(TX,5,2)\nR5=NUMBER(PART)\n"
+          "R6=ISNUMBER(PART) R7=ISNUMBER(TX) R8=STRLEN(SUBSTR(TX,5))\nM30\n");
   EXPECT_EQ(ran.value("R1"), 4.0);
   EXPECT_EQ(ran.value("R2"), 3.0);
   EXPECT_EQ(ran.value("R3"), 5.0);
@@ -261,7 +261,7 @@ TEST(SinumerikFlow, APartOfTheProgramItselfHasItsVariables) {
             "2 rapid X0.0000 Y0.0000 Z0.0000\n7 rapid X3.0000 Y0.0000 Z0.0000\n7 rapid X4.0000 Y0.0000 Z0.0000\n");
   for (const std::string line : {"CALL BLOCK \"L1\" TO \"L2\" P=3", "P=3 CALL BLOCK \"L1\" TO \"L2\""})
     EXPECT_TRUE(run(head + line + tail).names("CALL")) << line;
-  EXPECT_TRUE(run("DEF STRING[5] S=\"L1\"\n" + head + "CALL BLOCK S TO \"L2\"" + tail).names("CALL"));
+  EXPECT_TRUE(run("DEF STRING[5] TX=\"L1\"\n" + head + "CALL BLOCK TX TO \"L2\"" + tail).names("CALL"));
 }
 
 TEST(SinumerikFlow, APartThatIsNotThereIsAnAlarm) {
@@ -278,7 +278,7 @@ TEST(SinumerikFlow, APartThatIsNotThereIsAnAlarm) {
 
 TEST(SinumerikFlow, TextsAreExecutedInTheirProgram) {
   const Result ran =
-      run("DEF REAL SIZE=2\nDEF REAL ROW[3]\nDEF STRING[20] N=\"ROW\"\nEXECSTRING(N<<\"[1]=SIZE*3\")\n"
+      run("DEF REAL SIZE=2\nDEF REAL ROW[3]\nDEF STRING[20] NA=\"ROW\"\nEXECSTRING(NA<<\"[1]=SIZE*3\")\n"
           "R1=ROW[1]\nEXECSTRING(\"G0 X=SIZE R2=\"<<4)\nM30\n");
   EXPECT_EQ(ran.value("R1"), 6.0);
   EXPECT_EQ(ran.value("R2"), 4.0);
@@ -287,8 +287,8 @@ TEST(SinumerikFlow, TextsAreExecutedInTheirProgram) {
 
 // More than a run keeps: it ends, and none of the names has a value.
 TEST(SinumerikFlow, MoreVariablesThanARunKeeps) {
-  const Result ran = run("DEF REAL F\nDEF REAL A[1000,1000,2]\nG0 X1\nM30\n", {}, ir::MachineKind::mill,
-                         {{.bank = ir::Bank::named, .name = "F", .value = 3.0}});
+  const Result ran = run("DEF REAL FF\nDEF REAL A[1000,1000,2]\nG0 X1\nM30\n", {}, ir::MachineKind::mill,
+                         {{.bank = ir::Bank::named, .name = "FF", .value = 3.0}});
   EXPECT_EQ(ran.result.ended, interpreter::Ended::limit);
   EXPECT_TRUE(ran.motions.empty());
 }

@@ -295,8 +295,8 @@ TEST(Subprograms, DeeperThanMacrosGoAreTold) {
   const auto nested = [](char last) {
     std::string text = "%_N_MAIN_MPF\nG17 G90 G94 G71\nG0 X0\nAA(1)\nM30\n";
     for (char name = 'A'; name <= last; ++name) {
-      text += "%_N_" + std::string(2, name) + "_SPF\nPROC " + std::string(2, name) + "(REAL P)\nG0 X=P\n";
-      if (name != last) text += std::string(2, static_cast<char>(name + 1)) + "(P+1)\n";
+      text += "%_N_" + std::string(2, name) + "_SPF\nPROC " + std::string(2, name) + "(REAL PP)\nG0 X=PP\n";
+      if (name != last) text += std::string(2, static_cast<char>(name + 1)) + "(PP+1)\n";
       text += "RET\n";
     }
     return text;
@@ -372,7 +372,7 @@ TEST(Subprograms, OneThatReturnsToABlockHasNoStartOfItsOwn) {
 TEST(Subprograms, ParametersStartAnewAtEachCall) {
   const std::string text =
       "%_N_MAIN_MPF\nG17 G90 G71 G54 G94\nG1 X0 Y0 F100\nINNER P3\nOTHER\nM30\n%_N_INNER_SPF\nPROC INNER(REAL "
-      "T=5)\nX=T\nT=T+1\nRET\n"
+      "TT=5)\nX=TT\nTT=TT+1\nRET\n"
       "%_N_OTHER_SPF\nPROC OTHER(REAL Q=9)\nY=Q\nRET\n";
   const ConvertResult made = translated(text, "sinumerik-840d", "fanuc");
   ASSERT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("p", text));

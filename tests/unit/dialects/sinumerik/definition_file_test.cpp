@@ -72,6 +72,28 @@ TEST(DefinitionFile, AMacroOfTheProgramIsAValue) {
   EXPECT_EQ(p.at(p.assigns.front().value).value, 7.0);
 }
 
+// G0 X=10 moves, whatever a file defines.
+TEST(DefinitionFile, AnAxisIsNoVariable) {
+  const ir::Control c = with_file("MGUD.DEF", "DEF NCK REAL X=1\nDEF NCK REAL WIDTH=2\nM30\n");
+  EXPECT_FALSE(c.shared->variables.contains("X"));
+  const ir::Program p = sinumerik::read(text::Source("A.MPF", "G0 X=10\nM30\n"), c).program;
+  ASSERT_EQ(p.statements[0].kind, ir::StatementKind::block);
+  ASSERT_EQ(p.words_of(p.blocks[p.statements[0].payload]).size(), 1U);
+  EXPECT_EQ(p.words_of(p.blocks[p.statements[0].payload])[0].address, ir::Address::x);
+}
+
+// Which of the letters that are left are axes, a named machine knows.
+TEST(DefinitionFile, AnAxisOfTheMachineIsNoVariable) {
+  constexpr std::string_view kText = "DEF REAL A=1\nR1=A\nM30\n";
+  ir::Control c = control(ir::MachineKind::mill);
+  c.axes = "XYZA";
+  EXPECT_EQ(all_faults("A.MPF", kText, c), "name-beginning");
+  c.from_profile = true;
+  EXPECT_TRUE(all_faults("A.MPF", kText, c).starts_with("name-defined-twice"));
+  c.axes = "XYZB";
+  EXPECT_EQ(all_faults("A.MPF", kText, c), "name-beginning");
+}
+
 TEST(DefinitionFile, DataFilesAreNoPrograms) {
   constexpr std::string_view kInit =
       "CHANDATA(1)\n$MN_SCALING_SYSTEM_IS_METRIC=1\nN20070 $MC_AXCONF_MACHAX_USED[0]=1 '2a3f\n"

@@ -130,7 +130,7 @@ TEST(Expression, PrintedTreesAreReadAsTheyWere) {
 
 TEST(Expression, ACharacterOfATextIsAPartOfIt) {
   const ir::Program p = good(
-      "DEF STRING[10] S=\"ABCD\"\nDEF STRING[9] LIST[3]\nDEF CHAR C\nC=S[2]\nR1=STRLEN(LIST[1])\n"
+      "DEF STRING[10] TX=\"ABCD\"\nDEF STRING[9] LIST[3]\nDEF CHAR C\nC=TX[2]\nR1=STRLEN(LIST[1])\n"
       "IF C==\"C\" GOTOF DONE\nDONE: M30");
   const ir::Expression& part = p.at(p.assigns[0].value);
   ASSERT_EQ(part.op, ir::Operator::substring);
