@@ -19,6 +19,14 @@ constexpr auto kSystemVariables = std::to_array<SystemVariableRow>({
     {"", 4012, 4030, SystemValue::active_code, false, kSystem},
     {"", 4212, 4230, SystemValue::active_code, false, kSystem},
     {"", 14001, 20000, SystemValue::work_offset_value, true, kSystem, false, 1},
+    // Tool offsets: lengths count as not known from there. Those left out are work offsets of mills with a small memory
+    // of tool offsets, and the work shifts of lathes (#2501, #2601).
+    {"", 2001, 2499, SystemValue::not_modelled, true, kSystem, true},
+    {"", 2507, 2599, SystemValue::not_modelled, true, kSystem, true},
+    {"", 2607, 2699, SystemValue::not_modelled, true, kSystem, true},
+    {"", 2701, 2799, SystemValue::not_modelled, true, kSystem, true},
+    {"", 2801, 2999, SystemValue::not_modelled, true, kSystem, true},
+    {"", 10001, 13999, SystemValue::not_modelled, true, kSystem, true},
 });
 
 constexpr auto kRanges = std::to_array<macro_b::RangeRow>({

@@ -19,6 +19,12 @@ constexpr auto kSystemVariables = std::to_array<SystemVariableRow>({
     {"", 3026, 3026, SystemValue::tool_number, false, kSystem},
     {"", 3027, 3027, SystemValue::spindle_speed, false, kSystem},
     {"", 14001, 15966, SystemValue::work_offset_value, true, kSystem, false, 1},
+    {"", 2001, 2999, SystemValue::not_modelled, true, kSystem, true},  // tool offsets
+    {"", 1136, 1155, SystemValue::not_modelled, true, kSystem, true},
+    {"", 3020, 3025, SystemValue::changing, true, kSystem, true},
+    {"", 3101, 3101, SystemValue::not_modelled, true, kSystem, true},
+    {"", 5401, 5499, SystemValue::changing, true, kSystem, true},
+    {"", 12000, 12255, SystemValue::not_modelled, true, kSystem, true},
 });
 constexpr auto kRanges = std::to_array<macro_b::RangeRow>({
     {1036, 1063, VariableUse::system, false},      // inputs

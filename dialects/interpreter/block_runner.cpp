@@ -138,6 +138,8 @@ std::optional<Flow> BlockRunner::apply_block(const Instruction& i) {
     forgets_ = false;
     if (control_.semantics.has_vacant) state_.unknown = kAllAxes;
   }
+  const auto waits = [](const PlainCode& code) { return code.function == ir::Function::dwell; };
+  if (block_.codes.empty() || !std::ranges::all_of(block_.codes, waits)) ++state_.untimed;
   // A corner may take pieces of the move before it back.
   made_ = out_.count() >= before ? out_.count() - before : 1;
   constexpr std::uint64_t kPolar = bit_of(ir::Address::polar_angle) | bit_of(ir::Address::polar_radius);

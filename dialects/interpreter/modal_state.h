@@ -235,7 +235,8 @@ struct ModalState {
   std::uint16_t touch_known = 0;     // bit per axis
   AxisValues skipped{};              // where the last skip move ended
   std::uint16_t skipped_known = 0;
-  double clock_ms = 0.0;  // of what was executed: blocks by the control's cost, and dwells
+  double clock_ms = 0.0;      // of what was executed: blocks by the control's cost, and dwells
+  std::uint64_t untimed = 0;  // blocks whose time is not among it: they move, or the machine carries them out
   double comp_number = 0.0;
   double length_number = 0.0;  // D, H
   ir::LengthOffset length_offset = ir::LengthOffset::off;

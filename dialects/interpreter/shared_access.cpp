@@ -103,7 +103,7 @@ bool SharedAccess::may_write(const Instruction& i) {
 bool SharedAccess::is_changed_by_control(const Instruction& i) const {
   if (i.detail == 0) return false;
   const ir::SystemVariableRow& row = control_.system_variables[i.detail - 1U];
-  return row.kind == ir::SystemValue::not_modelled && row.first == 1 && row.name == shared_.name_of(i.a);
+  return row.kind == ir::SystemValue::changing && row.name == shared_.name_of(i.a);
 }
 
 bool SharedAccess::store(const Instruction& i) {

@@ -163,7 +163,8 @@ std::optional<double> answer_system(const ir::Control& control, const ir::System
     case ir::SystemValue::block_number:
     case ir::SystemValue::program_number:
     case ir::SystemValue::clock_hours:
-    case ir::SystemValue::clock_ms: break;
+    case ir::SystemValue::clock_ms:
+    case ir::SystemValue::changing: break;
   }
   return std::nullopt;
 }
@@ -198,8 +199,9 @@ std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number
     case SystemValue::active_code:
       if (modes_unknown_) return std::nullopt;
       return active_code(number % kGroupNumbers, state);
-    case SystemValue::clock_ms: return std::floor(clock_from_ms_ + state.clock_ms);
-    case SystemValue::clock_hours: return hours_from_ + state.clock_ms / kMsPerHour;
+    case SystemValue::clock_ms:
+      return value_of(milliseconds_, state.clock_ms, state).transform([](double ms) { return std::floor(ms); });
+    case SystemValue::clock_hours: return value_of(hours_, state.clock_ms / kMsPerHour, state);
     case SystemValue::selected_tool:
     case SystemValue::tool_edge:
     case SystemValue::spindle_direction:
@@ -215,9 +217,15 @@ std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number
     case SystemValue::call_argument_given:
     case SystemValue::work_offset_value:
     case SystemValue::block_number:
-    case SystemValue::program_number: break;
+    case SystemValue::program_number:
+    case SystemValue::changing: break;
   }
   return std::nullopt;
+}
+
+std::optional<double> SystemValues::value_of(const Clock& clock, double counted, const ModalState& state) const {
+  if (control_.semantics.unset_is_unknown && clock.untimed != state.untimed) return std::nullopt;
+  return clock.from + counted;
 }
 
 // What was in effect before the program began is not known: 0 stands for "not named yet".
@@ -232,22 +240,40 @@ namespace {
 // #2001 and #10001 and what follows them; their rows have no names.
 bool entry_is_tool_offset(const ir::Control& control, std::uint32_t row, std::uint32_t number) {
   if (row == kExtendedOffsetRow) return false;
-  if (row < control.system_variables.size() && !control.system_variables[row].name.empty()) return false;
-  return (number >= 2001 && number <= 2999) || (number >= 10001 && number <= 13999);
+  if (row < control.system_variables.size()) {
+    const ir::SystemVariableRow& entry = control.system_variables[row];
+    if (!entry.name.empty() || entry.kind == SystemValue::work_offset_value) return false;
+  }
+  return (number >= 2001 && number <= 2999) || (number >= 10001 && number <= 19999);
+}
+
+// Common variables that are an option, and have no row.
+bool may_be_common(std::uint32_t number) {
+  constexpr std::uint32_t kFirstSystem = 1000;
+  constexpr std::uint32_t kFirstBeyond = 900'000;
+  return number < kFirstSystem || number >= kFirstBeyond;
+}
+
+// Not a number without a row, nor one whose row does not say that writing it changes nothing.
+bool is_understood(const ir::Control& control, std::uint32_t row, std::uint32_t number) {
+  if (row == kExtendedOffsetRow) return true;
+  if (row >= control.system_variables.size()) return may_be_common(number);
+  const ir::SystemVariableRow& entry = control.system_variables[row];
+  return !entry.name.empty() || entry.inert || entry.kind != SystemValue::not_modelled;
 }
 
 }  // namespace
 
-void SystemValues::write(std::uint32_t row, std::uint32_t number, double value, ModalState& state) {
+bool SystemValues::write(std::uint32_t row, std::uint32_t number, double value, ModalState& state) {
   const Key key = key_of_value(row, number);
   const SystemValue kind = key.row == kExtendedOffsetRow            ? SystemValue::work_offset_value
                            : row < control_.system_variables.size() ? control_.system_variables[row].kind
                                                                     : SystemValue::not_modelled;
   if (kind == SystemValue::clock_ms) {
-    clock_from_ms_ = value - state.clock_ms;
+    milliseconds_ = {value - state.clock_ms, state.untimed};
   } else if (kind == SystemValue::clock_hours) {
-    hours_from_ = value - state.clock_ms / kMsPerHour;
-  } else {
+    hours_ = {value - state.clock_ms / kMsPerHour, state.untimed};
+  } else if (kind != SystemValue::changing) {
     if (kind == SystemValue::work_offset_value) {
       move_offset(key.number, value, state);
       state.gaps |= ir::kZerosChanged;
@@ -255,6 +281,9 @@ void SystemValues::write(std::uint32_t row, std::uint32_t number, double value, 
     if (entry_is_tool_offset(control_, row, number)) state.gaps |= ir::kLengthsChanged;
     written_[key_of(key.row, key.number)] = value;
   }
+  const bool understood = is_understood(control_, row, number);
+  if (!understood) state.gaps |= ir::kZerosChanged | ir::kLengthsChanged;
+  return understood;
 }
 
 void SystemValues::forget_tool_offsets() {
@@ -263,10 +292,16 @@ void SystemValues::forget_tool_offsets() {
   });
 }
 
+// Nobody wrote it: what the machine's profile says counts on.
+void SystemValues::start_with(std::uint32_t row, std::uint32_t number, double value, ModalState& state) {
+  const std::uint8_t gaps = state.gaps;
+  if (!write(row, number, value, state)) state.gaps = gaps;
+}
+
 void SystemValues::set_initial(std::uint32_t row, std::uint32_t number, double value, ModalState& state) {
   const bool in_table = row < control_.system_variables.size();
   if (!in_table || control_.system_variables[row].kind != SystemValue::skip_position)
-    return write(row, number, value, state);
+    return start_with(row, number, value, state);
   const std::size_t place = place_of(number - control_.system_variables[row].first);
   if (place >= ir::kAxisCount) return;
   state.touch[place] = value;

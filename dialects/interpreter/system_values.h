@@ -28,8 +28,9 @@ class SystemValues {
   // `row` of the control's table (kNoRow without one, kExtendedOffsetRow); `number` of a numbered variable, index of a
   // named one. Nothing when it is not known.
   [[nodiscard]] std::optional<double> read(std::uint32_t row, std::uint32_t number, const ModalState& state) const;
-  // What the program writes. A work offset that is in effect moves the position that is counted from it.
-  void write(std::uint32_t row, std::uint32_t number, double value, ModalState& state);
+  // What the program writes. A work offset that is in effect moves the position that is counted from it. False when it
+  // may be anything that moves go by: a parameter, a setting, an offset under a number that is not known here.
+  bool write(std::uint32_t row, std::uint32_t number, double value, ModalState& state);
   // Before the start: the same, but that a skip position says where the probe will touch.
   void set_initial(std::uint32_t row, std::uint32_t number, double value, ModalState& state);
 
@@ -39,6 +40,7 @@ class SystemValues {
   void forget_modes() { modes_unknown_ = true; }
 
  private:
+  void start_with(std::uint32_t row, std::uint32_t number, double value, ModalState& state);
   // What a value is kept under: an offset of G54.1 may have two numbers (#7001 and #14001).
   struct Key {
     std::uint32_t row;
@@ -57,8 +59,15 @@ class SystemValues {
 
   const ir::Control& control_;
   BlockRules rules_;
-  double clock_from_ms_ = 0.0;  // what the program set the clocks to, less the clock then
-  double hours_from_ = 0.0;
+  // A clock that the program set: its value then less the time that is counted, and ModalState::untimed then.
+  struct Clock {
+    double from = 0.0;
+    std::uint64_t untimed = UINT64_MAX;
+  };
+  // A check never takes a time for known that moves and the machine's functions have a part in.
+  [[nodiscard]] std::optional<double> value_of(const Clock& clock, double counted, const ModalState& state) const;
+  Clock milliseconds_;
+  Clock hours_;
   std::unordered_map<std::uint64_t, double> written_;
 };
 

@@ -70,7 +70,7 @@ bool VariableAccess::store_number(const Instruction& i) {
   if (!found->slot.writable)
     return report_.fail(i, DiagnosticId::variable_write_protected, {variable_name(bank_of(i), found->number)});
   if (found->slot.kind == SlotKind::system)
-    system_.write(found->slot.index, found->number, storage_.reg(i.b), state_);
+    write_system(found->slot.index, found->number, storage_.reg(i.b));
   else
     at(found->slot) = storage_.reg(i.b);
   return true;
@@ -213,8 +213,13 @@ bool VariableAccess::store_system(const Instruction& i) {
   const auto rows = control_.system_variables;
   if (i.a < rows.size() && !rows[i.a].writable)
     return report_.fail(i, DiagnosticId::variable_write_protected, {system_name(i.a, *number)});
-  system_.write(i.a, *number, storage_.reg(i.c), state_);
+  write_system(i.a, *number, storage_.reg(i.c));
   return true;
+}
+
+void VariableAccess::write_system(std::uint32_t row, std::uint32_t number, double value) {
+  if (!system_.write(row, number, value, state_))
+    report_.count({.name = "an assignment to " + system_name(row, number)});
 }
 
 void VariableAccess::set_system(const DataValue& set) {
@@ -231,7 +236,8 @@ void VariableAccess::forget_commons() {
 void VariableAccess::forget_tool_offsets() { system_.forget_tool_offsets(); }
 
 void VariableAccess::set_initial(const InitialValue& value) {
-  if (value.bank == ir::Bank::system && value.name.empty()) return system_.write(value.number, 0, value.value, state_);
+  if (value.bank == ir::Bank::system && value.name.empty())
+    return void(system_.write(value.number, 0, value.value, state_));
   const Slot slot = variables_.find(value.bank, value.number);
   if (slot.kind == SlotKind::system) return system_.set_initial(slot.index, value.number, value.value, state_);
   if (slot.kind == SlotKind::global || slot.kind == SlotKind::local) at(slot) = value.value;

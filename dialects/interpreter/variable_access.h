@@ -62,6 +62,7 @@ class VariableAccess {
   };
   std::optional<Found> find(const Instruction& i, double number);
   double read_system(std::uint32_t row, std::uint32_t number);
+  void write_system(std::uint32_t row, std::uint32_t number, double value);
   [[nodiscard]] std::string system_name(std::uint32_t row, std::uint32_t number) const;
   double& at(const Slot& slot);
   [[nodiscard]] bool is_unknown(double value) const { return interpreter::is_unknown(value, control_.semantics); }

@@ -41,8 +41,7 @@ struct VariableRange {
   bool writable = true;
 };
 
-// A system variable by name (bank `system`) or number range; `kind` says what the interpreter answers. Of a named one
-// that is not modelled, `first` is 1 where the control changes it by itself: what a program wrote is not what it reads.
+// A system variable by name (bank `system`) or number range; `kind` says what the interpreter answers.
 enum class SystemValue : std::uint8_t {
   not_modelled,
   end_position,
@@ -71,6 +70,7 @@ enum class SystemValue : std::uint8_t {
   total_frame,          // the settable one and the programmable one in it
   call_argument,        // of the last macro call; SystemVariableRow::first is the number of its local variable
   call_argument_given,  // … 1 when it was given
+  changing,             // the control, the PLC or time changes it: what a program wrote is not what it reads
 };
 struct SystemVariableRow {
   std::string_view name;    // "$P_EP"; empty for numbered ones

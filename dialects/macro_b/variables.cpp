@@ -33,6 +33,13 @@ constexpr auto kSystemVariables = std::to_array<SystemVariableRow>({
     {"", 5061, 5080, SystemValue::skip_position, false, kSystem},
     {"", 5201, 5340, SystemValue::work_offset_value, true, kSystem},
     {"", 7001, 7960, SystemValue::work_offset_value, true, kSystem, false, 1},
+    // What may be written without a move, a shift or a mode becoming another one.
+    {"", 1100, 1135, SystemValue::not_modelled, true, kSystem, true},
+    {"", 3000, 3000, SystemValue::not_modelled, true, kSystem, true},
+    {"", 3003, 3004, SystemValue::not_modelled, true, kSystem, true},
+    {"", 3006, 3006, SystemValue::not_modelled, true, kSystem, true},
+    {"", 3901, 3901, SystemValue::changing, true, kSystem, true},
+    {"", 3902, 3902, SystemValue::not_modelled, true, kSystem, true},
 });
 
 constexpr auto kRanges = std::to_array<RangeRow>({

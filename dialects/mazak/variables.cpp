@@ -16,6 +16,8 @@ using ir::VariableUse;
 constexpr std::string_view kSystem = "Mazak EIA/ISO programming manual, user macro";
 constexpr auto kSystemVariables = std::to_array<SystemVariableRow>({
     {"", 70001, 75980, SystemValue::work_offset_value, true, kSystem, false, 1},
+    {"", 2001, 2999, SystemValue::not_modelled, true, kSystem, true},
+    {"", 10001, 19999, SystemValue::not_modelled, true, kSystem, true},
 });
 constexpr auto kRanges = std::to_array<macro_b::RangeRow>({
     {10001, 19999, VariableUse::system, true},   // tool offsets by block of geometry and wear

@@ -16,6 +16,9 @@ using ir::VariableUse;
 constexpr std::string_view kSystem = "M800/M80 series programming manual, system variables";
 constexpr auto kSystemVariables = std::to_array<SystemVariableRow>({
     {"", 101001, 115000, SystemValue::work_offset_value, true, kSystem, false, 49},
+    {"", 1300, 1395, SystemValue::not_modelled, true, kSystem, true},
+    {"", 2001, 2999, SystemValue::not_modelled, true, kSystem, true},
+    {"", 10001, 16999, SystemValue::not_modelled, true, kSystem, true},
 });
 constexpr auto kRanges = std::to_array<macro_b::RangeRow>({
     {1200, 1295, VariableUse::system, false},   // more signals from the PLC

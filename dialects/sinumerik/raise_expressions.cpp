@@ -157,10 +157,12 @@ class ExpressionRaiser {
       raising_.cannot("the variable " + std::string(raising_.text_of(v.span)), v.span);
   }
 
-  // The row of a numbered system variable of the control that the program is from.
+  // The row of a system variable of the control that the program is from. One that goes by its name where that control
+  // has numbers was put there when the program was raised.
   [[nodiscard]] const ir::SystemVariableRow* row_of(const ir::Variable& v) const {
     const auto rows = raising_.from.system_variables;
-    if (v.bank == ir::Bank::system) return v.number < rows.size() ? &rows[v.number] : nullptr;
+    if (v.bank == ir::Bank::system)
+      return v.number < rows.size() && !rows[v.number].name.empty() ? &rows[v.number] : nullptr;
     if (v.bank != ir::Bank::hash || v.index != ExpressionId::none) return nullptr;
     const auto row = std::ranges::find_if(rows, [&](const ir::SystemVariableRow& r) {
       return r.first != 0 && r.first <= v.number && v.number <= r.last;

@@ -15,7 +15,6 @@ namespace {
 
 using enum ir::SystemValue;
 
-// Of those that are not modelled, 1 in the first place says that the control or the PLC changes it by itself.
 // clang-format off
 constexpr auto kVariables = std::to_array<ir::SystemVariableRow>({
   {"$", 0, 0, not_modelled, false, "any other system variable"},
@@ -60,17 +59,19 @@ constexpr auto kVariables = std::to_array<ir::SystemVariableRow>({
   {"$AA_MM", 0, 0, not_modelled, false, "LIS1, measured position in machine coordinates"},
   {"$AA_S", 0, 0, not_modelled, false, "LIS1, actual spindle speed"},
   {"$AC_MEA", 0, 0, not_modelled, false, "LIS1, probe has switched"},
-  {"$AC_TIMER", 1, 0, not_modelled, true, "LIS1, timer in seconds"},
-  {"$AC_TIME", 1, 0, not_modelled, false, "LIS1, time since block start"},
+  {"$AC_TIMER", 0, 0, changing, true, "LIS1, timer in seconds"},
+  {"$AC_TIME", 0, 0, changing, false, "LIS1, time since block start"},
   {"$AC_MARKER", 0, 0, not_modelled, true, "LIS1, marker"},
   {"$AC_PARAM", 0, 0, not_modelled, true, "LIS1, parameter of synchronized actions"},
-  {"$AC_TOTAL_PARTS", 0, 0, not_modelled, true, "LIS1, part counter"},
+  {"$AC_TOTAL_PARTS", 0, 0, changing, true, "LIS1, part counter"},
   {"$AC_REQUIRED_PARTS", 0, 0, not_modelled, true, "LIS1, part counter"},
-  {"$AC_ACTUAL_PARTS", 0, 0, not_modelled, true, "LIS1, part counter"},
-  {"$AC_SPECIAL_PARTS", 0, 0, not_modelled, true, "LIS1, part counter"},
-  {"$AC_OPERATING_TIME", 1, 0, not_modelled, true, "LIS1, run time of programs"},
-  {"$AC_CYCLE_TIME", 1, 0, not_modelled, true, "LIS1, run time of the program"},
-  {"$AC_CUTTING_TIME", 1, 0, not_modelled, true, "LIS1, cutting time"},
+  {"$AC_ACTUAL_PARTS", 0, 0, changing, true, "LIS1, part counter"},
+  {"$AC_SPECIAL_PARTS", 0, 0, changing, true, "LIS1, part counter"},
+  {"$AC_OPERATING_TIME", 0, 0, changing, true, "LIS1, run time of programs"},
+  {"$AC_CYCLE_TIME", 0, 0, changing, true, "LIS1, run time of the program"},
+  {"$AC_CUTTING_TIME", 0, 0, changing, true, "LIS1, cutting time"},
+  {"$AN_SETUP_TIME", 0, 0, changing, true, "LIS1, time since the control started with default values"},
+  {"$AN_POWERON_TIME", 0, 0, changing, true, "LIS1, time since the control started"},
   // arguments of a macro that was called in ISO mode, by the local variable that holds them elsewhere
   {"$C_A", 1, 1, call_argument, false, "Function Manual ISO Dialects, macro programs"},
   {"$C_A_PROG", 1, 1, call_argument_given, false, "Function Manual ISO Dialects, macro programs"},
@@ -119,10 +120,10 @@ constexpr auto kVariables = std::to_array<ir::SystemVariableRow>({
   {"$A_OUT", 0, 0, not_modelled, true, "LIS1, digital output"},
   {"$A_INA", 0, 0, not_modelled, false, "LIS1, analog input"},
   {"$A_OUTA", 0, 0, not_modelled, true, "LIS1, analog output"},
-  {"$A_DBB", 1, 0, not_modelled, true, "LIS1, byte shared with the PLC"},
-  {"$A_DBW", 1, 0, not_modelled, true, "LIS1, word shared with the PLC"},
-  {"$A_DBD", 1, 0, not_modelled, true, "LIS1, double word shared with the PLC"},
-  {"$A_DBR", 1, 0, not_modelled, true, "LIS1, real shared with the PLC"},
+  {"$A_DBB", 0, 0, changing, true, "LIS1, byte shared with the PLC"},
+  {"$A_DBW", 0, 0, changing, true, "LIS1, word shared with the PLC"},
+  {"$A_DBD", 0, 0, changing, true, "LIS1, double word shared with the PLC"},
+  {"$A_DBR", 0, 0, changing, true, "LIS1, real shared with the PLC"},
   {"$A_YEAR", 0, 0, not_modelled, false, "LIS1, clock"},
   {"$A_MONTH", 0, 0, not_modelled, false, "LIS1, clock"},
   {"$A_DAY", 0, 0, not_modelled, false, "LIS1, clock"},
@@ -134,10 +135,28 @@ constexpr auto kVariables = std::to_array<ir::SystemVariableRow>({
 // clang-format on
 
 constexpr std::string_view kHarmless[] = {
-    "$AC_TIMER",        "$AC_MARKER",        "$AC_PARAM",      "$AC_TOTAL_PARTS",  "$AC_REQUIRED_PARTS",
-    "$AC_ACTUAL_PARTS", "$AC_SPECIAL_PARTS", "$AC_CYCLE_TIME", "$AC_CUTTING_TIME", "$AC_OPERATING_TIME",
-    "$A_OUT",           "$A_OUTA",           "$A_DBB",         "$A_DBW",           "$A_DBD",
-    "$A_DBR",           "$P_UIFR",           "$P_IFRAME",      "$P_PFRAME",        "$P_BFRAME",
+    "$AC_TIMER",
+    "$AC_MARKER",
+    "$AC_PARAM",
+    "$AC_TOTAL_PARTS",
+    "$AC_REQUIRED_PARTS",
+    "$AC_ACTUAL_PARTS",
+    "$AC_SPECIAL_PARTS",
+    "$AC_CYCLE_TIME",
+    "$AC_CUTTING_TIME",
+    "$AC_OPERATING_TIME",
+    "$AN_SETUP_TIME",
+    "$AN_POWERON_TIME",
+    "$A_OUT",
+    "$A_OUTA",
+    "$A_DBB",
+    "$A_DBW",
+    "$A_DBD",
+    "$A_DBR",
+    "$P_UIFR",
+    "$P_IFRAME",
+    "$P_PFRAME",
+    "$P_BFRAME",
     "$P_UBFR",
 };
 
