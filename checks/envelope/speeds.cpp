@@ -31,6 +31,8 @@ void Speeds::check_spindle_event(const ir::Motion& event) {
   check_spindle(event, 0.0);
   const double lowest = settings_.machine.spindle_min_rpm;
   const double rpm = event.spindle_rpm;
+  if (event.spindle != ir::SpindleState::stopped && !(rpm > 0.0))
+    report_.not_checked.add("the spindle turns at a speed that is not known: it was not checked", event.place.line);
   if (event.spindle == ir::SpindleState::stopped || !(rpm > 0.0) || rpm >= lowest * (1.0 - kSpeedSlack)) return;
   report_.findings.add(text::DiagnosticId::spindle_too_slow, event.place, rpm, lowest,
                        [&] { return std::vector<std::string>{figure(rpm), figure(lowest)}; });

@@ -225,11 +225,15 @@ void BlockWriter::spindle(const ir::Motion& motion) {
   if (surface || surface_speed_ || control_.kind != ir::MachineKind::mill) {
     add(surface ? Function::surface_speed_on : Function::surface_speed_off);
   }
-  surface_speed_ = surface;
+  const bool was_surface = std::exchange(surface_speed_, surface);
   add(motion.spindle == ir::SpindleState::clockwise ? Function::spindle_cw : Function::spindle_ccw);
   constexpr double kFoot_m = 0.3048;
   const double speed_unit_m = unit_mm_ == 1.0 ? 1.0 : kFoot_m;
-  add(Address::s, surface ? motion.surface_speed_m_min / speed_unit_m : motion.spindle_rpm);
+  // A speed that a surface speed left is left by it here, too, and is no whole number.
+  if (surface)
+    add(Address::s, motion.surface_speed_m_min / speed_unit_m);
+  else if (motion.spindle_rpm > 0.0 && (!was_surface || motion.spindle_rpm == std::round(motion.spindle_rpm)))
+    add(Address::s, motion.spindle_rpm);
   if (surface && motion.spindle_rpm > 0.0) add(Address::spindle_limit, motion.spindle_rpm);
   block();
 }

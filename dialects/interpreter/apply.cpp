@@ -71,10 +71,14 @@ void set_block_feed(const PlainBlock& block, ModalState& state) {
   if (state.modes.inch_feed && state.modes.feed_mode != ir::FeedMode::inverse_time) state.feed *= 25.4;
 }
 
+// One that is not known is 0: neither the one before counts any more, nor a limit.
 void set_speed(const PlainBlock& block, ModalState& state, Effects& effects) {
-  if (block.has(Address::spindle_limit)) state.spindle_limit_rpm = block.at(Address::spindle_limit);
-  if (block.has(Address::s)) {
-    const double value = block.at(Address::s);
+  const auto given = [&](Address address) { return ((block.present | block.unknown) & bit_of(address)) != 0; };
+  const auto value_of = [&](Address address) { return block.has(address) ? block.at(address) : 0.0; };
+  if (given(Address::spindle_limit)) state.spindle_limit_rpm = value_of(Address::spindle_limit);
+  if (given(Address::s)) {
+    const double value = value_of(Address::s);
+    if (effects.one_shot != Function::set_coordinates) state.speed_unknown = !block.has(Address::s);
     if (effects.one_shot == Function::set_coordinates)
       state.spindle_limit_rpm = value;
     else if (state.modes.surface_speed)
@@ -351,7 +355,7 @@ BlockResult apply(const PlainBlock& block, const BlockRules& rules, ModalState& 
   const bool times = effects.one_shot == Function::dwell && !rules.semantics.dwell_p_is_ms;
   if ((block.present & kToolWords) != 0 || block.tool_name != kNoText || effects.tool_change)
     set_tool(block, rules, state, effects);
-  if ((block.present & kSpindleWords) != 0 && !times) set_speed(block, state, effects);
+  if (((block.present | block.unknown) & kSpindleWords) != 0 && !times) set_speed(block, state, effects);
   if (((block.present | block.unknown) & kFeedWord) != 0 && !times) set_feed(block, rules, state);
   // D of G37 is how far from its place the touch may be.
   if ((block.present & kNumberWords) != 0 && effects.one_shot != Function::measure_tool)

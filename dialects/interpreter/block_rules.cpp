@@ -66,6 +66,7 @@ BlockRules::BlockRules(const ir::Control& control)
   for (const AxisLetter& row : kIncrementalRows)
     if (ir::incremented_axis(control, row.letter)) add(row, true);
   foreign_axes = letters & ~axis_addresses;
+  surface_by_x = control.kind != ir::MachineKind::mill;
   corner_letters = control.kind == ir::MachineKind::lathe && semantics.arc_radius_is_r;
   using text::DiagnosticId;
   corner_alarm = !ir::alarm_of(control, DiagnosticId::corner_too_large).empty();

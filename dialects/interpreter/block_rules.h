@@ -30,6 +30,7 @@ class BlockRules {
   std::uint64_t foreign_axes = 0;  // axis letters that the control has no axis for
   std::uint64_t counting = 0;      // addresses whose constants without a point count least increments
   bool x_is_diameter = false;      // the control's X is a diameter, whatever mode is programmed
+  bool surface_by_x = false;       // a surface speed is that at the diameter in X, where its block names no axis
   bool corner_letters = false;     // R, I and K of a straight block are its corner (lathes)
   // What the control stops at with an alarm; the others go on in a way that is not known.
   bool corner_alarm = false;        // a chamfer or rounding that is longer than a move beside it

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "dialects/interpreter/drilling.h"
 #include "dialects/interpreter/turning.h"
@@ -25,8 +28,36 @@ struct CodeContext {
   PlainCode code;
 };
 
+// What the surface speed comes to where the tool stands. Without a limit of the program's own the machine's counts,
+// which is not known here.
+std::optional<double> speed_at_diameter(const BlockRules& rules, const ModalState& state) {
+  const bool stands =
+      (state.unknown & 1U) == 0 && !state.modes.has_matrix && state.transformation.shape == Transformation::Shape::none;
+  const bool known = state.surface_by_x && !state.speed_unknown && state.surface_speed_m_min > 0.0;
+  if (!stands || !known || !(state.spindle_limit_rpm > 0.0)) return std::nullopt;
+  const double x = state.position[0] - state.modes.shift[0] - state.coordinate_shift[0];
+  const double around_mm = std::numbers::pi * std::fabs(x) * (rules.x_is_diameter ? 1.0 : 2.0);
+  if (!(around_mm > 0.0)) return state.spindle_limit_rpm;
+  return std::min(state.spindle_limit_rpm, 1000.0 * state.surface_speed_m_min / around_mm);
+}
+
+// The spindle goes on as fast as it turns, until another S is given: the S before G96 counts no longer. (PG, "Constant
+// cutting rate"; 0i-F B-64604EN, "Constant surface speed control".)
+void end_surface_speed(CodeContext& c) {
+  if (!c.state.modes.surface_speed) return;
+  const std::optional<double> rpm = speed_at_diameter(c.rules, c.state);
+  c.state.rpm = rpm.value_or(0.0);
+  c.state.speed_unknown = !rpm;
+  c.state.modes.surface_speed = false;
+}
+void begin_surface_speed(CodeContext& c) {
+  const bool names_axis = ((c.block.present | c.block.unknown) & bit_of(Address::p)) != 0;
+  c.state.surface_by_x = c.rules.surface_by_x && !names_axis;
+  if (!c.state.modes.surface_speed) c.state.speed_unknown = c.state.surface_speed_m_min == 0.0;
+  c.state.modes.surface_speed = true;
+}
 void surface_speed(CodeContext& c, bool on) {
-  c.state.modes.surface_speed = on;
+  on ? begin_surface_speed(c) : end_surface_speed(c);
   c.effects.surface_code = c.effects.announces = true;
 }
 // An F of the other kind is none of this one: 500 mm a minute are not 500 mm a turn. SINUMERIK wants another F then
@@ -39,7 +70,7 @@ void feed(CodeContext& c, ir::FeedMode mode) {
   c.state.modes.feed_mode = mode;
   // … but the feed code that a reader puts beside G96 belongs to it.
   if (c.rules.semantics.feed_code_ends_surface_speed && c.state.modes.surface_speed && !c.effects.surface_code) {
-    c.state.modes.surface_speed = false;
+    end_surface_speed(c);
     c.effects.announces = true;
   }
 }

@@ -44,7 +44,7 @@ void Machine::define_shared_data() {
     if (const ir::Program* definitions = finder_.find(name)) shared_.define(*definitions);
 }
 
-// A subprogram that is run by itself takes its parameters and its feed from a caller that is not there.
+// A subprogram that is run by itself takes its parameters, its feed and its speed from a caller that is not there.
 void Machine::set_inputs(const CompiledProgram& main) {
   for (const Parameter& parameter : main.parameters) {
     if (parameter.type == ir::ValueType::string)
@@ -52,10 +52,10 @@ void Machine::set_inputs(const CompiledProgram& main) {
     else
       storage_.frame_at(parameter.slot) = parameter.by_reference ? Storage::refer_shared(shared_.nameless()) : kVacant;
   }
-  state_.feed_unknown = main.has_procedure;
+  state_.feed_unknown = state_.speed_unknown = main.has_procedure;
   if (!control_.semantics.has_vacant || !is_called_by_others(main)) return;
   for (std::uint32_t i = 0; i < storage_.local_count(); ++i) storage_.local_at(storage_.bases().local + i) = kUnknown;
-  state_.feed_unknown = true;
+  state_.feed_unknown = state_.speed_unknown = true;
   access_.forget_modes();
 }
 

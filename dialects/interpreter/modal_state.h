@@ -244,8 +244,10 @@ struct ModalState {
   std::uint8_t gaps = 0;                   // kZerosChanged, kLengthsChanged
   double feed = 0.0;                       // as Motion::feed
   bool feed_unknown = false;               // given by a value that is not known, or by a caller that is not run
-  double rpm = 0.0;                        // S as written, by what it means
-  double surface_speed_m_min = 0.0;
+  double rpm = 0.0;                        // S as written, by what it means; 0: none given, or not known
+  double surface_speed_m_min = 0.0;        // … 0: the same
+  bool speed_unknown = false;              // of `rpm`: by a value, or kept from a surface speed at a place, not known
+  bool surface_by_x = false;               // G96 goes by the diameter in X
   double spindle_limit_rpm = 0.0;
   ir::SpindleState spindle = ir::SpindleState::stopped;
   ir::CoolantState coolant = ir::CoolantState::off;

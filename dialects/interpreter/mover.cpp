@@ -55,7 +55,8 @@ void fill_common(ir::Motion& motion, const ModalState& state) {
   motion.start = state.position;
   motion.end = state.position;
   motion.spindle = state.spindle;
-  motion.spindle_rpm = state.modes.surface_speed ? state.spindle_limit_rpm : state.rpm;
+  const bool no_speed = state.modes.surface_speed && state.surface_speed_m_min == 0.0;  // of which there is a limit
+  motion.spindle_rpm = no_speed ? 0.0 : state.modes.surface_speed ? state.spindle_limit_rpm : state.rpm;
   motion.surface_speed_m_min = state.modes.surface_speed ? state.surface_speed_m_min : 0.0;
   motion.comp = comp_of(state.modes);
   if (motion.comp != ir::CompSide::off) motion.tool_offset = number_of(state.comp_number);

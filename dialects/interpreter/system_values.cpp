@@ -96,6 +96,11 @@ std::optional<double> index_in_group(std::uint32_t group, const Modes& modes) {
   return std::nullopt;
 }
 
+std::optional<double> programmed_speed(const ModalState& state) {
+  if (state.speed_unknown) return std::nullopt;
+  return state.modes.surface_speed ? state.surface_speed_m_min : state.rpm;
+}
+
 // Where the last measuring move ended.
 std::optional<double> skip_position(const ir::Control& control, std::size_t place, const ModalState& state) {
   if (place >= ir::kAxisCount || (state.skipped_known >> place & 1U) == 0 || state.modes.has_matrix)
@@ -134,7 +139,7 @@ std::optional<double> answer_system(const ir::Control& control, const ir::System
       return state.modes.inch_feed ? state.feed / 25.4 : state.feed;
     case ir::SystemValue::spindle_speed:
       if (indices[0] > 1) return std::nullopt;  // another spindle
-      return state.modes.surface_speed ? state.surface_speed_m_min : state.rpm;
+      return programmed_speed(state);
     case ir::SystemValue::tool_number:
       return state.tool.name == kNoText ? std::optional(static_cast<double>(state.tool.number)) : std::nullopt;
     case ir::SystemValue::selected_tool:
@@ -192,7 +197,7 @@ std::optional<double> SystemValues::read(std::uint32_t row, std::uint32_t number
     case SystemValue::feed:
       if (state.feed_unknown) return std::nullopt;
       return given(state.modes.inch_feed ? state.feed / 25.4 : state.feed);
-    case SystemValue::spindle_speed: return state.modes.surface_speed ? state.surface_speed_m_min : state.rpm;
+    case SystemValue::spindle_speed: return programmed_speed(state).and_then([&](double s) { return given(s); });
     case SystemValue::tool_number: return given(static_cast<double>(state.tool.number));
     case SystemValue::comp_number: return given(state.comp_number);
     case SystemValue::length_number: return given(state.length_number);

@@ -141,6 +141,7 @@ void TraceWriter::write_event(const ir::Motion& motion) {
     text_ += name_in(kSpindles, motion.spindle);
     if (motion.spindle == ir::SpindleState::stopped) return;
     const bool surface = motion.surface_speed_m_min != 0.0;
+    if (!surface && motion.spindle_rpm == 0.0) return;  // none was given, or it is not known
     append_word("S", surface ? motion.surface_speed_m_min : motion.spindle_rpm);
     text_ += surface ? "/m_min" : "/rpm";
     if (surface && motion.spindle_rpm != 0.0) append_word("limit ", motion.spindle_rpm);
