@@ -11,6 +11,7 @@
 #include "dialects/compile/execute.h"
 #include "dialects/compile/render.h"
 #include "dialects/compile/shared_definitions.h"
+#include "server/app/line_characters.h"
 #include "server/app/machine_facts.h"
 #include "server/app/surface_checks.h"
 
@@ -243,47 +244,6 @@ void run_checks(const Examination& e, const ir::Program& program, CheckReport& r
     }
   }
   checks.finish();
-}
-
-// A comment that the place lies in: newer controls keep what older ones do not show.
-bool is_in_comment(const ir::Program& program, std::uint32_t at) {
-  const auto token = std::ranges::upper_bound(program.tokens, at, {}, [](const ir::Token& t) { return t.span.begin; });
-  return token != program.tokens.begin() && std::prev(token)->kind == ir::TokenKind::comment;
-}
-
-// What the machine's line could not carry, or its control would not take: a job would be refused for it. What the
-// reader said of a character already is not said again; those of comments are named together.
-void check_characters(const Examination& e, const ir::Program& program, std::vector<text::Diagnostic>& diagnostics) {
-  if (e.profile == nullptr) return;
-  const auto line = machine::effective_line(e.profile->line);
-  if (!line) return;  // the profile's own fault, told where the time is
-  tape_code::CharacterSet taken = machine::characters_of(*line);
-  taken.add('\r');  // a part of the text's EOBs, and not sent as such
-  tape_code::CharacterCheck check(taken);
-  check.append(e.source.text());
-  std::optional<text::Diagnostic> of_comments;
-  for (const tape_code::IllegalCharacter& one : check.found()) {
-    const auto at = static_cast<std::uint32_t>(one.text_offset);
-    const bool told = std::ranges::any_of(diagnostics, [&](const text::Diagnostic& d) {
-      return d.id == text::DiagnosticId::invalid_character && d.span.begin <= at && at < d.span.end;
-    });
-    if (told) continue;
-    const bool printable = one.byte > ' ' && one.byte < 0x7F;
-    text::Diagnostic said = {
-        .id = text::DiagnosticId::invalid_character,
-        .severity = text::Severity::error,
-        .span = {at, at + 1},
-        .arguments = {printable ? std::string(1, static_cast<char>(one.byte)) : fmt::format("0x{:02X}", one.byte)},
-        .notes = {{.span = {}, .text = machine::character_refusal(*line, one)}}};
-    if (!is_in_comment(program, at)) {
-      diagnostics.push_back(std::move(said));
-    } else if (!of_comments) {
-      said.severity = text::Severity::warning;
-      said.notes.push_back({.span = {}, .text = "it stands in a comment, as others may that are not named here"});
-      of_comments = std::move(said);
-    }
-  }
-  if (of_comments) diagnostics.push_back(std::move(*of_comments));
 }
 
 // What was taken for granted against the text's own word.

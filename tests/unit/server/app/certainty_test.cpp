@@ -284,17 +284,42 @@ TEST(Certainty, TwoSystemsOfOneLatheAreNotGuessed) {
   EXPECT_TRUE(dialect->infer_control(clear).contradiction.empty());
 }
 
-TEST(Certainty, CharactersOfACommentAreToldOnce) {
+CheckReport check_for_line(const std::string& text) {
   machine::Profile profile;
   profile.name = "m";
   profile.control.dialect = "fanuc";
   profile.line.link = machine::parse_link_url("serial:/dev/ttyS0").value();
   profile.line.character_set = "fanuc-iso";
-  const CheckReport report = check("%\nO1(Shaft)\n(of Steel)\nG21G90G94G17\nG0X1.\nM30\n%\n", {.profile = &profile});
-  std::size_t told = 0;
+  return check(text, {.profile = &profile});
+}
+
+// "SEVERITY CHARACTER: LAST NOTE" of what is said of characters.
+std::vector<std::string> characters_in(const CheckReport& report) {
+  std::vector<std::string> all;
   for (const text::Diagnostic& one : report.checks.diagnostics)
-    if (one.id == DiagnosticId::invalid_character) told += one.severity == Severity::warning ? 1 : 100;
-  EXPECT_EQ(told, 1U);
+    if (one.id == DiagnosticId::invalid_character)
+      all.push_back(std::string(text::name_of(one.severity)) + " " + one.arguments.at(0) + ": " +
+                    one.notes.back().text);
+  return all;
+}
+
+TEST(Certainty, CharactersOfCommentsAreToldOnceAKind) {
+  const std::string rest = "G21G90G94G17\nG0X1.\nM30\n%\n";
+  EXPECT_EQ(characters_in(check_for_line("%\nO1(Shaft)\n(of Steel)\n" + rest)),
+            (std::vector<std::string>{"warning h: the first of 10 lower-case letters in comments"}));
+  EXPECT_EQ(characters_in(check_for_line("%\nO1(a)\n(B;C)\n(D!)\n" + rest)),
+            (std::vector<std::string>{"warning a: the control does not take the character 'a'",
+                                      "warning ;: the first of 2 such characters in comments"}));
+  EXPECT_TRUE(characters_in(check_for_line("%\nO1(SHAFT)\n" + rest)).empty());
+}
+
+// However many a comment has, those of blocks are seen.
+TEST(Certainty, CharactersOfCommentsHideNone) {
+  const CheckReport report =
+      check_for_line("%\nO1(" + std::string(100, 'a') + ")\nG21G90G94G17\n#100=[#_DATE]\nM30\n%\n");
+  EXPECT_EQ(characters_in(report),
+            (std::vector<std::string>{"warning a: the first of 100 lower-case letters in comments",
+                                      "error _: the control does not take the character '_'"}));
 }
 
 }  // namespace
