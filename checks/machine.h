@@ -70,7 +70,8 @@ struct TimingData {
   std::uint32_t look_ahead_blocks = 0;  // 0: not limited
   double tool_change_s = 0.0;
   double contour_tolerance_mm = 0.0;  // the control rounds corners within it (G64 with a tolerance, CYCLE832); 0: not
-  std::optional<ir::CostModel> cost;  // measured at this machine; otherwise the control's usual one counts
+  std::optional<ir::CostModel> cost;  // of this machine; otherwise the control's usual one counts
+  std::string cost_origin;            // of `cost`, whose own is not used
 };
 
 struct Machine {

@@ -1,6 +1,6 @@
 // The active-set method: variables enter the passive set (those free to be above zero) one by one, by the steepest
 // descent; where the least-squares solution over the set would push one below zero, the step ends where that one gets
-// to zero, and it leaves. The systems have five unknowns: normal equations, after the columns were scaled, will do.
+// to zero, and it leaves. The systems have a dozen unknowns: normal equations, after the columns were scaled, will do.
 #include "checks/timing/cost_fit.h"
 
 #include <algorithm>
@@ -74,15 +74,11 @@ bool settle(std::span<const double> a, std::span<const double> b, std::vector<do
   }
 }
 
-std::array<double, 5> columns_of(const ir::ComputeCounts& n) {
-  return {static_cast<double>(n.blocks), static_cast<double>(n.number_reads), static_cast<double>(n.named_reads),
-          static_cast<double>(n.operators), static_cast<double>(n.functions)};
-}
-
 }  // namespace
 
 std::vector<double> non_negative_least_squares(std::span<const double> a, std::span<const double> b,
                                                std::size_t columns) {
+  if (columns == 0) return {};
   // Columns of length one.
   std::vector<double> scale(columns, 0.0);
   for (std::size_t i = 0; i < a.size(); ++i) scale[i % columns] += a[i] * a[i];
@@ -115,27 +111,96 @@ std::vector<double> non_negative_least_squares(std::span<const double> a, std::s
   return x;
 }
 
+// Newton's method of Gauss: ln(p / b) is about ln(p0 / b) + (p - p0) / p0 about the last x, where p = A·x. That is
+// linear in x, and its step is shortened until the sum falls, and as long as it falls further.
+std::vector<double> log_least_squares(std::span<const double> a, std::span<const double> b,
+                                      std::span<const double> weights, std::size_t columns) {
+  constexpr int kRounds = 200;
+  constexpr double kLeastRatio = 1e-6;  // of a row that nothing in x has a share in
+  const std::size_t rows = b.size();
+  const auto ratios_of = [&](const std::vector<double>& x) {
+    std::vector<double> ratios(rows, 0.0);
+    for (std::size_t i = 0; i < a.size(); ++i) ratios[i / columns] += a[i] * x[i % columns] / b[i / columns];
+    for (double& ratio : ratios) ratio = std::max(ratio, kLeastRatio);
+    return ratios;
+  };
+  const auto sum_of = [&](const std::vector<double>& ratios) {
+    double sum = 0.0;
+    for (std::size_t r = 0; r < rows; ++r) sum += weights[r] * std::log(ratios[r]) * std::log(ratios[r]);
+    return sum;
+  };
+  std::vector<double> scaled(a.size());
+  std::vector<double> wanted(rows);
+  const auto solve_about = [&](const std::vector<double>& ratios) {
+    for (std::size_t r = 0; r < rows; ++r) {
+      const double weight = std::sqrt(weights[r]);
+      for (std::size_t j = 0; j < columns; ++j)
+        scaled[r * columns + j] = weight * a[r * columns + j] / (b[r] * ratios[r]);
+      wanted[r] = weight * (1.0 - std::log(ratios[r]));
+    }
+    return non_negative_least_squares(scaled, wanted, columns);
+  };
+  std::vector<double> x = solve_about(std::vector<double>(rows, 1.0));
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<double> ratios = ratios_of(x);
+    const std::vector<double> goal = solve_about(ratios);
+    const auto at = [&](double step) {
+      std::vector<double> next(columns);
+      for (std::size_t j = 0; j < columns; ++j) next[j] = std::max(0.0, x[j] + step * (goal[j] - x[j]));
+      return next;
+    };
+    const auto sum_after = [&](double step) { return sum_of(ratios_of(at(step))); };
+    const double before = sum_of(ratios);
+    double step = 1.0;
+    double sum = sum_after(step);
+    while (sum >= before && step > kSmall) sum = sum_after(step /= 2.0);
+    if (sum >= before) break;
+    // The sum is no parabola: half of a step that is good may be better.
+    for (double half = sum_after(step / 2.0); half < sum && step > kSmall; half = sum_after(step / 2.0)) {
+      step /= 2.0;
+      sum = half;
+    }
+    x = at(step);
+  }
+  return x;
+}
+
+double spread_of(std::span<const double> ratios, std::size_t figures) {
+  double sum = 0.0;
+  for (const double ratio : ratios) sum += std::log(ratio) * std::log(ratio);
+  const std::size_t freedom = ratios.size() > figures ? ratios.size() - figures : 1;
+  return std::exp(2.0 * std::sqrt(sum / static_cast<double>(freedom)));
+}
+
 std::expected<CostFit, std::string> fit_cost(std::span<const CostRow> rows) {
-  constexpr std::size_t kColumns = 5;
+  constexpr std::size_t kColumns = ir::kCostTerms.size();
   if (rows.empty()) return std::unexpected("there is no measured row");
   std::vector<double> a;
   std::vector<double> b;
   for (const CostRow& row : rows) {
     if (!(row.measured_ms > 0.0) || !std::isfinite(row.measured_ms))
       return std::unexpected("a measured time is not above zero");
-    for (const double count : columns_of(row.counts)) a.push_back(count / row.measured_ms);
-    b.push_back(1.0);
+    for (const ir::CostTerm& term : ir::kCostTerms) a.push_back(row.counts.*term.count);
+    b.push_back(row.measured_ms);
   }
-  const std::vector<double> x = non_negative_least_squares(a, b, kColumns);
+  const std::vector<double> x = log_least_squares(a, b, std::vector<double>(b.size(), 1.0), kColumns);
   if (std::ranges::all_of(x, [](double one) { return one == 0.0; }))
     return std::unexpected("the measured rows determine no figure");
   CostFit fit;
-  fit.model = {x[0], x[1], x[2], x[3], x[4], true, {}};
-  for (std::size_t j = 0; j < kColumns; ++j) fit.is_determined[j] = x[j] > 0.0;
-  for (const CostRow& row : rows) {
-    fit.residual_ms.push_back(ir::compute_ms(fit.model, row.counts) - row.measured_ms);
-    fit.worst_share = std::max(fit.worst_share, std::fabs(fit.residual_ms.back()) / row.measured_ms);
+  fit.model.source = ir::CostSource::calibrated;
+  for (std::size_t j = 0; j < kColumns; ++j) {
+    fit.model.*ir::kCostTerms[j].ms = x[j];
+    fit.is_determined[j] = x[j] > 0.0;
   }
+  std::vector<double> ratios;
+  for (const CostRow& row : rows) {
+    const double predicted = ir::compute_ms(fit.model, row.counts);
+    fit.residual_ms.push_back(predicted - row.measured_ms);
+    fit.worst_share = std::max(fit.worst_share, std::fabs(fit.residual_ms.back()) / row.measured_ms);
+    if (predicted > 0.0) ratios.push_back(predicted / row.measured_ms);
+  }
+  const auto figures = static_cast<std::size_t>(std::ranges::count(fit.is_determined, true));
+  fit.model.spread = std::max(kLeastSpread, spread_of(ratios, figures));
   return fit;
 }
 

@@ -26,8 +26,10 @@ Intake::Intake(const Settings& settings, Report& report)
       report_(report),
       rates_(rates_of(settings.machine)),
       cost_(settings.machine.timing.cost.value_or(settings.cost)) {
-  report_.cost_is_measured = cost_.measured;
-  report_.cost_origin = std::string(cost_.origin);
+  report_.cost_source = cost_.source;
+  report_.cost_spread = cost_.spread;
+  const checks::TimingData& own = settings.machine.timing;
+  report_.cost_origin = own.cost ? own.cost_origin : std::string(cost_.origin);
   bytes_through_.reserve(settings.line_bytes.size() + 1);
   bytes_through_.push_back(0);
   for (const std::uint32_t bytes : settings.line_bytes) bytes_through_.push_back(bytes_through_.back() + bytes);
@@ -39,7 +41,7 @@ void Intake::say_what_is_missing() {
   if (!rates_.rapid_known) say("the rapid speed of an axis is not known: its rapid moves take no time");
   if (!rates_.acceleration_known) say("the acceleration of an axis is not known: it reaches every speed at once");
   if (!(rates_.sample_s > 0.0)) say("the sample time is not known: corners take no time");
-  if (!(ir::compute_ms(cost_, {1, 1, 1, 1, 1}) > 0.0))
+  if (!(ir::compute_ms(cost_, {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}) > 0.0))
     say("what a block costs the control is not known: computing takes no time");
   const bool has_size = settings_.machine.buffer.bytes > 0 || settings_.machine.buffer.blocks > 0;
   if (settings_.line && !has_size) say("the control's buffer is not known: it is taken as without limit");

@@ -91,9 +91,11 @@ struct Report {
   Advice advice;
   std::vector<CurvePoint> curve;
   double path_mm = 0.0;
-  double rapid_s = 0.0;           // of motion_s
-  bool cost_is_measured = false;  // otherwise compute_s is an assumption
-  std::string cost_origin;        // where the cost model's figures are from
+  double rapid_s = 0.0;  // of motion_s
+  // Where the cost model's figures are from, in words, too, and the factor that compute_s may be off by.
+  ir::CostSource cost_source = ir::CostSource::assumed;
+  std::string cost_origin;
+  double cost_spread = 1.0;
   checks::FindingList findings;
   checks::NotCheckedList not_checked;
 };

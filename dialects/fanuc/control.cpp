@@ -15,8 +15,8 @@ constexpr ir::CostModel kCost = {.block_ms = 2.0,
                                  .named_read_ms = 0.2,
                                  .operator_ms = 0.05,
                                  .function_ms = 0.3,
-                                 .measured = false,
-                                 .origin = "assumed: 0i class"};
+                                 .round_ms = 2.0,
+                                 .origin = "0i class"};
 
 }  // namespace
 

@@ -13,8 +13,8 @@ constexpr ir::CostModel kCost = {.block_ms = 1.0,
                                  .named_read_ms = 0.1,
                                  .operator_ms = 0.03,
                                  .function_ms = 0.15,
-                                 .measured = false,
-                                 .origin = "assumed: NGC class"};
+                                 .round_ms = 1.0,
+                                 .origin = "NGC class"};
 
 }  // namespace
 

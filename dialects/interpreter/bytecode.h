@@ -105,8 +105,8 @@ enum class Opcode : std::uint8_t {
   store_frame,     // frame b of the control = a
   // Flow
   block,           // a block begins: line a, work b
-  jump,            // to a
-  jump_back,       // to a, counts as a pass
+  jump,            // to a; c: 1 when it is one of the program's, not a part of a structure
+  jump_back,       // to a, counts as a pass; c as above
   branch_false,    // to b unless a holds; extra 1: also when it is not known whether it does
   jump_number,     // to the block whose number is a; extra: JumpSearch; c: 1 when a missing target is passed over
   jump_text,       // to the label in string a; as above

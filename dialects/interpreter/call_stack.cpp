@@ -214,6 +214,7 @@ std::optional<std::uint32_t> CallStack::call(const Instruction& i, std::uint32_t
     pushed.is_external = external;
     if (!pass_parameters(i, passing_, pushed)) return std::nullopt;
   }
+  ++out_.work.calls;
   Frame& frame = frames_.back();
   enter(frame);
   return begin;
@@ -253,6 +254,7 @@ std::optional<std::uint32_t> CallStack::call_modal(const Instruction& i, std::ui
   const bool macro = modal_->kind == ir::CallKind::macro;
   if (!has_room(i, macro)) return std::nullopt;
   Frame& frame = push(*modal_->target, next, macro);
+  ++out_.work.calls;
   frame.is_modal = true;
   frame.times_left = modal_->times - 1;
   ++modal_frames_;
@@ -361,6 +363,7 @@ bool CallStack::pass_parameter(const Instruction& i, const PassedValue& value, c
 std::uint32_t CallStack::go_back() {
   if (Frame& top = frames_.back(); top.is_modal && top.times_left > 0 && modal_.has_value()) {
     --top.times_left;
+    ++out_.work.calls;
     storage_.open_frame(*top.program, top.bases);
     if (top.is_macro) {
       storage_.open_locals(top.bases);

@@ -112,11 +112,15 @@ void FlowCompiler::compile_repeat_end(std::uint32_t index) {
     builder_.at(test).b = builder_.here();
   }
   jump_to(Opcode::jump_back, span, end.partner, Edge::after);
+  builder_.at(builder_.here() - 1).c = 1;
 }
 
-// counter <= last, with the last value as it is at this pass.
+// counter <= last, with the last value as it is at this pass. The control has the counter at hand then: no reading.
 Operand FlowCompiler::compile_for_test(const ir::Structure& loop, text::Span span) {
+  const Work before = builder_.work;
   const Value counter = expressions_.variables().load(builder_.source().at(loop.counter), Operand::none);
+  builder_.work = before;
+  ++builder_.work.operators;
   const Value last = expressions_.compile_number(loop.last);
   return expressions_.combine(Operator::less_equal, counter, last, span).operand;
 }
@@ -141,6 +145,7 @@ void FlowCompiler::compile_for_end(std::uint32_t index) {
   const ir::Variable& counter = builder_.source().at(loop.counter);
   const Value one{builder_.constant(1.0), ir::ValueType::integer, 1.0};
   const Value value = expressions_.variables().load(counter, Operand::none);
+  expressions_.variables().count_write(counter);
   expressions_.variables().store(counter, expressions_.combine(Operator::add, value, one, span), span);
   const Operand goes_on = compile_for_test(loop, span);
   branches_.push_back({builder_.emit(Opcode::branch_false, span, raw_of(goes_on)), index, Edge::after});
@@ -160,12 +165,13 @@ void FlowCompiler::compile_jump(std::uint32_t index) {
   }
   if (jump.restart) {
     jump_to(Opcode::jump_back, span, 0, Edge::begin);
+    builder_.at(builder_.here() - 1).c = 1;
   } else if (jump.computed != ir::ExpressionId::none) {
     const Value target = expressions_.compile(jump.computed);
     builder_.emit(target.is_string() ? Opcode::jump_text : Opcode::jump_number, span, raw_of(target.operand), 0,
                   jump.tolerant ? 1 : 0, static_cast<std::uint8_t>(jump.search));
   } else {
-    jumps_.push_back({builder_.emit(Opcode::jump, span), &jump});
+    jumps_.push_back({builder_.emit(Opcode::jump, span, 0, 0, 1), &jump});
   }
   if (test != ir::kNoIndex) builder_.at(test).b = builder_.here();
 }
@@ -246,6 +252,7 @@ void FlowCompiler::settle_jump(const LabelJump& pending) {
     instruction.a = to;
   } else if (jump.tolerant) {
     instruction.a = pending.instruction + 1;
+    instruction.c = 0;
   } else {
     const std::string name = jump.label == ir::StringId::none ? "N" + std::to_string(jump.number)
                                                               : std::string(builder_.source().strings.at(jump.label));

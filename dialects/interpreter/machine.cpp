@@ -173,9 +173,13 @@ void Machine::execute(std::uint32_t next) {
         else
           begin_block(i);
         break;
-      case Opcode::jump: next = i.a; break;
+      case Opcode::jump:
+        next = i.a;
+        out_.work.jumps += i.c;
+        break;
       case Opcode::jump_back:
         next = i.a;
+        out_.work.jumps += i.c;
         budget_.take_step();
         if (++passes_ > options_.limits.loop_passes) [[unlikely]]
           goes_on = report_.fail_limit(i, "loop passes");
@@ -381,14 +385,11 @@ void Machine::begin_block(const Instruction& i) {
     tell_block();
   budget_.take_step();
   begin_place(stack_.program().keeps_place ? out_.place.line : i.a);
-  const Work& work = stack_.program().works[i.b];
-  ++out_.work.blocks;
   state_.clock_ms += control_.cost.block_ms;
-  if (i.b == 0) return;
-  out_.work.number_reads += work.number_reads;
-  out_.work.named_reads += work.named_reads;
-  out_.work.operators += work.operators;
-  out_.work.functions += work.functions;
+  if (i.b == 0)
+    ++out_.work.blocks;
+  else
+    out_.work.add(stack_.program().works[i.b]);
 }
 
 }  // namespace dripfeed::interpreter

@@ -72,6 +72,7 @@ bool Machine::jump(const Instruction& i, std::uint32_t& next) {
     return report_.fail(i, DiagnosticId::jump_into_loop, {block_number_name(value)});
   if (to < next && ++passes_ > options_.limits.loop_passes) return report_.fail_limit(i, "loop passes");
   next = to;
+  ++out_.work.jumps;
   return true;
 }
 
@@ -114,6 +115,7 @@ bool Machine::repeat_section(const Instruction& i, std::uint32_t& next) {
   }
   if (++passes_ > options_.limits.loop_passes) return report_.fail_limit(i, "loop passes");
   next = i.a;
+  ++out_.work.jumps;
   return true;
 }
 

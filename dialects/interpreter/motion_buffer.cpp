@@ -15,7 +15,7 @@ std::uint32_t capped(std::uint64_t count) {
 // motion = Motion{}, field by field: in one piece the compiler clears it by a string instruction, which takes longer
 // than all else that a straight move needs.
 void make_blank(ir::Motion& motion) {
-  static_assert(sizeof(ir::Motion) == 256, "a new field? It belongs into this list.");
+  static_assert(sizeof(ir::Motion) == 280, "a new field? It belongs into this list.");
   static constexpr ir::Motion kBlank;
   motion.plane = kBlank.plane;
   motion.feed_mode = kBlank.feed_mode;
@@ -42,6 +42,20 @@ void make_blank(ir::Motion& motion) {
 
 }  // namespace
 
+void Work::add(const Work& more) {
+  blocks += more.blocks;
+  number_reads += more.number_reads;
+  number_writes += more.number_writes;
+  named_reads += more.named_reads;
+  named_writes += more.named_writes;
+  operators += more.operators;
+  functions += more.functions;
+  jumps += more.jumps;
+  rounds += more.rounds;
+  calls += more.calls;
+  indexed += more.indexed;
+}
+
 MotionBuffer::MotionBuffer(ir::MotionSink& sink, RunBudget& budget)
     : sink_(sink), budget_(budget), motions_(ir::kMotionBatch) {}
 
@@ -65,8 +79,10 @@ ir::Motion& MotionBuffer::add(ir::MotionKind kind) {
   motion.place.program = place.program;
   motion.place.line = place.line;
   motion.place.ordinal = place.ordinal;
-  motion.compute = {capped(work.blocks), capped(work.number_reads), capped(work.named_reads), capped(work.operators),
-                    capped(work.functions)};
+  motion.compute = {capped(work.blocks),      capped(work.number_reads), capped(work.number_writes),
+                    capped(work.named_reads), capped(work.named_writes), capped(work.operators),
+                    capped(work.functions),   capped(work.jumps),        capped(work.rounds),
+                    capped(work.calls),       capped(work.indexed)};
   work = {};
   return motion;
 }

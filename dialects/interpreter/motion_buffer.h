@@ -10,13 +10,22 @@
 
 namespace dripfeed::interpreter {
 
-// Counts of computing, wide enough never to wrap in a run; a motion gets them capped.
+// Counts as ir::ComputeCounts has them, wide enough never to wrap in a run; a motion gets them capped.
 struct Work {
   std::uint64_t blocks = 0;
   std::uint64_t number_reads = 0;
+  std::uint64_t number_writes = 0;
   std::uint64_t named_reads = 0;
+  std::uint64_t named_writes = 0;
   std::uint64_t operators = 0;
   std::uint64_t functions = 0;
+  std::uint64_t jumps = 0;
+  std::uint64_t rounds = 0;
+  std::uint64_t calls = 0;
+  std::uint64_t indexed = 0;
+
+  void add(const Work& more);
+  bool operator==(const Work&) const = default;
 };
 
 class MotionBuffer {

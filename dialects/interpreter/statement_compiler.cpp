@@ -117,16 +117,20 @@ void StatementCompiler::compile_statement(std::uint32_t index) {
 void StatementCompiler::begin_block(const ir::Statement& statement) {
   end_block();
   block_instruction_ = builder_.emit(Opcode::block, statement.span, statement.line);
+  // A control that comes to the end of a WHILE or LOOP goes back without reading a block (G. Nikiel, table 5: WHILE is
+  // no slower than IF … GOTOB); that of a FOR steps and tests as its head does.
+  closes_round_ = statement.kind == StatementKind::while_end || statement.kind == StatementKind::loop_end;
+  if (closes_round_ || statement.kind == StatementKind::for_end) ++builder_.work.rounds;
 }
 
 void StatementCompiler::end_block() {
-  const Work& work = builder_.work;
-  const bool computes = work.number_reads + work.named_reads + work.operators + work.functions > 0;
-  if (block_instruction_ != ir::kNoIndex && computes) {
+  Work& work = builder_.work;
+  work.blocks += closes_round_ ? 0U : 1U;
+  if (block_instruction_ != ir::kNoIndex && work != builder_.out().works.front()) {
     builder_.at(block_instruction_).b = static_cast<std::uint32_t>(builder_.out().works.size());
     builder_.out().works.push_back(work);
-    builder_.out().works.back().blocks = 1;
   }
+  closes_round_ = false;
   builder_.work = {};
   block_instruction_ = ir::kNoIndex;
 }

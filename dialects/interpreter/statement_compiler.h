@@ -61,6 +61,7 @@ class StatementCompiler {
   FlowCompiler flow_;
   CallCompiler calls_;
   std::uint32_t block_instruction_ = ir::kNoIndex;
+  bool closes_round_ = false;        // the block is the end of a loop, and none for the control
   std::vector<StatementCode> code_;  // by statement, from the first that is compiled
   std::uint32_t next_part_ = 0;      // of the program's foreign ones
   std::uint32_t part_instruction_ = ir::kNoIndex;

@@ -16,6 +16,12 @@ using ir::Bank;
 using ir::ValueType;
 using text::DiagnosticId;
 
+bool is_numbered(const ir::Variable& variable) { return variable.bank == Bank::hash || variable.bank == Bank::r; }
+// An index of the control's own data names an axis or a place of a table that it has at hand.
+bool is_indexed(const ir::Variable& variable) {
+  return variable.bank != Bank::system && variable.index != ir::ExpressionId::none;
+}
+
 }  // namespace
 
 std::string name_of(const ir::Program& program, const ir::Control& control, const ir::Variable& variable) {
@@ -33,6 +39,11 @@ std::string name_of(const ir::Program& program, const ir::Control& control, cons
 Value VariableCompiler::failure(text::Span span, DiagnosticId id, std::vector<std::string> arguments) {
   builder_.emit_failure(span, id, std::move(arguments));
   return {builder_.constant(0.0), ValueType::real, std::nullopt};
+}
+
+void VariableCompiler::count_write(const ir::Variable& variable) {
+  ++(is_numbered(variable) ? builder_.work.number_writes : builder_.work.named_writes);
+  builder_.work.indexed += is_indexed(variable) ? 1U : 0U;
 }
 
 const SymbolSlot& VariableCompiler::slot_of(ir::SymbolId symbol) const {
@@ -139,8 +150,9 @@ Operand VariableCompiler::system_index(const ir::Variable& variable) {
 
 Value VariableCompiler::load(const ir::Variable& variable, Operand target) {
   if (is_unknown(variable)) return failure(variable.span, DiagnosticId::unknown_name, {"here"});
-  const bool numbered = variable.bank == Bank::hash || variable.bank == Bank::r;
+  const bool numbered = is_numbered(variable);
   ++(numbered ? builder_.work.number_reads : builder_.work.named_reads);
+  builder_.work.indexed += is_indexed(variable) ? 1U : 0U;
   if (const auto frame = frame_kind(variable)) return load_frame(variable, *frame, target);
   if (const auto given = load_given(variable, target)) return *given;
   if (is_shared(variable)) return load_shared(variable, target);

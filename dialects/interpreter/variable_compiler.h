@@ -25,6 +25,8 @@ class VariableCompiler {
       : builder_(builder), expressions_(expressions) {}
 
   Value load(const ir::Variable& variable, Operand target);
+  // One more write, in the block's work.
+  void count_write(const ir::Variable& variable);
   // variable = expression, converted to the variable's type.
   void assign(const ir::Variable& target, ir::ExpressionId value, text::Span span);
   void store(const ir::Variable& target, const Value& value, text::Span span);

@@ -19,6 +19,7 @@ void VariableCompiler::assign(const ir::Variable& target, ir::ExpressionId value
     failure(span, DiagnosticId::unknown_name, {"here"});
     return;
   }
+  count_write(target);
   const bool takes_text =
       target.bank == Bank::named && !is_shared(target) && builder_.source().at(target.symbol).type == ValueType::string;
   if (takes_text)

@@ -13,8 +13,8 @@ constexpr ir::CostModel kCost = {.block_ms = 1.0,
                                  .named_read_ms = 0.1,
                                  .operator_ms = 0.03,
                                  .function_ms = 0.15,
-                                 .measured = false,
-                                 .origin = "assumed: Matrix 2, Smooth class"};
+                                 .round_ms = 1.0,
+                                 .origin = "Matrix 2, Smooth class"};
 
 std::string_view title_of(ir::MachineKind kind) {
   if (kind == ir::MachineKind::mill) return "Mazak Smooth (machining center)";

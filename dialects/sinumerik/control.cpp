@@ -77,8 +77,8 @@ ir::Control control(ir::MachineKind kind) {
             .named_read_ms = 0.86,
             .operator_ms = 0.05,
             .function_ms = 0.6,
-            .measured = false,
-            .origin = "G. Nikiel, execution speed of parametric programs, tables 1-4 (810D)"};
+            .round_ms = 1.0,
+            .origin = "as an 810D, by G. Nikiel, execution speed of parametric programs, tables 1-4"};
   c.g_codes = g_code_rows();
   c.m_codes = m_code_rows();
   c.system_variables = system_variables();

@@ -1,5 +1,7 @@
 // dripfeed calibrate: writes the timing program of a control, and fits the machine's profile to what it measured there
 // and to cycle times that were taken with a watch.
+#include <algorithm>
+#include <chrono>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -22,6 +24,7 @@ struct Options {
   TextOptions text;
   std::string write;
   bool prints = false;
+  bool calls = false;
   std::string results;
   std::vector<std::string> runs;  // FILE=SECONDS
 };
@@ -36,7 +39,7 @@ std::string fixed(double value, int places) { return text::format_fixed(value, p
 int write_program(const Options& options) {
   const auto chosen = choose_control(options.text);
   if (!chosen) return fail_with(chosen.error());
-  const auto program = app::calibration_program(chosen->control, options.prints);
+  const auto program = app::calibration_program(chosen->control, {.prints = options.prints, .calls = options.calls});
   if (!program) return fail_with(program.error());
   return write_output(options.write, *program) ? kDone : kWrongUse;
 }
@@ -59,11 +62,20 @@ app::Result<ir::CostModel> cost_of(const Options& options, const ChosenControl& 
         fmt::format("{:<5} {:<34} measured {:>9} ms  model {:>9} ms  {:>6} %\n", (*rows)[i].variable, (*rows)[i].what,
                     fixed(ms, 1), fixed(ms + fit->residual_ms[i], 1), fixed(100 * fit->residual_ms[i] / ms, 2));
   }
-  const ir::CostModel& m = fit->model;
-  text += fmt::format("block {} ms, variable {} ms, named variable {} ms, operator {} ms, function {} ms\n",
-                      fixed(m.block_ms, 4), fixed(m.number_read_ms, 4), fixed(m.named_read_ms, 4),
-                      fixed(m.operator_ms, 4), fixed(m.function_ms, 4));
-  return fit->model;
+  ir::CostModel model = fit->model;
+  const ir::CostModel before = chosen.profile->machine.timing.cost.value_or(chosen.control.cost);
+  for (std::size_t i = 0; i < ir::kCostTerms.size(); ++i) {
+    const ir::CostTerm& term = ir::kCostTerms[i];
+    // What the program did not do it says nothing of.
+    const bool is_asked =
+        std::ranges::any_of(measured, [&](const timing::CostRow& row) { return row.counts.*term.count > 0; });
+    if (!is_asked) model.*term.ms = before.*term.ms;
+    text += fmt::format("{:>10} ms  {}{}\n", fixed(model.*term.ms, 4), term.what,
+                        !is_asked               ? " (as before: not measured)"
+                        : fit->is_determined[i] ? ""
+                                                : " (not told apart from the others)");
+  }
+  return model;
 }
 
 struct TimedRun {
@@ -115,6 +127,16 @@ app::Result<timing::MachineFactors> factors_of(const Options& options, const std
   return fit->factors;
 }
 
+// Which programs measured the machine, and when. `before`: what was scaled to cycle times alone.
+std::string origin_of(const Options& options, std::string_view before) {
+  std::string text(options.results.empty() ? before : app::kTimingProgramName);
+  for (const std::string& run : options.runs)
+    text += fmt::format("{}{}", text.empty() ? "" : "; ", "cycle time of " + run.substr(0, run.rfind('=')));
+  const std::chrono::year_month_day day(std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
+  return fmt::format("{}, {:04}-{:02}-{:02}", text, static_cast<int>(day.year()), static_cast<unsigned>(day.month()),
+                     static_cast<unsigned>(day.day()));
+}
+
 int fit_profile(const Options& options) {
   const auto chosen = choose_control(options.text);
   if (!chosen) return fail_with(chosen.error());
@@ -135,13 +157,14 @@ int fit_profile(const Options& options) {
   }
   fmt::print("{}", text);
   if (options.text.output.empty()) return kDone;
-  ir::CostModel cost = measured.value_or(chosen->profile->machine.timing.cost.value_or(chosen->control.cost));
-  for (double* figure :
-       {&cost.block_ms, &cost.number_read_ms, &cost.named_read_ms, &cost.operator_ms, &cost.function_ms})
-    *figure *= factors.compute;
+  const checks::TimingData& timing = chosen->profile->machine.timing;
+  ir::CostModel cost = measured.value_or(timing.cost.value_or(chosen->control.cost));
+  cost = ir::scaled(cost, factors.compute);
+  const std::string before = timing.cost ? timing.cost_origin : std::string(chosen->control.cost.origin);
   const auto document = read_machine_document(options.text.machine);
   if (!document) return fail_with(document.error());
-  const auto profile = json::calibrated_profile(document->text(), cost, factors.acceleration);
+  const auto profile =
+      json::calibrated_profile(document->text(), cost, origin_of(options, before), factors.acceleration);
   if (!profile) return fail_with(profile.error());
   return write_output(options.text.output, *profile) ? kDone : kWrongUse;
 }
@@ -162,6 +185,8 @@ void add_calibrate(CLI::App& app, int& exit_code) {
   add_text_options(*command, options->text);
   command->add_option("--write", options->write, "write the timing program there");
   command->add_flag("--dprnt", options->prints, "with --write: the program sends its results over the line, too");
+  command->add_flag("--calls", options->calls,
+                    "with --write: a second program is written behind it, and calling it is measured, too");
   command->add_option("--results", options->results,
                       "variables that it left or sent: lines as #500=412., R20=0.412 or V500 412.000");
   command->add_option("--run", options->runs, "FILE=SECONDS: a program's measured cycle time, run from the memory");

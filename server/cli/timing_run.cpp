@@ -49,11 +49,7 @@ app::Result<ChosenControl> choose_machine(const Order& order, const text::Source
   for (checks::MachineAxis& axis : machine.axes) axis.acceleration_mm_s2 *= order.factors.acceleration;
   if (order.cost) machine.timing.cost = order.cost;
   if (order.factors.compute == 1.0) return chosen;
-  ir::CostModel cost = machine.timing.cost.value_or(chosen->control.cost);
-  for (double* figure :
-       {&cost.block_ms, &cost.number_read_ms, &cost.named_read_ms, &cost.operator_ms, &cost.function_ms})
-    *figure *= order.factors.compute;
-  machine.timing.cost = cost;
+  machine.timing.cost = ir::scaled(machine.timing.cost.value_or(chosen->control.cost), order.factors.compute);
   return chosen;
 }
 

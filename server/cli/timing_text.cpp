@@ -15,6 +15,15 @@ constexpr std::size_t kShownStretches = 12;
 
 std::string seconds(double value) { return text::format_fixed(value, 3); }
 
+// With what is known of it: nobody should take an assumption for a measured time.
+std::string compute_text(const timing::Report& t) {
+  std::string text =
+      fmt::format("{} s, {} to {} s (cost model {}", seconds(t.compute_s), seconds(t.compute_s / t.cost_spread),
+                  seconds(t.compute_s * t.cost_spread), ir::name_of(t.cost_source));
+  if (!t.cost_origin.empty()) text += ": " + t.cost_origin;
+  return text + ")";
+}
+
 std::string stretch_text(const timing::Report& report) {
   std::string text = "limited  ";
   std::string between;
@@ -51,9 +60,8 @@ std::string advice_text(const timing::Report& report) {
 }  // namespace
 
 std::string timing_text(const timing::Report& t) {
-  std::string text = fmt::format("blocks   {}\ncycle    {} s\nmotion   {} s\ncompute  {} s ({})\nline     {} s\n",
-                                 t.blocks, seconds(t.cycle_s), seconds(t.motion_s), seconds(t.compute_s),
-                                 t.cost_is_measured ? "measured cost model" : "assumed cost model", seconds(t.line_s));
+  std::string text = fmt::format("blocks   {}\ncycle    {} s\nmotion   {} s\ncompute  {}\nline     {} s\n", t.blocks,
+                                 seconds(t.cycle_s), seconds(t.motion_s), compute_text(t), seconds(t.line_s));
   text += fmt::format("stalls   {} ({} s lost", t.stalls, seconds(t.stall_s));
   if (t.stalls > 0) {
     text += fmt::format(", {} s of it standing still; first at line {}, {} s after the start", seconds(t.standstill_s),

@@ -3,9 +3,13 @@
 
 #include <string>
 
+#include "dialects/ir/cost_model.h"
+
 namespace dripfeed::json {
 
 namespace {
+
+constexpr GlossaryRow of_cost(std::size_t term) { return {ir::kCostTerms[term].name, ir::kCostTerms[term].what}; }
 
 constexpr GlossaryRow kRows[] = {
     {"token", "as `dripfeed token add` printed it"},
@@ -92,12 +96,21 @@ constexpr GlossaryRow kRows[] = {
     {"look_ahead_blocks", "0: not limited"},
     {"tool_change_s", "of one change"},
     {"contour_tolerance_mm", "within which the control rounds corners; 0: it does not"},
-    {"cost", "what the control's computing costs, measured at this machine; not given: its usual cost"},
-    {"block_ms", "of each block"},
-    {"number_read_ms", "of each variable that is read by its number"},
-    {"named_read_ms", "of each variable that is read by its name"},
-    {"operator_ms", "of each operator"},
-    {"function_ms", "of each function"},
+    {"cost", "what the control's computing costs, ms each; not given: its usual cost"},
+    of_cost(0),
+    of_cost(1),
+    of_cost(2),
+    of_cost(3),
+    of_cost(4),
+    of_cost(5),
+    of_cost(6),
+    of_cost(7),
+    of_cost(8),
+    of_cost(9),
+    of_cost(10),
+    {"spread", "a predicted computing time may be off by this factor, either way; not given: 5"},
+    {"source", "where the figures are from: assumed, paper, or calibrated at this machine; not given: assumed"},
+    {"cost/origin", "in words: which paper, or which timing program and when"},
     {"control", "what this machine's control does otherwise than usual"},
     {"control/title", "of the control, for people"},
     {"g_system", "G code system of a lathe"},

@@ -212,13 +212,15 @@ void read_timing(ObjectReader& object, machine::Profile& profile) {
   object.number("contour_tolerance_mm", timing.contour_tolerance_mm, 0.0, 10.0);
   object.object("cost", [&](ObjectReader& o) {
     ir::CostModel cost;
-    cost.measured = true;
-    cost.origin = "machine profile";
-    o.number("block_ms", cost.block_ms, 0.0, 1000.0, true);
-    o.number("number_read_ms", cost.number_read_ms, 0.0, 1000.0);
-    o.number("named_read_ms", cost.named_read_ms, 0.0, 1000.0);
-    o.number("operator_ms", cost.operator_ms, 0.0, 1000.0);
-    o.number("function_ms", cost.function_ms, 0.0, 1000.0);
+    for (const ir::CostTerm& term : ir::kCostTerms) {
+      o.number(term.name, cost.*term.ms, 0.0, 1000.0, term.ms == &ir::CostModel::block_ms);
+      // A profile that does not know of rounds counted the end of a loop as the block that it is in the text.
+      if (term.ms == &ir::CostModel::round_ms && !o.has(term.name)) cost.round_ms = cost.block_ms;
+    }
+    o.number("spread", cost.spread, 1.0, 100.0);
+    if (const auto source = o.choice("source", ir::kCostSourceNames))
+      cost.source = static_cast<ir::CostSource>(*source);
+    o.text("origin", timing.cost_origin);
     timing.cost = cost;
   });
 }
@@ -403,15 +405,13 @@ Schema profile_schema() {
 }
 
 app::Result<std::string> calibrated_profile(std::string_view document, const ir::CostModel& cost,
-                                            double acceleration_factor) {
+                                            std::string_view origin, double acceleration_factor) {
   auto parsed = parse(document);
   if (!parsed) return std::unexpected(parsed.error());
   if (!parsed->is_object()) return app::fail(app::ErrorCode::invalid, "a profile is a JSON object");
-  (*parsed)["timing"]["cost"] = {{"block_ms", cost.block_ms},
-                                 {"number_read_ms", cost.number_read_ms},
-                                 {"named_read_ms", cost.named_read_ms},
-                                 {"operator_ms", cost.operator_ms},
-                                 {"function_ms", cost.function_ms}};
+  Document figures = {{"source", ir::name_of(cost.source)}, {"origin", origin}, {"spread", cost.spread}};
+  for (const ir::CostTerm& term : ir::kCostTerms) figures[std::string(term.name)] = cost.*term.ms;
+  (*parsed)["timing"]["cost"] = std::move(figures);
   if (acceleration_factor != 1.0 && parsed->contains("axes")) {
     for (Document& axis : (*parsed)["axes"]) {
       if (axis.contains("acceleration_mm_s2") && axis["acceleration_mm_s2"].is_number())

@@ -2,6 +2,7 @@
 #include "server/json/schemas_checks.h"
 
 #include "checks/verdict.h"
+#include "dialects/ir/cost_model.h"
 #include "server/app/events.h"
 #include "server/json/profile_words.h"
 #include "server/json/schemas_shared.h"
@@ -156,8 +157,10 @@ Members timing_members() {
           {"stalls", integer("standstills while the control waits for blocks")},
           {"stall_s", number("how much longer the program takes by them")},
           {"first_stall_line", integer("of the program; 0: none")},
-          {"compute_is_measured", flag("the cost model was measured at the machine")},
-          {"compute_origin", text("of the cost model")},
+          {"compute_low_s", number("compute_s may be as little, as far as the cost model is known")},
+          {"compute_high_s", number("and as much")},
+          {"compute_source", one_of(ir::kCostSourceNames, "of the cost model; calibrated: at this machine")},
+          {"compute_origin", text("of the cost model, in words")},
           {"standstill_s", number("all standstills together")},
           {"first_stall_at_s", number("since the start")},
           {"longest_standstill_s", number("of all")},

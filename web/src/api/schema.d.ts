@@ -1422,18 +1422,39 @@ export interface components {
                 tool_change_s?: number | null;
                 /** @description within which the control rounds corners; 0: it does not */
                 contour_tolerance_mm?: number | null;
-                /** @description what the control's computing costs, measured at this machine; not given: its usual cost */
+                /** @description what the control's computing costs, ms each; not given: its usual cost */
                 cost?: {
-                    /** @description of each block */
+                    /** @description a block */
                     block_ms: number;
-                    /** @description of each variable that is read by its number */
+                    /** @description reading a numbered variable: R, # */
                     number_read_ms?: number | null;
-                    /** @description of each variable that is read by its name */
+                    /** @description writing a numbered variable */
+                    number_write_ms?: number | null;
+                    /** @description reading a variable with a name: LUD, PUD, GUD, system */
                     named_read_ms?: number | null;
-                    /** @description of each operator */
+                    /** @description writing a variable with a name */
+                    named_write_ms?: number | null;
+                    /** @description an operator */
                     operator_ms?: number | null;
-                    /** @description of each function */
+                    /** @description a function */
                     function_ms?: number | null;
+                    /** @description a jump that is taken, beside its block */
+                    jump_ms?: number | null;
+                    /** @description the end of a loop's round */
+                    round_ms?: number | null;
+                    /** @description calling a program and returning, beside the two blocks */
+                    call_ms?: number | null;
+                    /** @description finding a variable by a computed number, beside reading or writing it */
+                    indexed_ms?: number | null;
+                    /** @description a predicted computing time may be off by this factor, either way; not given: 5 */
+                    spread?: number | null;
+                    /**
+                     * @description where the figures are from: assumed, paper, or calibrated at this machine; not given: assumed
+                     * @enum {string|null}
+                     */
+                    source?: "assumed" | "paper" | "calibrated" | null;
+                    /** @description in words: which paper, or which timing program and when */
+                    origin?: string | null;
                 } | null;
             } | null;
             /** @description what this machine's control does otherwise than usual */
@@ -2301,9 +2322,16 @@ export interface components {
                 stall_s: number;
                 /** @description of the program; 0: none */
                 first_stall_line: number;
-                /** @description the cost model was measured at the machine */
-                compute_is_measured: boolean;
-                /** @description of the cost model */
+                /** @description compute_s may be as little, as far as the cost model is known */
+                compute_low_s: number;
+                /** @description and as much */
+                compute_high_s: number;
+                /**
+                 * @description of the cost model; calibrated: at this machine
+                 * @enum {string}
+                 */
+                compute_source: "assumed" | "paper" | "calibrated";
+                /** @description of the cost model, in words */
                 compute_origin: string;
                 /** @description all standstills together */
                 standstill_s: number;
@@ -2731,9 +2759,16 @@ export interface components {
             stall_s: number;
             /** @description of the program; 0: none */
             first_stall_line: number;
-            /** @description the cost model was measured at the machine */
-            compute_is_measured: boolean;
-            /** @description of the cost model */
+            /** @description compute_s may be as little, as far as the cost model is known */
+            compute_low_s: number;
+            /** @description and as much */
+            compute_high_s: number;
+            /**
+             * @description of the cost model; calibrated: at this machine
+             * @enum {string}
+             */
+            compute_source: "assumed" | "paper" | "calibrated";
+            /** @description of the cost model, in words */
             compute_origin: string;
             /** @description all standstills together */
             standstill_s: number;

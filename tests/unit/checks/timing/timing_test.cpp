@@ -334,7 +334,14 @@ TEST(Timing, AbsurdNumbersEndInSentencesAndFiniteTimes) {
       turned.spindle_rpm = b;
       turned.surface_speed_m_min = a;
       program.move(linear, 0, 0, 7, b).feed_mode = ir::FeedMode::inverse_time;
-      Settings settings{.machine = mill(), .cost = {a, b, a, b, a, false, "a test"}, .keep_whole = true};
+      Settings settings{.machine = mill(),
+                        .cost = {.block_ms = a,
+                                 .number_read_ms = b,
+                                 .named_read_ms = a,
+                                 .operator_ms = b,
+                                 .function_ms = a,
+                                 .origin = {}},
+                        .keep_whole = true};
       for (auto& axis : settings.machine.axes) {
         axis.acceleration_mm_s2 = a;
         axis.rapid_mm_min = b;
@@ -385,14 +392,42 @@ TEST(Timing, DelaysAndAnUnhurriedSenderMakeTheLineSlower) {
 TEST(Timing, ComputingSlowsALoopInTheMemory) {
   Program program;
   for (int i = 1; i <= 50; ++i) {
-    program.move(linear, i * 0.1, 0, 0, 6000).compute = {
-        .blocks = 4, .number_reads = 10, .operators = 8, .functions = 1};
+    program.move(linear, i * 0.1, 0, 0, 6000).compute = {.blocks = 4,
+                                                         .number_reads = 10,
+                                                         .number_writes = 3,
+                                                         .operators = 8,
+                                                         .functions = 1,
+                                                         .jumps = 1,
+                                                         .rounds = 2,
+                                                         .calls = 1,
+                                                         .indexed = 2};
   }
-  Settings settings{.machine = mill(), .cost = {1.0, 0.45, 0.86, 0.05, 0.6, true, "a test"}};
+  Settings settings{.machine = mill(),
+                    .cost = {.block_ms = 1.0,
+                             .number_read_ms = 0.45,
+                             .number_write_ms = 0.1,
+                             .operator_ms = 0.05,
+                             .function_ms = 0.6,
+                             .jump_ms = 2.0,
+                             .round_ms = 0.5,
+                             .call_ms = 3.0,
+                             .indexed_ms = 0.25,
+                             .spread = 1.5,
+                             .source = ir::CostSource::paper,
+                             .origin = "a test"}};
   settings.machine.timing.look_ahead_blocks = 3;
   const Report report = program.run(settings);
-  EXPECT_NEAR(report.compute_s, 50 * 0.0095, 1e-9);
-  EXPECT_TRUE(report.cost_is_measured);
+  EXPECT_NEAR(report.compute_s, 50 * 0.0163, 1e-9);
+  EXPECT_EQ(report.cost_source, ir::CostSource::paper);
+  EXPECT_EQ(report.cost_origin, "a test");
+  EXPECT_EQ(report.cost_spread, 1.5);
+  // The machine's own model outranks the control's; one of which nothing is said is an assumption.
+  settings.machine.timing.cost = ir::CostModel{.block_ms = 1.0, .origin = {}};
+  settings.machine.timing.cost_origin = "a shop";
+  const Report own = program.run(settings);
+  EXPECT_EQ(own.cost_source, ir::CostSource::assumed);
+  EXPECT_EQ(own.cost_origin, "a shop");
+  EXPECT_EQ(own.cost_spread, ir::kAssumedSpread);
   EXPECT_GT(report.stalls, 0U);
   EXPECT_GE(report.cycle_s, report.compute_s);
 }

@@ -228,7 +228,9 @@ TEST(Variables, WorkIsCountedForEachMotion) {
   const ir::ComputeCounts& first = ran.motions[0].compute;
   EXPECT_EQ(first.blocks, 3U);
   EXPECT_EQ(first.number_reads, 2U);
+  EXPECT_EQ(first.number_writes, 1U);
   EXPECT_EQ(first.named_reads, 1U);
+  EXPECT_EQ(first.named_writes, 1U);
   EXPECT_EQ(first.operators, 1U);
   EXPECT_EQ(first.functions, 1U);
   EXPECT_EQ(ran.motions[1].compute.blocks, 1U);

@@ -56,6 +56,39 @@ TEST(ProfileDocument, ReadsEveryPreset) {
   EXPECT_GE(count, 5);
 }
 
+// A profile from before that names neither source nor round: nobody is told that anybody measured it, and the end of a
+// loop goes on to cost a block.
+TEST(ProfileDocument, ACostModelOfUnknownSourceIsAnAssumption) {
+  const auto profile = read_profile(kProfile);
+  ASSERT_TRUE(profile);
+  const ir::CostModel& cost = profile->machine.timing.cost.value();
+  EXPECT_EQ(cost.source, ir::CostSource::assumed);
+  EXPECT_EQ(cost.spread, ir::kAssumedSpread);
+  EXPECT_EQ(cost.round_ms, 1.5);
+  EXPECT_EQ(cost.number_write_ms, 0.0);
+  EXPECT_EQ(profile->machine.timing.cost_origin, "");
+  EXPECT_FALSE(read_profile(with(R"("block_ms": 1.5)", R"("block_ms": 1.5, "source": "measured")")));
+  EXPECT_FALSE(read_profile(with(R"("block_ms": 1.5)", R"("block_ms": 1.5, "spread": 0.5)")));
+}
+
+TEST(ProfileDocument, CalibratedIsReadBack) {
+  ir::CostModel cost;
+  double ms = 0.25;
+  for (const ir::CostTerm& term : ir::kCostTerms) cost.*term.ms = ms += 0.5;
+  cost.spread = 1.25;
+  cost.source = ir::CostSource::calibrated;
+  const auto text = calibrated_profile(kProfile, cost, "DRIPFEED TIMING, 2020-02-03", 0.5);
+  ASSERT_TRUE(text) << text.error().text;
+  const auto profile = read_profile(*text);
+  ASSERT_TRUE(profile) << profile.error().text;
+  const ir::CostModel& read = profile->machine.timing.cost.value();
+  for (const ir::CostTerm& term : ir::kCostTerms) EXPECT_EQ(read.*term.ms, cost.*term.ms) << term.name;
+  EXPECT_EQ(read.spread, 1.25);
+  EXPECT_EQ(read.source, ir::CostSource::calibrated);
+  EXPECT_EQ(profile->machine.timing.cost_origin, "DRIPFEED TIMING, 2020-02-03");
+  EXPECT_EQ(profile->machine.axes.at(0).acceleration_mm_s2, 1000);
+}
+
 TEST(ProfileDocument, EveryMemberArrives) {
   const auto read = read_profile(kProfile);
   ASSERT_TRUE(read) << read.error().text;

@@ -1,0 +1,47 @@
+// The four programs of the seal ring (tests/samples/seal_ring), read and run as a SINUMERIK would.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "dialects/compile/dialect.h"
+#include "dialects/compile/execute.h"
+
+namespace dripfeed::seal_ring {
+
+class Collect final : public ir::MotionSink {
+ public:
+  void consume(std::span<const ir::Motion> motions) override { all.insert(all.end(), motions.begin(), motions.end()); }
+  std::vector<ir::Motion> all;
+};
+
+// The cutting moves of one of the programs.
+inline std::vector<ir::Motion> points_of(const std::string& name) {
+  std::ifstream file(DRIPFEED_SOURCE_DIR "/tests/samples/seal_ring/" + name);
+  std::ostringstream text;
+  text << file.rdbuf();
+  const compile::Dialect& dialect = *compile::find_dialect("sinumerik-840d");
+  ir::Control control = dialect.control(ir::MachineKind::mill_turn, ir::GSystem::a);
+  for (ir::VariableRange& range : control.variables) {
+    if (range.bank == ir::Bank::r) range.last = std::max(range.last, 499U);  // the table is in R300 to R471
+  }
+  const text::Source source(name, text.str());
+  const auto read = dialect.read(source, control);
+  EXPECT_FALSE(text::has_error(read.diagnostics)) << name;
+  Collect collect;
+  const auto run = compile::execute(read.program, control, nullptr, collect, {});
+  EXPECT_EQ(run.ended, interpreter::Ended::end) << name;
+  std::erase_if(collect.all, [](const ir::Motion& m) { return m.kind != ir::MotionKind::linear; });
+  EXPECT_EQ(collect.all.size(), 4U * 72U) << name;
+  return collect.all;
+}
+
+inline constexpr std::array kPrograms = {"1_lud.mpf", "2_r.mpf", "3_merged.mpf", "4_table.mpf"};
+
+}  // namespace dripfeed::seal_ring
