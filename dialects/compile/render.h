@@ -18,8 +18,9 @@
 
 namespace dripfeed::compile {
 
-// `automatic` takes explicit for drip feeding, because controls reject jumps and loops there, and macro for memory as
-// far as the control's variables suffice.
+// `automatic` goes by what the control can do: explicit for drip feeding, because controls reject jumps and loops
+// there, and macro for memory as far as the control's variables suffice. Which of the two a machine runs faster is no
+// matter of the control: server/app/timed_rendering.h decides that.
 enum class RenderMode : std::uint8_t { macro, explicit_blocks, automatic };
 // "macro", "explicit", "auto"
 std::string_view name_of(RenderMode mode);

@@ -6,6 +6,7 @@
 
 #include "dialects/text/number.h"
 #include "server/app/examine.h"
+#include "server/app/timed_rendering.h"
 
 namespace dripfeed::app {
 
@@ -64,12 +65,13 @@ sweep::Report sweep_family(const FamilySweep& order) {
       if (!parameters[i].unit.empty()) value += " " + parameters[i].unit;
       overrides.push_back({parameters[i].name, std::move(value)});
     }
-    compile::RenderResult rendered = compile::render({.family = order.family,
-                                                      .values = std::move(overrides),
-                                                      .target = order.control,
-                                                      .mode = order.mode,
-                                                      .delivery = order.delivery,
-                                                      .program_name = {}});
+    compile::RenderResult rendered = render_for({.family = order.family,
+                                                 .values = std::move(overrides),
+                                                 .target = order.control,
+                                                 .mode = order.mode,
+                                                 .delivery = order.delivery,
+                                                 .program_name = {}},
+                                                order.profile);
     if (text::has_error(rendered.diagnostics)) return trial_of(rendered.diagnostics);
     return trial_of(examine({.source = text::Source(order.family.name(), std::move(rendered.text)),
                              .dialect = compile::find_dialect(order.control.dialect),

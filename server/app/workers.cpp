@@ -8,6 +8,7 @@
 
 #include "dialects/text/number.h"
 #include "server/app/catalog.h"
+#include "server/app/timed_rendering.h"
 
 namespace dripfeed::app {
 
@@ -95,7 +96,7 @@ Result<RenderDone> render_family(const RenderWork& work, const Documents& docume
                                        .mode = work.mode,
                                        .delivery = delivery_of(work.delivery),
                                        .program_name = work.name};
-  RenderDone done{.result = compile::render(request), .places = {}};
+  RenderDone done{.result = render_for(request, &*profile), .places = {}};
   const auto fine = refuse_errors(done.result.diagnostics, request.family, fmt::format("family {}", work.family));
   if (!fine) return std::unexpected(fine.error());
   done.places = write_places(done.result.places);

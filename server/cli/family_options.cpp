@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "server/app/timed_rendering.h"
 #include "server/cli/output.h"
 
 namespace dripfeed::cli {
@@ -51,12 +52,13 @@ app::Result<RenderedFamily> render_family(const FamilyOptions& options) {
   auto values = overrides_of(options);
   if (!values) return std::unexpected(values.error());
   compile::RenderResult result =
-      compile::render({.family = *source,
+      app::render_for({.family = *source,
                        .values = *values,
                        .target = chosen->control,
                        .mode = compile::find_render_mode(options.mode).value_or(compile::RenderMode::automatic),
                        .delivery = options.drip ? ir::Delivery::drip : ir::Delivery::memory,
-                       .program_name = options.name});
+                       .program_name = options.name},
+                      chosen->profile ? &*chosen->profile : nullptr);
   print_diagnostics(result.diagnostics, *source, chosen->control.title);
   return RenderedFamily{.source = std::move(*source),
                         .chosen = std::move(*chosen),

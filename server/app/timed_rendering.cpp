@@ -1,0 +1,93 @@
+// Both renderings are run and timed as a check would do it, on the machine as its profile is.
+#include "server/app/timed_rendering.h"
+
+#include <algorithm>
+#include <expected>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "checks/timing/timing.h"
+#include "dialects/compile/execute.h"
+#include "dialects/text/number.h"
+#include "server/app/check_budget.h"
+#include "server/app/examine.h"
+
+namespace dripfeed::app {
+
+namespace {
+
+constexpr double kWorthwhile = 0.01;  // of the macro's time; less is within what no forecast tells
+constexpr std::uint32_t kSeconds = 20;
+
+std::expected<timing::Report, std::string> forecast(const compile::RenderRequest& request, const std::string& text,
+                                                    const machine::Profile& profile) {
+  const Examination examination{.source = text::Source(request.family.name(), text),
+                                .dialect = compile::find_dialect(request.target.dialect),
+                                .control = request.target,
+                                .profile = &profile,
+                                .delivery = request.delivery,
+                                .find_called = {},
+                                .geometry = {},
+                                .profile_lines = {}};
+  auto settings = timing_settings(examination, text);
+  if (!settings) return std::unexpected(settings.error());
+  timing::Timing timing(std::move(*settings));
+  const ir::ReadResult read = examination.dialect->read(examination.source, examination.control);
+  interpreter::RunOptions options;
+  options.used_up = time_budget(kSeconds);
+  if (compile::execute(read.program, examination.control, nullptr, timing, options).ended != interpreter::Ended::end)
+    return std::unexpected("it does not run to its end here");
+  timing::Report report = timing.finish();
+  if (!report.is_whole) return std::unexpected("it is too long to be timed");
+  return report;
+}
+
+// 4954 is "4,954".
+std::string grouped(std::uint64_t count) {
+  std::string text = fmt::format("{}", count);
+  for (std::size_t end = text.size(); end > 3; end -= 3) text.insert(end - 3, ",");
+  return text;
+}
+
+std::string said(const timing::Report& report) {
+  const std::string stalls = report.stalls == 0   ? "no stall"
+                             : report.stalls == 1 ? "1 stall"
+                                                  : grouped(report.stalls) + " stalls";
+  return fmt::format("{} s, {}", text::format_fixed(report.cycle_s, report.cycle_s < 100.0 ? 1 : 0), stalls);
+}
+
+}  // namespace
+
+compile::RenderResult render_for(const compile::RenderRequest& request, const machine::Profile* profile) {
+  compile::RenderResult macro = compile::render(request);
+  const bool is_open = request.mode == compile::RenderMode::automatic && request.delivery == ir::Delivery::memory &&
+                       macro.mode == compile::RenderMode::macro && !text::has_error(macro.diagnostics);
+  if (!is_open) return macro;
+  const auto keep = [&](std::string why) {
+    macro.because += "; " + std::move(why);
+    return std::move(macro);
+  };
+  if (profile == nullptr) return keep("what it and plain blocks take is not known without a machine");
+  compile::RenderRequest as_blocks = request;
+  as_blocks.mode = compile::RenderMode::explicit_blocks;
+  compile::RenderResult blocks = compile::render(as_blocks);
+  if (text::has_error(blocks.diagnostics)) {
+    const auto error = std::ranges::find(blocks.diagnostics, text::Severity::error, &text::Diagnostic::severity);
+    return keep(fmt::format("as blocks it does not go: {}", text::message_of(*error)));
+  }
+  const auto macro_time = forecast(request, macro.text, *profile);
+  if (!macro_time) return keep(fmt::format("what it takes is not known: {}", macro_time.error()));
+  const auto blocks_time = forecast(request, blocks.text, *profile);
+  if (!blocks_time) return keep(fmt::format("what plain blocks take is not known: {}", blocks_time.error()));
+  const bool takes_blocks = blocks_time->cycle_s < (1.0 - kWorthwhile) * macro_time->cycle_s;
+  compile::RenderResult& taken = takes_blocks ? blocks : macro;
+  taken.because = fmt::format("{}: macro: {}; blocks: {} (cost model {})",
+                              takes_blocks ? "plain blocks are faster by the forecast for this machine"
+                                           : "plain blocks would save next to nothing by the forecast for this machine",
+                              said(*macro_time), said(*blocks_time), ir::name_of(macro_time->cost_source));
+  return std::move(taken);
+}
+
+}  // namespace dripfeed::app

@@ -1,0 +1,94 @@
+// The shipped roll for a lathe whose control is slow, fast, or not known.
+#include "server/app/timed_rendering.h"
+
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "dialects/compile/dialect.h"
+
+namespace dripfeed::app {
+namespace {
+
+using compile::RenderMode;
+using compile::RenderResult;
+
+compile::RenderRequest roll(ir::Delivery delivery = ir::Delivery::memory, RenderMode mode = RenderMode::automatic) {
+  std::ifstream file(DRIPFEED_SOURCE_DIR "/deploy/families/hyperbolic-roll.family");
+  std::ostringstream text;
+  text << file.rdbuf();
+  return {.family = text::Source("hyperbolic-roll.family", text.str()),
+          .values = {},
+          .target = compile::find_dialect("fanuc")->control(ir::MachineKind::lathe, ir::GSystem::a),
+          .mode = mode,
+          .delivery = delivery,
+          .program_name = {}};
+}
+
+// A block, and each thing that it computes, costs so much.
+machine::Profile lathe(double cost_ms) {
+  machine::Profile profile;
+  profile.name = "lathe";
+  profile.control.dialect = "fanuc";
+  profile.machine.kind = ir::MachineKind::lathe;
+  for (const ir::Axis axis : {ir::Axis::x, ir::Axis::z})
+    profile.machine.axes.push_back({.axis = axis, .rapid_mm_min = 10'000, .acceleration_mm_s2 = 2000});
+  profile.machine.timing.look_ahead_blocks = 5;
+  ir::CostModel cost;
+  cost.source = ir::CostSource::paper;
+  for (const ir::CostTerm& term : ir::kCostTerms) cost.*term.ms = cost_ms;
+  profile.machine.timing.cost = cost;
+  return profile;
+}
+
+bool says(const RenderResult& result, const char* what) { return result.because.find(what) != std::string::npos; }
+
+TEST(TimedRendering, AControlThatComputesSlowlyGetsBlocks) {
+  const machine::Profile slow = lathe(100.0);
+  const RenderResult result = render_for(roll(), &slow);
+  EXPECT_EQ(result.mode, RenderMode::explicit_blocks) << result.because;
+  EXPECT_EQ(result.variables, 0U);
+  EXPECT_TRUE(says(result, "macro: ") && says(result, "blocks: ") && says(result, " stalls;")) << result.because;
+  EXPECT_TRUE(says(result, "cost model paper")) << result.because;
+}
+
+TEST(TimedRendering, OneThatComputesFastKeepsTheMacro) {
+  const machine::Profile fast = lathe(1e-4);
+  const RenderResult result = render_for(roll(), &fast);
+  EXPECT_EQ(result.mode, RenderMode::macro) << result.because;
+  EXPECT_TRUE(says(result, "macro: ") && says(result, "blocks: ") && says(result, "no stall")) << result.because;
+}
+
+TEST(TimedRendering, WithoutAMachineTheControlAloneDecides) {
+  const RenderResult result = render_for(roll(), nullptr);
+  EXPECT_EQ(result.mode, RenderMode::macro);
+  EXPECT_TRUE(says(result, "not known without a machine")) << result.because;
+  EXPECT_EQ(result.text, compile::render(roll()).text);
+}
+
+TEST(TimedRendering, WhatIsAskedForAndDripFeedingStayAsTheyAre) {
+  const machine::Profile slow = lathe(100.0);
+  EXPECT_EQ(render_for(roll(ir::Delivery::memory, RenderMode::macro), &slow).mode, RenderMode::macro);
+  const machine::Profile fast = lathe(1e-4);
+  EXPECT_EQ(render_for(roll(ir::Delivery::memory, RenderMode::explicit_blocks), &fast).mode,
+            RenderMode::explicit_blocks);
+  const RenderResult drip = render_for(roll(ir::Delivery::drip), &fast);
+  EXPECT_EQ(drip.mode, RenderMode::explicit_blocks);
+  EXPECT_TRUE(says(drip, "jumps")) << drip.because;
+}
+
+// What the control cannot hold is no choice, and a family with a fault is none at all.
+TEST(TimedRendering, AMacroThatDoesNotGoIsNotTimed) {
+  const machine::Profile slow = lathe(100.0);
+  compile::RenderRequest request = roll();
+  request.target.variables.clear();
+  const RenderResult result = render_for(request, &slow);
+  EXPECT_EQ(result.mode, RenderMode::explicit_blocks);
+  EXPECT_TRUE(says(result, "as a macro it does not go")) << result.because;
+  request.values = {{.name = "nothing", .value = "1"}};
+  EXPECT_TRUE(text::has_error(render_for(request, &slow).diagnostics));
+}
+
+}  // namespace
+}  // namespace dripfeed::app
