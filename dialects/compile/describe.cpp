@@ -3,11 +3,21 @@
 #include <utility>
 
 #include "dialects/compile/render.h"
+#include "dialects/compile/wrapped_family.h"
 #include "dialects/family/read.h"
 
 namespace dripfeed::compile {
 
 namespace {
+
+// The family, with what can be said of a native program that it keeps.
+family::ReadFamilyResult read_whole(const text::Source& source) {
+  family::ReadFamilyResult read = family::read_family(source);
+  if (text::has_error(read.diagnostics)) return read;
+  const std::vector<text::Diagnostic> faults = target_faults(read.family);
+  read.diagnostics.insert(read.diagnostics.end(), faults.begin(), faults.end());
+  return read;
+}
 
 struct Bound {
   family::BoundFamily bound;
@@ -15,7 +25,7 @@ struct Bound {
 };
 
 Bound read_and_bind(const text::Source& source, const std::vector<family::Override>& values) {
-  family::ReadFamilyResult read = family::read_family(source);
+  family::ReadFamilyResult read = read_whole(source);
   Bound out{{}, std::move(read.diagnostics)};
   if (text::has_error(out.diagnostics)) return out;
   family::BindResult bound =
@@ -28,7 +38,7 @@ Bound read_and_bind(const text::Source& source, const std::vector<family::Overri
 }  // namespace
 
 FamilyDescription describe_family(const text::Source& family) {
-  family::ReadFamilyResult read = family::read_family(family);
+  family::ReadFamilyResult read = read_whole(family);
   FamilyDescription out{.name = read.family.name,
                         .title = read.family.title,
                         .machine = read.family.machine,

@@ -16,6 +16,7 @@
 #include "dialects/compile/print_for.h"
 #include "dialects/compile/printed_lines.h"
 #include "dialects/compile/wrap.h"
+#include "dialects/compile/wrapped_family.h"
 #include "dialects/family/build.h"
 #include "dialects/family/read.h"
 
@@ -57,6 +58,7 @@ class Renderer {
     if (text::has_error(result_.diagnostics)) return std::move(result_);
     bound_ = std::move(bound.bound);
     result_.geometry = family::geometry(bound_);
+    if (family_->native) return render_wrapped(request_, dialect_, bound_, std::move(result_));
     built_ = family::build(bound_);
     if (!request_.program_name.empty()) built_.name = request_.program_name;
     control_ = neutral_control(family_->machine, family_->x_is_diameter);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "dialects/family/native_text.h"
 #include "dialects/text/source.h"
 
 namespace dripfeed::family {
@@ -35,6 +36,8 @@ class Lexer {
       end_line(eob);
     } else if (c == ' ' || c == '\t') {
       ++at_;
+    } else if (const std::size_t target = behind_is() ? target_length(text_.substr(at_)) : 0; target != 0) {
+      add(LexemeKind::word, target);
     } else if (c == '#') {
       at_ = line_end();
     } else if (is_letter(c)) {
@@ -52,6 +55,11 @@ class Lexer {
     if (!goes_on()) add(LexemeKind::end_of_line, 0);
     at_ += eob;
     ++line_;
+  }
+
+  // What follows may be a place in a native program, where # is no comment.
+  [[nodiscard]] bool behind_is() const {
+    return !out_.empty() && out_.back().kind == LexemeKind::word && out_.back().span.in(text_) == "is";
   }
 
   [[nodiscard]] bool goes_on() const {
@@ -151,6 +159,7 @@ constexpr auto kKeywords = [] {
       "for",
       "tolerance",
       "program",
+      "native",
       "end",
       // steps
       "work",

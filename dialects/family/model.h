@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dialects/family/native_text.h"
 #include "dialects/family/unit.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
@@ -233,6 +234,9 @@ struct Family {
   std::vector<Step> steps;
   std::vector<StepWord> words;
   std::vector<LineRange> profiles;  // lines between `profile` and its `end`
+
+  std::optional<NativeText> native;  // instead of the steps
+  std::vector<Binding> bindings;     // in the order of the text
 
   // Expressions, variables, symbols and strings; it has no statements.
   ir::Program arena;

@@ -13,6 +13,8 @@
 #include "dialects/family/evaluate.h"
 #include "dialects/family/expression_reader.h"
 #include "dialects/family/naming.h"
+#include "dialects/family/native_reader.h"
+#include "dialects/family/native_text.h"
 #include "dialects/family/nominal_reader.h"
 #include "dialects/family/parameter_reader.h"
 #include "dialects/family/routine_reader.h"
@@ -26,7 +28,9 @@ namespace {
 class FamilyReader {
  public:
   explicit FamilyReader(const text::Source& source)
-      : cursor_(source.text(), lex(source.text())), expressions_(cursor_, scope_, family_) {
+      : cursor_(source.text(), lex(source.text().substr(0, native_begin(source.text())))),
+        expressions_(cursor_, scope_, family_),
+        native_(cursor_, family_) {
     family_.source = source;
   }
 
@@ -40,11 +44,15 @@ class FamilyReader {
       } else if (cursor_.accept_word("program")) {
         if (std::exchange(has_program, true)) cursor_.syntax(cursor_.last_span(), "a family has one program");
         program();
+      } else if (cursor_.accept_word("native")) {
+        if (has_program) cursor_.syntax(cursor_.last_span(), "a family has a program or a native one, not both");
+        native_.dialect();
       } else {
         declaration();
       }
     }
-    if (!has_program) cursor_.syntax(cursor_.peek().span, "the family has no 'program'");
+    if (!has_program && !family_.native) cursor_.syntax(cursor_.peek().span, "the family has no 'program'");
+    native_.check();
     return {std::move(family_), std::move(cursor_.diagnostics)};
   }
 
@@ -106,7 +114,13 @@ class FamilyReader {
     cursor_.finish_line();
   }
 
-  void parameter() { ParameterReader(cursor_, scope_, expressions_, family_).read(); }
+  void parameter() {
+    const std::size_t before = family_.parameters.size();
+    ParameterReader(cursor_, scope_, expressions_, family_).read();
+    if (family_.parameters.size() == before) return;
+    const Parameter& read = family_.parameters.back();
+    native_.target(read.symbol, read.dimension, read.unit);
+  }
 
   void definition() { define(false); }
   void constant() { define(true); }
@@ -122,6 +136,7 @@ class FamilyReader {
     if (cursor_.line_failed()) return;
     const ir::SymbolId symbol = scope_.define(family_.arena, name->name, value.dimension, name->span);
     family_.definitions.push_back({symbol, value.id, line, is_constant});
+    native_.target(symbol, value.dimension, nullptr);
   }
 
   [[nodiscard]] bool depends_on_values(ir::ExpressionId value) const {
@@ -204,6 +219,7 @@ class FamilyReader {
   Scope scope_;
   Cursor cursor_;
   ExpressionReader expressions_;
+  NativeReader native_;
 };
 
 }  // namespace

@@ -1,0 +1,44 @@
+// Where a native program takes the value of a family: the plain constant of an assignment (#100=50., R10=-3.5), of a
+// definition (DEF REAL DIA=100), or of a call (TURNING_CYCLE(100, …)).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dialects/ir/control.h"
+#include "dialects/ir/program.h"
+#include "dialects/text/diagnostic.h"
+
+namespace dripfeed::compile {
+
+struct NativeConstant {
+  text::Span span;  // sign and digits, in the program's text
+  double value = 0.0;
+  bool has_point = false;
+  std::uint8_t digits = 0;      // as written, without leading zeros
+  bool takes_integer = false;   // INT: whole numbers, without a point
+  std::uint32_t statement = 0;  // that holds it
+};
+
+struct NativeTarget {
+  std::optional<NativeConstant> constant;
+  // Without one: why not, and the places of the program that show it.
+  std::string why;
+  std::vector<text::DiagnosticNote> notes;
+};
+
+// `target` is in upper case: "#100", "R10", "DIA", "TURNING_CYCLE.EXTD". It must be set by one plain constant of the
+// text, on every path before the text reads it. What other programs write, and writes whose variable is computed, are
+// not looked at: they come after the assignment or do without it, whatever its value is.
+NativeTarget find_target(const ir::Program& program, const ir::Control& control, std::string_view target);
+
+// A number as it is written, with its sign: nothing for what is computed, and for other forms of numbers.
+std::optional<NativeConstant> plain_constant(const ir::Program& program, ir::ExpressionId value);
+
+// "3", "3 and 8", "3, 8 and 12"
+std::string in_words(const std::vector<std::uint32_t>& lines);
+
+}  // namespace dripfeed::compile

@@ -1,0 +1,47 @@
+// One variable of a program by its name, and the statements that set or read it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "dialects/ir/control.h"
+#include "dialects/ir/program.h"
+
+namespace dripfeed::compile {
+
+class NativeVariable {
+ public:
+  // `name` in upper case: "#100", "R10", "DIA". Nothing where the control has no such kind of variable.
+  static std::optional<NativeVariable> named(const ir::Program& program, const ir::Control& control,
+                                             std::string_view name);
+
+  [[nodiscard]] bool is(const ir::Program& program, ir::VariableId variable) const;
+  [[nodiscard]] const std::vector<ir::SymbolId>& symbols() const { return symbols_; }
+
+  struct Setting {
+    std::uint32_t statement = 0;
+    ir::ExpressionId value = ir::ExpressionId::none;  // none: set otherwise, by a loop or through a reference
+    bool is_integer = false;                          // DEF INT
+  };
+  // In the order of the text.
+  [[nodiscard]] std::vector<Setting> settings(const ir::Program& program) const;
+  [[nodiscard]] bool is_read_by(const ir::Program& program, std::uint32_t statement) const;
+
+ private:
+  [[nodiscard]] bool is_passed_back(const ir::Program& program, const ir::Statement& call) const;
+
+  ir::Bank bank_ = ir::Bank::named;
+  std::uint32_t number_ = 0;
+  std::vector<ir::SymbolId> symbols_;  // bank named: all of that name, but for formal parameters
+};
+
+// The head of a program of the text, by the name that calls have; nullptr when it is not there.
+const ir::Structure* procedure_named(const ir::Program& program, ir::StringId name);
+
+// By statement: whether a run can be there without having executed `setting`. Calls of programs of the same text are
+// followed; what a called program sets counts for itself alone.
+std::vector<bool> reached_without(const ir::Program& program, std::uint32_t setting);
+
+}  // namespace dripfeed::compile
