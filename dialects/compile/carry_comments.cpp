@@ -27,18 +27,6 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// Without its delimiters: "(ROUGH)" and "; rough".
-std::string_view inner(std::string_view comment) {
-  if (comment.starts_with('(')) {
-    comment.remove_prefix(1);
-    if (comment.ends_with(')')) comment.remove_suffix(1);
-  } else {
-    const std::size_t begin = comment.find_first_not_of(';');
-    comment.remove_prefix(std::min(begin, comment.size()));
-  }
-  return trimmed(comment);
-}
-
 bool is_framing(std::string_view comment) { return comment.starts_with(";$PATH="); }
 
 // "O0012 …"
@@ -102,8 +90,8 @@ std::vector<Carried> comments_of(const ir::Program& program, const ir::Control& 
     if (token.kind != ir::TokenKind::comment) continue;
     const std::string_view written = token.span.in(program.source.text());
     const std::uint32_t line = program.source.position(token.span.begin).line;
-    if (is_framing(written) || belongs_to_statement(program, inner(written), line)) continue;
-    const std::string text = words.translate(inner(written));
+    if (is_framing(written) || belongs_to_statement(program, text_of_comment(written), line)) continue;
+    const std::string text = words.translate(text_of_comment(written));
     if (words.lost()) {
       diagnostics.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, token.span,
                                                   {"a character of the comment", to.title}));
@@ -213,6 +201,17 @@ void carry_comments(const ir::Program& program, const ir::Control& to, CommentSt
                     std::vector<text::Diagnostic>& diagnostics) {
   std::vector<Carried> comments = comments_of(program, to, style, diagnostics);
   if (!comments.empty()) Weaver(std::move(comments), to, style).weave(printed);
+}
+
+std::string_view text_of_comment(std::string_view comment) {
+  if (comment.starts_with('(')) {
+    comment.remove_prefix(1);
+    if (comment.ends_with(')')) comment.remove_suffix(1);
+  } else {
+    const std::size_t begin = comment.find_first_not_of(';');
+    comment.remove_prefix(std::min(begin, comment.size()));
+  }
+  return trimmed(comment);
 }
 
 }  // namespace dripfeed::compile

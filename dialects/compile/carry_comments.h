@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dialects/ir/control.h"
@@ -20,5 +21,8 @@ enum class CommentStyle : std::uint8_t { brackets, semicolon };
 // comment has characters that `to` has no place for.
 void carry_comments(const ir::Program& program, const ir::Control& to, CommentStyle style, ir::PrintResult& printed,
                     std::vector<text::Diagnostic>& diagnostics);
+
+// Without its delimiters: "(ROUGH)" and "; rough" are "ROUGH" and "rough".
+std::string_view text_of_comment(std::string_view comment);
 
 }  // namespace dripfeed::compile

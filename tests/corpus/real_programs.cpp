@@ -1,7 +1,7 @@
 // Real programs of other people against the readers and validators: for every file of DIR/<dialect>/ the tokens tile
 // the bytes, the same dialect converts to the same bytes, no truncation stops a reader, and the validator ends; what is
-// printed anew makes the same motions. Prints, for each dialect, how many files have no error and how often each
-// diagnostic came. What a diagnostic is worth is for a person to judge, from the list:
+// printed anew makes the same motions; as a family it renders to its bytes. Prints, for each dialect, how many files
+// have no error and how often each diagnostic came. What a diagnostic is worth is for a person to judge, from the list:
 //
 //   DRIPFEED_CORPUS=DIR ctest --test-dir build/dev -R real_programs -V
 //   build/dev/real_programs DIR [--list FILE | --list-all FILE] [--only PART] [--broken PART] [--every-length BYTES]...
@@ -35,6 +35,7 @@
 #include "dialects/text/number.h"
 #include "dialects/text/upper_case.h"
 #include "tests/corpus/reprint.h"
+#include "tests/corpus/wrapped.h"
 
 namespace {
 
@@ -60,6 +61,8 @@ struct Tally {
   std::size_t broken = 0;
   std::size_t lines = 0;
   std::size_t warnings = 0;
+  std::size_t wrapped = 0;     // files with numbers that a family gives as parameters
+  std::size_t parameters = 0;  // of those
   struct Count {
     std::size_t times = 0;
     std::size_t files = 0;
@@ -143,6 +146,7 @@ class Corpus {
       if (const auto fault = corpus::reprint_fault(source, read.program, dialect, control)) complain(name, *fault);
     }
     if (compile::convert(same).text != source.text()) complain(name, "the same dialect converts to other bytes");
+    wrap(source, dialect, control, tally);
     cut(source, dialect, control);
     count(source, found, tally);
     note_time(name, std::chrono::steady_clock::now() - begin);
@@ -162,6 +166,14 @@ class Corpus {
       }
       return std::nullopt;
     };
+  }
+
+  void wrap(const text::Source& source, const compile::Dialect& dialect, const ir::Control& control, Tally& tally) {
+    const corpus::Wrapped made = corpus::wrap(source, dialect, control);
+    if (made.fault) complain(source.name(), *made.fault);
+    if (made.parameters == 0) return;
+    ++tally.wrapped;
+    tally.parameters += made.parameters;
   }
 
   // The beginning of a program, broken off anywhere, is read like any other text.
@@ -236,7 +248,7 @@ class Corpus {
     fmt::print("{}: {} files, {} without error ({} %), {} warnings in 100 lines", folder, tally.files, tally.clean,
                text::format_fixed(share, 1), text::format_fixed(warnings, 2));
     if (tally.broken > 0) fmt::print(", {} more that are wrong on purpose", tally.broken);
-    fmt::print("\n");
+    fmt::print("\n  as families: {} files with {} parameters\n", tally.wrapped, tally.parameters);
     for (const auto& [key, count] : tally.diagnostics) {
       fmt::print("  {:7} {:28} {:6} in {:4} files\n", name_of(key.first), key.second, count.times, count.files);
     }

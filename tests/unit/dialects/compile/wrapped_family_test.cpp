@@ -310,6 +310,44 @@ TEST(WrappedFamily, LoopsAreFedAsBlocks) {
   }
 }
 
+// --- the shipped one
+
+struct Turned {
+  double smallest_x = 1e9;
+  double smallest_z = 1e9;
+  int roughing = 0;  // passes
+};
+
+Turned turned(const Values& values) {
+  RenderRequest request;
+  request.family = shipped("turning-cycle");
+  request.values = values;
+  request.target = control("sinumerik-840d", ir::MachineKind::lathe);
+  request.target.semantics.power_on_known = true;
+  const RenderResult result = render(request);
+  EXPECT_FALSE(text::has_error(result.diagnostics)) << said(result.diagnostics, request.family);
+  Turned out;
+  for (const ir::Motion& m : run_text(result.text, request.target).motions) {
+    if (m.kind != ir::MotionKind::linear) continue;
+    out.smallest_x = std::min(out.smallest_x, m.end[0]);
+    out.smallest_z = std::min(out.smallest_z, m.end[2]);
+    out.roughing += m.end[2] < m.start[2] - 1.0 && std::abs(m.feed - 0.25) < 1e-9 ? 1 : 0;
+  }
+  return out;
+}
+
+// Layers of the depth that is asked for at most, down to the allowance; then the drawing's diameter and length.
+TEST(WrappedFamily, TurningCycleTurnsWhatItIsTold) {
+  const Turned standard = turned({});
+  EXPECT_NEAR(standard.smallest_x, 50.0, 1e-9);
+  EXPECT_NEAR(standard.smallest_z, -100.0, 1e-9);
+  EXPECT_EQ(standard.roughing, 10);  // 24.75 mm in layers of 2.5
+  const Turned shorter = turned({{"turned_diameter", "60 mm"}, {"end_z", "-80.5 mm"}, {"layer", "4 mm"}});
+  EXPECT_NEAR(shorter.smallest_x, 60.0, 1e-9);
+  EXPECT_NEAR(shorter.smallest_z, -80.5, 1e-9);
+  EXPECT_EQ(shorter.roughing, 5);  // 19.75 mm in layers of 4
+}
+
 // --- any values
 
 // What is between the constants stays, and the constants read back as the values.

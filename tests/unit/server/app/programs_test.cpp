@@ -105,6 +105,35 @@ TEST_F(ProgramsTest, RendersAPartWithWhereItCameFrom) {
   EXPECT_NE(newest.program.newest.sha256, rendered.program.newest.sha256);
 }
 
+// A program that was wrapped as a family is stored, ordered and rendered like any other one.
+TEST_F(ProgramsTest, AWrappedProgramIsRenderedFromAPart) {
+  const std::string program = "%\r\nO0042 (SLOT)\r\nG90G21\r\n#100=50.(WIDTH)\r\nG01X#100F100.\r\nM30\r\n%\r\n";
+  const std::string head = "family slot \"A slot\"\nmachine mill\nparam width length 50 mm in 1..80 is #100\n";
+  const store::Family family = must(shop_.catalog.add_family(head + "native fanuc\n" + program, "anna"));
+  EXPECT_EQ(must(shop_.store.families().get("slot")).text, family.text);
+  EXPECT_EQ(refusal(shop_.catalog.add_part("S-1", "slot", {{"width", "99 mm"}}, "anna")).code, ErrorCode::invalid);
+  must(shop_.catalog.add_part("S-1", "slot", {}, "anna"));
+  must(shop_.catalog.add_part("S-2", "slot", {{"width", "12.5 mm"}}, "anna"));
+  RenderOrder order;
+  order.machine = "mill";
+  order.delivery = store::Delivery::memory;
+  order.part = "S-1";
+  const Rendered standard = must(programs_.render(order, "anna"));
+  EXPECT_EQ(must(store::read_whole(shop_.store.contents(), standard.program.newest.sha256, 1000)), program);
+  EXPECT_EQ(standard.program.newest.origin.mode, "macro");
+  order.part = "S-2";
+  const Rendered narrow = must(programs_.render(order, "anna"));
+  EXPECT_EQ(narrow.result.text, "%\r\nO0042 (SLOT)\r\nG90G21\r\n#100=12.5(WIDTH)\r\nG01X#100F100.\r\nM30\r\n%\r\n");
+  EXPECT_EQ(narrow.program.newest.origin.values, "width=12.5 mm");
+
+  // What could not be rendered is not stored.
+  const Error wrong =
+      refusal(shop_.catalog.change_family("slot", 1, head + "native fanuc\n#100=5.\n#100=6.\nM30\n", "anna"));
+  EXPECT_EQ(wrong.code, ErrorCode::invalid);
+  EXPECT_NE(wrong.text.find("lines 1 and 2 of the native program"), std::string::npos) << wrong.text;
+  EXPECT_EQ(refusal(shop_.catalog.change_family("slot", 1, head + "native klingon\nM30\n", "anna")).places.size(), 1U);
+}
+
 TEST_F(ProgramsTest, AWrongOrderStoresNothing) {
   add_roll();
   RenderOrder order;
