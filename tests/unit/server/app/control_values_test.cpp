@@ -1,7 +1,9 @@
 // Values that the control changes by itself, and values of the control that a program changes: neither a branch nor a
 // travel is certain by them.
 #include <string>
+#include <string_view>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "server/app/examine.h"
@@ -73,29 +75,32 @@ void expect_no_branch_is_certain(const CheckReport& report, const std::string& w
 }
 
 TEST(ControlValues, WhatATimerSaysAfterAMoveIsNotKnown) {
-  for (const std::string timer :
+  for (const char* timer :
        {"$AC_TIMER[1]", "$AC_OPERATING_TIME", "$AC_CYCLE_TIME", "$AC_CUTTING_TIME", "$AN_SETUP_TIME",
         "$AN_POWERON_TIME", "$AC_TOTAL_PARTS", "$AC_ACTUAL_PARTS", "$AC_SPECIAL_PARTS"})
-    for (const std::string condition : {">5", "==0", "<=5"})
-      expect_no_branch_is_certain(
-          check_sinumerik(timer + "=0\nG1 X90\nIF " + timer + condition + "\nSETAL(65000)\nENDIF\n"),
-          timer + condition);
-  for (const std::string clock : {"$AC_TIME", "$A_SECOND"})
-    expect_no_branch_is_certain(check_sinumerik("IF " + clock + ">5\nSETAL(65000)\nENDIF\n"), clock);
+    for (const char* condition : {">5", "==0", "<=5"}) {
+      const std::string blocks = fmt::format("{0}=0\nG1 X90\nIF {0}{1}\nSETAL(65000)\nENDIF\n", timer, condition);
+      expect_no_branch_is_certain(check_sinumerik(blocks), blocks);
+    }
+  for (const char* clock : {"$AC_TIME", "$A_SECOND"})
+    expect_no_branch_is_certain(check_sinumerik(fmt::format("IF {}>5\nSETAL(65000)\nENDIF\n", clock)), clock);
+}
+
+// A clock that is set, what follows, and a branch by it.
+std::string branch_by(std::string_view clock, std::string_view between) {
+  return fmt::format("{0}=0\n{1}IF[{0}LT5000]GOTO10\n#3000=1(LATE)\nN10\n", clock, between);
 }
 
 TEST(ControlValues, WhatAClockSaysAfterAMoveIsNotKnown) {
-  for (const std::string dialect : {"fanuc", "haas", "mazak", "mitsubishi-m80"})
-    for (const std::string between : {"G01 X90. F10.\n", "G00 X90.\n", "M05\n", "T2 M06\n", "M50\n"})
-      for (const std::string clock : {"#3001", "#3002", "#3901"})
-        expect_no_branch_is_certain(
-            check_hash(clock + "=0\n" + between + "IF[" + clock + "LT5000]GOTO10\n#3000=1(LATE)\nN10\n", dialect),
-            dialect + ' ' + between + clock);
-  for (const std::string clock : {"#3001", "#3002", "#3011", "#3012"})
-    expect_no_branch_is_certain(check_hash("IF[" + clock + "LT5000]GOTO10\n#3000=1(LATE)\nN10\n"), clock);
-  for (const std::string timer : {"#3020", "#3022", "#3024"})
-    expect_no_branch_is_certain(check_hash(timer + "=0\nIF[" + timer + "EQ0]GOTO10\n#3000=1(LATE)\nN10\n", "haas"),
-                                timer);
+  for (const char* dialect : {"fanuc", "haas", "mazak", "mitsubishi-m80"})
+    for (const char* between : {"G01 X90. F10.\n", "G00 X90.\n", "M05\n", "T2 M06\n", "M50\n"})
+      for (const char* clock : {"#3001", "#3002", "#3901"})
+        expect_no_branch_is_certain(check_hash(branch_by(clock, between), dialect),
+                                    fmt::format("{} {}", dialect, clock));
+  for (const char* clock : {"#3001", "#3002", "#3011", "#3012"})
+    expect_no_branch_is_certain(check_hash(fmt::format("IF[{}LT5000]GOTO10\n#3000=1(LATE)\nN10\n", clock)), clock);
+  for (const char* timer : {"#3020", "#3022", "#3024"})
+    expect_no_branch_is_certain(check_hash(branch_by(timer, ""), "haas"), timer);
 }
 
 // What a dwell and the blocks take is counted: a program that waits for its clock ends.
