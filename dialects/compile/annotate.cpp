@@ -115,6 +115,7 @@ Annotation annotation_of(const family::BoundFamily& bound, const std::vector<std
   out.heading.insert(out.heading.end(), more.begin(), more.end());
   for (const family::Parameter& one : family.parameters) {
     const bool is_variable = one.kind == family::ParameterKind::number || one.kind == family::ParameterKind::list;
+    if (one.kind == family::ParameterKind::tool) continue;  // T shows it
     if (!computed || !is_variable) out.heading.push_back(fmt::format("{} {}", one.name, value_of(bound, one)));
     if (computed && is_variable)
       out.meaning.emplace(family.source.position(one.span.begin).line, with_text(one.name, one.text));

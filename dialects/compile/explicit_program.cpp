@@ -229,7 +229,7 @@ std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made) {
     if (is_carried(code.function)) out.push_back(cannot_say("a calculated code, here " + code.name, {}));
   }
   for (const text::Diagnostic& lost : made.lost) {
-    // What is not interpreted is said already.
+    // What is not interpreted is reported already.
     const auto same = [&](const text::Diagnostic& d) {
       return d.id == lost.id && d.severity == lost.severity && d.span.begin == lost.span.begin;
     };

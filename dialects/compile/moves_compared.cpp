@@ -80,7 +80,7 @@ class Comparison {
       : x_factor_(diameter(to) / diameter(from)),
         tolerance_mm_(1.1 * std::max(passes::least_increment_mm(from, inch), passes::least_increment_mm(to, inch))) {}
 
-  // `part`: of a cycle that is said by another cycle, where both are moves of one.
+  // `part`: of a cycle that another cycle stands for, where both are moves of one.
   [[nodiscard]] bool same(const ir::Motion& a, const ir::Motion& b, CyclePart part) const {
     const bool of_cycle = part != CyclePart::none;
     if (a.kind == ir::MotionKind::dwell) return b.kind == a.kind && alike(a.feed, b.feed);

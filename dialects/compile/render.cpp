@@ -19,6 +19,7 @@
 #include "dialects/compile/wrapped_family.h"
 #include "dialects/family/build.h"
 #include "dialects/family/read.h"
+#include "dialects/ir/axis_letters.h"
 
 namespace dripfeed::compile {
 
@@ -62,7 +63,8 @@ class Renderer {
     built_ = family::build(bound_);
     if (!request_.program_name.empty()) built_.name = request_.program_name;
     control_ = neutral_control(family_->machine, family_->x_is_diameter);
-    choose();
+    if (request_.target.from_profile) refuse_missing_axes();
+    if (!text::has_error(result_.diagnostics)) choose();
     if (!text::has_error(result_.diagnostics)) describe_text();
     return std::move(result_);
   }
@@ -70,6 +72,22 @@ class Renderer {
  private:
   void report(const std::vector<text::Diagnostic>& diagnostics) {
     result_.diagnostics.insert(result_.diagnostics.end(), diagnostics.begin(), diagnostics.end());
+  }
+
+  // A machine that somebody described has the axes that are described.
+  void refuse_missing_axes() {
+    std::string refused;
+    for (const family::Step& step : family_->steps) {
+      for (std::uint32_t i = 0; i < step.word_count; ++i) {
+        const ir::Address address = family_->words[step.first_word + i].address;
+        const char letter = address <= ir::Address::z ? ir::letter_of(address) : 0;
+        const bool is_axis = letter != 0 && control_.axes.contains(letter);
+        if (!is_axis || request_.target.axes.contains(letter) || refused.contains(letter)) continue;
+        refused.push_back(letter);
+        report({text::make_diagnostic(text::DiagnosticId::cannot_translate, step.span,
+                                      {std::string("the axis ") + letter, request_.target.title})});
+      }
+    }
   }
 
   void choose() {

@@ -179,7 +179,11 @@ class Binder {
       if (!value) return;
       numbers.push_back(*value);
     }
-    if (list.elements.empty()) numbers = given_lists_.at(list.symbol);
+    if (list.size > 0) {
+      numbers.assign(static_cast<std::size_t>(list.size), 0.0);
+    } else if (list.elements.empty()) {
+      numbers = given_lists_.at(list.symbol);
+    }
     std::vector<double>& values = result_.bound.values;
     values.push_back(static_cast<double>(numbers.size()));
     know(list.symbol, static_cast<double>(values.size()));

@@ -66,6 +66,7 @@ class Builder {
       emit_.set_line(family_.steps[i].line);
       i = build_step(i);
     }
+    write_feed();
     if (compensation_ != Function::none) emit_.block({compensation_}, {});
     emit_.program_end();
     ir::match_structures(program_);
@@ -91,7 +92,7 @@ class Builder {
   }
 
   void build_list(const List& list) {
-    if (!names_.is_needed(list.symbol)) return;
+    if (!names_.is_needed(list.symbol) || list.size > 0) return;
     emit_.set_line(list.line);
     const std::span<const double> numbers = list_in(bound_.values, list.symbol);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -118,7 +119,10 @@ class Builder {
   // Returns the last step that was built.
   std::size_t build_step(std::size_t at) {
     const Step& step = family_.steps[at];
-    if (joins_paths(step.kind)) motion_ = Function::none;
+    if (joins_paths(step.kind)) {
+      write_feed();
+      motion_ = Function::none;
+    }
     switch (step.kind) {
       case StepKind::work_offset: work_offset(step); break;
       case StepKind::tool: tool(step); break;
@@ -239,7 +243,8 @@ class Builder {
 
   // Compensation begins and ends with a straight move: its code goes into the next one's block.
   void move(Function motion, const Step& step) {
-    const std::vector<EmittedWord> to = words(step);  // may make statements of its own
+    std::vector<EmittedWord> to = words(step);  // may make statements of its own
+    if (motion != Function::rapid) take_feed(to);
     std::vector<EmittedCode> codes;
     if (compensation_ != Function::none) codes.push_back({std::exchange(compensation_, Function::none)});
     take_motion(motion, codes);
@@ -247,10 +252,15 @@ class Builder {
   }
 
   void arc(Function motion, const Step& step) {
-    const std::vector<EmittedWord> to = words(step);
+    std::vector<EmittedWord> to = words(step);
+    take_feed(to);
     std::vector<EmittedCode> codes;
     take_motion(motion, codes);
     emit_.block(codes, to);
+  }
+
+  void take_feed(std::vector<EmittedWord>& words) {
+    if (feed_ != nullptr) words.push_back({ir::Address::f, values_.copy(std::exchange(feed_, nullptr)->values[0])});
   }
 
   // The code, unless it is in effect.
@@ -297,7 +307,16 @@ class Builder {
     emit_.block({kCoolant[step.number]}, {});
   }
 
+  // Into the block of the next cut, unless something comes between that is on one path only.
   void feed(const Step& step) {
+    write_feed();
+    feed_ = &step;
+    if (!has_one_feed_mode()) write_feed();
+  }
+
+  void write_feed() {
+    if (feed_ == nullptr) return;
+    const Step& step = *std::exchange(feed_, nullptr);
     const std::vector<EmittedWord> value = {{ir::Address::f, values_.copy(step.values[0])}};
     if (has_one_feed_mode()) return emit_.block(std::span<const EmittedCode>(), value);  // stated at the start
     emit_.block({step.dimension == kFeedPerRev ? Function::feed_per_rev : Function::feed_per_min}, value);
@@ -322,7 +341,7 @@ class Builder {
     const std::string name(program_.strings.at(program_.at(step.target).name));
     const ValueWriter::Bound from = values_.bound(step.values[0], fmt::format("{}_from", name));
     const ValueWriter::Bound to = values_.bound(step.values[1], fmt::format("{}_to", name));
-    if (counts_whole(step)) return count_begin(step, from, to);
+    if (names_.counts_whole(step)) return count_begin(step, from, to);
     const ValueWriter::Bound by = values_.bound(step.values[2], fmt::format("{}_step", name));
     const ExpressionId way = step.down ? values_.calculate(Operator::subtract, values_.say(from), values_.say(to))
                                        : values_.calculate(Operator::subtract, values_.say(to), values_.say(from));
@@ -346,7 +365,7 @@ class Builder {
   ValueWriter::Bound last_trip(ExpressionId trips, std::string_view name) {
     if (const std::optional<double> known = values_.number(trips))
       return {.value = *known < kBackward ? -2.0 : std::trunc(*known + kTripRounding)};
-    const ValueWriter::Bound last{emit_.new_symbol(fmt::format("{}_last", name))};
+    const ValueWriter::Bound last{.symbol = emit_.new_symbol(fmt::format("{}_last", name))};
     emit_.assign(last.symbol, trips);
     // Cutting goes toward zero, so a path that leads back must not come to it.
     emit_.open(StatementKind::if_begin, emit_.binary(Operator::less, values_.say(last), emit_.constant(kBackward)));
@@ -357,13 +376,7 @@ class Builder {
     return last;
   }
 
-  // From a whole number to a whole number by one: the name counts itself.
-  [[nodiscard]] bool counts_whole(const Step& step) const {
-    const ir::Expression& by = family_.arena.at(step.values[2]);
-    return by.op == Operator::constant && by.value == 1.0 && names_.is_always_whole(step.values[0]) &&
-           names_.is_always_whole(step.values[1]);
-  }
-
+  // The name counts itself.
   void count_begin(const Step& step, const ValueWriter::Bound& from, const ValueWriter::Bound& to) {
     emit_.assign(step.target, values_.say(from));
     emit_.open(StatementKind::while_begin, emit_.binary(step.down ? Operator::greater_equal : Operator::less_equal,
@@ -392,6 +405,7 @@ class Builder {
   std::vector<ir::SymbolId> conditions_;    // of open `while`s: go_on, or none
   Function compensation_ = Function::none;  // waits for the next move
   Function motion_ = Function::none;        // in effect, as far as that is known
+  const Step* feed_ = nullptr;              // waits for the next cut
 };
 
 }  // namespace

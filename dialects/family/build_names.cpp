@@ -17,6 +17,29 @@ BuildNames::BuildNames(const BoundFamily& bound)
       needed_(family_.arena.symbols.size()) {
   find_fixed();
   find_needed();
+  find_whole_counters();
+}
+
+// Outer loops stand before inner ones. A name that counts two loops is whole only where both are.
+void BuildNames::find_whole_counters() {
+  std::set<ir::SymbolId> others;
+  std::size_t before = 0;
+  do {
+    before = others.size();
+    whole_counters_.clear();
+    for (const Step& step : family_.steps) {
+      if (step.kind == StepKind::for_in_begin || (step.kind == StepKind::for_begin && !counts_whole(step)))
+        others.insert(step.target);
+      if (step.kind == StepKind::for_begin && !others.contains(step.target)) whole_counters_.insert(step.target);
+    }
+    std::erase_if(whole_counters_, [&](ir::SymbolId one) { return others.contains(one); });
+  } while (others.size() != before);
+}
+
+bool BuildNames::counts_whole(const Step& loop) const {
+  const ir::Expression& by = family_.arena.at(loop.values[2]);
+  return by.op == Operator::constant && by.value == 1.0 && is_always_whole(loop.values[0]) &&
+         is_always_whole(loop.values[1]);
 }
 
 void BuildNames::find_fixed() {
@@ -82,6 +105,7 @@ bool BuildNames::is_always_whole(ExpressionId id) const {
   if (e.op != Operator::variable) return false;
   const ir::SymbolId symbol = family_.arena.at(e.variable).symbol;
   if (is_fixed(symbol)) return is_whole(value_of(symbol));
+  if (whole_counters_.contains(symbol)) return true;
   const auto parameter = std::ranges::find(family_.parameters, symbol, &Parameter::symbol);
   return parameter != family_.parameters.end() && parameter->kind == ParameterKind::number && parameter->whole;
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "dialects/family/bind.h"
@@ -20,14 +21,18 @@ class BuildNames {
   [[nodiscard]] bool is_needed(ir::SymbolId symbol) const { return needed_[static_cast<std::size_t>(symbol)] != 0; }
   // The target of a `set`.
   [[nodiscard]] bool is_set(ir::SymbolId symbol) const { return set_.contains(symbol); }
+  [[nodiscard]] std::span<const double> values() const { return bound_.values; }
   [[nodiscard]] double value_of(ir::SymbolId symbol) const { return bound_.values[static_cast<std::size_t>(symbol)]; }
 
   // Whether what the expression says is decided now.
   [[nodiscard]] bool is_decided(ir::ExpressionId id) const;
   // Whether it is a whole number whatever the parameters are.
   [[nodiscard]] bool is_always_whole(ir::ExpressionId id) const;
+  // Whether a loop goes from a whole number to a whole number by one.
+  [[nodiscard]] bool counts_whole(const Step& loop) const;
 
  private:
+  void find_whole_counters();
   void find_fixed();
   void find_needed();
   void need(ir::ExpressionId id);
@@ -40,6 +45,7 @@ class BuildNames {
   std::vector<std::uint8_t> fixed_;   // by symbol
   std::vector<std::uint8_t> needed_;  // by symbol
   std::set<ir::SymbolId> set_;
+  std::set<ir::SymbolId> whole_counters_;  // names of such loops alone
 };
 
 }  // namespace dripfeed::family

@@ -48,7 +48,8 @@ struct List {
   ir::SymbolId symbol = ir::SymbolId::none;
   ir::SymbolId count = ir::SymbolId::none;  // how many there are, as a name that expressions use
   Dimension dimension;
-  std::vector<ir::ExpressionId> elements;  // empty for a parameter
+  std::vector<ir::ExpressionId> elements;  // empty for a parameter and for numbers that the program sets
+  std::int32_t size = 0;                   // of the latter
   std::uint32_t line = 0;
 };
 

@@ -147,13 +147,16 @@ class FamilyReader {
                                [&](const Definition& one) { return !one.is_constant && names_one(one); });
   }
 
-  // list NAME = value, value, ...
+  // list NAME = value, value, ..., or list NAME of KIND COUNT
   void list() {
     const std::uint32_t line = cursor_.peek().line;
     const std::optional<NewName> name = expect_new_name(cursor_, scope_);
-    if (!name || !cursor_.expect_symbol("=")) return;
+    if (!name) return;
     List out;
     out.line = line;
+    if (cursor_.accept_word("of")) return work_list(*name, std::move(out));
+    if (!cursor_.at_symbol("=")) return cursor_.expected("'=' and its numbers, or 'of', a kind and how many");
+    cursor_.advance();
     const Typed first = expressions_.value();
     out.dimension = first.dimension;
     out.elements.push_back(first.id);
@@ -163,6 +166,18 @@ class FamilyReader {
       cursor_.syntax(name->span, fmt::format("a list has at most {} numbers", kMostNumbers));
     if (!cursor_.line_failed())
       add_list(family_, scope_, *name, std::move(out), static_cast<std::uint16_t>(out.elements.size()));
+  }
+
+  void work_list(const NewName& name, List out) {
+    const std::optional<Dimension> dimension = RoutineReader(cursor_, scope_, expressions_, family_).dimension();
+    if (!dimension) return;
+    out.dimension = *dimension;
+    const text::Span at = cursor_.peek().span;
+    out.size = cursor_.expect_integer("how many numbers it has");
+    if (!cursor_.line_failed() && (out.size < 1 || out.size > kMostNumbers))
+      cursor_.syntax(at, fmt::format("a list has 1 to {} numbers", kMostNumbers));
+    const std::int32_t size = out.size;
+    if (!cursor_.line_failed()) add_list(family_, scope_, name, std::move(out), size);
   }
 
   void function() { RoutineReader(cursor_, scope_, expressions_, family_).function(); }

@@ -24,7 +24,6 @@ std::optional<std::string> RoutineReader::new_name() {
   return std::nullopt;
 }
 
-// A kind of quantity; feeds and speeds, which are of two kinds, with a unit.
 std::optional<Dimension> RoutineReader::dimension() {
   const QuantityKind* kind = cursor_.line_failed() ? nullptr : find_quantity(cursor_.word());
   if (kind == nullptr) {

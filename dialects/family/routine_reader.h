@@ -22,13 +22,14 @@ class RoutineReader {
   // Each reads what follows its keyword; a function but for the end of its line, a subprogram with its `end`.
   void function();
   void subprogram();
+  // A kind of quantity; feeds and speeds, which are of two kinds, with a unit. Nothing after a fault.
+  std::optional<Dimension> dimension();
 
  private:
   // A name that no function and no subprogram has yet; nothing after a fault.
   std::optional<std::string> new_name();
   // "(" NAME kind, ... ")"; defines the names. None without brackets.
   std::vector<FunctionParameter> parameters();
-  std::optional<Dimension> dimension();
 
   Cursor& cursor_;
   Scope& scope_;

@@ -48,8 +48,9 @@ ExpressionId ValueWriter::copy(ExpressionId id) {
 ExpressionId ValueWriter::copy_variable(const ir::Variable& v) {
   if (names_.is_fixed(v.symbol)) return emit_.constant(names_.value_of(v.symbol));
   if (v.index == ExpressionId::none) return emit_.variable(v.symbol);
-  const ir::Expression& index = family_.arena.at(v.index);
-  return emit_.variable(v.symbol, index.op == Operator::constant ? whole(index.value) : copy(v.index));
+  if (names_.is_decided(v.index))
+    return emit_.variable(v.symbol, whole(evaluate(family_.arena, v.index, names_.values()).value));
+  return emit_.variable(v.symbol, copy(v.index));
 }
 
 ExpressionId ValueWriter::choose(Operator op, ExpressionId a, ExpressionId b) {
@@ -112,17 +113,20 @@ ValueWriter::Bound ValueWriter::bound(ExpressionId id, std::string_view stem) {
   if (e.op == Operator::variable) {
     const ir::Variable& v = family_.arena.at(e.variable);
     if (names_.is_fixed(v.symbol)) return {.value = names_.value_of(v.symbol)};
-    if (v.index == ExpressionId::none && !names_.is_set(v.symbol)) return {v.symbol};
+    if (v.index == ExpressionId::none && !names_.is_set(v.symbol)) return {.symbol = v.symbol};
+    if (v.index != ExpressionId::none && !names_.is_set(v.symbol) && names_.is_decided(v.index))
+      return {.symbol = v.symbol, .value = evaluate(family_.arena, v.index, names_.values()).value, .is_of_list = true};
   }
   const ExpressionId value = copy(id);
   if (const std::optional<double> known = number(value)) return {.value = *known};
-  const Bound out{emit_.new_symbol(stem)};
+  const Bound out{.symbol = emit_.new_symbol(stem)};
   emit_.assign(out.symbol, value);
   return out;
 }
 
 ExpressionId ValueWriter::say(const Bound& bound) {
-  return bound.symbol == ir::SymbolId::none ? emit_.constant(bound.value) : emit_.variable(bound.symbol);
+  if (bound.symbol == ir::SymbolId::none) return emit_.constant(bound.value);
+  return bound.is_of_list ? emit_.variable(bound.symbol, whole(bound.value)) : emit_.variable(bound.symbol);
 }
 
 }  // namespace dripfeed::family

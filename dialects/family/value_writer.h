@@ -34,7 +34,8 @@ class ValueWriter {
   // once.
   struct Bound {
     ir::SymbolId symbol = ir::SymbolId::none;
-    double value = 0.0;
+    double value = 0.0;  // of a number; of a list's: its index
+    bool is_of_list = false;
   };
   Bound bound(ir::ExpressionId id, std::string_view stem);
   ir::ExpressionId say(const Bound& bound);

@@ -306,8 +306,8 @@ class Allocator {
         if (e.op == ir::Operator::constant) {
           number = place.number + static_cast<std::uint32_t>(std::max(0.0, e.value));
           v.index = ExpressionId::none;
-        } else if (place.number != 0) {
-          v.index = program_.add_operator(ir::Operator::add, v.index, program_.add_constant(place.number, {}, false));
+        } else {
+          v.index = moved_by(v.index, place.number);
         }
       }
       v.bank = bank_;
@@ -316,6 +316,21 @@ class Allocator {
       program_.variables[index] = v;
     }
   }
+
+  // index + number, with a constant that the index ends in taken into it: #[#1+4-1+100] is #[#1+103].
+  ExpressionId moved_by(ExpressionId index, double number) {
+    const ir::Expression e = program_.at(index);
+    const bool is_sum = e.op == ir::Operator::add || e.op == ir::Operator::subtract;
+    if (is_sum && program_.at(e.b).op == ir::Operator::constant && is_whole(program_.at(e.b).value)) {
+      const double last = program_.at(e.b).value;
+      return moved_by(e.a, e.op == ir::Operator::add ? number + last : number - last);
+    }
+    if (number == 0.0) return index;
+    const bool adds = number > 0.0;
+    return program_.add_operator(adds ? ir::Operator::add : ir::Operator::subtract, index,
+                                 program_.add_constant(std::abs(number), {}, false));
+  }
+  static bool is_whole(double value) { return std::trunc(value) == value; }
 
   // A[i, k] as one index: i * columns + k; with a third one, layers in it alike.
   ExpressionId flat_index(const ir::Variable& v) {

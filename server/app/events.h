@@ -45,7 +45,7 @@ class Events {
   explicit Events(std::uint64_t first_id = 1) : first_id_(first_id), next_id_(first_id) {}
 
   // While it lives, what its thread publishes waits, and goes out with release(); without that it never was. For
-  // changes that are told only when the transaction around them is durable.
+  // changes that are published only when the transaction around them is durable.
   class Hold {
    public:
     explicit Hold(Events& events) : events_(events), outer_(std::exchange(holding_, this)) {}

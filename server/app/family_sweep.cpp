@@ -70,7 +70,8 @@ sweep::Report sweep_family(const FamilySweep& order) {
                                                  .target = order.control,
                                                  .mode = order.mode,
                                                  .delivery = order.delivery,
-                                                 .program_name = {}},
+                                                 .program_name = {},
+                                                 .heading = {}},
                                                 order.profile);
     if (text::has_error(rendered.diagnostics)) return trial_of(rendered.diagnostics);
     return trial_of(examine({.source = text::Source(order.family.name(), std::move(rendered.text)),

@@ -129,6 +129,17 @@ Result<store::Origin> Programs::origin_of(const RenderOrder& order, std::string&
   return origin;
 }
 
+namespace {
+
+// What the program says at the control of where its text is from.
+std::vector<std::string> heading_of(const store::Origin& origin) {
+  std::vector<std::string> lines = {fmt::format("revision {}", origin.family_revision)};
+  if (!origin.part.empty()) lines.push_back(fmt::format("part {} revision {}", origin.part, origin.part_revision));
+  return lines;
+}
+
+}  // namespace
+
 Result<Rendered> Programs::render(const RenderOrder& order, std::string_view actor, const Waiter& waiter) {
   std::string family_text;
   Values values;
@@ -144,7 +155,8 @@ Result<Rendered> Programs::render(const RenderOrder& order, std::string_view act
                         .profile = machine->profile,
                         .mode = order.mode,
                         .delivery = order.delivery,
-                        .name = order.name};
+                        .name = order.name,
+                        .heading = heading_of(*origin)};
   auto done = workers_ != nullptr ? workers_->render(work, waiter) : render_family(work, documents_);
   if (!done) return std::unexpected(done.error());
   Rendered rendered{.program = {}, .result = std::move(done->result)};

@@ -95,7 +95,8 @@ Result<RenderDone> render_family(const RenderWork& work, const Documents& docume
                                        .target = *control,
                                        .mode = work.mode,
                                        .delivery = delivery_of(work.delivery),
-                                       .program_name = work.name};
+                                       .program_name = work.name,
+                                       .heading = work.heading};
   RenderDone done{.result = render_for(request, &*profile), .places = {}};
   const auto fine = refuse_errors(done.result.diagnostics, request.family, fmt::format("family {}", work.family));
   if (!fine) return std::unexpected(fine.error());

@@ -57,6 +57,7 @@ struct RenderWork {
   compile::RenderMode mode = compile::RenderMode::automatic;
   store::Delivery delivery = store::Delivery::drip;
   std::string name;  // of the program; empty: the renderer's
+  std::vector<std::string> heading = {};  // for people at the control: "revision 3", "part 4711"
 };
 struct RenderDone {
   compile::RenderResult result;  // but for geometry and places

@@ -57,7 +57,8 @@ app::Result<RenderedFamily> render_family(const FamilyOptions& options) {
                        .target = chosen->control,
                        .mode = compile::find_render_mode(options.mode).value_or(compile::RenderMode::automatic),
                        .delivery = options.drip ? ir::Delivery::drip : ir::Delivery::memory,
-                       .program_name = options.name},
+                       .program_name = options.name,
+                       .heading = {}},
                       chosen->profile ? &*chosen->profile : nullptr);
   print_diagnostics(result.diagnostics, *source, chosen->control.title);
   return RenderedFamily{.source = std::move(*source),

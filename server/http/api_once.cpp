@@ -70,7 +70,7 @@ class KeyInUse {
 
 }  // namespace
 
-// While one request with a key is being answered, another with the same key is told to come again.
+// While one request with a key is being answered, another with the same key is asked to try again later.
 Response Api::answer_once(const Request& request, const Route& route, const Call& call) {
   const std::string key =
       fmt::format("{} {} {} {}", call.user, name_of(request.method), request.target, request.idempotency_key);

@@ -17,6 +17,18 @@ Document write_values(const app::Values& values, WorkPackage& into) {
   return list;
 }
 
+Document write_texts(const std::vector<std::string>& texts, WorkPackage& into) {
+  Document list = Document::array();
+  for (const std::string& one : texts) list.push_back(into.add(one));
+  return list;
+}
+
+std::vector<std::string> read_texts(const Document& from, const WorkPackage& package) {
+  std::vector<std::string> texts;
+  for (const Document& one : from) texts.push_back(package.texts.at(one.get<std::size_t>()));
+  return texts;
+}
+
 app::Values read_values(const Document& from, const WorkPackage& package) {
   app::Values values;
   for (const Document& one : from) {
@@ -110,7 +122,8 @@ Document write_family(const app::RenderWork& work, WorkPackage& into) {
           {"profile", into.add(work.profile)},
           {"mode", static_cast<int>(work.mode)},
           {"drip", work.delivery == store::Delivery::drip},
-          {"name", into.add(work.name)}};
+          {"name", into.add(work.name)},
+          {"heading", write_texts(work.heading, into)}};
 }
 
 app::RenderWork read_family(const Document& from, const WorkPackage& package) {
@@ -120,7 +133,8 @@ app::RenderWork read_family(const Document& from, const WorkPackage& package) {
           .profile = package.text_of(from, "profile"),
           .mode = static_cast<compile::RenderMode>(from.at("mode").get<int>()),
           .delivery = from.at("drip").get<bool>() ? store::Delivery::drip : store::Delivery::memory,
-          .name = package.text_of(from, "name")};
+          .name = package.text_of(from, "name"),
+          .heading = read_texts(from.at("heading"), package)};
 }
 
 std::string write_work_error(const app::Error& error) {

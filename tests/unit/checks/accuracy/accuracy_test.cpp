@@ -179,5 +179,25 @@ TEST(ChordBound, HoldsAcrossAJointOfTheProfile) {
   EXPECT_LE(bound, 0.4 + 1e-9);
 }
 
+// A cam, an off-center cut and a tilted tool are no turning: nothing is claimed of them, and no gap of the nominal
+// either.
+TEST(Accuracy, JudgesNothingThatIsNoTurning) {
+  const Settings settings{.nominal = straight(50, 0, {0, 40})};
+  const auto with = [](ir::Axis axis, double start, double end) {
+    ir::Motion motion = cut(40, 100, 0, 100);
+    motion.start[static_cast<std::size_t>(axis)] = start;
+    motion.end[static_cast<std::size_t>(axis)] = end;
+    return motion;
+  };
+  for (const ir::Motion& motion : {with(ir::Axis::c, 0, 90), with(ir::Axis::y, 3, 3), with(ir::Axis::b, 0, 10)}) {
+    const Report report = run(settings, {motion});
+    EXPECT_EQ(report.blocks, 0U);
+    EXPECT_FALSE(report.covered);
+    EXPECT_TRUE(report.findings.empty());
+    EXPECT_EQ(report.not_checked.list().size(), 2U);
+  }
+  EXPECT_EQ(run(settings, {with(ir::Axis::c, 90, 90)}).blocks, 1U) << "C that stands is where the part was clamped";
+}
+
 }  // namespace
 }  // namespace dripfeed::accuracy

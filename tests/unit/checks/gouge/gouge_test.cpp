@@ -170,5 +170,17 @@ TEST(RemainingStock, KeepsABoundedNumberOfPlaces) {
   EXPECT_EQ(stock.height(5e5), 4.0);
 }
 
+// What a cut with C leaves of the bar is not known: later rapids are checked against the nominal alone.
+TEST(Gouge, ACutThatTurnsCIsNotCheckedAndLeavesAnUnknownBar) {
+  ir::Motion cam = cut(120, 0, 60, 0);
+  cam.end[static_cast<std::size_t>(ir::Axis::c)] = 90;
+  const Report report = run(bar(), {cam, rapid(120, -40, 90, -40), rapid(120, -10, 70, -10)});
+  EXPECT_EQ(report.cuts, 0U);
+  EXPECT_EQ(report.findings.count(DiagnosticId::cut_below_nominal), 0U);
+  EXPECT_EQ(report.findings.count(DiagnosticId::rapid_into_stock), 0U);
+  EXPECT_EQ(report.findings.count(DiagnosticId::rapid_into_nominal), 1U);
+  EXPECT_FALSE(report.not_checked.empty());
+}
+
 }  // namespace
 }  // namespace dripfeed::gouge

@@ -295,5 +295,57 @@ TEST(Render, ForANamedMachineByItsIncrement) {
   }
 }
 
+TEST(Render, AFamilyForAnotherKindOfMachineIsRefused) {
+  const auto faults = [](const char* family, ir::MachineKind kind) {
+    std::string found;
+    for (const std::string& dialect : dialect_names()) {
+      RenderRequest request;
+      request.family = shipped(family);
+      request.target = control(dialect, kind);
+      const RenderResult result = render(request);
+      const bool refused =
+          !result.diagnostics.empty() && result.diagnostics.front().id == text::DiagnosticId::family_other_machine;
+      EXPECT_EQ(refused, result.text.empty()) << dialect;
+      found += refused ? 'x' : '.';
+    }
+    return found;
+  };
+  using enum ir::MachineKind;
+  EXPECT_EQ(faults("hyperbolic-roll", mill), "xxxxx");
+  EXPECT_EQ(faults("hyperbolic-roll", lathe), ".....");
+  EXPECT_EQ(faults("hyperbolic-roll", mill_turn), ".....");
+  EXPECT_EQ(faults("round-pocket", lathe), "xxxxx");
+  EXPECT_EQ(faults("round-pocket", mill), ".....");
+  EXPECT_EQ(faults("round-pocket", mill_turn), "xxxxx");
+}
+
+// A word of an axis that the machine does not have is no word of its program.
+TEST(Render, AnAxisThatTheMachineLacksIsRefused) {
+  const text::Source family(
+      "cam.family",
+      "family cam\nmachine lathe, x is diameter\nprogram cam\n  feed 100 mm/min\n  rapid x 10 mm  c 0 deg\n"
+      "  cut c 90 deg\nend\n");
+  for (const RenderMode mode : {RenderMode::macro, RenderMode::explicit_blocks}) {
+    RenderRequest request;
+    request.family = family;
+    request.target = control("fanuc", ir::MachineKind::lathe);
+    request.target.from_profile = true;
+    request.mode = mode;
+    EXPECT_TRUE(text::has_error(render(request).diagnostics)) << name_of(mode);
+    request.target.axes = "XZC";
+    EXPECT_FALSE(text::has_error(render(request).diagnostics)) << name_of(mode);
+  }
+}
+
+// G43 H1 of a mill-turn center is a length, and T1 M06 its tool 1.
+TEST(Render, AMillTurnCenterOfMazakHasToolsOfAMill) {
+  const Played run = run_text("%\nO1\nG21 G90 G17 G94\nG0 C0.\nT1 M06\nG43 H1 Z50.\nG0 X10. Z5.\nM30\n%\n",
+                              control("mazak", ir::MachineKind::mill_turn));
+  const auto tool = std::ranges::find(run.motions, ir::MotionKind::tool, &ir::Motion::kind);
+  ASSERT_NE(tool, run.motions.end());
+  EXPECT_EQ(tool->number, 1);
+  for (const ir::Motion& one : run.motions) EXPECT_EQ(one.end[static_cast<std::size_t>(ir::Axis::c)], 0.0);
+}
+
 }  // namespace
 }  // namespace dripfeed::compile::test

@@ -208,4 +208,28 @@ TEST(Examine, WhatTheControlAnswersIsNeverZero) {
 }
 
 }  // namespace
+// A family for lathes says nothing of what a mill does: the text fails, and its nominal is not dropped without a word.
+TEST(Examine, AFamilyForAnotherKindOfMachineFails) {
+  const compile::Dialect* dialect = compile::find_dialect("fanuc");
+  family::Geometry geometry;
+  geometry.machine = ir::MachineKind::lathe;
+  const auto verdict = [&](ir::MachineKind kind) {
+    return examine({.source = text::Source("x.nc", "%\nO1\nG21G90G40\nM30\n%\n"),
+                    .dialect = dialect,
+                    .control = dialect->control(kind, ir::GSystem::a),
+                    .inferred = false,
+                    .profile = nullptr,
+                    .delivery = ir::Delivery::memory,
+                    .find_called = {},
+                    .geometry = geometry,
+                    .profile_lines = {}});
+  };
+  const CheckReport mill = verdict(ir::MachineKind::mill);
+  EXPECT_EQ(mill.verdict, checks::Verdict::fail);
+  ASSERT_FALSE(mill.checks.diagnostics.empty());
+  EXPECT_EQ(mill.checks.diagnostics.back().id, text::DiagnosticId::family_other_machine);
+  EXPECT_NE(verdict(ir::MachineKind::lathe).verdict, checks::Verdict::fail);
+  EXPECT_NE(verdict(ir::MachineKind::mill_turn).verdict, checks::Verdict::fail);
+}
+
 }  // namespace dripfeed::app

@@ -244,5 +244,12 @@ TEST(Syntax, FollowsTheDialectAndTheDelivery) {
   EXPECT_EQ(program_syntax_of(profile, ir::Delivery::drip).comments[0].open, ';');
 }
 
+TEST(Profile, TheAxesAreThoseOfTheMachine) {
+  Profile profile;
+  EXPECT_EQ(control_of(profile, {.axes = "XYZ"}).axes, "XYZ") << "a profile without axes";
+  profile.machine.axes = {{.axis = ir::Axis::c}, {.axis = ir::Axis::z}, {.axis = ir::Axis::x}};
+  EXPECT_EQ(control_of(profile, {.axes = "XZ"}).axes, "XZC") << "in the order of the trace";
+}
+
 }  // namespace
 }  // namespace dripfeed::machine
