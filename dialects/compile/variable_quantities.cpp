@@ -43,18 +43,25 @@ bool is_comparison(Operator op) { return op >= Operator::equal && op <= Operator
 VariableQuantities::VariableQuantities(const ir::Program& program, const ir::Control& control,
                                        const facts::Resolved& resolved)
     : program_(program), control_(control), resolved_(resolved) {
+  learn();
+  // What nothing else tells of may be a counter; where one is a factor, the other factor measures what the product
+  // does.
+  counters();
+  learn();
+}
+
+void VariableQuantities::learn() {
+  for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
+    const ir::Statement& s = program_.statements[i];
+    if (s.kind == StatementKind::block && s.payload != ir::kNoIndex) block(i);
+  }
   constexpr int kRounds = 6;  // chains of more assignments are rare, and what is not learned is only not said
   changed_ = true;
   for (int round = 0; round < kRounds && changed_; ++round) {
     changed_ = false;
-    for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
-      const ir::Statement& s = program.statements[i];
-      if (s.payload == ir::kNoIndex) continue;
-      if (round == 0 && s.kind == StatementKind::block) block(i);
-      expressions(s);
-    }
+    for (const ir::Statement& s : program_.statements)
+      if (s.payload != ir::kNoIndex) expressions(s);
   }
-  counters();
 }
 
 std::optional<VariableQuantities::Key> VariableQuantities::key_of(const ir::Variable& v) {
@@ -219,6 +226,10 @@ bool VariableQuantities::is_ratio(ir::ExpressionId id) const {
     case Operator::cos:
     case Operator::tan: return true;
     case Operator::negate: return is_ratio(e.a);
+    case Operator::variable: {
+      const auto known = of(program_.at(e.variable));
+      return known && known->is_count;
+    }
     case Operator::multiply: return is_ratio(e.a) && is_ratio(e.b);
     default: return false;
   }

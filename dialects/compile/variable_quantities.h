@@ -37,6 +37,7 @@ class VariableQuantities {
   };
   static std::optional<Key> key_of(const ir::Variable& variable);
 
+  void learn();
   void block(std::uint32_t statement);
   void word(const ir::Word& word, std::uint32_t statement);
   void expressions(const ir::Statement& statement);

@@ -5,13 +5,6 @@
 //
 // The language and its grammar stand in docs/families.md, whose examples are tests.
 //
-// Native programs. What follows the line `native` is kept byte for byte, its line ends too; rendering writes the values
-// of its bindings and nothing else. A binding names what one line of the program sets to a plain number: a variable
-// (#100=50., R10=-3.5, DEF REAL DIA=100), or the parameter of a program of the same text that has a PROC line and is
-// called once (TURNING_CYCLE.EXTD). On every path that line stands before any that reads the variable. Lengths and
-// feeds are written in the unit that the program has in effect there, angles in degrees, times in the unit of their
-// default. A parameter has a target, or a let that is computed from it has one.
-//
 // Loops. `for t from a to b step s` is defined by its index: t is a, a + s, a + 2s, … and at last exactly b; the number
 // of trips is fixed once, before the first; the last step is shortened to hit b, and one that is within a millionth of
 // s beyond a whole number is taken as whole. `down` goes the other way with a positive s. If b lies before a, the body

@@ -31,6 +31,11 @@ void NativeReader::target(ir::SymbolId symbol, Dimension dimension, const Unit* 
   if (cursor_.line_failed() || !cursor_.accept_word("is")) return;
   if (cursor_.peek().kind != LexemeKind::word || !is_target(cursor_.word()))
     return cursor_.expected("what takes the value: #100, R10, a name, or PROGRAM.PARAMETER");
+  const auto parameter = std::ranges::find(family_.parameters, symbol, &Parameter::symbol);
+  if (parameter != family_.parameters.end() &&
+      (parameter->kind == ParameterKind::list || parameter->kind == ParameterKind::choice))
+    return cursor_.syntax(cursor_.last_span(),
+                          fmt::format("{} is no number: bind a let that is computed from it", parameter->name));
   family_.bindings.push_back({.symbol = symbol,
                               .dimension = dimension,
                               .unit = unit,
@@ -71,13 +76,18 @@ void NativeReader::check_targets_differ() {
 void NativeReader::check_parameters_are_used() {
   std::set<ir::SymbolId> used;
   for (const Binding& binding : family_.bindings) used.insert(binding.symbol);
-  // From the last let to the first: each names only what stands before it.
-  for (auto let = family_.definitions.rbegin(); let != family_.definitions.rend(); ++let) {
-    if (!used.contains(let->symbol)) continue;
-    passes::for_each_node(family_.arena, let->value, [&](ir::ExpressionId id) {
+  const auto use = [&](ir::ExpressionId value) {
+    passes::for_each_node(family_.arena, value, [&](ir::ExpressionId id) {
       const ir::Expression& e = family_.arena.at(id);
       if (e.op == ir::Operator::variable) used.insert(family_.arena.at(e.variable).symbol);
     });
+  };
+  for (std::size_t before = 0; before != used.size();) {
+    before = used.size();
+    for (const Definition& let : family_.definitions)
+      if (used.contains(let.symbol)) use(let.value);
+    for (const List& list : family_.lists)
+      if (used.contains(list.symbol)) std::ranges::for_each(list.elements, use);
   }
   for (const Parameter& parameter : family_.parameters) {
     if (!used.contains(parameter.symbol))

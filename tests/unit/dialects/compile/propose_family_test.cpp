@@ -36,7 +36,7 @@ std::string line_for(const FamilyProposal& proposal, const std::string& target) 
 const std::string kSlot =
     "%\nO1200 (SLOT, \"DEEP\")\nG21 G90 G17 G94 G40\n#100=50.(LENGTH OF THE SLOT)\n#101=-3.5 (DEPTH)\n#102=30(ANGLE)\n"
     "#103=250.(FEED)\n#104=1200(RPM)\n#105=0\n#106=3 (PASSES)\n#107=2.5\n#108=#100/2\n#109=1.5(NEVER USED)\n"
-    "T1 M6\nS#104 M3\nG0 X[#100*COS[#102]] Y#107\nG43 H1 Z5.\nWHILE[#105LT#106]DO1\nG1 Z[#101] F#103\nX#108\n"
+    "T1 M6\nS#104 M3\nG0 X[#100*COS[#102]] Y#107\nG43 H1 Z5.\nWHILE[#105LT#106]DO1\nG1 Z[#101*#105/3.] F#103\nX#108\n"
     "#105=#105+1\nEND1\nM30\n%\n";
 
 TEST(ProposeFamily, NumbersOfTheHeaderBecomeParameters) {
@@ -75,15 +75,15 @@ TEST(ProposeFamily, UnknownUnitsStayPlainNumbers) {
 
 TEST(ProposeFamily, DefinitionsAndCallsAreFound) {
   const std::string program =
-      "%_N_MAIN_MPF\nEXTERN TURN(REAL, INT, REAL)\nG71 G95 DIAMON\nDEF REAL DIA=100 ; bar\nDEF INT N=4\nR5=-1\n"
+      "%_N_MAIN_MPF\nEXTERN TURN(REAL, INT, REAL)\nG71 G95 DIAMON\nDEF REAL DIA=100 ; bar\nDEF INT TIMES=4\nR5=-1\n"
       "G0 X=DIA Z=R5\nTURN(50.0, 4, 0.25)\nM30\n"
-      "%_N_TURN_SPF\nPROC TURN(REAL D, INT PASSES, REAL F_ROUGH)\nG95 G1 X=D F=F_ROUGH\nM17\n";
+      "%_N_TURN_SPF\nPROC TURN(REAL DM, INT PASSES, REAL F_ROUGH)\nG95 G1 X=DM F=F_ROUGH\nM17\n";
   const FamilyProposal out = proposed(program, "sinumerik-840d", ir::MachineKind::lathe);
   EXPECT_TRUE(out.text.ends_with("\nnative sinumerik-840d\n" + program)) << notes_of(out);
   EXPECT_EQ(line_for(out, "DIA"), "param dia length 100 mm in 50..200 \"bar\" is DIA  # proposed range");
-  EXPECT_EQ(line_for(out, "N"), "param n count 4 in 2..8 is N  # proposed range");
+  EXPECT_EQ(line_for(out, "TIMES"), "param times count 4 in 2..8 is TIMES  # proposed range");
   EXPECT_EQ(line_for(out, "R5"), "param r5 length -1 mm in -2..-0.5 is R5  # proposed range");
-  EXPECT_EQ(line_for(out, "TURN.D"), "param turn_d length 50 mm in 25..100 is TURN.D  # proposed range");
+  EXPECT_EQ(line_for(out, "TURN.DM"), "param dm length 50 mm in 25..100 is TURN.DM  # proposed range");
   EXPECT_EQ(line_for(out, "TURN.PASSES"), "param passes count 4 in 2..8 is TURN.PASSES  # proposed range");
   // G71 says nothing of feeds, and nobody has looked at the machine.
   EXPECT_EQ(line_for(out, "TURN.F_ROUGH"), "param f_rough ratio 0.25 in 0.125..0.5 is TURN.F_ROUGH  # proposed range");

@@ -227,16 +227,42 @@ TEST(WrappedFamily, AnotherLanguageIsRefused) {
   EXPECT_NE(said_of_description(unknown).find("no control here has the language 'okuma'"), std::string::npos);
 }
 
+// What the documentation shows is what happens.
+TEST(WrappedFamily, TheExampleOfTheDocumentationRenders) {
+  const std::string document = file_text("docs/families.md");
+  const std::size_t at = document.find("```wrapped\n") + 11;
+  const std::string family = document.substr(at, document.find("```", at) - at);
+  const std::string program = family.substr(family.find("native fanuc\n") + 13);
+  EXPECT_EQ(text_of(family, "fanuc"), program);
+  const std::string changed = text_of(family, "fanuc", {{"slot_length", "100.5 mm"}, {"cut_feed", "90 mm/min"}});
+  EXPECT_NE(changed.find("\n#100=100.5  (LENGTH)\n#101=4.   (DEPTH)\n#102=90. (FEED)\n#103=45. (FEED OF THE PLUNGE)\n"),
+            std::string::npos)
+      << changed;
+  EXPECT_FALSE(run_text(changed, control("fanuc", ir::MachineKind::mill)).motions.empty());
+}
+
+TEST(WrappedFamily, ListsAndChoicesAreNoNumbers) {
+  const std::string native = "native fanuc\nG21\n#100=1.\nX#100\nM30\n";
+  EXPECT_NE(faults_of(kMill + "param entry choice slow of slow, fast is #100\n" + native, "fanuc").find("is no number"),
+            std::string::npos);
+  const std::string row = kMill + "param row list of length 1 mm, 2 mm in 0..9 count 1..5";
+  EXPECT_NE(faults_of(row + " is #100\n" + native, "fanuc").find("is no number"), std::string::npos);
+  EXPECT_EQ(text_of(row + "\nlet first = row[0] is #100\n" + native, "fanuc", {{"row", "7 mm, 8 mm"}}),
+            "G21\n#100=7.\nX#100\nM30\n");
+  EXPECT_EQ(text_of(kMill + "param probe yes_no yes is #100\n" + native, "fanuc", {{"probe", "no"}}),
+            "G21\n#100=0.\nX#100\nM30\n");
+}
+
 // --- names and calls
 
 const std::string kCalls =
-    "%_N_MAIN_MPF\nEXTERN TURN(REAL, INT, REAL)\nG71\nDEF REAL DIA=100, LEN=20.5\nDEF INT N\nN=3\n"
-    "G0 X=DIA Z=LEN\nTURN(DIA, 4, -2.50)\nG0 X=N\nM30\n"
-    "%_N_TURN_SPF\nPROC TURN(REAL D, INT PASSES, REAL DEPTH)\nG1 X=D Z=DEPTH\nM17\n";
+    "%_N_MAIN_MPF\nEXTERN TURN(REAL, INT, REAL)\nG71\nDEF REAL DIA=100, LEN=20.5\nDEF INT TIMES\nTIMES=3\n"
+    "G0 X=DIA Z=LEN\nTURN(DIA, 4, -2.50)\nG0 X=TIMES\nM30\n"
+    "%_N_TURN_SPF\nPROC TURN(REAL DM, INT PASSES, REAL DEPTH)\nG1 X=DM Z=DEPTH\nM17\n";
 const std::string kBoundCalls =
     kLathe +
     "param dia length 100 mm in 1..300 is DIA\nparam reach length 20.5 mm in 1..300 is len\n"
-    "param times count 3 in 1..9 is N\nparam passes count 4 in 1..9 is TURN.PASSES\n"
+    "param times count 3 in 1..9 is TIMES\nparam passes count 4 in 1..9 is TURN.PASSES\n"
     "param depth length -2.5 mm in -10..10 is turn.depth\nnative sinumerik-840d\n";
 
 TEST(WrappedFamily, NamesAndCallsTakeValues) {
@@ -245,7 +271,7 @@ TEST(WrappedFamily, NamesAndCallsTakeValues) {
       text_of(kBoundCalls + kCalls, "sinumerik-840d",
               {{"dia", "80.5 mm"}, {"reach", "7 mm"}, {"times", "5"}, {"passes", "6"}, {"depth", "1 mm"}});
   EXPECT_NE(changed.find("DEF REAL DIA=80.5, LEN=7.\n"), std::string::npos) << changed;
-  EXPECT_NE(changed.find("\nN=5\n"), std::string::npos) << changed;
+  EXPECT_NE(changed.find("\nTIMES=5\n"), std::string::npos) << changed;
   EXPECT_NE(changed.find("TURN(DIA, 6, 1.)"), std::string::npos) << changed;
 }
 
@@ -260,12 +286,13 @@ TEST(WrappedFamily, CallsThatCannotTakeAValueAreRefused) {
     return faults_of(kLathe + "param size length 1.5 mm in 0..100 is " + target + "\nnative sinumerik-840d\n" + native,
                      "sinumerik-840d");
   };
-  EXPECT_NE(said("TURN.D", kCalls).find("does not set it to a plain decimal number"), std::string::npos);
-  EXPECT_NE(said("TURN.WIDTH", kCalls).find("TURN has no parameter WIDTH; it has D, PASSES, DEPTH"), std::string::npos);
-  EXPECT_NE(said("MILL.D", kCalls).find("holds no program MILL"), std::string::npos);
+  EXPECT_NE(said("TURN.DM", kCalls).find("does not set it to a plain decimal number"), std::string::npos);
+  EXPECT_NE(said("TURN.WIDTH", kCalls).find("TURN has no parameter WIDTH; it has DM, PASSES, DEPTH"),
+            std::string::npos);
+  EXPECT_NE(said("MILL.DM", kCalls).find("holds no program MILL"), std::string::npos);
   EXPECT_NE(said("DEPTH", kCalls).find("name it with the program, as in PROGRAM.DEPTH"), std::string::npos);
   std::string twice = kCalls;
-  twice.replace(twice.find("G0 X=N"), 6, "TURN(1,2,3)");
+  twice.replace(twice.find("G0 X=TIMES"), 10, "TURN(1,2,3)");
   EXPECT_NE(said("TURN.DEPTH", twice).find("TURN is called in lines 8 and 9 of the native program"), std::string::npos);
   std::string left_out = kCalls;
   left_out.replace(left_out.find(", -2.50"), 7, "");

@@ -23,7 +23,8 @@ compile::RenderRequest roll(ir::Delivery delivery = ir::Delivery::memory, Render
           .target = compile::find_dialect("fanuc")->control(ir::MachineKind::lathe, ir::GSystem::a),
           .mode = mode,
           .delivery = delivery,
-          .program_name = {}};
+          .program_name = {},
+          .heading = {}};
 }
 
 // A block, and each thing that it computes, costs so much.
