@@ -53,7 +53,8 @@ Part part_of(const std::string& name, const std::string& dialect, const std::vec
                                                           .target = control,
                                                           .mode = compile::RenderMode::explicit_blocks,
                                                           .delivery = ir::Delivery::memory,
-                                                          .program_name = {}});
+                                                          .program_name = {},
+                                                          .heading = {}});
   EXPECT_FALSE(text::has_error(rendered.diagnostics)) << name;
   const ir::ReadResult read = target->read(text::Source(name, rendered.text), control);
   Kept kept;

@@ -22,6 +22,7 @@ class ProgramsTest : public ShopTest {
         programs_(shop_.store, shop_.links.clock(), shop_.documents),
         checking_(shop_.store, shop_.events, shop_.links.clock(), shop_.documents) {
     shop_.add_machine("mill");
+    shop_.add_machine("lathe");
   }
   store::Family add_roll() {
     std::ifstream file(DRIPFEED_SOURCE_DIR "/deploy/families/hyperbolic-roll.family");
@@ -70,7 +71,7 @@ TEST_F(ProgramsTest, RendersAPartWithWhereItCameFrom) {
   must(shop_.catalog.add_part("R-100", family.name, {{"roll_length", "100 mm"}}, "anna"));
   RenderOrder order;
   order.part = "R-100";
-  order.machine = "mill";
+  order.machine = "lathe";
   order.mode = compile::RenderMode::explicit_blocks;
   const Rendered rendered = must(programs_.render(order, "anna"));
   const store::Origin& origin = rendered.program.newest.origin;
@@ -97,7 +98,7 @@ TEST_F(ProgramsTest, RendersAPartWithWhereItCameFrom) {
   EXPECT_EQ(must(programs_.render(order, "anna")).program.newest.sha256, rendered.program.newest.sha256);
   RenderOrder direct;
   direct.family = family.name;
-  direct.machine = "mill";
+  direct.machine = "lathe";
   direct.values = {{"roll_length", "100 mm"}};
   direct.mode = order.mode;
   const Rendered newest = must(programs_.render(direct, "anna"));
@@ -137,7 +138,7 @@ TEST_F(ProgramsTest, AWrappedProgramIsRenderedFromAPart) {
 TEST_F(ProgramsTest, AWrongOrderStoresNothing) {
   add_roll();
   RenderOrder order;
-  order.machine = "mill";
+  order.machine = "lathe";
   EXPECT_EQ(refusal(programs_.render(order, "anna")).code, ErrorCode::invalid) << "neither part nor family";
   order.part = "R-100";
   order.family = "hyperbolic-roll";
@@ -149,7 +150,9 @@ TEST_F(ProgramsTest, AWrongOrderStoresNothing) {
   order.values = {{"roll_length", "5 mm"}};
   EXPECT_EQ(refusal(programs_.render(order, "anna")).code, ErrorCode::invalid) << "out of range";
   order.values.clear();
-  order.machine = "lathe";
+  order.machine = "mill";
+  EXPECT_NE(refusal(programs_.render(order, "anna")).text.find("the machine is a mill"), std::string::npos);
+  order.machine = "grinder";
   EXPECT_EQ(refusal(programs_.render(order, "anna")).code, ErrorCode::not_found);
   EXPECT_EQ(count(), 0U);
 }

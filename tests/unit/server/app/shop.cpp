@@ -14,6 +14,7 @@ Result<machine::Profile> PlainDocuments::read_profile(std::string_view document)
   machine::Profile profile;
   profile.name = document.substr(0, blank);
   profile.control.dialect = profile.name.starts_with("martian") ? "martian" : "fanuc";
+  if (profile.name.starts_with("lathe")) profile.control.kind = profile.machine.kind = ir::MachineKind::lathe;
   profile.line = line_settings();
   profile.line.link = *url;
   return profile;
