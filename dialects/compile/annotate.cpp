@@ -86,7 +86,8 @@ class Annotator {
   [[nodiscard]] std::string with(std::string_view line, std::string_view meaning) const {
     const char begins = style_ == CommentStyle::brackets ? '(' : ';';
     // The printer has named the variable already.
-    if (const std::size_t at = line.find(" ; "); at != std::string_view::npos && meaning.starts_with(line.substr(at + 3)))
+    if (const std::size_t at = line.find(" ; ");
+        at != std::string_view::npos && meaning.starts_with(line.substr(at + 3)))
       line = line.substr(0, at);
     const std::string out =
         fmt::format("{}{}{}", line, style_ == CommentStyle::brackets ? "" : " ", comment(meaning, style_));

@@ -32,7 +32,7 @@ struct RenderRequest {
   ir::Control target;                    // its `dialect` names who prints
   RenderMode mode = RenderMode::automatic;
   ir::Delivery delivery = ir::Delivery::memory;
-  std::string program_name;  // "O0100", "ROLL_1"; empty: the dialect's form of the family's name
+  std::string program_name;          // "O0100", "ROLL_1"; empty: the dialect's form of the family's name
   std::vector<std::string> heading;  // for people, after the family's name: "revision 3", "part 4711"
 };
 
@@ -72,8 +72,8 @@ struct ParameterDescription {
   std::string standard;  // the default as one would write it: "100 mm"
   double low = 0.0;
   double high = 0.0;
-  double step = 0.0;                 // in the same unit; 0: any value
-  std::int32_t fewest = 0;           // numbers of a list
+  double step = 0.0;        // in the same unit; 0: any value
+  std::int32_t fewest = 0;  // numbers of a list
   std::int32_t most = 0;
   std::vector<std::string> choices;  // words of a choice or yes_no
   std::string text;

@@ -56,7 +56,7 @@ struct RenderWork {
   std::string profile;  // the machine's document
   compile::RenderMode mode = compile::RenderMode::automatic;
   store::Delivery delivery = store::Delivery::drip;
-  std::string name;  // of the program; empty: the renderer's
+  std::string name;                       // of the program; empty: the renderer's
   std::vector<std::string> heading = {};  // for people at the control: "revision 3", "part 4711"
 };
 struct RenderDone {

@@ -83,13 +83,20 @@ def checks_with_nominal(s, faulty):
     expect(answers[0].body == answers[1].body and answers[1].headers["Content-Type"] == "image/svg+xml", "a repeated picture is another")
 
 
+def a_line_later(figures):
+    """The server's text names the family's revision in a line of its own, which the command's does not know."""
+    if not isinstance(figures, dict):
+        return figures
+    return {name: value + 1 if name == "max_at_line" else a_line_later(value) for name, value in figures.items()}
+
+
 def accuracy_of_a_roll(s):
     roll = s.post("/render", {"family": "hyperbolic-roll", "machine": "lathe", "values": {}, "mode": "explicit", "name": "O0100"})["program"]
     order = {"program": roll, "machine": "lathe"}
     s.refuse(422, "POST", "/accuracy", order | {"nominal": {"family": "hyperbolic-roll"}}, words=["/nominal"])
     figures = s.post("/accuracy", order)
     told = s.by_command("accuracy", "hyperbolic-roll", "--machine", s.profiles["lathe"], "--mode", "explicit", "--name", "O0100", "--drip")
-    expect(figures == told, f"the command says {told}, the server {figures}")
+    expect(figures == a_line_later(told), f"the command says {told}, the server {figures}")
     expect(0 < figures["max_mm"] <= figures["chord_bound_mm"] < 0.0005, f"{figures}")
     # Points of the hyperbola, all of them 0.02 mm along z and 0.05 mm along the radius beside their places.
     rows = [(2 * (100 * math.sqrt(1 + (z / 202.4) ** 2) + 0.05), z + 0.02) for z in range(-90, 91, 10)]

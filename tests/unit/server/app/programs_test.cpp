@@ -183,7 +183,7 @@ TEST_F(ProgramsTest, ChecksWhatItIsToldToAndNothingElse) {
   const store::Program program = must(programs_.upload("O1", "sinumerik-840d", "G0 X1\nM30\n", "anna"));
   CheckOrder order{.program = program.id, .revision = 0, .machine = "mill", .delivery = store::Delivery::memory};
   EXPECT_EQ(refusal(checking_.check(order, "anna")).code, ErrorCode::invalid) << "another dialect";
-  order.machine = "lathe";
+  order.machine = "grinder";
   EXPECT_EQ(refusal(checking_.check(order, "anna")).code, ErrorCode::not_found);
   order.program = 99;
   EXPECT_EQ(refusal(checking_.check(order, "anna")).code, ErrorCode::not_found);
