@@ -135,12 +135,17 @@ inline bool is_turned(const ir::Motion& motion) {
   return false;
 }
 
+// Whether a lathe's move lies beside the spindle's axis, or leads there.
+inline bool is_off_axis(const ir::Motion& motion) {
+  const auto y = static_cast<std::size_t>(ir::Axis::y);
+  return moves_any(motion, {ir::Axis::y}) || motion.end[y] != 0.0;
+}
+
 // What makes a cut no turning in the z-x plane through the spindle's axis; "" for one that is.
 inline std::string_view why_no_turning(const ir::Motion& motion) {
-  const auto y = static_cast<std::size_t>(ir::Axis::y);
   if (moves_any(motion, {ir::Axis::c})) return "a cut that turns C";
   if (moves_any(motion, {ir::Axis::a, ir::Axis::b})) return "a cut that turns A or B";
-  if (moves_any(motion, {ir::Axis::y}) || motion.end[y] != 0.0) return "a cut beside the spindle's axis, with Y";
+  if (is_off_axis(motion)) return "a cut beside the spindle's axis, with Y";
   return {};
 }
 

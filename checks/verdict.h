@@ -77,7 +77,9 @@ inline Verdict verdict_of(const CheckReport& report) {
   if (report.gouge) worst = std::max(worst, verdict_of(report.gouge->findings));
   if (report.accuracy) worst = std::max(worst, verdict_of(report.accuracy->findings));
   if (report.timing) worst = std::max(worst, verdict_of(report.timing->findings));
-  return report.has_unknown_effects ? std::max(worst, Verdict::unknown) : worst;
+  const bool unjudged =
+      (report.gouge && report.gouge->has_unjudged_cuts) || (report.accuracy && report.accuracy->has_unmeasured_cuts);
+  return report.has_unknown_effects || unjudged ? std::max(worst, Verdict::unknown) : worst;
 }
 
 // Every sentence about what was not checked, those of the single checks first.

@@ -57,6 +57,7 @@ void Accuracy::consume(std::span<const ir::Motion> motions) {
     if (const std::string why = why_unmeasured(motion); !why.empty()) {
       report_.not_checked.add(why, motion.place.line);
       is_whole_ = false;
+      report_.has_unmeasured_cuts = true;
     } else {
       add_move(motion);
     }

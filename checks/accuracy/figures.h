@@ -86,9 +86,10 @@ struct Report {
   // No point of any chord lies farther from the nominal along its normal, end points included; nothing where the
   // nominal's second derivative is not bounded. Holds for the programmed path, in milling for the path of the surface.
   std::optional<double> chord_bound_mm;
-  double overrun_mm = 0.0;  // farthest reach of the path beyond the nominal's ends; not in the figures
-  bool covered = false;     // the path passes all of the nominal
-  std::vector<Gap> gaps;    // where it does not
+  double overrun_mm = 0.0;           // farthest reach of the path beyond the nominal's ends; not in the figures
+  bool has_unmeasured_cuts = false;  // nothing passes with them
+  bool covered = false;              // the path passes all of the nominal
+  std::vector<Gap> gaps;             // where it does not
   std::vector<TracePoint> trace;
   checks::FindingList findings;
   checks::NotCheckedList not_checked;

@@ -83,12 +83,17 @@ void Gouge::consume(std::span<const ir::Motion> motions) {
     }
     if (is_bore_) {
       report_.not_checked.add("a tool for bores was not checked", line);
+      report_.has_unjudged_cuts |= motion.kind != ir::MotionKind::rapid;
       continue;
     }
-    if (const std::string_view other = checks::why_no_turning(motion);
-        !other.empty() && motion.kind != ir::MotionKind::rapid) {
+    if (const std::string_view other = why_not_judged(motion); !other.empty()) {
       report_.not_checked.add(fmt::format("{} was not checked, nor later rapids against the stock", other), line);
+      report_.has_unjudged_cuts = true;
       stock_.reset();
+      continue;
+    }
+    if (motion.kind == ir::MotionKind::rapid && checks::is_off_axis(motion)) {
+      report_.not_checked.add("a rapid beside the spindle's axis was not checked", line);
       continue;
     }
     const curves::Point end = point_of(motion.end, settings_.x_is_diameter);
@@ -110,6 +115,13 @@ void Gouge::consume(std::span<const ir::Motion> motions) {
       check_cut(motion, curves::Segment{start, end});
     }
   }
+}
+
+// "" for a rapid, and for a cut that turns.
+std::string_view Gouge::why_not_judged(const ir::Motion& motion) const {
+  if (motion.kind == ir::MotionKind::rapid) return {};
+  if (settings_.needs_spindle && motion.spindle == ir::SpindleState::stopped) return "a cut with a spindle that stands";
+  return checks::why_no_turning(motion);
 }
 
 std::optional<curves::Extreme> Gouge::lowest(const curves::Nose& nose, const curves::PathPiece& tip_path) const {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "checks/finding.h"
@@ -31,6 +32,7 @@ struct Settings {
   std::optional<Cylinder> stock = {};    // nothing: rapids are checked against the nominal only
   curves::Profile nominal = {};          // x as radius; may be empty
   bool x_is_diameter = true;             // the motions' x
+  bool needs_spindle = false;            // a cut while it stands is no turning
   std::vector<checks::Tool> tools = {};  // a tool that is not here is taken as a point, and that is said
   double depth_mm = 0.001;               // a rapid may touch by this much
   // Of the slides. Axes that run at their own speed bend off the line, and that way is checked, too. 0: not known, then
@@ -43,8 +45,9 @@ struct Settings {
 struct Report {
   std::uint64_t rapids = 0;  // that were checked
   std::uint64_t cuts = 0;
-  double deepest_rapid_mm = 0.0;  // into stock or nominal
-  double deepest_cut_mm = 0.0;    // below the nominal, tolerance not counted
+  double deepest_rapid_mm = 0.0;   // into stock or nominal
+  double deepest_cut_mm = 0.0;     // below the nominal, tolerance not counted
+  bool has_unjudged_cuts = false;  // of a kind that the check does not know: nothing passes with them
   checks::FindingList findings;
   checks::NotCheckedList not_checked;
 };
@@ -61,6 +64,7 @@ class Gouge final : public ir::MotionSink {
  private:
   void follow_tool(const ir::Motion& motion);
   void note(const ir::Motion& motion, double z_mm);
+  [[nodiscard]] std::string_view why_not_judged(const ir::Motion& motion) const;
   void check_rapid(const ir::Motion& motion, const curves::Segment& way);
   void check_cut(const ir::Motion& motion, const curves::PathPiece& tip_path);
   // Signed distance of the nose from the nominal where it is lowest; nothing beside it.

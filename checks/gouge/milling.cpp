@@ -174,6 +174,7 @@ void Milling::check_move(const ir::Motion& motion) {
   if (!cutter_) return report_.not_checked.add("a move without a known tool was not checked", line);
   if (checks::is_turned(motion)) {
     knows_stock_ = knows_stock_ && motion.kind == ir::MotionKind::rapid;
+    report_.has_unjudged_cuts |= motion.kind != ir::MotionKind::rapid;
     return report_.not_checked.add("a move with a turned rotary axis was not checked", line);
   }
   const Point3 end = point_of(motion.end);

@@ -16,27 +16,6 @@ namespace {
 
 constexpr std::size_t kLongest = 60;  // characters of a comment
 
-// "HALF AXIS X, RADIUS AT THE WAIST" of a control whose comments stand in brackets.
-std::string shown(std::string_view text, CommentStyle style) {
-  constexpr std::string_view kSigns = " +-./,";
-  std::string out;
-  for (char c : text.substr(0, kLongest)) {
-    const bool is_digit = c >= '0' && c <= '9';
-    const bool is_capital = c >= 'A' && c <= 'Z';
-    const bool is_small = c >= 'a' && c <= 'z';
-    if (style == CommentStyle::semicolon) {
-      const bool is_printable = c >= ' ' && c <= '~' && c != ';' && c != '%';
-      out += is_printable ? c : ' ';
-    } else if (is_small) {
-      out += static_cast<char>(c - 'a' + 'A');
-    } else {
-      out += is_digit || is_capital || kSigns.contains(c) ? c : ' ';
-    }
-  }
-  out.erase(out.find_last_not_of(' ') + 1);
-  return out;
-}
-
 std::string comment(std::string_view text, CommentStyle style) {
   return style == CommentStyle::brackets ? fmt::format("({})", shown(text, style)) : "; " + shown(text, style);
 }
@@ -108,6 +87,27 @@ class Annotator {
 };
 
 }  // namespace
+
+// "HALF AXIS X, RADIUS AT THE WAIST" of a control whose comments stand in brackets.
+std::string shown(std::string_view text, CommentStyle style) {
+  constexpr std::string_view kSigns = " +-./,";
+  std::string out;
+  for (char c : text.substr(0, kLongest)) {
+    const bool is_digit = c >= '0' && c <= '9';
+    const bool is_capital = c >= 'A' && c <= 'Z';
+    const bool is_small = c >= 'a' && c <= 'z';
+    if (style == CommentStyle::semicolon) {
+      const bool is_printable = c >= ' ' && c <= '~' && c != ';' && c != '%';
+      out += is_printable ? c : ' ';
+    } else if (is_small) {
+      out += static_cast<char>(c - 'a' + 'A');
+    } else {
+      out += is_digit || is_capital || kSigns.contains(c) ? c : ' ';
+    }
+  }
+  out.erase(out.find_last_not_of(' ') + 1);
+  return out;
+}
 
 Annotation annotation_of(const family::BoundFamily& bound, const std::vector<std::string>& more, bool computed) {
   const family::Family& family = *bound.family;

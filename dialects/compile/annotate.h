@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dialects/compile/carry_comments.h"
@@ -21,6 +22,9 @@ struct Annotation {
 // `heading` goes on to what the caller says of revision and part. `computed`: the control computes, and assignments
 // show the values of parameters; otherwise the heading does.
 Annotation annotation_of(const family::BoundFamily& bound, const std::vector<std::string>& more, bool computed);
+
+// A text in letters that the control shows, 60 at most.
+std::string shown(std::string_view text, CommentStyle style);
 
 // Puts the comments in, in letters that the control shows, as far as its blocks are long enough.
 void annotate(ir::PrintResult& printed, const Annotation& annotation, const ir::Control& to, CommentStyle style);

@@ -126,11 +126,12 @@ void BlockWriter::write(const ir::Motion& motion, std::uint32_t line) {
     case MotionKind::coolant: return event_block(function_of(motion.coolant));
     case MotionKind::message: return message(motion);
     case MotionKind::stop: return event_block(motion.number == 0 ? Function::program_stop : Function::optional_stop);
-    case MotionKind::end: return emit_.program_end();
+    case MotionKind::end: flush(line); return emit_.program_end();
   }
 }
 
 void BlockWriter::write_return(std::uint32_t line) {
+  flush(line);
   emit_.set_line(line);
   emit_.subprogram_return();
 }

@@ -11,6 +11,7 @@
 
 #include "dialects/compile/annotate.h"
 #include "dialects/compile/dialect.h"
+#include "dialects/compile/execute.h"
 #include "dialects/compile/explicit_program.h"
 #include "dialects/compile/index_places.h"
 #include "dialects/compile/print_for.h"
@@ -27,6 +28,8 @@ namespace {
 
 constexpr std::array<std::pair<std::string_view, RenderMode>, 3> kModes = {
     {{"macro", RenderMode::macro}, {"explicit", RenderMode::explicit_blocks}, {"auto", RenderMode::automatic}}};
+
+constexpr std::uint64_t kMostTried = 2'000'000;  // blocks and passes; longer programs are not tried to their end
 
 constexpr std::string_view kAsked = "it was asked for";
 constexpr std::string_view kDrip = "the control is fed block by block and then rejects jumps and loops";
@@ -64,6 +67,8 @@ class Renderer {
     if (!request_.program_name.empty()) built_.name = request_.program_name;
     control_ = neutral_control(family_->machine, family_->x_is_diameter);
     if (request_.target.from_profile) refuse_missing_axes();
+    show_messages();
+    if (!text::has_error(result_.diagnostics)) check_lists();
     if (!text::has_error(result_.diagnostics)) choose();
     if (!text::has_error(result_.diagnostics)) describe_text();
     return std::move(result_);
@@ -88,6 +93,40 @@ class Renderer {
                                       {std::string("the axis ") + letter, request_.target.title})});
       }
     }
+  }
+
+  // In letters that the control shows.
+  void show_messages() {
+    for (const ir::Message& message : built_.messages) {
+      if (message.text == ir::ExpressionId::none) continue;
+      ir::Expression& text = built_.expressions[static_cast<std::size_t>(message.text)];
+      text.string = built_.strings.add(shown(built_.strings.at(text.string), dialect_.comments));
+    }
+  }
+
+  // An index that the control computes and that is none of its list's would be another variable there: the program is
+  // run here to see whether there is one.
+  void check_lists() {
+    const auto computed = [this](const ir::Variable& v) {
+      return v.index != ir::ExpressionId::none && built_.at(v.index).op != ir::Operator::constant;
+    };
+    if (std::ranges::none_of(built_.variables, computed)) return;
+    interpreter::RunOptions options;
+    options.limits.blocks = options.limits.loop_passes = kMostTried;
+    NoMotions none;
+    const interpreter::RunResult run = execute(built_, control_, nullptr, none, options);
+    for (const interpreter::RunDiagnostic& one : run.diagnostics) {
+      if (one.diagnostic.id != text::DiagnosticId::variable_out_of_range) continue;
+      text::Diagnostic found = one.diagnostic;
+      found.span = span_of_line(one.line);
+      report({std::move(found)});
+    }
+  }
+
+  [[nodiscard]] text::Span span_of_line(std::uint32_t line) const {
+    const std::string_view text = family_->source.line(line);
+    const auto begin = static_cast<std::uint32_t>(text.data() - family_->source.text().data());
+    return {begin, begin + static_cast<std::uint32_t>(text.size())};
   }
 
   void choose() {

@@ -55,6 +55,7 @@ class Binder {
     for (const Step& step : family_.steps) {
       if (step.kind == StepKind::for_begin) check_loop(step);
       if (step.kind == StepKind::tool) check_tool(step);
+      check_indices(step);
     }
     return std::move(result_);
   }
@@ -208,6 +209,37 @@ class Binder {
     }
     const std::string fault = fault_of(result_.bound, curve);
     if (!fault.empty()) report(DiagnosticId::family_syntax, curve.span, {fault});
+  }
+
+  // Those that are known before the program runs.
+  void check_indices(const Step& step) {
+    if (step.kind == StepKind::set && step.values[1] != ir::ExpressionId::none)
+      check_index(step.target, step.values[1]);
+    for (const ir::ExpressionId value : step.values) check_indices(value);
+    for (std::uint32_t i = 0; i < step.word_count; ++i) check_indices(family_.words[step.first_word + i].value);
+  }
+
+  void check_indices(ir::ExpressionId id) {
+    if (id == ir::ExpressionId::none) return;
+    const ir::Expression& e = family_.arena.at(id);
+    const int operands = ir::operand_count(e.op);
+    if (operands > 0) check_indices(e.a);
+    if (operands > 1) check_indices(e.b);
+    if (e.op != ir::Operator::variable) return;
+    const ir::Variable& v = family_.arena.at(e.variable);
+    if (v.index == ir::ExpressionId::none) return;
+    check_indices(v.index);
+    check_index(v.symbol, v.index);
+  }
+
+  void check_index(ir::SymbolId list, ir::ExpressionId index) {
+    if (names_unknown(family_.arena, index, known_)) return;
+    const std::optional<double> at = compute(index);
+    const std::size_t count = list_in(result_.bound.values, list).size();
+    if (!at || (*at >= 0.0 && *at < static_cast<double>(count) && is_whole(*at))) return;
+    report(DiagnosticId::family_syntax, family_.arena.at(index).span,
+           {fmt::format("{} has the numbers [0] to [{}], and none [{}]",
+                        family_.arena.strings.at(family_.arena.at(list).name), count - 1, text::format_shortest(*at))});
   }
 
   // The shape of a tool is known before the program runs.

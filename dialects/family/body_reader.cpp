@@ -212,6 +212,7 @@ void BodyReader::compensate() {
   const auto row = std::ranges::find(kSides, cursor_.word(), &std::pair<std::string_view, ir::CompSide>::first);
   if (row == kSides.end()) return cursor_.expected("left, right or off");
   cursor_.advance();
+  compensation_waits_ = true;
   Step out = step(StepKind::compensate);
   out.number = static_cast<std::int32_t>(row->second);
   add(std::move(out));
@@ -264,6 +265,7 @@ bool BodyReader::may_cut() {
 
 void BodyReader::move(Step out) {
   if (out.kind != StepKind::rapid && !may_cut()) return;
+  compensation_waits_ = false;
   axis_words(out);
   add(std::move(out));
 }
@@ -275,6 +277,8 @@ void BodyReader::arc() {
   const bool clockwise = cursor_.at_word("cw");
   if (!cursor_.accept_word("cw") && !cursor_.accept_word("ccw")) return cursor_.expected("cw or ccw");
   if (!may_cut()) return;
+  if (std::exchange(compensation_waits_, false))
+    return cursor_.syntax(verb_, "compensation begins and ends with a straight move: rapid or cut before this arc");
   Step out = step(clockwise ? StepKind::arc_cw : StepKind::arc_ccw);
   axis_words(out);
   if (cursor_.line_failed()) return;

@@ -88,6 +88,7 @@ class BodyReader {
   std::uint32_t line_ = 0;
   bool ended_ = false;
   bool has_feed_ = false;
+  bool compensation_waits_ = false;  // for a straight move
   bool is_subprogram_ = false;
   bool needs_feed_ = false;
 };

@@ -67,7 +67,7 @@ class Builder {
       i = build_step(i);
     }
     write_feed();
-    if (compensation_ != Function::none) emit_.block({compensation_}, {});
+    write_compensation();
     emit_.program_end();
     ir::match_structures(program_);
     return std::move(program_);
@@ -110,8 +110,8 @@ class Builder {
     if (mill) {
       emit_.block({Function::unit_mm, Function::plane_xy, Function::absolute, feed, Function::comp_off}, {});
     } else {
-      emit_.block({Function::unit_mm, Function::plane_zx, Function::absolute, feed, Function::comp_off,
-                   family_.x_is_diameter ? Function::diameter_on : Function::diameter_off},
+      emit_.block({Function::unit_mm, Function::plane_zx, Function::absolute, feed, Function::surface_speed_off,
+                   Function::comp_off, family_.x_is_diameter ? Function::diameter_on : Function::diameter_off},
                   {});
     }
   }
@@ -120,9 +120,13 @@ class Builder {
   std::size_t build_step(std::size_t at) {
     const Step& step = family_.steps[at];
     if (joins_paths(step.kind)) {
+      write_compensation();
       write_feed();
       motion_ = Function::none;
     }
+    // A feed that waits has the value that it had when it was set.
+    const bool assigns = step.kind == StepKind::let || step.kind == StepKind::set;
+    if (assigns && feed_ != nullptr && names(family_.arena, feed_->values[0], step.target)) write_feed();
     switch (step.kind) {
       case StepKind::work_offset: work_offset(step); break;
       case StepKind::tool: tool(step); break;
@@ -293,11 +297,17 @@ class Builder {
     std::vector<EmittedCode> codes;
     if (step.dimension == kSurfaceSpeed) {
       codes.push_back({Function::surface_speed_on});
-    } else if (family_.machine != ir::MachineKind::mill) {
+    } else if (uses_surface_speed()) {
       codes.push_back({Function::surface_speed_off});
     }
     if (step.direction != Function::none) codes.push_back({step.direction});
     emit_.block(codes, out);
+  }
+
+  // Otherwise what the start of the program says of it holds.
+  [[nodiscard]] bool uses_surface_speed() const {
+    return std::ranges::any_of(
+        family_.steps, [](const Step& one) { return one.kind == StepKind::spindle && one.dimension == kSurfaceSpeed; });
   }
 
   static constexpr Function kCompensation[] = {Function::comp_off, Function::comp_left, Function::comp_right};
@@ -312,6 +322,11 @@ class Builder {
     write_feed();
     feed_ = &step;
     if (!has_one_feed_mode()) write_feed();
+  }
+
+  // In a block of its own, from where it waits for a move on one path only.
+  void write_compensation() {
+    if (compensation_ != Function::none) emit_.block({std::exchange(compensation_, Function::none)}, {});
   }
 
   void write_feed() {

@@ -28,7 +28,8 @@ void BuildNames::find_whole_counters() {
     before = others.size();
     whole_counters_.clear();
     for (const Step& step : family_.steps) {
-      if (step.kind == StepKind::for_in_begin || (step.kind == StepKind::for_begin && !counts_whole(step)))
+      const bool assigns = step.kind == StepKind::let || step.kind == StepKind::set;
+      if (assigns || step.kind == StepKind::for_in_begin || (step.kind == StepKind::for_begin && !counts_whole(step)))
         others.insert(step.target);
       if (step.kind == StepKind::for_begin && !others.contains(step.target)) whole_counters_.insert(step.target);
     }

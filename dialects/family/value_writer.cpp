@@ -40,6 +40,7 @@ ExpressionId ValueWriter::copy(ExpressionId id) {
   if (e.op == Operator::constant) return program_.add_constant(e.value, e.span);
   if (e.op == Operator::variable) return copy_variable(family_.arena.at(e.variable));
   const ExpressionId a = copy(e.a);
+  if (e.op == Operator::negate && number(a)) return emit_.constant(-*number(a));
   if (ir::operand_count(e.op) == 1) return program_.add_operator(e.op, a, ExpressionId::none, e.span);
   const ExpressionId b = copy(e.b);
   return chooses(e.op) ? choose(e.op, a, b) : calculate(e.op, a, b);

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <set>
 
+#include "dialects/facts/resolved.h"
 #include "dialects/passes/safe_start.h"
 #include "dialects/sinumerik/codes.h"
 #include "dialects/sinumerik/raise.h"
@@ -29,13 +31,36 @@ class FeedAndSpeed {
     const auto uses = [&codes](Function f) { return std::ranges::find(codes, f, &ir::Code::function) != codes.end(); };
     if (!uses(Function::surface_speed_on) && !uses(Function::surface_speed_off)) return;
     branches_ = uses(Function::surface_speed_on) && uses(Function::surface_speed_off);
-    for (const ir::Statement& s : program_.statements) {
+    // Before anything is rewritten: the feed mode where paths join.
+    if (uses(Function::feed_per_min) || uses(Function::feed_per_rev)) find_feed_modes();
+    for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
+      const ir::Statement& s = program_.statements[i];
       if (branches_ && joins_ways(s)) surface_known_ = false;
-      if (s.kind == StatementKind::block) block(program_.blocks[s.payload]);
+      if (s.kind != StatementKind::block) continue;
+      feed_is_certain_ = !uncertain_.contains(i);
+      block(program_.blocks[s.payload]);
     }
   }
 
  private:
+  // Blocks of a speed before which the paths differ in the feed mode.
+  void find_feed_modes() {
+    const facts::Resolved known(program_, raising_.from);
+    for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
+      const ir::Statement& s = program_.statements[i];
+      if (s.kind != StatementKind::block) continue;
+      const auto codes = program_.codes_of(program_.blocks[s.payload]);
+      const auto sets = [](const ir::Code& c) {
+        return c.function == Function::feed_per_min || c.function == Function::feed_per_rev;
+      };
+      if (std::ranges::none_of(codes, [](const ir::Code& c) { return is_speed(c.function); })) continue;
+      if (std::ranges::any_of(codes, sets)) continue;
+      const facts::Facts* before = known.before(i);
+      const bool differs = before != nullptr && (*before)[facts::Mode::feed].other_origin != facts::kNobody;
+      if (differs) uncertain_.insert(i);
+    }
+  }
+
   // Two ways that differ may meet here.
   static bool joins_ways(const ir::Statement& s) {
     return s.is_label || (s.kind >= StatementKind::if_begin && s.kind <= StatementKind::loop_end);
@@ -63,6 +88,9 @@ class FeedAndSpeed {
                       {"constant surface speed", "two ways lead to this block and differ"});
       surface_known_ = true;
     }
+    if (!feed_is_certain_)
+      raising_.report(text::DiagnosticId::unknown_modal_state, span,
+                      {"the feed mode, which G96 and G97 state as well", "the paths to this block differ in it"});
     say(block, speed_stated, span);
   }
 
@@ -100,6 +128,8 @@ class FeedAndSpeed {
   bool surface_ = false;
   bool surface_known_ = true;
   bool branches_ = false;
+  bool feed_is_certain_ = true;
+  std::set<std::uint32_t> uncertain_;  // statements
 };
 
 struct ModeName {

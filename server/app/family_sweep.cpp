@@ -54,10 +54,28 @@ sweep::Trial trial_of(const CheckReport& report) {
   return failed == trials.end() ? sweep::Trial{false, "verdict", "the verdict is fail"} : *failed;
 }
 
+compile::RenderRequest request_of(const FamilySweep& order, std::vector<family::Override> values,
+                                  compile::RenderMode mode) {
+  return {.family = order.family,
+          .values = std::move(values),
+          .target = order.control,
+          .mode = mode,
+          .delivery = order.delivery,
+          .program_name = {},
+          .heading = {}};
+}
+
+// One for all trials: what the machine takes for the values that the fixed ones and the defaults give.
+compile::RenderMode mode_of(const FamilySweep& order) {
+  if (order.mode != compile::RenderMode::automatic) return order.mode;
+  return render_for(request_of(order, order.fixed, order.mode), order.profile).mode;
+}
+
 }  // namespace
 
 sweep::Report sweep_family(const FamilySweep& order) {
   const std::vector<sweep::Parameter> parameters = parameters_of(order);
+  const compile::RenderMode mode = mode_of(order);
   const auto attempt = [&](std::span<const double> values) {
     std::vector<family::Override> overrides = order.fixed;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -65,24 +83,21 @@ sweep::Report sweep_family(const FamilySweep& order) {
       if (!parameters[i].unit.empty()) value += " " + parameters[i].unit;
       overrides.push_back({parameters[i].name, std::move(value)});
     }
-    compile::RenderResult rendered = render_for({.family = order.family,
-                                                 .values = std::move(overrides),
-                                                 .target = order.control,
-                                                 .mode = order.mode,
-                                                 .delivery = order.delivery,
-                                                 .program_name = {},
-                                                 .heading = {}},
-                                                order.profile);
+    compile::RenderResult rendered = compile::render(request_of(order, std::move(overrides), mode));
     if (text::has_error(rendered.diagnostics)) return trial_of(rendered.diagnostics);
-    return trial_of(examine({.source = text::Source(order.family.name(), std::move(rendered.text)),
-                             .dialect = compile::find_dialect(order.control.dialect),
-                             .control = order.control,
-                             .inferred = false,
-                             .profile = order.profile,
-                             .delivery = order.delivery,
-                             .find_called = {},
-                             .geometry = std::move(rendered.geometry),
-                             .profile_lines = std::move(rendered.profile_lines)}));
+    Examination e{.source = text::Source(order.family.name(), std::move(rendered.text)),
+                  .dialect = compile::find_dialect(order.control.dialect),
+                  .control = order.control,
+                  .inferred = false,
+                  .profile = order.profile,
+                  .delivery = order.delivery,
+                  .find_called = {},
+                  .geometry = {},
+                  .profile_lines = std::move(rendered.profile_lines)};
+    // What is found without a map of the part need not be paid for with one.
+    if (sweep::Trial failed = trial_of(examine(e)); !failed.passes) return failed;
+    e.geometry = std::move(rendered.geometry);
+    return trial_of(examine(e));
   };
   return sweep::sweep(parameters, attempt, order.settings);
 }

@@ -60,6 +60,7 @@ gouge::Settings turning_gouge(const Examination& e) {
   }
   settings.nominal = e.geometry->nominal;
   settings.x_is_diameter = x_is_diameter(e.control, e.profile);
+  settings.needs_spindle = true;
   settings.tools = tools_of(e);
   settings.rapid_x_mm_min = rapid_of(e, ir::Axis::x);
   settings.rapid_z_mm_min = rapid_of(e, ir::Axis::z);

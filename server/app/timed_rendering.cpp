@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <expected>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -20,9 +21,27 @@ namespace {
 
 constexpr double kWorthwhile = 0.01;  // of the macro's time; less is within what no forecast tells
 constexpr std::uint32_t kSeconds = 20;
+constexpr std::uint64_t kMostBlocks = 100'000;  // that are tried here
 
-std::expected<timing::Report, std::string> forecast(const compile::RenderRequest& request, const std::string& text,
-                                                    const machine::Profile& profile) {
+class MoveCounter final : public ir::MotionSink {
+ public:
+  void consume(std::span<const ir::Motion> motions) override {
+    moves_ += static_cast<std::uint64_t>(
+        std::ranges::count_if(motions, [](const ir::Motion& one) { return ir::is_move(one.kind); }));
+  }
+  [[nodiscard]] std::uint64_t moves() const { return moves_; }
+
+ private:
+  std::uint64_t moves_ = 0;
+};
+
+struct Forecast {
+  timing::Report report;
+  std::uint64_t moves = 0;
+};
+
+std::expected<Forecast, std::string> forecast(const compile::RenderRequest& request, const std::string& text,
+                                              const machine::Profile& profile) {
   const Examination examination{.source = text::Source(request.family.name(), text),
                                 .dialect = compile::find_dialect(request.target.dialect),
                                 .control = request.target,
@@ -37,11 +56,13 @@ std::expected<timing::Report, std::string> forecast(const compile::RenderRequest
   const ir::ReadResult read = examination.dialect->read(examination.source, examination.control);
   interpreter::RunOptions options;
   options.used_up = time_budget(kSeconds);
-  if (compile::execute(read.program, examination.control, nullptr, timing, options).ended != interpreter::Ended::end)
+  MoveCounter counter;
+  compile::FanOut sinks({&timing, &counter});
+  if (compile::execute(read.program, examination.control, nullptr, sinks, options).ended != interpreter::Ended::end)
     return std::unexpected("it does not run to its end here");
-  timing::Report report = timing.finish();
-  if (!report.is_whole) return std::unexpected("it is too long to be timed");
-  return report;
+  Forecast out{timing.finish(), counter.moves()};
+  if (!out.report.is_whole) return std::unexpected("it is too long to be timed");
+  return out;
 }
 
 // 4954 is "4,954".
@@ -70,6 +91,10 @@ compile::RenderResult render_for(const compile::RenderRequest& request, const ma
     return std::move(macro);
   };
   if (profile == nullptr) return keep("what it and plain blocks take is not known without a machine");
+  const auto macro_time = forecast(request, macro.text, *profile);
+  if (!macro_time) return keep(fmt::format("what it takes is not known: {}", macro_time.error()));
+  if (macro_time->moves > kMostBlocks)
+    return keep(fmt::format("plain blocks, more than {} of them, were not tried", grouped(kMostBlocks)));
   compile::RenderRequest as_blocks = request;
   as_blocks.mode = compile::RenderMode::explicit_blocks;
   compile::RenderResult blocks = compile::render(as_blocks);
@@ -77,16 +102,15 @@ compile::RenderResult render_for(const compile::RenderRequest& request, const ma
     const auto error = std::ranges::find(blocks.diagnostics, text::Severity::error, &text::Diagnostic::severity);
     return keep(fmt::format("as blocks it does not go: {}", text::message_of(*error)));
   }
-  const auto macro_time = forecast(request, macro.text, *profile);
-  if (!macro_time) return keep(fmt::format("what it takes is not known: {}", macro_time.error()));
   const auto blocks_time = forecast(request, blocks.text, *profile);
   if (!blocks_time) return keep(fmt::format("what plain blocks take is not known: {}", blocks_time.error()));
-  const bool takes_blocks = blocks_time->cycle_s < (1.0 - kWorthwhile) * macro_time->cycle_s;
+  const bool takes_blocks = blocks_time->report.cycle_s < (1.0 - kWorthwhile) * macro_time->report.cycle_s;
   compile::RenderResult& taken = takes_blocks ? blocks : macro;
-  taken.because = fmt::format("{}: macro: {}; blocks: {} (cost model {})",
-                              takes_blocks ? "plain blocks are faster by the forecast for this machine"
-                                           : "plain blocks would save next to nothing by the forecast for this machine",
-                              said(*macro_time), said(*blocks_time), ir::name_of(macro_time->cost_source));
+  taken.because =
+      fmt::format("{}: macro: {}; blocks: {} (cost model {})",
+                  takes_blocks ? "plain blocks are faster by the forecast for this machine"
+                               : "plain blocks would save next to nothing by the forecast for this machine",
+                  said(macro_time->report), said(blocks_time->report), ir::name_of(macro_time->report.cost_source));
   return std::move(taken);
 }
 

@@ -180,6 +180,86 @@ TEST(FamilyLanguage, OnlyWhatIsNeededIsAssigned) {
   EXPECT_EQ(macro.variables, 2U) << macro.text;
 }
 
+// What waits for a move does not wait on one path only, and has the value of its time.
+TEST(FamilyLanguage, CompensationAndFeedKeepTheirPlaces) {
+  const std::string start = "  tool 1 diameter 10 mm\n  rapid x 0 mm y 0 mm z 0 mm\n";
+  const text::Source branches =
+      with("param n count 3 in 1..9\n",
+           start +
+               "  if n > 2\n    compensate left\n  else\n    compensate right\n  end\n  cut x 5 mm y 1 mm\n"
+               "  cut x 30 mm\n  compensate off\n  if n > 5\n    cut y 30 mm\n  end\n  cut x 0 mm y 50 mm\n");
+  std::vector<ir::CompSide> sides;
+  for (const ir::Motion& one : one_trace(branches)) sides.push_back(one.comp);
+  using enum ir::CompSide;
+  EXPECT_EQ(sides, (std::vector<ir::CompSide>{off, left, left, off}));
+
+  const text::Source feeds = with(
+      "",
+      "  let f_now = 100 mm/min\n  feed f_now\n  set f_now = 800 mm/min\n  cut x 10 mm\n  feed f_now\n  cut x 0 mm\n");
+  std::vector<double> found;
+  for (const ir::Motion& one : one_trace(feeds)) found.push_back(one.feed);
+  EXPECT_EQ(found, (std::vector<double>{100.0, 800.0}));
+}
+
+// A last "compensate off" stands before the end of the program, in blocks too.
+TEST(FamilyLanguage, NothingFollowsTheEndOfTheProgram) {
+  const text::Source family =
+      with("", "  tool 1 diameter 10 mm\n  rapid x 0 mm y 0 mm\n  compensate left\n  cut x 20 mm\n  compensate off\n");
+  for (const RenderMode mode : {RenderMode::macro, RenderMode::explicit_blocks}) {
+    const std::string text = rendered(family, "fanuc", mode, {}).text;
+    EXPECT_LT(text.find("G40", text.find("G41")), text.find("M30")) << text;
+  }
+}
+
+// Two loops of one name, one of which ends at a fraction.
+TEST(FamilyLanguage, ANameThatIsNoWholeNumberElsewhereCountsNoLoop) {
+  expect_x(with("param n count 3 in 1..9\n",
+                "  if n > 1\n    let t = 0.5\n    for q from 0 to t step 1\n      cut x q*10 mm\n    end\n  end\n"
+                "  for t from 0 to 2 step 1\n    cut x t*1 mm\n  end\n"),
+           {0, 5, 0, 1, 2});
+}
+
+TEST(FamilyLanguage, AnIndexThatIsNoneOfItsListsIsRefused) {
+  const std::string list = "param n count 3 in 1..9\nparam row list of length 1 mm, 2 mm, 3 mm in 0..9 count 1..12\n";
+  for (const char* steps : {"  cut x row[3]\n", "  cut x row[-1]\n", "  set row[n] = 9 mm\n  cut x row[0]\n",
+                            "  cut x row[n/2]\n", "  for m_now from 0 to n step 1\n    cut x row[m_now]\n  end\n"}) {
+    const std::string found = first_fault(with(list, steps));
+    EXPECT_NE(found.find("row["), std::string::npos) << steps << found;
+    EXPECT_EQ(found.find(":1:1:"), std::string::npos) << steps << found;
+  }
+}
+
+// A message and a title hold no more than the control shows.
+TEST(FamilyLanguage, MessagesAreShortAndPlain) {
+  const text::Source family =
+      with("", "  message \"50 % DONE; \x13\x11 \xC3\xA9" + std::string(200, 'x') + "\"\n  cut x 1 mm\n");
+  for (const std::string& dialect : dialect_names()) {
+    const std::string text = rendered(family, dialect, RenderMode::macro, {}).text;
+    EXPECT_TRUE(std::ranges::all_of(text, [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); })) << dialect;
+    EXPECT_EQ(text.find(std::string(80, 'X')), std::string::npos) << dialect;
+    EXPECT_EQ(text.find("% DONE"), std::string::npos) << dialect;
+  }
+}
+
+// The spindle's block does not change the feed mode of a lathe, on no path.
+TEST(FamilyLanguage, ASpindleKeepsTheFeedModeOfALathe) {
+  const text::Source family(
+      "test.family",
+      "family test\nmachine lathe, x is diameter\nparam n count 2 in 1..9\nprogram test\n  feed 100 mm/min\n"
+      "  for q from 1 to n step 1\n    spindle 500 rpm cw\n    cut x q*5 mm\n    feed 0.2 mm/rev\n"
+      "    cut z q*5 mm\n  end\nend\n");
+  for (const std::string& dialect : dialect_names()) {
+    RenderRequest request;
+    request.family = family;
+    request.target = control(dialect, ir::MachineKind::lathe);
+    request.mode = RenderMode::macro;
+    const RenderResult result = render(request);
+    ASSERT_FALSE(text::has_error(result.diagnostics)) << dialect << said(result.diagnostics, family);
+    for (const ir::Motion& one : moves_of(run_text(result.text, request.target).motions))
+      EXPECT_GT(one.feed, 0.0) << dialect << "\n" << result.text;
+  }
+}
+
 struct Fault {
   const char* declarations;
   const char* steps;
@@ -206,6 +286,7 @@ TEST(FamilyLanguage, FaultsNameWhatIsWrong) {
       {"sub slot\n  cut x 1 mm\n", "", "no 'end'"},
       {"param entry choice no of yes, nay\n", "", "not among the choices"},
       {"param entry choice a_ of a_, b_\n", "  if entry is c_\n  end\n", "a_ or b_"},
+      {"", "  compensate left\n  arc cw x 1 mm y 0 mm radius 5 mm\n", "straight move"},
       {"param n length 1 mm in 0..2 step 0.3\n", "", "between the steps"},
       {"param cutter tool 3 in 1..2\n", "", "outside"},
   };

@@ -36,7 +36,7 @@ TEST(FamilyBuild, StartsWithTheSafeState) {
   EXPECT_EQ(lathe.name, "MAIN_CUT");
   EXPECT_EQ(functions_of(lathe, lathe.statements[0]),
             (std::vector<Function>{Function::unit_mm, Function::plane_zx, Function::absolute, Function::feed_per_rev,
-                                   Function::comp_off, Function::diameter_on}));
+                                   Function::surface_speed_off, Function::comp_off, Function::diameter_on}));
   const ir::Program radius = built("lathe, x is radius", "");
   EXPECT_EQ(functions_of(radius, radius.statements[0]).back(), Function::diameter_off);
   const ir::Program mill = built("mill", "  feed 100 mm/min\n");
