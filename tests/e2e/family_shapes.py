@@ -1,0 +1,180 @@
+"""What the shipped families cut, from their traces, beside shapes that are computed here in another manner: by distance and by bisection, not by the
+families' formulas. `tests/e2e/family_shapes.py BINARY`."""
+
+import math
+import pathlib
+import random
+import tempfile
+from math import comb, cos, dist, hypot, pi, radians, sin, tan
+
+from families import EXPLICIT_MM, MACRO_MM, ROOT, ask, expect, moves
+
+
+def trace(name, machine, mode, folder, *values):
+    program = folder / "program.nc"
+    words = [word for value in values for word in ("--set", value)]
+    done = ask("render", ROOT / f"deploy/families/{name}.family", "--machine", machine, "--mode", mode, "--output", program, *words)
+    expect(done.returncode == 0, f"{name}: {done.stderr}")
+    return moves(ask("run", program, "--machine", machine).stdout)
+
+
+def lowest(function, start, steps):
+    """A local minimum of a function of two values, by halving steps."""
+    best, size = (function(*start), *start), 1.0
+    while size > 1e-6:
+        _, a, b = best
+        tried = min((function(a + size * i * steps[0], b + size * j * steps[1]), a + size * i * steps[0], b + size * j * steps[1])
+                    for i in (-1, 0, 1) for j in (-1, 0, 1))
+        if tried[0] < best[0] - 1e-14:
+            best = tried
+        else:
+            size /= 2
+    return best[0]
+
+
+def ring_radius(z, c, radius=31, cone=radians(15), tilt=radians(4), depth=5):
+    """Of the tilted cone at z and c: by bisection along the ray."""
+    low, high = 0.0, 500.0
+    while high - low > 1e-10:
+        r = (low + high) / 2
+        x, y, along = r * cos(c), r * sin(c), z + depth
+        outside = hypot(x * cos(tilt) - along * sin(tilt), y) > radius - (x * sin(tilt) + along * cos(tilt)) * tan(cone)
+        low, high = (low, r) if outside else (r, high)
+    return low
+
+
+def ring(folder):
+    """The nose touches the section at each point."""
+    for sections, worst_mm in (("exact", 0.0), ("table", 0.004)):
+        for mode, print_mm in (("macro", MACRO_MM), ("explicit", EXPLICIT_MM)):
+            cuts = [m for kind, m in trace("seal-ring", "mazak-qtn", mode, folder, f"sections={sections}") if kind == "linear"]
+            expect(len(cuts) == 14 * 72 + 1 and abs(cuts[-1]["C"] - 14 * 360) < 1e-6, "14 turns")
+            worst = 0.0
+            for move in random.Random(1).sample(cuts, 60):
+                z, r, c = move["Z"] + 0.4, move["X"] / 2 + 0.4, radians(move["C"])
+                low, high = z - 1, z + 1
+                while high - low > 1e-7:
+                    a, b = (2 * low + high) / 3, (low + 2 * high) / 3
+                    low, high = (low, b) if hypot(a - z, ring_radius(a, c) - r) < hypot(b - z, ring_radius(b, c) - r) else (a, high)
+                worst = max(worst, abs(hypot(low - z, ring_radius(low, c) - r) - 0.4))
+            expect(worst_mm / 2 < worst + (worst_mm == 0) and worst <= worst_mm + print_mm, f"ring, {sections}, {mode}: {worst}")
+            print(f"seal-ring, {sections}, {mode}: the nose is {worst:.6f} mm off the cone at most")
+
+
+HEIGHTS = [-2, -6, -6, -2, -8, -14, -2, -8, -3, -2, -12, -8, -4, -6, -8, -2]
+
+
+def height(x, y, length=80.0, width=60.0):
+    u, w = x / length, y / width
+    return sum(comb(3, i) * u**i * (1 - u) ** (3 - i) * comb(3, j) * w**j * (1 - w) ** (3 - j) * HEIGHTS[4 * i + j] for i in range(4) for j in range(4))
+
+
+def surface(folder, ball=3.0):
+    """The ball touches the surface and cuts nowhere into it."""
+    for mode, print_mm in (("macro", MACRO_MM), ("explicit", EXPLICIT_MM)):
+        last = [m for kind, m in trace("bezier-surface", "fanuc-0i-mill", mode, folder) if kind == "linear"][-2000:]
+        worst = 0.0
+        for move in random.Random(1).sample(last, 150):
+            center = (move["X"], move["Y"], move["Z"] + ball)
+            off = lambda x, y: dist(center, (x, y, height(x, y)))
+            near = min((off(move["X"] + i, move["Y"] + j), move["X"] + i, move["Y"] + j) for i in range(-3, 4) for j in range(-3, 4))
+            worst = max(worst, abs(lowest(off, near[1:], (0.5, 0.5)) - ball))
+        expect(worst <= print_mm, f"surface, {mode}: {worst}")
+        print(f"bezier-surface, {mode}: the ball is {worst:.6f} mm off the surface at most")
+
+
+def flank_distance(center, side, turn, lead, hand, pitch_radius=20.0, module=4.0):
+    """From a point to a flank of the groove beside it, in the part's own space; `turn` is where the tool stands around x."""
+    def flank(r, t):
+        x = side * (pi * module / 4 + (r - pitch_radius) * tan(radians(20))) + hand * lead * t / (2 * pi)
+        return (x, -r * sin(t), r * cos(t))
+    off = lambda r, t: dist(center, flank(r, t))
+    near = min((off(14 + 0.5 * i, turn + 0.03 * j), 14 + 0.5 * i, turn + 0.03 * j) for i in range(22) for j in range(-8, 9))
+    return lowest(off, near[1:], (0.25, 0.015))
+
+
+def worm(folder):
+    """Roughing stays clear of both flanks, each of the last passes touches one."""
+    for mode, print_mm, starts, hand, ball in (("macro", MACRO_MM, 1, "right", 1.5), ("explicit", EXPLICIT_MM, 1, "right", 1.5), ("macro", MACRO_MM, 3, "left", 1)):
+        cuts = [m for kind, m in trace("worm", "mazak-vcn", mode, folder, f"starts={starts}", f"hand={hand}", f"ball_diameter={2 * ball} mm")
+                if kind == "linear"]
+        lead, sign = 4 * pi * starts, 1 if hand == "right" else -1
+        expect(abs(min(m["Z"] for m in cuts) - 15.2) < 1e-3, "the root")
+        # A pass begins where A is turned back; the last twenty of each start follow the flanks.
+        begins = [i for i in range(1, len(cuts)) if cuts[i]["A"] * sign < cuts[i - 1]["A"] * sign]
+        first_of_last = begins[-20 * starts]
+        finishing = []
+        for chosen in random.Random(1).sample(range(len(cuts)), 120):
+            m = cuts[chosen]
+            turn = radians(m["A"])
+            center = (m["X"], -(m["Z"] + ball) * sin(turn), (m["Z"] + ball) * cos(turn))
+            # The groove that the tool is in: of several starts the nearest.
+            shift = round((m["X"] - sign * lead * turn / (2 * pi)) / (4 * pi)) * 4 * pi
+            here = (center[0] - shift, *center[1:])
+            gap = min(flank_distance(here, side, turn, lead, sign) for side in (-1, 1)) - ball
+            expect(gap >= -print_mm, f"worm, {mode}: {gap} into a flank")
+            if chosen >= first_of_last:
+                finishing.append(abs(gap))
+        expect(len(finishing) > 20 and max(finishing) <= print_mm, f"worm, {mode}, {starts} starts: {max(finishing)}")
+        print(f"worm, {mode}, {starts} starts: the last passes are {max(finishing):.6f} mm off a flank at most")
+
+
+def path_of(trace_moves):
+    """Places along all cuts, a tenth of a millimeter apart."""
+    at, places = None, []
+    for kind, m in trace_moves:
+        end = (m["X"], m["Y"], m["Z"])
+        if at and kind == "linear":
+            n = max(1, int(dist(at, end) / 0.1))
+            places += [tuple(a + (b - a) * i / n for a, b in zip(at, end)) for i in range(n + 1)]
+        elif at and kind == "arc-ccw":
+            x, y = at[0] + m["I"], at[1] + m["J"]
+            r, first, last = hypot(m["I"], m["J"]), math.atan2(-m["J"], -m["I"]), math.atan2(end[1] - y, end[0] - x)
+            expect(abs(hypot(end[0] - x, end[1] - y) - r) < 2e-3, "an arc ends on its circle")
+            sweep = (last - first) % (2 * pi) or 2 * pi
+            sweep = 2 * pi if sweep < 1e-6 or sweep > 2 * pi - 1e-6 else sweep
+            n = max(1, int(r * sweep / 0.1))
+            places += [(x + r * cos(first + sweep * i / n), y + r * sin(first + sweep * i / n), at[2] + (end[2] - at[2]) * i / n) for i in range(n + 1)]
+        at = end
+    return places
+
+
+def pocket(folder):
+    """Nothing is cut beyond the wall, all of the floor is cut, and the wall is reached all around."""
+    for length, width, corner, cutter, values in ((80, 50, 8, 12, ()), (80, 50, 25, 12, ()), (80, 50, 6, 12, ("entry=ramp", "overlap=0.8")),
+                                                  (40, 90, 6, 10, ("entry=ramp",)), (50, 50, 7, 10, ("overlap=0.8",))):
+        size = (f"pocket_length={length} mm", f"pocket_width={width} mm", f"corner_radius={corner} mm", f"cutter_diameter={cutter} mm")
+
+        def outside(x, y):
+            a, b = abs(x) - length / 2 + corner, abs(y) - width / 2 + corner
+            return hypot(max(a, 0), max(b, 0)) + min(max(a, b), 0) - corner
+
+        for mode, print_mm in (("macro", MACRO_MM), ("explicit", EXPLICIT_MM)):
+            places = path_of(trace("rectangular-pocket", "haas-vf2", mode, folder, *size, *values))
+            r = cutter / 2
+            over = max(outside(x, y) + r for x, y, _ in places)
+            expect(abs(over) <= print_mm and abs(min(z for *_, z in places) + 12) < 1e-9, f"pocket {size}, {mode}: {over} beyond the wall")
+            wall = [(length / 2, 0.5 * i * (width / 2 - corner)) for i in (-2, -1, 0, 1, 2)]
+            wall += [(0.5 * i * (length / 2 - corner), width / 2) for i in (-2, -1, 0, 1, 2)]
+            wall += [(length / 2 - corner + corner * cos(0.2 * i), width / 2 - corner + corner * sin(0.2 * i)) for i in range(1, 8)]
+            for x, y in [(sign * x, sign * y) for x, y in wall for sign in (-1, 1)]:
+                gap = min(dist((x, y), place[:2]) for place in places if place[2] < -12 + 1e-6) - r
+                expect(gap <= print_mm + 0.0015, f"pocket {size}, {mode}: {gap} left on the wall at {x} {y}")
+            cells = {}
+            for x, y, z in places:
+                if z < -12 + 1e-6:
+                    cells.setdefault((x // r, y // r), []).append((x, y))
+            left = [(x, y) for x in (0.77 * i for i in range(-60, 61)) for y in (0.77 * i for i in range(-60, 61)) if outside(x, y) < -0.02
+                    and not any(dist((x, y), p) <= r + 0.02 for i in (-1, 0, 1) for j in (-1, 0, 1) for p in cells.get((x // r + i, y // r + j), ()))]
+            expect(not left, f"pocket {size}, {mode}: the floor is left at {left[:5]}")
+        print(f"rectangular-pocket, {length} x {width}, corners of {corner} mm: no more and no less")
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        for shape in (ring, surface, worm, pocket):
+            shape(pathlib.Path(name))
+
+
+if __name__ == "__main__":
+    main()
