@@ -144,13 +144,30 @@ class Renderer {
     }
     if (text::has_error(raised.diagnostics) && !only) {
       const auto error = std::ranges::find(raised.diagnostics, text::Severity::error, &text::Diagnostic::severity);
-      return explicit_blocks(fmt::format("as a macro it does not go: {}", text::message_of(*error)));
+      return explicit_blocks(fmt::format("it cannot be a macro: {}", text::message_of(*error)));
     }
     report(raised.diagnostics);
     if (text::has_error(raised.diagnostics)) return;
     result_.mode = RenderMode::macro;
     result_.because = because;
     print(raised.program);
+    const std::size_t longest = longest_line(printed_.text);
+    const std::size_t most = request_.target.limits.block_length_bytes;
+    if (most == 0 || longest <= most) return;
+    if (!only)
+      return explicit_blocks(fmt::format("as a macro a block has {} bytes, the control takes {}", longest, most));
+    report({ir::diagnose(request_.target, text::DiagnosticId::block_too_long, {},
+                         {std::to_string(longest), std::to_string(most)})});
+  }
+
+  static std::size_t longest_line(std::string_view text) {
+    std::size_t longest = 0;
+    for (std::size_t begin = 0; begin < text.size();) {
+      const std::size_t end = std::min(text.find('\n', begin), text.size());
+      longest = std::max(longest, end - begin);
+      begin = end + 1;
+    }
+    return longest;
   }
 
   void explicit_blocks(std::string_view because) {

@@ -444,7 +444,10 @@ void BodyReader::call() {
   if (sub->needs_feed && !may_cut()) return;
   if (steps_.size() + sub->steps.size() > kMostSteps)
     return cursor_.syntax(at, fmt::format("with all its calls the program has more than {} steps", kMostSteps));
-  steps_.insert(steps_.end(), sub->steps.begin(), sub->steps.end());
+  for (Step copy : sub->steps) {
+    if (open_profiles_ > 0) copy.line = line_;  // these moves make the nominal; others of the subprogram do not
+    steps_.push_back(std::move(copy));
+  }
   has_feed_ = has_feed_ || sub->sets_feed;
 }
 

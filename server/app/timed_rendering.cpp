@@ -100,7 +100,7 @@ compile::RenderResult render_for(const compile::RenderRequest& request, const ma
   compile::RenderResult blocks = compile::render(as_blocks);
   if (text::has_error(blocks.diagnostics)) {
     const auto error = std::ranges::find(blocks.diagnostics, text::Severity::error, &text::Diagnostic::severity);
-    return keep(fmt::format("as blocks it does not go: {}", text::message_of(*error)));
+    return keep(fmt::format("it cannot be plain blocks: {}", text::message_of(*error)));
   }
   const auto blocks_time = forecast(request, blocks.text, *profile);
   if (!blocks_time) return keep(fmt::format("what plain blocks take is not known: {}", blocks_time.error()));

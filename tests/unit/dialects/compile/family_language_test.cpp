@@ -260,6 +260,36 @@ TEST(FamilyLanguage, ASpindleKeepsTheFeedModeOfALathe) {
   }
 }
 
+// The moves of a call inside `profile` make the nominal, those of another call of the same subprogram do not.
+TEST(FamilyLanguage, ACallInAProfileIsOfTheProfile) {
+  const text::Source family =
+      with("sub line_to(p length)\n  cut x p\nend\n",
+           "  call line_to(5 mm)\n  profile\n    call line_to(9 mm)\n  end\n  call line_to(1 mm)\n");
+  for (const RenderMode mode : {RenderMode::macro, RenderMode::explicit_blocks}) {
+    const RenderResult result = rendered(family, "fanuc", mode, {});
+    std::vector<double> marked;
+    for (const ir::Motion& one : run_text(result.text, control("fanuc", ir::MachineKind::mill)).motions) {
+      const auto holds = [&](const family::LineRange& r) {
+        return r.first <= one.place.line && one.place.line <= r.last;
+      };
+      if (ir::is_move(one.kind) && std::ranges::any_of(result.profile_lines, holds)) marked.push_back(one.end[0]);
+    }
+    EXPECT_EQ(marked, (std::vector<double>{9.0})) << result.text;
+  }
+}
+
+// A formula that the control cannot read in one block makes no macro.
+TEST(FamilyLanguage, ABlockIsNoLongerThanTheControlReads) {
+  std::string sum = "n";
+  for (int i = 0; i < 60; ++i) sum += " + " + std::to_string(i) + ".125 mm*sqrt(n/1 mm)";
+  const text::Source family = with("param n length 3 mm in 1..9\n", "  cut x " + sum + "\n");
+  const RenderResult macro = rendered(family, "mitsubishi-m80", RenderMode::macro, {});
+  EXPECT_NE(said(macro.diagnostics, family).find("block-too-long"), std::string::npos);
+  const RenderResult automatic = rendered(family, "mitsubishi-m80", RenderMode::automatic, {});
+  EXPECT_EQ(automatic.mode, RenderMode::explicit_blocks);
+  EXPECT_NE(automatic.because.find("bytes"), std::string::npos) << automatic.because;
+}
+
 struct Fault {
   const char* declarations;
   const char* steps;

@@ -86,7 +86,7 @@ TEST(TimedRendering, AMacroThatDoesNotGoIsNotTimed) {
   request.target.variables.clear();
   const RenderResult result = render_for(request, &slow);
   EXPECT_EQ(result.mode, RenderMode::explicit_blocks);
-  EXPECT_TRUE(says(result, "as a macro it does not go")) << result.because;
+  EXPECT_TRUE(says(result, "it cannot be a macro")) << result.because;
   request.values = {{.name = "nothing", .value = "1"}};
   EXPECT_TRUE(text::has_error(render_for(request, &slow).diagnostics));
 }
