@@ -1983,6 +1983,8 @@ export interface components {
             parameters: {
                 /** @description of the parameter */
                 name: string;
+                /** @description as the family's `param` line names it: length, count, choice, yes_no, tool, list of length ... */
+                kind: string;
                 /** @description of default, low and high; empty: a plain number */
                 unit: string;
                 /** @description as one would write it: "100 mm" */
@@ -1991,8 +1993,18 @@ export interface components {
                 low: number | null;
                 /** @description greatest value, in `unit`; null: no bound */
                 high: number | null;
+                /** @description values are `low` plus a whole number of steps, in `unit`; 0: any value */
+                step: number;
+                /** @description the words of a choice or of yes_no */
+                choices: string[];
+                /** @description numbers of a list; 0: it is none */
+                fewest: number;
+                /** @description numbers of a list; 0: it is none */
+                most: number;
                 /** @description what it is, for people */
                 text: string;
+                /** @description the heading under which forms show it; may be empty */
+                group: string;
             }[];
         };
         /** @description a family with values */
