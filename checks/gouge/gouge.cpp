@@ -120,8 +120,9 @@ void Gouge::consume(std::span<const ir::Motion> motions) {
 // "" for a rapid, and for a cut that turns.
 std::string_view Gouge::why_not_judged(const ir::Motion& motion) const {
   if (motion.kind == ir::MotionKind::rapid) return {};
-  if (settings_.needs_spindle && motion.spindle == ir::SpindleState::stopped) return "a cut with a spindle that stands";
-  return checks::why_no_turning(motion);
+  if (const std::string_view why = checks::why_no_turning(motion); !why.empty()) return why;
+  const bool stands = settings_.needs_spindle && motion.spindle == ir::SpindleState::stopped;
+  return stands ? "a cut with a spindle that stands" : "";
 }
 
 std::optional<curves::Extreme> Gouge::lowest(const curves::Nose& nose, const curves::PathPiece& tip_path) const {
