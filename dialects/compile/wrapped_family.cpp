@@ -172,6 +172,7 @@ class WrappedRenderer {
   void keep(const ir::Program& program) {
     result_.mode = RenderMode::macro;
     result_.because = kKept;
+    result_.is_kept = true;
     result_.variables = user_variables(program);
     describe(std::string(written_.text()));
   }

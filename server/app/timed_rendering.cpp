@@ -84,7 +84,8 @@ std::string said(const timing::Report& report) {
 compile::RenderResult render_for(const compile::RenderRequest& request, const machine::Profile* profile) {
   compile::RenderResult macro = compile::render(request);
   const bool is_open = request.mode == compile::RenderMode::automatic && request.delivery == ir::Delivery::memory &&
-                       macro.mode == compile::RenderMode::macro && !text::has_error(macro.diagnostics);
+                       macro.mode == compile::RenderMode::macro && !macro.is_kept &&
+                       !text::has_error(macro.diagnostics);
   if (!is_open) return macro;
   const auto keep = [&](std::string why) {
     macro.because += "; " + std::move(why);

@@ -79,6 +79,23 @@ TEST(TimedRendering, WhatIsAskedForAndDripFeedingStayAsTheyAre) {
   EXPECT_TRUE(says(drip, "jumps")) << drip.because;
 }
 
+// The shop's own program stays in the memory as the shop wrote it.
+TEST(TimedRendering, ANativeProgramIsKept) {
+  const machine::Profile slow = lathe(100.0);
+  compile::RenderRequest request = roll();
+  const std::string program =
+      "G21G18G98G40\n#100=50.\n#1=0\nWHILE[#1LT300]DO1\nG1X[#100-#1*.1]F600\n#1=#1+1\nEND1\nM30\n";
+  request.family = text::Source(
+      "kept.family",
+      "family kept\nmachine lathe, x is diameter\nparam d length 50 mm in 1..90 is #100\nnative fanuc\n" + program);
+  const RenderResult result = render_for(request, &slow);
+  EXPECT_EQ(result.mode, RenderMode::macro) << result.because;
+  EXPECT_EQ(result.because, "the program is kept as it is written");
+  EXPECT_EQ(result.text, program);
+  request.delivery = ir::Delivery::drip;
+  EXPECT_EQ(render_for(request, &slow).mode, RenderMode::explicit_blocks);
+}
+
 // What the control cannot hold is no choice, and a family with a fault is none at all.
 TEST(TimedRendering, AMacroThatDoesNotGoIsNotTimed) {
   const machine::Profile slow = lathe(100.0);
