@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "dialects/compile/carry_comments.h"
+#include "dialects/compile/native_flow.h"
 #include "dialects/compile/native_targets.h"
 #include "dialects/compile/native_variable.h"
 #include "dialects/facts/calls.h"
-#include "dialects/ir/sections.h"
 #include "dialects/text/upper_case.h"
 
 namespace dripfeed::compile {
@@ -24,7 +24,7 @@ class HeaderReader {
   HeaderReader(const ir::Program& program, const ir::Control& control) : program_(program), control_(control) {}
 
   std::vector<HeaderConstant> read() {
-    const ir::Section main = main_program();
+    const ir::Section main = main_section(program_);
     bool moved = false;
     for (std::uint32_t i = main.first; i < main.last; ++i) {
       const ir::Statement& s = program_.statements[i];
@@ -38,17 +38,6 @@ class HeaderReader {
   }
 
  private:
-  // The first that no other one calls.
-  [[nodiscard]] ir::Section main_program() const {
-    for (const ir::Section& section : program_.sections) {
-      const bool called = std::ranges::any_of(program_.statements, [&](const ir::Statement& s) {
-        return facts::is_call(s.kind) && program_.calls[s.payload].name == section.name;
-      });
-      if (!called) return section;
-    }
-    return ir::section_at(program_, 0);
-  }
-
   [[nodiscard]] bool moves(const ir::Statement& s) const {
     if (s.kind != StatementKind::block) return false;
     const auto words = program_.words_of(program_.blocks[s.payload]);

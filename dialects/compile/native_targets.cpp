@@ -6,6 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "dialects/compile/native_flow.h"
+#include "dialects/compile/native_overwritten.h"
+#include "dialects/compile/native_scope.h"
 #include "dialects/compile/native_variable.h"
 #include "dialects/facts/calls.h"
 #include "dialects/facts/flow_graph.h"
@@ -38,8 +41,10 @@ class TargetSearch {
   NativeTarget variable() {
     const auto found = NativeVariable::named(program_, control_, target_);
     if (!found) return refused(fmt::format("{} has no variable of that kind", control_.title));
-    const std::vector<NativeVariable::Setting> settings = found->settings(program_);
+    std::vector<NativeVariable::Setting> settings = found->settings(program_);
     if (settings.empty()) return refused(why_never_set());
+    const std::vector<bool> scope = scope_of(program_, control_, *found, settings);
+    std::erase_if(settings, [&scope](const NativeVariable::Setting& one) { return !scope[one.statement]; });
     if (settings.size() > 1) {
       std::vector<std::uint32_t> places;
       places.reserve(settings.size());
@@ -54,10 +59,10 @@ class TargetSearch {
     if (program_.statements[only.statement].skip_level != 0)
       return refused(fmt::format("{} may be skipped, and then it has another value", lines_of({only.statement})),
                      notes_at({only.statement}, "behind a block skip"));
-    if (const auto early = read_before(*found, only.statement))
+    if (const auto early = read_before(*found, only.statement, scope))
       return refused(fmt::format("{} may read it before {} sets it", lines_of({*early}), lines_of({only.statement})),
                      notes_at({*early}, "it is read here"));
-    return out;
+    return unless_overwritten(std::move(out), overwritten(program_, control_, *found, target_, only.statement, scope));
   }
 
   [[nodiscard]] std::string why_never_set() const {
@@ -70,31 +75,22 @@ class TargetSearch {
   }
 
   // A statement that reads the variable before it is set; where no statement reads it, an end that is reached without.
-  [[nodiscard]] std::optional<std::uint32_t> read_before(const NativeVariable& variable, std::uint32_t setting) const {
+  [[nodiscard]] std::optional<std::uint32_t> read_before(const NativeVariable& variable, std::uint32_t setting,
+                                                         const std::vector<bool>& scope) const {
     const std::vector<bool> reached = reached_without(program_, setting);
-    const auto count = static_cast<std::uint32_t>(program_.statements.size());
-    const facts::StatementRange own = facts::section_of(program_, setting);
-    // Local variables of another program of the text are others.
-    const facts::StatementRange readers = is_local() ? own : facts::StatementRange{.first = 0, .last = count};
     bool is_read = false;
-    for (std::uint32_t i = readers.first; i < readers.last; ++i) {
-      if (!variable.is_read_by(program_, i)) continue;
+    for (std::uint32_t i = 0; i < scope.size(); ++i) {
+      if (!scope[i] || !variable.is_read_by(program_, i)) continue;
       is_read = true;
       if (reached[i]) return i;
     }
     if (is_read) return std::nullopt;
+    const facts::StatementRange own = facts::section_of(program_, setting);
     for (std::uint32_t i = own.first; i < own.last; ++i) {
       const StatementKind kind = program_.statements[i].kind;
       if (reached[i] && (kind == StatementKind::program_end || facts::returns(kind))) return i;
     }
     return std::nullopt;
-  }
-
-  [[nodiscard]] bool is_local() const {
-    const auto number = target_.starts_with('#') ? text::parse_integer(target_.substr(1)) : std::nullopt;
-    if (!number) return false;
-    const ir::VariableRange* range = ir::find_variable(control_, ir::Bank::hash, static_cast<std::uint32_t>(*number));
-    return range != nullptr && range->use == ir::VariableUse::local;
   }
 
   // --- TURNING_CYCLE.EXTD
@@ -127,7 +123,10 @@ class TargetSearch {
     if (value == ir::ExpressionId::none)
       return refused(fmt::format("the call in {} leaves it out", lines_of(calls)), notes_at(calls, "here"));
     const ir::Symbol& symbol = program_.symbols[head->first_symbol + position];
-    return constant_at(calls.front(), value, symbol.type == ir::ValueType::integer);
+    NativeTarget out = constant_at(calls.front(), value, symbol.type == ir::ValueType::integer);
+    if (!out.constant) return out;
+    const auto symbol_id = static_cast<ir::SymbolId>(head->first_symbol + position);
+    return unless_overwritten(std::move(out), overwritten_parameter(program_, *head, symbol_id));
   }
 
   [[nodiscard]] std::vector<std::uint32_t> calls_of(ir::StringId name) const {
@@ -140,6 +139,15 @@ class TargetSearch {
   }
 
   // --- both
+
+  NativeTarget unless_overwritten(NativeTarget out, Overwritten found) const {
+    if (found.why.empty()) return out;
+    std::vector<text::DiagnosticNote> notes = notes_at(found.statements, "it may be set here");
+    if (found.is_fault) return refused(std::move(found.why), std::move(notes));
+    out.warning = std::move(found.why);
+    out.notes = std::move(notes);
+    return out;
+  }
 
   NativeTarget constant_at(std::uint32_t statement, ir::ExpressionId value, bool takes_integer) {
     if (value == ir::ExpressionId::none)
@@ -155,11 +163,7 @@ class TargetSearch {
   }
 
   [[nodiscard]] std::string lines_of(const std::vector<std::uint32_t>& statements) const {
-    std::vector<std::uint32_t> lines;
-    lines.reserve(statements.size());
-    for (const std::uint32_t one : statements) lines.push_back(program_.statements[one].line);
-    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
-    return fmt::format("line{} {} of the native program", lines.size() == 1 ? "" : "s", in_words(lines));
+    return compile::lines_of(program_, statements);
   }
 
   [[nodiscard]] std::vector<text::DiagnosticNote> notes_at(const std::vector<std::uint32_t>& statements,
@@ -209,18 +213,6 @@ std::optional<NativeConstant> plain_constant(const ir::Program& program, ir::Exp
   out.value = negative ? -decimal->value : decimal->value;
   out.has_point = decimal->has_point;
   out.digits = decimal->digits;
-  return out;
-}
-
-std::string in_words(const std::vector<std::uint32_t>& lines) {
-  constexpr std::size_t kMost = 8;
-  const std::size_t shown = std::min(lines.size(), kMost);
-  std::string out;
-  for (std::size_t i = 0; i < shown; ++i) {
-    const bool last = i + 1 == lines.size();
-    out += fmt::format("{}{}", i == 0 ? "" : last ? " and " : ", ", lines[i]);
-  }
-  if (shown < lines.size()) out += fmt::format(" and {} more", lines.size() - shown);
   return out;
 }
 

@@ -25,20 +25,17 @@ struct NativeConstant {
 
 struct NativeTarget {
   std::optional<NativeConstant> constant;
-  // Without one: why not, and the places of the program that show it.
-  std::string why;
-  std::vector<text::DiagnosticNote> notes;
+  std::string why = {};      // without one: why not
+  std::string warning = {};  // with one: what may take its value away, as far as nobody here can see
+  std::vector<text::DiagnosticNote> notes = {};  // the places of the program that show either
 };
 
 // `target` is in upper case: "#100", "R10", "DIA", "TURNING_CYCLE.EXTD". It must be set by one plain constant of the
-// text, on every path before the text reads it. What other programs write, and writes whose variable is computed, are
-// not looked at: they come after the assignment or do without it, whatever its value is.
+// text, on every path before the text reads it, and nothing else of the text may set it before that, by a computed
+// number or otherwise.
 NativeTarget find_target(const ir::Program& program, const ir::Control& control, std::string_view target);
 
 // A number as it is written, with its sign: nothing for what is computed, and for other forms of numbers.
 std::optional<NativeConstant> plain_constant(const ir::Program& program, ir::ExpressionId value);
-
-// "3", "3 and 8", "3, 8 and 12"
-std::string in_words(const std::vector<std::uint32_t>& lines);
 
 }  // namespace dripfeed::compile

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "dialects/compile/native_flow.h"
 #include "dialects/facts/calls.h"
 #include "dialects/facts/flow_graph.h"
 #include "dialects/passes/walk.h"
@@ -21,6 +22,33 @@ std::optional<std::uint32_t> number_behind(std::string_view name, char letter) {
   const std::optional<std::int64_t> number = text::parse_integer(name.substr(1));
   if (!number || *number < 0 || *number > 99'999'999) return std::nullopt;
   return static_cast<std::uint32_t>(*number);
+}
+
+// The first statement of the program that declares the symbol; the end of the text where no line does.
+std::uint32_t owner_of(const ir::Program& program, std::uint32_t symbol) {
+  for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
+    const ir::Statement& s = program.statements[i];
+    if (s.kind != StatementKind::define || s.payload == ir::kNoIndex) continue;
+    const ir::Structure& all = program.structures[s.payload];
+    if (symbol - all.first_symbol < all.symbol_count) return facts::section_of(program, i).first;
+  }
+  return static_cast<std::uint32_t>(program.statements.size());
+}
+
+// Those that are one variable: the main program's own; else the control's; else that of another program of the text,
+// and all where several have one.
+std::vector<ir::SymbolId> symbols_named(const ir::Program& program, std::string_view name) {
+  std::vector<ir::SymbolId> own;
+  std::vector<ir::SymbolId> global;
+  std::vector<ir::SymbolId> others;
+  const std::uint32_t main = main_section(program).first;
+  for (std::uint32_t i = 0; i < program.symbols.size(); ++i) {
+    const ir::Symbol& symbol = program.symbols[i];
+    if (symbol.is_parameter || text::upper_case(program.strings.at(symbol.name)) != name) continue;
+    std::vector<ir::SymbolId>& kind = symbol.is_global ? global : owner_of(program, i) == main ? own : others;
+    kind.push_back(static_cast<ir::SymbolId>(i));
+  }
+  return !own.empty() ? own : !global.empty() ? global : others;
 }
 
 }  // namespace
@@ -51,11 +79,13 @@ std::optional<NativeVariable> NativeVariable::named(const ir::Program& program, 
     out.number_ = *number;
     return out;
   }
-  for (std::uint32_t i = 0; i < program.symbols.size(); ++i) {
-    const ir::Symbol& symbol = program.symbols[i];
-    if (!symbol.is_parameter && text::upper_case(program.strings.at(symbol.name)) == name)
-      out.symbols_.push_back(static_cast<ir::SymbolId>(i));
-  }
+  out.symbols_ = symbols_named(program, name);
+  return out;
+}
+
+NativeVariable NativeVariable::of_symbol(ir::SymbolId symbol) {
+  NativeVariable out;
+  out.symbols_ = {symbol};
   return out;
 }
 
@@ -111,82 +141,6 @@ std::vector<NativeVariable::Setting> NativeVariable::settings(const ir::Program&
 bool NativeVariable::is_read_by(const ir::Program& program, std::uint32_t statement) const {
   return std::ranges::any_of(passes::variables_of(program, program.statements[statement]),
                              [&](const passes::VariableUseAt& use) { return !use.set && is(program, use.variable); });
-}
-
-namespace {
-
-// A walk over the flow graph that never goes on behind the setting.
-class Walk {
- public:
-  Walk(const ir::Program& program, std::uint32_t setting)
-      : program_(program), graph_(program), setting_(setting), reached_(program.statements.size() + 1, false) {}
-
-  std::vector<bool> run() {
-    for (const std::uint32_t start : starts()) reach(start);
-    while (!work_.empty()) {
-      const std::uint32_t i = work_.back();
-      work_.pop_back();
-      if (i == setting_ || i >= program_.statements.size()) continue;
-      for (const std::uint32_t next : std::vector(graph_.after(i))) reach(next);
-      enter_called(i);
-      if (may_go_anywhere(i)) {
-        const facts::StatementRange own = facts::section_of(program_, i);
-        for (const ir::Label& label : program_.labels)
-          if (label.statement >= own.first && label.statement < own.last) reach(label.statement);
-      }
-    }
-    return std::move(reached_);
-  }
-
- private:
-  // Programs that the text itself does not call.
-  [[nodiscard]] std::vector<std::uint32_t> starts() const {
-    if (program_.sections.empty()) return {0};
-    std::vector<std::uint32_t> out;
-    for (const ir::Section& section : program_.sections) {
-      const bool called = std::ranges::any_of(program_.statements, [&](const ir::Statement& s) {
-        return facts::is_call(s.kind) && program_.calls[s.payload].name == section.name;
-      });
-      if (!called) out.push_back(section.first);
-    }
-    if (out.empty()) out.push_back(program_.sections.front().first);
-    return out;
-  }
-
-  void reach(std::uint32_t statement) {
-    if (reached_[statement]) return;
-    reached_[statement] = true;
-    work_.push_back(statement);
-  }
-
-  void enter_called(std::uint32_t i) {
-    const ir::Statement& s = program_.statements[i];
-    if (!facts::is_call(s.kind)) return;
-    for (const ir::Section& section : program_.sections)
-      if (section.name == program_.calls[s.payload].name) reach(section.first);
-  }
-
-  // To any label of its program.
-  [[nodiscard]] bool may_go_anywhere(std::uint32_t i) const {
-    const ir::Statement& s = program_.statements[i];
-    if (s.kind == StatementKind::go_to) return program_.jumps[s.payload].computed != ir::ExpressionId::none;
-    if (s.kind == StatementKind::call) return program_.calls[s.payload].name == ir::StringId::none;
-    if (s.kind == StatementKind::native)
-      return facts::jumps_anywhere(program_.strings.at(program_.natives[s.payload].name));
-    return s.kind == StatementKind::repeat_section || s.kind == StatementKind::execute_text;
-  }
-
-  const ir::Program& program_;
-  facts::FlowGraph graph_;
-  std::uint32_t setting_;
-  std::vector<bool> reached_;
-  std::vector<std::uint32_t> work_;
-};
-
-}  // namespace
-
-std::vector<bool> reached_without(const ir::Program& program, std::uint32_t setting) {
-  return Walk(program, setting).run();
 }
 
 }  // namespace dripfeed::compile

@@ -16,8 +16,12 @@ class NativeVariable {
   // `name` in upper case: "#100", "R10", "DIA". Nothing where the control has no such kind of variable.
   static std::optional<NativeVariable> named(const ir::Program& program, const ir::Control& control,
                                              std::string_view name);
+  // A parameter of a program of the text.
+  static NativeVariable of_symbol(ir::SymbolId symbol);
 
   [[nodiscard]] bool is(const ir::Program& program, ir::VariableId variable) const;
+  [[nodiscard]] ir::Bank bank() const { return bank_; }
+  [[nodiscard]] std::uint32_t number() const { return number_; }
   [[nodiscard]] const std::vector<ir::SymbolId>& symbols() const { return symbols_; }
 
   struct Setting {
@@ -34,14 +38,10 @@ class NativeVariable {
 
   ir::Bank bank_ = ir::Bank::named;
   std::uint32_t number_ = 0;
-  std::vector<ir::SymbolId> symbols_;  // bank named: all of that name, but for formal parameters
+  std::vector<ir::SymbolId> symbols_;  // bank named: those that are one variable
 };
 
 // The head of a program of the text, by the name that calls have; nullptr when it is not there.
 const ir::Structure* procedure_named(const ir::Program& program, ir::StringId name);
-
-// By statement: whether a run can be there without having executed `setting`. Calls of programs of the same text are
-// followed; what a called program sets counts for itself alone.
-std::vector<bool> reached_without(const ir::Program& program, std::uint32_t setting);
 
 }  // namespace dripfeed::compile

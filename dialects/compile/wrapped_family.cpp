@@ -31,6 +31,13 @@ text::Diagnostic fault_at(const family::Binding& binding, std::string_view why) 
                                {fmt::format("{} does not take the value: {}", binding.target, why)});
 }
 
+text::Diagnostic doubt_at(const family::Binding& binding, std::string_view why) {
+  text::Diagnostic out = text::make_diagnostic(text::DiagnosticId::family_syntax, binding.span,
+                                               {fmt::format("{} may lose the value: {}", binding.target, why)});
+  out.severity = text::Severity::warning;
+  return out;
+}
+
 // The native program of a family by itself.
 struct NativeProgram {
   text::Source source;
@@ -56,9 +63,10 @@ class TargetFinder {
     for (const family::Binding& binding : family_.bindings) {
       NativeTarget found = find_target(program_, control_, binding.target);
       if (!found.constant) {
-        refuse(binding, std::move(found));
+        report(fault_at(binding, found.why), std::move(found.notes));
         continue;
       }
+      if (!found.warning.empty()) report(doubt_at(binding, found.warning), std::move(found.notes));
       const auto [earlier, is_new] = taken.try_emplace(found.constant->span.begin, binding.target);
       if (!is_new)
         diagnostics.push_back(fault_at(binding, fmt::format("it is the number that {} names", earlier->second)));
@@ -70,14 +78,13 @@ class TargetFinder {
   std::vector<text::Diagnostic> diagnostics;
 
  private:
-  void refuse(const family::Binding& binding, NativeTarget found) {
-    text::Diagnostic fault = fault_at(binding, found.why);
-    fault.notes = std::move(found.notes);
-    for (text::DiagnosticNote& note : fault.notes) {
+  void report(text::Diagnostic one, std::vector<text::DiagnosticNote> notes) {
+    one.notes = std::move(notes);
+    for (text::DiagnosticNote& note : one.notes) {
       note.span.begin += family_.native->text.begin;
       note.span.end += family_.native->text.begin;
     }
-    diagnostics.push_back(std::move(fault));
+    diagnostics.push_back(std::move(one));
   }
 
   const family::Family& family_;

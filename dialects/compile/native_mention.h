@@ -1,0 +1,14 @@
+// A variable in a text that is not taken apart: a synchronized action, a block that EXECSTRING makes.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace dripfeed::compile {
+
+enum class Mention : std::uint8_t { none, reads, sets };
+
+// `target` in upper case: "#100", "R10", "DIA"; R10 is also $R10, R[10] and, as far as anybody knows, R[R1].
+Mention mention_of(std::string_view text, std::string_view target);
+
+}  // namespace dripfeed::compile
