@@ -62,6 +62,8 @@ class TargetSearch {
     if (const auto early = read_before(*found, only.statement, scope))
       return refused(fmt::format("{} may read it before {} sets it", lines_of({*early}), lines_of({only.statement})),
                      notes_at({*early}, "it is read here"));
+    out.variables = found->uses();
+    out.scope = scope;
     return unless_overwritten(std::move(out), overwritten(program_, control_, *found, target_, only.statement, scope));
   }
 
@@ -126,6 +128,8 @@ class TargetSearch {
     NativeTarget out = constant_at(calls.front(), value, symbol.type == ir::ValueType::integer);
     if (!out.constant) return out;
     const auto symbol_id = static_cast<ir::SymbolId>(head->first_symbol + position);
+    out.variables = NativeVariable::of_symbol(symbol_id).uses();
+    out.scope.assign(program_.statements.size(), true);
     return unless_overwritten(std::move(out), overwritten_parameter(program_, *head, symbol_id));
   }
 

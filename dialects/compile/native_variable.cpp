@@ -89,6 +89,19 @@ NativeVariable NativeVariable::of_symbol(ir::SymbolId symbol) {
   return out;
 }
 
+std::vector<ir::Variable> NativeVariable::uses() const {
+  ir::Variable one;
+  one.bank = bank_;
+  one.number = number_;
+  if (bank_ != ir::Bank::named) return {one};
+  std::vector<ir::Variable> out;
+  for (const ir::SymbolId symbol : symbols_) {
+    one.symbol = symbol;
+    out.push_back(one);
+  }
+  return out;
+}
+
 bool NativeVariable::is(const ir::Program& program, ir::VariableId variable) const {
   const ir::Variable& v = program.at(variable);
   if (v.bank != bank_) return false;

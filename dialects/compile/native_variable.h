@@ -24,6 +24,9 @@ class NativeVariable {
   [[nodiscard]] std::uint32_t number() const { return number_; }
   [[nodiscard]] const std::vector<ir::SymbolId>& symbols() const { return symbols_; }
 
+  // As uses of it are written.
+  [[nodiscard]] std::vector<ir::Variable> uses() const;
+
   struct Setting {
     std::uint32_t statement = 0;
     ir::ExpressionId value = ir::ExpressionId::none;  // none: set otherwise, by a loop or through a reference

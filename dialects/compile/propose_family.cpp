@@ -75,7 +75,10 @@ class Proposer {
         note(one.line, fmt::format("{} is not proposed: {}", one.name, target.why));
         continue;
       }
-      parameters += parameter(program, one, *target.constant, quantities.of(one.variable), units);
+      const Taken taken{.quantity = quantities.of(one.variable),
+                        .uses = quantities.uses_of(target.variables, target.scope)};
+      if (!target.warning.empty()) note(one.line, fmt::format("{} may lose its value: {}", one.name, target.warning));
+      parameters += parameter(program, one, *target.constant, taken, units);
       ++out_.parameters;
     }
     out_.text = head(program) + parameters + fmt::format("\nnative {}\n", dialect_.name);
@@ -85,6 +88,12 @@ class Proposer {
   }
 
  private:
+  // What takes a number.
+  struct Taken {
+    std::optional<VariableQuantity> quantity;
+    std::vector<WordUse> uses;
+  };
+
   void note(std::uint32_t line, std::string text) { out_.notes.push_back({.line = line, .text = std::move(text)}); }
 
   [[nodiscard]] std::string head(const ir::Program& program) const {
@@ -128,11 +137,10 @@ class Proposer {
   }
 
   std::string parameter(const ir::Program& program, const HeaderConstant& one, const NativeConstant& constant,
-                        std::optional<VariableQuantity> quantity, const NativeUnits& units) {
+                        const Taken& taken, const NativeUnits& units) {
     const std::string_view comment = comment_at(program, constant.span.begin);
-    const KindRow& row = kind_of(one, constant, quantity, units);
-    std::string_view unit = row.unit;
-    if (units.inches(constant.statement, row.dimension != family::kLength).value_or(false)) unit = row.inch_unit;
+    const auto [row, inches] = kind_of(one, constant, taken, units);
+    const std::string_view unit = inches ? row.inch_unit : row.unit;
     const auto [low, high] = range_around(constant.value, row);
     std::string out =
         fmt::format("param {} {} {}{}{} in {}..{}", name_of(one, comment), row.kind, in_family(constant.value),
@@ -148,18 +156,20 @@ class Proposer {
   }
 
   // A plain number where the uses do not show it, where its unit is not known, and where the value is no such one.
-  const KindRow& kind_of(const HeaderConstant& one, const NativeConstant& constant,
-                         std::optional<VariableQuantity> quantity, const NativeUnits& units) {
+  std::pair<const KindRow&, bool> kind_of(const HeaderConstant& one, const NativeConstant& constant, const Taken& taken,
+                                          const NativeUnits& units) {
+    std::optional<VariableQuantity> quantity = taken.quantity;
     if (constant.takes_integer) quantity = VariableQuantity{family::kRatio, true};
-    if (!quantity) return kPlain;
+    if (!quantity) return {kPlain, false};
     const auto row = std::ranges::find_if(kKinds, [&](const KindRow& kind) {
       return kind.dimension == quantity->dimension && kind.is_count == quantity->is_count;
     });
-    if (row == std::end(kKinds) || (row->is_count && std::trunc(constant.value) != constant.value)) return kPlain;
-    const NativeUnit unit = units.of(row->dimension, nullptr, constant.statement);
-    if (unit.factor) return *row;
+    if (row == std::end(kKinds) || (row->is_count && std::trunc(constant.value) != constant.value))
+      return {kPlain, false};
+    const NativeUnit unit = units.of(row->dimension, nullptr, constant.statement, taken.uses);
+    if (unit.factor) return {*row, *unit.factor != 1.0};
     note(one.line, fmt::format("{} is proposed as a plain number: {}", one.name, unit.why));
-    return kPlain;
+    return {kPlain, false};
   }
 
   [[nodiscard]] static std::pair<double, double> range_around(double value, const KindRow& row) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "dialects/compile/native_variable.h"
 #include "dialects/facts/calls.h"
@@ -84,6 +85,12 @@ std::optional<VariableQuantity> VariableQuantities::of(ir::SymbolId symbol) cons
 }
 
 void VariableQuantities::note(const Key& key, VariableQuantity quantity) {
+  if (using_ != nullptr) {
+    std::vector<WordUse>& uses = uses_[key];
+    if (std::ranges::find(uses, *using_) == uses.end()) uses.push_back(*using_);
+    if (!using_->mode_known) return;
+  }
+  if (passing_to_ != nullptr) passed_on_[key].insert(*passing_to_);
   const auto [known, is_new] = known_.try_emplace(key, Known{quantity});
   if (is_new) {
     changed_ = true;
@@ -91,6 +98,26 @@ void VariableQuantities::note(const Key& key, VariableQuantity quantity) {
     known->second.is_contradicted = true;
     changed_ = true;
   }
+}
+
+std::vector<WordUse> VariableQuantities::uses_of(const std::vector<ir::Variable>& variables,
+                                                 const std::vector<bool>& scope) const {
+  std::vector<Key> keys;
+  const auto add = [&keys](const Key& key) {
+    if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
+  };
+  for (const ir::Variable& one : variables)
+    if (const std::optional<Key> key = key_of(one)) add(*key);
+  std::vector<WordUse> out;
+  for (std::size_t done = 0; done < keys.size(); ++done) {
+    const Key key = keys[done];
+    if (const auto uses = uses_.find(key); uses != uses_.end())
+      std::ranges::copy_if(uses->second, std::back_inserter(out),
+                           [&](const WordUse& one) { return scope[one.statement]; });
+    if (const auto to = passed_on_.find(key); to != passed_on_.end()) std::ranges::for_each(to->second, add);
+  }
+  std::ranges::sort(out, {}, &WordUse::statement);
+  return out;
 }
 
 // --- words
@@ -103,7 +130,7 @@ void VariableQuantities::block(std::uint32_t statement) {
     const bool radius = one.address == Address::arc_radius ||
                         (one.address == Address::r && control_.semantics.arc_radius_is_r && is_arc(program_, block));
     if (radius)
-      take(one.value, kLength);
+      use({.statement = statement, .dimension = family::kLength}, one.value);
     else
       word(one, statement);
   }
@@ -112,7 +139,8 @@ void VariableQuantities::block(std::uint32_t statement) {
 void VariableQuantities::word(const ir::Word& word, std::uint32_t statement) {
   const Address a = word.address;
   const char letter = a <= Address::z ? static_cast<char>('A' + static_cast<int>(a)) : '\0';
-  if (ir::is_linear_axis(a) || (a >= Address::i && a <= Address::k)) return take(word.value, kLength);
+  if (ir::is_linear_axis(a) || (a >= Address::i && a <= Address::k))
+    return use({.statement = statement, .dimension = family::kLength}, word.value);
   if (ir::is_rotary_axis(a) && control_.axes.contains(letter)) return take(word.value, kAngle);
   if (a == Address::t || a == Address::d || a == Address::h) return take(word.value, kCount);
   if (a != Address::f && a != Address::s) return;
@@ -121,12 +149,23 @@ void VariableQuantities::word(const ir::Word& word, std::uint32_t statement) {
   using facts::Mode;
   if (a == Address::f) {
     const facts::Setting* mode = (*facts)[Mode::feed].certain();
-    if (mode == nullptr || mode->function == Function::feed_inverse_time) return;
-    const bool per_rev = mode->function == Function::feed_per_rev;
-    return take(word.value, {per_rev ? family::kFeedPerRev : family::kFeedPerMin});
+    if (mode != nullptr && mode->function == Function::feed_inverse_time) return;
+    const bool per_rev = mode != nullptr && mode->function == Function::feed_per_rev;
+    return use({.statement = statement,
+                .dimension = per_rev ? family::kFeedPerRev : family::kFeedPerMin,
+                .mode_known = mode != nullptr},
+               word.value);
   }
   if (const facts::Setting* mode = (*facts)[Mode::surface_speed].certain())
-    take(word.value, {mode->function == Function::surface_speed_off ? family::kSpeed : family::kSurfaceSpeed});
+    use({.statement = statement,
+         .dimension = mode->function == Function::surface_speed_off ? family::kSpeed : family::kSurfaceSpeed},
+        word.value);
+}
+
+void VariableQuantities::use(const WordUse& use, ir::ExpressionId value) {
+  using_ = &use;
+  take(value, {use.dimension});
+  using_ = nullptr;
 }
 
 // --- expressions
@@ -153,8 +192,8 @@ void VariableQuantities::node(ir::ExpressionId id) {
 }
 
 void VariableQuantities::assignment(const ir::Assign& assign) {
-  if (const auto known = of(program_.at(assign.target))) take(assign.value, *known);
   const std::optional<Key> key = key_of(program_.at(assign.target));
+  if (const auto known = of(program_.at(assign.target)); known && key) pass_on(assign.value, *known, *key);
   if (const auto known = quantity_of(assign.value); known && key) note(*key, *known);
 }
 
@@ -163,10 +202,16 @@ void VariableQuantities::call(const ir::Call& call) {
   const ir::Structure* head = procedure_named(program_, call.name);
   for (std::uint32_t i = 0; head != nullptr && i < std::min(call.argument_count, head->symbol_count); ++i) {
     const ir::ExpressionId value = program_.arguments[call.first_argument + i].value;
-    if (const auto known = of(static_cast<ir::SymbolId>(head->first_symbol + i));
-        known && value != ir::ExpressionId::none)
-      take(value, *known);
+    const std::uint32_t parameter = head->first_symbol + i;
+    if (const auto known = of(static_cast<ir::SymbolId>(parameter)); known && value != ir::ExpressionId::none)
+      pass_on(value, *known, Key(ir::Bank::named, parameter));
   }
+}
+
+void VariableQuantities::pass_on(ir::ExpressionId id, VariableQuantity quantity, const Key& to) {
+  passing_to_ = &to;
+  take(id, quantity);
+  passing_to_ = nullptr;
 }
 
 // What the expression measures goes to the variables in it that measure the same.

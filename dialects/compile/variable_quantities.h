@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "dialects/facts/resolved.h"
 #include "dialects/family/unit.h"
@@ -20,6 +22,14 @@ struct VariableQuantity {
   friend bool operator==(const VariableQuantity&, const VariableQuantity&) = default;
 };
 
+// A word that takes a variable, or what is computed from it without a change of its unit.
+struct WordUse {
+  std::uint32_t statement = 0;
+  family::Dimension dimension = {};
+  bool mode_known = true;  // of F: feed per minute or per revolution
+  friend bool operator==(const WordUse&, const WordUse&) = default;
+};
+
 class VariableQuantities {
  public:
   // All three must outlive it.
@@ -28,6 +38,9 @@ class VariableQuantities {
   // Nothing where no use shows it, or two uses disagree.
   [[nodiscard]] std::optional<VariableQuantity> of(const ir::Variable& variable) const;
   [[nodiscard]] std::optional<VariableQuantity> of(ir::SymbolId symbol) const;
+  // In the order of the text; of statements in `scope` alone, which has one bit a statement.
+  [[nodiscard]] std::vector<WordUse> uses_of(const std::vector<ir::Variable>& variables,
+                                             const std::vector<bool>& scope) const;
 
  private:
   using Key = std::pair<ir::Bank, std::uint32_t>;
@@ -40,6 +53,7 @@ class VariableQuantities {
   void learn();
   void block(std::uint32_t statement);
   void word(const ir::Word& word, std::uint32_t statement);
+  void use(const WordUse& use, ir::ExpressionId value);
   void expressions(const ir::Statement& statement);
   void node(ir::ExpressionId id);
   void assignment(const ir::Assign& assign);
@@ -47,6 +61,7 @@ class VariableQuantities {
   void counters();
   void counted_by(ir::ExpressionId one, ir::ExpressionId other);
   void take(ir::ExpressionId id, VariableQuantity quantity);
+  void pass_on(ir::ExpressionId id, VariableQuantity quantity, const Key& to);
   void note(const Key& key, VariableQuantity quantity);
   [[nodiscard]] std::optional<VariableQuantity> quantity_of(ir::ExpressionId id) const;
   [[nodiscard]] bool is_ratio(ir::ExpressionId id) const;
@@ -56,6 +71,10 @@ class VariableQuantities {
   const ir::Control& control_;
   const facts::Resolved& resolved_;
   std::map<Key, Known> known_;
+  std::map<Key, std::vector<WordUse>> uses_;
+  std::map<Key, std::set<Key>> passed_on_;  // to those that are computed from it
+  const WordUse* using_ = nullptr;          // by whom take() was called
+  const Key* passing_to_ = nullptr;
   bool changed_ = false;
 };
 

@@ -17,6 +17,7 @@
 #include "dialects/compile/native_targets.h"
 #include "dialects/compile/native_unit.h"
 #include "dialects/compile/printed_lines.h"
+#include "dialects/compile/variable_quantities.h"
 #include "dialects/compile/wrap.h"
 #include "dialects/passes/walk.h"
 
@@ -57,8 +58,8 @@ class TargetFinder {
       : family_(family), program_(program), control_(control) {}
 
   // One a binding, in their order; where one has no constant there is an error.
-  std::vector<NativeConstant> constants() {
-    std::vector<NativeConstant> out;
+  std::vector<NativeTarget> targets() {
+    std::vector<NativeTarget> out;
     std::map<std::uint32_t, std::string_view> taken;  // by where the constant begins
     for (const family::Binding& binding : family_.bindings) {
       NativeTarget found = find_target(program_, control_, binding.target);
@@ -70,7 +71,7 @@ class TargetFinder {
       const auto [earlier, is_new] = taken.try_emplace(found.constant->span.begin, binding.target);
       if (!is_new)
         diagnostics.push_back(fault_at(binding, fmt::format("it is the number that {} names", earlier->second)));
-      out.push_back(*found.constant);
+      out.push_back(std::move(found));
     }
     return out;
   }
@@ -108,9 +109,9 @@ class WrappedRenderer {
     }
     const NativeProgram native = read_native(family_, dialect_, request_.target);
     TargetFinder finder(family_, native.read.program, request_.target);
-    const std::vector<NativeConstant> constants = finder.constants();
+    const std::vector<NativeTarget> targets = finder.targets();
     for (text::Diagnostic& one : finder.diagnostics) report(std::move(one));
-    if (!failed()) put_values(native, constants);
+    if (!failed()) put_values(native, targets);
     if (!failed()) choose();
     return std::move(result_);
   }
@@ -121,21 +122,24 @@ class WrappedRenderer {
 
   // --- the program with its values
 
-  void put_values(const NativeProgram& native, const std::vector<NativeConstant>& constants) {
+  void put_values(const NativeProgram& native, const std::vector<NativeTarget>& targets) {
     const facts::Resolved resolved(native.read.program, request_.target);
     const NativeUnits units(native.read.program, request_.target, resolved);
-    for (std::size_t i = 0; i < constants.size(); ++i) {
+    const VariableQuantities quantities(native.read.program, request_.target, resolved);
+    for (std::size_t i = 0; i < targets.size(); ++i) {
       const family::Binding& binding = family_.bindings[i];
-      const NativeUnit unit = units.of(binding.dimension, binding.unit, constants[i].statement);
+      const NativeConstant& constant = *targets[i].constant;
+      const NativeUnit unit = units.of(binding.dimension, binding.unit, constant.statement,
+                                       quantities.uses_of(targets[i].variables, targets[i].scope));
       if (!unit.factor) {
-        report(fault_at(binding, unit.why));
+        report_unit(native.read.program, binding, unit);
         continue;
       }
       const double value = bound_.values[static_cast<std::size_t>(binding.symbol)] / *unit.factor;
-      NativeNumber number = number_in_place(constants[i], constants[i].span.in(native.source.text()), value,
-                                            request_.target.limits.digits);
+      NativeNumber number =
+          number_in_place(constant, constant.span.in(native.source.text()), value, request_.target.limits.digits);
       if (number.text)
-        edits_.push_back({.replaced = constants[i].span, .text = std::move(*number.text)});
+        edits_.push_back({.replaced = constant.span, .text = std::move(*number.text)});
       else
         report(fault_at(binding, number.why));
     }
@@ -145,6 +149,16 @@ class WrappedRenderer {
     for (auto edit = edits_.rbegin(); edit != edits_.rend(); ++edit)
       out.replace(edit->replaced.begin, edit->replaced.size(), edit->text);
     written_ = text::Source(family_.source.name(), std::move(out));
+  }
+
+  void report_unit(const ir::Program& program, const family::Binding& binding, const NativeUnit& unit) {
+    text::Diagnostic fault = fault_at(binding, unit.why);
+    const std::uint32_t begin = family_.native->text.begin;
+    for (const std::uint32_t one : unit.statements) {
+      const text::Span span = program.statements[one].span;
+      fault.notes.push_back({.span = {begin + span.begin, begin + span.end}, .text = "here"});
+    }
+    report(std::move(fault));
   }
 
   // The place in the family of a place in the program with its values.
@@ -265,7 +279,7 @@ std::vector<text::Diagnostic> target_faults(const family::Family& family) {
   const ir::Control control = dialect->control(family.machine, ir::GSystem::a);
   const NativeProgram native = read_native(family, *dialect, control);
   TargetFinder finder(family, native.read.program, control);
-  (void)finder.constants();
+  (void)finder.targets();
   return std::move(finder.diagnostics);
 }
 

@@ -136,7 +136,7 @@ TEST(WrappedFamily, UnknownUnitsAreRefused) {
   EXPECT_EQ(text_of(head + "G20\nX#100\nM30\n", "fanuc", {{"size", "25.4 mm"}}), "#100=1.\nG20\nX#100\nM30\n");
   EXPECT_NE(faults_of(head + "X#100\nM30\n", "fanuc").find("whether lengths of its line 1 are in inches"),
             std::string::npos);
-  EXPECT_NE(faults_of(head + "G20\nX#100\nG21\nM30\n", "fanuc"), "");
+  EXPECT_NE(faults_of(head + "G20\nG21\nM30\n", "fanuc"), "");
   // The machine's profile knows.
   RenderRequest request;
   request.family = text::Source("f", head + "X#100\nM30\n");
