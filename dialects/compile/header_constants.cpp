@@ -2,6 +2,7 @@
 #include "dialects/compile/header_constants.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include <fmt/format.h>
@@ -45,11 +46,18 @@ class HeaderReader {
   }
 
   void add(HeaderConstant one, std::uint32_t statement, ir::ExpressionId value) {
-    if (value == ir::ExpressionId::none || !plain_constant(program_, value)) return;
+    if (value == ir::ExpressionId::none || !is_number(value)) return;
     if (!seen_.insert(one.target).second) return;
     one.statement = statement;
     one.line = program_.statements[statement].line;
     out_.push_back(std::move(one));
+  }
+
+  // Also one that find_target() refuses, 1EX2: whoever looks for it gets the reason.
+  [[nodiscard]] bool is_number(ir::ExpressionId value) const {
+    const ir::Expression& e = program_.at(value);
+    return e.op == ir::Operator::constant ||
+           (e.op == ir::Operator::negate && program_.at(e.a).op == ir::Operator::constant);
   }
 
   void assignment(std::uint32_t i) {
@@ -108,19 +116,55 @@ class HeaderReader {
   std::vector<HeaderConstant> out_;
 };
 
+// Numbers that the statement sets or passes on.
+std::uint32_t numbers_of(const ir::Program& program, const ir::Statement& s) {
+  if (s.kind == StatementKind::assign) return 1;
+  if (s.payload == ir::kNoIndex) return 0;
+  if (s.kind == StatementKind::define) return program.structures[s.payload].symbol_count;
+  return facts::is_call(s.kind) ? program.calls[s.payload].argument_count : 0;
+}
+
+using Tokens = std::vector<ir::Token>::const_iterator;
+
+// Of the first token at or behind the offset.
+Tokens token_at(const ir::Program& program, std::uint32_t offset) {
+  return std::ranges::lower_bound(program.tokens, offset, {}, [](const ir::Token& one) { return one.span.begin; });
+}
+
+// The token of the comment behind the offset, in its line; the end of all without one.
+Tokens comment_behind(const ir::Program& program, std::uint32_t offset) {
+  for (Tokens token = token_at(program, offset); token != program.tokens.end(); ++token) {
+    if (token->kind == ir::TokenKind::eob) break;
+    if (token->kind == ir::TokenKind::comment) return token;
+  }
+  return program.tokens.end();
+}
+
 }  // namespace
 
 std::vector<HeaderConstant> header_constants(const ir::Program& program, const ir::Control& control) {
   return HeaderReader(program, control).read();
 }
 
-std::string_view comment_at(const ir::Program& program, std::uint32_t offset) {
-  auto token =
-      std::ranges::lower_bound(program.tokens, offset, {}, [](const ir::Token& one) { return one.span.begin; });
-  for (; token != program.tokens.end() && token->kind != ir::TokenKind::eob; ++token) {
-    if (token->kind == ir::TokenKind::comment) return text_of_comment(token->span.in(program.source.text()));
+std::string_view comment_beside(const ir::Program& program, std::uint32_t offset) {
+  const Tokens comment = comment_behind(program, offset);
+  if (comment == program.tokens.end()) return {};
+  Tokens first = comment;
+  while (first != program.tokens.begin()) {
+    const ir::TokenKind before = std::prev(first)->kind;
+    if (before == ir::TokenKind::eob || before == ir::TokenKind::comment) break;
+    --first;
   }
-  return {};
+  std::uint32_t numbers = 0;
+  for (const ir::Statement& s : program.statements)
+    if (s.span.begin >= first->span.begin && s.span.begin < comment->span.begin) numbers += numbers_of(program, s);
+  return numbers > 1 ? std::string_view{} : comment_at(program, offset);
+}
+
+std::string_view comment_at(const ir::Program& program, std::uint32_t offset) {
+  const Tokens comment = comment_behind(program, offset);
+  return comment == program.tokens.end() ? std::string_view{}
+                                         : text_of_comment(comment->span.in(program.source.text()));
 }
 
 }  // namespace dripfeed::compile

@@ -30,6 +30,7 @@ struct KindRow {
   std::string_view unit;
   std::string_view inch_unit;
   double around_zero;
+  bool is_ms = false;
 };
 constexpr KindRow kKinds[] = {
     {family::kLength, false, "length", "mm", "in", 10.0},
@@ -40,6 +41,8 @@ constexpr KindRow kKinds[] = {
     {family::kSurfaceSpeed, false, "speed", "m/min", "ft/min", 100.0},
     {family::kRatio, true, "count", "", "", 10.0},
     {family::kRatio, false, "ratio", "", "", 1.0},
+    {family::kTime, false, "time", "s", "s", 1.0},
+    {family::kTime, false, "time", "ms", "ms", 1000.0, true},
 };
 constexpr const KindRow& kPlain = kKinds[7];
 
@@ -138,7 +141,7 @@ class Proposer {
 
   std::string parameter(const ir::Program& program, const HeaderConstant& one, const NativeConstant& constant,
                         const Taken& taken, const NativeUnits& units) {
-    const std::string_view comment = comment_at(program, constant.span.begin);
+    const std::string_view comment = comment_beside(program, constant.span.begin);
     const auto [row, inches] = kind_of(one, constant, taken, units);
     const std::string_view unit = inches ? row.inch_unit : row.unit;
     const auto [low, high] = range_around(constant.value, row);
@@ -162,7 +165,8 @@ class Proposer {
     if (constant.takes_integer) quantity = VariableQuantity{family::kRatio, true};
     if (!quantity) return {kPlain, false};
     const auto row = std::ranges::find_if(kKinds, [&](const KindRow& kind) {
-      return kind.dimension == quantity->dimension && kind.is_count == quantity->is_count;
+      return kind.dimension == quantity->dimension && kind.is_count == quantity->is_count &&
+             kind.is_ms == quantity->is_ms;
     });
     if (row == std::end(kKinds) || (row->is_count && std::trunc(constant.value) != constant.value))
       return {kPlain, false};

@@ -22,13 +22,18 @@ constexpr VariableQuantity kLength{family::kLength};
 constexpr VariableQuantity kAngle{family::kAngle};
 constexpr VariableQuantity kCount{family::kRatio, true};
 
-// Words of these mean something else: times, offsets that are written into the control, angles, other programs' data.
+// Words of these mean something else: offsets that are written into the control, angles, other programs' data.
 bool has_words_of_its_own(const ir::Program& program, const ir::Block& block) {
-  constexpr Function kOwn[] = {Function::dwell,  Function::data_input,       Function::rotate,      Function::scale,
-                               Function::mirror, Function::machine_function, Function::not_modelled};
+  constexpr Function kOwn[] = {Function::data_input, Function::rotate,           Function::scale,
+                               Function::mirror,     Function::machine_function, Function::not_modelled};
   return std::ranges::any_of(program.codes_of(block), [&](const ir::Code& code) {
     return std::ranges::find(kOwn, code.function) != std::end(kOwn) && code.letter == 'G';
   });
+}
+
+bool has_dwell(const ir::Program& program, const ir::Block& block) {
+  const auto codes = program.codes_of(block);
+  return std::ranges::find(codes, Function::dwell, &ir::Code::function) != codes.end();
 }
 
 bool is_arc(const ir::Program& program, const ir::Block& block) {
@@ -124,6 +129,7 @@ std::vector<WordUse> VariableQuantities::uses_of(const std::vector<ir::Variable>
 
 void VariableQuantities::block(std::uint32_t statement) {
   const ir::Block& block = program_.blocks[program_.statements[statement].payload];
+  if (has_dwell(program_, block)) return dwell(block);
   if (has_words_of_its_own(program_, block)) return;
   for (const ir::Word& one : program_.words_of(block)) {
     if (one.value == ir::ExpressionId::none || program_.at(one.value).op == Operator::constant) continue;
@@ -133,6 +139,17 @@ void VariableQuantities::block(std::uint32_t statement) {
       use({.statement = statement, .dimension = family::kLength}, one.value);
     else
       word(one, statement);
+  }
+}
+
+// P in milliseconds, X and U in seconds; or F in seconds, and S counts turns of the spindle.
+void VariableQuantities::dwell(const ir::Block& block) {
+  const bool p_is_ms = control_.semantics.dwell_p_is_ms;
+  for (const ir::Word& one : program_.words_of(block)) {
+    if (one.value == ir::ExpressionId::none) continue;
+    const Address a = one.address;
+    if (p_is_ms && a == Address::p) take(one.value, {.dimension = family::kTime, .is_ms = true});
+    if (p_is_ms ? a == Address::x || a == Address::u : a == Address::f) take(one.value, {family::kTime});
   }
 }
 
@@ -231,8 +248,9 @@ void VariableQuantities::take(ir::ExpressionId id, VariableQuantity quantity) {
     case Operator::minimum:
     case Operator::maximum: take(e.a, quantity); return take(e.b, quantity);
     case Operator::multiply:
-      if (is_ratio(e.a)) return take(e.b, {quantity.dimension});
-      if (is_ratio(e.b)) return take(e.a, {quantity.dimension});
+      quantity.is_count = false;
+      if (is_ratio(e.a)) return take(e.b, quantity);
+      if (is_ratio(e.b)) return take(e.a, quantity);
       return;
     case Operator::divide:
       if (is_ratio(e.b)) take(e.a, {quantity.dimension});

@@ -19,6 +19,7 @@ namespace dripfeed::compile {
 struct VariableQuantity {
   family::Dimension dimension = {};
   bool is_count = false;  // whole numbers
+  bool is_ms = false;     // a time in milliseconds, not in seconds
   friend bool operator==(const VariableQuantity&, const VariableQuantity&) = default;
 };
 
@@ -52,6 +53,7 @@ class VariableQuantities {
 
   void learn();
   void block(std::uint32_t statement);
+  void dwell(const ir::Block& block);
   void word(const ir::Word& word, std::uint32_t statement);
   void use(const WordUse& use, ir::ExpressionId value);
   void expressions(const ir::Statement& statement);

@@ -89,6 +89,44 @@ TEST(ProposeFamily, DefinitionsAndCallsAreFound) {
   EXPECT_EQ(line_for(out, "TURN.F_ROUGH"), "param f_rough ratio 0.25 in 0.125..0.5 is TURN.F_ROUGH  # proposed range");
 }
 
+TEST(ProposeFamily, DwellsTakeTimes) {
+  const FamilyProposal out = proposed("G21\n#109=1.5\n#110=500\n#111=2.\nG4X#109\nG4P#110\nG4X[#111*2]\nM30\n", "fanuc",
+                                      ir::MachineKind::mill);
+  EXPECT_EQ(line_for(out, "#109"), "param v109 time 1.5 s in 0.75..3 is #109  # proposed range");
+  EXPECT_EQ(line_for(out, "#110"), "param v110 time 500 ms in 250..1000 is #110  # proposed range");
+  EXPECT_EQ(line_for(out, "#111"), "param v111 time 2 s in 1..4 is #111  # proposed range");
+  const FamilyProposal siemens =
+      proposed("G71\nR1=1.5\nR2=3\nG4 F=R1\nG4 S=R2\nM30\n", "sinumerik-840d", ir::MachineKind::lathe);
+  EXPECT_EQ(line_for(siemens, "R1"), "param r1 time 1.5 s in 0.75..3 is R1  # proposed range");
+  EXPECT_EQ(line_for(siemens, "R2"), "param r2 ratio 3 in 1.5..6 is R2  # proposed range");
+}
+
+TEST(ProposeFamily, NumbersOfOtherFormsAreNamed) {
+  const FamilyProposal out =
+      proposed("G71\nR5=1EX2\nR6=-1EX2\nR7=3\nG0 X=R5 Z=R6+R7\nM30\n", "sinumerik-840d", ir::MachineKind::lathe);
+  EXPECT_EQ(out.parameters, 1U);
+  EXPECT_EQ(notes_of(out),
+            "2: R5 is not proposed: line 2 of the native program does not set it to a plain decimal number\n"
+            "3: R6 is not proposed: line 3 of the native program does not set it to a plain decimal number\n");
+}
+
+// A comment that stands behind two numbers names neither.
+TEST(ProposeFamily, ACommentNamesOneNumber) {
+  const FamilyProposal out = proposed("G71\nR1=5 R2=7 ;feed\nR3=9 ;depth\nG0 X=R1 Z=R2\nG0 X=R3\nM30\n",
+                                      "sinumerik-840d", ir::MachineKind::lathe);
+  EXPECT_EQ(line_for(out, "R1"), "param r1 length 5 mm in 2.5..10 is R1  # proposed range");
+  EXPECT_EQ(line_for(out, "R2"), "param r2 length 7 mm in 3.5..14 is R2  # proposed range");
+  EXPECT_EQ(line_for(out, "R3"), "param depth length 9 mm in 4.5..18 \"depth\" is R3  # proposed range");
+}
+
+TEST(ProposeFamily, WhatOthersMaySetIsNamed) {
+  const FamilyProposal out = proposed("G21\n#100=5.\nM98P7\nG0X#100\nM30\n", "fanuc", ir::MachineKind::mill);
+  EXPECT_EQ(out.parameters, 1U);
+  EXPECT_NE(notes_of(out).find("2: #100 may lose its value: programs that the native text does not hold"),
+            std::string::npos)
+      << notes_of(out);
+}
+
 TEST(ProposeFamily, UsesThatDisagreeSayNothing) {
   const FamilyProposal out = proposed("G21\n#1=2.\n#2=SIN[#1]\nG0X#1\nM30\n", "fanuc", ir::MachineKind::mill);
   EXPECT_EQ(line_for(out, "#1"), "param v1 ratio 2 in 1..4 is #1  # proposed range");
