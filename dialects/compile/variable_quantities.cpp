@@ -18,7 +18,6 @@ using ir::Function;
 using ir::Operator;
 using ir::StatementKind;
 
-constexpr VariableQuantity kLength{family::kLength};
 constexpr VariableQuantity kAngle{family::kAngle};
 constexpr VariableQuantity kCount{family::kRatio, true};
 

@@ -164,8 +164,8 @@ class FamilyReader {
       out.elements.push_back(expressions_.value_of(out.dimension).id);
     if (out.elements.size() > kMostNumbers)
       cursor_.syntax(name->span, fmt::format("a list has at most {} numbers", kMostNumbers));
-    if (!cursor_.line_failed())
-      add_list(family_, scope_, *name, std::move(out), static_cast<std::uint16_t>(out.elements.size()));
+    const auto most = static_cast<std::int32_t>(out.elements.size());
+    if (!cursor_.line_failed()) add_list(family_, scope_, *name, std::move(out), most);
   }
 
   void work_list(const NewName& name, List out) {
