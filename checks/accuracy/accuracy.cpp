@@ -56,7 +56,6 @@ void Accuracy::consume(std::span<const ir::Motion> motions) {
     if (settings_.nominal.empty() || !is_profile(motion, settings_.lines)) continue;
     if (const std::string why = why_unmeasured(motion); !why.empty()) {
       report_.not_checked.add(why, motion.place.line);
-      is_whole_ = false;
       report_.has_unmeasured_cuts = true;
     } else {
       add_move(motion);
@@ -190,7 +189,7 @@ void Accuracy::find_gaps() {
   }
   gap_to(whole.high);
   report_.covered = report_.gaps.empty();
-  if (!is_whole_ && !report_.covered) return report_.not_checked.add(kCoverageNotChecked);
+  if (report_.has_unmeasured_cuts && !report_.covered) return report_.not_checked.add(kCoverageNotChecked);
   for (const Gap& gap : report_.gaps) {
     report_.findings.add(text::DiagnosticId::nominal_not_covered, last_place_, gap.high_mm - gap.low_mm, 0.0, [&] {
       return std::vector<std::string>{"z " + text::format_fixed(gap.low_mm, 3), text::format_fixed(gap.high_mm, 3)};

@@ -65,7 +65,6 @@ class Accuracy final : public ir::MotionSink {
   curves::Nose nose_;
   bool nose_known_ = false;
   bool surface_known_ = true;
-  bool is_whole_ = true;  // every cutting move was measured
   std::optional<Pending> pending_;
   ir::Place last_place_;
 };

@@ -87,7 +87,6 @@ void PlaneAccuracy::consume(std::span<const ir::Motion> motions) {
     if (settings_.nominal.empty() || !is_profile(motion, settings_.lines)) continue;
     if (const std::string_view why = why_unmeasured(motion); !why.empty()) {
       report_.not_checked.add(why, motion.place.line);
-      is_whole_ = false;
       report_.has_unmeasured_cuts = true;
     } else {
       add_move(motion);
@@ -295,7 +294,7 @@ void PlaneAccuracy::find_gaps() {
       const double width = curves::distance(from, middle) + curves::distance(middle, to);
       if (width <= settings_.coverage_mm) return;
       report_.gaps.push_back({0.0, width});
-      if (!is_whole_) return;
+      if (report_.has_unmeasured_cuts) return;
       report_.findings.add(text::DiagnosticId::nominal_not_covered, last_place_, width, 0.0, [&] {
         const auto said = [](curves::Point at) {
           return fmt::format("x {} y {}", text::format_fixed(at.z, 3), text::format_fixed(at.x, 3));
@@ -310,7 +309,7 @@ void PlaneAccuracy::find_gaps() {
     gap_to(curve.t.high);
   }
   report_.covered = report_.gaps.empty();
-  if (!is_whole_ && !report_.covered) report_.not_checked.add(kCoverageNotChecked);
+  if (report_.has_unmeasured_cuts && !report_.covered) report_.not_checked.add(kCoverageNotChecked);
 }
 
 Report PlaneAccuracy::finish() {

@@ -74,7 +74,6 @@ class PlaneAccuracy final : public ir::MotionSink {
   double radius_ = 0.0;
   bool radius_known_ = false;
   bool surface_known_ = true;
-  bool is_whole_ = true;  // every cutting move was measured
   bool proved_ = true;
   double bound_ = 0.0;
   double along_ = 0.0;

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/compile/printed_lines.h"
 #include "dialects/family/evaluate.h"
 
 namespace dripfeed::compile {
@@ -42,17 +43,15 @@ class Annotator {
   void put_into(ir::PrintResult& printed) {
     std::map<std::uint32_t, std::string> left = annotation_.meaning;
     bool has_heading = false;
-    std::size_t number = 0;
-    for (std::size_t begin = 0; begin < printed.text.size(); ++number) {
-      const std::size_t end = std::min(printed.text.find('\n', begin), printed.text.size());
-      const std::string_view line = std::string_view(printed.text).substr(begin, end - begin);
-      const std::uint32_t origin = number < printed.origin_lines.size() ? printed.origin_lines[number] : 0;
+    for_each_line(printed.text, [&](const PrintedLine& line) {
+      const std::uint32_t origin =
+          line.number <= printed.origin_lines.size() ? printed.origin_lines[line.number - 1] : 0;
       if (origin != 0 && !std::exchange(has_heading, true)) heading();
       const auto meaning = left.find(origin);
-      add(meaning == left.end() ? std::string(line) : with(line, meaning->second), origin);
-      if (meaning != left.end()) left.erase(meaning);
-      begin = end + 1;
-    }
+      if (meaning == left.end()) return add(line.text, origin);
+      add(with(line.text, meaning->second), origin);
+      left.erase(meaning);
+    });
     printed.text = std::move(text_);
     printed.origin_lines = std::move(origins_);
   }

@@ -19,8 +19,8 @@ struct Annotation {
   std::map<std::uint32_t, std::string> meaning;  // by line of the family: beside the first line that is printed of it
 };
 
-// `heading` goes on to what the caller says of revision and part. `computed`: the control computes, and assignments
-// show the values of parameters; otherwise the heading does.
+// `more`: lines for the heading, such as revision and part. `computed`: the control computes, and assignments show the
+// values of parameters; otherwise the heading does.
 Annotation annotation_of(const family::BoundFamily& bound, const std::vector<std::string>& more, bool computed);
 
 // A text in letters that the control shows, 60 at most.

@@ -22,7 +22,8 @@ namespace {
 
 using family::Dimension;
 
-// A row a kind: how it is said, its units in millimetres and in inches, and half the range around zero.
+// A row a kind: its word in the family language, its units in millimetres and in inches, and half of a range around
+// zero.
 struct KindRow {
   Dimension dimension;
   bool is_count;

@@ -68,7 +68,6 @@ class Renderer {
     control_ = neutral_control(family_->machine, family_->x_is_diameter);
     if (request_.target.from_profile) refuse_missing_axes();
     show_messages();
-    if (!text::has_error(result_.diagnostics)) check_lists();
     if (!text::has_error(result_.diagnostics)) choose();
     if (!text::has_error(result_.diagnostics)) describe_text();
     return std::move(result_);
@@ -104,9 +103,9 @@ class Renderer {
     }
   }
 
-  // An index that the control computes and that is none of its list's would be another variable there: the program is
-  // run here to see whether there is one.
-  void check_lists() {
+  // An index that the control computes and that is none of its list's would be another variable there: a macro is run
+  // here to see whether there is one.
+  void try_lists() {
     const auto computed = [this](const ir::Variable& v) {
       return v.index != ir::ExpressionId::none && built_.at(v.index).op != ir::Operator::constant;
     };
@@ -114,7 +113,11 @@ class Renderer {
     interpreter::RunOptions options;
     options.limits.blocks = options.limits.loop_passes = kMostTried;
     NoMotions none;
-    const interpreter::RunResult run = execute(built_, control_, nullptr, none, options);
+    report_lists(execute(built_, control_, nullptr, none, options));
+  }
+
+  // At the family's line.
+  void report_lists(const interpreter::RunResult& run) {
     for (const interpreter::RunDiagnostic& one : run.diagnostics) {
       if (one.diagnostic.id != text::DiagnosticId::variable_out_of_range) continue;
       text::Diagnostic found = one.diagnostic;
@@ -138,6 +141,8 @@ class Renderer {
 
   // `only`: there is no other way, faults are errors; otherwise a fault is why it is rendered explicitly.
   void macro(std::string_view because, bool only) {
+    try_lists();
+    if (text::has_error(result_.diagnostics)) return;
     ir::RaiseResult raised = dialect_.raise(built_, control_, request_.target);
     if (request_.delivery == ir::Delivery::drip && jumps(raised.program)) {
       raised.diagnostics.push_back(ir::diagnose(request_.target, text::DiagnosticId::not_in_drip_mode, {}, {"a loop"}));
@@ -162,17 +167,15 @@ class Renderer {
 
   static std::size_t longest_line(std::string_view text) {
     std::size_t longest = 0;
-    for (std::size_t begin = 0; begin < text.size();) {
-      const std::size_t end = std::min(text.find('\n', begin), text.size());
-      longest = std::max(longest, end - begin);
-      begin = end + 1;
-    }
+    for_each_line(text, [&](const PrintedLine& line) { longest = std::max(longest, line.text.size()); });
     return longest;
   }
 
   void explicit_blocks(std::string_view because) {
     ExplicitProgram made =
         explicit_program(built_, control_, interpreter::no_programs(), {.initial_values = {}, .want_changes = true});
+    report_lists(made.run);
+    if (text::has_error(result_.diagnostics)) return;
     report(run_faults(made));
     ir::RaiseResult raised = dialect_.raise(made.program, made.control, request_.target);
     report(raised.diagnostics);

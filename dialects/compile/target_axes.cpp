@@ -12,7 +12,6 @@ namespace {
 
 using ir::Function;
 
-constexpr std::string_view kAxisLetters = "XYZABCUVW";
 constexpr std::string_view kIncrementLetters = "UVWH";  // where increments have letters
 
 // The axis of `control` that the address moves.
@@ -39,7 +38,7 @@ bool takes_letters(const ir::Code& code) {
 
 std::string joint_axes(const ir::Control& to, const ir::Control& from) {
   std::string out;
-  for (const char letter : kAxisLetters) {
+  for (const char letter : ir::kAxisLetters) {
     const bool taken = to.semantics.incremental_letters_uvw && kIncrementLetters.contains(letter);
     if (to.axes.contains(letter) || (from.axes.contains(letter) && !taken)) out.push_back(letter);
   }

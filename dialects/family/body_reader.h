@@ -13,6 +13,7 @@
 
 namespace dripfeed::family {
 
+// The machine's verbs are read in body_reader.cpp, blocks, assignments and calls in flow_reader.cpp.
 class BodyReader {
  public:
   // The steps go to `steps`.

@@ -44,7 +44,9 @@ class Builder {
         family_(*bound.family),
         names_(bound),
         emit_(program_),
-        values_(bound, names_, program_, emit_) {}
+        values_(bound, names_, program_, emit_),
+        has_one_feed_mode_(!sets(StepKind::feed, kFeedPerRev) || !sets(StepKind::feed, kFeedPerMin)),
+        uses_surface_speed_(sets(StepKind::spindle, kSurfaceSpeed)) {}
 
   ir::Program build() {
     program_.name = upper_name(family_);
@@ -78,6 +80,11 @@ class Builder {
     ir::SymbolId index;
     Operator next = Operator::add;  // by one
   };
+
+  [[nodiscard]] bool sets(StepKind kind, Dimension dimension) const {
+    return std::ranges::any_of(family_.steps,
+                               [=](const Step& one) { return one.kind == kind && one.dimension == dimension; });
+  }
 
   // Lets and lists in the order of the text.
   void define() {
@@ -161,30 +168,31 @@ class Builder {
   }
 
   void set(const Step& step) {
-    const ExpressionId index = step.values[1] == ExpressionId::none ? ExpressionId::none : values_.copy(step.values[1]);
-    if (index == ExpressionId::none) return values_.assign(step.target, step.values[0]);
+    if (step.values[1] == ExpressionId::none) return values_.assign(step.target, step.values[0]);
+    const ExpressionId index = values_.copy(step.values[1]);
     emit_.assign(step.target, values_.copy(step.values[0]), index);
   }
 
   // Of a condition that is decided now only one branch is built.
   std::size_t if_begin(std::size_t at) {
-    const Step& step = family_.steps[at];
-    Branch branch{.is_decided = names_.is_decided(step.values[0])};
-    if (!branch.is_decided) emit_.open(StatementKind::if_begin, values_.copy(step.values[0]));
-    branches_.push_back(branch);
-    if (!branch.is_decided || evaluate(family_.arena, step.values[0], bound_.values).value != 0.0) return at;
-    return skip_branch(at);
+    const ExpressionId condition = family_.steps[at].values[0];
+    decided_.push_back(names_.is_decided(condition));
+    if (!decided_.back()) {
+      emit_.open(StatementKind::if_begin, values_.copy(condition));
+      return at;
+    }
+    return evaluate(family_.arena, condition, bound_.values).value != 0.0 ? at : skip_branch(at);
   }
 
   std::size_t if_else(std::size_t at) {
-    if (branches_.back().is_decided) return skip_branch(at);
+    if (decided_.back()) return skip_branch(at);
     emit_.close(StatementKind::else_begin);
     return at;
   }
 
   void if_end() {
-    if (!branches_.back().is_decided) emit_.close(StatementKind::if_end);
-    branches_.pop_back();
+    if (!decided_.back()) emit_.close(StatementKind::if_end);
+    decided_.pop_back();
   }
 
   // From an `if` or `else` whose branch is not taken: to its `else`, or to the step before its `end`.
@@ -297,17 +305,11 @@ class Builder {
     std::vector<EmittedCode> codes;
     if (step.dimension == kSurfaceSpeed) {
       codes.push_back({Function::surface_speed_on});
-    } else if (uses_surface_speed()) {
+    } else if (uses_surface_speed_) {
       codes.push_back({Function::surface_speed_off});
     }
     if (step.direction != Function::none) codes.push_back({step.direction});
     emit_.block(codes, out);
-  }
-
-  // Otherwise what the start of the program says of it holds.
-  [[nodiscard]] bool uses_surface_speed() const {
-    return std::ranges::any_of(
-        family_.steps, [](const Step& one) { return one.kind == StepKind::spindle && one.dimension == kSurfaceSpeed; });
   }
 
   static constexpr Function kCompensation[] = {Function::comp_off, Function::comp_left, Function::comp_right};
@@ -321,7 +323,7 @@ class Builder {
   void feed(const Step& step) {
     write_feed();
     feed_ = &step;
-    if (!has_one_feed_mode()) write_feed();
+    if (!has_one_feed_mode_) write_feed();
   }
 
   // In a block of its own, from where it waits for a move on one path only.
@@ -333,16 +335,8 @@ class Builder {
     if (feed_ == nullptr) return;
     const Step& step = *std::exchange(feed_, nullptr);
     const std::vector<EmittedWord> value = {{ir::Address::f, values_.copy(step.values[0])}};
-    if (has_one_feed_mode()) return emit_.block(std::span<const EmittedCode>(), value);  // stated at the start
+    if (has_one_feed_mode_) return emit_.block(std::span<const EmittedCode>(), value);
     emit_.block({step.dimension == kFeedPerRev ? Function::feed_per_rev : Function::feed_per_min}, value);
-  }
-
-  [[nodiscard]] bool has_one_feed_mode() const {
-    const auto sets = [](Dimension dimension) {
-      return [dimension](const Step& one) { return one.kind == StepKind::feed && one.dimension == dimension; };
-    };
-    return std::ranges::none_of(family_.steps, sets(kFeedPerRev)) ||
-           std::ranges::none_of(family_.steps, sets(kFeedPerMin));
   }
 
   // Seconds, as controls say it that count a dwell in F.
@@ -412,11 +406,10 @@ class Builder {
   ir::Program program_;
   Emitter emit_;
   ValueWriter values_;
+  bool has_one_feed_mode_;   // the start of the program states it for all
+  bool uses_surface_speed_;  // otherwise the start of the program ends it
   std::vector<Loop> loops_;
-  struct Branch {
-    bool is_decided = false;
-  };
-  std::vector<Branch> branches_;
+  std::vector<bool> decided_;               // of open `if`s: only one branch is built
   std::vector<ir::SymbolId> conditions_;    // of open `while`s: go_on, or none
   Function compensation_ = Function::none;  // waits for the next move
   Function motion_ = Function::none;        // in effect, as far as that is known

@@ -91,8 +91,8 @@ class Substitution {
 Typed ExpressionReader::function() {
   const text::Span at = cursor_.peek().span;
   const std::string name(cursor_.word());
-  const auto own = std::ranges::find(family_.functions, name, &UserFunction::name);
-  if (name != kCount && own == family_.functions.end() && find_function(name) == nullptr) {
+  const UserFunction* own = family_.find_function(name);
+  if (name != kCount && own == nullptr && find_function(name) == nullptr) {
     cursor_.report(text::DiagnosticId::family_unknown_name, at, {name});
     return {.span = at};
   }
@@ -100,7 +100,7 @@ Typed ExpressionReader::function() {
   cursor_.advance();
   cursor_.expect_symbol("(");
   if (cursor_.line_failed()) return {.span = at};
-  Typed out = name == kCount ? count() : own != family_.functions.end() ? user_function(*own, at) : built_in(name, at);
+  Typed out = name == kCount ? count() : own != nullptr ? user_function(*own, at) : built_in(name, at);
   out.span = {at.begin, cursor_.last_span().end};
   return out;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -29,6 +30,26 @@ std::string in_unit(const Parameter& parameter, double stored) {
 const Parameter* Family::find_parameter(std::string_view parameter_name) const {
   const auto found = std::ranges::find(parameters, parameter_name, &Parameter::name);
   return found == parameters.end() ? nullptr : &*found;
+}
+
+const UserFunction* Family::find_function(std::string_view routine_name) const {
+  const auto row = function_rows.find(routine_name);
+  return row == function_rows.end() ? nullptr : &functions[row->second];
+}
+
+const Subprogram* Family::find_subprogram(std::string_view routine_name) const {
+  const auto row = subprogram_rows.find(routine_name);
+  return row == subprogram_rows.end() ? nullptr : &subprograms[row->second];
+}
+
+void Family::add(UserFunction function) {
+  function_rows.emplace(function.name, functions.size());
+  functions.push_back(std::move(function));
+}
+
+void Family::add(Subprogram subprogram) {
+  subprogram_rows.emplace(subprogram.name, subprograms.size());
+  subprograms.push_back(std::move(subprogram));
 }
 
 const List* Family::find_list(ir::SymbolId symbol) const {

@@ -3,7 +3,10 @@
 // build.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -221,6 +224,8 @@ struct Family {
   std::vector<Definition> definitions;
   std::vector<List> lists;
   std::vector<UserFunction> functions;
+  std::map<std::string, std::size_t, std::less<>> function_rows;    // by name
+  std::map<std::string, std::size_t, std::less<>> subprogram_rows;  // by name
   std::vector<Requirement> requirements;
   std::optional<StockShape> stock;
   std::vector<NominalShape> nominals;
@@ -243,6 +248,11 @@ struct Family {
   ir::Program arena;
 
   [[nodiscard]] const Parameter* find_parameter(std::string_view parameter_name) const;
+  // nullptr when none is so called.
+  [[nodiscard]] const UserFunction* find_function(std::string_view routine_name) const;
+  [[nodiscard]] const Subprogram* find_subprogram(std::string_view routine_name) const;
+  void add(UserFunction function);
+  void add(Subprogram subprogram);
   // nullptr for what is no list.
   [[nodiscard]] const List* find_list(ir::SymbolId symbol) const;
 };

@@ -1,7 +1,6 @@
 // The names of a routine are its own for ever: what stands in for them, or is assigned to them, meets no other name.
 #include "dialects/family/routine_reader.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,9 +15,7 @@ namespace dripfeed::family {
 std::optional<std::string> RoutineReader::new_name() {
   const std::optional<NewName> name = expect_new_name(cursor_, scope_);
   if (!name) return std::nullopt;
-  const bool is_taken =
-      std::ranges::find(family_.functions, name->name, &UserFunction::name) != family_.functions.end() ||
-      std::ranges::find(family_.subprograms, name->name, &Subprogram::name) != family_.subprograms.end();
+  const bool is_taken = family_.find_function(name->name) != nullptr || family_.find_subprogram(name->name) != nullptr;
   if (!is_taken) return name->name;
   cursor_.report(text::DiagnosticId::family_duplicate_name, name->span, {name->name});
   return std::nullopt;
@@ -71,7 +68,7 @@ void RoutineReader::function() {
   out.is_condition = value.is_condition;
   out.size = value.size;
   for (FunctionParameter& one : out.parameters) one.uses = uses_of(family_.arena, value.id, one.symbol);
-  family_.functions.push_back(std::move(out));
+  family_.add(std::move(out));
 }
 
 void RoutineReader::subprogram() {
@@ -87,7 +84,7 @@ void RoutineReader::subprogram() {
   scope_.seal();
   out.needs_feed = body.needs_feed();
   out.sets_feed = body.has_feed();
-  if (name && is_whole) family_.subprograms.push_back(std::move(out));
+  if (name && is_whole) family_.add(std::move(out));
 }
 
 }  // namespace dripfeed::family

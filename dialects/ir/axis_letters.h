@@ -9,8 +9,12 @@
 
 namespace dripfeed::ir {
 
-// Of an address that is one: A to Z.
-constexpr char letter_of(Address address) { return static_cast<char>('A' + static_cast<int>(address)); }
+inline constexpr std::string_view kAxisLetters = "XYZABCUVW";  // by ir::Axis
+
+// 'X' for Address::x; '?' for those that are no letter.
+constexpr char letter_of(Address address) {
+  return address <= Address::z ? static_cast<char>('A' + static_cast<int>(address)) : '?';
+}
 
 // U V W H are increments of X Y Z C on controls where increments have letters (G-code system A), as far as the axis is
 // there and the letter is no axis itself. Where T is a plain tool number, H is the number of a tool length. Nothing for

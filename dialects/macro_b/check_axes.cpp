@@ -5,6 +5,7 @@
 #include <bitset>
 #include <string>
 
+#include "dialects/ir/axis_letters.h"
 #include "dialects/macro_b/check.h"
 #include "dialects/text/number.h"
 

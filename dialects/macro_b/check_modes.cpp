@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "dialects/ir/axis_letters.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/macro_b/check.h"
 #include "dialects/text/number.h"

@@ -21,7 +21,7 @@ using ir::Function;
 using ir::ModalGroup;
 using enum text::DiagnosticId;
 
-bool holds(std::string_view letters, Address address) { return letters.contains(macro_b::letter_of(address)); }
+bool holds(std::string_view letters, Address address) { return letters.contains(letter_of(address)); }
 
 // A word as written without its value: "X", ",C".
 std::string address_name(const ir::Program& program, const ir::Word& word) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/ir/axis_letters.h"
 #include "dialects/ir/sections.h"
 #include "dialects/macro_b/lower.h"
 
@@ -132,10 +133,6 @@ bool is_axis(const ir::Control& control, ir::Address address) {
   if (control.axes.contains(letter)) return true;
   const bool increment = control.semantics.incremental_letters_uvw && letter >= 'U' && letter <= 'W';
   return increment && control.axes.contains(static_cast<char>(letter - 'U' + 'X'));
-}
-
-char letter_of(ir::Address address) {
-  return address <= ir::Address::z ? static_cast<char>('A' + static_cast<int>(address)) : '?';
 }
 
 std::string_view text_of(const ir::Program& program, text::Span span) { return span.in(program.source.text()); }

@@ -60,8 +60,6 @@ bool is_folder_line(const ir::Program& program, const ir::Statement& statement);
 // The name of a Native statement, "" for others.
 std::string_view native_name(const ir::Program& program, const ir::Statement& statement);
 bool is_axis(const ir::Control& control, ir::Address address);
-// 'X' for Address::x; '?' for those that are no letter.
-char letter_of(ir::Address address);
 std::string_view text_of(const ir::Program& program, text::Span span);
 
 // Which labels of a section are ways in: those that a jump goes to. After a computed jump, or where other blocks name

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "dialects/facts/calls.h"
+#include "dialects/ir/axis_letters.h"
 #include "dialects/ir/cycle.h"
 #include "dialects/ir/frame_use.h"
 #include "dialects/ir/hole_pattern.h"

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "dialects/ir/axis_letters.h"
 #include "dialects/ir/polynomial_words.h"
 #include "dialects/sinumerik/codes.h"
 #include "dialects/sinumerik/name_index.h"
@@ -17,8 +18,6 @@ using text::DiagnosticId;
 constexpr std::uint32_t kMostMFunctions = 5;
 constexpr std::uint32_t kMostHFunctions = 3;
 constexpr std::uint32_t kMostSpeeds = 3;
-
-char letter_of(ir::Address a) { return static_cast<char>('A' + static_cast<int>(a)); }
 
 // The control's own group of a code as it is written; 0 for M functions.
 std::uint8_t group_of(const Check& check, const ir::Code& code) {

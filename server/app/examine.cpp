@@ -11,6 +11,7 @@
 #include "dialects/compile/execute.h"
 #include "dialects/compile/render.h"
 #include "dialects/compile/shared_definitions.h"
+#include "dialects/ir/axis_letters.h"
 #include "server/app/line_characters.h"
 #include "server/app/machine_facts.h"
 #include "server/app/surface_checks.h"
@@ -146,7 +147,7 @@ std::string axes_without_reference(const machine::Profile& profile, bool second)
     const bool is_rotary = axis.axis >= ir::Axis::a && axis.axis <= ir::Axis::c;
     if (is_rotary || (axis.reference && (!second || axis.second_reference))) continue;
     letters += letters.empty() ? "" : ", ";
-    letters += std::string_view("XYZABCUVW")[static_cast<std::size_t>(axis.axis)];
+    letters += ir::kAxisLetters[static_cast<std::size_t>(axis.axis)];
   }
   return letters;
 }

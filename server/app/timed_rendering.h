@@ -11,7 +11,7 @@ namespace dripfeed::app {
 // As compile::render, but RenderMode::automatic takes, for memory, the rendering that the machine is through with first
 // by the forecast of timing (computing, motion and waiting for each other together), and the macro where blocks save
 // next to nothing. A native program is kept as it is written, however slow it is. `because` states both forecasts, or
-// why there are none: no profile (nullptr), a rendering that does not go, a run that does not end.
+// why there are none: no profile (nullptr), a rendering that is refused, a run that does not end.
 compile::RenderResult render_for(const compile::RenderRequest& request, const machine::Profile* profile);
 
 }  // namespace dripfeed::app

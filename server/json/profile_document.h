@@ -15,7 +15,7 @@ app::Result<machine::Profile> read_profile(std::string_view document);
 // The same, described.
 Schema profile_schema();
 
-// The same document with another cost model, whose `origin` is said in words, and with every axis' acceleration times a
+// The same document with another cost model, with its `origin` in words, and with every axis' acceleration times a
 // factor; nothing else changes. Errors: no JSON object.
 app::Result<std::string> calibrated_profile(std::string_view document, const ir::CostModel& cost,
                                             std::string_view origin, double acceleration_factor);

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "dialects/ir/axis_letters.h"
 #include "server/machine/file_drop.h"
 
 namespace dripfeed::machine {
@@ -234,12 +235,10 @@ namespace {
 
 // "XZC": the machine's axes by letter, in the order of the trace.
 std::string letters_of(const std::vector<checks::MachineAxis>& axes) {
-  constexpr std::string_view kLetters = "XYZABCUVW";
-  static_assert(kLetters.size() == ir::kAxisCount);
   std::string letters;
-  for (std::size_t i = 0; i < kLetters.size(); ++i)
+  for (std::size_t i = 0; i < ir::kAxisCount; ++i)
     if (std::ranges::find(axes, static_cast<ir::Axis>(i), &checks::MachineAxis::axis) != axes.end())
-      letters.push_back(kLetters[i]);
+      letters.push_back(ir::kAxisLetters[i]);
   return letters;
 }
 

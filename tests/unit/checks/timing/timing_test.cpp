@@ -421,7 +421,7 @@ TEST(Timing, ComputingSlowsALoopInTheMemory) {
   EXPECT_EQ(report.cost_source, ir::CostSource::paper);
   EXPECT_EQ(report.cost_origin, "a test");
   EXPECT_EQ(report.cost_spread, 1.5);
-  // The machine's own model outranks the control's; one of which nothing is said is an assumption.
+  // The machine's own model outranks the control's; one without a source is an assumption.
   settings.machine.timing.cost = ir::CostModel{.block_ms = 1.0, .origin = {}};
   settings.machine.timing.cost_origin = "a shop";
   const Report own = program.run(settings);

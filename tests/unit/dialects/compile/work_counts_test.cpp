@@ -1,4 +1,4 @@
-// What a program is said to have computed: the same text counted by hand.
+// The operations counted for a program, beside the same text counted by hand.
 #include "tests/unit/dialects/compile/sinumerik_run.h"
 
 namespace dripfeed::compile::test {

@@ -49,7 +49,7 @@ std::string faults_of(const std::string& family, const std::string& dialect, con
   return out;
 }
 
-// What is said where the family is stored: without a machine.
+// The diagnostics where the family is stored: without a machine.
 std::string said_of_description(const std::string& family) {
   const text::Source source("holder.family", family);
   return said(describe_family(source).diagnostics, source);

@@ -293,7 +293,7 @@ CheckReport check_for_line(const std::string& text) {
   return check(text, {.profile = &profile});
 }
 
-// "SEVERITY CHARACTER: LAST NOTE" of what is said of characters.
+// "SEVERITY CHARACTER: LAST NOTE" of each diagnostic about characters.
 std::vector<std::string> characters_in(const CheckReport& report) {
   std::vector<std::string> all;
   for (const text::Diagnostic& one : report.checks.diagnostics)

@@ -56,8 +56,8 @@ TEST(ProfileDocument, ReadsEveryPreset) {
   EXPECT_GE(count, 5);
 }
 
-// A profile from before that names neither source nor round: nobody is told that anybody measured it, and the end of a
-// loop goes on to cost a block.
+// An older profile names neither source nor round: its cost model is reported as assumed, and the end of a loop still
+// costs a block.
 TEST(ProfileDocument, ACostModelOfUnknownSourceIsAnAssumption) {
   const auto profile = read_profile(kProfile);
   ASSERT_TRUE(profile);
