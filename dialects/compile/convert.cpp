@@ -122,7 +122,7 @@ void number_blocks(const ir::Program& program, ExplicitProgram& made) {
 class Converter {
  public:
   Converter(const ConvertRequest& request, const Dialect& from, const Dialect& to)
-      : request_(request), from_(from), to_(to), in_place_(request.from, request.to, request.library) {}
+      : request_(request), from_(from), to_(to), in_place_(request.from, request.to, request.library, request.limits) {}
 
   ConvertResult convert() {
     if (&from_ == &to_ && request_.mode == ConvertMode::macro) {

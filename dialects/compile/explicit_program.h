@@ -38,8 +38,9 @@ struct ExplicitProgram {
 };
 
 // What is written down is held whole, so a run that would go on for ever (M99 at the end of a main program) ends with
-// limit_reached while there is memory: two million blocks take about 3 GB.
-inline constexpr interpreter::Limits kWrittenLimits{.blocks = 2'000'000, .loop_passes = 2'000'000};
+// limit_reached while there is memory: two million blocks take about 3 GB. A block may hold a million pecks.
+inline constexpr interpreter::Limits kWrittenLimits{
+    .blocks = 2'000'000, .loop_passes = 2'000'000, .motions = 4'000'000};
 
 struct ExplicitOptions {
   interpreter::Limits limits = kWrittenLimits;

@@ -210,7 +210,7 @@ std::vector<text::Diagnostic> MovesInPlace::alarm_of(const ir::Program& translat
   ir::Control control = to_;
   control.semantics.unset_is_unknown = true;
   interpreter::RunOptions options;
-  options.limits = kRunLimits;
+  options.limits = limits_;
   const RecordedRun run = record(translation, control, standard, options, {}, {});
   // With a value that is not given it may never come to the block that stops, or calculate there.
   if (std::ranges::any_of(run.result.not_interpreted, &interpreter::NotInterpreted::is_input)) return {};
@@ -234,7 +234,7 @@ std::optional<MovesInPlace::Difference> MovesInPlace::first_difference(const ir:
                                                                        std::size_t setting) const {
   ProgramLibrary standard(to_, [](std::string_view) { return std::nullopt; });
   interpreter::RunOptions options;
-  options.limits = kRunLimits;
+  options.limits = limits_;
   options.skip_switches = settings_[setting];
   const RecordedRun run = record(translation, to_, standard, options, {}, {});
   const auto wanted = moves_of(runs_[setting], [](std::uint32_t line) { return line; });

@@ -189,7 +189,7 @@ std::string MovesInPlace::set_switches(const ir::Program& program) {
 std::string MovesInPlace::run(const ir::Program& program, ProgramLibrary& library) {
   for (const std::uint32_t switches : settings_) {
     interpreter::RunOptions options;
-    options.limits = kRunLimits;
+    options.limits = limits_;
     options.skip_switches = switches;
     runs_.push_back(record(as_read_ ? *as_read_ : program, from_, library, options, shapes_, owners_));
     const interpreter::RunResult& result = runs_.back().result;

@@ -4,6 +4,7 @@
 // replaced by them, and the translation is run and compared.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -30,14 +31,21 @@ namespace dripfeed::compile {
 // To the last digit; neither their lines nor the speed of the spindle.
 bool same_moves(std::span<const ir::Motion> a, std::span<const ir::Motion> b);
 
+// Both runs are kept whole, 256 bytes a motion: a block may hold a million pecks, so blocks alone bound nothing.
+constexpr interpreter::Limits run_limits(interpreter::Limits asked) {
+  asked.blocks = std::min<std::uint64_t>(asked.blocks, 1'000'000);
+  asked.loop_passes = std::min<std::uint64_t>(asked.loop_passes, 1'000'000);
+  asked.motions = std::min<std::uint64_t>(asked.motions, 2'000'000);
+  return asked;
+}
+
 class MovesInPlace {
  public:
-  // Of both runs, which are kept whole.
-  static constexpr interpreter::Limits kRunLimits{.blocks = 1'000'000, .loop_passes = 1'000'000};
-
-  // `library`: of contours; nullptr: there are none. The controls must outlive it.
-  MovesInPlace(const ir::Control& from, const ir::Control& to, ProgramLibrary* library)
-      : from_(from), to_(to), library_(library) {}
+  // `library`: of contours; nullptr: there are none. `limits`: of each run, as far as they are below run_limits' own.
+  // The controls must outlive it.
+  MovesInPlace(const ir::Control& from, const ir::Control& to, ProgramLibrary* library,
+               const interpreter::Limits& limits)
+      : from_(from), to_(to), library_(library), limits_(run_limits(limits)) {}
 
   // The program as it was read, whose ISO parts are spliced where lower() gets it: this is what is run, and compared
   // wherever nothing from outside decides what it does.
@@ -99,6 +107,7 @@ class MovesInPlace {
   const ir::Control& from_;
   const ir::Control& to_;
   ProgramLibrary* library_;
+  interpreter::Limits limits_;                        // of each run
   std::optional<ir::Program> as_read_;                // of run_as()
   std::vector<WithoutEqual> kinds_;                   // by statement
   std::vector<LineRange> shapes_;                     // of the text

@@ -54,7 +54,7 @@ void MovesInPlace::watch(const ir::Program& program, bool called) {
 }
 
 std::string MovesInPlace::watched(const ir::Program& program, bool called) {
-  if (program.statements.size() > kRunLimits.blocks) return "it runs too long";
+  if (program.statements.size() > limits_.blocks) return "it runs too long";
   if (ends_as_subprogram(program)) return "it is a subprogram, which only its caller can run";
   if (has(program, StatementKind::procedure) && program.sections.size() < 2)
     return "it is a program with parameters, which only its caller can run";
@@ -67,7 +67,7 @@ std::string MovesInPlace::watched(const ir::Program& program, bool called) {
   ProgramLibrary& library = library_ == nullptr ? own : *library_;
   for (const std::uint32_t switches : settings_) {
     interpreter::RunOptions options;
-    options.limits = kRunLimits;
+    options.limits = limits_;
     options.skip_switches = switches;
     runs_.push_back(record(program, control, library, options, {}, {}));
     const RecordedRun& run = runs_.back();

@@ -12,6 +12,7 @@ void convert(const text::Source& source, const ir::Control& from, const compile:
   const ir::Control target = to.control(from.kind, from.g_system);
   compile::ConvertRequest request{.source = source, .from = from, .to = target, .mode = mode};
   request.limits.blocks = 1000;
+  request.limits.motions = 100'000;
   request.limits.loop_passes = 300;
   request.limits.call_depth = 8;
   request.limits.variables = 4096;
