@@ -4,23 +4,39 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "dialects/compile/optimized_render.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"
 #include "server/cli/family_options.h"
+#include "server/cli/optimize_report.h"
 #include "server/cli/output.h"
 
 namespace dripfeed::cli {
 
 namespace {
 
-int render(const FamilyOptions& options) {
-  const auto rendered = render_family(options);
+struct Options {
+  FamilyOptions family;
+  bool optimize = false;
+};
+
+// Says on standard error what was gained, or why nothing was.
+void optimize(RenderedFamily& rendered) {
+  const ir::CostModel cost = cost_of(rendered.chosen);
+  const compile::OptimizeResult made = compile::optimize_rendered(rendered.result, rendered.chosen.control, cost);
+  print_saving(made, rendered.source.name(), cost);
+}
+
+int render(const Options& asked) {
+  const FamilyOptions& options = asked.family;
+  auto rendered = render_family(options);
   if (!rendered) {
     print_error(rendered.error());
     return kWrongUse;
   }
   const compile::RenderResult& result = rendered->result;
   if (text::has_error(result.diagnostics)) return kFailed;
+  if (asked.optimize) optimize(*rendered);
   if (options.text.json) return write_output(options.text.output, render_document(result)) ? kDone : kWrongUse;
   fmt::print(stderr, "{}: {}; {} blocks, {} bytes, {} variables\n", compile::name_of(result.mode), result.because,
              result.blocks, result.bytes, result.variables);
@@ -31,8 +47,9 @@ int render(const FamilyOptions& options) {
 
 void add_render(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("render", "renders a part family for a control");
-  const auto options = std::make_shared<FamilyOptions>();
-  add_family_options(*command, *options);
+  const auto options = std::make_shared<Options>();
+  add_family_options(*command, options->family);
+  command->add_flag("--optimize", options->optimize, "a macro is rewritten so that the control computes it faster");
   command->callback([options, &exit_code] { exit_code = render(*options); });
 }
 

@@ -21,17 +21,21 @@ class Collect final : public ir::MotionSink {
   std::vector<ir::Motion> all;
 };
 
-// The cutting moves of one of the programs.
-inline std::vector<ir::Motion> points_of(const std::string& name) {
+inline text::Source text_of(const std::string& name) {
   std::ifstream file(DRIPFEED_SOURCE_DIR "/tests/samples/seal_ring/" + name);
   std::ostringstream text;
   text << file.rdbuf();
+  return {name, text.str()};
+}
+
+// The cutting moves of one of the programs.
+inline std::vector<ir::Motion> points_of(const std::string& name) {
   const compile::Dialect& dialect = *compile::find_dialect("sinumerik-840d");
   ir::Control control = dialect.control(ir::MachineKind::mill_turn, ir::GSystem::a);
   for (ir::VariableRange& range : control.variables) {
     if (range.bank == ir::Bank::r) range.last = std::max(range.last, 499U);  // the table is in R300 to R471
   }
-  const text::Source source(name, text.str());
+  const text::Source source = text_of(name);
   const auto read = dialect.read(source, control);
   EXPECT_FALSE(text::has_error(read.diagnostics)) << name;
   Collect collect;

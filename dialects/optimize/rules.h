@@ -1,0 +1,59 @@
+// What the optimizer may do, one row a rule: the five of G. Nikiel, "Optimization of execution speed of the CNC
+// parametric part programs", chapter 2, and what a compiler adds. Each can be switched off by itself.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace dripfeed::optimize {
+
+enum class Rule : std::uint8_t {
+  numbered,
+  loops,
+  branches,
+  values,
+  invariants,
+  merge,
+  join,
+  comments,
+  numbers,
+  count_
+};
+inline constexpr std::size_t kRules = static_cast<std::size_t>(Rule::count_);
+
+struct RuleRow {
+  std::string_view name;  // as options and reports have it
+  std::string_view what;
+  bool is_standard;  // on unless it is switched off
+};
+
+inline constexpr std::array<RuleRow, kRules> kRuleRows = {{
+    {"numbered", "variables with a name become numbered ones, in the numbers that are stated to be free", true},
+    {"loops", "jumps back become loops, where that makes the program faster", true},
+    {"branches", "jumps over parts become IF with ELSE, where the control has them and it makes the program faster",
+     true},
+    {"values", "values that are known already are not computed again, and what nobody reads is not computed", true},
+    {"invariants", "what a loop does not change is computed before it", true},
+    {"merge", "a value that one expression reads moves into it", true},
+    {"join", "assignments that do not need each other share a block, where the control allows it", true},
+    {"comments", "comments are dropped", false},
+    {"numbers", "block numbers that nobody jumps to are dropped", false},
+}};
+constexpr const RuleRow& row_of(Rule rule) { return kRuleRows[static_cast<std::size_t>(rule)]; }
+std::optional<Rule> find_rule(std::string_view name);
+
+class Rules {
+ public:
+  constexpr Rules() {
+    for (std::size_t i = 0; i < kRules; ++i) on_[i] = kRuleRows[i].is_standard;
+  }
+  constexpr void set(Rule rule, bool on) { on_[static_cast<std::size_t>(rule)] = on; }
+  [[nodiscard]] constexpr bool has(Rule rule) const { return on_[static_cast<std::size_t>(rule)]; }
+
+ private:
+  std::array<bool, kRules> on_{};
+};
+
+}  // namespace dripfeed::optimize

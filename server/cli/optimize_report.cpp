@@ -1,0 +1,38 @@
+// Times by the cost model, with the model's own doubts beside them.
+#include "server/cli/optimize_report.h"
+
+#include <fmt/format.h>
+
+#include "dialects/text/number.h"
+#include "server/cli/output.h"
+
+namespace dripfeed::cli {
+
+ir::CostModel cost_of(const ChosenControl& chosen) {
+  if (!chosen.profile || !chosen.profile->machine.timing.cost) return chosen.control.cost;
+  ir::CostModel cost = *chosen.profile->machine.timing.cost;
+  cost.origin = chosen.profile->machine.timing.cost_origin;
+  return cost;
+}
+
+void print_changes(const compile::OptimizeResult& result, std::string_view name) {
+  for (const optimize::Change& change : result.changes)
+    fmt::print(stderr, "{}:{}: {}: {}\n", name, change.line, optimize::row_of(change.rule).name, change.what);
+}
+
+void print_saving(const compile::OptimizeResult& result, std::string_view name, const ir::CostModel& cost) {
+  if (!result.obstacle.empty()) return print_error(fmt::format("{} is left as it was: {}", name, result.obstacle));
+  if (!result.not_verified.empty()) print_error("not verified by running it: " + result.not_verified);
+  if (!result.before || !result.after) return;
+  const auto ms = [](double value) { return text::format_fixed(value, 2); };
+  const compile::ComputeCost &before = *result.before, &after = *result.after;
+  fmt::print(stderr,
+             "computing {} moves: {} ms in {} blocks before, {} ms in {} blocks after\n"
+             "longest before one move: {} ms (line {}) before, {} ms (line {}) after\n"
+             "by a cost model that is {}, {}; each time may be off by a factor of {}\n",
+             after.moves, ms(before.total_ms), before.blocks, ms(after.total_ms), after.blocks, ms(before.longest_ms),
+             before.longest_line, ms(after.longest_ms), after.longest_line, ir::name_of(cost.source), cost.origin,
+             text::format_shortest(cost.spread));
+}
+
+}  // namespace dripfeed::cli
