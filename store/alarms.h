@@ -38,6 +38,13 @@ struct Alarm {
   [[nodiscard]] bool is_open() const { return cleared_at_ms == 0 || acknowledged_at_ms == 0; }
 };
 
+// How many alarms of one kind are open at one machine.
+struct OpenAlarms {
+  std::string machine{};
+  std::string kind{};
+  std::uint64_t count = 0;
+};
+
 struct AlarmFilter {
   std::string machine{};  // empty: all
   bool open_only = false;
@@ -64,6 +71,8 @@ class Alarms : public Repository {
   virtual Result<Alarm> get(Id alarm) = 0;
   // Newest `last_at_ms` first.
   virtual Result<Page<Alarm>> list(const PageRequest& page, const AlarmFilter& filter = {}) = 0;
+  // Each machine and kind of which at least one is open.
+  virtual Result<std::vector<OpenAlarms>> count_open() = 0;
   // Drops closed ones, oldest first: all that are older, and of the others what is over `most`; at most `at_once` of
   // them in one short transaction. How many went.
   virtual Result<std::uint64_t> forget(std::int64_t before_ms, std::uint64_t most, std::uint32_t at_once) = 0;

@@ -20,6 +20,7 @@
 #include "store/releases.h"
 #include "store/replies.h"
 #include "store/tokens.h"
+#include "store/use.h"
 #include "store/verdicts.h"
 
 namespace dripfeed::store {
@@ -57,6 +58,8 @@ class Store : public Repository {
   // A number that is another one after every committed change, by this process or another. What was read after it was
   // asked for holds as long as it stays the same. It costs less than any query.
   virtual Result<std::uint64_t> version() = 0;
+  // How busy it is. It waits for nobody.
+  [[nodiscard]] virtual StoreUse use() const = 0;
   // A copy of the whole to a new file, while everything goes on. Errors: exists, disk_full, io_failed.
   virtual Result<void> backup(const std::string& path) = 0;
   // Reads the whole file and checks it. Errors: corrupt.

@@ -69,6 +69,9 @@ class Application {
   [[nodiscard]] LineFacts facts(const std::string& machine);
   [[nodiscard]] MachineStatus status(const std::string& machine, LineFacts facts);
 
+  // What each line did since the start; takes no lock that a line takes.
+  [[nodiscard]] const LineTotals& line_totals() const { return books_.totals(); }
+
   store::Store& store() { return store_; }
   const Clock& clock() const { return clock_; }
   const Documents& documents() const { return documents_; }

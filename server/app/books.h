@@ -42,6 +42,7 @@ class Books {
   bool read_ahead(std::chrono::milliseconds patience) { return texts_.settle(patience); }
   // See JobFollower.
   [[nodiscard]] Asks asks_of(const std::string& machine) const { return follower_.asks_of(machine); }
+  [[nodiscard]] const LineTotals& totals() const { return follower_.totals(); }
   [[nodiscard]] const Ballast* ballast() const { return ballast_; }
 
  private:

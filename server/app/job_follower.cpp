@@ -244,6 +244,7 @@ void JobFollower::follow(const Booked& booked) {
   const LineReport& last = followed.last;
   const Asks asks = asks_.look(booked.machine, report, clock_.now(), clock_.wall_ms());
   events_.progress(booked.machine, report, asks);
+  totals_.look(booked.machine, report, clock_.wall_ms());
   if (!booked.is_booked) return begin(followed, booked);
   // A stall within a state ("CTS off" while feeding) is a transition, too.
   const bool changed =

@@ -13,6 +13,7 @@
 #include "server/app/asks.h"
 #include "server/app/events.h"
 #include "server/app/ledger_writer.h"
+#include "server/app/line_totals.h"
 #include "server/app/ports/clock.h"
 #include "server/app/ports/line_mutex.h"
 #include "server/app/round_thread.h"
@@ -30,6 +31,7 @@ class JobFollower {
   bool settle(std::chrono::milliseconds patience) { return thread_.settle(patience); }
   // Who asks while nothing is armed. From any thread.
   [[nodiscard]] Asks asks_of(const std::string& machine) const { return asks_.of(machine); }
+  [[nodiscard]] const LineTotals& totals() const { return totals_; }
   // One last round.
   void stop() { thread_.stop(); }
 
@@ -71,6 +73,7 @@ class JobFollower {
   const Clock& clock_;
   std::map<std::string, Followed> followed_;
   AskWatch asks_;
+  LineTotals totals_;
   std::string complaint_;  // as published last
 
   LineMutex mutex_{"what the ledger leaves for the follower"};  // of what the ledger leaves

@@ -195,7 +195,8 @@ int run_server(const Options& options, const http::ListenAddress& address, store
                                      .tls_certificate = options.tls_certificate,
                                      .tls_key = options.tls_key,
                                      .heavy_threads = desk.threads(),
-                                     .proxies = options.proxies},
+                                     .proxies = options.proxies,
+                                     .traffic = api.traffic()},
                                     {.plan = http::Api::plan,
                                      .refuse_long = [&](const http::Request& r) { return api.refuse_long(r); },
                                      .answer = [&](const http::Request& r) { return api.answer(r); }});

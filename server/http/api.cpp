@@ -147,7 +147,8 @@ Api::Api(app::Application& application, json::DocumentWorkers& workers, std::fil
       live_(
           application.events(), [&application](const std::string& machine) { return application.status(machine); },
           [this](const Credential& credential) { return sessions_.is_valid(credential); }),
-      machine_list_(application, titles_) {}
+      machine_list_(application, titles_),
+      traffic_(std::make_shared<Traffic>(routes().size())) {}
 
 namespace {
 
@@ -180,7 +181,8 @@ Plan Api::plan(const Request& head) {
   const Match match = find_route(routes(), head);
   if (match.route == nullptr) return {.lane = wants_page(head) ? Lane::bulk : Lane::here};
   return {.lane = lane_of(*match.route),
-          .body_limit_bytes = match.route->carries == Carries::text ? kLargeBody_bytes : kSmallBody_bytes};
+          .body_limit_bytes = match.route->carries == Carries::text ? kLargeBody_bytes : kSmallBody_bytes,
+          .route = static_cast<std::size_t>(match.route - routes().data())};
 }
 
 // The fence of what libraries throw (a document too deep, no memory): one request fails, the lines go on.

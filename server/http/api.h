@@ -5,6 +5,7 @@
 #include <atomic>
 #include <expected>
 #include <filesystem>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -45,6 +46,8 @@ class Api {
   Titles& titles() { return titles_; }
   MachineList& machine_list() { return machine_list_; }
   PageFiles& page_files() { return page_files_; }
+  // For the server that asks this API.
+  [[nodiscard]] const std::shared_ptr<Traffic>& traffic() const { return traffic_; }
   [[nodiscard]] const std::filesystem::path& web_root() const { return web_root_; }
   [[nodiscard]] const std::string& version() const { return version_; }
   // Set while a sweep runs: it may take minutes, and one at a time leaves the pool to checks.
@@ -75,6 +78,7 @@ class Api {
   MachineList machine_list_;
   KeptAnswers kept_;
   PageFiles page_files_;
+  std::shared_ptr<Traffic> traffic_;
   std::mutex keys_mutex_;
   std::set<std::string> keys_in_use_;
   std::atomic<std::int64_t> forgot_at_ms_ = 0;

@@ -76,7 +76,10 @@ Response plain_problem(unsigned status, std::string_view detail) {
 }
 
 Connection::Connection(asio::ip::tcp::socket socket, Wire::TlsContext tls, ConnectionShared& shared)
-    : wire_(std::move(socket), std::move(tls)), timer_(wire_.get_executor()), shared_(shared) {
+    : wire_(std::move(socket), std::move(tls)),
+      timer_(wire_.get_executor()),
+      shared_(shared),
+      counted_(shared.traffic->connections) {
   Error gone;  // then it is refused by the first read
   const auto endpoint = wire_.lowest().socket().remote_endpoint(gone);
   if (!gone) peer_ = endpoint.address();
@@ -141,6 +144,8 @@ void Connection::take_head() {
 // A long body of somebody who may not send it is not read.
 void Connection::on_head_parsed(Error error) {
   head_only_ = false;
+  plan_ = {};
+  read_at_ = {};
   if (error) return refuse_unread(error);
   auto& message = parser_->get();
   keep_alive_ = message.keep_alive();
@@ -181,6 +186,8 @@ void Connection::read_body() {
 void Connection::on_read(Error error) {
   if (error) return refuse_unread(error);
   waits_since_.reset();
+  read_at_ = Clock::now();
+  at_work_.emplace(shared_.traffic->at_work(plan_.lane));
   if (!request_.spooled) request_.body = std::move(parser_->get().body());
   wire_.lowest().expires_never();
   if (plan_.lane != Lane::here) return answer_in(plan_.lane);
@@ -203,16 +210,18 @@ void Connection::answer_in(Lane lane) {
 // Of what all bodies may take together. Short ones are not counted.
 bool Connection::take_room(std::size_t bytes, bool in_file) {
   if (bytes <= kShortBody_bytes) return true;
-  std::size_t& all = in_file ? shared_.spooled_bytes : shared_.body_bytes;
+  Traffic::Count& all = in_file ? shared_.traffic->spooled_bytes : shared_.traffic->body_bytes;
   if (bytes > (in_file ? kSpoolBudget_bytes : kBodyBudget_bytes) - all) return false;
   (in_file ? room_file_bytes_ : room_bytes_) = bytes;
   all += bytes;
+  if (in_file) upload_.emplace(shared_.traffic->uploads);
   return true;
 }
 
 void Connection::give_room_back() {
-  shared_.body_bytes -= std::exchange(room_bytes_, 0);
-  shared_.spooled_bytes -= std::exchange(room_file_bytes_, 0);
+  shared_.traffic->body_bytes -= std::exchange(room_bytes_, 0);
+  shared_.traffic->spooled_bytes -= std::exchange(room_file_bytes_, 0);
+  upload_.reset();
 }
 
 void Connection::respond_unread(Response response) {

@@ -16,14 +16,14 @@
 
 namespace dripfeed::http {
 
-// What all connections of a server share. It outlives them; all but `answerer` and `lanes` is for the HTTP thread.
+// What all connections of a server share. It outlives them; all but `answerer`, `lanes` and `traffic` is for the HTTP
+// thread.
 struct ConnectionShared {
   Answerer answerer;
   Lanes* lanes = nullptr;
   const Spool* spool = nullptr;
   std::vector<boost::asio::ip::address> proxies;
-  std::size_t body_bytes = 0;     // of all bodies in memory that are read or answered now
-  std::size_t spooled_bytes = 0;  // of those in files
+  Traffic* traffic = nullptr;
 };
 
 // A connection as its server sees it.

@@ -73,6 +73,7 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
 
   // connection_write.cpp
   void respond(Response response);
+  void count(const Response& response);
   void write_text(Response response);
   void write_head(const Response& response);
   void write_chunked_head(const Response& response, void (Connection::*next)());
@@ -92,6 +93,7 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
   Wire wire_;
   boost::asio::steady_timer timer_;
   ConnectionShared& shared_;
+  Counted counted_;
   boost::asio::ip::address peer_;
   boost::beast::flat_buffer buffer_;
   std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
@@ -99,6 +101,9 @@ class Connection final : public ConnectionHandle, public std::enable_shared_from
   std::optional<Clock::time_point> waits_since_;
   Request request_;
   Plan plan_;
+  Clock::time_point read_at_{};     // its last byte, or when it was refused
+  std::optional<Counted> at_work_;  // while it waits for its answer
+  std::optional<Counted> upload_;
   std::size_t room_bytes_ = 0;       // taken of the budget for bodies in memory
   std::size_t room_file_bytes_ = 0;  // and for those in files
   BodySource source_;

@@ -53,12 +53,20 @@ void Connection::fill_head(Message& message, const Response& response) const {
   for (const auto& [name, value] : response.headers) message.set(name, value);
 }
 
+// What was refused before it was read whole took no time of ours.
+void Connection::count(const Response& response) {
+  at_work_.reset();
+  const auto took = read_at_ == Clock::time_point{} ? Clock::duration{} : Clock::now() - read_at_;
+  shared_.traffic->answered(plan_.route, plan_.lane, response.status, took);
+}
+
 void Connection::respond(Response response) {
   give_room_back();
   if (!has_good_headers(response)) {
     spdlog::error("HTTP: {} has an answer with a header that cannot be sent", request_.target);
     response = plain_problem(500, "the answer has a header that cannot be sent");
   }
+  count(response);
   waits_since_ = Clock::now();  // for the peer to read
   if (head_only_) return write_head(response);
   if (response.events) return write_events(std::move(response));

@@ -18,6 +18,9 @@ Response open_session(const Call& call);
 Response close_session(const Call& call);
 Response get_events(const Call& call);
 
+// metrics_server.cpp
+Response get_metrics(const Call& call);
+
 // handlers_catalog.cpp
 Response list_machines(const Call& call);
 Response add_machine(const Call& call);

@@ -111,6 +111,11 @@ std::size_t LiveHub::count_of(const std::string& token_hash) const {
       std::ranges::count_if(seats_, [&](const auto& seat) { return seat.second.credential.token_hash == token_hash; }));
 }
 
+std::size_t LiveHub::watchers() {
+  const std::lock_guard lock(mutex_);
+  return seats_.size();
+}
+
 std::expected<std::shared_ptr<EventSubscription>, std::string> LiveHub::watch(std::uint64_t after,
                                                                               Credential credential) {
   auto watcher = std::make_shared<Watcher>(*this, after);

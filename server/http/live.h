@@ -39,6 +39,8 @@ class LiveHub {
 
   // Everything after event `after`; or a sentence where too many watch.
   std::expected<std::shared_ptr<EventSubscription>, std::string> watch(std::uint64_t after, Credential credential);
+  // How many watch.
+  [[nodiscard]] std::size_t watchers();
   // One round now, on the caller's thread. For tests.
   void round();
 

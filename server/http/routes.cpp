@@ -19,6 +19,8 @@ constexpr std::string_view kPageTypes =
 
 constexpr Route kRoutes[] = {
     {get, "/healthz", anybody, light, get_health, "is the server alive", kNoBody, gives("Health")},
+    {get, "/metrics", viewer, light, get_metrics, "what lines and server do, for Prometheus (text format 0.0.4)",
+     kNoBody, gives("", "text/plain")},
     {get, "/api/openapi.json", anybody, bulk, get_openapi, "this description", kNoBody, gives("OpenApi")},
     {get, "/", anybody, bulk, get_page, "the page", kNoBody, gives("", "text/html")},
     {get, "/assets/{name}", anybody, bulk, get_asset, "a file of the page", kNoBody, gives("", kPageTypes)},

@@ -46,15 +46,17 @@ std::size_t connection_limit() {
 
 class ListeningServer final : public Server {
  public:
-  ListeningServer(Answerer answerer, unsigned heavy_threads, std::filesystem::path spool_folder)
-      : lanes_(heavy_threads),
-        spool_(lanes_, std::move(spool_folder)),
+  ListeningServer(Answerer answerer, const ServerSettings& settings)
+      : traffic_(settings.traffic ? settings.traffic : std::make_shared<Traffic>(0)),
+        lanes_(settings.heavy_threads),
+        spool_(lanes_, settings.spool_folder),
         acceptor_(context_),
         again_(context_),
         look_(context_) {
     shared_.answerer = std::move(answerer);
     shared_.lanes = &lanes_;
     shared_.spool = &spool_;
+    shared_.traffic = traffic_.get();
   }
   ~ListeningServer() override { stop(kNoLimit); }
 
@@ -174,6 +176,7 @@ class ListeningServer final : public Server {
     });
   }
 
+  std::shared_ptr<Traffic> traffic_;
   ConnectionShared shared_;  // outlives what lies in the context
   Lanes lanes_;              // before the context: a body that ends with it goes through a lane
   Spool spool_;
@@ -233,7 +236,7 @@ std::expected<std::unique_ptr<Server>, std::string> Server::start(const ServerSe
     if (!files) return std::unexpected(files.error());
     tls.emplace(std::move(*files));
   }
-  auto server = std::make_unique<ListeningServer>(std::move(answerer), settings.heavy_threads, settings.spool_folder);
+  auto server = std::make_unique<ListeningServer>(std::move(answerer), settings);
   const ListenAddress& address = settings.address;
   try {
     server->listen(address, std::move(tls), std::move(*proxies));

@@ -14,6 +14,7 @@
 
 #include "server/http/lanes.h"
 #include "server/http/request.h"
+#include "server/http/traffic.h"
 
 namespace dripfeed::http {
 
@@ -38,6 +39,7 @@ bool is_loopback(const ListenAddress& address);
 struct Plan {
   Lane lane = Lane::here;
   std::size_t body_limit_bytes = kShortBody_bytes;
+  std::size_t route = SIZE_MAX;  // its place in the table, for the counts; SIZE_MAX: none
 };
 
 // `answer` gives the response, on a thread of the lane that `plan` names; `refuse_long` is asked with the head of a
@@ -54,8 +56,9 @@ struct ServerSettings {
   // PEM files; empty: plain HTTP. Read again when they change.
   std::string tls_certificate;
   std::string tls_key;
-  unsigned heavy_threads = 2;        // see Lanes
-  std::vector<std::string> proxies;  // IP addresses whose X-Forwarded-Host and X-Forwarded-Proto are believed
+  unsigned heavy_threads = 2;          // see Lanes
+  std::vector<std::string> proxies;    // IP addresses whose X-Forwarded-Host and X-Forwarded-Proto are believed
+  std::shared_ptr<Traffic> traffic{};  // where it counts; nullptr: for nobody
 };
 
 class Server {

@@ -237,6 +237,22 @@ Result<store::Page<Alarm>> AlarmTable::list(const store::PageRequest& page, cons
   });
 }
 
+Result<std::vector<store::OpenAlarms>> AlarmTable::count_open() {
+  return database_.read("alarms", [](Session& session) -> Result<std::vector<store::OpenAlarms>> {
+    std::vector<store::OpenAlarms> found;
+    Query query(session,
+                "SELECT machine, kind, count(*) FROM alarm WHERE closed = 0 GROUP BY machine, kind "
+                "ORDER BY machine, kind");
+    while (query.next()) {
+      found.emplace_back();
+      found.back().machine = query.text();
+      found.back().kind = query.text();
+      found.back().count = query.number();
+    }
+    return found;
+  });
+}
+
 Result<std::uint64_t> AlarmTable::forget(std::int64_t before_ms, std::uint64_t most, std::uint32_t at_once) {
   return database_.write("alarms", [&](Session& session) -> Result<std::uint64_t> {
     std::uint64_t closed = 0;

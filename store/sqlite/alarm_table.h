@@ -21,6 +21,7 @@ class AlarmTable final : public store::Alarms {
   store::Result<store::Alarm> get(store::Id alarm) override;
   store::Result<store::Page<store::Alarm>> list(const store::PageRequest& page,
                                                 const store::AlarmFilter& filter) override;
+  store::Result<std::vector<store::OpenAlarms>> count_open() override;
   store::Result<std::uint64_t> forget(std::int64_t before_ms, std::uint64_t most, std::uint32_t at_once) override;
 
  private:

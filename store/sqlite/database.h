@@ -62,6 +62,7 @@ class Database {
   // Another number after every commit, see Store::version().
   store::Result<std::uint64_t> version();
 
+  [[nodiscard]] store::StoreUse use() const { return lane_.use(); }
   // A commit brings the log into the file only when it has so many pages. Before the first use by others.
   store::Result<void> checkpoint_in_commits_from(std::uint32_t pages);
   // A connection of one's own, for long reads.

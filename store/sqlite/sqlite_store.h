@@ -51,6 +51,7 @@ class SqliteStore final : public store::Store {
   store::Result<void> atomically(const std::function<store::Result<void>()>& work) override;
   store::Result<void> atomically_shared(const std::function<store::Result<void>()>& work) override;
   store::Result<std::uint64_t> version() override { return database_->version(); }
+  [[nodiscard]] store::StoreUse use() const override { return database_->use(); }
   store::Result<void> backup(const std::string& path) override;
   store::Result<void> check() override;
 

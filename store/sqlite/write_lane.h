@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "store/error.h"
+#include "store/sqlite/lane_use.h"
 
 namespace dripfeed::sqlite {
 
@@ -45,6 +46,7 @@ class SharedChange {
  private:
   friend class WriteLane;
   bool ended_ = false;
+  LaneUse::Clock::time_point wanted_at_{};
 };
 
 class WriteLane {
@@ -54,14 +56,18 @@ class WriteLane {
   // Not for Turn::taken.
   void enter(Turn turn) {
     std::unique_lock lock(mutex_);
-    if (turn == Turn::first) {
+    const bool is_first = turn == Turn::first;
+    LaneUse& use = is_first ? ledger_use_ : others_use_;
+    const auto wanted_at = LaneUse::Clock::now();
+    use.waits();
+    if (is_first) {
       ++first_waiting_;
       changed_.wait(lock, [this] { return !taken_; });
       --first_waiting_;
     } else {
       changed_.wait(lock, [this] { return !taken_ && first_waiting_ == 0; });
     }
-    taken_ = true;
+    take(use, wanted_at);
   }
 
   // True: the caller has the lane, and makes the change and those of next_shared(). False: somebody else made it, and
@@ -69,10 +75,12 @@ class WriteLane {
   bool enter_shared(SharedChange& change) {
     std::unique_lock lock(mutex_);
     waiting_.push_back(&change);
+    change.wanted_at_ = LaneUse::Clock::now();
+    others_use_.waits();
     changed_.wait(lock, [&] { return change.ended_ || (!taken_ && first_waiting_ == 0); });
     if (change.ended_) return false;
     std::erase(waiting_, &change);
-    taken_ = true;
+    take(others_use_, change.wanted_at_);
     return true;
   }
 
@@ -82,6 +90,7 @@ class WriteLane {
     if (first_waiting_ > 0 || waiting_.empty() || made_.size() + 1 >= kMostShared) return nullptr;
     SharedChange* const next = waiting_.front();
     waiting_.pop_front();
+    others_use_.begins(next->wanted_at_);
     made_.push_back(next);
     return next;
   }
@@ -91,19 +100,35 @@ class WriteLane {
     {
       const std::lock_guard lock(mutex_);
       taken_ = false;
+      in_turn_->ends(taken_at_);
       for (SharedChange* const change : made_) change->ended_ = true;
       made_.clear();
     }
     changed_.notify_all();
   }
 
+  // From any thread; takes no lock.
+  [[nodiscard]] store::StoreUse use() const { return {.ledger = ledger_use_.now(), .others = others_use_.now()}; }
+
  private:
+  // Under the lock.
+  void take(LaneUse& use, LaneUse::Clock::time_point wanted_at) {
+    taken_ = true;
+    in_turn_ = &use;
+    taken_at_ = LaneUse::Clock::now();
+    use.begins(wanted_at);
+  }
+
   std::mutex mutex_;
   std::condition_variable changed_;
   bool taken_ = false;
   std::uint32_t first_waiting_ = 0;
   std::deque<SharedChange*> waiting_;  // in their order
   std::vector<SharedChange*> made_;    // by the one who has the lane, besides his own
+  LaneUse ledger_use_;
+  LaneUse others_use_;
+  LaneUse* in_turn_ = &others_use_;  // of the one who has the lane
+  LaneUse::Clock::time_point taken_at_{};
 };
 
 }  // namespace dripfeed::sqlite

@@ -43,6 +43,7 @@ class Watch:
         return found
 
     def close(self):
+        self.response.close()  # it has the socket, too
         self.connection.close()
 
 

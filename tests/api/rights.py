@@ -19,6 +19,7 @@ def rows(made):
     headers; keep = under which name the answer's id is kept; ready = what has to be so before."""
     return [
         ("GET", "/healthz", None, {}, None, {}),
+        ("GET", "/metrics", "viewer", {}, None, {}),
         ("GET", "/api/openapi.json", None, {}, None, {}),
         ("GET", "/", None, {}, None, {}),
         ("GET", "/assets/{name}", None, {"name": "app.js"}, None, {}),

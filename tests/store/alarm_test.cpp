@@ -56,6 +56,21 @@ TEST_F(AlarmTest, EqualOnesFoldWhileOneIsOpen) {
   EXPECT_EQ(must(alarms().get(first.id)).count, 3U);
 }
 
+TEST_F(AlarmTest, OpenOnesAreCountedByMachineAndKind) {
+  EXPECT_TRUE(must(alarms().count_open()).empty());
+  raise("call", "first", false, 10);
+  const Alarm second = raise("call", "second", false, 10);
+  raise("call", "second", false, 20);
+  raise("link_lost", "gone", true, 10, "mill-2");
+  must(alarms().acknowledge(raise("call", "closed", false, 10).id, by("olga", 30)));
+  const auto found = must(alarms().count_open());
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].machine + found[0].kind + std::to_string(found[0].count), "mill-1call2");
+  EXPECT_EQ(found[1].machine + found[1].kind + std::to_string(found[1].count), "mill-2link_lost1");
+  must(alarms().acknowledge(second.id, by("olga", 30)));
+  EXPECT_EQ(must(alarms().count_open())[0].count, 1U);
+}
+
 TEST_F(AlarmTest, OneThatLastsIsOpenUntilItIsAcknowledgedAndOver) {
   const Alarm link = raise("link_lost", "gone", true, 10);
   EXPECT_EQ(link.cleared_at_ms, 0);

@@ -71,6 +71,35 @@ TEST(WriteLane, TheLedgerGoesBeforeAllWhoWait) {
   for (std::thread& other : others) other.join();
   ASSERT_EQ(order.size(), 4U);
   EXPECT_EQ(order.front(), 0);
+  const store::StoreUse use = lane.use();
+  EXPECT_EQ(use.ledger.turns, 1U);
+  EXPECT_EQ(use.others.turns, 4U);
+  EXPECT_EQ(use.others.begun, 4U);
+  EXPECT_EQ(use.ledger.waiting + use.others.waiting, 0U);
+  EXPECT_GE(use.ledger.waited, std::chrono::milliseconds(25));
+  EXPECT_GE(use.others.waited, use.ledger.waited) << "three waited longer than the ledger";
+  EXPECT_GE(use.others.held, std::chrono::milliseconds(50)) << "the first kept the lane so long";
+}
+
+TEST(WriteLane, TellsWhoWaits) {
+  sqlite::WriteLane lane;
+  lane.enter(sqlite::Turn::in_order);
+  std::thread other([&] {
+    lane.enter(sqlite::Turn::in_order);
+    lane.leave();
+  });
+  std::thread ledger([&] {
+    lane.enter(sqlite::Turn::first);
+    lane.leave();
+  });
+  const auto both_wait = [&] { return lane.use().ledger.waiting == 1 && lane.use().others.waiting == 1; };
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (!both_wait() && std::chrono::steady_clock::now() < until) std::this_thread::yield();
+  EXPECT_TRUE(both_wait());
+  lane.leave();
+  other.join();
+  ledger.join();
+  EXPECT_EQ(lane.use().ledger.waiting + lane.use().others.waiting, 0U);
 }
 
 }  // namespace

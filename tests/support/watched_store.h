@@ -94,6 +94,7 @@ class WatchedStore final : public store::Store {
     return store_.atomically_shared(work);
   }
   store::Result<std::uint64_t> version() override { return store_.version(); }
+  [[nodiscard]] store::StoreUse use() const override { return store_.use(); }
   store::Result<void> backup(const std::string& path) override { return store_.backup(path); }
   store::Result<void> check() override { return store_.check(); }
 
