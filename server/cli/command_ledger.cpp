@@ -1,12 +1,12 @@
 // dripfeed ledger verify: whether what a server wrote down is whole. It reads the store in its folder, also while the
 // server runs, and changes nothing.
-#include <filesystem>
 #include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "server/cli/cli.h"
+#include "server/cli/data_folder.h"
 #include "server/cli/documents.h"
 #include "server/cli/output.h"
 #include "store/sqlite/verify.h"
@@ -30,7 +30,7 @@ std::string summary_of(const sqlite::Verification& found) {
 }
 
 int verify(const Options& options) {
-  const std::string path = (std::filesystem::path(options.data) / "dripfeed.db").string();
+  const std::string path = store_path(options.data);
   const auto found = sqlite::verify(path);
   if (!found) {
     print_error(fmt::format("{}: {}", path, store::message_of(found.error())));

@@ -20,6 +20,7 @@
 #include "server/app/application.h"
 #include "server/app/status_registers.h"
 #include "server/cli/cli.h"
+#include "server/cli/data_folder.h"
 #include "server/cli/inputs.h"
 #include "server/cli/logging.h"
 #include "server/cli/output.h"
@@ -104,15 +105,6 @@ app::Result<void> ensure_first_token(store::Store& store, const fs::path& data, 
   const auto added = app::lift(
       store.tokens().add("admin", store::Role::admin, hash::token_hash(token), {"dripfeed", clock.wall_ms()}));
   if (!added) return std::unexpected(added.error());
-  return {};
-}
-
-// A folder of ours is for its owner alone; one that was there keeps the rights that somebody gave it.
-app::Result<void> make_data_folder(const fs::path& path) {
-  std::error_code error;
-  const bool made = fs::create_directories(path, error);
-  if (!error && made) fs::permissions(path, fs::perms::owner_all, error);
-  if (error) return app::fail(app::ErrorCode::unavailable, fmt::format("{}: {}", path.string(), error.message()));
   return {};
 }
 
@@ -243,8 +235,7 @@ int serve(const Options& options) {
     return kWrongUse;
   }
   raise_file_limit();
-  auto store =
-      sqlite::open((fs::path(options.data) / "dripfeed.db").string(), {.own = true, .checkpoints_aside = true});
+  auto store = sqlite::open(store_path(options.data), {.own = true, .checkpoints_aside = true});
   if (!store) {
     print_error(store::message_of(store.error()));
     return kWrongUse;

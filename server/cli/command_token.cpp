@@ -1,7 +1,6 @@
 // dripfeed token: who may do what. It works on the store of a server, which may run meanwhile and sees the change with
 // its next request. Only hashes are kept: a token is shown once, when it is made.
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +9,7 @@
 #include "server/app/error.h"
 #include "server/app/names.h"
 #include "server/cli/cli.h"
+#include "server/cli/data_folder.h"
 #include "server/cli/output.h"
 #include "server/io/steady_clock.h"
 #include "store/hash/hash.h"
@@ -68,7 +68,7 @@ store::Result<void> revoke_token(store::Store& store, const Options& options, co
 
 // Only a store that is there: a wrong folder must not become a new one.
 int on_store(const Options& options, Work work) {
-  const auto store = sqlite::open((std::filesystem::path(options.data) / "dripfeed.db").string(), {.create = false});
+  const auto store = sqlite::open(store_path(options.data), {.create = false});
   if (!store) {
     print_error(store::message_of(store.error()));
     return kWrongUse;

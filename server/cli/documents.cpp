@@ -139,16 +139,34 @@ std::string send_document(const app::LineReport& report, const WireHashes& hashe
                {"line", line_document(line)}});
 }
 
-std::string verify_document(const sqlite::Verification& found) {
+namespace {
+
+Document verification(const sqlite::Verification& found) {
   Document faults = Document::array();
   for (const sqlite::VerifyFault& fault : found.faults)
     faults.push_back({{"subject", fault.subject}, {"what", fault.what}});
-  return dump({{"whole", found.faults.empty()},
-               {"audit", {{"rows", found.audit_rows}, {"head", found.audit_head}}},
-               {"ledger", {{"jobs", found.jobs}, {"rows", found.ledger_rows}}},
-               {"contents", {{"count", found.contents}, {"bytes", found.content_bytes}}},
-               {"torn_machines", found.torn_machines},
-               {"faults", std::move(faults)}});
+  return {{"whole", found.faults.empty()},
+          {"audit", {{"rows", found.audit_rows}, {"head", found.audit_head}}},
+          {"ledger", {{"jobs", found.jobs}, {"rows", found.ledger_rows}}},
+          {"contents", {{"count", found.contents}, {"bytes", found.content_bytes}}},
+          {"torn_machines", found.torn_machines},
+          {"faults", std::move(faults)}};
+}
+
+}  // namespace
+
+std::string verify_document(const sqlite::Verification& found) { return dump(verification(found)); }
+
+std::string holding_document(const sqlite::Holding& holding, std::string_view backup) {
+  Document document = verification(holding.found);
+  document["backup"] = backup;
+  document["schema"] = holding.schema;
+  document["bytes"] = holding.file_bytes;
+  document["holds"] = {{"machines", holding.machines}, {"families", holding.families}, {"parts", holding.parts},
+                       {"programs", holding.programs}, {"releases", holding.releases}, {"receipts", holding.receipts},
+                       {"tokens", holding.tokens}};
+  document["kept"] = holding.kept.empty() ? Document(nullptr) : Document(holding.kept);
+  return dump(document);
 }
 
 std::string receive_document(const app::Reception& reception, const receive::Transfer& transfer, std::string_view name,

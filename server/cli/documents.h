@@ -14,7 +14,7 @@
 #include "server/app/link_test.h"
 #include "server/io/line_record.h"
 #include "server/simulator/fleet.h"
-#include "store/sqlite/verify.h"
+#include "store/sqlite/archive.h"
 
 namespace dripfeed::cli {
 
@@ -36,6 +36,8 @@ std::string torn_document(const io::LineRecord& line);
 // `output`: the file that it went to.
 std::string receive_document(const app::Reception& reception, const receive::Transfer& transfer, std::string_view name,
                              std::string_view output);
+// Of a backup or what was restored from it.
+std::string holding_document(const sqlite::Holding& holding, std::string_view backup);
 std::string verify_document(const sqlite::Verification& found);
 std::string simulate_document(const simulator::ControlReport& report, const WireHashes& hashes);
 // Of a fleet: {"controls":[…],"total":{…}}, each control with its link.

@@ -22,8 +22,4 @@ struct OpenSettings {
 // migration_failed, disk_full, io_failed.
 store::Result<std::unique_ptr<store::Store>> open(const std::string& path, const OpenSettings& settings = {});
 
-// Checks that `backup` is a whole store that this program can read, and puts it in place of `path`. No server may run
-// on `path`. Errors: as open(), in_use.
-store::Result<void> restore(const std::string& backup, const std::string& path);
-
 }  // namespace dripfeed::sqlite

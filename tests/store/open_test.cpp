@@ -1,4 +1,4 @@
-// Opening, owning, backing up and restoring: what is refused, and that a refusal changes nothing.
+// Opening and owning: what is refused, and that a refusal changes nothing.
 #include <fstream>
 
 #include <fmt/format.h>
@@ -92,52 +92,6 @@ TEST_F(OpenTest, AnotherProcessHoldsTheLockTooLong) {
   must(guest->machines().add("mill-2", "p", by("anna")));
 }
 
-TEST_F(OpenTest, BackupAndRestore) {
-  const Job job = add_job(*store_, "mill-1");
-  const std::string copy = folder_.file("copy.db");
-  must(store_->backup(copy));
-  EXPECT_EQ(refusal(store_->backup(copy)), ErrorCode::exists) << "a backup never writes over one";
-  EXPECT_FALSE(std::filesystem::exists(copy + ".unfinished"));
-  bring(*store_, job.id, JobState::feeding);
-  EXPECT_EQ(refusal(store_->backup(folder_.file("no/folder.db"))), ErrorCode::cannot_open);
-  store_.reset();
-  must(sqlite::restore(copy, path()));
-  reopen({.own = true});
-  EXPECT_EQ(must(store_->jobs().get(job.id)).state, JobState::queued);
-  must(store_->check());
-  EXPECT_FALSE(std::filesystem::exists(path() + ".restored"));
-}
-
-TEST_F(OpenTest, ARestoreThatCannotBeLeavesTheOldStore) {
-  must(store_->machines().add("mill-1", "p", by("anna")));
-  const std::string copy = folder_.file("copy.db");
-  must(store_->backup(copy));
-  store_.reset();
-  {
-    const auto owner = must(sqlite::open(path(), {.own = true}));
-    EXPECT_EQ(refusal(sqlite::restore(copy, path())), ErrorCode::in_use);
-  }
-  EXPECT_EQ(refusal(sqlite::restore(folder_.file("none.db"), path())), ErrorCode::cannot_open);
-  const std::string text = folder_.file("text.db");
-  write(text, std::string(8192, 'x'));
-  EXPECT_EQ(refusal(sqlite::restore(text, path())), ErrorCode::not_a_store);
-  std::string damaged = bytes_of(copy);
-  for (std::size_t at = 8192; at + 4096 < damaged.size(); at += 4096) damaged.replace(at, 64, 64, '\xff');
-  const std::string broken = folder_.file("broken.db");
-  write(broken, damaged);
-  EXPECT_FALSE(sqlite::restore(broken, path()));
-  EXPECT_FALSE(std::filesystem::exists(path() + ".restored"));
-  reopen();
-  EXPECT_EQ(must(store_->machines().get("mill-1")).profile, "p");
-}
-
-TEST_F(OpenTest, ARestoreToANewPlace) {
-  must(store_->machines().add("mill-1", "p", by("anna")));
-  must(store_->backup(folder_.file("copy.db")));
-  must(sqlite::restore(folder_.file("copy.db"), folder_.file("new.db")));
-  EXPECT_EQ(must(must(sqlite::open(folder_.file("new.db")))->machines().get("mill-1")).profile, "p");
-}
-
 TEST_F(OpenTest, ItsFilesAreForTheirOwnerAlone) {
   namespace fs = std::filesystem;
   constexpr fs::perms kOwner = fs::perms::owner_read | fs::perms::owner_write;
@@ -168,10 +122,6 @@ TEST_F(OpenTest, DamageIsFound) {
   bytes.replace(page / 4096 * 4096, 200, 200, '\x7f');
   write(copy, bytes);
   EXPECT_EQ(refusal(must(sqlite::open(copy))->check()), ErrorCode::corrupt);
-  store_.reset();
-  EXPECT_EQ(refusal(sqlite::restore(copy, path())), ErrorCode::corrupt);
-  reopen();
-  must(store_->check());
 }
 
 }  // namespace

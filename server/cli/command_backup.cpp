@@ -1,0 +1,117 @@
+// dripfeed backup and dripfeed restore: the whole of a server's store as one file, also while it runs, and a store from
+// such a file. Each says what it holds, after it has read all of it.
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "server/cli/cli.h"
+#include "server/cli/data_folder.h"
+#include "server/cli/documents.h"
+#include "server/cli/output.h"
+#include "store/sqlite/archive.h"
+
+namespace dripfeed::cli {
+
+namespace {
+
+struct Options {
+  std::string data;
+  std::string file;
+  bool replace = false;
+  bool json = false;
+};
+
+constexpr const char* kBackupFooter =
+    "It takes one state while the server feeds, reads all of it through, and gives it its name only then: the file's\n"
+    "soundness, the audit's chain, each job's ledger, each content by its hash. The file is the whole store: "
+    "programs,\n"
+    "machines, families, releases, jobs, ledger, audit, and the hashes of tokens. Not in it: the records of the lines\n"
+    "(DRIPFEED_LINES), which belong to their computer, and certificates.\n"
+    "Exit: 0 made, 1 the store has a fault and nothing was made, 2 wrong use or I/O error";
+constexpr const char* kRestoreFooter =
+    "It refuses a folder whose server runs, and one that has a store, unless --replace keeps that under another name.\n"
+    "An older schema is brought up to date; a newer one is refused. The store is as old as its backup: tokens revoked\n"
+    "since are valid again, and jobs that had a line then are interrupted when the server starts. What was sent since\n"
+    "it does not know: look at each control before you arm.\n"
+    "Exit: 0 done, 1 the backup has a fault and nothing was changed, 2 wrong use or I/O error";
+
+std::string summary_of(const sqlite::Holding& holding) {
+  const sqlite::Verification& found = holding.found;
+  std::string text = fmt::format(
+      "schema {}, {} bytes\n{} machines, {} families, {} parts, {} programs, {} releases, {} receipts, {} tokens\n"
+      "{} jobs with {} rows in their ledgers, {} rows in the audit, head {}\n{} contents, {} bytes, each has its "
+      "hash\n",
+      holding.schema, holding.file_bytes, holding.machines, holding.families, holding.parts, holding.programs,
+      holding.releases, holding.receipts, holding.tokens, found.jobs, found.ledger_rows, found.audit_rows,
+      found.audit_head.empty() ? "none" : found.audit_head, found.contents, found.content_bytes);
+  if (found.torn_machines > 0)
+    text += fmt::format("torn machines that wait for a confirmation: {}\n", found.torn_machines);
+  return text;
+}
+
+int report(const store::Result<sqlite::Holding>& holding, const Options& options, std::string_view done) {
+  if (!holding) {
+    print_error(store::message_of(holding.error()));
+    return holding.error().code == store::ErrorCode::corrupt ? kFailed : kWrongUse;
+  }
+  for (const sqlite::VerifyFault& fault : holding->found.faults)
+    print_error(fmt::format("{}: {}", fault.subject, fault.what));
+  const bool whole = holding->found.faults.empty();
+  if (!whole) print_error("nothing was made or changed, because of these faults");
+  std::string text;
+  if (options.json) {
+    text = holding_document(*holding, options.file);
+  } else if (whole) {
+    text = fmt::format("{}\n{}", done, summary_of(*holding));
+    if (!holding->kept.empty()) text += fmt::format("the store that was there is now {}\n", holding->kept);
+  }
+  if (!write_output("-", text)) return kWrongUse;
+  return whole ? kDone : kFailed;
+}
+
+int back_up(const Options& options) {
+  const auto made = sqlite::back_up(store_path(options.data), options.file);
+  return report(made, options, fmt::format("{} is a whole backup of {}", options.file, options.data));
+}
+
+int restore(const Options& options) {
+  if (const auto made = make_data_folder(options.data); !made) {
+    print_error(made.error());
+    return kWrongUse;
+  }
+  const auto restored = sqlite::restore(options.file, store_path(options.data), options.replace);
+  if (!restored && restored.error().code == store::ErrorCode::exists) {
+    print_error(
+        fmt::format("{} has a store already: give another folder, or --replace, which keeps the old one under "
+                    "another name",
+                    options.data));
+    return kWrongUse;
+  }
+  return report(restored, options, fmt::format("{} has the store of {}", options.data, options.file));
+}
+
+}  // namespace
+
+void add_backup(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("backup", "Copy a server's store to one file, also while it runs");
+  const auto options = std::make_shared<Options>();
+  command->add_option("DATA", options->data, "folder of the store")->required();
+  command->add_option("FILE", options->file, "the backup; it must not be there yet")->required();
+  command->add_flag("--json", options->json, "one JSON object on standard output");
+  command->footer(kBackupFooter);
+  command->callback([options, &exit_code] { exit_code = back_up(*options); });
+}
+
+void add_restore(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("restore", "Make a server's store from a backup");
+  const auto options = std::make_shared<Options>();
+  command->add_option("FILE", options->file, "the backup")->required();
+  command->add_option("DATA", options->data, "folder of the store; made where there is none")->required();
+  command->add_flag("--replace", options->replace, "put it in the place of the store there, which keeps its bytes");
+  command->add_flag("--json", options->json, "one JSON object on standard output");
+  command->footer(kRestoreFooter);
+  command->callback([options, &exit_code] { exit_code = restore(*options); });
+}
+
+}  // namespace dripfeed::cli
