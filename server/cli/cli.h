@@ -41,6 +41,7 @@ void add_simulate(CLI::App& app, int& exit_code);
 void add_link(CLI::App& app, int& exit_code);
 void add_backup(CLI::App& app, int& exit_code);
 void add_restore(CLI::App& app, int& exit_code);
+void add_doctor(CLI::App& app, int& exit_code);
 void add_ledger(CLI::App& app, int& exit_code);
 void add_token(CLI::App& app, int& exit_code);
 void add_openapi(CLI::App& app, int& exit_code);

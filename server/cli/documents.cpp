@@ -155,6 +155,19 @@ Document verification(const sqlite::Verification& found) {
 
 }  // namespace
 
+std::string doctor_document(const Findings& found) {
+  Document findings = Document::array();
+  const auto count = [&](Health health) { return std::ranges::count(found, health, &Finding::health); };
+  for (const Finding& one : found) {
+    findings.push_back({{"check", one.check},
+                        {"health", name_of(one.health)},
+                        {"text", one.text},
+                        {"cure", one.cure.empty() ? Document(nullptr) : Document(one.cure)}});
+  }
+  return dump(
+      {{"findings", std::move(findings)}, {"faults", count(Health::fault)}, {"warnings", count(Health::warning)}});
+}
+
 std::string verify_document(const sqlite::Verification& found) { return dump(verification(found)); }
 
 std::string holding_document(const sqlite::Holding& holding, std::string_view backup) {

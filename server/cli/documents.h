@@ -12,6 +12,7 @@
 #include "protocol/receive/transfer.h"
 #include "server/app/line.h"
 #include "server/app/link_test.h"
+#include "server/cli/doctor.h"
 #include "server/io/line_record.h"
 #include "server/simulator/fleet.h"
 #include "store/sqlite/archive.h"
@@ -36,6 +37,8 @@ std::string torn_document(const io::LineRecord& line);
 // `output`: the file that it went to.
 std::string receive_document(const app::Reception& reception, const receive::Transfer& transfer, std::string_view name,
                              std::string_view output);
+// {"findings":[{"check","health","text","cure"}],"faults","warnings"}; `cure` is null where nothing is to be done.
+std::string doctor_document(const Findings& found);
 // Of a backup or what was restored from it.
 std::string holding_document(const sqlite::Holding& holding, std::string_view backup);
 std::string verify_document(const sqlite::Verification& found);

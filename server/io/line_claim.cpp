@@ -15,6 +15,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include "server/io/lock_holder.h"
 #include "server/io/serial_identity.h"
 #include "server/io/steady_clock.h"
 
@@ -253,6 +254,29 @@ std::expected<fs::path, std::string> lines_folder() {
     return made(fs::path(state) / "dripfeed/lines");
   if (const char* const home = environment("HOME")) return made(fs::path(home) / ".local/state/dripfeed/lines");
   return no_folder(of_system, "it cannot be made, and there is no HOME");
+}
+
+fs::path known_lines_folder() {
+  if (const char* const given = environment("DRIPFEED_LINES")) return plain_path(given);
+  fs::path of_system = "/var/lib/dripfeed/lines";
+  std::error_code error;
+  if (fs::exists(of_system.parent_path(), error) || ::access("/var/lib", W_OK) == 0) return of_system;
+  if (const char* const state = environment("XDG_STATE_HOME"); state != nullptr && *state == '/')
+    return fs::path(state) / "dripfeed/lines";
+  if (const char* const home = environment("HOME")) return fs::path(home) / ".local/state/dripfeed/lines";
+  return {};
+}
+
+std::string line_holder(const fs::path& folder, const machine::LinkUrl& link, const std::string& sysfs) {
+  for (const std::string& name : names_of(link, sysfs).names) {
+    const std::string path = (folder / file_name_of(name)).string() + ".lock";
+    if (!lock_holder(path)) continue;
+    std::string signature;
+    std::ifstream file(path);
+    std::getline(file, signature);
+    return signature.empty() ? "another process" : signature;
+  }
+  return {};
 }
 
 std::expected<std::unique_ptr<app::LineClaim>, std::string> claim_line_in(const fs::path& folder,

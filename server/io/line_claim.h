@@ -35,6 +35,13 @@ std::expected<std::unique_ptr<app::LineClaim>, std::string> claim_line_in(const 
                                                                           const machine::LinkUrl& link,
                                                                           const std::string& sysfs = "/sys");
 
+// The folder where it would be looked for, made or not; nothing is made. "": there is none.
+std::filesystem::path known_lines_folder();
+// Who has one of the line's names now, as it signed its lock: "dripfeed serve … (pid 77), since …". "": nobody, as far
+// as the system shows it. Nothing is taken.
+std::string line_holder(const std::filesystem::path& folder, const machine::LinkUrl& link,
+                        const std::string& sysfs = "/sys");
+
 // What the records of a line say, without a claim: of the first name under which something is torn, else of the first
 // name.
 std::expected<LineRecord, std::string> look_at_line(const machine::LinkUrl& link);

@@ -1,6 +1,7 @@
 // Backups as files of their own, and stores made from them: whole or not at all, and never over something else.
 #include "store/sqlite/archive.h"
 
+#include <algorithm>
 #include <atomic>
 #include <fstream>
 #include <sstream>
