@@ -1,12 +1,10 @@
 // dripfeed serve: the server with its store, its links and the API.
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <thread>
 
@@ -24,6 +22,7 @@
 #include "server/cli/inputs.h"
 #include "server/cli/logging.h"
 #include "server/cli/output.h"
+#include "server/cli/serve_options.h"
 #include "server/cli/signals.h"
 #include "server/http/api.h"
 #include "server/http/server.h"
@@ -47,39 +46,7 @@ constexpr rlim_t kMostFiles = 8192;
 // Of a request that computes when the server stops: a sweep looks every moment whether it is to end, a check does not.
 constexpr std::chrono::seconds kRequestsEndWithin{5};
 
-struct Options {
-  std::string data = "data";
-  std::string listen = "127.0.0.1:8840";
-  std::string web;
-  bool insecure = false;
-  std::string tls_certificate;  // both or neither
-  std::string tls_key;
-  std::vector<std::string> proxies;       // IP addresses
-  std::string modbus_listen;              // "": no Modbus server
-  std::vector<std::string> modbus_allow;  // IP addresses
-  std::vector<std::string> modbus_units;  // MACHINE=UNIT
-  std::uint32_t check_seconds = 60;
-  std::uint32_t check_memory_mb = 2048;
-};
-
-// MACHINE=UNIT, each unit and each machine once.
-app::Result<std::map<std::uint8_t, std::string>> units_of(const std::vector<std::string>& given) {
-  std::map<std::uint8_t, std::string> units;
-  for (const std::string& one : given) {
-    const std::size_t equals = one.rfind('=');
-    int unit = 0;
-    const char* const end = one.data() + one.size();
-    const bool has_number = equals != std::string::npos && equals > 0 &&
-                            std::from_chars(one.data() + equals + 1, end, unit).ptr == end && one.back() != '=';
-    if (!has_number || unit < 1 || unit > 247)
-      return app::fail(app::ErrorCode::invalid, fmt::format("--modbus-unit \"{}\": use MACHINE=1..247", one));
-    const std::string machine = one.substr(0, equals);
-    const bool named = std::ranges::any_of(units, [&](const auto& row) { return row.second == machine; });
-    if (named || !units.emplace(static_cast<std::uint8_t>(unit), machine).second)
-      return app::fail(app::ErrorCode::invalid, fmt::format("--modbus-unit \"{}\": named twice", one));
-  }
-  return units;
-}
+using Options = json::ServerOptions;
 
 // Only the owner may read it: it opens everything.
 app::Result<void> write_secret(const fs::path& path, const std::string& secret) {
@@ -122,19 +89,18 @@ std::string web_root(const Options& options) {
 }
 
 app::Result<std::unique_ptr<io::ModbusListener>> listen_for_plcs(const Options& options,
+                                                                 const http::ListenAddress& address,
                                                                  modbus::RegisterView& registers) {
-  const auto address = http::parse_listen_address(options.modbus_listen);
-  if (!address) return app::fail(app::ErrorCode::invalid, "--modbus-listen: " + address.error());
   auto listener =
-      io::listen_modbus({.host = address->host, .port = address->port, .allowed = options.modbus_allow}, registers);
+      io::listen_modbus({.host = address.host, .port = address.port, .allowed = options.modbus_allow}, registers);
   if (!listener) return app::fail(app::ErrorCode::invalid, "--modbus-listen: " + listener.error());
-  say(fmt::format("Modbus at {}:{}, {} units", address->host, (*listener)->port(), options.modbus_units.size()));
+  say(fmt::format("Modbus at {}:{}, {} units", address.host, (*listener)->port(), options.modbus_unit.size()));
   return std::move(*listener);
 }
 
 // Each check runs in a process of this same program.
 io::WorkerDeskSettings desk_settings(const Options& options) {
-  const std::uint64_t memory_bytes = std::uint64_t{options.check_memory_mb} << 20U;
+  const std::uint64_t memory_bytes = std::uint64_t{options.check_memory} << 20U;
   const std::uint64_t computing_s = std::uint64_t{options.check_seconds} * json::DocumentWorkers::kSweepChecks;
   return {.command = {"/proc/self/exe", "worker", "--memory-bytes", fmt::format("{}", memory_bytes), "--seconds",
                       fmt::format("{}", computing_s)},
@@ -143,8 +109,7 @@ io::WorkerDeskSettings desk_settings(const Options& options) {
           .memory_exit_code = kOverMemory};
 }
 
-int run_server(const Options& options, const http::ListenAddress& address, store::Store& store,
-               const std::stop_token& stop) {
+int run_server(const Options& options, const ServePlan& plan, store::Store& store, const std::stop_token& stop) {
   const io::SteadyClock clock;
   const json::JsonDocuments documents;
   const auto links = io::start_link_thread();
@@ -166,15 +131,10 @@ int run_server(const Options& options, const http::ListenAddress& address, store
     print_error(started.error());
     return kWrongUse;
   }
-  const auto units = units_of(options.modbus_units);
-  if (!units) {
-    print_error(units.error());
-    return kWrongUse;
-  }
-  app::StatusRegisters registers(application.events(), clock, *units);
+  app::StatusRegisters registers(application.events(), clock, plan.modbus_units);
   std::unique_ptr<io::ModbusListener> plcs;
-  if (!options.modbus_listen.empty()) {
-    auto listening = listen_for_plcs(options, registers);
+  if (plan.modbus_address) {
+    auto listening = listen_for_plcs(options, *plan.modbus_address, registers);
     if (!listening) {
       print_error(listening.error());
       return kWrongUse;
@@ -182,12 +142,12 @@ int run_server(const Options& options, const http::ListenAddress& address, store
     plcs = std::move(*listening);
   }
   http::Api api(application, workers, web_root(options), kVersion, stop);
-  auto server = http::Server::start({.address = address,
+  auto server = http::Server::start({.address = plan.address,
                                      .spool_folder = fs::path(options.data) / "uploads",
-                                     .tls_certificate = options.tls_certificate,
+                                     .tls_certificate = options.tls_cert,
                                      .tls_key = options.tls_key,
                                      .heavy_threads = desk.threads(),
-                                     .proxies = options.proxies,
+                                     .proxies = options.proxy,
                                      .traffic = api.traffic()},
                                     {.plan = http::Api::plan,
                                      .refuse_long = [&](const http::Request& r) { return api.refuse_long(r); },
@@ -196,8 +156,8 @@ int run_server(const Options& options, const http::ListenAddress& address, store
     print_error(server.error());
     return kWrongUse;
   }
-  announce(fmt::format("dripfeed is at {}://{}:{}/  (token: {})", options.tls_certificate.empty() ? "http" : "https",
-                       address.host, (*server)->port(), (fs::path(options.data) / "first-token").string()));
+  announce(fmt::format("dripfeed is at {}://{}:{}/  (token: {})", options.tls_cert.empty() ? "http" : "https",
+                       plan.address.host, (*server)->port(), (fs::path(options.data) / "first-token").string()));
   while (!stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   spdlog::info("stopping: running feeds end at their block");
   (*server)->close();
@@ -214,20 +174,9 @@ int serve(const Options& options) {
   const std::stop_token stop =
       stop_by_signal_and_reload([] { say("SIGHUP: nothing is reloaded, because all options are read at the start"); });
   const Logging logging;
-  const auto address = http::parse_listen_address(options.listen);
-  if (!address) {
-    print_error(address.error());
-    return kWrongUse;
-  }
-  if (options.tls_certificate.empty() != options.tls_key.empty()) {
-    print_error("--tls-cert and --tls-key go together: give both");
-    return kWrongUse;
-  }
-  if (!http::is_loopback(*address) && options.tls_certificate.empty() && !options.insecure) {
-    print_error(
-        fmt::format("{} is not loopback and there is no TLS: tokens would be readable on the network. Give --tls-cert "
-                    "and --tls-key, put a TLS proxy before it, or say --insecure",
-                    options.listen));
+  const auto plan = plan_of(options);
+  if (!plan) {
+    print_error(plan.error());
     return kWrongUse;
   }
   if (const auto made = make_data_folder(options.data); !made) {
@@ -240,37 +189,38 @@ int serve(const Options& options) {
     print_error(store::message_of(store.error()));
     return kWrongUse;
   }
-  return run_server(options, *address, **store, stop);
+  return run_server(options, *plan, **store, stop);
+}
+
+// --check: what would keep the server from its start, as far as options say.
+int check_options(const Options& options) {
+  const auto plan = plan_of(options);
+  if (!plan) {
+    print_error(plan.error());
+    return kWrongUse;
+  }
+  return write_output("-", fmt::format("the options hold: data in {}, listening at {}\n", options.data, options.listen))
+             ? kDone
+             : kWrongUse;
+}
+
+int serve_as_given(const CLI::App& command, const GivenOptions& given) {
+  if (given.only_schema) return write_output("-", json::server_options_schema() + "\n") ? kDone : kWrongUse;
+  const auto options = options_of(command, given);
+  if (!options) {
+    print_error(options.error());
+    return kWrongUse;
+  }
+  return given.only_check ? check_options(*options) : serve(*options);
 }
 
 }  // namespace
 
 void add_serve(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("serve", "the server: store, lines, REST API and page");
-  const auto options = std::make_shared<Options>();
-  command->set_config("--config", "", "read options from this file");
-  command->add_option("--data", options->data, "folder of the store")->capture_default_str();
-  command->add_option("--listen", options->listen, "ADDRESS:PORT, loopback by default")->capture_default_str();
-  command->add_option("--web", options->web, "folder of the built page");
-  command->add_option("--modbus-listen", options->modbus_listen,
-                      "ADDRESS:PORT: PLCs may read there what the machines do, by Modbus TCP");
-  command->add_option("--modbus-unit", options->modbus_units, "MACHINE=UNIT: shown to PLCs as this unit, 1..247");
-  command->add_option("--modbus-allow", options->modbus_allow,
-                      "IP address that may read; must be given where --modbus-listen is not loopback");
-  command
-      ->add_option("--check-seconds", options->check_seconds, "budget of time of one check; a sweep has ten times it")
-      ->check(CLI::Range(1, 86'400))
-      ->capture_default_str();
-  command->add_option("--check-memory", options->check_memory_mb, "budget of memory of one check, in MB")
-      ->check(CLI::Range(64, 1'048'576))
-      ->capture_default_str();
-  command->add_option("--tls-cert", options->tls_certificate,
-                      "certificate with its chain, PEM: HTTPS; read again when it changes");
-  command->add_option("--tls-key", options->tls_key, "its key, PEM");
-  command->add_option("--proxy", options->proxies,
-                      "IP address of a proxy whose X-Forwarded-Host and X-Forwarded-Proto are believed");
-  command->add_flag("--insecure", options->insecure, "listen beyond loopback without TLS");
-  command->callback([options, &exit_code] { exit_code = serve(*options); });
+  const auto given = std::make_shared<GivenOptions>();
+  add_serve_options(*command, *given);
+  command->callback([command, given, &exit_code] { exit_code = serve_as_given(*command, *given); });
 }
 
 }  // namespace dripfeed::cli

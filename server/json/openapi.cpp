@@ -181,6 +181,12 @@ Document operation_of(const OpenApiRoute& route) {
 
 }  // namespace
 
+std::string json_schema(const Schema& schema) {
+  Document document = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}};
+  document.update(write(schema));
+  return dump(document);
+}
+
 std::string openapi(std::span<const OpenApiRoute> routes, std::string_view version) {
   Document paths = Document::object();
   for (const OpenApiRoute& route : routes) paths[std::string(route.path)][lower(route.method)] = operation_of(route);

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "server/json/schema.h"
+
 namespace dripfeed::json {
 
 struct OpenApiRoute {
@@ -24,6 +26,9 @@ struct OpenApiRoute {
   bool lists = false;                        // the answer is a page of these
   std::vector<std::string_view> types = {};  // other content types of the answer
 };
+
+// One schema as a document of its own (JSON Schema 2020-12).
+std::string json_schema(const Schema& schema);
 
 std::string openapi(std::span<const OpenApiRoute> routes, std::string_view version);
 

@@ -1,0 +1,149 @@
+// An option is one row: how the command line names it, and which member it is. The file's members have the same names.
+#include "server/cli/serve_options.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "server/cli/inputs.h"
+#include "server/http/tls.h"
+
+namespace dripfeed::cli {
+
+namespace {
+
+using json::ServerOptions;
+
+template <class Value>
+struct Row {
+  const char* name;
+  Value ServerOptions::* member;
+  const char* about;
+};
+
+constexpr Row<std::string> kTexts[] = {
+    {"--data", &ServerOptions::data, "folder of the store"},
+    {"--listen", &ServerOptions::listen, "ADDRESS:PORT, loopback by default"},
+    {"--web", &ServerOptions::web, "folder of the built page"},
+    {"--modbus-listen", &ServerOptions::modbus_listen,
+     "ADDRESS:PORT: PLCs may read there what the machines do, by Modbus TCP"},
+    {"--tls-cert", &ServerOptions::tls_cert, "certificate with its chain, PEM: HTTPS; read again when it changes"},
+    {"--tls-key", &ServerOptions::tls_key, "its key, PEM"},
+};
+constexpr Row<std::vector<std::string>> kLists[] = {
+    {"--modbus-unit", &ServerOptions::modbus_unit, "MACHINE=UNIT: shown to PLCs as this unit, 1..247"},
+    {"--modbus-allow", &ServerOptions::modbus_allow,
+     "IP address that may read; must be given where --modbus-listen is not loopback"},
+    {"--proxy", &ServerOptions::proxy,
+     "IP address of a proxy whose X-Forwarded-Host and X-Forwarded-Proto are believed"},
+};
+struct NumberRow {
+  Row<std::uint32_t> row;
+  std::uint32_t least;
+  std::uint32_t most;
+};
+constexpr NumberRow kNumbers[] = {
+    {{"--check-seconds", &ServerOptions::check_seconds, "budget of time of one check; a sweep has ten times it"},
+     1,
+     json::kMostCheckSeconds},
+    {{"--check-memory", &ServerOptions::check_memory, "budget of memory of one check, in MB"},
+     json::kLeastCheckMemory_mb,
+     json::kMostCheckMemory_mb},
+};
+constexpr Row<bool> kFlags[] = {{"--insecure", &ServerOptions::insecure, "listen beyond loopback without TLS"}};
+
+// What the command line names wins.
+template <class Value>
+void lay_over(const CLI::App& command, const Row<Value>& row, const ServerOptions& given, ServerOptions& into) {
+  if (command.count(row.name) > 0) into.*row.member = given.*row.member;
+}
+
+// MACHINE=UNIT, each unit and each machine once.
+app::Result<std::map<std::uint8_t, std::string>> units_of(const std::vector<std::string>& given) {
+  std::map<std::uint8_t, std::string> units;
+  for (const std::string& one : given) {
+    const std::size_t equals = one.rfind('=');
+    int unit = 0;
+    const char* const end = one.data() + one.size();
+    const bool has_number = equals != std::string::npos && equals > 0 &&
+                            std::from_chars(one.data() + equals + 1, end, unit).ptr == end && one.back() != '=';
+    if (!has_number || unit < 1 || unit > 247)
+      return app::fail(app::ErrorCode::invalid, fmt::format("--modbus-unit \"{}\": use MACHINE=1..247", one));
+    const std::string machine = one.substr(0, equals);
+    const bool named = std::ranges::any_of(units, [&](const auto& row) { return row.second == machine; });
+    if (named || !units.emplace(static_cast<std::uint8_t>(unit), machine).second)
+      return app::fail(app::ErrorCode::invalid, fmt::format("--modbus-unit \"{}\": named twice", one));
+  }
+  return units;
+}
+
+app::Result<void> check_tls(const ServerOptions& options, const http::ListenAddress& address) {
+  if (options.tls_cert.empty() != options.tls_key.empty())
+    return app::fail(app::ErrorCode::invalid, "--tls-cert and --tls-key go together: give both");
+  if (!options.tls_cert.empty()) {
+    const auto files = http::TlsFiles::open(options.tls_cert, options.tls_key);
+    return files ? app::Result<void>() : app::fail(app::ErrorCode::invalid, files.error());
+  }
+  if (http::is_loopback(address) || options.insecure) return {};
+  return app::fail(
+      app::ErrorCode::invalid,
+      fmt::format("{} is not loopback and there is no TLS: tokens would be readable on the network. Give --tls-cert "
+                  "and --tls-key, put a TLS proxy before it, or say --insecure",
+                  options.listen));
+}
+
+}  // namespace
+
+void add_serve_options(CLI::App& command, GivenOptions& given) {
+  ServerOptions& options = given.options;
+  command.add_option(
+      "--config", given.config,
+      "JSON file with these options, as {\"data\": \"/srv/dripfeed\", \"check_seconds\": 30}; the command "
+      "line wins over it");
+  for (const auto& row : kTexts) {
+    CLI::Option* const option = command.add_option(row.name, options.*row.member, row.about);
+    if (!(options.*row.member).empty()) option->capture_default_str();
+  }
+  for (const auto& row : kLists) command.add_option(row.name, options.*row.member, row.about);
+  for (const auto& [row, least, most] : kNumbers) {
+    command.add_option(row.name, options.*row.member, row.about)->check(CLI::Range(least, most))->capture_default_str();
+  }
+  for (const auto& row : kFlags) command.add_flag(row.name, options.*row.member, row.about);
+  command.add_flag("--check", given.only_check, "look at the options, and start nothing");
+  command.add_flag("--config-schema", given.only_schema, "print the JSON schema of the file, and start nothing");
+}
+
+app::Result<ServerOptions> options_of(const CLI::App& command, const GivenOptions& given) {
+  if (given.config.empty()) return given.options;
+  const auto file = read_source(given.config);
+  if (!file) return std::unexpected(file.error());
+  ServerOptions options;
+  if (auto read = json::read_server_options(file->text(), options); !read) {
+    app::Error error = std::move(read.error());
+    error.text = fmt::format("{}: {}", given.config, error.text);
+    return std::unexpected(std::move(error));
+  }
+  for (const auto& row : kTexts) lay_over(command, row, given.options, options);
+  for (const auto& row : kLists) lay_over(command, row, given.options, options);
+  for (const auto& row : kNumbers) lay_over(command, row.row, given.options, options);
+  for (const auto& row : kFlags) lay_over(command, row, given.options, options);
+  return options;
+}
+
+app::Result<ServePlan> plan_of(const ServerOptions& options) {
+  const auto address = http::parse_listen_address(options.listen);
+  if (!address) return app::fail(app::ErrorCode::invalid, address.error());
+  if (const auto tls = check_tls(options, *address); !tls) return std::unexpected(tls.error());
+  auto units = units_of(options.modbus_unit);
+  if (!units) return std::unexpected(units.error());
+  ServePlan plan{.address = *address, .modbus_units = std::move(*units)};
+  if (options.modbus_listen.empty()) return plan;
+  const auto modbus = http::parse_listen_address(options.modbus_listen);
+  if (!modbus) return app::fail(app::ErrorCode::invalid, "--modbus-listen: " + modbus.error());
+  plan.modbus_address = *modbus;
+  return plan;
+}
+
+}  // namespace dripfeed::cli

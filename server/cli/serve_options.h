@@ -1,0 +1,41 @@
+// The options of dripfeed serve: from the command line, laid over a file where one is named, and looked at before
+// anything is begun.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "server/app/error.h"
+#include "server/http/server.h"
+#include "server/json/server_options.h"
+
+namespace CLI {
+class App;  // included only where options are added: it takes seconds to compile
+}
+
+namespace dripfeed::cli {
+
+// As the command line has them.
+struct GivenOptions {
+  json::ServerOptions options;
+  std::string config;        // --config
+  bool only_check = false;   // --check
+  bool only_schema = false;  // --config-schema
+};
+void add_serve_options(CLI::App& command, GivenOptions& given);
+
+// What the file says, with what the command line says laid over it. Errors: unavailable, malformed, invalid.
+app::Result<json::ServerOptions> options_of(const CLI::App& command, const GivenOptions& given);
+
+// What the options mean.
+struct ServePlan {
+  http::ListenAddress address;
+  std::map<std::uint8_t, std::string> modbus_units;     // machines by unit
+  std::optional<http::ListenAddress> modbus_address{};  // nothing: no Modbus server
+};
+// Errors: invalid, as one sentence. Nothing is begun; the certificate and its key are read.
+app::Result<ServePlan> plan_of(const json::ServerOptions& options);
+
+}  // namespace dripfeed::cli

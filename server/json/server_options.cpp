@@ -1,0 +1,98 @@
+// The members have the names of the options, with _ for -. A unit is a number by its machine, as in {"lathe": 1}.
+#include "server/json/server_options.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "server/json/object_reader.h"
+#include "server/json/openapi.h"
+#include "server/json/place_in_text.h"
+
+namespace dripfeed::json {
+
+namespace {
+
+constexpr std::int64_t kMostUnit = 247;
+
+void read_texts(ObjectReader& o, std::string_view name, std::string_view about, std::vector<std::string>& into) {
+  const Document* const given = o.member(name, list_of(filled_text(std::string(about)), ""));
+  if (given == nullptr) return;
+  if (!given->is_array()) return o.fault(name, "must be a list of texts");
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < given->size(); ++i) {
+    const Document& one = (*given)[i];
+    if (!one.is_string() || one.get_ref<const std::string&>().empty()) {
+      o.fault(name, fmt::format("entry {} must be a text that is not empty", i + 1));
+    } else {
+      texts.push_back(one.get<std::string>());
+    }
+  }
+  into = std::move(texts);
+}
+
+void read_units(ObjectReader& o, std::vector<std::string>& into) {
+  constexpr std::string_view kName = "modbus_unit";
+  const Document* const given =
+      o.member(kName, map_of(integer(1, kMostUnit, "the unit of this machine"), "machines that PLCs see"));
+  if (given == nullptr) return;
+  if (!given->is_object()) return o.fault(kName, "must be an object of units by machine, as {\"lathe\": 1}");
+  std::vector<std::string> units;
+  for (const auto& [machine, unit] : given->items()) {
+    const bool fits =
+        unit.is_number_integer() && unit.get<std::int64_t>() >= 1 && unit.get<std::int64_t>() <= kMostUnit;
+    if (!fits) {
+      o.fault(kName, fmt::format("of \"{}\" must be a whole number from 1 to 247", machine));
+    } else {
+      units.push_back(fmt::format("{}={}", machine, unit.get<std::int64_t>()));
+    }
+  }
+  into = std::move(units);
+}
+
+void read_members(ObjectReader& o, ServerOptions& into) {
+  o.text("data", into.data);
+  o.text("listen", into.listen);
+  o.text("web", into.web);
+  o.flag("insecure", into.insecure);
+  o.text("tls_cert", into.tls_cert);
+  o.text("tls_key", into.tls_key);
+  read_texts(o, "proxy", "IP address", into.proxy);
+  o.text("modbus_listen", into.modbus_listen);
+  read_texts(o, "modbus_allow", "IP address", into.modbus_allow);
+  read_units(o, into.modbus_unit);
+  o.integer("check_seconds", into.check_seconds, 1, kMostCheckSeconds);
+  o.integer("check_memory", into.check_memory, kLeastCheckMemory_mb, kMostCheckMemory_mb);
+}
+
+}  // namespace
+
+app::Result<void> read_server_options(std::string_view text, ServerOptions& into) {
+  ServerOptions read = into;
+  auto done = read_object(text, "the options", [&](ObjectReader& o) { read_members(o, read); });
+  if (done) {
+    into = std::move(read);
+    return {};
+  }
+  app::Error error = std::move(done.error());
+  for (app::ErrorPlace& fault : error.places) {
+    if (fault.line != 0) continue;  // the parser's own
+    const TextPlace place = place_in_text(text, fault.pointer);
+    fault = {.pointer = {},
+             .line = place.line,
+             .column = place.column,
+             .text = fmt::format("{} {}", fault.pointer, fault.text)};
+  }
+  if (error.code == app::ErrorCode::invalid && !error.places.empty()) error.text = "these options are refused";
+  std::ranges::sort(error.places, {}, [](const app::ErrorPlace& one) { return std::pair(one.line, one.column); });
+  return std::unexpected(std::move(error));
+}
+
+std::string server_options_schema() {
+  ServerOptions standard;
+  return json_schema(describe("options of dripfeed serve; an option of the command line wins over its member here",
+                              [&](ObjectReader& o) { read_members(o, standard); }));
+}
+
+}  // namespace dripfeed::json

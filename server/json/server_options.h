@@ -1,0 +1,39 @@
+// The options of dripfeed serve, as the command line and as a file have them. One function reads the file and describes
+// it (see object_reader.h), so that its schema cannot differ from its reading.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "server/app/error.h"
+
+namespace dripfeed::json {
+
+struct ServerOptions {
+  std::string data = "data";
+  std::string listen = "127.0.0.1:8840";
+  std::string web{};
+  bool insecure = false;
+  std::string tls_cert{};  // both or neither
+  std::string tls_key{};
+  std::vector<std::string> proxy{};         // IP addresses
+  std::string modbus_listen{};              // "": no Modbus server
+  std::vector<std::string> modbus_allow{};  // IP addresses
+  std::vector<std::string> modbus_unit{};   // MACHINE=UNIT
+  std::uint32_t check_seconds = 60;
+  std::uint32_t check_memory = 2048;  // MB
+  friend bool operator==(const ServerOptions&, const ServerOptions&) = default;
+};
+inline constexpr std::uint32_t kMostCheckSeconds = 86'400;
+inline constexpr std::uint32_t kLeastCheckMemory_mb = 64;
+inline constexpr std::uint32_t kMostCheckMemory_mb = 1'048'576;
+
+// Lays the file's text over `into`: what it does not name stays as it is. Errors: malformed, invalid; each fault with
+// its line and column.
+app::Result<void> read_server_options(std::string_view text, ServerOptions& into);
+// As JSON Schema (2020-12).
+std::string server_options_schema();
+
+}  // namespace dripfeed::json

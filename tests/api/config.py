@@ -1,0 +1,75 @@
+"""dripfeed serve --config: the file's members are the options, the command line wins, what is wrong is named with its line and column, and --check
+starts nothing."""
+
+import json
+import subprocess
+import sys
+
+from jsonschema import Draft202012Validator
+
+from client import Client, binary, expect, in_folder
+
+
+def serve(*arguments, code):
+    done = subprocess.run([str(binary()), "serve", *map(str, arguments)], capture_output=True, text=True, timeout=30)
+    expect(done.returncode == code, f"{arguments} ended with {done.returncode}: {done.stdout} {done.stderr}")
+    return done.stdout if code == 0 else done.stderr
+
+
+def check(folder, content, *arguments, code=0):
+    file = folder / "dripfeed.json"
+    file.write_text(content if isinstance(content, str) else json.dumps(content))
+    return serve("--config", file, "--check", *arguments, code=code)
+
+
+def what_it_says(folder):
+    said = check(folder, {"data": f"{folder}/store", "listen": "127.0.0.1:1"})
+    expect(f"{folder}/store" in said and "127.0.0.1:1" in said, said)
+    said = check(folder, {"data": f"{folder}/store", "listen": "127.0.0.1:1"}, "--listen", "127.0.0.1:2")
+    expect(f"{folder}/store" in said and "127.0.0.1:2" in said, f"the command line does not win: {said}")
+    expect(not (folder / "store").exists(), "a check made the folder")
+    wrong = '{\n  "data": "/srv/d",\n  "listn": ":80",\n  "check_seconds": "long",\n  "proxy": [1]\n}\n'
+    said = check(folder, wrong, code=2)
+    for words in ("line 3, column 3: /listn", "line 4, column 3: /check_seconds", "line 5, column 3: /proxy entry 1", "dripfeed.json"):
+        expect(words in said, f"\"{words}\" is not in {said}")
+    expect("line 2, column 1" in check(folder, '{\n,}', code=2), "no place of what is no JSON")
+    expect("go together" in check(folder, {"tls_cert": "/nothing.pem"}, code=2), "half a pair")
+    expect("/nothing.pem" in check(folder, {"tls_cert": "/nothing.pem", "tls_key": "/nothing.key"}, code=2), "a certificate that is not there")
+    expect("--insecure" in check(folder, {"listen": "0.0.0.0:80"}, code=2), "no TLS")
+    check(folder, {"listen": "0.0.0.0:80", "insecure": True})
+    expect("named twice" in check(folder, {"modbus_unit": {"a": 1, "b": 1}}, code=2), "a unit twice")
+    expect("not 0..65535" in check(folder, {"modbus_listen": ":x"}, code=2), "no address")
+    serve("--config", folder / "none.json", "--check", code=2)
+
+
+def the_schema(folder):
+    schema = json.loads(serve("--config-schema", code=0))
+    Draft202012Validator.check_schema(schema)
+    validator = Draft202012Validator(schema)
+    whole = {"data": "/srv/d", "listen": ":80", "web": "", "insecure": True, "proxy": ["::1"], "modbus_listen": ":502",
+             "modbus_allow": ["::1"], "modbus_unit": {"lathe": 1}, "check_seconds": 1, "check_memory": 64}
+    expect(set(schema["properties"]) == set(whole) | {"tls_cert", "tls_key"}, f"{sorted(schema['properties'])}")
+    options = subprocess.run([str(binary()), "serve", "--help"], capture_output=True, text=True, timeout=30).stdout
+    for name in schema["properties"]:
+        expect(f"--{name.replace('_', '-')} " in options, f"{name} is no option")
+    for good in (whole, {}):
+        expect(not list(validator.iter_errors(good)), f"the schema refuses {good}")
+        check(folder, good)
+    for bad in ({"dat": ""}, {"check_seconds": 0}, {"proxy": "::1"}, {"proxy": [""]}, {"modbus_unit": {"a": 248}}, {"insecure": 1}, []):
+        expect(list(validator.iter_errors(bad)), f"the schema takes {bad}")
+        check(folder, bad, code=2)
+
+
+def a_server_of_it(folder):
+    """The client gives --data and --listen, which win; the rest is the file's."""
+    (folder / "page").mkdir()
+    (folder / "page" / "index.html").write_text("<title>of the file</title>")
+    (folder / "s.json").write_text(json.dumps({"data": "/nowhere", "listen": "127.0.0.1:1", "web": f"{folder}/page"}))
+    client = Client(folder, "--config", str(folder / "s.json")).start()
+    expect(b"of the file" in client.call("GET", "/", role=None).body, "the page of the file")
+    client.server.stop()
+
+
+if __name__ == "__main__":
+    for test in (what_it_says, the_schema, a_server_of_it):
+        in_folder(test)
