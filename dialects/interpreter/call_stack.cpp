@@ -228,8 +228,10 @@ bool CallStack::enter_program(const Instruction& i, CompiledProgram& target, std
 
 bool CallStack::begin_modal(const Instruction& i, double times) {
   CallSite& site = program_->calls[i.a];
-  // They nest on the control: both would be called. How deep, and which first, is not carried out here.
-  if (modal_.has_value()) report_.count({.name = "a modal call (G66) inside another"});
+  // G66 nests on the control: both would be called. How deep, and which first, is not carried out here. MCALL has one
+  // level: a new call takes the place of the one before.
+  if (modal_.has_value() && site.kind == ir::CallKind::macro)
+    report_.count({.name = "a modal call (G66) inside another"});
   ModalCall modal;
   modal.kind = site.kind;
   modal.target = find_program(i, site);

@@ -277,7 +277,9 @@ TEST(SinumerikModalCalls, ArgumentsAreThoseOfTheModalCall) {
 
 TEST(SinumerikModalCalls, ASecondOneTakesThePlaceOfTheFirst) {
   const Texts called = {{"ONE", "R5=R5+1\nRET\n"}, {"TWO", "R5=R5+10\nRET\n"}};
-  EXPECT_EQ(run("R5=0\nMCALL ONE\nG0 X1\nMCALL TWO\nX2\nX3\nMCALL\nX4\nM30\n", called).value("R5"), 21.0);
+  const Result two = run("R5=0\nMCALL ONE\nG0 X1\nMCALL TWO\nX2\nX3\nMCALL\nX4\nM30\n", called);
+  EXPECT_EQ(two.value("R5"), 21.0);
+  EXPECT_FALSE(two.names("a modal call (G66) inside another"));
   EXPECT_EQ(run("R5=0\nMCALL ONE\nG0 X1\nMCALL POCKET4(1,2)\nX2\nMCALL\nM30\n", called).value("R5"), 1.0);
 }
 
