@@ -105,12 +105,12 @@ std::optional<std::uint32_t> DrillCall::make() {
 }
 
 std::optional<BackBoring> DrillCall::back_boring() {
-  if (!after_.initial.known) return refuse("back boring from a level that is not known here");
+  if (!after_.initial.number.known) return refuse("back boring from a level that is not known here");
   if (!after_.spindle.known || !turns_spindle(after_.spindle.value)) return refuse(kStandingSpindle);
   const std::optional<Levels> at = levels();
   arguments_.assign(kShiftY + 1, ExpressionId::none);
   if (!at || !shift_aside()) return std::nullopt;
-  return BackBoring{.initial = constant(after_.initial.value),
+  return BackBoring{.initial = constant(after_.initial.number.value),
                     .level = at->reference,
                     .depth = at->depth,
                     .shift_x = arguments_[kShiftX],
@@ -131,7 +131,8 @@ bool DrillCall::pecks(DrillCycle cycle) {
   put(kClears, constant(clears ? 1.0 : 0.0));
   const double in_units = inch_ ? 1.0 / 25.4 : 1.0;
   if (!clears) put(kRetract, constant(from.chip_break_retract_mm * in_units));
-  if (!clears) tell("the way back between the pecks at rapid, which CYCLE83 goes at the feed,");
+  const bool of_family = raising_.from.dialect == "family";  // breaks chips as the control does
+  if (!clears && !of_family) tell("the way back between the pecks at rapid, which CYCLE83 goes at the feed,");
   const ExpressionId dwell = seconds();
   if (dwell != ExpressionId::none) put(kLastDwell, dwell);
   if (clears) put(kClearance, constant(from.peck_clearance_mm * in_units));
@@ -140,15 +141,18 @@ bool DrillCall::pecks(DrillCycle cycle) {
 
 // CYCLE84: the lead is the feed of a turn; the spindle turns again behind it as it did before.
 bool DrillCall::tap(DrillCycle cycle) {
-  const bool known = after_.feed.known && after_.speed.known && after_.feed_mode.known && after_.spindle.known;
-  if (!known || after_.feed.value == ExpressionId::none || after_.speed.value == ExpressionId::none)
-    return refuse("a tap whose feed or speed is not known here"), false;
-  if (!after_.speed.known || program_.at(after_.speed.value).op != Operator::constant ||
-      program_.at(after_.feed.value).op != Operator::constant)
+  if (!after_.feed.known || !after_.feed_mode.known || !after_.spindle.known || after_.feed.value == ExpressionId::none)
+    return refuse("a tap whose feed is not known here"), false;
+  const bool by_turn = after_.feed_mode.value == Function::feed_per_rev;
+  const bool has_speed = after_.speed.known && after_.speed.value != ExpressionId::none;
+  if (!by_turn && !has_speed) return refuse("a tap whose speed is not known here"), false;
+  const auto is_number = [&](ExpressionId id) { return program_.at(id).op == Operator::constant; };
+  const bool says_speed = has_speed && is_number(after_.speed.value);
+  if (!is_number(after_.feed.value) || (!by_turn && !says_speed))
     return refuse("a tap whose feed or speed is computed"), false;
-  const double speed = program_.at(after_.speed.value).value;
+  const double speed = says_speed ? program_.at(after_.speed.value).value : 1.0;
   double lead = program_.at(after_.feed.value).value;
-  if (after_.feed_mode.value == Function::feed_per_min) lead /= speed;
+  if (!by_turn) lead /= speed;
   if (!(speed > 0.0) || !(lead > 0.0)) return refuse("a tap without a feed or speed"), false;
   const bool pecks = std::ranges::find(own_, Address::q, &ir::Word::address) != own_.end();
   if (pecks) return refuse("a tap by pecks (Q)"), false;
@@ -156,8 +160,15 @@ bool DrillCall::tap(DrillCycle cycle) {
   const Function spindle = after_.spindle.value;
   put(kSpindleTurns, constant(spindle == Function::spindle_cw ? 3.0 : spindle == Function::spindle_ccw ? 4.0 : 5.0));
   put(kLead, constant(cycle == DrillCycle::tap_left ? -lead : lead));
-  put(kTapSpeed, constant(speed));
+  put(kTapSpeed, says_speed ? constant(speed) : system_value("$P_S"));
   return true;
+}
+
+ExpressionId DrillCall::system_value(std::string_view name) {
+  ir::Variable variable;
+  variable.bank = ir::Bank::system;
+  variable.number = find_system_variable(name);
+  return program_.add_variable(variable);
 }
 
 // CYCLE86 and CYCLE88 start the spindle themselves and leave it stopped.
@@ -234,7 +245,13 @@ std::optional<DrillCall::Levels> DrillCall::levels() {
 
 // A number where it is known; otherwise where the tool stands, when that is the level.
 ExpressionId DrillCall::initial_level() {
-  if (after_.initial.known) return constant(after_.initial.value);
+  if (after_.initial.number.known) return constant(after_.initial.number.value);
+  if (after_.initial.name.known) {
+    ir::Variable named;
+    named.bank = ir::Bank::named;
+    named.symbol = after_.initial.name.value;
+    return program_.add_variable(named);
+  }
   const bool enters = before_.cycle.is(DrillState::kNone);
   if (!enters && !before_.at_initial.is(true)) return ExpressionId::none;
   ir::Variable place;

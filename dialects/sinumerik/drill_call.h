@@ -41,6 +41,7 @@ class DrillCall {
   ir::ExpressionId initial_level();
   bool pecks(ir::DrillCycle cycle);
   bool tap(ir::DrillCycle cycle);
+  ir::ExpressionId system_value(std::string_view name);
   bool stops(ir::DrillCycle cycle);
   bool shift_aside();
   ir::ExpressionId seconds();

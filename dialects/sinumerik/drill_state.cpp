@@ -18,6 +18,32 @@ using ir::Function;
 using ir::ModalGroup;
 using ir::StatementKind;
 
+// Names that are set once, before paths part, and that nothing else can set.
+std::set<ir::SymbolId> settled_names(const ir::Program& program) {
+  std::set<ir::SymbolId> once;
+  std::set<ir::SymbolId> others;
+  bool straight = true;
+  for (const ir::Statement& s : program.statements) {
+    const bool plain = s.kind == StatementKind::block || s.kind == StatementKind::assign ||
+                       s.kind == StatementKind::message || s.kind == StatementKind::empty ||
+                       s.kind == StatementKind::program_end || s.kind == StatementKind::alarm;
+    if (!plain && !ir::is_structure(s.kind) && s.kind != StatementKind::go_to) return {};
+    straight = straight && plain && !s.is_label && s.skip_level == 0;
+    if (s.kind != StatementKind::assign) continue;
+    const ir::Variable& target = program.at(program.assigns[s.payload].target);
+    if (target.bank != ir::Bank::named) continue;
+    if (!straight || !once.insert(target.symbol).second) others.insert(target.symbol);
+  }
+  std::erase_if(once, [&](ir::SymbolId one) { return others.contains(one); });
+  return once;
+}
+
+// And with it the level where a cycle may begin.
+void forget_height(DrillState& state) {
+  state.height.forget();
+  if (!state.cycle.known) state.initial.forget();
+}
+
 bool is_motion(Function f) {
   return f == Function::rapid || f == Function::linear || f == Function::arc_cw || f == Function::arc_ccw ||
          f == Function::thread || f == Function::thread_changing;
@@ -28,6 +54,15 @@ bool is_motion(Function f) {
 ir::Address drilling_axis(Function plane) {
   if (plane == Function::plane_zx) return Address::y;
   return plane == Function::plane_yz ? Address::x : Address::z;
+}
+
+void DrillState::Level::forget() {
+  number.forget();
+  name.forget();
+}
+bool DrillState::Level::meet(const Level& other) {
+  const std::array less = {number.meet(other.number), name.meet(other.name)};
+  return less[0] || less[1];
 }
 
 // Every field must meet its other, whatever the ones before came to.
@@ -63,16 +98,14 @@ void DrillState::forget() {
   for (auto* words : {&depth, &level, &peck, &dwell, &shift_i, &shift_j, &feed, &speed}) words->forget();
   for (auto* flags : {&depth_by_distance, &level_by_distance, &to_level, &incremental, &inch, &at_initial})
     flags->forget();
-  for (auto* heights : {&height, &initial}) heights->forget();
+  for (Level* levels : {&height, &initial}) levels->forget();
   for (auto* functions : {&motion, &plane, &spindle, &feed_mode}) functions->forget();
 }
 
 DrillFlow::DrillFlow(const ir::Program& program, const ir::Control& from)
-    : program_(program), from_(from), before_(program.statements.size() + 1) {
+    : program_(program), from_(from), settled_(settled_names(program)), before_(program.statements.size() + 1) {
   facts::FlowGraph graph(program);
   DrillState start;
-  start.height.forget();
-  start.initial.forget();
   start.motion.set(from.semantics.power_on_motion);
   start.plane.set(from.semantics.power_on_plane);
   start.incremental.set(from.semantics.power_on_distance == Function::incremental);
@@ -112,8 +145,9 @@ DrillState DrillFlow::after(const DrillState& state, const ir::Block& block) con
   for (const ir::Code& code : codes) take_code(code, out);
   const bool own_words = facts::has_own_words(program_, block);
   const bool dwell = std::ranges::find(codes, Function::dwell, &ir::Code::function) != codes.end();
-  if (own_words && !dwell) out.height.forget();
+  if (own_words && !dwell) forget_height(out);
   if (!own_words) take_words(program_.words_of(block), !out.cycle.is(DrillState::kNone), out);
+  if (out.cycle.is(DrillState::kNone)) out.initial = out.height;
   return out;
 }
 
@@ -125,8 +159,6 @@ void DrillFlow::take_code(const ir::Code& code, DrillState& out) const {
     if (enters || !out.cycle.known) {
       for (auto* words : {&out.depth, &out.level, &out.peck, &out.dwell, &out.shift_i, &out.shift_j})
         words->set(ir::ExpressionId::none);
-      out.initial = out.height;
-      if (!enters) out.initial.forget();
       out.at_initial.set(enters);
       if (!enters) out.at_initial.forget();
     }
@@ -149,7 +181,21 @@ void DrillFlow::take_code(const ir::Code& code, DrillState& out) const {
   const bool moves_zero = code.group == ModalGroup::work_offset || code.group == ModalGroup::length_offset ||
                           code.group == ModalGroup::unit || code.group == ModalGroup::frame ||
                           code.group == ModalGroup::plane;
-  if (moves_zero) out.height.forget();
+  if (moves_zero) forget_height(out);
+}
+
+DrillState::Level DrillFlow::level_of(const ir::Word& word, const DrillState& state) const {
+  DrillState::Level out;
+  if (!state.incremental.is(false) || word.mode != ir::WordMode::as_modal) return out;
+  const ir::Expression& e = program_.at(word.value);
+  const bool constant =
+      e.op == ir::Operator::constant && (e.has_point || from_.semantics.decimal_mode == ir::DecimalMode::calculator);
+  if (constant) out.number.set(e.value);
+  if (e.op != ir::Operator::variable) return out;
+  const ir::Variable& v = program_.at(e.variable);
+  const bool settled = v.bank == ir::Bank::named && v.index == ir::ExpressionId::none && settled_.contains(v.symbol);
+  if (settled) out.name.set(v.symbol);
+  return out;
 }
 
 void DrillFlow::take_words(std::span<const ir::Word> words, bool drills, DrillState& out) const {
@@ -165,14 +211,11 @@ void DrillFlow::take_words(std::span<const ir::Word> words, bool drills, DrillSt
     if (w.address == Address::f) out.feed.set(w.value);
     if (w.address == Address::s) out.speed.set(w.value);
     if (!drills) {
-      if (w.address != axis) continue;
-      const ir::Expression& e = program_.at(w.value);
-      const bool constant = e.op == ir::Operator::constant &&
-                            (e.has_point || from_.semantics.decimal_mode == ir::DecimalMode::calculator);
-      const bool absolute = out.incremental.is(false) && w.mode == ir::WordMode::as_modal;
-      constant&& absolute ? out.height.set(e.value) : out.height.forget();
+      if (w.address == axis) out.height = level_of(w, out);
       continue;
     }
+    // Where it is not known whether a cycle is in effect, this may be a move to another level.
+    if (!out.cycle.known && ir::is_axis(w.address)) out.initial.forget();
     if (w.address == axis) {
       out.depth.set(w.value);
       out.depth_by_distance = out.incremental;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -41,8 +42,16 @@ struct DrillState {
   Fact<bool> incremental;  // G91
   Fact<bool> inch;
   Fact<bool> at_initial;  // the tool stands at the level where the cycle began
-  Fact<double> height;    // of the drilling axis outside of cycles, in units of the program
-  Fact<double> initial;   // … where the cycle began
+  // Levels of the drilling axis in units of the program, as a number or as a name that has one value.
+  struct Level {
+    Fact<double> number{0.0, false};
+    Fact<ir::SymbolId> name{ir::SymbolId::none, false};
+
+    void forget();
+    bool meet(const Level& other);
+  };
+  Level height;   // outside of cycles
+  Level initial;  // where the cycle began, or would begin
   Fact<ir::Function> motion, plane, spindle, feed_mode;
 
   bool meet(const DrillState& other);
@@ -60,10 +69,12 @@ class DrillFlow {
  private:
   void take_code(const ir::Code& code, DrillState& state) const;
   void take_words(std::span<const ir::Word> words, bool drills, DrillState& state) const;
+  [[nodiscard]] DrillState::Level level_of(const ir::Word& word, const DrillState& state) const;
   [[nodiscard]] DrillState step(const DrillState& state, const ir::Statement& statement) const;
 
   const ir::Program& program_;
   const ir::Control& from_;
+  std::set<ir::SymbolId> settled_;  // names with one value from the first place where paths part to the end
   std::vector<std::optional<DrillState>> before_;
 };
 
