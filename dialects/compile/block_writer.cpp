@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dialects/compile/motion_codes.h"
+#include "dialects/ir/cycle.h"
 
 namespace dripfeed::compile {
 
@@ -128,6 +129,32 @@ void BlockWriter::write(const ir::Motion& motion, std::uint32_t line) {
     case MotionKind::stop: return event_block(motion.number == 0 ? Function::program_stop : Function::optional_stop);
     case MotionKind::end: flush(line); return emit_.program_end();
   }
+}
+
+// The cycle goes to the place of the hole itself, and back to where its feed began; rapids after that are blocks.
+void BlockWriter::write_tap(std::span<const ir::Motion> hole, std::uint32_t line) {
+  constexpr std::size_t kZ = 2;
+  const auto cuts = [](const ir::Motion& m) { return m.kind == MotionKind::linear; };
+  const auto in = std::ranges::find_if(hole, cuts);
+  emit_.set_line(line);
+  if (in->feed_mode != feed_mode_) add(function_of(in->feed_mode));
+  feed_mode_ = in->feed_mode;
+  add(Function::return_to_r);
+  const bool right = in->spindle == ir::SpindleState::clockwise;
+  add(Function::drill, ir::drill_argument(right ? ir::DrillCycle::tap_right : ir::DrillCycle::tap_left));
+  for (std::size_t axis = 0; axis < kZ; ++axis)
+    if ((in->axes_unknown & (1U << axis)) == 0) add_length(kAxisAddresses[axis], in->start[axis]);
+  add_length(Address::z, in->end[kZ]);
+  add_length(Address::r, in->start[kZ]);
+  add(Address::f, in->feed / unit_mm_);
+  block();
+  add(Function::rapid);
+  event_block(Function::cycle_off);
+  motion_ = Function::rapid;
+  feed_ = 0.0;
+  const auto out = std::find_if(in + 1, hole.end(), cuts);
+  for (const ir::Motion& after : hole.subspan(static_cast<std::size_t>(out - hole.begin()) + 1))
+    if (after.kind == MotionKind::rapid) write(after, line);
 }
 
 void BlockWriter::write_return(std::uint32_t line) {

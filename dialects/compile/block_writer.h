@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ class BlockWriter {
   void safe_start(ir::Plane plane, ir::FeedMode feed_mode);
   // `line` is what Statement::line of its blocks becomes.
   void write(const ir::Motion& motion, std::uint32_t line);
+  // The motions of one hole that is tapped in the X-Y plane, as the cycle that makes them.
+  void write_tap(std::span<const ir::Motion> hole, std::uint32_t line);
   // The end of a subprogram.
   void write_return(std::uint32_t line);
   // `words` belong to the block that is written next.

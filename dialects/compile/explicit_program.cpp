@@ -62,7 +62,8 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
         writes_(control),
         names_(names),
         writer_(out.program, out.control, names, options.own_unit && is_in_inches(source, control)),
-        want_changes_(options.want_changes) {}
+        want_changes_(options.want_changes),
+        keeps_taps_(options.keep_taps && std::ranges::any_of(source.codes, passes::is_tap)) {}
 
   void block(const ir::Place& place, std::span<const interpreter::VariableChange> changes) override {
     if (place.program == 0) {
@@ -83,17 +84,12 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
 
   void consume(std::span<const ir::Motion> motions) override {
     for (const ir::Motion& motion : motions) {
-      watch_spindle(motion);
-      const bool cuts = ir::is_move(motion.kind) && motion.kind != ir::MotionKind::rapid;
-      if (cuts && motion.feed == 0.0) lose("a cut whose feed is not known");
-      carry_until(motion.place.ordinal);
-      if (!std::exchange(started_, true)) start(&motion);
-      const std::uint32_t line = origin({line_of(motion.place), motion.place.ordinal});
-      if (motion.kind == ir::MotionKind::end && returns_at(motion.place))
-        writer_.write_return(line);
-      else
-        writer_.write(motion, line);
-      ended_ = ended_ || motion.kind == ir::MotionKind::end;
+      if (!keeps_taps_) {
+        take(motion);
+        continue;
+      }
+      if (!held_.empty() && held_.front().place.ordinal != motion.place.ordinal) release();
+      held_.push_back(motion);
     }
   }
 
@@ -103,6 +99,7 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   [[nodiscard]] bool turns_back_in_thread() const { return turns_back_in_thread_; }
 
   void finish(const interpreter::RunResult& run) {
+    release();
     if (!started_) start(nullptr);
     carry_until(~std::uint64_t{0});
     for (text::Diagnostic& lost : writes_.found()) out_.lost.push_back(std::move(lost));
@@ -112,6 +109,36 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   }
 
  private:
+  void take(const ir::Motion& motion) {
+    watch_spindle(motion);
+    const bool cuts = ir::is_move(motion.kind) && motion.kind != ir::MotionKind::rapid;
+    if (cuts && motion.feed == 0.0) lose("a cut whose feed is not known");
+    carry_until(motion.place.ordinal);
+    if (!std::exchange(started_, true)) start(&motion);
+    const std::uint32_t line = origin({line_of(motion.place), motion.place.ordinal});
+    if (motion.kind == ir::MotionKind::end && returns_at(motion.place))
+      writer_.write_return(line);
+    else
+      writer_.write(motion, line);
+    ended_ = ended_ || motion.kind == ir::MotionKind::end;
+  }
+
+  // The motions of one block. Where it turns the spindle round between two cuts, it taps.
+  void release() {
+    const std::vector<ir::Motion> block = std::exchange(held_, {});
+    const auto cuts_turning = [&](ir::SpindleState way) {
+      return std::ranges::any_of(
+          block, [way](const ir::Motion& m) { return m.kind == ir::MotionKind::linear && m.spindle == way; });
+    };
+    if (cuts_turning(ir::SpindleState::clockwise) && cuts_turning(ir::SpindleState::counterclockwise)) {
+      const ir::Place& place = block.front().place;
+      carry_until(place.ordinal);
+      if (!std::exchange(started_, true)) start(&block.front());
+      return writer_.write_tap(block, origin({line_of(place), place.ordinal}));
+    }
+    for (const ir::Motion& motion : block) take(motion);
+  }
+
   void watch_spindle(const ir::Motion& motion) {
     if (!ir::is_move(motion.kind)) return;
     const bool cuts = motion.kind == ir::MotionKind::linear || motion.kind == ir::MotionKind::thread;
@@ -196,6 +223,8 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
   const interpreter::RunNames& names_;
   BlockWriter writer_;
   bool want_changes_;
+  bool keeps_taps_;
+  std::vector<ir::Motion> held_;  // of the block at hand, where taps are kept
   std::set<std::string, std::less<>> lost_;
   bool started_ = false;
   bool ended_ = false;

@@ -46,6 +46,9 @@ struct ExplicitOptions {
   interpreter::Limits limits = kWrittenLimits;
   std::vector<interpreter::InitialValue> initial_values;
   bool want_changes = false;
+  // Of a program whose taps are rigid whatever they are called (Semantics::taps_are_rigid): each stays a cycle, because
+  // the control turns the spindle with it.
+  bool keep_taps = false;
   bool own_unit = false;  // in inches where the program is written in them throughout; otherwise in mm
 };
 

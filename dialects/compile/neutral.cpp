@@ -36,6 +36,7 @@ ir::Control neutral_control(ir::MachineKind kind, bool x_is_diameter) {
   s.arc_radius_is_r = false;
   s.dwell_p_is_ms = false;
   s.d_selects_edge = true;
+  s.taps_are_rigid = true;
   s.atan_full_circle = false;
   s.asin_from_90_to_270 = false;
   s.power_on_known = true;

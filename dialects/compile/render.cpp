@@ -21,6 +21,7 @@
 #include "dialects/family/build.h"
 #include "dialects/family/read.h"
 #include "dialects/ir/axis_letters.h"
+#include "dialects/passes/rigid_taps.h"
 
 namespace dripfeed::compile {
 
@@ -66,6 +67,8 @@ class Renderer {
     built_ = family::build(bound_);
     if (!request_.program_name.empty()) built_.name = request_.program_name;
     control_ = neutral_control(family_->machine, family_->x_is_diameter);
+    control_.semantics.chip_break_retract_mm = request_.target.semantics.chip_break_retract_mm;
+    control_.semantics.peck_clearance_mm = request_.target.semantics.peck_clearance_mm;
     if (request_.target.from_profile) refuse_missing_axes();
     show_messages();
     if (!text::has_error(result_.diagnostics)) choose();
@@ -143,7 +146,7 @@ class Renderer {
   void macro(std::string_view because, bool only) {
     try_lists();
     if (text::has_error(result_.diagnostics)) return;
-    ir::RaiseResult raised = dialect_.raise(built_, control_, request_.target);
+    ir::RaiseResult raised = raise(built_, control_);
     if (request_.delivery == ir::Delivery::drip && jumps(raised.program)) {
       raised.diagnostics.push_back(ir::diagnose(request_.target, text::DiagnosticId::not_in_drip_mode, {}, {"a loop"}));
     }
@@ -172,18 +175,26 @@ class Renderer {
   }
 
   void explicit_blocks(std::string_view because) {
-    ExplicitProgram made =
-        explicit_program(built_, control_, interpreter::no_programs(), {.initial_values = {}, .want_changes = true});
+    ExplicitProgram made = explicit_program(built_, control_, interpreter::no_programs(),
+                                            {.initial_values = {}, .want_changes = true, .keep_taps = true});
     report_lists(made.run);
     if (text::has_error(result_.diagnostics)) return;
     report(run_faults(made));
-    ir::RaiseResult raised = dialect_.raise(made.program, made.control, request_.target);
+    ir::RaiseResult raised = raise(made.program, made.control);
     report(raised.diagnostics);
     if (text::has_error(result_.diagnostics)) return;
     result_.mode = RenderMode::explicit_blocks;
     result_.because = because;
     print(raised.program);
     index_places(made);
+  }
+
+  // Of a program that is written for `from`.
+  ir::RaiseResult raise(ir::Program program, const ir::Control& from) {
+    std::vector<text::Diagnostic> taps = passes::settle_taps(program, from, request_.target);
+    ir::RaiseResult raised = dialect_.raise(program, from, request_.target);
+    raised.diagnostics.insert(raised.diagnostics.begin(), taps.begin(), taps.end());
+    return raised;
   }
 
   void print(ir::Program& raised) {

@@ -55,6 +55,7 @@ class Binder {
     for (const Step& step : family_.steps) {
       if (step.kind == StepKind::for_begin) check_loop(step);
       if (step.kind == StepKind::tool) check_tool(step);
+      if (step.kind == StepKind::drill_begin) check_holes(step);
       check_indices(step);
     }
     return std::move(result_);
@@ -81,7 +82,14 @@ class Binder {
       }
       by_name.try_emplace(parameter.name, &parameter);
     }
+    std::unordered_map<std::string_view, const Override*> given_names;
     for (const Override& given : overrides_) {
+      if (const auto [earlier, is_first] = given_names.try_emplace(given.name, &given); !is_first) {
+        const auto of = by_name.find(given.name);
+        report(DiagnosticId::family_given_twice, of == by_name.end() ? text::Span{} : of->second->span,
+               {given.name, earlier->second->value, given.value});
+        continue;
+      }
       if (const auto found = by_name.find(given.name); found != by_name.end()) {
         set(*found->second, given.value);
       } else {
@@ -273,6 +281,41 @@ class Binder {
     } else if (span / *by > kLargestTrips) {
       report(DiagnosticId::family_bad_loop, step.span, {"runs more than ten million times"});
     }
+  }
+
+  // Levels that depend on the body are the control's to find; a dwell and a pitch are numbers in the text.
+  void check_holes(const Step& step) {
+    std::optional<double> top;
+    for (std::uint32_t i = 0; i < step.word_count; ++i) {
+      const StepWord& word = family_.words[step.first_word + i];
+      if (names_unknown(family_.arena, word.value, known_)) {
+        if (!is_number_of_cycle(word.address)) continue;
+        report(DiagnosticId::family_syntax, step.span,
+               {"the dwell and the pitch of holes may depend on parameters only"});
+        return;
+      }
+      const std::optional<double> value = compute(word.value);
+      if (!value) return;
+      if (word.address == ir::Address::r) top = value;
+      if (const std::string fault = fault_of_hole(word.address, *value, top); !fault.empty())
+        return report(DiagnosticId::family_bad_hole, step.span, {fault});
+    }
+    if (step.values[0] == ir::ExpressionId::none || names_unknown(family_.arena, step.values[0], known_)) return;
+    const std::optional<double> back = compute(step.values[0]);
+    if (back && top && *back < *top)
+      report(DiagnosticId::family_bad_hole, step.span,
+             {fmt::format("returns to {}, below {} where its feed begins", text::format_shortest(*back),
+                          text::format_shortest(*top))});
+  }
+
+  static std::string fault_of_hole(ir::Address address, double value, const std::optional<double>& top) {
+    const std::string said = text::format_shortest(value);
+    if (address == ir::Address::z && top && value >= *top)
+      return fmt::format("goes from {} to {}, which is not down", text::format_shortest(*top), said);
+    if (address == ir::Address::q && value <= 0.0) return fmt::format("has pecks of {}", said);
+    if (address == ir::Address::f && value <= 0.0) return fmt::format("has the pitch {}", said);
+    if (address == ir::Address::p && value < 0.0) return fmt::format("has a dwell of {} s", said);
+    return {};
   }
 
   const Family& family_;

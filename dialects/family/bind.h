@@ -29,7 +29,7 @@ struct BindResult {
   std::vector<text::Diagnostic> diagnostics;
 };
 
-// Defaults where nothing is given; a name given twice takes the last. Faults: unknown parameter, no or wrong unit, out
+// Defaults where nothing is given. Faults: unknown parameter, one given twice, no or wrong unit, out
 // of range, not whole, a failed `require` (with its text), a loop that cannot run, a value that cannot be computed.
 // Spans are in the family's source: at the parameter, the constraint or the loop.
 BindResult bind_family(std::shared_ptr<const Family> family, std::span<const Override> overrides);

@@ -57,6 +57,11 @@ std::span<const BodyReader::VerbRow> BodyReader::verb_rows() {
       {"cut", &BodyReader::cut},
       {"arc", &BodyReader::arc},
       {"retract", &BodyReader::retract},
+      {"drill", &BodyReader::drill},
+      {"ream", &BodyReader::ream},
+      {"bore", &BodyReader::bore},
+      {"tap", &BodyReader::tap},
+      {"at", &BodyReader::hole},
       {"profile", &BodyReader::profile},
       {"for", &BodyReader::for_loop},
       {"while", &BodyReader::while_loop},
@@ -130,7 +135,7 @@ Step BodyReader::step(StepKind kind) const {
 }
 
 void BodyReader::add(Step step) {
-  if (cursor_.line_failed()) return;
+  if (cursor_.line_failed() || !may_stand_here(step.kind)) return;
   step.span = {verb_.begin, cursor_.last_span().end};
   steps_.push_back(std::move(step));
 }

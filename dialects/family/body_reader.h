@@ -10,10 +10,12 @@
 #include "dialects/family/model.h"
 #include "dialects/family/naming.h"
 #include "dialects/family/scope.h"
+#include "dialects/ir/cycle.h"
 
 namespace dripfeed::family {
 
-// The machine's verbs are read in body_reader.cpp, blocks, assignments and calls in flow_reader.cpp.
+// The machine's verbs are read in body_reader.cpp, its drilling cycles in drill_reader.cpp, blocks, assignments and
+// calls in flow_reader.cpp.
 class BodyReader {
  public:
   // The steps go to `steps`.
@@ -47,6 +49,11 @@ class BodyReader {
   void cut();
   void arc();
   void retract();
+  void drill();
+  void ream();
+  void bore();
+  void tap();
+  void hole();
   void profile();
   void for_loop();
   void for_in(const NewName& name);
@@ -61,6 +68,13 @@ class BodyReader {
   void dwell();
   void stop();
   void optional_stop();
+
+  // A cycle from its first word to the `end` of its holes.
+  void open_drill(ir::DrillCycle cycle);
+  void level(Step& step, std::string_view name, ir::Address address);
+  bool accept_clause(Step& step, std::string_view name, ir::Address address, Dimension dimension);
+  // A fault for what would move or switch among holes.
+  [[nodiscard]] bool may_stand_here(StepKind kind);
 
   [[nodiscard]] bool may_cut();
   Step step(StepKind kind) const;
@@ -85,7 +99,8 @@ class BodyReader {
   std::vector<Step>& steps_;
   std::vector<Open> open_;
   std::size_t open_profiles_ = 0;  // of those
-  text::Span verb_;                // first word of the line
+  std::size_t open_drills_ = 0;
+  text::Span verb_;  // first word of the line
   std::uint32_t line_ = 0;
   bool ended_ = false;
   bool has_feed_ = false;

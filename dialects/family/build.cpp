@@ -2,16 +2,14 @@
 #include "dialects/family/build.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <string>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "dialects/family/build_names.h"
+#include "dialects/family/drill_writer.h"
 #include "dialects/family/emitter.h"
 #include "dialects/family/evaluate.h"
+#include "dialects/family/loop_writer.h"
 #include "dialects/family/value_writer.h"
 #include "dialects/ir/motion.h"
 
@@ -23,10 +21,6 @@ using ir::ExpressionId;
 using ir::Function;
 using ir::Operator;
 using ir::StatementKind;
-
-// Added to the quotient before it is cut to a whole number: up to the next one, but not for a millionth of a step.
-constexpr double kTripRounding = 0.999999;
-constexpr double kBackward = -0.000001;
 
 std::string upper_name(const Family& family) {
   std::string out = family.program_name.empty() ? family.name : family.program_name;
@@ -45,6 +39,8 @@ class Builder {
         names_(bound),
         emit_(program_),
         values_(bound, names_, program_, emit_),
+        drill_(bound, values_, emit_),
+        loops_(family_, names_, program_, values_, emit_),
         has_one_feed_mode_(!sets(StepKind::feed, kFeedPerRev) || !sets(StepKind::feed, kFeedPerMin)),
         uses_surface_speed_(sets(StepKind::spindle, kSurfaceSpeed)) {}
 
@@ -52,6 +48,7 @@ class Builder {
     program_.name = upper_name(family_);
     program_.strings = family_.arena.strings;
     program_.symbols = family_.arena.symbols;
+    if (keeps_feed()) feed_now_ = emit_.new_symbol("feed_now");
     safe_start();
     for (const List& list : family_.lists)
       program_.symbols[static_cast<std::size_t>(list.symbol)].dimension1 =
@@ -76,11 +73,6 @@ class Builder {
   }
 
  private:
-  struct Loop {
-    ir::SymbolId index;
-    Operator next = Operator::add;  // by one
-  };
-
   [[nodiscard]] bool sets(StepKind kind, Dimension dimension) const {
     return std::ranges::any_of(family_.steps,
                                [=](const Step& one) { return one.kind == kind && one.dimension == dimension; });
@@ -130,6 +122,7 @@ class Builder {
       write_compensation();
       write_feed();
       motion_ = Function::none;
+      if (drill_.is_open()) drill_.fork(step.kind);
     }
     // A feed that waits has the value that it had when it was set.
     const bool assigns = step.kind == StepKind::let || step.kind == StepKind::set;
@@ -146,14 +139,17 @@ class Builder {
       case StepKind::cut: move(Function::linear, step); break;
       case StepKind::arc_cw: arc(Function::arc_cw, step); break;
       case StepKind::arc_ccw: arc(Function::arc_ccw, step); break;
+      case StepKind::drill_begin: drill_begin(step); break;
+      case StepKind::hole: hole(step); break;
+      case StepKind::drill_end: drill_end(); break;
       case StepKind::profile_begin:
       case StepKind::profile_end: break;  // lines only, see Family::profiles
-      case StepKind::for_begin: for_begin(step); break;
-      case StepKind::for_end: for_end(); break;
-      case StepKind::for_in_begin: for_in_begin(step); break;
-      case StepKind::for_in_end: for_end(); break;
-      case StepKind::while_begin: while_begin(step); break;
-      case StepKind::while_end: while_end(); break;
+      case StepKind::for_begin: loops_.for_begin(step); break;
+      case StepKind::for_end: loops_.for_end(); break;
+      case StepKind::for_in_begin: loops_.for_in_begin(step); break;
+      case StepKind::for_in_end: loops_.for_end(); break;
+      case StepKind::while_begin: loops_.while_begin(step); break;
+      case StepKind::while_end: loops_.while_end(); break;
       case StepKind::if_begin: return if_begin(at);
       case StepKind::if_else: return if_else(at);
       case StepKind::if_end: if_end(); break;
@@ -207,43 +203,6 @@ class Builder {
     }
   }
 
-  // A condition that takes statements is found in the loop:
-  //   go_on = 1;  while go_on = 1;  statements;  if condition;  body;  else;  go_on = 0;  end;  end
-  void while_begin(const Step& step) {
-    if (!values_.needs_statements(step.values[0])) {
-      emit_.open(StatementKind::while_begin, values_.copy(step.values[0]));
-      return conditions_.push_back(ir::SymbolId::none);
-    }
-    const ir::SymbolId go_on = emit_.new_symbol("go_on");
-    emit_.assign(go_on, emit_.constant(1.0));
-    emit_.open(StatementKind::while_begin, emit_.binary(Operator::equal, emit_.variable(go_on), emit_.constant(1.0)));
-    emit_.open(StatementKind::if_begin, values_.copy(step.values[0]));
-    conditions_.push_back(go_on);
-  }
-
-  void while_end() {
-    const ir::SymbolId go_on = conditions_.back();
-    conditions_.pop_back();
-    if (go_on != ir::SymbolId::none) {
-      emit_.close(StatementKind::else_begin);
-      emit_.assign(go_on, emit_.constant(0.0));
-      emit_.close(StatementKind::if_end);
-    }
-    emit_.close(StatementKind::while_end);
-  }
-
-  // index = 0; while index < count: target = list[index]
-  void for_in_begin(const Step& step) {
-    const List& list = family_.lists[static_cast<std::size_t>(step.number)];
-    const std::string name(program_.strings.at(program_.at(step.target).name));
-    const ir::SymbolId index = emit_.new_symbol(fmt::format("{}_index", name));
-    emit_.assign(index, emit_.constant(0.0));
-    emit_.open(StatementKind::while_begin,
-               emit_.binary(Operator::less, emit_.variable(index), emit_.constant(names_.value_of(list.count))));
-    emit_.assign(step.target, emit_.variable(list.symbol, emit_.variable(index)));
-    loops_.push_back({index, Operator::add});
-  }
-
   std::vector<EmittedWord> words(const Step& step) {
     std::vector<EmittedWord> out;
     for (std::uint32_t i = 0; i < step.word_count; ++i) {
@@ -272,7 +231,62 @@ class Builder {
   }
 
   void take_feed(std::vector<EmittedWord>& words) {
-    if (feed_ != nullptr) words.push_back({ir::Address::f, values_.copy(std::exchange(feed_, nullptr)->values[0])});
+    if (feed_ != nullptr) words.push_back({ir::Address::f, say_feed(*std::exchange(feed_, nullptr))});
+  }
+
+  // A tap's F is its pitch: the feed before it is said again behind it. Where that may be one of several, or a value
+  // that has changed, a variable of its own keeps it.
+  [[nodiscard]] bool keeps_feed() const {
+    if (std::ranges::none_of(family_.steps, begins_taps)) return false;
+    const auto is_feed = [](const Step& one) { return one.kind == StepKind::feed; };
+    const auto first = std::ranges::find_if(family_.steps, is_feed);
+    return first != family_.steps.end() &&
+           (std::ranges::count_if(family_.steps, is_feed) > 1 || !is_declared(first->values[0]));
+  }
+  // A number, or a name that no step gives a value.
+  [[nodiscard]] bool is_declared(ExpressionId id) const {
+    const ir::Expression& e = family_.arena.at(id);
+    if (e.op == Operator::constant) return true;
+    if (e.op != Operator::variable || family_.arena.at(e.variable).index != ExpressionId::none) return false;
+    const ir::SymbolId symbol = family_.arena.at(e.variable).symbol;
+    return std::ranges::find(family_.parameters, symbol, &Parameter::symbol) != family_.parameters.end() ||
+           std::ranges::find(family_.definitions, symbol, &Definition::symbol) != family_.definitions.end();
+  }
+
+  ExpressionId say_feed(const Step& step) {
+    return feed_now_ == ir::SymbolId::none ? values_.copy(step.values[0]) : emit_.variable(feed_now_);
+  }
+
+  void drill_begin(const Step& step) {
+    drill_.begin(step);
+    if (drill_.taps()) feed_ = nullptr;  // said behind the tap
+    if (step.values[0] == ExpressionId::none) return;
+    std::vector<EmittedCode> codes;
+    take_motion(Function::rapid, codes);
+    const std::vector<EmittedWord> to = {{ir::Address::z, values_.say(drill_.return_level())}};
+    emit_.block(codes, to);
+  }
+
+  void hole(const Step& step) {
+    std::vector<EmittedWord> to = words(step);
+    std::vector<EmittedWord> feed;
+    if (!drill_.taps()) take_feed(feed);
+    drill_.hole(std::move(to), feed);
+  }
+
+  void drill_end() {
+    const bool taps = drill_.taps();
+    drill_.end();
+    motion_ = Function::none;
+    if (!taps) return;
+    const bool per_rev = sets(StepKind::feed, kFeedPerRev);
+    std::vector<EmittedWord> words;
+    if (last_feed_ != nullptr) words.push_back({ir::Address::f, say_feed(*last_feed_)});
+    feed_ = nullptr;
+    if (!per_rev)
+      emit_.block({Function::feed_per_min}, words);
+    else if (!words.empty())
+      emit_.block(std::span<const EmittedCode>(), words);
   }
 
   // The code, unless it is in effect.
@@ -322,7 +336,8 @@ class Builder {
   // Into the block of the next cut, unless something comes between that is on one path only.
   void feed(const Step& step) {
     write_feed();
-    feed_ = &step;
+    if (feed_now_ != ir::SymbolId::none) values_.assign(feed_now_, step.values[0]);
+    feed_ = last_feed_ = &step;
     if (!has_one_feed_mode_) write_feed();
   }
 
@@ -334,7 +349,7 @@ class Builder {
   void write_feed() {
     if (feed_ == nullptr) return;
     const Step& step = *std::exchange(feed_, nullptr);
-    const std::vector<EmittedWord> value = {{ir::Address::f, values_.copy(step.values[0])}};
+    const std::vector<EmittedWord> value = {{ir::Address::f, say_feed(step)}};
     if (has_one_feed_mode_) return emit_.block(std::span<const EmittedCode>(), value);
     emit_.block({step.dimension == kFeedPerRev ? Function::feed_per_rev : Function::feed_per_min}, value);
   }
@@ -345,75 +360,22 @@ class Builder {
     emit_.block({Function::dwell}, value);
   }
 
-  // last = trunc((to - from)/step + 0.999999); while index <= last: t = from + index*step, and exactly `to` at last.
-  void for_begin(const Step& step) {
-    const std::string name(program_.strings.at(program_.at(step.target).name));
-    const ValueWriter::Bound from = values_.bound(step.values[0], fmt::format("{}_from", name));
-    const ValueWriter::Bound to = values_.bound(step.values[1], fmt::format("{}_to", name));
-    if (names_.counts_whole(step)) return count_begin(step, from, to);
-    const ValueWriter::Bound by = values_.bound(step.values[2], fmt::format("{}_step", name));
-    const ExpressionId way = step.down ? values_.calculate(Operator::subtract, values_.say(from), values_.say(to))
-                                       : values_.calculate(Operator::subtract, values_.say(to), values_.say(from));
-    const ExpressionId trips = values_.calculate(Operator::divide, way, values_.say(by));
-    const ValueWriter::Bound last = last_trip(trips, name);
-    const ir::SymbolId index = emit_.new_symbol(fmt::format("{}_index", name));
-    emit_.assign(index, emit_.constant(0.0));
-    emit_.open(StatementKind::while_begin,
-               emit_.binary(Operator::less_equal, emit_.variable(index), values_.say(last)));
-    const ExpressionId gone = values_.calculate(Operator::multiply, emit_.variable(index), values_.say(by));
-    emit_.assign(step.target,
-                 values_.calculate(step.down ? Operator::subtract : Operator::add, values_.say(from), gone));
-    emit_.open(StatementKind::if_begin,
-               emit_.binary(Operator::greater_equal, emit_.variable(index), values_.say(last)));
-    emit_.assign(step.target, values_.say(to));
-    emit_.close(StatementKind::if_end);
-    loops_.push_back({index, Operator::add});
-  }
-
-  // The number of the last trip, from 0; less than 0 where there is none.
-  ValueWriter::Bound last_trip(ExpressionId trips, std::string_view name) {
-    if (const std::optional<double> known = values_.number(trips))
-      return {.value = *known < kBackward ? -2.0 : std::trunc(*known + kTripRounding)};
-    const ValueWriter::Bound last{.symbol = emit_.new_symbol(fmt::format("{}_last", name))};
-    emit_.assign(last.symbol, trips);
-    // Cutting goes toward zero, so a path that leads back must not come to it.
-    emit_.open(StatementKind::if_begin, emit_.binary(Operator::less, values_.say(last), emit_.constant(kBackward)));
-    emit_.assign(last.symbol, emit_.constant(-2.0));
-    emit_.close(StatementKind::if_end);
-    const ExpressionId raised = emit_.binary(Operator::add, values_.say(last), emit_.constant(kTripRounding));
-    emit_.assign(last.symbol, program_.add_operator(Operator::truncate, raised));
-    return last;
-  }
-
-  // The name counts itself.
-  void count_begin(const Step& step, const ValueWriter::Bound& from, const ValueWriter::Bound& to) {
-    emit_.assign(step.target, values_.say(from));
-    emit_.open(StatementKind::while_begin, emit_.binary(step.down ? Operator::greater_equal : Operator::less_equal,
-                                                        emit_.variable(step.target), values_.say(to)));
-    loops_.push_back({step.target, step.down ? Operator::subtract : Operator::add});
-  }
-
-  void for_end() {
-    const Loop loop = loops_.back();
-    loops_.pop_back();
-    emit_.assign(loop.index, emit_.binary(loop.next, emit_.variable(loop.index), emit_.constant(1.0)));
-    emit_.close(StatementKind::while_end);
-  }
-
   const BoundFamily& bound_;
   const Family& family_;
   BuildNames names_;
   ir::Program program_;
   Emitter emit_;
   ValueWriter values_;
-  bool has_one_feed_mode_;   // the start of the program states it for all
-  bool uses_surface_speed_;  // otherwise the start of the program ends it
-  std::vector<Loop> loops_;
-  std::vector<bool> decided_;               // of open `if`s: only one branch is built
-  std::vector<ir::SymbolId> conditions_;    // of open `while`s: go_on, or none
-  Function compensation_ = Function::none;  // waits for the next move
-  Function motion_ = Function::none;        // in effect, as far as that is known
-  const Step* feed_ = nullptr;              // waits for the next cut
+  DrillWriter drill_;
+  LoopWriter loops_;
+  bool has_one_feed_mode_;                      // the start of the program states it for all
+  bool uses_surface_speed_;                     // otherwise the start of the program ends it
+  std::vector<bool> decided_;                   // of open `if`s: only one branch is built
+  Function compensation_ = Function::none;      // waits for the next move
+  Function motion_ = Function::none;            // in effect, as far as that is known
+  const Step* feed_ = nullptr;                  // waits for the next cut
+  const Step* last_feed_ = nullptr;             // in the order of the text
+  ir::SymbolId feed_now_ = ir::SymbolId::none;  // keeps the feed while taps are cut
 };
 
 }  // namespace

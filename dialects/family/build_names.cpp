@@ -67,7 +67,10 @@ void BuildNames::need(ExpressionId id) {
 
 void BuildNames::need(const Step& step) {
   for (const ExpressionId value : step.values) need(value);
-  for (std::uint32_t i = 0; i < step.word_count; ++i) need(family_.words[step.first_word + i].value);
+  for (std::uint32_t i = 0; i < step.word_count; ++i) {
+    const StepWord& word = family_.words[step.first_word + i];
+    if (step.kind != StepKind::drill_begin || !is_number_of_cycle(word.address)) need(word.value);
+  }
   if (step.kind == StepKind::for_in_begin) need(family_.lists[static_cast<std::size_t>(step.number)].symbol);
   if (step.kind != StepKind::set) return;
   need(step.target);  // a list's other numbers stay as they are

@@ -96,16 +96,18 @@ void BodyReader::end() {
   const Open open = open_.back();
   open_.pop_back();
   if (open.kind == StepKind::profile_begin) --open_profiles_;
+  if (open.kind == StepKind::drill_begin) --open_drills_;
   scope_.close();
   if (open.kind == StepKind::profile_begin) {
     if (line_ > open.line + 1) family_.profiles.push_back({open.line + 1, line_ - 1});
     return add(step(StepKind::profile_end));
   }
-  static constexpr std::array<std::pair<StepKind, StepKind>, 4> kEnds = {
+  static constexpr std::array<std::pair<StepKind, StepKind>, 5> kEnds = {
       {{StepKind::for_begin, StepKind::for_end},
        {StepKind::for_in_begin, StepKind::for_in_end},
        {StepKind::while_begin, StepKind::while_end},
-       {StepKind::if_begin, StepKind::if_end}}};
+       {StepKind::if_begin, StepKind::if_end},
+       {StepKind::drill_begin, StepKind::drill_end}}};
   add(step(std::ranges::find(kEnds, open.kind, &std::pair<StepKind, StepKind>::first)->second));
 }
 
@@ -152,6 +154,7 @@ void BodyReader::call() {
   }
   if (!parameters.empty()) cursor_.expect_symbol(")");
   if (cursor_.line_failed()) return;
+  if (!std::ranges::all_of(sub->steps, [this](const Step& one) { return may_stand_here(one.kind); })) return;
   if (sub->needs_feed && !may_cut()) return;
   if (steps_.size() + sub->steps.size() > kMostSteps)
     return cursor_.syntax(at, fmt::format("with all its calls the program has more than {} steps", kMostSteps));

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/ir/cycle.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::family {
@@ -26,6 +27,13 @@ std::string in_unit(const Parameter& parameter, double stored) {
 }
 
 }  // namespace
+
+bool begins_taps(const Step& step) {
+  const auto is = [&](ir::DrillCycle cycle) { return step.number == static_cast<std::int32_t>(cycle); };
+  return step.kind == StepKind::drill_begin && (is(ir::DrillCycle::tap_right) || is(ir::DrillCycle::tap_left));
+}
+
+bool is_number_of_cycle(ir::Address address) { return address == ir::Address::f || address == ir::Address::p; }
 
 const Parameter* Family::find_parameter(std::string_view parameter_name) const {
   const auto found = std::ranges::find(parameters, parameter_name, &Parameter::name);

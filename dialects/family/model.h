@@ -153,7 +153,10 @@ enum class StepKind : std::uint8_t {
   rapid,
   cut,
   arc_cw,
-  arc_ccw,  // words
+  arc_ccw,      // words
+  drill_begin,  // number: ir::DrillCycle; words r, z, q, f, p: levels, peck, pitch, dwell; values[0] return level
+  hole,         // words
+  drill_end,
   profile_begin,
   profile_end,
   for_begin,  // target; values: from, to, step
@@ -195,6 +198,11 @@ struct Step {
   double nose_radius_mm = 0.0;  // tool: 0 when not given
   std::int32_t tip = 0;         // tool: imaginary tip 0..9
 };
+
+// Whether it begins the cycle of a tap.
+bool begins_taps(const Step& step);
+// Of a word of drill_begin: whether it is a number in the text, which no variable stands for (pitch, dwell).
+bool is_number_of_cycle(ir::Address address);
 
 // Its steps stand wherever it is called, after the assignments of its arguments.
 struct Subprogram {

@@ -152,6 +152,8 @@ enum class DiagnosticId : std::uint16_t {
   family_unknown_name,
   family_duplicate_name,
   family_bad_loop,
+  family_bad_hole,
+  family_given_twice,
   family_other_machine,
   // checks
   travel_exceeded,

@@ -298,6 +298,10 @@ constexpr auto kRows = std::to_array<DiagnosticRow>({
    "Every param, let and for name is used once, and keywords are no names."},
   {family_bad_loop, "family-bad-loop", error, "the loop {}",
    "A loop needs a step that is not zero and that leads from its start to its end."},
+  {family_bad_hole, "family-bad-hole", error, "the hole {}",
+   "A hole goes down from the height where the feed begins; its pecks and its pitch are lengths above zero."},
+  {family_given_twice, "family-given-twice", error, "{} is given twice, as {} and as {}",
+   "A parameter takes one value. Leave out one of the two, so that nobody has to know which of them counts."},
   {family_other_machine, "family-other-machine", error, "the family is for a {}, the machine is a {}",
    "X of a lathe is a diameter, its plane and tools are others: choose a machine of the kind that the family names. A mill-turn center also takes families for lathes."},
   // checks

@@ -67,14 +67,18 @@ class Family:
 
 
 def moves(text):
-    """The moves of a trace without their lines: of each its kind, and its numbers by letter (a feed's with its mode)."""
-    out = []
+    """The moves of a trace without their lines: of each its kind, and its numbers by letter (a feed's with its mode). Without rapids of no length:
+    controls differ in whether a cycle makes them."""
+    out, place = [], None
     for line in text.splitlines():
         _, kind, *words = line.split()
         if kind in ("rapid", "linear", "arc-cw", "arc-ccw"):
             rest = [re.fullmatch(r"([A-Z])(-?[0-9.]+)(/\w+)?", word) for word in words]
             expect(all(rest), f"a trace has the line {line}")
-            out.append((kind, {m.group(1) + (m.group(3) or ""): float(m.group(2)) for m in rest}))
+            numbers = {m.group(1) + (m.group(3) or ""): float(m.group(2)) for m in rest}
+            before, place = place, {letter: value for letter, value in numbers.items() if len(letter) == 1 and letter in "XYZABC"}
+            if kind != "rapid" or place != before:
+                out.append((kind, numbers))
     return out
 
 
