@@ -2,13 +2,18 @@
 #include "server/app/surface_checks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <variant>
+
+#include <fmt/format.h>
 
 #include "checks/accuracy/picture.h"
 #include "checks/accuracy/plane_accuracy.h"
 #include "checks/gouge/milling.h"
+#include "dialects/text/number.h"
 #include "server/app/machine_facts.h"
 
 namespace dripfeed::app {
@@ -36,6 +41,24 @@ std::vector<checks::Tool> tools_of(const Examination& e) {
     }
   }
   return tools;
+}
+
+// What the machine has counts, because that is what cuts; a family that was written for another tool is not checked.
+void say_other_shapes(const Examination& e, checks::NotCheckedList& skipped) {
+  if (e.profile == nullptr) return;
+  for (const family::ToolShape& shape : e.geometry->tools) {
+    const auto known = std::ranges::find(e.profile->machine.tools, shape.number, &checks::Tool::number);
+    if (known == e.profile->machine.tools.end()) continue;
+    const auto compare = [&](std::string_view what, double wanted, double has) {
+      constexpr double kSame_mm = 1e-6;
+      if (wanted == 0.0 || has == 0.0 || std::abs(wanted - has) < kSame_mm) return;
+      skipped.add(fmt::format("tool {}: the family has the {} {} mm, the machine {} mm, which counts", shape.number,
+                              what, text::format_shortest(wanted), text::format_shortest(has)));
+    };
+    compare("diameter", shape.diameter_mm, known->diameter_mm);
+    compare("corner radius", shape.corner_radius_mm, known->corner_radius_mm);
+    compare("nose radius", shape.nose_radius_mm, known->nose_radius_mm);
+  }
 }
 
 double rapid_of(const Examination& e, ir::Axis axis) {
@@ -131,6 +154,7 @@ SurfaceChecks::SurfaceChecks(const Examination& e, SurfaceScope scope, checks::N
     skipped.add("gouges and accuracy: stock and nominal are of a family for another kind of machine");
     return;
   }
+  say_other_shapes(e, skipped);
   const bool turns = e.control.kind != ir::MachineKind::mill;
   const bool has_surface = g.stock || (turns ? !g.nominal.empty() : !g.surfaces.empty());
   if (scope == SurfaceScope::all) {

@@ -232,4 +232,33 @@ TEST(Examine, AFamilyForAnotherKindOfMachineFails) {
   EXPECT_NE(verdict(ir::MachineKind::mill_turn).verdict, checks::Verdict::fail);
 }
 
+// A family's checks are those of the machine's tool: where that has another shape, nothing passes.
+TEST(Examine, AToolOfAnotherShapeThanTheFamilysIsSaid) {
+  machine::Profile profile;
+  profile.machine.tools = {{.number = 1, .diameter_mm = 10}};
+  const compile::Dialect* dialect = compile::find_dialect("fanuc");
+  const auto said_of = [&](std::int32_t number, double diameter_mm) {
+    family::Geometry geometry;
+    geometry.tools = {{.number = number, .diameter_mm = diameter_mm}};
+    std::vector<std::string> out;
+    const CheckReport report = examine({.source = text::Source("x.nc", "%\nO1\nG21G90G40\nM30\n%\n"),
+                                        .dialect = dialect,
+                                        .control = dialect->control(ir::MachineKind::mill, ir::GSystem::a),
+                                        .inferred = false,
+                                        .profile = &profile,
+                                        .delivery = ir::Delivery::memory,
+                                        .find_called = {},
+                                        .geometry = geometry,
+                                        .profile_lines = {}});
+    for (const checks::NotChecked& one : checks::not_checked_of(report.checks))
+      if (one.text.starts_with("tool ")) out.push_back(one.text);
+    return out;
+  };
+  EXPECT_EQ(said_of(1, 8),
+            (std::vector<std::string>{"tool 1: the family has the diameter 8 mm, the machine 10 mm, which counts"}));
+  EXPECT_TRUE(said_of(1, 10).empty());
+  EXPECT_TRUE(said_of(1, 0).empty());
+  EXPECT_TRUE(said_of(2, 8).empty());
+}
+
 }  // namespace dripfeed::app
