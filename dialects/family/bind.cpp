@@ -140,30 +140,9 @@ class Binder {
 
   // The stored value of a quantity that the parameter may have; nothing after a fault.
   std::optional<double> number_of(const Parameter& parameter, const std::string& written) {
-    const std::optional<Quantity> quantity = parse_quantity(written);
-    if (!quantity) {
-      report(DiagnosticId::family_syntax, parameter.span,
-             {fmt::format("{}: '{}' is no number with a unit", parameter.name, written)});
-      return std::nullopt;
-    }
-    const std::string named = fmt::format("{} = {}", parameter.name, written);
-    const Dimension dimension = quantity->unit == nullptr ? kRatio : quantity->unit->dimension;
-    if (quantity->unit == nullptr && parameter.dimension != kRatio) {
-      report(DiagnosticId::family_missing_unit, parameter.span,
-             {named, fmt::format("{}, such as {} {}", describe(parameter.dimension), written, parameter.unit->name)});
-      return std::nullopt;
-    }
-    if (dimension != parameter.dimension) {
-      report(DiagnosticId::family_wrong_unit, parameter.span,
-             {named, describe(dimension), describe(parameter.dimension)});
-      return std::nullopt;
-    }
-    const double value = quantity->stored();
-    if (auto fault = fault_of_value(parameter, value, written)) {
-      report(fault->id, parameter.span, std::move(fault->arguments));
-      return std::nullopt;
-    }
-    return value;
+    WrittenValue read = read_value(parameter, written);
+    if (read.fault) report(read.fault->id, parameter.span, std::move(read.fault->arguments));
+    return read.fault ? std::nullopt : std::optional(read.stored);
   }
 
   // The value, or nothing and a diagnostic at the operation that has none.
@@ -330,6 +309,25 @@ class Binder {
 std::int32_t tool_number(const BoundFamily& bound, const Step& step) {
   if (step.target == ir::SymbolId::none) return step.number;
   return static_cast<std::int32_t>(bound.values[static_cast<std::size_t>(step.target)]);
+}
+
+WrittenValue read_value(const Parameter& parameter, const std::string& written) {
+  const auto fault = [](DiagnosticId id, std::vector<std::string> arguments) {
+    return WrittenValue{.stored = 0.0, .fault = ValueFault{id, std::move(arguments)}};
+  };
+  const std::optional<Quantity> quantity = parse_quantity(written);
+  if (!quantity)
+    return fault(DiagnosticId::family_syntax,
+                 {fmt::format("{}: '{}' is no number with a unit", parameter.name, written)});
+  const std::string named = fmt::format("{} = {}", parameter.name, written);
+  const Dimension dimension = quantity->unit == nullptr ? kRatio : quantity->unit->dimension;
+  if (quantity->unit == nullptr && parameter.dimension != kRatio)
+    return fault(
+        DiagnosticId::family_missing_unit,
+        {named, fmt::format("{}, such as {} {}", describe(parameter.dimension), written, parameter.unit->name)});
+  if (dimension != parameter.dimension)
+    return fault(DiagnosticId::family_wrong_unit, {named, describe(dimension), describe(parameter.dimension)});
+  return {.stored = quantity->stored(), .fault = fault_of_value(parameter, quantity->stored(), written)};
 }
 
 BindResult bind_family(std::shared_ptr<const Family> family, std::span<const Override> overrides) {

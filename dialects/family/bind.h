@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,6 +29,13 @@ struct BindResult {
   BoundFamily bound;  // to be built only when no diagnostic is an error
   std::vector<text::Diagnostic> diagnostics;
 };
+
+// A number that somebody wrote for a parameter, or for one number of a list.
+struct WrittenValue {
+  double stored = 0.0;
+  std::optional<ValueFault> fault;
+};
+WrittenValue read_value(const Parameter& parameter, const std::string& written);
 
 // Defaults where nothing is given. Faults: unknown parameter, one given twice, no or wrong unit, out
 // of range, not whole, a failed `require` (with its text), a loop that cannot run, a value that cannot be computed.

@@ -23,8 +23,10 @@ struct FamilyOptions {
 };
 // The file of that name, or the shipped family.
 std::string find_family(const std::string& name);
-// --set; errors: invalid.
-app::Result<std::vector<family::Override>> overrides_of(const FamilyOptions& options);
+// --set of a family; NAME=@FILE and NAME=@FILE:COLUMN take a list from a table, whose faults are printed. Errors:
+// invalid.
+app::Result<std::vector<family::Override>> overrides_of(const std::vector<std::string>& set,
+                                                        const text::Source& family);
 void add_family_options(CLI::App& command, FamilyOptions& options);
 
 // Renders; faults of the family are printed. The request comes back for its source.

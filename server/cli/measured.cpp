@@ -98,9 +98,7 @@ void add_nominal_options(CLI::App& command, NominalOptions& options, const std::
 app::Result<Nominal> read_nominal(const NominalOptions& options, const std::vector<std::string>& values) {
   auto source = read_source(find_family(options.family));
   if (!source) return std::unexpected(source.error());
-  FamilyOptions set;
-  set.values = values;
-  const auto overrides = overrides_of(set);
+  const auto overrides = overrides_of(values, *source);
   if (!overrides) return std::unexpected(overrides.error());
   auto made = compile::family_geometry(*source, *overrides);
   print_diagnostics(made.diagnostics, *source, "family");

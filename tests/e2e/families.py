@@ -239,6 +239,22 @@ def wrong_values(family):
     return count
 
 
+def lists_from_tables(folder):
+    """The points of a curve from the columns of a file: the same program as from their numbers. A wrong cell is named by its place."""
+    family = next(Family(path) for path in FAMILIES if path.stem == "nurbs-profile")
+    x, y = (re.search(rf"^param point_{axis} list of length (.*?) in ", family.text, re.M).group(1).split(", ") for axis in "xy")
+    table = folder / "points.csv"
+    rows = [f"{a.removesuffix(' mm')};{b}" for a, b in zip(x, y)]
+    table.write_text("\n".join(["# from a drawing", "point_x mm; high mm", *rows]) + "\n")
+    machine, values = first_machine(family), (f"point_x=@{table}", f"point_y=@{table}:high")
+    expect(trace_of(family, machine, "macro", folder, *values) == trace_of(family, machine, "macro", folder), "the points of a table")
+    table.write_text("\n".join(["point_x mm; high mm", *rows[:2], "70.7; tall", *rows[3:]]) + "\n")
+    refused(family, machine, ["points.csv:4:7: error[family-syntax]", "'tall' is no number"], *values)
+    refused(family, machine, ["points.csv:1:1: error", "no column is called low"], values[0], f"point_y=@{table}:low")
+    refused(family, machine, ["no_such.csv"], f"point_x=@{folder}/no_such.csv")
+    refused(family, machine, ["error[family-given-twice]", "weight"], f"weight={', '.join('1' * 7)}", f"weight={', '.join('1' * 7)}")
+
+
 def main():
     families = [Family(path) for path in FAMILIES]
     expect(len(families) >= 10, "the shipped families")
@@ -247,6 +263,7 @@ def main():
         jobs = [(family, pool.submit(on_its_machines, family, folder), pool.submit(on_other_machines, family), pool.submit(wrong_values, family))
                 for family in families]
         failed = []
+        lists_from_tables(folder)
         for family, *parts in jobs:
             line = []
             for part in parts:
