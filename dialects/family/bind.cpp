@@ -56,6 +56,7 @@ class Binder {
       if (step.kind == StepKind::for_begin) check_loop(step);
       if (step.kind == StepKind::tool) check_tool(step);
       if (step.kind == StepKind::drill_begin) check_holes(step);
+      if (step.kind == StepKind::thread) check_thread(step);
       check_indices(step);
     }
     return std::move(result_);
@@ -260,6 +261,15 @@ class Binder {
     } else if (span / *by > kLargestTrips) {
       report(DiagnosticId::family_bad_loop, step.span, {"runs more than ten million times"});
     }
+  }
+
+  // Its pitch is its last word.
+  void check_thread(const Step& step) {
+    const ir::ExpressionId pitch = family_.words[step.first_word + step.word_count - 1].value;
+    if (names_unknown(family_.arena, pitch, known_)) return;
+    const std::optional<double> value = compute(pitch);
+    if (value && *value <= 0.0)
+      report(DiagnosticId::thread_invalid, step.span, {fmt::format("its pitch is {}", text::format_shortest(*value))});
   }
 
   // Levels that depend on the body are the control's to find; a dwell and a pitch are numbers in the text.

@@ -56,6 +56,7 @@ std::span<const BodyReader::VerbRow> BodyReader::verb_rows() {
       {"rapid", &BodyReader::rapid},
       {"cut", &BodyReader::cut},
       {"arc", &BodyReader::arc},
+      {"thread", &BodyReader::thread},
       {"retract", &BodyReader::retract},
       {"drill", &BodyReader::drill},
       {"ream", &BodyReader::ream},
@@ -184,6 +185,7 @@ void BodyReader::spindle() {
   out.dimension = speed.dimension;
   if (speed.dimension != kSurfaceSpeed) expressions_.require_dimension(speed, kSpeed);
   out.values[0] = speed.id;
+  surface_speed_ = speed.dimension == kSurfaceSpeed;
   if (!cursor_.line_failed() && cursor_.accept_word("limit")) {
     if (speed.dimension != kSurfaceSpeed)
       return cursor_.syntax(cursor_.last_span(), "only a surface speed has a limit");
@@ -298,6 +300,26 @@ void BodyReader::arc() {
     word(out, center->address, expressions_.value_of(kLength));
   }
   if (out.word_count == axes) cursor_.expected("i, j or k");
+  add(std::move(out));
+}
+
+// thread AXIS VALUE ... pitch LENGTH
+void BodyReader::thread() {
+  if (family_.machine == ir::MachineKind::mill)
+    return cursor_.syntax(
+        verb_, "'thread' follows the turning spindle of a lathe: on a mill a thread is tapped, or milled by arcs");
+  if (std::exchange(compensation_waits_, false))
+    return cursor_.syntax(verb_, "compensation begins and ends with a straight move: rapid or cut before this thread");
+  if (surface_speed_)
+    return cursor_.syntax(verb_, "a thread needs a spindle that keeps its speed: spindle in rpm before it");
+  Step out = step(StepKind::thread);
+  axis_words(out);
+  const auto begin = family_.words.begin() + out.first_word;
+  const bool turns =
+      std::any_of(begin, family_.words.end(), [](const StepWord& one) { return ir::is_rotary_axis(one.address); });
+  if (turns) return cursor_.syntax(verb_, "a thread is cut along x and z");
+  if (cursor_.line_failed() || !cursor_.expect_word("pitch")) return;
+  word(out, ir::Address::f, expressions_.value_of(kLength));
   add(std::move(out));
 }
 

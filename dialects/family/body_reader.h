@@ -48,6 +48,7 @@ class BodyReader {
   void rapid();
   void cut();
   void arc();
+  void thread();
   void retract();
   void drill();
   void ream();
@@ -105,6 +106,7 @@ class BodyReader {
   bool ended_ = false;
   bool has_feed_ = false;
   bool compensation_waits_ = false;  // for a straight move
+  bool surface_speed_ = false;       // of the last spindle above
   bool is_subprogram_ = false;
   bool needs_feed_ = false;
 };

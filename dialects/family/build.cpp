@@ -139,6 +139,7 @@ class Builder {
       case StepKind::cut: move(Function::linear, step); break;
       case StepKind::arc_cw: arc(Function::arc_cw, step); break;
       case StepKind::arc_ccw: arc(Function::arc_ccw, step); break;
+      case StepKind::thread: thread(step); break;
       case StepKind::drill_begin: drill_begin(step); break;
       case StepKind::hole: hole(step); break;
       case StepKind::drill_end: drill_end(); break;
@@ -234,10 +235,10 @@ class Builder {
     if (feed_ != nullptr) words.push_back({ir::Address::f, say_feed(*std::exchange(feed_, nullptr))});
   }
 
-  // A tap's F is its pitch: the feed before it is said again behind it. Where that may be one of several, or a value
-  // that has changed, a variable of its own keeps it.
+  // F of a tap or a thread is its pitch: the feed before it is said again behind it. Where that may be one of several,
+  // or a value that has changed, a variable of its own keeps it.
   [[nodiscard]] bool keeps_feed() const {
-    if (std::ranges::none_of(family_.steps, begins_taps)) return false;
+    if (std::ranges::none_of(family_.steps, takes_feed_away)) return false;
     const auto is_feed = [](const Step& one) { return one.kind == StepKind::feed; };
     const auto first = std::ranges::find_if(family_.steps, is_feed);
     return first != family_.steps.end() &&
@@ -255,6 +256,15 @@ class Builder {
 
   ExpressionId say_feed(const Step& step) {
     return feed_now_ == ir::SymbolId::none ? values_.copy(step.values[0]) : emit_.variable(feed_now_);
+  }
+
+  // Each says its pitch: on controls that have it in F the feed is said again with the next cut.
+  void thread(const Step& step) {
+    const std::vector<EmittedWord> to = words(step);
+    std::vector<EmittedCode> codes;
+    take_motion(Function::thread, codes);
+    emit_.block(codes, to);
+    feed_ = last_feed_;
   }
 
   void drill_begin(const Step& step) {
@@ -375,7 +385,7 @@ class Builder {
   Function motion_ = Function::none;            // in effect, as far as that is known
   const Step* feed_ = nullptr;                  // waits for the next cut
   const Step* last_feed_ = nullptr;             // in the order of the text
-  ir::SymbolId feed_now_ = ir::SymbolId::none;  // keeps the feed while taps are cut
+  ir::SymbolId feed_now_ = ir::SymbolId::none;  // keeps the feed while taps and threads are cut
 };
 
 }  // namespace

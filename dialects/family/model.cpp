@@ -33,6 +33,8 @@ bool begins_taps(const Step& step) {
   return step.kind == StepKind::drill_begin && (is(ir::DrillCycle::tap_right) || is(ir::DrillCycle::tap_left));
 }
 
+bool takes_feed_away(const Step& step) { return step.kind == StepKind::thread || begins_taps(step); }
+
 bool is_number_of_cycle(ir::Address address) { return address == ir::Address::f || address == ir::Address::p; }
 
 const Parameter* Family::find_parameter(std::string_view parameter_name) const {

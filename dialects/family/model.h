@@ -154,6 +154,7 @@ enum class StepKind : std::uint8_t {
   cut,
   arc_cw,
   arc_ccw,      // words
+  thread,       // words, with f: the pitch
   drill_begin,  // number: ir::DrillCycle; words r, z, q, f, p: levels, peck, pitch, dwell; values[0] return level
   hole,         // words
   drill_end,
@@ -201,6 +202,8 @@ struct Step {
 
 // Whether it begins the cycle of a tap.
 bool begins_taps(const Step& step);
+// Whether its pitch takes the place of the feed, which must be said again behind it.
+bool takes_feed_away(const Step& step);
 // Of a word of drill_begin: whether it is a number in the text, which no variable stands for (pitch, dwell).
 bool is_number_of_cycle(ir::Address address);
 

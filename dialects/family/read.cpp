@@ -228,18 +228,18 @@ class FamilyReader {
     family_.program_name = cursor_.expect_hyphenated("the program's name");
     cursor_.finish_line();
     BodyReader(cursor_, scope_, expressions_, family_, family_.steps).read();
-    refuse_taps_among_feeds();
+    refuse_pitch_among_feeds();
   }
 
-  // A tap changes the kind of feed; behind it the one before must be known.
-  void refuse_taps_among_feeds() {
+  // A pitch takes the place of the feed; behind it the one before is said again, whatever path leads there.
+  void refuse_pitch_among_feeds() {
     const auto sets = [&](Dimension kind) {
       return std::ranges::any_of(family_.steps,
                                  [&](const Step& one) { return one.kind == StepKind::feed && one.dimension == kind; });
     };
-    const auto tap = std::ranges::find_if(family_.steps, begins_taps);
-    if (tap != family_.steps.end() && sets(kFeedPerMin) && sets(kFeedPerRev))
-      cursor_.syntax(tap->span, "a program with taps has one kind of feed, per minute or per revolution");
+    const auto pitch = std::ranges::find_if(family_.steps, takes_feed_away);
+    if (pitch != family_.steps.end() && sets(kFeedPerMin) && sets(kFeedPerRev))
+      cursor_.syntax(pitch->span, "a program with taps or threads has one kind of feed, per minute or per revolution");
   }
 
   Family family_;

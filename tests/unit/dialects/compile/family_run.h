@@ -15,12 +15,16 @@ using Values = std::vector<family::Override>;
 
 inline constexpr double kTolerance = 0.0006;  // explicit words are rounded as they are printed
 
+inline ir::MachineKind kind_of(const text::Source& family) {
+  return family.text().contains("\nmachine lathe") ? ir::MachineKind::lathe : ir::MachineKind::mill;
+}
+
 inline RenderResult rendered(const text::Source& family, const std::string& dialect, RenderMode mode,
                              const Values& values) {
   RenderRequest request;
   request.family = family;
   request.values = values;
-  request.target = control(dialect, ir::MachineKind::mill);
+  request.target = control(dialect, kind_of(family));
   request.mode = mode;
   request.program_name = dialect.starts_with("sinumerik") ? "FAMILY_TEST" : "O0100";
   return render(request);
@@ -44,7 +48,7 @@ inline std::vector<ir::Motion> comparable(const text::Source& family, const std:
   return family.text().contains("    at ") ? real_moves(motions) : silent(motions);
 }
 
-// The moves of a mill's family, equal in every dialect and mode.
+// The moves of a family, equal in every dialect and mode.
 inline std::vector<ir::Motion> one_trace(const text::Source& family, const Values& values = {}) {
   std::vector<ir::Motion> first;
   for (const std::string& dialect : dialect_names()) {
@@ -53,7 +57,7 @@ inline std::vector<ir::Motion> one_trace(const text::Source& family, const Value
       const RenderResult result = rendered(family, dialect, mode, values);
       EXPECT_TRUE(result.diagnostics.empty()) << what << "\n" << said(result.diagnostics, family);
       if (text::has_error(result.diagnostics)) return {};
-      const Played run = run_text(result.text, control(dialect, ir::MachineKind::mill));
+      const Played run = run_text(result.text, control(dialect, kind_of(family)));
       EXPECT_EQ(run.result.ended, interpreter::Ended::end) << what << "\n" << result.text;
       const std::vector<ir::Motion> motions = comparable(family, run.motions);
       EXPECT_FALSE(moves_of(motions).empty()) << what;
