@@ -15,9 +15,9 @@
 #include "dialects/compile/lost_writes.h"
 #include "dialects/compile/motion_codes.h"
 #include "dialects/compile/moves_in_place.h"
+#include "dialects/compile/say_move.h"
 #include "dialects/compile/source_lines.h"
 #include "dialects/passes/round_positions.h"
-#include "dialects/text/number.h"
 
 namespace dripfeed::compile {
 
@@ -159,32 +159,6 @@ class Comparison {
   double tolerance_mm_;
 };
 
-// "line X10. Y2. F100": what of a move a reader looks for first, and what is in effect otherwise than with the other.
-std::string said(const ir::Motion& m, const ir::Motion& other) {
-  constexpr std::string_view kAxes = "XYZABCUVW";
-  constexpr std::array kKinds = {"rapid", "line", "arc G2", "arc G3", "curve", "thread", "dwell"};
-  static_assert(kKinds.size() == static_cast<std::size_t>(ir::MotionKind::dwell) + 1);
-  std::string out = kKinds[static_cast<std::size_t>(m.kind)];
-  const auto number = [](double value, bool bare) {
-    std::string digits;
-    text::append_word_number(digits, value, 4, bare);
-    return digits;
-  };
-  if (m.kind == ir::MotionKind::dwell) return out + " " + number(m.feed, true) + " s";
-  for (std::size_t axis = 0; axis < ir::kAxisCount; ++axis)
-    if ((axes_to_name(m) & (1U << axis)) != 0) out += fmt::format(" {}{}", kAxes[axis], number(m.end[axis], false));
-  if (m.feed != 0.0) out += " F" + number(m.feed, true);
-  constexpr std::array kComps = {" G40", " G41", " G42"};
-  constexpr std::array kSpindles = {" M5", " M3", " M4"};
-  constexpr std::array kCoolants = {" M9", " M7", " M8"};
-  if (m.comp != other.comp) out += kComps[static_cast<std::size_t>(m.comp)];
-  if (m.spindle != other.spindle) out += kSpindles[static_cast<std::size_t>(m.spindle)];
-  if (m.spindle_rpm != other.spindle_rpm) out += " S" + number(m.spindle_rpm, true);
-  if (m.coolant != other.coolant) out += kCoolants[static_cast<std::size_t>(m.coolant)];
-  if (m.machine_coordinates) out += " in machine coordinates";
-  return out;
-}
-
 }  // namespace
 
 std::vector<text::Diagnostic> MovesInPlace::compare(const ir::Program& translation,
@@ -269,17 +243,18 @@ std::optional<MovesInPlace::Difference> MovesInPlace::first_difference(const ir:
     } else if (comparison.stays(made[j].motion)) {
       ++j;
     } else {
-      return Difference{wanted[i].line, fmt::format("{}; in the translation {}", said(wanted[i].motion, made[j].motion),
-                                                    said(made[j].motion, wanted[i].motion))};
+      return Difference{wanted[i].line,
+                        fmt::format("{}; in the translation {}", say_move(wanted[i].motion, made[j].motion),
+                                    say_move(made[j].motion, wanted[i].motion))};
     }
   }
   while (i < wanted.size() && comparison.stays(wanted[i].motion)) ++i;
   while (j < made.size() && comparison.stays(made[j].motion)) ++j;
   if (i < wanted.size())
     return Difference{wanted[i].line,
-                      said(wanted[i].motion, wanted[i].motion) + ", which the translation does not make"};
+                      say_move(wanted[i].motion, wanted[i].motion) + ", which the translation does not make"};
   if (j < made.size())
-    return Difference{made[j].line, "the translation also makes " + said(made[j].motion, made[j].motion)};
+    return Difference{made[j].line, "the translation also makes " + say_move(made[j].motion, made[j].motion)};
   const bool ended =
       run.result.ended == interpreter::Ended::end || (returns_ && run.result.ended == runs_[setting].result.ended);
   if (const auto lost = first_lost_write(translation, run, origin_lines, setting))

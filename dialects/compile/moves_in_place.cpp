@@ -72,17 +72,6 @@ bool has_curve(std::span<const ir::Motion> motions) {
   return std::ranges::any_of(motions, [](const ir::Motion& m) { return m.kind == ir::MotionKind::spline; });
 }
 
-// Levels of block skip that the program has.
-std::set<std::uint8_t> skip_levels(const ir::Program& program) {
-  std::set<std::uint8_t> out;
-  for (const ir::Statement& s : program.statements) {
-    out.insert(s.skip_level);
-    if (s.kind == StatementKind::block) out.insert(program.blocks[s.payload].rest_level);
-  }
-  out.erase(0);
-  return out;
-}
-
 bool has_word(const ir::Program& program, const ir::Block& block, Address address) {
   return std::ranges::find(program.words_of(block), address, &ir::Word::address) != program.words_of(block).end();
 }

@@ -144,6 +144,16 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
 
 std::vector<LineRange> shapes_of(const ir::Program& program) { return Shapes(program).run(); }
 
+std::set<std::uint8_t> skip_levels(const ir::Program& program) {
+  std::set<std::uint8_t> out;
+  for (const ir::Statement& s : program.statements) {
+    out.insert(s.skip_level);
+    if (s.kind == ir::StatementKind::block) out.insert(program.blocks[s.payload].rest_level);
+  }
+  out.erase(0);
+  return out;
+}
+
 RecordedRun record(const ir::Program& program, const ir::Control& control, interpreter::ProgramFinder& finder,
                    const interpreter::RunOptions& options, const std::vector<LineRange>& shapes,
                    const std::vector<std::uint32_t>& owners) {

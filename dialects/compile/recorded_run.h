@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +24,9 @@ struct LineRange {
 
 // The shapes that the program's G70 to G73 and CYCLE95 name by block numbers or labels.
 std::vector<LineRange> shapes_of(const ir::Program& program);
+
+// Levels of block skip that the program has.
+std::set<std::uint8_t> skip_levels(const ir::Program& program);
 
 struct Visit {
   std::uint32_t line = 0;  // of the main program: the owner's

@@ -15,12 +15,9 @@ namespace {
 
 constexpr std::size_t kShown = 40;
 
-struct NumberedLine {
-  std::uint64_t number = 0;
-  std::string text;
-};
+}  // namespace
 
-std::vector<NumberedLine> lines_of(std::string_view text) {
+std::vector<NumberedLine> numbered_lines(std::string_view text) {
   std::string plain;
   tape_code::EobReader eobs;
   for (const char c : text) {
@@ -40,11 +37,9 @@ std::vector<NumberedLine> lines_of(std::string_view text) {
   return lines;
 }
 
-}  // namespace
-
 std::optional<TextDifference> first_difference(std::string_view expected, std::string_view found) {
-  const std::vector<NumberedLine> left = lines_of(expected);
-  const std::vector<NumberedLine> right = lines_of(found);
+  const std::vector<NumberedLine> left = numbered_lines(expected);
+  const std::vector<NumberedLine> right = numbered_lines(found);
   for (std::size_t i = 0; i < std::max(left.size(), right.size()); ++i) {
     const std::string one = i < left.size() ? left[i].text : "";
     const std::string other = i < right.size() ? right[i].text : "";

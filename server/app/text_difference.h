@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace dripfeed::app {
 
@@ -14,6 +15,14 @@ struct TextDifference {
   std::string expected;      // the rest of that line, "" where it ends
   std::string found;
 };
+
+struct NumberedLine {
+  std::uint64_t number = 0;  // from 1
+  std::string text;
+};
+// The lines of a text that count where two are compared: EOBs of any form are one; blank lines, blanks at the end of a
+// line and lines with '%' alone do not count.
+std::vector<NumberedLine> numbered_lines(std::string_view text);
 
 // Nothing when they are the same. Compared byte by byte, number formats too; EOBs of any form are one, blank lines and
 // what precedes the first '%' of both do not count, nor does a final '%' line.

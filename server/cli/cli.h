@@ -27,6 +27,7 @@ inline constexpr int kOverMemory = 77;  // of a worker alone
 // Each adds its command to `app`; `exit_code` gets what the command ended with.
 void add_serve(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
+void add_compare(CLI::App& app, int& exit_code);
 void add_run(CLI::App& app, int& exit_code);
 void add_convert(CLI::App& app, int& exit_code);
 void add_render(CLI::App& app, int& exit_code);

@@ -16,7 +16,7 @@ constexpr AddCommand kCommands[] = {
     dripfeed::cli::add_gouge,   dripfeed::cli::add_send,    dripfeed::cli::add_simulate, dripfeed::cli::add_token,
     dripfeed::cli::add_sweep,   dripfeed::cli::add_receive, dripfeed::cli::add_link,     dripfeed::cli::add_ledger,
     dripfeed::cli::add_wrap,    dripfeed::cli::add_worker,  dripfeed::cli::add_optimize, dripfeed::cli::add_backup,
-    dripfeed::cli::add_restore, dripfeed::cli::add_doctor,  dripfeed::cli::add_openapi,
+    dripfeed::cli::add_restore, dripfeed::cli::add_doctor,  dripfeed::cli::add_compare,  dripfeed::cli::add_openapi,
 };
 
 }  // namespace

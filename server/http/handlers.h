@@ -51,6 +51,9 @@ Response add_check(const Call& call);
 Response get_check(const Call& call);
 Response waive_check(const Call& call);
 
+// handlers_compare.cpp
+Response compare_programs(const Call& call);
+
 // handlers_measures.cpp
 Response measure_accuracy(const Call& call);
 Response measure_gouge(const Call& call);

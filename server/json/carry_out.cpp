@@ -121,12 +121,24 @@ Reply sweep(const Work& work) {
   return reply_figures(false, sweep_report(*report));
 }
 
+Reply compare(const Work& work) {
+  const app::CompareOrder order{
+      .first = {work.text("first_name"), work.text("first_dialect"), work.text("first_text")},
+      .second = {work.text("second_name"), work.text("second_dialect"), work.text("second_text")},
+      .profile = work.text("profile")};
+  const auto done = app::compare_case(order, work.documents, work.budget);
+  if (!done) return std::unexpected(done.error());
+  WorkPackage reply;
+  reply.add(comparison(*done));
+  return reply;
+}
+
 struct KindRow {
   std::string_view name;
   Reply (*carry_out)(const Work&);
 };
-constexpr KindRow kKinds[] = {{"check", check}, {"render", render}, {"accuracy", accuracy},
-                              {"gouge", gouge}, {"timing", timing}, {"sweep", sweep}};
+constexpr KindRow kKinds[] = {{"check", check},   {"render", render}, {"accuracy", accuracy}, {"gouge", gouge},
+                              {"timing", timing}, {"sweep", sweep},   {"compare", compare}};
 
 Reply do_work(const WorkPackage& package) {
   const Work work{.package = package,

@@ -180,6 +180,43 @@ Document report_document(const app::CheckReport& report) {
   return document;
 }
 
+Document text_or_null(const std::string& text) { return text.empty() ? Document(nullptr) : Document(text); }
+
+Document lines_document(const std::vector<app::NumberedLine>& lines) {
+  Document list = Document::array();
+  for (const app::NumberedLine& one : lines) list.push_back({{"line", one.number}, {"text", one.text}});
+  return list;
+}
+
+Document answer_document(const app::LinesAnswer& answer) {
+  Document changes = Document::array();
+  for (const app::ChangedLines& one : answer.changes)
+    changes.push_back({{"first", lines_document(one.first)}, {"second", lines_document(one.second)}});
+  return {{"answer", app::name_of(answer.likeness)},
+          {"why", text_or_null(answer.why)},
+          {"changes", std::move(changes)},
+          {"change_count", answer.change_count}};
+}
+
+Document line_or_null(std::uint32_t line) { return line == 0 ? Document(nullptr) : Document(line); }
+Document or_null(std::optional<double> value) { return value ? Document(*value) : Document(nullptr); }
+
+Document moves_document(const compile::MovesAnswer& moves) {
+  return {{"answer", app::name_of(app::likeness_of(moves))},
+          {"why", text_or_null(moves.why)},
+          {"moves", moves.moves},
+          {"first_line", line_or_null(moves.first_line)},
+          {"second_line", line_or_null(moves.second_line)},
+          {"first", text_or_null(moves.first)},
+          {"second", text_or_null(moves.second)},
+          {"deviation_mm", or_null(moves.deviation_mm)},
+          {"deviation_deg", or_null(moves.deviation_deg)}};
+}
+
+Document side_document(const ComparedSide& side) {
+  return {{"program", side.program}, {"name", side.name}, {"revision", side.revision}};
+}
+
 }  // namespace
 
 std::string check_report(const app::CheckReport& report) { return dump(report_document(report)); }
@@ -213,6 +250,19 @@ std::string gouge_figures(const gouge::Report& report, bool validated) {
   document["validated"] = validated;
   document["not_checked"] = not_checked_document(report.not_checked.list());
   return dump(document) + "\n";
+}
+
+std::string comparison(const app::Comparison& comparison) {
+  return dump({{"text", answer_document(comparison.text)},
+               {"meaning", answer_document(comparison.meaning)},
+               {"motions", moves_document(comparison.moves)}});
+}
+
+std::string comparison(const std::string& compared, const ComparedSide& first, const ComparedSide& second) {
+  const auto document = parse(compared);
+  Document out = {{"first", side_document(first)}, {"second", side_document(second)}};
+  if (document) out.update(*document);
+  return dump(out);
 }
 
 }  // namespace dripfeed::json

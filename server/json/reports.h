@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "checks/accuracy/cmm.h"
+#include "server/app/compare.h"
 #include "server/app/report.h"
 
 namespace dripfeed::json {
@@ -23,5 +24,15 @@ std::string time_figures(const timing::Report& report, bool validated = true);
 std::string accuracy_figures(const accuracy::Report& report, const std::optional<accuracy::CmmReport>& cmm = {},
                              bool validated = true);
 std::string gouge_figures(const gouge::Report& report, bool validated = true);
+
+// What came of comparing two programs: {"text","meaning","motions"}.
+std::string comparison(const app::Comparison& comparison);
+// The same with which two it is about.
+struct ComparedSide {
+  std::uint64_t program = 0;
+  std::string name;
+  std::uint64_t revision = 0;
+};
+std::string comparison(const std::string& compared, const ComparedSide& first, const ComparedSide& second);
 
 }  // namespace dripfeed::json

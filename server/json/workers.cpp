@@ -78,4 +78,20 @@ app::Result<Figures> DocumentWorkers::figures(const FiguresWork& work, const app
   return Figures{reply->head.at("is_picture").get<bool>(), std::move(reply->texts.at(0))};
 }
 
+app::Result<std::string> DocumentWorkers::compare(const app::CompareOrder& order, const app::Waiter& waiter) {
+  WorkPackage request;
+  request.head = {{"kind", "compare"},
+                  {"seconds", budget_.seconds},
+                  {"first_name", request.add(order.first.name)},
+                  {"first_dialect", request.add(order.first.dialect)},
+                  {"first_text", request.add(order.first.text)},
+                  {"second_name", request.add(order.second.name)},
+                  {"second_dialect", request.add(order.second.dialect)},
+                  {"second_text", request.add(order.second.text)},
+                  {"profile", request.add(order.profile)}};
+  auto reply = ask(workplace_, request, budget_.seconds, waiter);
+  if (!reply) return std::unexpected(reply.error());
+  return std::move(reply->texts.at(0));
+}
+
 }  // namespace dripfeed::json

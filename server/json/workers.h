@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "server/app/compare.h"
 #include "server/app/workers.h"
 
 namespace dripfeed::json {
@@ -29,6 +30,8 @@ class DocumentWorkers final : public app::Workers {
   app::Result<app::RenderDone> render(const app::RenderWork& work, const app::Waiter& waiter) override;
   // A sweep makes many checks, and has kSweepChecks times the time of one.
   app::Result<Figures> figures(const FiguresWork& work, const app::Waiter& waiter);
+  // The document of json::comparison.
+  app::Result<std::string> compare(const app::CompareOrder& order, const app::Waiter& waiter);
 
   app::Workplace& workplace() { return workplace_; }
 

@@ -16,7 +16,7 @@ ROLL_2 = ROLL.replace("in 10..3000", "in 10..2500")
 
 def rows(made):
     """(method, path of the route, role, {name in the path: value}, body, more): `made` holds what earlier rows and the preparation made. more:
-    headers; keep = under which name the answer's id is kept; ready = what has to be so before."""
+    headers; query = of the path; keep = under which name the answer's id is kept; ready = what has to be so before."""
     return [
         ("GET", "/healthz", None, {}, None, {}),
         ("GET", "/metrics", "viewer", {}, None, {}),
@@ -48,6 +48,7 @@ def rows(made):
         ("GET", "/api/v1/programs/{id}/lines", "viewer", {"id": "program"}, None, {}),
         ("POST", "/api/v1/programs/{id}/revisions", "programmer", {"id": "program"}, {"text": plain_program(2001)}, {"headers": MATCH_1}),
         ("GET", "/api/v1/programs/{id}/revisions", "viewer", {"id": "program"}, None, {}),
+        ("GET", "/api/v1/programs/{id}/compare", "viewer", {"id": "program"}, None, {"query": "?with_revision=1"}),
         ("POST", "/api/v1/checks", "programmer", {}, lambda: {"program": made["program"], "machine": "lathe"}, {"keep": "check"}),
         ("GET", "/api/v1/checks", "viewer", {}, None, {}),
         ("GET", "/api/v1/checks/{id}", "viewer", {"id": "check"}, None, {}),
@@ -143,7 +144,7 @@ def try_row(client, stage, made, row):
     method, pattern, role, names, body, more = row
     if "ready" in more:
         getattr(stage, more["ready"])()
-    path, body = path_of(pattern, names, made), body() if callable(body) else body
+    path, body = path_of(pattern, names, made) + more.get("query", ""), body() if callable(body) else body
     headers, what = more.get("headers", {}), f"{method} {pattern}"
     if role:
         for wrong in ({}, {"Authorization": "Bearer nonsense"}, {"Authorization": f"Basic {client.tokens['admin']}"}, {"Cookie": "dripfeed_session=nonsense"}):

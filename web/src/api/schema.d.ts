@@ -350,6 +350,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/programs/{id}/compare": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** hold a revision against another one, or another program's: text, meaning, motions */
+        get: operations["get_programs_id_compare"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/render": {
         parameters: {
             query?: never;
@@ -2609,6 +2626,109 @@ export interface components {
             /** @description one sentence */
             text: string;
         };
+        /** @description two revisions held against each other */
+        Comparison: {
+            /** @description of the path */
+            first: {
+                /** @description its id */
+                program: number;
+                /** @description of the program */
+                name: string;
+                /** @description of its text */
+                revision: number;
+            };
+            /** @description of `with` */
+            second: {
+                /** @description its id */
+                program: number;
+                /** @description of the program */
+                name: string;
+                /** @description of its text */
+                revision: number;
+            };
+            /** @description line by line; forms of the end of a block, blank lines and blanks at the end of a line do not count */
+            text: {
+                /**
+                 * @description what came of it
+                 * @enum {string}
+                 */
+                answer: "equal" | "differs" | "not_compared";
+                /** @description it was not compared; null: it was */
+                why: string | null;
+                /** @description in their order, 200 at most of 50 lines each */
+                changes: {
+                    /** @description of the first program; none: it has none there */
+                    first: {
+                        /** @description of that text, from 1 */
+                        line: number;
+                        /** @description as it is written */
+                        text: string;
+                    }[];
+                    /** @description of the second */
+                    second: {
+                        /** @description of that text, from 1 */
+                        line: number;
+                        /** @description as it is written */
+                        text: string;
+                    }[];
+                }[];
+                /** @description all changes, shown or not */
+                change_count: number;
+            };
+            /** @description as the dialect's reader understands it: block numbers, blanks, comments, the case of letters, leading zeros and forms of decimals do not count */
+            meaning: {
+                /**
+                 * @description what came of it
+                 * @enum {string}
+                 */
+                answer: "equal" | "differs" | "not_compared";
+                /** @description it was not compared; null: it was */
+                why: string | null;
+                /** @description in their order, 200 at most of 50 lines each */
+                changes: {
+                    /** @description of the first program; none: it has none there */
+                    first: {
+                        /** @description of that text, from 1 */
+                        line: number;
+                        /** @description as it is written */
+                        text: string;
+                    }[];
+                    /** @description of the second */
+                    second: {
+                        /** @description of that text, from 1 */
+                        line: number;
+                        /** @description as it is written */
+                        text: string;
+                    }[];
+                }[];
+                /** @description all changes, shown or not */
+                change_count: number;
+            };
+            /** @description whether both move the axes the same, in order, with the same feeds, tools and states */
+            motions: {
+                /**
+                 * @description what came of it
+                 * @enum {string}
+                 */
+                answer: "equal" | "differs" | "not_compared";
+                /** @description it was not compared; null: it was */
+                why: string | null;
+                /** @description that are the same, up to the first difference */
+                moves: number;
+                /** @description of the first difference in the first program; null: none, or it has ended */
+                first_line: number | null;
+                /** @description of the first difference in the second program */
+                second_line: number | null;
+                /** @description what the first program does there */
+                first: string | null;
+                /** @description what the second program does there */
+                second: string | null;
+                /** @description largest difference of end points and arc centres, of diameters half of it; null: not compared, or they do not consist of the same moves */
+                deviation_mm: number | null;
+                /** @description the same of rotary axes */
+                deviation_deg: number | null;
+            };
+        };
         /** @description how far a program lies from the nominal */
         AccuracyFigures: {
             /** @description that were measured */
@@ -4256,6 +4376,42 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Program"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_programs_id_compare: {
+        parameters: {
+            query?: {
+                with?: string;
+                revision?: string;
+                with_revision?: string;
+                machine?: string;
+            };
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description hold a revision against another one, or another program's: text, meaning, motions */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Comparison"];
                 };
             };
             /** @description a problem */

@@ -1,0 +1,73 @@
+// Two revisions held against each other. A worker does it: both are programs of other people.
+#include <fmt/format.h>
+
+#include "server/app/compare.h"
+#include "server/http/api.h"
+#include "server/http/handlers.h"
+#include "server/json/reports.h"
+#include "server/json/workers.h"
+
+namespace dripfeed::http {
+
+namespace {
+
+// Longest text that is compared.
+constexpr std::uint64_t kTextLimit = std::uint64_t{64} << 20U;
+
+struct Side {
+  json::ComparedSide of;
+  app::CompareOrder::Side text;
+};
+
+app::Result<Side> load(store::Store& store, store::Id id, store::Revision wanted) {
+  const auto program = app::lift(store.programs().get(id));
+  if (!program) return std::unexpected(program.error());
+  const auto revision = app::lift(find_revision(store, id, wanted));
+  if (!revision) return std::unexpected(revision.error());
+  if (revision->bytes > kTextLimit)
+    return app::fail(app::ErrorCode::invalid,
+                     fmt::format("program {} has {} bytes, more than are compared", program->name, revision->bytes));
+  auto text = app::lift(store::read_whole(store.contents(), revision->sha256, kTextLimit));
+  if (!text) return std::unexpected(text.error());
+  return Side{.of = {.program = id, .name = program->name, .revision = revision->revision},
+              .text = {.name = program->name, .dialect = program->dialect, .text = std::move(*text)}};
+}
+
+// A revision in the query; 0 where it is not given.
+std::expected<std::uint64_t, Response> revision_in(const Request& request, const std::string& name) {
+  return number_of(request, name, 0, 1, INT64_MAX);
+}
+
+}  // namespace
+
+Response compare_programs(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  const auto revision = revision_in(call.request, "revision");
+  if (!revision) return revision.error();
+  const auto with_revision = revision_in(call.request, "with_revision");
+  if (!with_revision) return with_revision.error();
+  const std::string with = query_text(call.request, "with");
+  const auto other = with.empty() ? id : id_of(with);
+  if (!other) return other.error();
+  if (with.empty() && *with_revision == 0)
+    return problem_response(422, "with (a program) or with_revision says what it is compared with");
+  store::Store& store = call.api.application().store();
+  auto first = load(store, *id, *revision);
+  if (!first) return problem_response(first.error());
+  auto second = load(store, *other, *with_revision);
+  if (!second) return problem_response(second.error());
+  app::CompareOrder order{.first = std::move(first->text), .second = std::move(second->text), .profile = {}};
+  const std::string machine = query_text(call.request, "machine");
+  if (!machine.empty()) {
+    auto found = app::lift(store.machines().get(machine));
+    if (!found) return problem_response(found.error());
+    order.profile = std::move(found->profile);
+  }
+  const auto done =
+      call.api.workers().compare(order, waiter_of(call, "compare", fmt::format("program/{}", *id), machine));
+  if (!done) return problem_response(done.error());
+  return json_response(200, json::comparison(*done, first->of, second->of));
+}
+
+}  // namespace dripfeed::http
