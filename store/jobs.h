@@ -97,6 +97,7 @@ struct JobUse {
 struct JobFilter {
   std::string machine{};  // empty: all
   std::optional<JobState> state{};
+  Id program = 0;  // 0: all
 };
 
 class Jobs : public Repository {

@@ -2,6 +2,8 @@
 // that came from; texts themselves are in contents.h.
 #pragma once
 
+#include <optional>
+
 #include "store/basics.h"
 #include "store/error.h"
 
@@ -47,16 +49,43 @@ struct ProgramRevision {
   std::int64_t created_at_ms = 0;
 };
 
+// By whom and why a program was put aside: it takes no revision and no release until it is fetched back.
+struct Archived {
+  std::int64_t at_ms = 0;  // 0: it is in use
+  std::string by{};
+  std::string reason{};
+};
+
 struct Program {
   Id id = 0;
   std::string name;  // need not be unique: O0100 exists for many machines
   std::string dialect;
   ProgramRevision newest;
+  std::vector<std::string> tags{};  // sorted
+  std::string folder{};             // "customer/pumps"; empty: in none
+  Archived archived{};
+  std::uint64_t change = 0;  // of all programs' changes (text, tags, folder, archive, releases) the last that was its
+
+  [[nodiscard]] bool is_archived() const { return archived.at_ms != 0; }
 };
 
+// Which of the programs, by whether they are archived.
+enum class Shelf : std::uint8_t { in_use, archived, all };
+template <>
+inline constexpr std::array<std::string_view, 3> kNames<Shelf>{"in_use", "archived", "all"};
+
 struct ProgramFilter {
-  std::string name{};  // empty: all
-  std::string part{};  // some revision was rendered from it; empty: all
+  std::string name{};    // empty: all
+  std::string part{};    // some revision was rendered from it; empty: all
+  std::string tag{};     // empty: all
+  std::string folder{};  // this one and those below it; empty: all
+  Shelf shelf = Shelf::all;
+};
+
+// What is not given stays.
+struct ProgramLabels {
+  std::optional<std::vector<std::string>> tags{};  // all of them
+  std::optional<std::string> folder{};
 };
 
 class Programs : public Repository {
@@ -64,8 +93,18 @@ class Programs : public Repository {
   // Errors: broken_reference (no such content, part, family or machine revision), invalid_value (empty name).
   virtual Result<Program> add(std::string_view name, std::string_view dialect, const NewProgramText& text,
                               const Stamp& by) = 0;
-  // Errors: not_found, stale_revision, broken_reference.
+  // Errors: not_found, stale_revision, broken_reference, refused_transition (it is archived).
   virtual Result<Program> add_revision(Id program, Revision expected, const NewProgramText& text, const Stamp& by) = 0;
+  // Errors: not_found, invalid_value (an empty tag).
+  virtual Result<Program> label(Id program, const ProgramLabels& labels, const Stamp& by) = 0;
+  // Errors: not_found, invalid_value (no reason), refused_transition (it is archived; a job of it has not ended; a
+  // release of it is proving or approved).
+  virtual Result<Program> archive(Id program, std::string_view reason, const Stamp& by) = 0;
+  // Errors: not_found, invalid_value (no reason), refused_transition (it is in use).
+  virtual Result<Program> fetch_back(Id program, std::string_view reason, const Stamp& by) = 0;
+  // Those that were changed after this change, in the order of their changes.
+  virtual Result<std::vector<Program>> changed_after(std::uint64_t change, std::uint32_t most) = 0;
+  virtual Result<std::uint64_t> count_changed_after(std::uint64_t change) = 0;
   // Errors: not_found.
   virtual Result<Program> get(Id program) = 0;
   virtual Result<ProgramRevision> get_revision(Id program, Revision revision) = 0;

@@ -74,7 +74,8 @@ struct Clearance {
 
 class Releases : public Repository {
  public:
-  // A draft. Errors: broken_reference, exists (one for this text, machine and delivery that is not obsolete).
+  // A draft. Errors: broken_reference, refused_transition (the program is archived), exists (one for this text, machine
+  // and delivery that is not obsolete).
   virtual Result<Release> add(const NewRelease& release, const Stamp& by) = 0;
   // Errors: not_found, refused_transition, no_verdict, verdict_not_passed, verdict_stale, sign_off_missing,
   // invalid_value (proving without transfers).

@@ -234,11 +234,11 @@ Result<store::Page<Job>> JobTable::list(const store::PageRequest& page, const st
   return database_.read("jobs", [&](Session& session) -> Result<store::Page<Job>> {
     const auto from = newest_first(page);
     if (!from) return std::unexpected(from.error());
-    const std::string sql = jobs_where(fmt::format("{} AND {} AND id < ? ORDER BY id DESC LIMIT ?",
-                                                   filter.machine.empty() ? "? = ''" : "machine = ?",
-                                                   filter.state ? "state = ?" : "? = ''"));
+    const std::string sql = jobs_where(fmt::format(
+        "{} AND {} AND {} AND id < ? ORDER BY id DESC LIMIT ?", filter.machine.empty() ? "? = ''" : "machine = ?",
+        filter.state ? "state = ?" : "? = ''", filter.program == 0 ? "? = 0" : "program = ?"));
     const std::string_view state = filter.state ? store::name_of(*filter.state) : std::string_view();
-    Query query(session, sql, filter.machine, state, from->after, from->rows);
+    Query query(session, sql, filter.machine, state, filter.program, from->after, from->rows);
     return collect(query, page, read_job, [](const Job& job) { return fmt::format("{}", job.id); });
   });
 }

@@ -15,6 +15,7 @@
 #include "store/sqlite/schema_v6.h"
 #include "store/sqlite/schema_v7.h"
 #include "store/sqlite/schema_v8.h"
+#include "store/sqlite/schema_v9.h"
 #include "store/sqlite/session.h"
 
 namespace dripfeed::sqlite {
@@ -130,7 +131,8 @@ std::span<const Migration> migrations() {
                                       Migration{5, "answers are booked", kSchemaV5},
                                       Migration{6, "alarms", kSchemaV6},
                                       Migration{7, "browser sessions", kSchemaV7},
-                                      Migration{8, "queue order", kSchemaV8}};
+                                      Migration{8, "queue order", kSchemaV8},
+                                      Migration{9, "labels of programs", kSchemaV9}};
   return kMigrations;
 }
 

@@ -13,6 +13,12 @@ class ProgramTable final : public store::Programs {
                                     const store::Stamp& by) override;
   store::Result<store::Program> add_revision(store::Id program, store::Revision expected,
                                              const store::NewProgramText& text, const store::Stamp& by) override;
+  store::Result<store::Program> label(store::Id program, const store::ProgramLabels& labels,
+                                      const store::Stamp& by) override;
+  store::Result<store::Program> archive(store::Id program, std::string_view reason, const store::Stamp& by) override;
+  store::Result<store::Program> fetch_back(store::Id program, std::string_view reason, const store::Stamp& by) override;
+  store::Result<std::vector<store::Program>> changed_after(std::uint64_t change, std::uint32_t most) override;
+  store::Result<std::uint64_t> count_changed_after(std::uint64_t change) override;
   store::Result<store::Program> get(store::Id program) override;
   store::Result<store::ProgramRevision> get_revision(store::Id program, store::Revision revision) override;
   store::Result<store::Page<store::Program>> list(const store::PageRequest& page,
@@ -24,6 +30,10 @@ class ProgramTable final : public store::Programs {
   Database& database_;
 };
 
+// What is known of the program has changed: it is the last that did. Within the caller's transaction.
+void note_program_change(Session& session, store::Id program);
+// Errors: refused_transition.
+store::Result<void> refuse_archived(Session& session, store::Id program);
 // The text's hash of a revision, within the caller's transaction.
 store::Result<std::string> text_of_revision(Session& session, store::Id program, store::Revision revision);
 

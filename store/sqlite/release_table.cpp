@@ -69,6 +69,8 @@ Result<Release> ReleaseTable::add(const NewRelease& release, const Stamp& by) {
   return database_.write("release", [&](Session& session) -> Result<Release> {
     const auto sha256 = text_of_revision(session, release.program, release.revision);
     if (!sha256) return std::unexpected(sha256.error());
+    if (auto usable = refuse_archived(session, release.program); !usable) return std::unexpected(usable.error());
+    note_program_change(session, release.program);
     session.run(kInsert, release.program, release.revision, *sha256, release.machine, release.delivery, by.actor,
                 by.at_ms, by.at_ms);
     const Id id = session.last_id();

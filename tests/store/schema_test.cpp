@@ -81,6 +81,9 @@ void write_newest(Store& store, const std::string& path) {
       {.machine = "mill-1", .kind = "torn_block", .text = "a block is torn", .lasts = true, .job = job.id}, 7));
   must(store.alarms().acknowledge(raised.id, by("olga", 8)));
   must(store.browser_sessions().open("cookie", "hash", 8, 9));
+  must(store.programs().label(job.program, {.tags = {{"pump"}}, .folder = "acme"}, by("tester")));
+  const Program old = add_program(store, "%\nO9\nM30\n%\n", "O9");
+  must(store.programs().archive(old.id, "of an old machine", by("tester")));
   std::ofstream(fixture(sqlite::migrations().back().version), std::ios::binary) << dump(path);
 }
 
@@ -120,6 +123,14 @@ TEST_F(SchemaTest, EveryOldOneIsReadByThisProgram) {
     EXPECT_EQ(must(store_->alarms().list({})).items.size(), 1U) << "folded, or the first of a store that had no table";
     EXPECT_EQ(store_->browser_sessions().find("cookie").has_value(), migration.version >= 7);
     must(store_->browser_sessions().open("another", "hash", 8, 10));
+    const Program program = must(store_->programs().get(job.program));
+    EXPECT_EQ(program.tags.size(), migration.version >= 9 ? 1U : 0U);
+    EXPECT_EQ(program.folder, migration.version >= 9 ? "acme" : "");
+    EXPECT_NE(program.change, 0U) << "what is derived from programs is made anew";
+    EXPECT_EQ(must(store_->programs().list({}, {.shelf = Shelf::archived})).items.size(),
+              migration.version >= 9 ? 1U : 0U);
+    const Program changed = must(store_->programs().label(job.program, {.tags = {{"new"}}}, by("server")));
+    EXPECT_EQ(must(store_->programs().changed_after(program.change, 9)).back().change, changed.change);
     must(store_->releases().released_for(job.text_sha256, "mill-1", Delivery::drip));
     EXPECT_EQ(must(store_->jobs().interrupt_unfinished(by("server"))).size(), 1U);
     EXPECT_EQ(sql("DELETE FROM audit"), "append-only");
