@@ -154,6 +154,7 @@ Result<Holding> restore(const std::string& backup, const std::string& path, bool
   if (!kept) return std::unexpected(kept.error());
   holding->kept = std::move(*kept);
   if (auto named = give_name(fresh.path(), path); !named) return std::unexpected(named.error());
+  remove_store(library_path(path));  // it is of the store that was there, and is made anew
   return holding;
 }
 

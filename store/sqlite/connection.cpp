@@ -42,6 +42,9 @@ store::Result<std::unique_ptr<Connection>> Connection::open(const std::string& p
   sqlite3_extended_result_codes(handle, 1);
   sqlite3_busy_timeout(handle, static_cast<int>(settings.busy_timeout_ms));
   if (auto set = connection->execute(kSettings); !set) return std::unexpected(set.error());
+  if (settings.derived) {
+    if (auto set = connection->execute("PRAGMA synchronous = NORMAL"); !set) return std::unexpected(set.error());
+  }
   return connection;
 }
 
