@@ -156,7 +156,8 @@ Result<Rendered> Programs::render(const RenderOrder& order, std::string_view act
                         .mode = order.mode,
                         .delivery = order.delivery,
                         .name = order.name,
-                        .heading = heading_of(*origin)};
+                        .heading = heading_of(*origin),
+                        .optimize = order.optimize};
   auto done = workers_ != nullptr ? workers_->render(work, waiter) : render_family(work, documents_);
   if (!done) return std::unexpected(done.error());
   Rendered rendered{.program = {}, .result = std::move(done->result)};

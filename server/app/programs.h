@@ -24,7 +24,8 @@ struct RenderOrder {
   std::string machine;
   compile::RenderMode mode = compile::RenderMode::automatic;
   store::Delivery delivery = store::Delivery::drip;
-  std::string name;  // "O0100"; empty: the renderer's
+  std::string name;       // "O0100"; empty: the renderer's
+  bool optimize = false;  // a macro is made faster for the machine's control
 };
 
 struct Rendered {

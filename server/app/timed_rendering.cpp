@@ -11,6 +11,7 @@
 
 #include "checks/timing/timing.h"
 #include "dialects/compile/execute.h"
+#include "dialects/compile/optimized_render.h"
 #include "dialects/text/number.h"
 #include "server/app/check_budget.h"
 #include "server/app/examine.h"
@@ -113,6 +114,28 @@ compile::RenderResult render_for(const compile::RenderRequest& request, const ma
                                : "plain blocks would save next to nothing by the forecast for this machine",
                   said(macro_time->report), said(blocks_time->report), ir::name_of(macro_time->report.cost_source));
   return std::move(taken);
+}
+
+ir::CostModel cost_model_of(const ir::Control& control, const machine::Profile* profile) {
+  if (profile == nullptr || !profile->machine.timing.cost) return control.cost;
+  ir::CostModel cost = *profile->machine.timing.cost;
+  cost.origin = profile->machine.timing.cost_origin;
+  return cost;
+}
+
+void optimize_for(compile::RenderResult& rendered, const ir::Control& control, const machine::Profile& profile) {
+  const ir::CostModel cost = cost_model_of(control, &profile);
+  const compile::OptimizeResult made = compile::optimize_rendered(rendered, control, cost);
+  std::string gained;
+  if (!made.obstacle.empty())
+    gained = "not optimized: " + made.obstacle;
+  else if (!made.before || !made.after)
+    gained = "optimized, and not verified by running it: " + made.not_verified;
+  else
+    gained = fmt::format("computing it takes {} ms instead of {} ms (cost model {})",
+                         text::format_fixed(made.after->total_ms, 1), text::format_fixed(made.before->total_ms, 1),
+                         ir::name_of(cost.source));
+  rendered.because += rendered.because.empty() ? gained : "; " + gained;
 }
 
 }  // namespace dripfeed::app

@@ -14,4 +14,11 @@ namespace dripfeed::app {
 // why there are none: no profile (nullptr), a rendering that is refused, a run that does not end.
 compile::RenderResult render_for(const compile::RenderRequest& request, const machine::Profile* profile);
 
+// Makes a rendered macro faster for the machine (compile::optimize_rendered), by the cost model of its profile;
+// `because` says what that gained, or why nothing was gained.
+void optimize_for(compile::RenderResult& rendered, const ir::Control& control, const machine::Profile& profile);
+
+// The machine's own figures, or the usual ones of its control.
+ir::CostModel cost_model_of(const ir::Control& control, const machine::Profile* profile);
+
 }  // namespace dripfeed::app

@@ -100,6 +100,7 @@ Result<RenderDone> render_family(const RenderWork& work, const Documents& docume
   RenderDone done{.result = render_for(request, &*profile), .places = {}};
   const auto fine = refuse_errors(done.result.diagnostics, request.family, fmt::format("family {}", work.family));
   if (!fine) return std::unexpected(fine.error());
+  if (work.optimize) optimize_for(done.result, *control, *profile);
   done.places = write_places(done.result.places);
   return done;
 }

@@ -58,6 +58,7 @@ struct RenderWork {
   store::Delivery delivery = store::Delivery::drip;
   std::string name;                       // of the program; empty: the renderer's
   std::vector<std::string> heading = {};  // for people at the control: "revision 3", "part 4711"
+  bool optimize = false;                  // a macro is made faster for the machine's control
 };
 struct RenderDone {
   compile::RenderResult result;  // but for geometry and places

@@ -9,6 +9,7 @@
 
 #include "dialects/compile/optimized.h"
 #include "dialects/text/number.h"
+#include "server/app/timed_rendering.h"
 #include "server/cli/called_programs.h"
 #include "server/cli/cli.h"
 #include "server/cli/inputs.h"
@@ -81,7 +82,10 @@ int optimize_file(const Options& options) {
     return kWrongUse;
   }
   compile::ProgramLibrary library(chosen->control, find_in(folders_for(options.text, options.file)));
-  compile::OptimizeRequest request{.source = *source, .control = chosen->control, .cost = cost_of(*chosen)};
+  compile::OptimizeRequest request{
+      .source = *source,
+      .control = chosen->control,
+      .cost = app::cost_model_of(chosen->control, chosen->profile ? &*chosen->profile : nullptr)};
   request.library = &library;
   if (const auto fault = take(options, request.settings)) {
     print_error(*fault);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "dialects/compile/optimized_render.h"
+#include "server/app/timed_rendering.h"
 #include "server/cli/cli.h"
 #include "server/cli/documents.h"
 #include "server/cli/family_options.h"
@@ -22,7 +23,8 @@ struct Options {
 
 // Says on standard error what was gained, or why nothing was.
 void optimize(RenderedFamily& rendered) {
-  const ir::CostModel cost = cost_of(rendered.chosen);
+  const ChosenControl& chosen = rendered.chosen;
+  const ir::CostModel cost = app::cost_model_of(chosen.control, chosen.profile ? &*chosen.profile : nullptr);
   const compile::OptimizeResult made = compile::optimize_rendered(rendered.result, rendered.chosen.control, cost);
   print_saving(made, rendered.source.name(), cost);
 }

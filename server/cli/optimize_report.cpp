@@ -8,13 +8,6 @@
 
 namespace dripfeed::cli {
 
-ir::CostModel cost_of(const ChosenControl& chosen) {
-  if (!chosen.profile || !chosen.profile->machine.timing.cost) return chosen.control.cost;
-  ir::CostModel cost = *chosen.profile->machine.timing.cost;
-  cost.origin = chosen.profile->machine.timing.cost_origin;
-  return cost;
-}
-
 void print_changes(const compile::OptimizeResult& result, std::string_view name) {
   for (const optimize::Change& change : result.changes)
     fmt::print(stderr, "{}:{}: {}: {}\n", name, change.line, optimize::row_of(change.rule).name, change.what);

@@ -25,6 +25,7 @@ constexpr GlossaryRow kRows[] = {
     {"RenderOrder/name", "of the program; not given: after part or family"},
     {"delivery", "how the text goes to the control; not given: drip"},
     {"mode", "macro: the control computes, explicit: dripfeed computes; not given: auto"},
+    {"optimize", "whether a macro is rewritten so that the control computes it faster; not given: false"},
     {"program", "id of the program"},
     {"revision", "of the program's text; not given: the newest"},
     {"nominal", "what the program should make; not given: of a rendered program its family"},

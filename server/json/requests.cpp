@@ -70,6 +70,7 @@ void read_members(ObjectReader& o, app::RenderOrder& into) {
   o.proper_name("name", into.name, false);
   read_delivery(o, into.delivery);
   read_mode(o, into.mode);
+  o.flag("optimize", into.optimize);
 }
 
 // What a check and a release both name.

@@ -123,7 +123,8 @@ Document write_family(const app::RenderWork& work, WorkPackage& into) {
           {"mode", static_cast<int>(work.mode)},
           {"drip", work.delivery == store::Delivery::drip},
           {"name", into.add(work.name)},
-          {"heading", write_texts(work.heading, into)}};
+          {"heading", write_texts(work.heading, into)},
+          {"optimize", work.optimize}};
 }
 
 app::RenderWork read_family(const Document& from, const WorkPackage& package) {
@@ -134,7 +135,8 @@ app::RenderWork read_family(const Document& from, const WorkPackage& package) {
           .mode = static_cast<compile::RenderMode>(from.at("mode").get<int>()),
           .delivery = from.at("drip").get<bool>() ? store::Delivery::drip : store::Delivery::memory,
           .name = package.text_of(from, "name"),
-          .heading = read_texts(from.at("heading"), package)};
+          .heading = read_texts(from.at("heading"), package),
+          .optimize = from.at("optimize").get<bool>()};
 }
 
 std::string write_work_error(const app::Error& error) {

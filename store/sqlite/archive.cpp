@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "store/sqlite/backup.h"
+#include "store/sqlite/library.h"
 #include "store/sqlite/migrations.h"
 #include "store/sqlite/owner_lock.h"
 #include "store/sqlite/session.h"

@@ -90,6 +90,18 @@ def a_line_later(figures):
     return {name: value + 1 if name == "max_at_line" else a_line_later(value) for name, value in figures.items()}
 
 
+def a_macro_made_faster(s):
+    """The order's optimize: the answer says what it gained, and the profile's lines follow the text."""
+    order = {"family": "hyperbolic-roll", "machine": "lathe", "mode": "macro", "delivery": "memory", "optimize": True}
+    faster = s.post("/render", order)
+    expect(" ms instead of " in faster["because"], f"{faster['because']}")
+    figures = s.post("/accuracy", {"program": faster["program"], "machine": "lathe"})
+    expect(0 < figures["max_mm"] < 0.0005, f"{figures}")
+    blocks = s.post("/render", order | {"mode": "explicit"})
+    expect("not optimized: plain blocks have nothing to compute" in blocks["because"], f"{blocks['because']}")
+    s.refuse(422, "POST", "/render", order | {"optimize": "yes"}, words=["/optimize"])
+
+
 def accuracy_of_a_roll(s):
     roll = s.post("/render", {"family": "hyperbolic-roll", "machine": "lathe", "values": {}, "mode": "explicit", "name": "O0100"})["program"]
     order = {"program": roll, "machine": "lathe"}
@@ -162,6 +174,7 @@ def all_of_it(folder):
     s = Shop(folder)
     checks_with_nominal(s, gouges(s))
     roll = accuracy_of_a_roll(s)
+    a_macro_made_faster(s)
     times(s, roll)
     sweeps(s, roll)
     expect(s.server.alive(), "the server is gone")
