@@ -65,7 +65,9 @@ Application::Application(const Environment& environment)
       line_reading_(store_),
       checking_(store_, events_, clock_, documents_, environment.workers),
       jobs_(store_, lines_, books_, events_, clock_, documents_),
-      receiving_({store_, lines_, jobs_, programs_, events_, alarms_, clock_, documents_}) {}
+      receiving_({store_, lines_, jobs_, programs_, events_, alarms_, clock_, documents_}) {
+  if (environment.library != nullptr) library_.emplace(store_, *environment.library, environment.workers);
+}
 
 void Application::line_changed() {
   books_.wake();
@@ -80,6 +82,7 @@ void Application::end_lines() {
   static_cast<void>(books_.settle());
   // The lines wake the books, so they go before them.
   lines_.close();
+  if (library_) library_->stop();
 }
 
 Result<void> Application::start() {

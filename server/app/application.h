@@ -9,6 +9,7 @@
 #include "server/app/documents.h"
 #include "server/app/events.h"
 #include "server/app/jobs.h"
+#include "server/app/library_keeper.h"
 #include "server/app/lines.h"
 #include "server/app/ports/ports.h"
 #include "server/app/program_lines.h"
@@ -46,8 +47,9 @@ class Application {
     const Clock& clock;
     const Documents& documents;
     Ballast* ballast = nullptr;
-    ClaimLine claim{};           // takes lines for this process; empty: they are not claimed
-    Workers* workers = nullptr;  // without them checks and renders are done in this process
+    ClaimLine claim{};                  // takes lines for this process; empty: they are not claimed
+    Workers* workers = nullptr;         // without them checks and renders are done in this process
+    store::Library* library = nullptr;  // without it nothing is searched for
   };
   explicit Application(const Environment& environment);
   // Jobs on a line are cancelled at a block end, as far as their control lets them.
@@ -83,6 +85,8 @@ class Application {
   Checking& checking() { return checking_; }
   Jobs& jobs() { return jobs_; }
   Receiving& receiving() { return receiving_; }
+  // nullptr: there is none.
+  LibraryKeeper* library() { return library_ ? &*library_ : nullptr; }
 
  private:
   void cancel_all();
@@ -101,6 +105,7 @@ class Application {
   Checking checking_;
   Jobs jobs_;
   Receiving receiving_;
+  std::optional<LibraryKeeper> library_;
 };
 
 }  // namespace dripfeed::app

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/compile/dialect.h"
 #include "dialects/text/number.h"
 #include "server/app/catalog.h"
 #include "server/app/timed_rendering.h"
@@ -103,6 +104,32 @@ Result<RenderDone> render_family(const RenderWork& work, const Documents& docume
   if (work.optimize) optimize_for(done.result, *control, *profile);
   done.places = write_places(done.result.places);
   return done;
+}
+
+Result<std::vector<ProgramDigest>> digest_programs(const std::vector<DigestOrder>& orders) {
+  std::vector<ProgramDigest> all;
+  for (const DigestOrder& order : orders) {
+    const compile::Dialect* dialect = compile::find_dialect(order.dialect);
+    if (dialect == nullptr) {
+      all.push_back(undigested(order, fmt::format("dialect \"{}\" is not known", order.dialect)));
+      continue;
+    }
+    const text::Source source(order.name, order.text);
+    all.push_back(compile::digest_of(dialect->read(source, dialect->infer_control(source))));
+    if (order.is_whole) continue;
+    all.back().is_cut = true;
+    if (all.back().not_read.empty()) all.back().not_read = "it is so long that only its beginning was read";
+  }
+  return all;
+}
+
+ProgramDigest undigested(const DigestOrder& order, std::string why) {
+  constexpr std::size_t kMost = std::size_t{64} * 1024;
+  ProgramDigest digest;
+  digest.words = compile::as_utf8(std::string_view(order.text).substr(0, kMost));
+  digest.is_cut = !order.is_whole || order.text.size() > kMost;
+  digest.not_read = std::move(why);
+  return digest;
 }
 
 }  // namespace dripfeed::app

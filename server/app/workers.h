@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "dialects/compile/program_digest.h"
 #include "dialects/compile/render.h"
 #include "server/app/check_budget.h"
 #include "server/app/documents.h"
@@ -67,6 +68,19 @@ struct RenderDone {
 // Errors: invalid: the family, the values or the machine.
 Result<RenderDone> render_family(const RenderWork& work, const Documents& documents);
 
+// A text whose names, words and calls are wanted.
+struct DigestOrder {
+  std::string name;
+  std::string dialect;
+  std::string text;
+  bool is_whole = true;  // false: it is the beginning of a longer one
+};
+using compile::ProgramDigest;
+// One for each, in their order.
+Result<std::vector<ProgramDigest>> digest_programs(const std::vector<DigestOrder>& orders);
+// Of a text that its reader did not come through with: its words as they stand.
+ProgramDigest undigested(const DigestOrder& order, std::string why);
+
 class Workers {
  public:
   Workers() = default;
@@ -77,6 +91,7 @@ class Workers {
   // abnormally.
   virtual Result<CheckDone> check(const CaseOrder& order, const Waiter& waiter) = 0;
   virtual Result<RenderDone> render(const RenderWork& work, const Waiter& waiter) = 0;
+  virtual Result<std::vector<ProgramDigest>> digest(const std::vector<DigestOrder>& orders, const Waiter& waiter) = 0;
 };
 
 }  // namespace dripfeed::app

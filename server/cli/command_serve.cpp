@@ -34,6 +34,7 @@
 #include "server/json/documents.h"
 #include "server/json/workers.h"
 #include "store/hash/hash.h"
+#include "store/sqlite/library.h"
 #include "store/sqlite/open.h"
 
 namespace dripfeed::cli {
@@ -109,7 +110,13 @@ io::WorkerDeskSettings desk_settings(const Options& options) {
           .memory_exit_code = kOverMemory};
 }
 
-int run_server(const Options& options, const ServePlan& plan, store::Store& store, const std::stop_token& stop) {
+struct Books {
+  store::Store& store;
+  store::Library* library;
+};
+
+int run_server(const Options& options, const ServePlan& plan, const Books& books, const std::stop_token& stop) {
+  store::Store& store = books.store;
   const io::SteadyClock clock;
   const json::JsonDocuments documents;
   const auto links = io::start_link_thread();
@@ -124,7 +131,8 @@ int run_server(const Options& options, const ServePlan& plan, store::Store& stor
                                 .documents = documents,
                                 .ballast = &ballast,
                                 .claim = io::claim_line,
-                                .workers = &workers});
+                                .workers = &workers,
+                                .library = books.library});
   const auto token = ensure_first_token(store, options.data, clock);
   const auto started = token ? application.start() : token;
   if (!started) {
@@ -189,7 +197,10 @@ int serve(const Options& options) {
     print_error(store::message_of(store.error()));
     return kWrongUse;
   }
-  return run_server(options, *plan, **store, stop);
+  // A shop goes on without it.
+  auto library = sqlite::open_library(sqlite::library_path(store_path(options.data)));
+  if (!library) spdlog::warn("programs cannot be searched: {}", store::message_of(library.error()));
+  return run_server(options, *plan, {.store = **store, .library = library ? library->get() : nullptr}, stop);
 }
 
 // --check: what would keep the server from its start, as far as options say.

@@ -32,6 +32,7 @@ Method method_of(bhttp::verb verb) {
   if (verb == bhttp::verb::get) return Method::get;
   if (verb == bhttp::verb::post) return Method::post;
   if (verb == bhttp::verb::put) return Method::put;
+  if (verb == bhttp::verb::patch) return Method::patch;
   return verb == bhttp::verb::delete_ ? Method::del : Method::other;
 }
 

@@ -2,6 +2,8 @@
 // store, and writes the answer.
 #pragma once
 
+#include <expected>
+
 #include "server/app/ports/workplace.h"
 #include "server/http/router.h"
 #include "store/store.h"
@@ -54,6 +56,13 @@ Response waive_check(const Call& call);
 // handlers_compare.cpp
 Response compare_programs(const Call& call);
 
+// handlers_library.cpp
+Response label_program(const Call& call);
+Response archive_program(const Call& call);
+Response fetch_back_program(const Call& call);
+Response search_programs(const Call& call);
+Response get_program_uses(const Call& call);
+
 // handlers_measures.cpp
 Response measure_accuracy(const Call& call);
 Response measure_gouge(const Call& call);
@@ -65,6 +74,9 @@ Response list_work(const Call& call);
 Response cancel_work(const Call& call);
 // Who waits for heavy work: the client, and the server while it runs. `subject`: what it is about, "program/7".
 app::Waiter waiter_of(const Call& call, std::string_view kind, std::string subject, std::string_view machine);
+
+// ?shelf=, in_use where it is not given; or 422.
+std::expected<store::Shelf, Response> shelf_of(const Request& request);
 
 // This revision of a program, or the newest one for 0.
 store::Result<store::ProgramRevision> find_revision(store::Store& store, store::Id program, store::Revision revision);

@@ -41,6 +41,11 @@ Response list_programs(const Call& call) {
   store::ProgramFilter filter;
   if (const auto name = call.request.query.find("name"); name != call.request.query.end()) filter.name = name->second;
   if (const auto part = call.request.query.find("part"); part != call.request.query.end()) filter.part = part->second;
+  filter.tag = query_text(call.request, "tag");
+  filter.folder = query_text(call.request, "folder");
+  const auto shelf = shelf_of(call.request);
+  if (!shelf) return shelf.error();
+  filter.shelf = *shelf;
   return list_response(call.api.application().store().programs().list(*page, filter),
                        [](const store::Program& p) { return json::program(p); });
 }

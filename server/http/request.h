@@ -20,7 +20,7 @@ namespace dripfeed::http {
 
 class SpooledBody;
 
-enum class Method : std::uint8_t { get, post, put, del, other };
+enum class Method : std::uint8_t { get, post, put, del, patch, other };
 std::string_view name_of(Method method);
 
 struct Request {

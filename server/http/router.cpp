@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kRightNames = {"anybody",    "viewer",   "operator",
                                                          "programmer", "approver", "admin"};
-constexpr std::array<std::string_view, 5> kMethodNames = {"GET", "POST", "PUT", "DELETE", "other"};
+constexpr std::array<std::string_view, 6> kMethodNames = {"GET", "POST", "PUT", "DELETE", "PATCH", "other"};
 
 // The values of the pattern's {names} when the path fits it.
 std::optional<std::vector<std::string>> fit(std::string_view pattern, const std::vector<std::string>& path) {

@@ -133,12 +133,20 @@ Reply compare(const Work& work) {
   return reply;
 }
 
+Reply index(const Work& work) {
+  const auto done = app::digest_programs(read_digest_orders(work.package.head.at("orders"), work.package));
+  if (!done) return std::unexpected(done.error());
+  WorkPackage reply;
+  reply.head["digests"] = write_digests(*done, reply);
+  return reply;
+}
+
 struct KindRow {
   std::string_view name;
   Reply (*carry_out)(const Work&);
 };
 constexpr KindRow kKinds[] = {{"check", check},   {"render", render}, {"accuracy", accuracy}, {"gouge", gouge},
-                              {"timing", timing}, {"sweep", sweep},   {"compare", compare}};
+                              {"timing", timing}, {"sweep", sweep},   {"compare", compare},   {"index", index}};
 
 Reply do_work(const WorkPackage& package) {
   const Work work{.package = package,

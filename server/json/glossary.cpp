@@ -15,6 +15,8 @@ constexpr GlossaryRow kRows[] = {
     {"token", "as `dripfeed token add` printed it"},
     {"text", "the whole text"},
     {"NewProgram/name", "under which the control calls it"},
+    {"tags", "words that the program is found by; all of them, an empty list takes them away"},
+    {"folder", "names with slashes between: \"customer/pumps\"; empty: in none"},
     {"dialect", "of the control: fanuc, haas, sinumerik-840d, mazak, mitsubishi-m80"},
     {"NewPart/number", "of the part, its name"},
     {"family", "name of a part family"},

@@ -227,7 +227,15 @@ std::string part(const store::Part& part) {
 }
 
 std::string program(const store::Program& program) {
-  Document document = {{"id", program.id}, {"name", program.name}, {"dialect", program.dialect}};
+  Document archived = nullptr;
+  if (program.is_archived())
+    archived = {{"by", program.archived.by}, {"reason", program.archived.reason}, {"at_ms", program.archived.at_ms}};
+  Document document = {{"id", program.id},
+                       {"name", program.name},
+                       {"dialect", program.dialect},
+                       {"tags", program.tags},
+                       {"folder", text_or_null(program.folder)},
+                       {"archived", std::move(archived)}};
   document.update(revision_document(program.newest));
   return dump(document);
 }

@@ -11,6 +11,7 @@
 #include "dialects/compile/render.h"
 #include "server/app/application.h"
 #include "server/app/ports/workplace.h"
+#include "server/app/program_uses.h"
 #include "server/app/utilisation.h"
 
 namespace dripfeed::json {
@@ -51,6 +52,14 @@ std::string ledger(std::span<const store::LedgerRow> rows, std::string_view next
 std::string verdict(const store::Verdict& verdict);
 // Of a list: without the report.
 std::string verdict_summary(const store::Verdict& verdict);
+// `waiting`: changes that are not in the library yet.
+struct SearchHit {
+  store::LibraryHit hit;
+  store::Program program;
+};
+std::string search_result(std::span<const SearchHit> hits, std::string_view next, const store::LibraryState& state,
+                          std::uint64_t waiting);
+std::string program_uses(const app::ProgramUses& uses);
 std::string work(const app::Work& work);
 std::string session(std::string_view name, std::string_view role);
 

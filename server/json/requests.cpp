@@ -1,12 +1,14 @@
 // Each body is an object with known members. One function reads it and describes it.
 #include "server/json/requests.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "protocol/feed/feed.h"
+#include "server/app/names.h"
 #include "server/json/enumerators.h"
 #include "server/json/object_reader.h"
 
@@ -53,6 +55,43 @@ void read_members(ObjectReader& o, ProgramBody& into) {
   o.proper_name("name", into.name);
   o.text("dialect", into.dialect, true);
   o.text("text", into.text, true);
+}
+
+// As app::why_no_name, and short enough to stand beside others.
+void read_tags(ObjectReader& o, std::optional<std::vector<std::string>>& into) {
+  constexpr std::size_t kMostTags = 32;
+  constexpr std::size_t kLongest = 64;
+  const Document* tags = o.member("tags", list_of(text("a word or a few"), ""));
+  if (tags == nullptr) return;
+  if (!tags->is_array() || tags->size() > kMostTags) return o.fault("tags", "must be a list of 32 texts at most");
+  into.emplace();
+  for (const Document& one : *tags) {
+    const std::string tag = one.is_string() ? one.get<std::string>() : std::string();
+    const std::string why = tag.size() > kLongest ? "has a tag of more than 64 bytes" : app::why_no_name(tag);
+    if (!why.empty()) return o.fault("tags", tag.size() > kLongest ? why : "has a tag that " + why);
+    into->push_back(tag);
+  }
+}
+
+// Names with slashes between; "" is no folder.
+void read_folder(ObjectReader& o, std::optional<std::string>& into) {
+  constexpr std::size_t kLongest = 200;
+  if (!o.has("folder") && o.member("folder", text("")) == nullptr) return;
+  std::string folder;
+  o.text("folder", folder);
+  if (folder.size() > kLongest) return o.fault("folder", "must not have more than 200 bytes");
+  for (std::size_t begin = 0; !folder.empty() && begin <= folder.size();) {
+    const std::size_t end = std::min(folder.find('/', begin), folder.size());
+    if (const std::string why = app::why_no_name(std::string_view(folder).substr(begin, end - begin)); !why.empty())
+      return o.fault("folder", "has a name that " + why);
+    begin = end + 1;
+  }
+  into = std::move(folder);
+}
+
+void read_members(ObjectReader& o, store::ProgramLabels& into) {
+  read_tags(o, into.tags);
+  read_folder(o, into.folder);
 }
 
 void read_new_part(ObjectReader& o, PartBody& into) {
@@ -193,6 +232,9 @@ NamedSchema described(std::string name, void (*read)(ObjectReader&, Body&), std:
 
 app::Result<TextBody> read_text_body(std::string_view body) { return read_body<TextBody>(body); }
 app::Result<ProgramBody> read_program_body(std::string_view body) { return read_body<ProgramBody>(body); }
+app::Result<store::ProgramLabels> read_labels_body(std::string_view body) {
+  return read_body<store::ProgramLabels>(body);
+}
 app::Result<PartBody> read_part_body(std::string_view body, bool is_new) {
   return read_by<PartBody>(is_new ? read_new_part : read_part_change, body);
 }
@@ -223,6 +265,7 @@ Schemas request_schemas() {
       described<SessionBody>("NewSession", read_members, "who signs in"),
       described<TextBody>("NewText", read_members, "a text as a whole"),
       described<ProgramBody>("NewProgram", read_members, "a program by its text"),
+      described<store::ProgramLabels>("ProgramLabels", read_members, "how a program is filed; what is not given stays"),
       described<PartBody>("NewPart", read_new_part, "a part: a family with values"),
       described<PartBody>("PartChange", read_part_change, "all values of a part's new revision"),
       described<app::RenderOrder>("RenderOrder", read_members, "what is rendered, and for which machine"),

@@ -25,6 +25,8 @@ struct ProgramBody {
 };
 app::Result<ProgramBody> read_program_body(std::string_view body);
 
+app::Result<store::ProgramLabels> read_labels_body(std::string_view body);
+
 struct PartBody {
   std::string number;  // empty when changing
   std::string family;  // empty when changing

@@ -24,6 +24,7 @@ Schemas catalog_schemas();  // families and parts
 Schemas program_schemas();  // programs, rendering
 Schemas check_schemas();    // verdicts and what they report
 Schemas compare_schemas();  // two revisions held against each other
+Schemas library_schemas();  // searches, and where a program is used
 Schemas measure_schemas();  // figures that are not kept, sweeps
 Schemas job_schemas();      // releases, jobs, ledgers
 Schemas receipt_schemas();  // receipts and requests of operators

@@ -35,10 +35,18 @@ Members revision() {
 
 Schemas program_schemas() {
   return {
-      {"Program", object("a program with its newest revision", Members{{"id", integer("of the program")},
-                                                                       {"name", text("of the program")},
-                                                                       {"dialect", text("of its text")}} +
-                                                                   revision())},
+      {"Program",
+       object(
+           "a program with its newest revision",
+           Members{{"id", integer("of the program")},
+                   {"name", text("of the program")},
+                   {"dialect", text("of its text")},
+                   {"tags", list_of(text("a tag"), "that people gave it, sorted")},
+                   {"folder", or_null(text("in which people put it, as \"customer/pumps\"; null: in none"))},
+                   {"archived",
+                    or_null(object("who put it aside; null: it is in use",
+                                   {{"by", text("who did")}, {"reason", text("why")}, {"at_ms", time_ms("when")}}))}} +
+               revision())},
       {"ProgramRevision", object("one revision of a program", Members{{"id", integer("of the program")}} + revision())},
       {"ProgramLines",
        object("some lines of a revision",

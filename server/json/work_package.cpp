@@ -139,6 +139,62 @@ app::RenderWork read_family(const Document& from, const WorkPackage& package) {
           .optimize = from.at("optimize").get<bool>()};
 }
 
+Document write_digest_orders(const std::vector<app::DigestOrder>& orders, WorkPackage& into) {
+  Document list = Document::array();
+  for (const app::DigestOrder& one : orders)
+    list.push_back({{"name", into.add(one.name)},
+                    {"dialect", into.add(one.dialect)},
+                    {"text", into.add(one.text)},
+                    {"is_whole", one.is_whole}});
+  return list;
+}
+
+std::vector<app::DigestOrder> read_digest_orders(const Document& from, const WorkPackage& package) {
+  std::vector<app::DigestOrder> orders;
+  for (const Document& one : from)
+    orders.push_back({.name = package.text_of(one, "name"),
+                      .dialect = package.text_of(one, "dialect"),
+                      .text = package.text_of(one, "text"),
+                      .is_whole = one.at("is_whole").get<bool>()});
+  return orders;
+}
+
+Document write_digests(const std::vector<app::ProgramDigest>& digests, WorkPackage& into) {
+  Document list = Document::array();
+  for (const app::ProgramDigest& one : digests) {
+    Document calls = Document::array();
+    for (const compile::DigestCall& call : one.calls)
+      calls.push_back({into.add(call.name), static_cast<int>(call.kind), call.line});
+    list.push_back({{"names", write_texts(one.names, into)},
+                    {"comments", into.add(one.comments)},
+                    {"words", into.add(one.words)},
+                    {"is_cut", one.is_cut},
+                    {"calls", std::move(calls)},
+                    {"computed_calls", one.computed_calls},
+                    {"not_read", into.add(one.not_read)}});
+  }
+  return list;
+}
+
+std::vector<app::ProgramDigest> read_digests(const Document& from, const WorkPackage& package) {
+  std::vector<app::ProgramDigest> digests;
+  for (const Document& one : from) {
+    app::ProgramDigest digest{.names = read_texts(one.at("names"), package),
+                              .comments = package.text_of(one, "comments"),
+                              .words = package.text_of(one, "words"),
+                              .is_cut = one.at("is_cut").get<bool>(),
+                              .calls = {},
+                              .computed_calls = one.at("computed_calls").get<std::uint64_t>(),
+                              .not_read = package.text_of(one, "not_read")};
+    for (const Document& call : one.at("calls"))
+      digest.calls.push_back({.name = package.texts.at(call.at(0).get<std::size_t>()),
+                              .kind = static_cast<ir::CallKind>(call.at(1).get<int>()),
+                              .line = call.at(2).get<std::uint32_t>()});
+    digests.push_back(std::move(digest));
+  }
+  return digests;
+}
+
 std::string write_work_error(const app::Error& error) {
   WorkPackage package;
   Document places = Document::array();

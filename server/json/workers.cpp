@@ -64,6 +64,18 @@ app::Result<app::RenderDone> DocumentWorkers::render(const app::RenderWork& work
   return done;
 }
 
+app::Result<std::vector<app::ProgramDigest>> DocumentWorkers::digest(const std::vector<app::DigestOrder>& orders,
+                                                                     const app::Waiter& waiter) {
+  // Somebody waits for all other work.
+  if (!workplace_.works().empty()) return app::fail(app::ErrorCode::unavailable, "other work comes first");
+  if (orders.empty()) return std::vector<app::ProgramDigest>{};
+  WorkPackage request;
+  request.head = {{"kind", "index"}, {"seconds", budget_.seconds}, {"orders", write_digest_orders(orders, request)}};
+  const auto reply = ask(workplace_, request, budget_.seconds, waiter);
+  if (!reply) return std::unexpected(reply.error());
+  return read_digests(reply->head.at("digests"), *reply);
+}
+
 app::Result<Figures> DocumentWorkers::figures(const FiguresWork& work, const app::Waiter& waiter) {
   const std::uint32_t seconds = work.sweep ? budget_.seconds * kSweepChecks : budget_.seconds;
   WorkPackage request;

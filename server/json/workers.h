@@ -28,6 +28,8 @@ class DocumentWorkers final : public app::Workers {
 
   app::Result<app::CheckDone> check(const app::CaseOrder& order, const app::Waiter& waiter) override;
   app::Result<app::RenderDone> render(const app::RenderWork& work, const app::Waiter& waiter) override;
+  app::Result<std::vector<app::ProgramDigest>> digest(const std::vector<app::DigestOrder>& orders,
+                                                      const app::Waiter& waiter) override;
   // A sweep makes many checks, and has kSweepChecks times the time of one.
   app::Result<Figures> figures(const FiguresWork& work, const app::Waiter& waiter);
   // The document of json::comparison.

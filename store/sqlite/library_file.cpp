@@ -11,7 +11,6 @@
 namespace dripfeed::sqlite {
 namespace {
 
-using store::Error;
 using store::ErrorCode;
 using store::Result;
 

@@ -2,7 +2,7 @@
 
 import re
 
-METHODS = {"get", "post", "put", "delete"}
+METHODS = {"get", "post", "put", "delete", "patch"}
 
 
 def shape_faults(document):

@@ -11,12 +11,15 @@
 
 #include <fmt/format.h>
 
+#include "dialects/text/number.h"
 #include "store/sqlite/library.h"
 
 namespace {
 
 using namespace dripfeed;
 using Clock = std::chrono::steady_clock;
+
+std::string fixed(double value) { return text::format_fixed(value, 2); }
 
 double ms_since(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
@@ -72,8 +75,9 @@ void measure(store::Library& library, const char* what, const std::vector<std::s
       times.push_back(ms_since(begin));
       hits += page ? page->items.size() : 0;
     }
-  fmt::print("{:<28} median {:6.2f} ms, most {:6.2f} ms, {:.1f} hits on the first page\n", what, median(times),
-             *std::ranges::max_element(times), static_cast<double>(hits) / static_cast<double>(times.size()));
+  fmt::print("{:<28} median {} ms, most {} ms, {} hits on the first page\n", what, fixed(median(times)),
+             fixed(*std::ranges::max_element(times)),
+             fixed(static_cast<double>(hits) / static_cast<double>(times.size())));
 }
 
 }  // namespace
@@ -104,17 +108,17 @@ int main(int argc, char** argv) {
     if (!(*library)->put(batch, id - 1)) return 1;
     puts.push_back(ms_since(put));
   }
-  fmt::print(
-      "{} programs, {:.1f} MB of text, put in {:.1f} s; {} at once: median {:.1f} ms, most {:.1f} ms; file {:.1f} MB\n",
-      programs, static_cast<double>(bytes) / 1e6, ms_since(begin) / 1e3, kBatch, median(puts),
-      *std::ranges::max_element(puts), static_cast<double>(std::filesystem::file_size(path)) / 1e6);
+  fmt::print("{} programs, {} MB of text, put in {} s; {} at once: median {} ms, most {} ms; file {} MB\n", programs,
+             fixed(static_cast<double>(bytes) / 1e6), fixed(ms_since(begin) / 1e3), kBatch, fixed(median(puts)),
+             fixed(*std::ranges::max_element(puts)),
+             fixed(static_cast<double>(std::filesystem::file_size(path)) / 1e6));
   std::vector<double> ones;
   for (store::Id id = 1; id <= 50; ++id) {
     const auto put = Clock::now();
     if (!(*library)->put({shop.program(id * 7)}, programs + id)) return 1;
     ones.push_back(ms_since(put));
   }
-  fmt::print("one put anew: median {:.2f} ms, most {:.2f} ms\n", median(ones), *std::ranges::max_element(ones));
+  fmt::print("one put anew: median {} ms, most {} ms\n", fixed(median(ones)), fixed(*std::ranges::max_element(ones)));
   measure(**library, "a name", {"PUMP-FLANGE", "VALVE", "shaft gear", "BRACKET-COVER"});
   measure(**library, "a number", {"O0123", "O77", "R-5000", "04711"});
   measure(**library, "the beginning of a word", {"pu", "val", "hous", "g"});

@@ -295,7 +295,8 @@ export interface paths {
         delete?: never;
         options?: never;
         head?: never;
-        patch?: never;
+        /** give a program tags and a folder */
+        patch: operations["patch_programs_id"];
         trace?: never;
     };
     "/api/v1/programs/{id}/text": {
@@ -359,6 +360,74 @@ export interface paths {
         };
         /** hold a revision against another one, or another program's: text, meaning, motions */
         get: operations["get_programs_id_compare"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/programs/{id}/archive": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** put a program aside, with a reason: it takes no revision and no release */
+        post: operations["post_programs_id_archive"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/programs/{id}/fetch-back": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** use an archived program again, with a reason */
+        post: operations["post_programs_id_fetch_back"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/programs/{id}/uses": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** which parts, releases, jobs, machines and other programs use a program, and which ones it calls */
+        get: operations["get_programs_id_uses"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/search": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** programs by words: names, numbers, tags, part, machine, comments, text; best first */
+        get: operations["get_search"];
         put?: never;
         post?: never;
         delete?: never;
@@ -1078,6 +1147,13 @@ export interface components {
             dialect: string;
             /** @description the whole text */
             text: string;
+        };
+        /** @description how a program is filed; what is not given stays */
+        ProgramLabels: {
+            /** @description words that the program is found by; all of them, an empty list takes them away */
+            tags?: string[] | null;
+            /** @description names with slashes between: "customer/pumps"; empty: in none */
+            folder?: string | null;
         };
         /** @description a part: a family with values */
         NewPart: {
@@ -2068,6 +2144,19 @@ export interface components {
             name: string;
             /** @description of its text */
             dialect: string;
+            /** @description that people gave it, sorted */
+            tags: string[];
+            /** @description in which people put it, as "customer/pumps"; null: in none */
+            folder: string | null;
+            /** @description who put it aside; null: it is in use */
+            archived: {
+                /** @description who did */
+                by: string;
+                /** @description why */
+                reason: string;
+                /** @description when; milliseconds since 1970, UTC */
+                at_ms: number;
+            } | null;
             /** @description of the text, from 1 */
             revision: number;
             /** @description of the text, in hexadecimal */
@@ -2728,6 +2817,106 @@ export interface components {
                 /** @description the same of rotary axes */
                 deviation_deg: number | null;
             };
+        };
+        /** @description programs by words, a page of them */
+        SearchResult: {
+            /** @description best first */
+            items: {
+                /** @description its name is nearly what was looked for; otherwise all words were found in it */
+                is_similar: boolean;
+                /** @description one after the other: the place where most of it stands */
+                snippet: {
+                    /** @description of what was found */
+                    text: string;
+                    /** @description it was looked for */
+                    is_hit: boolean;
+                }[];
+                program: components["schemas"]["Program"];
+            }[];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+            /** @description that are looked through */
+            programs: number;
+            /** @description changes of programs that are not in the library yet */
+            waiting: number;
+            /** @description programs so long that not all of their moves are looked through */
+            cut: number;
+        };
+        /** @description where a program is used */
+        ProgramUses: {
+            /** @description newest first */
+            parts: {
+                /** @description of the part */
+                number: string;
+                /** @description of the part's values */
+                part_revision: number;
+                /** @description of the program's text */
+                revision: number;
+            }[];
+            /** @description by name */
+            machines: {
+                /** @description its name */
+                machine: string;
+                /** @description in this answer */
+                releases: number;
+                /** @description in this answer */
+                jobs: number;
+            }[];
+            /** @description newest first, 100 at most */
+            releases: components["schemas"]["Release"][];
+            /** @description there are older ones */
+            has_more_releases: boolean;
+            /** @description newest first, 100 at most */
+            jobs: components["schemas"]["Job"][];
+            /** @description there are older ones */
+            has_more_jobs: boolean;
+            /** @description 100 at most */
+            called_by: {
+                /** @description its id */
+                program: number;
+                /** @description of the program */
+                name: string;
+                /** @description it was put aside */
+                is_archived: boolean;
+                /** @description the name that the call has for it */
+                called: string;
+                /**
+                 * @description of call
+                 * @enum {string}
+                 */
+                kind: "subprogram" | "macro" | "external";
+                /** @description of the first such call in the text that calls */
+                line: number;
+            }[];
+            /** @description in the order of the text, 100 at most */
+            calls: {
+                /** @description the name that the call has for it */
+                called: string;
+                /**
+                 * @description of call
+                 * @enum {string}
+                 */
+                kind: "subprogram" | "macro" | "external";
+                /** @description of the first such call in the text that calls */
+                line: number;
+                /** @description none: it is not stored here */
+                programs: {
+                    /** @description its id */
+                    program: number;
+                    /** @description of the program */
+                    name: string;
+                    /** @description it was put aside */
+                    is_archived: boolean;
+                }[];
+            }[];
+            /** @description calls in it that name their program by a value */
+            computed_calls: number;
+            /** @description why its calls are not all of them; null: they are */
+            calls_not_known: string | null;
+            /** @description changes of programs that are not in the library yet */
+            waiting: number;
+            /** @description programs that could not be read as a whole: what they call is not known */
+            unread: number;
         };
         /** @description how far a program lies from the nominal */
         AccuracyFigures: {
@@ -4156,6 +4345,9 @@ export interface operations {
                 after?: string;
                 name?: string;
                 part?: string;
+                tag?: string;
+                folder?: string;
+                shelf?: string;
             };
             header?: never;
             path?: never;
@@ -4230,6 +4422,43 @@ export interface operations {
         requestBody?: never;
         responses: {
             /** @description one program */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Program"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    patch_programs_id: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ProgramLabels"];
+            };
+        };
+        responses: {
+            /** @description give a program tags and a folder */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -4412,6 +4641,145 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Comparison"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_programs_id_archive: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Reason"];
+            };
+        };
+        responses: {
+            /** @description put a program aside, with a reason: it takes no revision and no release */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Program"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_programs_id_fetch_back: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Reason"];
+            };
+        };
+        responses: {
+            /** @description use an archived program again, with a reason */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Program"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_programs_id_uses: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description which parts, releases, jobs, machines and other programs use a program, and which ones it calls */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ProgramUses"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_search: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+                q?: string;
+                shelf?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description programs by words: names, numbers, tags, part, machine, comments, text; best first */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SearchResult"];
                 };
             };
             /** @description a problem */

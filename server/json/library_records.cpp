@@ -1,0 +1,105 @@
+// What was found by words, and where a program is used.
+#include "server/json/parse.h"
+#include "server/json/records.h"
+
+namespace dripfeed::json {
+
+namespace {
+
+Document text_or_null(const std::string& text) { return text.empty() ? Document(nullptr) : Document(text); }
+
+// A document of ours within another one.
+Document within(const std::string& text) { return parse(text).value_or(Document(nullptr)); }
+
+Document call_members(const store::ProgramCall& call) {
+  return {{"called", call.name}, {"kind", store::name_of(call.kind)}, {"line", call.line}};
+}
+
+Document program_reference(const store::Program& program) {
+  return {{"program", program.id}, {"name", program.name}, {"is_archived", program.is_archived()}};
+}
+
+Document parts_document(const app::ProgramUses& uses) {
+  Document list = Document::array();
+  for (const app::ProgramUses::OfPart& one : uses.parts)
+    list.push_back({{"number", one.number}, {"part_revision", one.part_revision}, {"revision", one.revision}});
+  return list;
+}
+
+Document machines_document(const app::ProgramUses& uses) {
+  Document list = Document::array();
+  for (const app::ProgramUses::OfMachine& one : uses.machines)
+    list.push_back({{"machine", one.machine}, {"releases", one.releases}, {"jobs", one.jobs}});
+  return list;
+}
+
+Document callers_document(const app::ProgramUses& uses) {
+  Document list = Document::array();
+  for (const app::ProgramUses::Caller& one : uses.callers) {
+    Document caller = program_reference(one.program);
+    caller.update(call_members(one.call));
+    list.push_back(std::move(caller));
+  }
+  return list;
+}
+
+Document calls_document(const app::ProgramUses& uses) {
+  Document list = Document::array();
+  for (const app::ProgramUses::Called& one : uses.calls) {
+    Document call = call_members(one.call);
+    call["programs"] = Document::array();
+    for (const store::Program& program : one.programs) call["programs"].push_back(program_reference(program));
+    list.push_back(std::move(call));
+  }
+  return list;
+}
+
+template <class Row, class Write>
+Document list_of_rows(const std::vector<Row>& rows, const Write& write) {
+  Document list = Document::array();
+  for (const Row& row : rows) list.push_back(within(write(row)));
+  return list;
+}
+
+// Nobody may take a list for whole that is not.
+Document why_calls_may_be_missing(const app::ProgramUses& uses) {
+  if (!uses.known.is_known) return "the program is not in the library yet";
+  return text_or_null(uses.known.not_read);
+}
+
+}  // namespace
+
+std::string search_result(std::span<const SearchHit> hits, std::string_view next, const store::LibraryState& state,
+                          std::uint64_t waiting) {
+  Document items = Document::array();
+  for (const SearchHit& one : hits) {
+    Document snippet = Document::array();
+    for (const store::SnippetPart& part : one.hit.snippet)
+      snippet.push_back({{"text", part.text}, {"is_hit", part.is_hit}});
+    items.push_back({{"is_similar", one.hit.is_similar},
+                     {"snippet", std::move(snippet)},
+                     {"program", within(program(one.program))}});
+  }
+  return dump({{"items", std::move(items)},
+               {"next", text_or_null(std::string(next))},
+               {"programs", state.programs},
+               {"waiting", waiting},
+               {"cut", state.cut}});
+}
+
+std::string program_uses(const app::ProgramUses& uses) {
+  return dump({{"parts", parts_document(uses)},
+               {"machines", machines_document(uses)},
+               {"releases", list_of_rows(uses.releases, release)},
+               {"has_more_releases", uses.has_more_releases},
+               {"jobs", list_of_rows(uses.jobs, job)},
+               {"has_more_jobs", uses.has_more_jobs},
+               {"called_by", callers_document(uses)},
+               {"calls", calls_document(uses)},
+               {"computed_calls", uses.known.computed},
+               {"calls_not_known", why_calls_may_be_missing(uses)},
+               {"waiting", uses.waiting},
+               {"unread", uses.unread}});
+}
+
+}  // namespace dripfeed::json
