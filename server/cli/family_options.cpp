@@ -31,7 +31,7 @@ app::Result<std::string> list_of_file(std::string_view written, const text::Sour
   const compile::TableColumn read = compile::list_of_column(*table, column, family, parameter);
   print_diagnostics(read.diagnostics, *table, "");
   if (text::has_error(read.diagnostics))
-    return app::fail(app::ErrorCode::invalid, fmt::format("{}: no list is made of {}", parameter, path));
+    return app::fail(app::ErrorCode::refused, fmt::format("{}: no list is made of {}", parameter, path));
   return read.value.empty() ? fmt::format("@{}", written) : read.value;  // no list: left to who binds it
 }
 

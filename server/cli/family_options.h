@@ -24,7 +24,7 @@ struct FamilyOptions {
 // The file of that name, or the shipped family.
 std::string find_family(const std::string& name);
 // --set of a family; NAME=@FILE and NAME=@FILE:COLUMN take a list from a table, whose faults are printed. Errors:
-// invalid.
+// invalid, refused; unavailable for a file that is not there.
 app::Result<std::vector<family::Override>> overrides_of(const std::vector<std::string>& set,
                                                         const text::Source& family);
 void add_family_options(CLI::App& command, FamilyOptions& options);

@@ -251,7 +251,8 @@ def lists_from_tables(folder):
     table.write_text("\n".join(["point_x mm; high mm", *rows[:2], "70.7; tall", *rows[3:]]) + "\n")
     refused(family, machine, ["points.csv:4:7: error[family-syntax]", "'tall' is no number"], *values)
     refused(family, machine, ["points.csv:1:1: error", "no column is called low"], values[0], f"point_y=@{table}:low")
-    refused(family, machine, ["no_such.csv"], f"point_x=@{folder}/no_such.csv")
+    done = ask("render", family.path, "--machine", machine, "--set", f"point_x=@{folder}/no_such.csv")
+    expect(done.returncode != 0 and not done.stdout and "no_such.csv" in done.stderr, f"a table that is not there: {done.stderr}")
     refused(family, machine, ["error[family-given-twice]", "weight"], f"weight={', '.join('1' * 7)}", f"weight={', '.join('1' * 7)}")
 
 
