@@ -11,11 +11,11 @@
 
 #include "dialects/compile/annotate.h"
 #include "dialects/compile/dialect.h"
-#include "dialects/compile/execute.h"
 #include "dialects/compile/explicit_program.h"
 #include "dialects/compile/index_places.h"
 #include "dialects/compile/print_for.h"
 #include "dialects/compile/printed_lines.h"
+#include "dialects/compile/try_out.h"
 #include "dialects/compile/wrap.h"
 #include "dialects/compile/wrapped_family.h"
 #include "dialects/family/build.h"
@@ -29,8 +29,6 @@ namespace {
 
 constexpr std::array<std::pair<std::string_view, RenderMode>, 3> kModes = {
     {{"macro", RenderMode::macro}, {"explicit", RenderMode::explicit_blocks}, {"auto", RenderMode::automatic}}};
-
-constexpr std::uint64_t kMostTried = 2'000'000;  // blocks and passes; longer programs are not tried to their end
 
 constexpr std::string_view kAsked = "it was asked for";
 constexpr std::string_view kDrip = "the control is fed block by block and then rejects jumps and loops";
@@ -70,6 +68,7 @@ class Renderer {
     control_.semantics.chip_break_retract_mm = request_.target.semantics.chip_break_retract_mm;
     control_.semantics.peck_clearance_mm = request_.target.semantics.peck_clearance_mm;
     if (request_.target.from_profile) refuse_missing_axes();
+    refuse_unset_numbers();
     show_messages();
     if (!text::has_error(result_.diagnostics)) choose();
     if (!text::has_error(result_.diagnostics)) describe_text();
@@ -112,11 +111,13 @@ class Renderer {
     const auto computed = [this](const ir::Variable& v) {
       return v.index != ir::ExpressionId::none && built_.at(v.index).op != ir::Operator::constant;
     };
-    if (std::ranges::none_of(built_.variables, computed)) return;
-    interpreter::RunOptions options;
-    options.limits.blocks = options.limits.loop_passes = kMostTried;
-    NoMotions none;
-    report_lists(execute(built_, control_, nullptr, none, options));
+    if (std::ranges::any_of(built_.variables, computed)) report_lists(try_out(built_, control_));
+  }
+
+  void refuse_unset_numbers() {
+    for (const std::uint32_t line : lines_of_unset_numbers(family_->lists, built_, control_))
+      report({text::make_diagnostic(text::DiagnosticId::family_syntax, span_of_line(line),
+                                    {"this takes a number of a list that the program has not set"})});
   }
 
   // At the family's line.

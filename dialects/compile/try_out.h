@@ -1,0 +1,23 @@
+// A family's program run before it is rendered, for what only a run shows.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <span>
+
+#include "dialects/family/model.h"
+#include "dialects/interpreter/interpreter.h"
+#include "dialects/ir/control.h"
+#include "dialects/ir/program.h"
+
+namespace dripfeed::compile {
+
+// What a program does that calls no other; a long one is not tried to its end.
+interpreter::RunResult try_out(const ir::Program& program, const ir::Control& control);
+
+// Lines of the family that take a number of a list before a step has set it: here it is a zero, at the control whatever
+// was left there.
+std::set<std::uint32_t> lines_of_unset_numbers(std::span<const family::List> lists, const ir::Program& built,
+                                               const ir::Control& control);
+
+}  // namespace dripfeed::compile
