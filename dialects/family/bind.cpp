@@ -232,7 +232,7 @@ class Binder {
 
   // The shape of a tool is known before the program runs.
   void check_tool(const Step& step) {
-    for (const ir::ExpressionId one : {step.values[0], step.values[1]}) {
+    for (const ir::ExpressionId one : step.values) {
       if (one == ir::ExpressionId::none) continue;
       if (names_unknown(family_.arena, one, known_)) {
         report(DiagnosticId::family_syntax, step.span, {"a tool's shape may depend on parameters only"});

@@ -159,15 +159,7 @@ void BodyReader::tool() {
   } else {
     out.number = cursor_.expect_integer("the number of a tool, or a parameter that is one");
   }
-  if (!cursor_.line_failed() && cursor_.accept_word("nose")) {
-    const auto literal = expressions_.literal(true);
-    if (!literal) return;
-    const Typed typed{.dimension = literal->unit == nullptr ? kRatio : literal->unit->dimension,
-                      .is_bare = literal->unit == nullptr,
-                      .span = literal->span};
-    if (!expressions_.require_dimension(typed, kLength)) return;
-    out.nose_radius_mm = Quantity{literal->written, literal->unit}.stored();
-  }
+  if (!cursor_.line_failed() && cursor_.accept_word("nose")) out.values[2] = expressions_.value_of(kLength).id;
   if (!cursor_.line_failed() && cursor_.accept_word("tip")) {
     const text::Span at = cursor_.peek().span;
     out.tip = cursor_.expect_integer("the number of a tip, 0 to 9");

@@ -135,8 +135,8 @@ std::vector<ToolShape> tools(const BoundFamily& bound) {
     if (step.kind != StepKind::tool) continue;
     const std::int32_t number = tool_number(bound, step);
     if (std::ranges::find(out, number, &ToolShape::number) != out.end()) continue;
-    out.push_back(
-        {number, step.nose_radius_mm, step.tip, value_of(bound, step.values[0]), value_of(bound, step.values[1])});
+    out.push_back({number, value_of(bound, step.values[2]), step.tip, value_of(bound, step.values[0]),
+                   value_of(bound, step.values[1])});
   }
   return out;
 }

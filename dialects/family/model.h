@@ -144,7 +144,7 @@ struct CurveShape {
 
 enum class StepKind : std::uint8_t {
   work_offset,  // number
-  tool,         // number; nose radius, tip; values[0] diameter, values[1] corner radius
+  tool,         // number; tip; values[0] diameter, values[1] corner radius, values[2] nose radius
   spindle,      // values[0] rpm or m/min; values[1] limit
   spindle_off,
   coolant,     // number: CoolantState
@@ -196,8 +196,7 @@ struct Step {
   std::uint32_t first_word = 0;  // Family::words
   std::uint32_t word_count = 0;
   std::string text;
-  double nose_radius_mm = 0.0;  // tool: 0 when not given
-  std::int32_t tip = 0;         // tool: imaginary tip 0..9
+  std::int32_t tip = 0;  // tool: imaginary tip 0..9
 };
 
 // Whether it begins the cycle of a tap.

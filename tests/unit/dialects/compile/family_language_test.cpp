@@ -250,6 +250,18 @@ TEST(FamilyLanguage, ABlockIsNoLongerThanTheControlReads) {
   EXPECT_NE(automatic.because.find("bytes"), std::string::npos) << automatic.because;
 }
 
+// The shape of a tool is a value like any other, and for the checks alone.
+TEST(FamilyLanguage, AToolsShapeIsOfValuesAndInNoProgram) {
+  const text::Source family(
+      "test.family",
+      "family test\nmachine lathe, x is diameter\nparam insert length 0.8 mm in 0.1..2\nprogram test\n"
+      "  tool 1 nose insert/2 tip 3\n  feed 0.1 mm/rev\n  cut x 1 mm\nend\n");
+  const FamilyGeometry made = family_geometry(family, {{"insert", "1 mm"}});
+  ASSERT_EQ(made.geometry.tools.size(), 1U);
+  EXPECT_DOUBLE_EQ(made.geometry.tools.front().nose_radius_mm, 0.5);
+  EXPECT_EQ(rendered(family, "fanuc", RenderMode::macro, {}).variables, 0U);
+}
+
 struct Fault {
   const char* declarations;
   const char* steps;
