@@ -34,7 +34,7 @@ int render(const Options& asked) {
   auto rendered = render_family(options);
   if (!rendered) {
     print_error(rendered.error());
-    return kWrongUse;
+    return rendered.error().code == app::ErrorCode::refused ? kFailed : kWrongUse;
   }
   const compile::RenderResult& result = rendered->result;
   if (text::has_error(result.diagnostics)) return kFailed;
