@@ -85,7 +85,8 @@ std::string obstacle_at(const ir::Program& program, const ir::Statement& s) {
       s.kind != StatementKind::else_begin)
     return "a loop or IF whose beginning or end is missing or may be skipped";
   switch (s.kind) {
-    case StatementKind::modal_call: return "a modal call, which every move repeats";
+    case StatementKind::modal_call:
+      return facts::is_standard_cycle(program, s) ? "" : "a modal call, which every move repeats";
     case StatementKind::execute_text: return "a text that is executed (EXECSTRING)";
     case StatementKind::repeat_section: return "a part of the program that is repeated (REPEAT)";
     case StatementKind::return_to: return "a return to a block of the caller";

@@ -1197,6 +1197,8 @@ export interface components {
              * @enum {string|null}
              */
             mode?: "macro" | "explicit" | "auto" | null;
+            /** @description whether a macro is rewritten so that the control computes it faster; not given: false */
+            optimize?: boolean | null;
         };
         /** @description what is checked, and for which machine */
         CheckOrder: {

@@ -168,7 +168,7 @@ TEST(Optimized, ABlockThatIsJumpedToStays) {
 }
 
 TEST(Optimized, WhatIsNotUnderstoodLeavesTheProgramAsItWas) {
-  for (const char* line : {"EXECSTRING(\"R1=2\")", "REPEATB N10 P=2", "MCALL CYCLE81(5,0,1,-5)"}) {
+  for (const char* line : {"EXECSTRING(\"R1=2\")", "REPEATB N10 P=2", "MCALL DRILL_HOLE(5)"}) {
     const std::string text = "N10 G0 X0\nR3=R1+R2\n" + std::string(line) + "\nG1 X=R3 F100\nM30\n";
     const OptimizeResult result = optimized(text, {.own = {kR}});
     EXPECT_NE(result.obstacle, "") << line;
