@@ -80,6 +80,14 @@ bool is_understood(StatementKind kind) {
   }
 }
 
+// M0, M1: an operator may look at variables there, and set them.
+bool stops(const ir::Program& program, const ir::Statement& s) {
+  return s.kind == StatementKind::block &&
+         std::ranges::any_of(program.codes_of(program.blocks[s.payload]), [](const ir::Code& c) {
+           return c.function == ir::Function::program_stop || c.function == ir::Function::optional_stop;
+         });
+}
+
 std::string obstacle_at(const ir::Program& program, const ir::Statement& s) {
   if (ir::is_structure(s.kind) && (s.skip_level != 0 || program.structures[s.payload].partner == ir::kNoIndex) &&
       s.kind != StatementKind::else_begin)
@@ -111,6 +119,7 @@ Access access_of(const ir::Program& program, const Places& places, std::uint32_t
   out.sets_for_sure = out.sets_for_sure && s.skip_level == 0;
   out.is_fixed = out.is_fixed || s.skip_level != 0 || !is_understood(s.kind);
   if (facts::is_call(s.kind) || s.kind == StatementKind::native) out.reads_shared = out.sets_shared = true;
+  if (stops(program, s)) out.reads_shared = out.sets_shared = true;
   if (facts::is_call(s.kind)) reader.pass(program.calls[s.payload], out);
   if (s.kind == StatementKind::for_end) {
     const std::uint32_t begin = program.structures[s.payload].partner;

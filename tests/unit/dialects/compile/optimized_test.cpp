@@ -159,6 +159,24 @@ TEST(Optimized, AnArgumentByReferenceComesBackChanged) {
   EXPECT_EQ(result.text, text);
 }
 
+TEST(Optimized, WhatAnOperatorMaySetAtAStopIsReadAfterIt) {
+  const auto program = [](const std::string& between, const std::string& x) {
+    return "R1=3\nG0 X0\nR3=SIN(R1)*COS(R1)\n" + between + "\nG1 X=" + x + " Y=R3 F100\nM30\n";
+  };
+  expect_text(program("G4 F1", "SIN(R1)*COS(R1)"), program("G4 F1", "R3"), {});
+  expect_text(program("M0", "SIN(R1)*COS(R1)"), program("M0", "SIN(R1)*COS(R1)"), {});
+}
+
+TEST(Optimized, ACallerMayReadTheLocalVariablesOfWhatItCalled) {
+  const std::string text = "O1\n#3=#1+1.\nG1X#1F100.\nM99\n";
+  EXPECT_EQ(optimized(text, {.dialect = "fanuc"}).text, text);
+}
+
+TEST(Optimized, ACalledProgramMayKnowTheNamesOfItsCaller) {
+  const std::string text = "EXTERN OUTER\nDEF REAL DEPTH\nG0 X0\nDEPTH=3\nOUTER\nG1 X1 F100\nM30\n";
+  EXPECT_EQ(optimized(text, {.free = {kFreeR}}).text, text);
+}
+
 TEST(Optimized, ABlockThatIsJumpedToStays) {
   const std::string text =
       "O1\nG0X0\nIF[#101EQ1]GOTO80\n#102=3\nN80#149=50\nN90#149=60\nG1X1.F100.\nIF[#101EQ2]GOTO90\nM30\n";
