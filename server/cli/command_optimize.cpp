@@ -12,6 +12,7 @@
 #include "server/app/timed_rendering.h"
 #include "server/cli/called_programs.h"
 #include "server/cli/cli.h"
+#include "server/cli/documents.h"
 #include "server/cli/inputs.h"
 #include "server/cli/optimize_report.h"
 #include "server/cli/output.h"
@@ -92,6 +93,10 @@ int optimize_file(const Options& options) {
     return kWrongUse;
   }
   const compile::OptimizeResult result = compile::optimize_text(request);
+  if (options.text.json) {
+    if (!write_output(options.text.output, optimize_document(result, request.cost, *source))) return kWrongUse;
+    return text::has_error(result.diagnostics) ? kFailed : kDone;
+  }
   print_diagnostics(result.diagnostics, *source, chosen->control.title);
   if (text::has_error(result.diagnostics)) return kFailed;
   print_changes(result, source->name());

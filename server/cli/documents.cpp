@@ -78,6 +78,36 @@ std::string convert_document(const compile::ConvertResult& result, const text::S
                {"diagnostics", Document::parse(json::diagnostics(result.diagnostics, source))}});
 }
 
+namespace {
+
+Document cost_document(const std::optional<compile::ComputeCost>& cost) {
+  if (!cost) return nullptr;
+  return {{"total_ms", cost->total_ms},
+          {"longest_ms", cost->longest_ms},
+          {"longest_line", cost->longest_line},
+          {"moves", cost->moves},
+          {"blocks", cost->blocks}};
+}
+
+Document text_or_null(const std::string& text) { return text.empty() ? Document(nullptr) : Document(text); }
+
+}  // namespace
+
+std::string optimize_document(const compile::OptimizeResult& result, const ir::CostModel& cost,
+                              const text::Source& source) {
+  Document changes = Document::array();
+  for (const optimize::Change& change : result.changes)
+    changes.push_back({{"line", change.line}, {"rule", optimize::row_of(change.rule).name}, {"what", change.what}});
+  return dump({{"text", text::has_error(result.diagnostics) ? Document(nullptr) : Document(result.text)},
+               {"changes", std::move(changes)},
+               {"left_because", text_or_null(result.obstacle)},
+               {"not_verified", text_or_null(result.not_verified)},
+               {"before", cost_document(result.before)},
+               {"after", cost_document(result.after)},
+               {"cost", {{"source", ir::name_of(cost.source)}, {"origin", cost.origin}, {"spread", cost.spread}}},
+               {"diagnostics", Document::parse(json::diagnostics(result.diagnostics, source))}});
+}
+
 std::string render_document(const compile::RenderResult& result) {
   return dump({{"text", result.text},
                {"mode", compile::name_of(result.mode)},

@@ -8,6 +8,7 @@
 
 #include "dialects/compile/convert.h"
 #include "dialects/compile/execute.h"
+#include "dialects/compile/optimized.h"
 #include "dialects/compile/render.h"
 #include "protocol/receive/transfer.h"
 #include "server/app/line.h"
@@ -27,6 +28,10 @@ struct WireHashes {
 std::string run_document(const interpreter::RunResult& result);
 // {"text","verified","not_verified","diagnostics"}: `not_verified` is why it is not, null where it is.
 std::string convert_document(const compile::ConvertResult& result, const text::Source& source);
+// {"text","changes":[{"line","rule","what"}],"left_because","not_verified","before","after","cost"}: the two costs are
+// null where the program was not run before and after, `left_because` is why it is as it was.
+std::string optimize_document(const compile::OptimizeResult& result, const ir::CostModel& cost,
+                              const text::Source& source);
 std::string render_document(const compile::RenderResult& result);
 std::string link_test_document(const app::LinkTestResult& result, const machine::LineSettings& line, bool kept);
 // `read_back`: what came of it; empty: none was due. `line`: the record of the line after it.

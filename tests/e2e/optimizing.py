@@ -46,7 +46,28 @@ def one(folder, family, machine):
     print(f"{family} on {machine}: {before} ms before, {after} ms after, verdict {verdicts[1]}")
 
 
+def the_command(folder):
+    """Text, report and --json of `dripfeed optimize`, and what it refuses."""
+    program = folder / "ring.mpf"
+    program.write_text("DEF REAL DEPTH\nDEPTH=3\nG0 X0\nR1=0\nN10 R2=SIN(DEPTH)*COS(DEPTH)\nG1 X=R2+R1 F100\nR1=R1+1\nIF R1<5 GOTOB N10\nM30\n")
+    answer = run("optimize", program, "--machine", "sinumerik-840d-mill", "--free", "R200-R209", "--own", "R1-R9", "--json")
+    found = json.loads(answer.stdout)
+    rules = {change["rule"] for change in found["changes"]}
+    if not {"numbered", "loops", "invariants"} <= rules or found["after"]["total_ms"] >= found["before"]["total_ms"] or found["left_because"] is not None:
+        raise AssertionError(f"{found}")
+    if answer.stderr:
+        raise AssertionError(f"--json says more: {answer.stderr}")
+    text = run("optimize", program, "--machine", "sinumerik-840d-mill", "--free", "R200-R209", "--own", "R1-R9")
+    if text.stdout != found["text"] or "cost model" not in text.stderr:
+        raise AssertionError(f"{text}")
+    for arguments, words in ((["--free", "R200-#9"], "is no range of variables"), (["--with", "magic"], 'there is no rule "magic"')):
+        refused = run("optimize", program, *arguments)
+        if refused.returncode != 2 or words not in refused.stderr or refused.stdout:
+            raise AssertionError(f"{arguments}: {refused}")
+
+
 with tempfile.TemporaryDirectory() as name:
+    the_command(pathlib.Path(name))
     for family, machines in FAMILIES.items():
         for machine in machines:
             one(pathlib.Path(name), family, machine)
