@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "dialects/compile/printed_lines.h"
 #include "dialects/facts/flow_graph.h"
 
 namespace dripfeed::compile {
@@ -110,12 +111,10 @@ class Writer {
     }
     const ir::PrintResult printed = dialect_.print(made, control_);
     std::map<std::uint32_t, std::string> out;
-    std::size_t begin = 0;
-    for (const std::uint32_t group : printed.origin_lines) {
-      const std::size_t end = printed.text.find('\n', begin) + 1;
-      if (group != 0) out[group].append(printed.text, begin, end - begin);
-      begin = end;
-    }
+    for_each_line(printed.text, [&](const PrintedLine& line) {
+      const std::uint32_t group = printed.origin_lines[line.number - 1];
+      if (group != 0) out[group].append(line.text).append(1, '\n');
+    });
     for (auto& [group, text] : out) finish(group, text);
     return out;
   }
@@ -131,13 +130,11 @@ class Writer {
     else if (kept_.comments && is_first)
       comment = comment_of(line);
     std::string out;
-    for (std::size_t begin = 0; begin < text.size();) {
-      const std::size_t end = text.find('\n', begin);
-      out.append(text, begin, end - begin);
-      if (begin == 0 && !comment.empty()) out.append(1, ' ').append(comment);
+    for_each_line(text, [&](const PrintedLine& one) {
+      out += one.text;
+      if (one.number == 1 && !comment.empty()) out.append(1, ' ').append(comment);
       out += eob();
-      begin = end + 1;
-    }
+    });
     text = std::move(out);
   }
 
@@ -252,10 +249,9 @@ class Writer {
 
   // Of the block number where nobody jumps to it.
   [[nodiscard]] text::Span number_of(std::uint32_t line) const {
-    for (const ir::Label& label : before_.labels) {
-      const ir::Statement& s = before_.statements[label.statement];
-      if (s.line == line && label.name == ir::StringId::none && !was_target_[label.statement]) return label.span;
-    }
+    const auto line_of = [this](const ir::Label& label) { return before_.statements[label.statement].line; };
+    for (const ir::Label& label : std::ranges::equal_range(before_.labels, line, {}, line_of))
+      if (label.name == ir::StringId::none && !was_target_[label.statement]) return label.span;
     return {};
   }
 

@@ -39,11 +39,6 @@ constexpr std::array kOpaque = {Function::machine_function, Function::reference_
                                 Function::set_coordinates};
 bool is_opaque(Function f) { return std::ranges::find(kOpaque, f) != kOpaque.end(); }
 
-bool leads_somewhere(const ir::Motion& m) {
-  if (m.kind == MotionKind::dwell) return m.feed > 0.0;
-  return ir::is_move(m.kind) && (m.start != m.end || is_arc(m.kind) || (m.axes_unknown & m.axes_commanded) != 0);
-}
-
 // A variable that any program may read moves nothing; what the control itself reads (offsets, frames) may.
 bool says_more(const ir::Program& program, const ir::Statement& s, const ir::Control& control) {
   if (s.kind == StatementKind::assign) {

@@ -52,6 +52,11 @@ bool has_row(const ir::Control& control, Function function, std::int16_t argumen
 
 bool is_arc(MotionKind kind) { return kind == MotionKind::arc_cw || kind == MotionKind::arc_ccw; }
 
+bool leads_somewhere(const ir::Motion& m) {
+  if (m.kind == ir::MotionKind::dwell) return m.feed > 0.0;
+  return ir::is_move(m.kind) && (m.start != m.end || is_arc(m.kind) || (m.axes_unknown & m.axes_commanded) != 0);
+}
+
 std::uint16_t axes_to_name(const ir::Motion& motion) {
   std::uint16_t named = motion.axes_commanded;
   if (motion.machine_coordinates) return named;

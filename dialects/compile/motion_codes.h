@@ -28,6 +28,8 @@ ir::Code code_of(ir::Function function, ir::ModalGroup group);
 // Whether the control has a G code that does this.
 bool has_row(const ir::Control& control, ir::Function function, std::int16_t argument);
 bool is_arc(ir::MotionKind kind);
+// A dwell that waits, or a move that goes anywhere; one whose place is not known may.
+bool leads_somewhere(const ir::Motion& motion);
 // Bit per Axis: what a block of the move has to name, the axes of its words and every other one that it moves.
 std::uint16_t axes_to_name(const ir::Motion& motion);
 // Whether X, Y or Z (0 to 2) lies in the plane.

@@ -30,12 +30,6 @@ struct PlacedMove {
   ir::Motion motion;
 };
 
-// Dwells, and moves that lead somewhere.
-bool matters(const ir::Motion& m) {
-  if (m.kind == ir::MotionKind::dwell) return m.feed > 0.0;
-  return ir::is_move(m.kind) && (m.start != m.end || is_arc(m.kind) || (m.axes_unknown & m.axes_commanded) != 0);
-}
-
 // Whether the end of the first rapid lies on the straight way that both go.
 bool only_stops(const ir::Motion& first, const ir::Motion& second) {
   if (first.kind != ir::MotionKind::rapid || second.kind != ir::MotionKind::rapid) return false;
@@ -59,7 +53,7 @@ std::vector<PlacedMove> moves_of(const RecordedRun& run, Origin&& origin_of) {
   for (const Visit& visit : run.visits) {
     const std::uint32_t line = origin_of(visit.line);
     for (ir::Motion m : run.motions_of(visit)) {
-      if (!matters(m)) continue;
+      if (!leads_somewhere(m)) continue;
       if (!out.empty() && only_stops(out.back().motion, m)) {
         m.start = out.back().motion.start;
         out.pop_back();

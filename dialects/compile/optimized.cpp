@@ -65,10 +65,14 @@ class Optimization {
       result.obstacle = "several programs in one text";
       return result;
     }
+    bool is_first = true;
     for (const optimize::Rules& rules : rules_to_try()) {
-      Attempt attempt = try_rules(read.program, rules);
-      const bool is_first = result.changes.empty() && result.obstacle.empty();
-      if (!is_first && !(attempt.after && result.after && attempt.after->total_ms < result.after->total_ms)) continue;
+      std::optional<Attempt> tried = try_rules(read.program, rules);
+      if (!tried) continue;
+      Attempt& attempt = *tried;
+      if (!std::exchange(is_first, false) &&
+          !(attempt.after && result.after && attempt.after->total_ms < result.after->total_ms))
+        continue;
       result.obstacle = std::move(attempt.obstacle);
       result.not_verified = std::move(attempt.not_verified);
       result.before = attempt.before;
@@ -109,7 +113,8 @@ class Optimization {
     return out;
   }
 
-  Attempt try_rules(const ir::Program& before, const optimize::Rules& rules) {
+  // Nothing where rules that change nothing more lead to the text that was tried before.
+  std::optional<Attempt> try_rules(const ir::Program& before, const optimize::Rules& rules) {
     Attempt attempt;
     ir::Program changed = before;
     optimize::Settings settings = request_.settings;
@@ -120,6 +125,8 @@ class Optimization {
     const KeptText kept{.comments = !rules.has(optimize::Rule::comments),
                         .numbers = !rules.has(optimize::Rule::numbers)};
     ChangedText written = changed_text(before, changed, made.made, dialect_, request_.control, kept);
+    if (written.text == tried_) return {};
+    tried_ = written.text;
     const text::Source text(request_.source.name(), std::move(written.text));
     attempt.obstacle = prove(before, text, attempt);
     if (!attempt.obstacle.empty()) return attempt;
@@ -236,6 +243,7 @@ class Optimization {
   const OptimizeRequest& request_;
   const Dialect& dialect_;
   ProgramLibrary own_library_;
+  std::string tried_;                                      // the text of the attempt before
   std::map<text::DiagnosticId, std::string> read_faults_;  // errors that the program has
 };
 

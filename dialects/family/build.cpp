@@ -235,8 +235,8 @@ class Builder {
     if (feed_ != nullptr) words.push_back({ir::Address::f, say_feed(*std::exchange(feed_, nullptr))});
   }
 
-  // F of a tap or a thread is its pitch: the feed before it is said again behind it. Where that may be one of several,
-  // or a value that has changed, a variable of its own keeps it.
+  // F of a tap or a thread is its pitch: the feed before it is written again after it. Where that may be one of
+  // several, or a value that has changed, a variable of its own keeps it.
   [[nodiscard]] bool keeps_feed() const {
     if (std::ranges::none_of(family_.steps, takes_feed_away)) return false;
     const auto is_feed = [](const Step& one) { return one.kind == StepKind::feed; };
@@ -258,7 +258,7 @@ class Builder {
     return feed_now_ == ir::SymbolId::none ? values_.copy(step.values[0]) : emit_.variable(feed_now_);
   }
 
-  // Each says its pitch: on controls that have it in F the feed is said again with the next cut.
+  // Each has its pitch: on controls that have it in F the next cut writes the feed again.
   void thread(const Step& step) {
     const std::vector<EmittedWord> to = words(step);
     std::vector<EmittedCode> codes;

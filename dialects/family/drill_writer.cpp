@@ -1,4 +1,4 @@
-// Values of a cycle become words where it is said; taps end before a path that may come back to them.
+// Values of a cycle become words where it is written; taps end before a path that may come back to them.
 #include "dialects/family/drill_writer.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Holes of a family as a modal drilling cycle. The cycle is said with its first hole, and again where another path may
-// have led to the hole; in between a hole is its place alone.
+// Holes of a family as a modal drilling cycle. The cycle is written with its first hole, and again where another path
+// may have led to the hole; in between a hole is its place alone.
 #pragma once
 
 #include <utility>

@@ -201,7 +201,7 @@ struct Step {
 
 // Whether it begins the cycle of a tap.
 bool begins_taps(const Step& step);
-// Whether its pitch takes the place of the feed, which must be said again behind it.
+// Whether its pitch takes the place of the feed, which must be written again after it.
 bool takes_feed_away(const Step& step);
 // Of a word of drill_begin: whether it is a number in the text, which no variable stands for (pitch, dwell).
 bool is_number_of_cycle(ir::Address address);

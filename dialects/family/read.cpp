@@ -231,7 +231,7 @@ class FamilyReader {
     refuse_pitch_among_feeds();
   }
 
-  // A pitch takes the place of the feed; behind it the one before is said again, whatever path leads there.
+  // A pitch takes the place of the feed; after it the feed before is written again, whatever path leads there.
   void refuse_pitch_among_feeds() {
     const auto sets = [&](Dimension kind) {
       return std::ranges::any_of(family_.steps,

@@ -5,6 +5,7 @@
 
 #include "dialects/facts/calls.h"
 #include "dialects/optimize/expressions.h"
+#include "dialects/passes/structure_parts.h"
 #include "dialects/passes/walk.h"
 
 namespace dripfeed::optimize {
@@ -153,9 +154,7 @@ std::vector<bool> parameters_of(const ir::Program& program, const Places& places
   for (std::uint32_t i = 0; i < accesses.size(); ++i) {
     const ir::Statement& s = program.statements[i];
     if (s.kind == StatementKind::define) continue;
-    const bool is_end = s.kind == StatementKind::if_end || s.kind == StatementKind::while_end ||
-                        s.kind == StatementKind::for_end || s.kind == StatementKind::loop_end ||
-                        s.kind == StatementKind::repeat_end;
+    const bool is_end = s.kind == StatementKind::if_end || passes::ends_loop(s.kind);
     if (is_end && depth > 0) --depth;
     if (ir::is_structure(s.kind) && !is_end && s.kind != StatementKind::else_begin) ++depth;
     const bool by_numbers = s.kind == StatementKind::assign && accesses[i].reads.empty() && !accesses[i].reads_outside;

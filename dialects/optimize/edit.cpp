@@ -63,6 +63,26 @@ bool takes_any_number(ir::Address a) {
          a == ir::Address::f;
 }
 
+void for_each_changeable(const ir::Program& program, const ir::Statement& s,
+                         const std::function<void(ExpressionId)>& visit) {
+  const auto root = [&](ExpressionId id) {
+    if (id != ExpressionId::none) visit(id);
+  };
+  switch (s.kind) {
+    case StatementKind::assign: return root(program.assigns[s.payload].value);
+    case StatementKind::go_to: return root(program.jumps[s.payload].condition);
+    case StatementKind::if_begin:
+    case StatementKind::while_begin:
+    case StatementKind::repeat_end: return root(program.structures[s.payload].condition);
+    case StatementKind::block:
+      if (program.blocks[s.payload].rest_level != 0) return;
+      for (const ir::Word& word : program.words_of(program.blocks[s.payload]))
+        if (takes_any_number(word.address)) root(word.value);
+      return;
+    default: return;
+  }
+}
+
 bool keep_with(ir::Program& program, std::uint32_t index, passes::Rewrite& out, const ChangeExpression& change) {
   const ir::Statement s = program.statements[index];
   bool changed = false;

@@ -12,6 +12,10 @@ namespace dripfeed::optimize {
 using ChangeExpression = std::function<ir::ExpressionId(ir::ExpressionId)>;
 bool keep_with(ir::Program& program, std::uint32_t index, passes::Rewrite& out, const ChangeExpression& change);
 
+// The same expressions, looked at.
+void for_each_changeable(const ir::Program& program, const ir::Statement& statement,
+                         const std::function<void(ir::ExpressionId)>& visit);
+
 // Whether the address takes a number that may be written with a point.
 bool takes_any_number(ir::Address address);
 

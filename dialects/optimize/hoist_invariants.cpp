@@ -10,6 +10,7 @@
 #include "dialects/facts/flow_graph.h"
 #include "dialects/optimize/edit.h"
 #include "dialects/optimize/work.h"
+#include "dialects/passes/structure_parts.h"
 
 namespace dripfeed::optimize {
 
@@ -56,9 +57,7 @@ class Hoisting {
     std::vector<Loop> out;
     for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
       const ir::Statement& s = program_.statements[i];
-      const bool begins = s.kind == StatementKind::while_begin || s.kind == StatementKind::repeat_begin ||
-                          s.kind == StatementKind::for_begin || s.kind == StatementKind::loop_begin;
-      if (begins) out.push_back({i, program_.structures[s.payload].partner});
+      if (passes::begins_loop(s.kind)) out.push_back({i, program_.structures[s.payload].partner});
     }
     std::ranges::stable_sort(out, {}, [](const Loop& l) { return l.last - l.first; });
     return out;
@@ -129,15 +128,9 @@ class Hoisting {
     const std::optional<Sets> sets = sets_of(loop);
     if (!sets) return false;
     std::vector<ExpressionId> parts;
-    const auto look = [&](ExpressionId root) {
-      collect(root, *sets, parts);
-      return root;
-    };
-    passes::Rewrite looking(program_);
     for (std::uint32_t i = loop.first; i <= loop.last && parts.empty(); ++i) {
-      if (accesses_[i].is_fixed || program_.statements[i].kind == StatementKind::for_begin) continue;
-      looking.at(i);
-      keep_with(program_, i, looking, look);
+      if (accesses_[i].is_fixed) continue;
+      for_each_changeable(program_, program_.statements[i], [&](ExpressionId root) { collect(root, *sets, parts); });
     }
     if (parts.empty()) return false;
     // One for all loops that lie apart: nothing reads it after its loop.

@@ -11,6 +11,7 @@
 #include "dialects/optimize/expressions.h"
 #include "dialects/optimize/work.h"
 #include "dialects/passes/rewrite.h"
+#include "dialects/passes/structure_parts.h"
 
 namespace dripfeed::optimize {
 
@@ -60,9 +61,7 @@ class Joining {
     in_loop_.assign(program_.statements.size(), false);
     for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
       const ir::Statement& s = program_.statements[i];
-      const bool begins = s.kind == StatementKind::while_begin || s.kind == StatementKind::repeat_begin ||
-                          s.kind == StatementKind::for_begin || s.kind == StatementKind::loop_begin;
-      if (!begins || in_loop_[i]) continue;
+      if (!passes::begins_loop(s.kind) || in_loop_[i]) continue;
       for (std::uint32_t n = i; n <= program_.structures[s.payload].partner; ++n) in_loop_[n] = true;
     }
   }

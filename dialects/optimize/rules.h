@@ -1,5 +1,6 @@
-// What the optimizer may do, one row a rule: the five of G. Nikiel, "Optimization of execution speed of the CNC
-// parametric part programs", chapter 2, and what a compiler adds. Each can be switched off by itself.
+// What the optimizer may do, one row a rule: those of G. Nikiel, "Optimization of execution speed of the CNC parametric
+// part programs", chapter 2, except that no subprogram is inlined, and what a compiler adds. Each can be switched off
+// by itself.
 #pragma once
 
 #include <array>

@@ -3,16 +3,13 @@
 
 #include <algorithm>
 
+#include "dialects/passes/structure_parts.h"
+
 namespace dripfeed::passes {
 
 namespace {
 
 using ir::StatementKind;
-
-bool opens_loop(StatementKind kind) {
-  return kind == StatementKind::while_begin || kind == StatementKind::loop_begin || kind == StatementKind::for_begin ||
-         kind == StatementKind::repeat_begin;
-}
 
 // The statement that a jump goes to; kNoIndex when that is not known.
 std::uint32_t target_of(const ir::Program& program, const ir::Jump& jump) {
@@ -29,7 +26,7 @@ std::vector<LiveRange> loops_of(const ir::Program& program) {
     const ir::Statement& s = program.statements[i];
     if (s.kind == StatementKind::call || s.kind == StatementKind::modal_call || s.kind == StatementKind::native)
       return {LiveRange::always()};
-    if (opens_loop(s.kind)) {
+    if (begins_loop(s.kind)) {
       const std::uint32_t partner = program.structures[s.payload].partner;
       if (partner == ir::kNoIndex) return {LiveRange::always()};
       loops.push_back({i, partner});

@@ -46,15 +46,6 @@ struct Loop {
   [[nodiscard]] bool holds(std::uint32_t statement) const { return part.first <= statement && statement <= end(); }
 };
 
-bool is_loop_begin(StatementKind kind) {
-  return kind == StatementKind::while_begin || kind == StatementKind::for_begin || kind == StatementKind::loop_begin ||
-         kind == StatementKind::repeat_begin;
-}
-bool is_loop_end(StatementKind kind) {
-  return kind == StatementKind::while_end || kind == StatementKind::for_end || kind == StatementKind::loop_end ||
-         kind == StatementKind::repeat_end;
-}
-
 class RepeatedParts {
  public:
   RepeatedParts(ir::Program& program, FreeNumbers& numbers) : program_(program), numbers_(numbers), out_(program) {}
@@ -106,9 +97,9 @@ class RepeatedParts {
     std::vector<std::uint32_t> open = {ir::kNoIndex};
     for (std::uint32_t i = 0; i < program_.statements.size(); ++i) {
       const StatementKind kind = program_.statements[i].kind;
-      if (is_loop_end(kind) && open.size() > 1) open.pop_back();
+      if (ends_loop(kind) && open.size() > 1) open.pop_back();
       loop_of_.push_back(open.back());
-      if (is_loop_begin(kind)) open.push_back(i);
+      if (begins_loop(kind)) open.push_back(i);
     }
   }
 

@@ -19,6 +19,15 @@ inline ir::Jump jump_to(std::uint32_t number, ir::ExpressionId condition = ir::E
   return jump;
 }
 
+constexpr bool begins_loop(ir::StatementKind kind) {
+  return kind == ir::StatementKind::while_begin || kind == ir::StatementKind::for_begin ||
+         kind == ir::StatementKind::loop_begin || kind == ir::StatementKind::repeat_begin;
+}
+constexpr bool ends_loop(ir::StatementKind kind) {
+  return kind == ir::StatementKind::while_end || kind == ir::StatementKind::for_end ||
+         kind == ir::StatementKind::loop_end || kind == ir::StatementKind::repeat_end;
+}
+
 // The comparison that holds when `op` does not; Operator::constant when `op` is none.
 ir::Operator opposite_comparison(ir::Operator op);
 inline bool is_comparison(const ir::Program& program, ir::ExpressionId id) {

@@ -1,5 +1,5 @@
 // Two programs held against each other: as texts, by what their lines mean, and by the moves that they make. Each
-// answer stands alone, and "equal" is said only of what was understood as a whole.
+// answer stands alone, and "equal" is stated only where both were understood whole.
 #pragma once
 
 #include <array>

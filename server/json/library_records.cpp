@@ -6,11 +6,6 @@ namespace dripfeed::json {
 
 namespace {
 
-Document text_or_null(const std::string& text) { return text.empty() ? Document(nullptr) : Document(text); }
-
-// A document of ours within another one.
-Document within(const std::string& text) { return parse(text).value_or(Document(nullptr)); }
-
 Document call_members(const store::ProgramCall& call) {
   return {{"called", call.name}, {"kind", store::name_of(call.kind)}, {"line", call.line}};
 }
@@ -57,7 +52,7 @@ Document calls_document(const app::ProgramUses& uses) {
 template <class Row, class Write>
 Document list_of_rows(const std::vector<Row>& rows, const Write& write) {
   Document list = Document::array();
-  for (const Row& row : rows) list.push_back(within(write(row)));
+  for (const Row& row : rows) list.push_back(embedded(write(row)));
   return list;
 }
 
@@ -78,7 +73,7 @@ std::string search_result(std::span<const SearchHit> hits, std::string_view next
       snippet.push_back({{"text", part.text}, {"is_hit", part.is_hit}});
     items.push_back({{"is_similar", one.hit.is_similar},
                      {"snippet", std::move(snippet)},
-                     {"program", within(program(one.program))}});
+                     {"program", embedded(program(one.program))}});
   }
   return dump({{"items", std::move(items)},
                {"next", text_or_null(std::string(next))},

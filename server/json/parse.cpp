@@ -2,6 +2,7 @@
 #include "server/json/parse.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -135,6 +136,11 @@ app::Result<Document> parse(std::string_view text, std::size_t most_values) {
   } catch (const nlohmann::json::exception& error) {
     return app::fail(app::ErrorCode::malformed, fmt::format("this is not JSON: {}", words_of(error)));
   }
+}
+
+Document embedded(std::string_view text) {
+  auto document = parse(text, std::numeric_limits<std::size_t>::max());
+  return document ? std::move(*document) : Document(nullptr);
 }
 
 std::string dump(const Document& document) { return document.dump(-1, ' ', false, Document::error_handler_t::replace); }

@@ -27,6 +27,9 @@ inline constexpr std::size_t kMostValues = 200'000;
 app::Result<Document> parse(std::string_view text, std::size_t most_values = kMostValues);
 // Compact; text that is no UTF-8 is shown with replacement characters.
 std::string dump(const Document& document);
+// The raw text of a JSON document that is kept or was written here, as a member: its values were counted when it came.
+Document embedded(std::string_view text);
+inline Document text_or_null(std::string_view text) { return text.empty() ? Document(nullptr) : Document(text); }
 // A member's name as a part of a pointer.
 std::string escape_pointer(std::string_view name);
 

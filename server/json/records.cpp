@@ -1,8 +1,6 @@
 // Member order is the order of reading; times are milliseconds since 1970, 0 is shown as null.
 #include "server/json/records.h"
 
-#include <limits>
-
 #include "server/json/diagnostics.h"
 #include "server/json/object_reader.h"
 
@@ -12,8 +10,6 @@ namespace {
 
 Document time_or_null(std::int64_t at_ms) { return at_ms == 0 ? Document(nullptr) : Document(at_ms); }
 Document id_or_null(store::Id id) { return id == 0 ? Document(nullptr) : Document(id); }
-Document text_or_null(std::string_view text) { return text.empty() ? Document(nullptr) : Document(text); }
-
 Document machine_document(const std::optional<app::MachineReport>& machine) {
   if (!machine) return nullptr;
   return {{"state", machine->state}, {"program", machine->program}, {"line", machine->line}, {"alarm", machine->alarm}};
@@ -88,12 +84,6 @@ std::string text_at(const Document& document, const char* name) {
   if (!document.is_object()) return {};
   const auto found = document.find(name);
   return found != document.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-// The raw text of a JSON document that is kept or was written here, as a member.
-Document embedded(std::string_view text) {
-  auto document = parse(text, std::numeric_limits<std::size_t>::max());  // it was counted when it came
-  return document ? std::move(*document) : Document(nullptr);
 }
 
 // One of kReadBackStates.

@@ -181,8 +181,6 @@ Document report_document(const app::CheckReport& report) {
   return document;
 }
 
-Document text_or_null(const std::string& text) { return text.empty() ? Document(nullptr) : Document(text); }
-
 Document lines_document(const std::vector<app::NumberedLine>& lines) {
   Document list = Document::array();
   for (const app::NumberedLine& one : lines) list.push_back({{"line", one.number}, {"text", one.text}});

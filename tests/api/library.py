@@ -34,7 +34,7 @@ def by_words(client):
         expect(found(client, words) == wanted, f"{words}: {found(client, words)}, not {wanted}")
     item = client.get("/search?q=welle")["items"][0]
     expect([part["text"] for part in item["snippet"] if part["is_hit"]] == ["WELLE"] and not item["is_similar"], item)
-    expect(client.get("/search?q=PUMQ")["items"][0]["is_similar"], "a name that is nearly so is said to be right")
+    expect(client.get("/search?q=PUMQ")["items"][0]["is_similar"], "a name that is only similar is reported as right")
     client.must("POST", f"/programs/{macro}/revisions", {"text": "%\nO9010\nG04P200\n(SECOND)\nM99\n%\n"}, headers={"If-Match": '"1"'})
     settled(client)
     expect(found(client, "second") == [macro] and found(client, "P100") == [], "the newest revision counts")

@@ -1,4 +1,4 @@
-// Lists from tables: which cells are taken, and where a fault is said to be.
+// Lists from tables: which cells are taken, and which place a fault reports.
 #include "dialects/compile/list_table.h"
 
 #include <string>
