@@ -25,6 +25,15 @@ struct AuditRow {
   std::string hash;
 };
 
+// Empty and 0: all.
+struct AuditFilter {
+  std::string subject{};
+  std::string actor{};
+  std::string action{};
+  std::int64_t from_ms = 0;
+  std::int64_t to_ms = 0;  // before it
+};
+
 struct AuditCheck {
   std::uint64_t rows = 0;
   std::string head;                           // hash of the last row: note it elsewhere to notice a cut tail
@@ -34,8 +43,8 @@ struct AuditCheck {
 class Audit : public Repository {
  public:
   virtual Result<AuditRow> append(const AuditEntry& entry, const Stamp& by) = 0;
-  // Newest first; of one subject when it is not empty.
-  virtual Result<Page<AuditRow>> list(const PageRequest& page, std::string_view subject = {}) = 0;
+  // Newest first.
+  virtual Result<Page<AuditRow>> list(const PageRequest& page, const AuditFilter& filter = {}) = 0;
   // Walks the whole chain.
   virtual Result<AuditCheck> verify() = 0;
 };

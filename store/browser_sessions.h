@@ -1,25 +1,35 @@
-// Sessions of browsers: a cookie that was given for a token. Only the hash of the cookie is kept. They are no record:
-// what ended is deleted, and nothing of them is in the audit.
+// Sessions of browsers: a cookie that was given for a token, or for a user's password or PIN. Only the hash of the
+// cookie is kept. They are no record: what ended is deleted, and nothing of them is in the audit.
 #pragma once
 
 #include "store/tokens.h"
+#include "store/users.h"
 
 namespace dripfeed::store {
 
+// Who may open a session: a token or a user.
+struct SessionOwner {
+  std::string token_hash{};  // "": the user
+  std::string user{};
+  SecretKind secret = SecretKind::password;  // of the user
+};
+
 struct BrowserSession {
-  Token token;  // valid
+  std::optional<Token> token;  // valid
   std::string token_hash;
+  Id user_id = 0;  // without a token; not disabled
+  SecretKind secret = SecretKind::password;
   std::int64_t opened_at_ms = 0;
   std::int64_t used_at_ms = 0;  // as the last note of a use says
 };
 
 class BrowserSessions : public Repository {
  public:
-  // For the valid token with this hash. Of more than `most` sessions of one token those that were used longest ago end.
-  // Errors: not_found (the token, or it is revoked), exists (the session), invalid_value (an empty hash).
-  virtual Result<void> open(std::string_view session_hash, std::string_view token_hash, std::size_t most,
+  // Of more than `most` sessions of one owner those that were used longest ago end. Errors: not_found (the token, or it
+  // is revoked; the user, or it is disabled), exists (the session), invalid_value (an empty hash).
+  virtual Result<void> open(std::string_view session_hash, const SessionOwner& owner, std::size_t most,
                             std::int64_t at_ms) = 0;
-  // Errors: not_found: there is none, or its token is revoked.
+  // Errors: not_found: there is none, or its token is revoked, or its user disabled.
   virtual Result<BrowserSession> find(std::string_view session_hash) = 0;
   // A session that has ended meanwhile stays so.
   virtual Result<void> note_use(std::string_view session_hash, std::int64_t at_ms) = 0;

@@ -26,6 +26,7 @@ constexpr std::array kRows{
     Row{ErrorCode::not_released, "not-released", "no release lets this text go to this machine"},
     Row{ErrorCode::transfers_used_up, "transfers-used-up", "the transfers of the proving are used up"},
     Row{ErrorCode::sign_off_missing, "sign-off-missing", "an approval needs a note of who signs it off"},
+    Row{ErrorCode::four_eyes, "four-eyes", "whoever wrote or released a text may not approve it on this machine"},
     Row{ErrorCode::machine_busy, "machine-busy", "another job has the machine's line"},
     Row{ErrorCode::machine_torn, "machine-torn",
         "a block was torn on this machine: somebody must confirm that the control was reset"},

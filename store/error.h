@@ -22,6 +22,7 @@ enum class ErrorCode : std::uint8_t {
   not_released,        // no release lets this text go to this machine
   transfers_used_up,   // a release in proving has had its transfers
   sign_off_missing,    // a release is approved by a person with a note
+  four_eyes,           // who wrote or released a text wants to approve it
   machine_busy,        // another job of the machine is armed or runs
   machine_torn,        // a block was torn; a person must confirm the reset of the control first
   key_reused,          // an idempotency key came back with another request

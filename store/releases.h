@@ -78,7 +78,8 @@ class Releases : public Repository {
   // and delivery that is not obsolete).
   virtual Result<Release> add(const NewRelease& release, const Stamp& by) = 0;
   // Errors: not_found, refused_transition, no_verdict, verdict_not_passed, verdict_stale, sign_off_missing,
-  // invalid_value (proving without transfers).
+  // invalid_value (proving without transfers), four_eyes (to approved, where the machine's group wants another person
+  // than who wrote or released the text).
   virtual Result<Release> move(Id release, const ReleaseMove& move, const Stamp& by) = 0;
   // Errors: not_found.
   virtual Result<Release> get(Id release) = 0;

@@ -21,6 +21,7 @@
 #include "store/replies.h"
 #include "store/tokens.h"
 #include "store/use.h"
+#include "store/users.h"
 #include "store/verdicts.h"
 
 namespace dripfeed::store {
@@ -43,6 +44,7 @@ class Store : public Repository {
   virtual Answers& answers() = 0;
   virtual Alarms& alarms() = 0;
   virtual Audit& audit() = 0;
+  virtual Users& users() = 0;
   virtual Tokens& tokens() = 0;
   virtual BrowserSessions& browser_sessions() = 0;
   virtual Replies& replies() = 0;

@@ -18,13 +18,26 @@ struct Token {
   std::string created_by;
   std::int64_t created_at_ms = 0;
   std::int64_t revoked_at_ms = 0;  // 0: valid
+  std::string user{};              // whose rights it has, up to its role; "" for a program's own
+  Id user_id = 0;                  // the same; 0: none
+  std::string scope{};             // what it may change, words with blanks between; "": all that its role may
+  std::int64_t expires_at_ms = 0;  // 0: never
+};
+
+struct NewToken {
+  std::string name;
+  Role role = Role::viewer;
+  std::string hash;
+  std::string user{};
+  std::string scope{};
+  std::int64_t expires_at_ms = 0;
 };
 
 class Tokens : public Repository {
  public:
-  // Errors: exists (the hash), invalid_value (empty name or hash).
-  virtual Result<Token> add(std::string_view name, Role role, std::string_view token_hash, const Stamp& by) = 0;
-  // The valid token with this hash. Errors: not_found (none, or revoked).
+  // Errors: exists (the hash), invalid_value (empty name or hash), broken_reference (no such user).
+  virtual Result<Token> add(const NewToken& token, const Stamp& by) = 0;
+  // The token with this hash, unless it is revoked; whoever asks looks at expires_at_ms. Errors: not_found.
   virtual Result<Token> find(std::string_view token_hash) = 0;
   // Errors: not_found. Revoking twice changes nothing.
   virtual Result<Token> revoke(Id token, const Stamp& by) = 0;

@@ -52,7 +52,8 @@ class Verdicts : public Repository {
  public:
   // A verdict for an older machine revision than the newest is stale from the start. Errors: broken_reference.
   virtual Result<Verdict> add(const NewVerdict& verdict, const Stamp& by) = 0;
-  // Errors: not_found, invalid_value (no reason, no name).
+  // Errors: not_found, invalid_value (no reason, no name), four_eyes (who wrote the text, where the machine's group
+  // wants another person).
   virtual Result<Verdict> waive(Id verdict, std::string_view reason, const Stamp& by) = 0;
   // Errors: not_found.
   virtual Result<Verdict> get(Id verdict) = 0;

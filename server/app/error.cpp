@@ -24,6 +24,7 @@ constexpr std::array kRows = {
     Row{store::ErrorCode::not_released, ErrorCode::refused},
     Row{store::ErrorCode::transfers_used_up, ErrorCode::refused},
     Row{store::ErrorCode::sign_off_missing, ErrorCode::refused},
+    Row{store::ErrorCode::four_eyes, ErrorCode::refused},
     Row{store::ErrorCode::machine_busy, ErrorCode::refused},
     Row{store::ErrorCode::machine_torn, ErrorCode::refused},
     Row{store::ErrorCode::key_reused, ErrorCode::invalid},

@@ -45,6 +45,8 @@ void add_restore(CLI::App& app, int& exit_code);
 void add_doctor(CLI::App& app, int& exit_code);
 void add_ledger(CLI::App& app, int& exit_code);
 void add_token(CLI::App& app, int& exit_code);
+void add_user(CLI::App& app, int& exit_code);
+void add_audit(CLI::App& app, int& exit_code);
 void add_openapi(CLI::App& app, int& exit_code);
 void add_wrap(CLI::App& app, int& exit_code);
 void add_optimize(CLI::App& app, int& exit_code);

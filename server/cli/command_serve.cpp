@@ -70,8 +70,8 @@ app::Result<void> ensure_first_token(store::Store& store, const fs::path& data, 
   const std::string token = hash::random_token();
   const auto written = write_secret(data / "first-token", token);
   if (!written) return written;
-  const auto added = app::lift(
-      store.tokens().add("admin", store::Role::admin, hash::token_hash(token), {"dripfeed", clock.wall_ms()}));
+  const auto added = app::lift(store.tokens().add(
+      {.name = "admin", .role = store::Role::admin, .hash = hash::token_hash(token)}, {"dripfeed", clock.wall_ms()}));
   if (!added) return std::unexpected(added.error());
   return {};
 }

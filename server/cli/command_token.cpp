@@ -5,12 +5,14 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "server/app/error.h"
 #include "server/app/names.h"
 #include "server/cli/cli.h"
 #include "server/cli/data_folder.h"
 #include "server/cli/output.h"
+#include "server/http/rights.h"
 #include "server/io/steady_clock.h"
 #include "store/hash/hash.h"
 #include "store/sqlite/open.h"
@@ -23,6 +25,9 @@ struct Options {
   std::string data = "data";
   std::string name;
   std::string role;
+  std::string user;
+  std::vector<std::string> scope;
+  std::uint32_t days = 0;  // 0: it does not end
   store::Id id = 0;
 };
 
@@ -38,21 +43,39 @@ store::Result<void> add_one(store::Store& store, const Options& options, const s
         store::ErrorCode::invalid_value,
         fmt::format("the role \"{}\" is none of {}", options.role, fmt::join(store::kNames<store::Role>, ", "))});
   }
-  const auto added = store.tokens().add(options.name, *role, hash::token_hash(token), by);
+  const std::string scope = fmt::format("{}", fmt::join(options.scope, " "));
+  if (const auto word = http::unknown_scope(scope); !word.empty()) {
+    return std::unexpected(store::Error{store::ErrorCode::invalid_value,
+                                        fmt::format("\"{}\" is no scope: {}", word, fmt::join(http::kScopes, ", "))});
+  }
+  constexpr std::int64_t kDay_ms = std::int64_t{24} * 3600 * 1000;
+  const auto added = store.tokens().add({.name = options.name,
+                                         .role = *role,
+                                         .hash = hash::token_hash(token),
+                                         .user = options.user,
+                                         .scope = scope,
+                                         .expires_at_ms = options.days == 0 ? 0 : by.at_ms + options.days * kDay_ms},
+                                        by);
   if (!added) return std::unexpected(added.error());
   fmt::print(stderr, "token {} of {} as {}; it is shown this once:\n", added->id, added->name, options.role);
   fmt::print("{}\n", token);
   return {};
 }
 
-store::Result<void> list_tokens(store::Store& store, const Options& /*options*/, const store::Stamp& /*by*/) {
+std::string_view state_of(const store::Token& token, const store::Stamp& now) {
+  if (token.revoked_at_ms != 0) return "revoked";
+  return token.expires_at_ms != 0 && token.expires_at_ms <= now.at_ms ? "expired" : "valid";
+}
+
+store::Result<void> list_tokens(store::Store& store, const Options& /*options*/, const store::Stamp& by) {
   store::PageRequest page{.limit = store::kPageLimitMax, .after = {}};
   do {
     const auto tokens = store.tokens().list(page);
     if (!tokens) return std::unexpected(tokens.error());
     for (const store::Token& token : tokens->items) {
-      fmt::print("{:>6}  {:10}  {:7}  {}\n", token.id, store::name_of(token.role),
-                 token.revoked_at_ms == 0 ? "valid" : "revoked", token.name);
+      fmt::print("{:>6}  {:10}  {:7}  {}{}{}\n", token.id, store::name_of(token.role), state_of(token, by), token.name,
+                 token.user.empty() ? "" : fmt::format(", for {}", token.user),
+                 token.scope.empty() ? "" : fmt::format(", may change: {}", token.scope));
     }
     page.after = tokens->next;
   } while (!page.after.empty());
@@ -96,6 +119,10 @@ void add_token(CLI::App& app, int& exit_code) {
   CLI::App* add = action("add", "a new token; it is printed once", add_one);
   add->add_option("name", options->name, "of the person or program that has it")->required();
   add->add_option("--role", options->role, "viewer, operator, programmer, approver or admin")->required();
+  add->add_option("--user", options->user, "a person whose rights it has, up to --role");
+  add->add_option("--scope", options->scope, "what it may change: library, checks, releases, queue, line, setup")
+      ->delimiter(',');
+  add->add_option("--days", options->days, "how long it is valid; without it does not end")->check(CLI::Range(1, 3650));
   action("list", "all tokens, newest first", list_tokens);
   action("revoke", "ends a token and its sessions", revoke_token)
       ->add_option("id", options->id, "its number")

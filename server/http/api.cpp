@@ -13,6 +13,7 @@
 
 #include "server/http/handlers.h"
 #include "server/http/problem_titles.h"
+#include "server/http/rights.h"
 #include "server/json/records.h"
 
 namespace dripfeed::http {
@@ -142,7 +143,7 @@ Api::Api(app::Application& application, json::DocumentWorkers& workers, std::fil
       web_root_(std::move(web_root)),
       version_(std::move(version)),
       stop_(std::move(stop)),
-      sessions_(application.store().tokens(), application.store().browser_sessions(),
+      sessions_(application.store().tokens(), application.store().users(), application.store().browser_sessions(),
                 [&application] { return application.clock().wall_ms(); }),
       live_(
           application.events(), [&application](const std::string& machine) { return application.status(machine); },
@@ -161,6 +162,7 @@ Lane lane_of(const Route& route) {
     case Weight::bulk:
     case Weight::setup: return Lane::bulk;
     case Weight::heavy: return Lane::heavy;
+    case Weight::secret: return Lane::secret;
   }
   return Lane::here;
 }
@@ -228,6 +230,11 @@ bool is_shown(const std::string& shown, const std::string& name) {
   return shown.empty() || shown == name || decode_segment(shown) == name;
 }
 
+Response too_low(const Route& route, const Caller& caller, Right right) {
+  return problem_response(403, fmt::format("this needs the role {}; {} has the role {}", name_of(route.right),
+                                           caller.name, name_of(right)));
+}
+
 }  // namespace
 
 // Who calls, if they may.
@@ -235,14 +242,14 @@ std::expected<Caller, Response> Api::admit(const Request& request, const Route& 
                                            std::optional<std::uint64_t> version) {
   auto caller = sessions_.caller(request, version);
   if (!caller) {
-    Response response = problem_response(401, "sign in with a token");
+    Response response = problem_response(401, "sign in, or send a token");
     response.headers.emplace_back("WWW-Authenticate", "Bearer");
     return std::unexpected(std::move(response));
   }
-  if (caller->right < route.right) {
-    return std::unexpected(
-        problem_response(403, fmt::format("this needs the role {}; {} has the role {}", name_of(route.right),
-                                          caller->name, name_of(caller->right))));
+  if (reach(route, *caller) < route.right) return std::unexpected(too_low(route, *caller, caller->right));
+  if (!allows(caller->scope, route)) {
+    return std::unexpected(problem_response(
+        403, fmt::format("this token may change: {}; this belongs to {}", caller->scope, scope_of(route))));
   }
   if (request.method != Method::get && caller->by_cookie && !same_origin(request)) {
     return std::unexpected(problem_response(403, "a change by cookie must come from this server's own page"));
@@ -287,10 +294,12 @@ Response Api::answer_route(const Request& request, const Match& match) {
         400, fmt::format("no query parameter \"{}\" here; this path takes: {}", name, query_names(route)));
   }
   call.user = caller->name;
-  call.right = caller->right;
+  call.right = right_for(route, call, *caller);
   call.caller = &*caller;
+  if (call.right < route.right) return too_low(route, *caller, call.right);
   if (route.weight == Weight::stored) return answer_stored(call, route);
-  if (request.method != Method::get && !request.idempotency_key.empty()) return answer_once(request, route, call);
+  const bool is_kept = request.method != Method::get && route.weight != Weight::secret;
+  if (is_kept && !request.idempotency_key.empty()) return answer_once(request, route, call);
   return route.weight == Weight::staged ? answer_staged(call, route, nullptr) : route.handler(call);
 }
 

@@ -20,6 +20,26 @@ Response open_session(const Call& call);
 Response close_session(const Call& call);
 Response get_events(const Call& call);
 
+// handlers_people.cpp
+Response list_users(const Call& call);
+Response add_user(const Call& call);
+Response get_user(const Call& call);
+Response change_user(const Call& call);
+Response unlock_user(const Call& call);
+Response set_password(const Call& call);
+Response set_pin(const Call& call);
+Response remove_password(const Call& call);
+Response remove_pin(const Call& call);
+Response change_own_password(const Call& call);
+Response list_tokens(const Call& call);
+Response add_token(const Call& call);
+Response get_token(const Call& call);
+Response revoke_token(const Call& call);
+Response list_groups(const Call& call);
+Response put_group(const Call& call);
+Response remove_group(const Call& call);
+Response list_audit(const Call& call);
+
 // metrics_server.cpp
 Response get_metrics(const Call& call);
 

@@ -61,11 +61,24 @@ Response get_release(const Call& call) {
   return release_response(200, call.api.application().store().releases().get(*id));
 }
 
+namespace {
+
+// Programmers hand in and take back; approvers decide.
+Right right_to(store::ReleaseState state) {
+  const bool hands_in = state == store::ReleaseState::in_review || state == store::ReleaseState::draft;
+  return hands_in ? Right::programmer : Right::approver;
+}
+
+}  // namespace
+
 Response move_release(const Call& call) {
   const auto id = id_of(call.parameters[0]);
   if (!id) return id.error();
   const auto move = json::read_transition_body(call.request.body);
   if (!move) return problem_response(move.error());
+  if (call.right < right_to(move->to))
+    return problem_response(403,
+                            fmt::format("to move a release to {} needs the role approver", store::name_of(move->to)));
   app::Application& app = call.api.application();
   return release_response(200,
                           app.store().releases().move(*id, *move, {std::string(call.user), app.clock().wall_ms()}));

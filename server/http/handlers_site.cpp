@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "server/app/sign_in.h"
 #include "server/http/api.h"
 #include "server/http/describe.h"
 #include "server/http/handlers.h"
-#include "server/json/records.h"
-#include "server/json/requests.h"
+#include "server/json/people.h"
 
 namespace dripfeed::http {
 
@@ -50,7 +50,43 @@ Response get_asset(const Call& call) {
   return file_response(call, call.api.web_root() / "assets" / name);
 }
 
-Response get_session(const Call& call) { return json_response(200, json::session(call.user, name_of(call.right))); }
+Response get_session(const Call& call) {
+  json::SessionView view{.name = call.user,
+                         .role = name_of(call.right),
+                         .by = call.caller->signed_in_by,
+                         .scope = call.caller->scope,
+                         .machines = {}};
+  for (const auto& [machine, right] : call.caller->on_machines) view.machines.emplace(machine, name_of(right));
+  return json_response(200, json::session(view));
+}
+
+namespace {
+
+// The cookie of a new session, or why there is none.
+std::expected<std::string, Response> sign_in(const Call& call, const json::SessionBody& body) {
+  Sessions& sessions = call.api.sessions();
+  const auto refuse = [](Response response) { return std::unexpected(std::move(response)); };
+  if (body.token.empty()) {
+    app::Application& app = call.api.application();
+    const auto answer = app::check_secret(app.store(), body.name, body.kind, body.secret, app.clock());
+    if (!answer) return refuse(problem_response(answer.error()));
+    if (answer->outcome == app::SignIn::locked) {
+      const std::int64_t wait_s = (answer->locked_until_ms - app.clock().wall_ms()) / 1000 + 1;
+      Response response = problem_response(429, fmt::format("too many wrong ones: try again in {} s", wait_s));
+      response.headers.emplace_back("Retry-After", fmt::format("{}", wait_s));
+      return refuse(std::move(response));
+    }
+    if (answer->outcome == app::SignIn::wrong)
+      return refuse(problem_response(401, fmt::format("the name or the {} is wrong", store::name_of(body.kind))));
+  }
+  const auto value = body.token.empty() ? sessions.open(body.name, body.kind) : sessions.open(body.token);
+  if (value) return *value;
+  if (value.error().code == store::ErrorCode::not_found)
+    return refuse(problem_response(401, "this token is not valid"));
+  return refuse(problem_response(app::from_store(value.error())));
+}
+
+}  // namespace
 
 Response open_session(const Call& call) {
   // Nobody signs a browser in from another site.
@@ -59,10 +95,8 @@ Response open_session(const Call& call) {
   if (call.request.body.size() > kSignInLimit) return problem_response(413, "this is longer than any token");
   const auto body = json::read_session_body(call.request.body);
   if (!body) return problem_response(body.error());
-  const auto value = call.api.sessions().open(body->token);
-  if (!value && value.error().code == store::ErrorCode::not_found)
-    return problem_response(401, "this token is not valid");
-  if (!value) return problem_response(app::from_store(value.error()));
+  const auto value = sign_in(call, *body);
+  if (!value) return value.error();
   Response response;
   response.status = 204;
   response.content_type.clear();

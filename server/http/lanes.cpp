@@ -30,7 +30,8 @@ constexpr std::array kLanes = {
     LaneRow{Lane::command, "http command", 2, 256},
     LaneRow{Lane::write, "http write", 8, 1024},
     LaneRow{Lane::bulk, "http bulk", 2, 64},
-    LaneRow{Lane::heavy, "http heavy", 0, 32},    // they wait for worker processes, which have the low priority
+    LaneRow{Lane::heavy, "http heavy", 0, 32},  // they wait for worker processes, which have the low priority
+    LaneRow{Lane::secret, "http secret", 1, 32},
     LaneRow{Lane::spool, "http spool", 1, 4096},  // a connection has one piece and one file to close at a time
 };
 

@@ -6,6 +6,7 @@
 //   write    small changes of the store
 //   bulk     texts: uploads, long answers, files
 //   heavy    checks, rendering, sweeps: they wait for worker processes
+//   secret   signing in: a hash of a password takes a tenth of a second and 64 MiB, one at a time
 //   spool    files of long bodies on their way here: it waits for the disk (see spool.h)
 //
 // Each lane has a queue with an end: who comes later is asked to come again.
@@ -18,7 +19,7 @@
 
 namespace dripfeed::http {
 
-enum class Lane : std::uint8_t { here, command, write, bulk, heavy, spool };
+enum class Lane : std::uint8_t { here, command, write, bulk, heavy, secret, spool };
 
 class Lanes {
  public:
@@ -40,7 +41,7 @@ class Lanes {
  private:
   class One;
   One& at(Lane lane);
-  std::unique_ptr<One> lanes_[5];
+  std::unique_ptr<One> lanes_[6];
 };
 
 }  // namespace dripfeed::http

@@ -106,9 +106,9 @@ void LiveHub::wake() {
   wake_.notify_one();
 }
 
-std::size_t LiveHub::count_of(const std::string& token_hash) const {
+std::size_t LiveHub::count_of(const std::string& owner) const {
   return static_cast<std::size_t>(
-      std::ranges::count_if(seats_, [&](const auto& seat) { return seat.second.credential.token_hash == token_hash; }));
+      std::ranges::count_if(seats_, [&](const auto& seat) { return seat.second.credential.owner == owner; }));
 }
 
 std::size_t LiveHub::watchers() {
@@ -123,7 +123,7 @@ std::expected<std::shared_ptr<EventSubscription>, std::string> LiveHub::watch(st
     const std::lock_guard lock(mutex_);
     if (seats_.size() >= kMost)
       return std::unexpected(fmt::format("{} watch already: close a page that is not needed", kMost));
-    if (count_of(credential.token_hash) >= kMostOfOne) {
+    if (count_of(credential.owner) >= kMostOfOne) {
       return std::unexpected(
           fmt::format("{} watch with this token already: give other stations tokens of their own", kMostOfOne));
     }

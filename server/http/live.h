@@ -69,7 +69,7 @@ class LiveHub {
   bool gather_events();
   bool gather_progress(Clock::time_point now);
   bool end_invalid(Clock::time_point now);
-  [[nodiscard]] std::size_t count_of(const std::string& token_hash) const;
+  [[nodiscard]] std::size_t count_of(const std::string& owner) const;
 
   app::Events& events_;
   Describe describe_;

@@ -30,7 +30,9 @@ std::string_view name_of(Right right);
 //            no transaction lasts as long as a text
 //   setup    lane `bulk`: opens lines, or has transactions of its own
 //   heavy    lane `heavy`: rendering, checks
-enum class Weight : std::uint8_t { stored, light, staged, command, bulk, setup, heavy };
+//   secret   lane `secret`: passwords, PINs, tokens; no answer is kept under an idempotency key, as it may hold a
+//   secret
+enum class Weight : std::uint8_t { stored, light, staged, command, bulk, setup, heavy, secret };
 
 // What a body may carry: a document, or a text in one.
 enum class Carries : std::uint8_t { document, text };

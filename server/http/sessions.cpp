@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include "store/hash/hash.h"
@@ -53,15 +54,39 @@ bool same_origin(const Request& request) {
   return names_host(request.origin, request.host) || names_host(request.origin, request.forwarded_host);
 }
 
+namespace {
+
+std::string owner_of(store::Id user) { return fmt::format("user/{}", user); }
+
+}  // namespace
+
+// A user that is disabled, or a token whose user is, is as good as none.
 std::optional<Sessions::Known> Sessions::ask(const std::string& hash, bool is_session) {
+  Known known;
+  store::Id user = 0;
   if (is_session) {
-    const auto found = kept_.find(hash);
+    auto found = kept_.find(hash);
     if (!found) return std::nullopt;
-    return Known{found->token, found->token_hash, found->opened_at_ms, found->used_at_ms};
+    known = {.token = std::move(found->token),
+             .user = std::nullopt,
+             .owner = std::move(found->token_hash),
+             .secret = found->secret,
+             .opened_at_ms = found->opened_at_ms,
+             .used_at_ms = found->used_at_ms};
+    user = found->user_id;
+  } else {
+    auto token = tokens_.find(hash);
+    if (!token) return std::nullopt;
+    known.token = std::move(*token);
+    known.owner = hash;
   }
-  const auto token = tokens_.find(hash);
-  if (!token) return std::nullopt;
-  return Known{*token, hash, 0, 0};
+  if (known.token) user = known.token->user_id;
+  if (user == 0) return known;
+  auto rights = users_.rights(user);
+  if (!rights) return std::nullopt;
+  known.user = std::move(*rights);
+  if (!known.token) known.owner = owner_of(user);
+  return known;
 }
 
 std::optional<Sessions::Known> Sessions::known(const std::string& hash, bool is_session,
@@ -83,32 +108,61 @@ std::optional<Sessions::Known> Sessions::known(const std::string& hash, bool is_
   return asked;
 }
 
+namespace {
+
 // The rights follow the roles in the same order, after `anybody`.
+Right right_of(store::Role role) { return static_cast<Right>(static_cast<int>(role) + 1); }
+
+}  // namespace
+
+// Of a user's token each right is the lower one of both.
 Caller Sessions::caller_of(const Known& known) {
-  return {.name = known.token.name,
-          .right = static_cast<Right>(static_cast<int>(known.token.role) + 1),
-          .by_cookie = false,
-          .credential = {.token_hash = known.token_hash, .session = {}}};
+  Right most = Right::admin;
+  Caller caller;
+  if (known.token) {
+    most = right_of(known.token->role);
+    caller.name = known.token->name;
+    caller.scope = known.token->scope;
+    caller.signed_in_by = "token";
+  } else {
+    if (known.secret == store::SecretKind::pin) most = kPinRight;
+    caller.signed_in_by = store::name_of(known.secret);
+  }
+  caller.right = most;
+  if (known.user) {
+    caller.name = known.user->name;
+    caller.right = std::min(most, right_of(known.user->role));
+    for (const auto& [machine, role] : known.user->on_machines)
+      caller.on_machines.emplace(machine, std::min(most, right_of(role)));
+  }
+  caller.credential = {.owner = known.owner, .session = {}};
+  return caller;
+}
+
+bool Sessions::has_ended(const std::optional<store::Token>& token) const {
+  return token && token->expires_at_ms != 0 && token->expires_at_ms <= now_ms_();
 }
 
 // With the lock held.
 bool Sessions::has_expired(const Known& session, const std::string& hash) const {
+  const bool is_pin = !session.token && session.secret == store::SecretKind::pin;
   const auto used = used_.find(hash);
   const std::int64_t last_ms = std::max(session.used_at_ms, used == used_.end() ? 0 : used->second);
   const std::int64_t now = now_ms_();
-  return now - last_ms >= kIdle_ms || now - session.opened_at_ms >= kLongest_ms;
+  return now - last_ms >= (is_pin ? kPinIdle_ms : kIdle_ms) ||
+         now - session.opened_at_ms >= (is_pin ? kPinLongest_ms : kLongest_ms);
 }
 
 std::optional<Caller> Sessions::caller(const Request& request, std::optional<std::uint64_t> version) {
   if (const auto token = bearer_token(request.authorization)) {
     const auto found = known(hash::token_hash(*token), false, version);
-    return found ? std::optional(caller_of(*found)) : std::nullopt;
+    return found && !has_ended(found->token) ? std::optional(caller_of(*found)) : std::nullopt;
   }
   const std::string cookie = cookie_value(request.cookie, kSessionCookie);
   if (cookie.empty()) return std::nullopt;
   const std::string session = hash::token_hash(cookie);
   const auto found = known(session, true, version);
-  if (!found) return std::nullopt;
+  if (!found || has_ended(found->token)) return std::nullopt;
   {
     const std::lock_guard lock(mutex_);
     if (has_expired(*found, session)) return std::nullopt;
@@ -120,18 +174,38 @@ std::optional<Caller> Sessions::caller(const Request& request, std::optional<std
   return caller;
 }
 
+namespace {
+
+// A store that cannot be read says nothing of the credential.
+template <class T>
+bool may_be_there(const store::Result<T>& found) {
+  return found.has_value() || found.error().code != store::ErrorCode::not_found;
+}
+
+}  // namespace
+
 bool Sessions::is_valid(const Credential& credential) {
-  if (credential.session.empty()) {
-    const auto token = tokens_.find(credential.token_hash);
-    // A store that cannot be read says nothing of the token.
-    return token.has_value() || token.error().code != store::ErrorCode::not_found;
-  }
+  if (!credential.session.empty()) return is_valid_session(credential);
+  const auto token = tokens_.find(credential.owner);
+  if (!token) return may_be_there(token);
+  if (has_ended(*token)) return false;
+  return token->user_id == 0 || may_be_there(users_.rights(token->user_id));
+}
+
+bool Sessions::is_valid_session(const Credential& credential) {
   const auto found = kept_.find(credential.session);
-  if (!found) return found.error().code != store::ErrorCode::not_found;
+  if (!found) return may_be_there(found);
+  if (has_ended(found->token)) return false;
+  if (found->token && found->token->user_id != 0 && !may_be_there(users_.rights(found->token->user_id))) return false;
   std::int64_t used_ms = 0;
   {
     const std::lock_guard lock(mutex_);
-    const Known session{found->token, found->token_hash, found->opened_at_ms, found->used_at_ms};
+    const Known session{.token = found->token,
+                        .user = std::nullopt,
+                        .owner = {},
+                        .secret = found->secret,
+                        .opened_at_ms = found->opened_at_ms,
+                        .used_at_ms = found->used_at_ms};
     if (has_expired(session, credential.session)) return false;
     if (const auto used = used_.find(credential.session); used != used_.end()) used_ms = used->second;
   }
@@ -142,11 +216,21 @@ bool Sessions::is_valid(const Credential& credential) {
   return true;
 }
 
-// What has expired goes with the next sign-in; nobody ends the session of another by signing in often.
 store::Result<std::string> Sessions::open(std::string_view token) {
+  if (const auto found = tokens_.find(hash::token_hash(token)); found && has_ended(*found))
+    return std::unexpected(store::Error{store::ErrorCode::not_found, "the token has expired"});
+  return open_for({.token_hash = hash::token_hash(token)});
+}
+
+store::Result<std::string> Sessions::open(std::string_view user, store::SecretKind secret) {
+  return open_for({.user = std::string(user), .secret = secret});
+}
+
+// What has expired goes with the next sign-in; nobody ends the session of another by signing in often.
+store::Result<std::string> Sessions::open_for(const store::SessionOwner& owner) {
   const std::int64_t now = now_ms_();
   std::string cookie = hash::random_token();
-  const auto opened = kept_.open(hash::token_hash(cookie), hash::token_hash(token), kMostOfOne, now);
+  const auto opened = kept_.open(hash::token_hash(cookie), owner, kMostOfOne, now);
   if (!opened) return std::unexpected(opened.error());
   if (const auto done = kept_.forget(now - kLongest_ms, now - kLongest_ms); !done)
     spdlog::warn("old sessions are not forgotten: {}", store::message_of(done.error()));

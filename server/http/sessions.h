@@ -1,6 +1,6 @@
-// Who calls: API tokens in the Authorization header, or a browser's cookie that was given for one. Sessions of browsers
-// live in the store, so a restart of the server signs nobody out. A revoked token ends its sessions with the next
-// request.
+// Who calls: API tokens in the Authorization header, or a browser's cookie that was given for a token or for a user's
+// password or PIN. Sessions of browsers live in the store, so a restart of the server signs nobody out. A revoked token
+// and a disabled user end their sessions with the next request.
 #pragma once
 
 #include <compare>
@@ -21,44 +21,56 @@ inline constexpr std::string_view kSessionCookie = "dripfeed_session";
 
 // What a caller was let in by.
 struct Credential {
-  std::string token_hash;
+  std::string owner;    // hash of the token, or "user/7" for a user's session
   std::string session;  // hash of the cookie; "" without one
   friend auto operator<=>(const Credential&, const Credential&) = default;
 };
 
 struct Caller {
   std::string name;
-  Right right = Right::anybody;
+  Right right = Right::anybody;                             // for all that belongs to no machine of `on_machines`
+  std::map<std::string, Right, std::less<>> on_machines{};  // instead of `right`
+  std::string scope{};                                      // what it may change, see rights.h; "": all that it may
+  std::string signed_in_by{};                               // "token", "password", "pin"
   bool by_cookie = false;
   Credential credential{};
 };
 
 class Sessions {
  public:
-  static constexpr std::size_t kMostOfOne = 32;  // sessions of one token; the one that was used longest ago goes
+  static constexpr std::size_t kMostOfOne = 32;  // sessions of one owner; the one that was used longest ago goes
   static constexpr std::int64_t kIdle_ms = std::int64_t{12} * 3600 * 1000;         // a session that nobody uses
   static constexpr std::int64_t kLongest_ms = std::int64_t{7} * 24 * 3600 * 1000;  // any session
+  // A PIN is short and typed where others look on.
+  static constexpr std::int64_t kPinIdle_ms = std::int64_t{30} * 60'000;
+  static constexpr std::int64_t kPinLongest_ms = std::int64_t{12} * 3600 * 1000;
+  static constexpr Right kPinRight = Right::operator_;  // at most
 
   // `now_ms`: milliseconds since 1970.
-  Sessions(store::Tokens& tokens, store::BrowserSessions& kept, std::function<std::int64_t()> now_ms)
-      : tokens_(tokens), kept_(kept), now_ms_(std::move(now_ms)) {}
-  // Nothing when there is no valid token behind the request. `version`: of the store (Store::version()), asked for with
-  // this request: who was let in at the same one is let in again without asking. Nothing: the store is asked.
+  Sessions(store::Tokens& tokens, store::Users& users, store::BrowserSessions& kept,
+           std::function<std::int64_t()> now_ms)
+      : tokens_(tokens), users_(users), kept_(kept), now_ms_(std::move(now_ms)) {}
+  // Nothing when nobody valid is behind the request. `version`: of the store (Store::version()), asked for with this
+  // request: who was let in at the same one is let in again without asking. Nothing: the store is asked.
   std::optional<Caller> caller(const Request& request, std::optional<std::uint64_t> version = std::nullopt);
   // The cookie's value for this token. Errors: not_found (the token is not valid), and those of a store that cannot
   // write.
   store::Result<std::string> open(std::string_view token);
+  // The same for a user whose password or PIN was right. Errors: not_found (disabled).
+  store::Result<std::string> open(std::string_view user, store::SecretKind secret);
   store::Result<void> close(const Request& request);
-  // Whether the token, and the session where there is one, is valid now. Does not count as a use. It may write: the
-  // uses of this session that were not noted in the store yet.
+  // Whether the token or the user, and the session where there is one, is valid now. Does not count as a use. It may
+  // write: the uses of this session that were not noted in the store yet.
   bool is_valid(const Credential& credential);
 
  private:
   // What a request by header or cookie stands for.
   struct Known {
-    store::Token token;
-    std::string token_hash;
-    std::int64_t opened_at_ms = 0;  // 0: no session
+    std::optional<store::Token> token;
+    std::optional<store::Rights> user;  // of the session, or whose token it is
+    std::string owner;
+    store::SecretKind secret = store::SecretKind::password;  // without a token
+    std::int64_t opened_at_ms = 0;                           // 0: no session
     std::int64_t used_at_ms = 0;
   };
 
@@ -70,8 +82,12 @@ class Sessions {
   std::optional<Known> ask(const std::string& hash, bool is_session);
   static Caller caller_of(const Known& known);
   [[nodiscard]] bool has_expired(const Known& session, const std::string& hash) const;
+  [[nodiscard]] bool has_ended(const std::optional<store::Token>& token) const;
+  bool is_valid_session(const Credential& credential);
+  store::Result<std::string> open_for(const store::SessionOwner& owner);
 
   store::Tokens& tokens_;
+  store::Users& users_;
   store::BrowserSessions& kept_;
   std::function<std::int64_t()> now_ms_;
   std::mutex mutex_;

@@ -436,8 +436,6 @@ std::string utilisation(std::span<const app::DayOfUse> days) {
   return dump({{"days", std::move(all)}});
 }
 
-std::string session(std::string_view name, std::string_view role) { return dump({{"name", name}, {"role", role}}); }
-
 std::string_view event_name(app::EventKind kind) {
   static constexpr std::string_view kNames[] = {"job", "machine", "verdict", "alarm", "receipt"};
   return kNames[static_cast<std::size_t>(kind)];

@@ -61,7 +61,6 @@ std::string search_result(std::span<const SearchHit> hits, std::string_view next
                           std::uint64_t waiting);
 std::string program_uses(const app::ProgramUses& uses);
 std::string work(const app::Work& work);
-std::string session(std::string_view name, std::string_view role);
 
 // The data line of a live event, and its name.
 std::string_view event_name(app::EventKind kind);

@@ -9,14 +9,13 @@
 
 #include "protocol/feed/feed.h"
 #include "server/app/names.h"
+#include "server/json/bodies.h"
 #include "server/json/enumerators.h"
 #include "server/json/object_reader.h"
 
 namespace dripfeed::json {
 
 namespace {
-
-constexpr std::int64_t kMaxId = std::int64_t{1} << 53U;  // what JavaScript keeps exactly
 
 void read_id(ObjectReader& object, std::string_view name, store::Id& into) {
   object.integer(name, into, 1, kMaxId, true);
@@ -202,30 +201,9 @@ void read_members(ObjectReader& o, ShelveBody& into) {
   o.text("reason", into.reason, true);
 }
 
-void read_members(ObjectReader& o, SessionBody& into) { o.text("token", into.token, true); }
-
-template <class Body>
-app::Result<Body> read_by(void (*read)(ObjectReader&, Body&), std::string_view body) {
-  Body into;
-  const auto done = read_object(body, "request", [&](ObjectReader& o) { read(o, into); });
-  if (!done) return std::unexpected(done.error());
-  return into;
-}
-
 template <class Body>
 app::Result<Body> read_body(std::string_view body) {
   return read_by<Body>(read_members, body);
-}
-
-// An empty body is one without members.
-std::string_view or_empty(std::string_view body) { return body.empty() ? "{}" : body; }
-
-template <class Body>
-NamedSchema described(std::string name, void (*read)(ObjectReader&, Body&), std::string about) {
-  return {std::move(name), describe(std::move(about), [&](ObjectReader& o) {
-            Body unused;
-            read(o, unused);
-          })};
 }
 
 }  // namespace
@@ -258,11 +236,16 @@ app::Result<JobBody> read_job_body(std::string_view body) { return read_body<Job
 app::Result<ArmBody> read_arm_body(std::string_view body) { return read_body<ArmBody>(or_empty(body)); }
 app::Result<MoveBody> read_move_body(std::string_view body) { return read_body<MoveBody>(body); }
 app::Result<ShelveBody> read_shelve_body(std::string_view body) { return read_body<ShelveBody>(body); }
-app::Result<SessionBody> read_session_body(std::string_view body) { return read_body<SessionBody>(body); }
+
+std::optional<std::string> machine_in_body(std::string_view body) {
+  const auto document = parse(body);
+  if (!document || !document->is_object()) return std::nullopt;
+  const auto found = document->find("machine");
+  return found != document->end() && found->is_string() ? std::optional(found->get<std::string>()) : std::nullopt;
+}
 
 Schemas request_schemas() {
   return {
-      described<SessionBody>("NewSession", read_members, "who signs in"),
       described<TextBody>("NewText", read_members, "a text as a whole"),
       described<ProgramBody>("NewProgram", read_members, "a program by its text"),
       described<store::ProgramLabels>("ProgramLabels", read_members, "how a program is filed; what is not given stays"),

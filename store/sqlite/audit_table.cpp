@@ -1,9 +1,9 @@
-// A row's hash covers all its fields, each with its length before it, and the hash of the row before.
+// Rows are added one after the other, each with the hash of the one before.
 #include "store/sqlite/audit_table.h"
 
 #include <fmt/format.h>
 
-#include "store/hash/sha256.h"
+#include "store/sqlite/audit_chain.h"
 #include "store/sqlite/paging.h"
 
 namespace dripfeed::sqlite {
@@ -11,22 +11,6 @@ namespace {
 
 using store::AuditRow;
 using store::Result;
-
-std::string hash_of(const AuditRow& row) {
-  hash::Sha256 hash;
-  const auto field = [&](std::string_view text) {
-    hash.add(fmt::format("{}:", text.size()));
-    hash.add(text);
-  };
-  field(row.previous_hash);
-  field(fmt::format("{}", row.seq));
-  field(fmt::format("{}", row.by.at_ms));
-  field(row.by.actor);
-  field(row.entry.action);
-  field(row.entry.subject);
-  field(row.entry.detail);
-  return hash.hex();
-}
 
 AuditRow read_row(Query& query) {
   AuditRow row;
@@ -41,12 +25,19 @@ AuditRow read_row(Query& query) {
   return row;
 }
 
-constexpr std::string_view kList =
-    "SELECT seq, at_ms, actor, action, subject, detail, previous_hash, hash FROM audit "
-    "WHERE seq < ? ORDER BY seq DESC LIMIT ?";
-constexpr std::string_view kListOfSubject =
-    "SELECT seq, at_ms, actor, action, subject, detail, previous_hash, hash FROM audit "
-    "WHERE subject = ? AND seq < ? ORDER BY seq DESC LIMIT ?";
+constexpr std::string_view kColumns = "seq, at_ms, actor, action, subject, detail, previous_hash, hash";
+
+// One text of the columns that are asked for; each is bound once, also where it is not asked for.
+std::string list_where(const store::AuditFilter& filter) {
+  const auto equals = [](std::string_view column, bool is_given) {
+    return is_given ? fmt::format("{} = ?", column) : std::string("? = ''");
+  };
+  return fmt::format(
+      "SELECT {} FROM audit WHERE {} AND {} AND {} AND at_ms >= ? AND (? = 0 OR at_ms < ?) AND seq < ?"
+      " ORDER BY seq DESC LIMIT ?",
+      kColumns, equals("subject", !filter.subject.empty()), equals("actor", !filter.actor.empty()),
+      equals("action", !filter.action.empty()));
+}
 constexpr std::string_view kWalk =
     "SELECT seq, at_ms, actor, action, subject, detail, previous_hash, hash FROM audit ORDER BY seq";
 
@@ -61,7 +52,7 @@ AuditRow add_audit_row(Session& session, const store::AuditEntry& entry, const s
       row.previous_hash = last.text();
     }
   }
-  row.hash = hash_of(row);
+  row.hash = audit_hash(row);
   session.run(
       "INSERT INTO audit (seq, at_ms, actor, action, subject, detail, previous_hash, hash) VALUES (?, ?, ?, ?, ?, ?, "
       "?, ?)",
@@ -74,33 +65,28 @@ Result<AuditRow> AuditTable::append(const store::AuditEntry& entry, const store:
                          [&](Session& session) -> Result<AuditRow> { return add_audit_row(session, entry, by); });
 }
 
-Result<store::Page<AuditRow>> AuditTable::list(const store::PageRequest& page, std::string_view subject) {
+Result<store::Page<AuditRow>> AuditTable::list(const store::PageRequest& page, const store::AuditFilter& filter) {
   return database_.read("audit", [&](Session& session) -> Result<store::Page<AuditRow>> {
     const auto from = newest_first(page);
     if (!from) return std::unexpected(from.error());
-    const auto key = [](const AuditRow& row) { return fmt::format("{}", row.seq); };
-    if (subject.empty()) {
-      Query query(session, kList, from->after, from->rows);
-      return collect(query, page, read_row, key);
-    }
-    Query query(session, kListOfSubject, subject, from->after, from->rows);
-    return collect(query, page, read_row, key);
+    const std::string sql = list_where(filter);
+    Query query(session, sql, filter.subject, filter.actor, filter.action, filter.from_ms, filter.to_ms, filter.to_ms,
+                from->after, from->rows);
+    return collect(query, page, read_row, [](const AuditRow& row) { return fmt::format("{}", row.seq); });
   });
 }
 
 Result<store::AuditCheck> AuditTable::verify() {
   return database_.read("audit", [&](Session& session) -> Result<store::AuditCheck> {
     store::AuditCheck check;
+    AuditChain chain;
     Query query(session, kWalk);
-    while (query.next()) {
+    while (!check.first_broken && query.next()) {
       const AuditRow row = read_row(query);
-      ++check.rows;
-      if (row.seq != check.rows || row.previous_hash != check.head || row.hash != hash_of(row)) {
-        check.first_broken = row.seq;
-        break;
-      }
-      check.head = row.hash;
+      if (!chain.follows(row)) check.first_broken = row.seq;
     }
+    check.rows = chain.rows();
+    check.head = chain.head();
     return check;
   });
 }

@@ -1,4 +1,4 @@
-// A session is joined with its token at each look, so that a revoked token has none.
+// A session is joined with its token or its user at each look, so that a revoked token has none, nor a disabled user.
 #include "store/sqlite/browser_session_table.h"
 
 namespace dripfeed::sqlite {
@@ -6,44 +6,69 @@ namespace {
 
 using store::BrowserSession;
 using store::ErrorCode;
+using store::Id;
 using store::Result;
+using store::SessionOwner;
 
 constexpr std::string_view kFind =
-    "SELECT t.id, t.name, t.role, t.created_by, t.created_at_ms, t.hash, s.opened_at_ms, s.used_at_ms"
-    " FROM browser_session s JOIN token t ON t.id = s.token WHERE s.hash = ? AND t.revoked_at_ms = 0";
-// All of one token but the newest ones.
+    "SELECT t.id, t.name, t.role, t.created_by, t.created_at_ms, t.account, t.scope, t.expires_at_ms, t.hash,"
+    " s.account, s.secret, s.opened_at_ms, s.used_at_ms FROM browser_session s LEFT JOIN token t ON t.id = s.token"
+    " LEFT JOIN account a ON a.id = s.account"
+    " WHERE s.hash = ? AND (t.revoked_at_ms = 0 OR (s.token IS NULL AND a.disabled_at_ms = 0))";
+// All of one owner but the newest ones.
 constexpr std::string_view kTrim =
     "DELETE FROM browser_session WHERE hash IN"
-    " (SELECT hash FROM browser_session WHERE token = ? ORDER BY used_at_ms DESC, opened_at_ms DESC LIMIT -1 OFFSET ?)";
+    " (SELECT hash FROM browser_session WHERE token IS ? AND account IS ?"
+    " ORDER BY used_at_ms DESC, opened_at_ms DESC LIMIT -1 OFFSET ?)";
 
 BrowserSession read_session(Query& query) {
+  store::Token token;
+  token.id = query.number();
+  token.name = query.text();
+  const std::string role = query.text();
+  token.created_by = query.text();
+  token.created_at_ms = query.signed_number();
+  token.user_id = query.number();
+  token.scope = query.text();
+  token.expires_at_ms = query.signed_number();
   BrowserSession found;
-  found.token.id = query.number();
-  found.token.name = query.text();
-  found.token.role = query.value<store::Role>();
-  found.token.created_by = query.text();
-  found.token.created_at_ms = query.signed_number();
   found.token_hash = query.text();
+  found.user_id = query.number();
+  found.secret = store::named<store::SecretKind>(query.text()).value_or(store::SecretKind::password);
   found.opened_at_ms = query.signed_number();
   found.used_at_ms = query.signed_number();
+  if (token.id != 0) {
+    token.role = store::named<store::Role>(role).value_or(store::Role::viewer);
+    found.token = std::move(token);
+  }
   return found;
+}
+
+Id owner_id(Session& session, const SessionOwner& owner) {
+  const bool is_token = !owner.token_hash.empty();
+  Query query(session,
+              is_token ? "SELECT id FROM token WHERE hash = ? AND revoked_at_ms = 0"
+                       : "SELECT id FROM account WHERE name = ? AND disabled_at_ms = 0",
+              is_token ? owner.token_hash : owner.user);
+  return query.next() ? query.number() : 0;
 }
 
 }  // namespace
 
-Result<void> BrowserSessionTable::open(std::string_view session_hash, std::string_view token_hash, std::size_t most,
+Result<void> BrowserSessionTable::open(std::string_view session_hash, const SessionOwner& owner, std::size_t most,
                                        std::int64_t at_ms) {
   return database_.write("session", [&](Session& session) -> Result<void> {
     if (session_hash.empty()) return session.refuse(ErrorCode::invalid_value, "a session needs a hash");
-    store::Id token = 0;
-    {
-      Query query(session, "SELECT id FROM token WHERE hash = ? AND revoked_at_ms = 0", token_hash);
-      if (!query.next()) return session.refuse(ErrorCode::not_found);
-      token = query.number();
-    }
-    session.run(kTrim, token, most - 1);
-    session.run("INSERT INTO browser_session (hash, token, opened_at_ms, used_at_ms) VALUES (?, ?, ?, ?)", session_hash,
-                token, at_ms, at_ms);
+    const Id id = owner_id(session, owner);
+    if (id == 0) return session.refuse(ErrorCode::not_found);
+    const bool is_token = !owner.token_hash.empty();
+    const NumberOrNull token{is_token ? id : 0};
+    const NumberOrNull user{is_token ? 0 : id};
+    session.run(kTrim, token, user, most - 1);
+    session.run(
+        "INSERT INTO browser_session (hash, token, account, secret, opened_at_ms, used_at_ms)"
+        " VALUES (?, ?, ?, ?, ?, ?)",
+        session_hash, token, user, is_token ? std::string_view() : store::name_of(owner.secret), at_ms, at_ms);
     return {};
   });
 }

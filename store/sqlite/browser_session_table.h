@@ -9,7 +9,7 @@ namespace dripfeed::sqlite {
 class BrowserSessionTable final : public store::BrowserSessions {
  public:
   explicit BrowserSessionTable(Database& database) : database_(database) {}
-  store::Result<void> open(std::string_view session_hash, std::string_view token_hash, std::size_t most,
+  store::Result<void> open(std::string_view session_hash, const store::SessionOwner& owner, std::size_t most,
                            std::int64_t at_ms) override;
   store::Result<store::BrowserSession> find(std::string_view session_hash) override;
   store::Result<void> note_use(std::string_view session_hash, std::int64_t at_ms) override;

@@ -317,4 +317,9 @@ Result<std::string> text_of_revision(Session& session, Id program, Revision revi
   return query.text();
 }
 
+std::string author_of_revision(Session& session, Id program, Revision revision) {
+  Query query(session, "SELECT actor FROM program_revision WHERE program = ? AND revision = ?", program, revision);
+  return query.next() ? query.text() : std::string();
+}
+
 }  // namespace dripfeed::sqlite

@@ -8,6 +8,7 @@
 #include "store/sqlite/audit_table.h"
 #include "store/sqlite/paging.h"
 #include "store/sqlite/program_table.h"
+#include "store/sqlite/user_table.h"
 
 namespace dripfeed::sqlite {
 namespace {
@@ -58,6 +59,15 @@ Release read_release(Query& query) {
 }
 
 std::string subject_of(Id release) { return fmt::format("release/{}", release); }
+
+// Who wrote the revision or drew up the release is no second pair of eyes.
+Result<void> refuse_own_eyes(Session& session, const Release& release, const Stamp& by) {
+  if (!needs_four_eyes(session, release.of.machine)) return {};
+  if (by.actor == release.created_by) return session.refuse(ErrorCode::four_eyes, by.actor + " made the release");
+  if (by.actor == author_of_revision(session, release.of.program, release.of.revision))
+    return session.refuse(ErrorCode::four_eyes, by.actor + " wrote the text");
+  return {};
+}
 
 std::string select_where(std::string_view rest) {
   return fmt::format("SELECT {} FROM text_release WHERE {}", kColumns, rest);
@@ -114,6 +124,9 @@ Result<Release> ReleaseTable::move(Id release, const ReleaseMove& move, const St
     auto moved = get(release);
     if (!moved) return moved;
     if (auto fits = check(*moved, move); !fits) return std::unexpected(fits.error());
+    if (move.to == ReleaseState::approved) {
+      if (auto other = refuse_own_eyes(session, *moved, by); !other) return std::unexpected(other.error());
+    }
     const ReleaseState from = moved->state;
     moved->state = move.to;
     moved->changed_at_ms = by.at_ms;

@@ -20,6 +20,7 @@
 #include "store/sqlite/release_table.h"
 #include "store/sqlite/reply_table.h"
 #include "store/sqlite/token_table.h"
+#include "store/sqlite/user_table.h"
 #include "store/sqlite/verdict_table.h"
 #include "store/store.h"
 
@@ -44,6 +45,7 @@ class SqliteStore final : public store::Store {
   store::Answers& answers() override { return answers_; }
   store::Alarms& alarms() override { return alarms_; }
   store::Audit& audit() override { return audit_; }
+  store::Users& users() override { return users_; }
   store::Tokens& tokens() override { return tokens_; }
   store::BrowserSessions& browser_sessions() override { return browser_sessions_; }
   store::Replies& replies() override { return replies_; }
@@ -72,6 +74,7 @@ class SqliteStore final : public store::Store {
   ReceiptTable receipts_{*database_};
   AlarmTable alarms_{*database_};
   AuditTable audit_{*database_};
+  UserTable users_{*database_};
   TokenTable tokens_{*database_};
   BrowserSessionTable browser_sessions_{*database_};
   ReplyTable replies_{*database_};

@@ -9,8 +9,7 @@ namespace dripfeed::sqlite {
 class TokenTable final : public store::Tokens {
  public:
   explicit TokenTable(Database& database) : database_(database) {}
-  store::Result<store::Token> add(std::string_view name, store::Role role, std::string_view token_hash,
-                                  const store::Stamp& by) override;
+  store::Result<store::Token> add(const store::NewToken& token, const store::Stamp& by) override;
   store::Result<store::Token> find(std::string_view token_hash) override;
   store::Result<store::Token> revoke(store::Id token, const store::Stamp& by) override;
   store::Result<store::Page<store::Token>> list(const store::PageRequest& page) override;

@@ -7,6 +7,7 @@
 #include "store/sqlite/audit_table.h"
 #include "store/sqlite/paging.h"
 #include "store/sqlite/program_table.h"
+#include "store/sqlite/user_table.h"
 
 namespace dripfeed::sqlite {
 namespace {
@@ -91,6 +92,10 @@ Result<Verdict> VerdictTable::waive(Id verdict, std::string_view reason, const S
     }
     const auto old = get(verdict);
     if (!old) return old;
+    if (needs_four_eyes(session, old->of.machine) &&
+        by.actor == author_of_revision(session, old->of.program, old->of.revision)) {
+      return session.refuse(ErrorCode::four_eyes, by.actor + " wrote the text");
+    }
     session.run("INSERT INTO waiver (verdict, n, name, reason, at_ms) VALUES (?, ?, ?, ?, ?)", verdict,
                 old->waivers.size() + 1, by.actor, reason, by.at_ms);
     add_audit_row(session, {.action = "verdict.waive", .subject = subject_of(verdict), .detail = std::string(reason)},

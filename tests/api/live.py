@@ -179,7 +179,7 @@ def sessions(folder):
     client, control = bench(folder)
     here = {"Origin": f"http://127.0.0.1:{client.server.port}"}
     cookie = sign_in(client, "programmer")
-    expect(client.must("GET", "/session", role=None, headers=cookie) == {"name": "the programmer", "role": "programmer"}, "who am I")
+    expect(client.must("GET", "/session", role=None, headers=cookie) == {"name": "the programmer", "role": "programmer", "by": "token", "scope": [], "machines": {}}, "who am I")
     expect(client.must("GET", "/session", role="viewer", headers=cookie)["role"] == "viewer", "a token counts before a cookie")
     program = {"name": "O1", "dialect": "fanuc", "text": "M30\n"}
     for origin, status in [
@@ -237,7 +237,7 @@ def tokens_of_a_running_server(folder):
     client = Client(folder).start()
     token = client.add_token("approver", "anna")
     headers = {"Authorization": f"bEaReR {token}"}
-    expect(client.must("GET", "/session", role=None, headers=headers) == {"name": "anna", "role": "approver"}, "a new token")
+    expect(client.must("GET", "/session", role=None, headers=headers) == {"name": "anna", "role": "approver", "by": "token", "scope": [], "machines": {}}, "a new token")
     cookie = client.call("POST", "/session", {"token": token}, role=None).headers["Set-Cookie"].split(";")[0]
     listed = [line.split(maxsplit=3) for line in client.token_command("list").splitlines()]
     expect(listed[0][1:] == ["approver", "valid", "anna"] and len(listed) == 6, f"{listed}")

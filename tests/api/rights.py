@@ -32,6 +32,24 @@ def rows(made):
         ("GET", "/api/v1/machines/{name}", "viewer", {"name": "mill"}, None, {}),
         ("GET", "/api/v1/machines/{name}/utilisation", "viewer", {"name": "mill"}, None, {}),
         ("PUT", "/api/v1/machines/{name}", "admin", {"name": "mill"}, lambda: made["mill_profile"] | {"title": "Another"}, {"headers": MATCH_1}),
+        ("PUT", "/api/v1/session/password", "viewer", {}, {"current": "the first of olga", "secret": "the third of olga"}, {"ready": "olga"}),
+        ("GET", "/api/v1/groups", "viewer", {}, None, {}),
+        ("PUT", "/api/v1/groups/{name}", "admin", {"name": "lathes"}, {"machines": ["mill"]}, {}),
+        ("DELETE", "/api/v1/groups/{name}", "admin", {"name": "lathes"}, None, {}),
+        ("GET", "/api/v1/users", "admin", {}, None, {}),
+        ("POST", "/api/v1/users", "admin", {}, {"name": "bert", "role": "operator"}, {}),
+        ("GET", "/api/v1/users/{name}", "admin", {"name": "bert"}, None, {}),
+        ("PUT", "/api/v1/users/{name}", "admin", {"name": "bert"}, {"role": "viewer"}, {"headers": MATCH_1}),
+        ("PUT", "/api/v1/users/{name}/password", "admin", {"name": "bert"}, {"secret": "a long enough one"}, {}),
+        ("DELETE", "/api/v1/users/{name}/password", "admin", {"name": "bert"}, None, {}),
+        ("PUT", "/api/v1/users/{name}/pin", "admin", {"name": "bert"}, {"secret": "7301"}, {}),
+        ("DELETE", "/api/v1/users/{name}/pin", "admin", {"name": "bert"}, None, {}),
+        ("POST", "/api/v1/users/{name}/unlock", "admin", {"name": "bert"}, {}, {}),
+        ("GET", "/api/v1/tokens", "admin", {}, None, {}),
+        ("POST", "/api/v1/tokens", "admin", {}, {"name": "wall", "role": "viewer"}, {"keep": "new_token"}),
+        ("GET", "/api/v1/tokens/{id}", "admin", {"id": "new_token"}, None, {}),
+        ("DELETE", "/api/v1/tokens/{id}", "admin", {"id": "new_token"}, None, {}),
+        ("GET", "/api/v1/audit", "approver", {}, None, {}),
         ("GET", "/api/v1/families", "viewer", {}, None, {}),
         ("POST", "/api/v1/families", "programmer", {}, {"text": ROLL}, {}),
         ("GET", "/api/v1/families/{name}", "viewer", {"name": "hyperbolic-roll"}, None, {}),
@@ -65,7 +83,7 @@ def rows(made):
         ("POST", "/api/v1/releases", "programmer", {}, lambda: {"program": made["program"], "machine": "lathe"}, {"keep": "release"}),
         ("GET", "/api/v1/releases", "viewer", {}, None, {}),
         ("GET", "/api/v1/releases/{id}", "viewer", {"id": "release"}, None, {}),
-        ("POST", "/api/v1/releases/{id}/transitions", "approver", {"id": "release"}, {"to": "in_review"}, {}),
+        ("POST", "/api/v1/releases/{id}/transitions", "programmer", {"id": "release"}, {"to": "in_review"}, {}),
         ("GET", "/api/v1/receipts", "viewer", {}, None, {"ready": "received"}),
         ("GET", "/api/v1/receipts/{id}", "viewer", {"id": "receipt"}, None, {}),
         ("GET", "/api/v1/receipts/{id}/text", "viewer", {"id": "receipt"}, None, {}),
@@ -117,6 +135,12 @@ class Stage:
 
     def alarmed(self):
         self.made["alarm"] = shop.wait_for("an alarm", lambda: next((one["id"] for one in self.client.get("/alarms")["items"] if one["kind"] == "quarantined"), None))
+
+    def olga(self):
+        """The viewer is a person from now on."""
+        self.client.post("/users", {"name": "olga", "role": "viewer"})
+        self.client.must("PUT", "/users/olga/password", {"secret": "the first of olga"})
+        self.client.tokens["viewer"] = self.client.post("/tokens", {"name": "olga's tablet", "role": "viewer", "user": "olga"})["token"]
 
     def idle(self):
         self.client.wait_line("lathe", "idle")

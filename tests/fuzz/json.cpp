@@ -1,4 +1,5 @@
 // The readers of everything that comes in as JSON: the machine profile and the bodies of requests.
+#include "server/json/people.h"
 #include "server/json/profile_document.h"
 #include "server/json/requests.h"
 #include "tests/fuzz/target.h"
@@ -37,6 +38,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require_told(json::read_job_body(body));
   require_told(json::read_arm_body(body));
   require_told(json::read_session_body(body));
+  require_told(json::read_user_body(body));
+  require_told(json::read_user_change_body(body));
+  require_told(json::read_token_body(body));
+  require_told(json::read_group_body(body));
+  require_told(json::read_audit_row(body));
   const app::Result<app::Values> values = json::read_values(body);
   require_told(values);
   if (values) {

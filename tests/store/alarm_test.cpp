@@ -30,7 +30,7 @@ class AlarmTest : public StoreTest {
   }
   std::vector<std::string> audited(Id alarm) {
     std::vector<std::string> all;
-    for (const AuditRow& row : must(store_->audit().list({}, "alarm/" + std::to_string(alarm))).items)
+    for (const AuditRow& row : must(store_->audit().list({}, {.subject = "alarm/" + std::to_string(alarm)})).items)
       all.push_back(row.by.actor + " " + row.entry.action + ": " + row.entry.detail);
     return all;
   }

@@ -36,10 +36,10 @@ TEST_F(AuditTest, IsAChain) {
   EXPECT_EQ(page.items[9].previous_hash, "");
   EXPECT_EQ(page.items[0].entry.detail, "from 10");
   EXPECT_EQ(page.items[0].by.at_ms, 10);
-  const auto of_one = must(store_->audit().list({.limit = 3, .after = {}}, "token/1"));
+  const auto of_one = must(store_->audit().list({.limit = 3, .after = {}}, {.subject = "token/1"}));
   ASSERT_EQ(of_one.items.size(), 3U);
   EXPECT_EQ(of_one.items[0].seq, 9U);
-  EXPECT_EQ(must(store_->audit().list({.limit = 3, .after = of_one.next}, "token/1")).items.size(), 2U);
+  EXPECT_EQ(must(store_->audit().list({.limit = 3, .after = of_one.next}, {.subject = "token/1"})).items.size(), 2U);
 }
 
 TEST_F(AuditTest, EveryAlteredFieldIsFound) {
@@ -109,7 +109,7 @@ TEST_F(AuditTest, EveryChangeLeavesARow) {
   must(store_->parts().change("R-100", 1, {"roll", 2, "{}"}, by("anna")));
   const Verdict verdict = add_verdict(*store_, must(store_->programs().get(job.program)), "mill-1");
   must(store_->verdicts().waive(verdict.id, "known", by("anna")));
-  const Token token = must(store_->tokens().add("mes", Role::viewer, "hash", by("anna")));
+  const Token token = must(store_->tokens().add({.name = "mes", .role = Role::viewer, .hash = "hash"}, by("anna")));
   must(store_->tokens().revoke(token.id, by("anna")));
   std::vector<std::string> seen;
   const auto page = must(store_->audit().list({.limit = 100, .after = {}}));
@@ -135,7 +135,8 @@ class TokenTest : public StoreTest {};
 
 TEST_F(TokenTest, IsFoundByItsHashUntilItIsRevoked) {
   const std::string secret = hash::random_token();
-  const Token made = must(store_->tokens().add("mes", Role::operator_, hash::token_hash(secret), by("anna", 5)));
+  const Token made = must(
+      store_->tokens().add({.name = "mes", .role = Role::operator_, .hash = hash::token_hash(secret)}, by("anna", 5)));
   reopen();
   const Token found = must(store_->tokens().find(hash::token_hash(secret)));
   EXPECT_EQ(found.id, made.id);
@@ -144,15 +145,18 @@ TEST_F(TokenTest, IsFoundByItsHashUntilItIsRevoked) {
   EXPECT_EQ(found.created_by, "anna");
   EXPECT_EQ(found.created_at_ms, 5);
   EXPECT_EQ(refusal(store_->tokens().find(secret)), ErrorCode::not_found) << "the secret itself is not kept";
-  EXPECT_EQ(refusal(store_->tokens().add("other", Role::viewer, hash::token_hash(secret), by("anna"))),
+  EXPECT_EQ(refusal(store_->tokens().add({.name = "other", .role = Role::viewer, .hash = hash::token_hash(secret)},
+                                         by("anna"))),
             ErrorCode::exists);
   EXPECT_EQ(must(store_->tokens().revoke(made.id, by("bert", 9))).revoked_at_ms, 9);
   EXPECT_EQ(refusal(store_->tokens().find(hash::token_hash(secret))), ErrorCode::not_found);
   EXPECT_EQ(must(store_->tokens().revoke(made.id, by("bert", 10))).revoked_at_ms, 9) << "twice changes nothing";
   EXPECT_EQ(must(store_->tokens().list({})).items.at(0).revoked_at_ms, 9);
   EXPECT_EQ(refusal(store_->tokens().revoke(99, by("bert"))), ErrorCode::not_found);
-  EXPECT_EQ(refusal(store_->tokens().add("", Role::viewer, "h", by("anna"))), ErrorCode::invalid_value);
-  EXPECT_EQ(refusal(store_->tokens().add("n", Role::viewer, "", by("anna"))), ErrorCode::invalid_value);
+  EXPECT_EQ(refusal(store_->tokens().add({.name = "", .role = Role::viewer, .hash = "h"}, by("anna"))),
+            ErrorCode::invalid_value);
+  EXPECT_EQ(refusal(store_->tokens().add({.name = "n", .role = Role::viewer, .hash = ""}, by("anna"))),
+            ErrorCode::invalid_value);
 }
 
 class ReplyTest : public StoreTest {};

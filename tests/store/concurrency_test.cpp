@@ -128,7 +128,7 @@ TEST_F(Concurrency, ABackupIsOneStateWhileTheLedgerIsWritten) {
 class StoreVersion : public StoreTest {};
 
 TEST_F(StoreVersion, IsAnotherAfterEveryChangeByThisStoreOrAnotherProcess) {
-  const Token token = must(store_->tokens().add("mes", Role::viewer, "hash", by("anna")));
+  const Token token = must(store_->tokens().add({.name = "mes", .role = Role::viewer, .hash = "hash"}, by("anna")));
   std::uint64_t before = must(store_->version());
   const auto is_another = [&] {
     const std::uint64_t now = must(store_->version());
@@ -144,7 +144,7 @@ TEST_F(StoreVersion, IsAnotherAfterEveryChangeByThisStoreOrAnotherProcess) {
   must(store_->tokens().revoke(token.id, by("anna")));
   EXPECT_TRUE(is_another());
   // Another connection, as `dripfeed token revoke` has one.
-  must(store_->tokens().add("wall", Role::viewer, "other", by("anna")));
+  must(store_->tokens().add({.name = "wall", .role = Role::viewer, .hash = "other"}, by("anna")));
   EXPECT_TRUE(is_another());
   EXPECT_EQ(sql("UPDATE token SET revoked_at_ms = 9 WHERE name = 'wall'"), "");
   EXPECT_TRUE(is_another());

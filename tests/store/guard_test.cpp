@@ -19,7 +19,8 @@ class Guard : public StoreTest {
     must(store_->verdicts().waive(verdict.id, "known", by("anna")));
     const std::array rows{NewLedgerRow{job_.id, {0, 0, 0, 10}, ""}};
     must(store_->ledger().append(rows, 1));
-    must(store_->tokens().revoke(must(store_->tokens().add("mes", Role::viewer, "hash", by("anna"))).id, by("anna")));
+    must(store_->tokens().revoke(
+        must(store_->tokens().add({.name = "mes", .role = Role::viewer, .hash = "hash"}, by("anna"))).id, by("anna")));
   }
   Job job_;
 };

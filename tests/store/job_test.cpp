@@ -80,7 +80,7 @@ TEST_F(JobTest, QueuedJobsHaveAnOrderThatPeopleChange) {
   EXPECT_EQ(order(), (std::vector<Id>{c.id, b.id, a.id, d.id})) << "a disarmed one keeps its place";
   EXPECT_EQ(must(store_->jobs().get(other.id)).rank, 1U);
   std::vector<std::string> audited;
-  for (const AuditRow& row : must(store_->audit().list({}, "job/" + std::to_string(a.id))).items)
+  for (const AuditRow& row : must(store_->audit().list({}, {.subject = "job/" + std::to_string(a.id)})).items)
     if (row.entry.action == "job.reorder") audited.push_back(row.by.actor + ": " + row.entry.detail);
   EXPECT_EQ(audited, (std::vector<std::string>{"olga: to the end"}));
 }
@@ -279,7 +279,7 @@ TEST_F(JobTest, AStartInterruptsWhatRan) {
     EXPECT_EQ(must(store_->jobs().get(jobs[i].id)).state, static_cast<JobState>(i));
   }
   EXPECT_TRUE(must(store_->jobs().interrupt_unfinished(by("server"))).empty());
-  const auto audit = must(store_->audit().list({}, fmt::format("job/{}", reserved.id)));
+  const auto audit = must(store_->audit().list({}, {.subject = fmt::format("job/{}", reserved.id)}));
   EXPECT_EQ(audit.items.at(0).by.actor, "server");
   EXPECT_NE(audit.items.at(0).entry.detail.find("armed to interrupted, torn"), std::string::npos);
 }

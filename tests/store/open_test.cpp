@@ -73,7 +73,7 @@ TEST_F(OpenTest, OneOwner) {
   reopen({.own = true});
   EXPECT_EQ(refusal(sqlite::open(path(), {.own = true})), ErrorCode::in_use);
   const auto guest = must(sqlite::open(path()));
-  must(guest->tokens().add("mes", Role::viewer, "hash", by("anna")));
+  must(guest->tokens().add({.name = "mes", .role = Role::viewer, .hash = "hash"}, by("anna")));
   EXPECT_EQ(must(store_->tokens().find("hash")).name, "mes") << "the owner sees a guest's change";
   store_.reset();
   reopen({.own = true});

@@ -75,7 +75,8 @@ TEST_F(ReceiptTest, OneInQuarantineIsAcceptedWithAReasonThatTheAuditHas) {
   EXPECT_EQ(accepted.state, ReceiptState::accepted);
   EXPECT_TRUE(accepted.of.quarantined);
   EXPECT_EQ(accepted.decided_reason, "only its % is missing");
-  const auto rows = must(store_->audit().list({.limit = 5, .after = {}}, "receipt/" + std::to_string(torn.id))).items;
+  const auto rows =
+      must(store_->audit().list({.limit = 5, .after = {}}, {.subject = "receipt/" + std::to_string(torn.id)})).items;
   ASSERT_FALSE(rows.empty());
   EXPECT_NE(rows.front().entry.detail.find("out of quarantine: only its % is missing"), std::string::npos)
       << rows.front().entry.detail;

@@ -26,7 +26,7 @@ std::string fixture(std::uint32_t version) {
 std::string dump(const std::string& path) {
   sqlite3* connection = nullptr;
   sqlite3_open(path.c_str(), &connection);
-  std::string text = "PRAGMA application_id = 0x44524950;\n";
+  std::string text = "PRAGMA foreign_keys = OFF;\nPRAGMA application_id = 0x44524950;\n";
   const auto each = [&](const std::string& query, const std::function<void(std::string)>& row) {
     sqlite3_stmt* statement = nullptr;
     EXPECT_EQ(sqlite3_prepare_v2(connection, query.c_str(), -1, &statement, nullptr), SQLITE_OK) << query;
@@ -55,7 +55,10 @@ void write_newest(Store& store, const std::string& path) {
   bring(store, job.id, JobState::held);
   const std::array rows{NewLedgerRow{job.id, {0, 0, 0, 96}, "armed"}};
   must(store.ledger().append(rows, 5));
-  must(store.tokens().add("mes", Role::operator_, "hash", by("tester")));
+  must(store.users().put_group({.name = "mills", .machines = {"mill-1"}, .four_eyes = true}, by("tester")));
+  must(store.users().add("olga", {.role = Role::viewer, .grants = {{"mills", Role::operator_}}}, by("tester")));
+  must(store.users().set_secret("olga", SecretKind::pin, "pin's hash", by("tester")));
+  must(store.tokens().add({.name = "mes", .role = Role::operator_, .hash = "hash"}, by("tester")));
   must(store.replies().keep({"mes", "POST /jobs", "k", "x"}, {201, "", "body", 5}));
   const Content received = must(store.contents().put("%\nO7\nM30\n%\n"));
   must(store.receipts().add({.machine = "mill-1",
@@ -80,7 +83,7 @@ void write_newest(Store& store, const std::string& path) {
   const Alarm raised = must(store.alarms().raise(
       {.machine = "mill-1", .kind = "torn_block", .text = "a block is torn", .lasts = true, .job = job.id}, 7));
   must(store.alarms().acknowledge(raised.id, by("olga", 8)));
-  must(store.browser_sessions().open("cookie", "hash", 8, 9));
+  must(store.browser_sessions().open("cookie", {.token_hash = "hash"}, 8, 9));
   must(store.programs().label(job.program, {.tags = {{"pump"}}, .folder = "acme"}, by("tester")));
   const Program old = add_program(store, "%\nO9\nM30\n%\n", "O9");
   must(store.programs().archive(old.id, "of an old machine", by("tester")));
@@ -122,7 +125,7 @@ TEST_F(SchemaTest, EveryOldOneIsReadByThisProgram) {
     must(store_->alarms().raise({.machine = "mill-1", .kind = "torn_block", .text = "a block is torn"}, 9));
     EXPECT_EQ(must(store_->alarms().list({})).items.size(), 1U) << "folded, or the first of a store that had no table";
     EXPECT_EQ(store_->browser_sessions().find("cookie").has_value(), migration.version >= 7);
-    must(store_->browser_sessions().open("another", "hash", 8, 10));
+    must(store_->browser_sessions().open("another", {.token_hash = "hash"}, 8, 10));
     const Program program = must(store_->programs().get(job.program));
     EXPECT_EQ(program.tags.size(), migration.version >= 9 ? 1U : 0U);
     EXPECT_EQ(program.folder, migration.version >= 9 ? "acme" : "");

@@ -55,8 +55,9 @@ class ClosableAudit final : public store::Audit {
     if (closed_) return std::unexpected(store::Error{store::ErrorCode::disk_full, "no room"});
     return audit_.append(entry, by);
   }
-  store::Result<store::Page<store::AuditRow>> list(const store::PageRequest& page, std::string_view subject) override {
-    return audit_.list(page, subject);
+  store::Result<store::Page<store::AuditRow>> list(const store::PageRequest& page,
+                                                   const store::AuditFilter& filter) override {
+    return audit_.list(page, filter);
   }
   store::Result<store::AuditCheck> verify() override { return audit_.verify(); }
 
@@ -84,6 +85,7 @@ class WatchedStore final : public store::Store {
   store::Answers& answers() override { return store_.answers(); }
   store::Alarms& alarms() override { return store_.alarms(); }
   store::Audit& audit() override { return audit_; }
+  store::Users& users() override { return store_.users(); }
   store::Tokens& tokens() override { return store_.tokens(); }
   store::BrowserSessions& browser_sessions() override { return store_.browser_sessions(); }
   store::Replies& replies() override { return store_.replies(); }

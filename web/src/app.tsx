@@ -87,7 +87,7 @@ function useBadge(here: Route): void {
   useEffect(() => {
     if (here.view !== 'badge' || badge === undefined) return;
     forgetAddress();
-    loader.signIn(badge).catch((error: unknown) =>
+    loader.signIn({ token: badge }).catch((error: unknown) =>
       showDialog(
         <Dialog title={t('badge.refused')}>
           <Failure error={error} />

@@ -211,6 +211,29 @@ async function sessions(page, context) {
   expect(true, 'a revoked token ends its session');
 }
 
+// A person of one group of machines: orders stand where the role lets them, and nowhere else.
+async function signsInByPin(page) {
+  const [job] = await rig.machine('pin-own', { jobs: 1 });
+  const [other] = await rig.machine('pin-other', { jobs: 1 });
+  await rig.call('PUT', '/groups/own', { machines: ['pin-own'] });
+  await rig.call('POST', '/users', { name: 'petra', role: 'viewer', grants: [{ group: 'own', role: 'operator' }] });
+  await rig.call('PUT', '/users/petra/pin', { secret: '2903' });
+  await page.goto(url);
+  await page.getByRole('button', { name: 'PIN', exact: true }).click();
+  await page.getByLabel('Name').fill('petra');
+  await page.getByLabel('Your PIN').fill('0000');
+  await page.keyboard.press('Enter');
+  await page.getByText('the name or the pin is wrong').waitFor();
+  await accessible(page, 'the sign-in by PIN');
+  await shot(page, 'sign-in-pin');
+  await page.getByLabel('Your PIN').fill('2903');
+  await page.keyboard.press('Enter');
+  await live(page);
+  expect(await page.locator('.who').getByText('petra').isVisible(), 'a PIN signs a person in');
+  await order(page, 'pin-own', `Arm, job ${job}`).waitFor();
+  expect((await order(page, 'pin-other', `Arm, job ${other}`).count()) === 0, 'no order on a machine of another group');
+}
+
 async function addresses(page) {
   const [job] = await rig.machine('addresses');
   await signIn(page, url, tokens.viewer);
@@ -449,6 +472,7 @@ await main([
   ['running block', () => withPage(kDesk, runningBlock)],
   ['received', () => withPage(kDesk, received)],
   ['viewer', () => withPage(kDesk, viewer)],
+  ['signs in by PIN', () => withPage(kDesk, signsInByPin)],
   ['keyboard', () => withPage(kDesk, keyboard)],
   ['badge and station', () => withPage(kTablet, badgeAndStation)],
   ['german', () => withPage(kDesk, german)],

@@ -11,6 +11,7 @@ import type {
   ProgramLines,
   Receipt,
   Release,
+  NewSession,
   Session,
   StoredLikeness,
   Utilisation,
@@ -42,7 +43,7 @@ async function everything<T>(path: string, query: Record<string, string> = {}): 
 
 export const calls = {
   session: () => request<Session>('GET', '/session'),
-  signIn: (token: string) => request<null>('POST', '/session', { body: { token } }),
+  signIn: (who: NewSession) => request<null>('POST', '/session', { body: who }),
   signOut: () => request<null>('DELETE', '/session'),
 
   machines: () => everything<MachineItem>('/machines'),

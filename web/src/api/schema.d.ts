@@ -95,10 +95,27 @@ export interface paths {
         /** who am I */
         get: operations["get_session"];
         put?: never;
-        /** sign in with a token, get a cookie */
+        /** sign in with a token, or a name with a password or PIN; get a cookie */
         post: operations["post_session"];
         /** sign out */
         delete: operations["delete_session"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/session/password": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /** a new password of one's own */
+        put: operations["put_session_password"];
+        post?: never;
+        delete?: never;
         options?: never;
         head?: never;
         patch?: never;
@@ -185,6 +202,183 @@ export interface paths {
         put?: never;
         /** a person says that the control was reset */
         post: operations["post_machines_name_confirm_reset"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/groups": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** groups of machines */
+        get: operations["get_groups"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/groups/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /** make a group of machines, or change it as a whole */
+        put: operations["put_groups_name"];
+        post?: never;
+        /** remove a group and what was granted in it */
+        delete: operations["delete_groups_name"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/users": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** people */
+        get: operations["get_users"];
+        put?: never;
+        /** add a person */
+        post: operations["post_users"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/users/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** one person */
+        get: operations["get_users_name"];
+        /** change roles, disable or enable */
+        put: operations["put_users_name"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/users/{name}/unlock": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** end the lock after too many wrong secrets */
+        post: operations["post_users_name_unlock"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/users/{name}/password": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /** give a person a new password; ends sessions */
+        put: operations["put_users_name_password"];
+        post?: never;
+        /** take a password away; ends sessions */
+        delete: operations["delete_users_name_password"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/users/{name}/pin": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /** give a person a new PIN for the shop floor; ends sessions */
+        put: operations["put_users_name_pin"];
+        post?: never;
+        /** take a PIN away; ends sessions */
+        delete: operations["delete_users_name_pin"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/tokens": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** tokens, newest first, without their secrets */
+        get: operations["get_tokens"];
+        put?: never;
+        /** make a token; its secret is shown this once */
+        post: operations["post_tokens"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/tokens/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** one token, without its secret */
+        get: operations["get_tokens_id"];
+        put?: never;
+        post?: never;
+        /** end a token and its sessions */
+        delete: operations["delete_tokens_id"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/audit": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** who did what, newest first */
+        get: operations["get_audit"];
+        put?: never;
+        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -651,7 +845,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** move a release on */
+        /** move a release on: to review and back as a programmer, else as an approver */
         post: operations["post_releases_id_transitions"];
         delete?: never;
         options?: never;
@@ -1032,16 +1226,6 @@ export interface components {
             /** @description schemas by name */
             components: unknown;
         };
-        /** @description who calls */
-        Session: {
-            /** @description of the token */
-            name: string;
-            /**
-             * @description what the caller may do: each role may do what those before it may
-             * @enum {string}
-             */
-            role: "viewer" | "operator" | "programmer" | "approver" | "admin";
-        };
         /** @description something that a person should know of a machine; it is open while it is not over or not acknowledged */
         Alarm: {
             /** @description of the alarm */
@@ -1129,11 +1313,6 @@ export interface components {
         };
         /** @description events were lost, or the server is a new one: all that is shown has to be asked for anew */
         EventReset: Record<string, never>;
-        /** @description who signs in */
-        NewSession: {
-            /** @description as `dripfeed token add` printed it */
-            token: string;
-        };
         /** @description a text as a whole */
         NewText: {
             /** @description the whole text */
@@ -1401,6 +1580,92 @@ export interface components {
             name?: string | null;
             /** @description for the record */
             reason?: string | null;
+        };
+        /** @description who signs in: a token, or a name with a password or PIN */
+        NewSession: {
+            /** @description as `dripfeed token add` printed it; or a name with a password or PIN */
+            token?: string | null;
+            /** @description of the user, with a password or PIN */
+            name?: string | null;
+            /** @description of the user */
+            password?: string | null;
+            /** @description of the user, for the shop floor: it gives no more than the role operator, and a short session */
+            pin?: string | null;
+        };
+        /** @description a person */
+        NewUser: {
+            /** @description with which the person signs in */
+            name: string;
+            /**
+             * @description each may do what those before it may
+             * @enum {string}
+             */
+            role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            /** @description roles on the machines of groups, instead of "role" */
+            grants?: {
+                /** @description name of a group of machines */
+                group: string;
+                /**
+                 * @description on the machines of that group
+                 * @enum {string}
+                 */
+                role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            }[] | null;
+        };
+        /** @description all roles of a user, and whether the user is disabled */
+        UserChange: {
+            /**
+             * @description each may do what those before it may
+             * @enum {string}
+             */
+            role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            /** @description roles on the machines of groups, instead of "role" */
+            grants?: {
+                /** @description name of a group of machines */
+                group: string;
+                /**
+                 * @description on the machines of that group
+                 * @enum {string}
+                 */
+                role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            }[] | null;
+            /** @description whether the user may sign in no more; not given: false */
+            disabled?: boolean | null;
+        };
+        /** @description a new password or PIN */
+        NewSecret: {
+            /** @description the new password (10 bytes or more) or PIN (4 to 12 digits) */
+            secret: string;
+        };
+        /** @description the present password and a new one */
+        OwnSecret: {
+            /** @description the present password */
+            current: string;
+            /** @description the new password (10 bytes or more) or PIN (4 to 12 digits) */
+            secret: string;
+        };
+        /** @description a token: of a user or of a program; "scope" limits what it may change */
+        NewToken: {
+            /** @description of the program or station that gets it */
+            name: string;
+            /**
+             * @description each may do what those before it may
+             * @enum {string}
+             */
+            role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            /** @description name of a person whose rights it has, up to its role; not given: a program's own */
+            user?: string | null;
+            /** @description what it may change: library, checks, releases, queue, line, setup; not given: all that its role may */
+            scope?: string[] | null;
+            /** @description until when it is valid, in milliseconds since 1970; not given: it does not end */
+            expires_at_ms?: number | null;
+        };
+        /** @description all machines of a group, and its rules */
+        GroupChange: {
+            /** @description names of all machines of the group */
+            machines?: string[] | null;
+            /** @description whether who wrote or released a text may not approve it on these machines; not given: false */
+            four_eyes?: boolean | null;
         };
         /** @description a machine: its control, axes, tools and line */
         Profile: {
@@ -3495,10 +3760,173 @@ export interface components {
             /** @description that it made or armed */
             job: number | null;
         };
+        /** @description who calls */
+        Session: {
+            /** @description of the user, or of a program's token */
+            name: string;
+            /**
+             * @description what the caller may do: each role may do what those before it may
+             * @enum {string}
+             */
+            role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            /**
+             * @description what the caller signed in with
+             * @enum {string}
+             */
+            by: "token" | "password" | "pin";
+            /** @description what it may change; empty: all */
+            scope: string[];
+            /** @description roles by machine, where they differ from "role" */
+            machines: {
+                [key: string]: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            };
+        };
+        /** @description a person */
+        User: {
+            /** @description with which the person signs in */
+            name: string;
+            /**
+             * @description on machines of no granted group, and for all that belongs to no machine
+             * @enum {string}
+             */
+            role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            /** @description roles by group */
+            grants: {
+                /** @description its name */
+                group: string;
+                /**
+                 * @description there
+                 * @enum {string}
+                 */
+                role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            }[];
+            /** @description may sign in with a password */
+            has_password: boolean;
+            /** @description may sign in with a PIN */
+            has_pin: boolean;
+            /** @description refused sign-ins since the last one that was right */
+            failures: number;
+            /** @description nobody signs in as this user before then; milliseconds since 1970, UTC */
+            locked_until_ms: number | null;
+            /** @description since then the user may not sign in; milliseconds since 1970, UTC */
+            disabled_at_ms: number | null;
+            /** @description of the roles */
+            revision: number;
+            /** @description who added the user */
+            created_by: string;
+            /** @description when; milliseconds since 1970, UTC */
+            created_at_ms: number;
+        };
+        /** @description a token, without its secret */
+        Token: {
+            /** @description of this token */
+            id: number;
+            /** @description of the person or program that has it */
+            name: string;
+            /**
+             * @description what it may do: each role may do what those before it may
+             * @enum {string}
+             */
+            role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            /** @description whose rights it has, up to its role; null: a program's own */
+            user: string | null;
+            /** @description what it may change; empty: all that its role may */
+            scope: string[];
+            /** @description who made it */
+            created_by: string;
+            /** @description when; milliseconds since 1970, UTC */
+            created_at_ms: number;
+            /** @description until then; null: it does not end; milliseconds since 1970, UTC */
+            expires_at_ms: number | null;
+            /** @description since then it is not valid; milliseconds since 1970, UTC */
+            revoked_at_ms: number | null;
+        };
+        /** @description a new token */
+        TokenMade: {
+            /** @description of this token */
+            id: number;
+            /** @description of the person or program that has it */
+            name: string;
+            /**
+             * @description what it may do: each role may do what those before it may
+             * @enum {string}
+             */
+            role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            /** @description whose rights it has, up to its role; null: a program's own */
+            user: string | null;
+            /** @description what it may change; empty: all that its role may */
+            scope: string[];
+            /** @description who made it */
+            created_by: string;
+            /** @description when; milliseconds since 1970, UTC */
+            created_at_ms: number;
+            /** @description until then; null: it does not end; milliseconds since 1970, UTC */
+            expires_at_ms: number | null;
+            /** @description since then it is not valid; milliseconds since 1970, UTC */
+            revoked_at_ms: number | null;
+            /** @description the secret; shown this once */
+            token: string;
+        };
+        /** @description machines that belong together; a machine is in one group at most */
+        MachineGroup: {
+            /** @description of this group */
+            name: string;
+            /** @description in this group */
+            machines: string[];
+            /** @description whoever wrote or released a text may not approve it on these machines */
+            four_eyes: boolean;
+        };
+        /** @description who did what to what, and when; each row holds the hash of the one before */
+        AuditRow: {
+            /** @description 1, 2, 3, … */
+            seq: number;
+            /** @description when; milliseconds since 1970, UTC */
+            at_ms: number;
+            /** @description who did it */
+            actor: string;
+            /** @description as "machine.change" */
+            action: string;
+            /** @description as "machine/mill-3" */
+            subject: string;
+            /** @description words or a document */
+            detail: string;
+            /** @description of the row before; empty in the first one */
+            previous_hash: string;
+            /** @description SHA-256 of all other members */
+            hash: string;
+        };
         /** @description a page of a list */
         MachineSummaryPage: {
             /** @description in the list's order */
             items: components["schemas"]["MachineSummary"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        MachineGroupPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["MachineGroup"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        UserPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["User"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        TokenPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["Token"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        AuditRowPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["AuditRow"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
@@ -3785,7 +4213,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description sign in with a token, get a cookie */
+            /** @description sign in with a token, or a name with a password or PIN; get a cookie */
             204: {
                 headers: {
                     [name: string]: unknown;
@@ -3815,6 +4243,39 @@ export interface operations {
         requestBody?: never;
         responses: {
             /** @description sign out */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_session_password: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["OwnSecret"];
+            };
+        };
+        responses: {
+            /** @description a new password of one's own */
             204: {
                 headers: {
                     [name: string]: unknown;
@@ -4054,6 +4515,570 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["MachineStatus"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_groups: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description groups of machines */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MachineGroupPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_groups_name: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["GroupChange"];
+            };
+        };
+        responses: {
+            /** @description make a group of machines, or change it as a whole */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MachineGroup"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_groups_name: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description remove a group and what was granted in it */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_users: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description people */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["UserPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_users: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewUser"];
+            };
+        };
+        responses: {
+            /** @description add a person */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["User"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_users_name: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description one person */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["User"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_users_name: {
+        parameters: {
+            query?: never;
+            header: {
+                "If-Match": string;
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["UserChange"];
+            };
+        };
+        responses: {
+            /** @description change roles, disable or enable */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["User"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_users_name_unlock: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description end the lock after too many wrong secrets */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["User"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_users_name_password: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewSecret"];
+            };
+        };
+        responses: {
+            /** @description give a person a new password; ends sessions */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_users_name_password: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description take a password away; ends sessions */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_users_name_pin: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewSecret"];
+            };
+        };
+        responses: {
+            /** @description give a person a new PIN for the shop floor; ends sessions */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_users_name_pin: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description take a PIN away; ends sessions */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_tokens: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description tokens, newest first, without their secrets */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TokenPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_tokens: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewToken"];
+            };
+        };
+        responses: {
+            /** @description make a token; its secret is shown this once */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TokenMade"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_tokens_id: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description one token, without its secret */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Token"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_tokens_id: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description end a token and its sessions */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_audit: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+                subject?: string;
+                actor?: string;
+                action?: string;
+                from_ms?: string;
+                to_ms?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description who did what, newest first */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AuditRowPage"];
                 };
             };
             /** @description a problem */
@@ -5295,7 +6320,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description move a release on */
+            /** @description move a release on: to review and back as a programmer, else as an approver */
             200: {
                 headers: {
                     [name: string]: unknown;

@@ -5,6 +5,7 @@ import type { components } from './schema';
 type Schemas = components['schemas'];
 
 export type Session = Schemas['Session'];
+export type NewSession = Schemas['NewSession'];
 export type Role = Session['role'];
 
 export type MachineStatus = Schemas['MachineStatus'];

@@ -12,7 +12,7 @@ import { offerFor, type Because, type JobAction } from '../rules/job_actions';
 import { hasJob, isTorn } from '../rules/lines';
 import { atLeast } from '../rules/roles';
 import { loader } from '../state/loader';
-import { isLive, jobs, person, queueOf, textOf, type Machine } from '../state/shop';
+import { isLive, jobs, queueOf, roleOn, textOf, type Machine } from '../state/shop';
 import { ArmDialog, CancelDialog, ResetDialog, ResumeDialog } from './dialogs';
 
 interface Place {
@@ -36,12 +36,12 @@ function setStopping(id: number, on: boolean): void {
 
 export function OrderBar({ machine }: { machine: Machine }) {
   const [error, setError] = useState<string | null>(null);
-  const may = atLeast(person().role, 'operator');
+  const may = atLeast(roleOn(machine.name), 'operator');
   const core = machine.core.value;
   const onLine = hasJob(core) && core.job !== null ? (jobs.value.get(core.job) ?? null) : null;
   const next = onLine ? null : (queueOf(machine.name)[0] ?? null);
   const job = onLine ?? next;
-  const offer = job ? offerFor(job, core, person().role, isLive.value) : { actions: [] as JobAction[], because: null };
+  const offer = job ? offerFor(job, core, roleOn(machine.name), isLive.value) : { actions: [] as JobAction[], because: null };
 
   const now = async (id: number, call: (id: number, key: string) => Promise<Job>, isStop: boolean) => {
     setError(null);

@@ -3,4 +3,6 @@ import type { Role } from '../api/types';
 
 const kOrder: Role[] = ['viewer', 'operator', 'programmer', 'approver', 'admin'];
 
+export const highest = (roles: Role[]): Role => roles.reduce((best, role) => (kOrder.indexOf(role) > kOrder.indexOf(best) ? role : best), 'viewer');
+
 export const atLeast = (role: Role, needed: Role): boolean => kOrder.indexOf(role) >= kOrder.indexOf(needed);

@@ -1,7 +1,8 @@
 // All that the page knows of the shop, as signals: each machine has its own, so that news of one draws one card and no
 // other. Only the loader changes what stands here.
 import { computed, signal, type ReadonlySignal, type Signal } from '@preact/signals';
-import type { Alarm, Job, MachineItem, MachineStatus, Release, Session } from '../api/types';
+import type { Alarm, Job, MachineItem, MachineStatus, Release, Role, Session } from '../api/types';
+import { highest } from '../rules/roles';
 
 // 'lost': what is shown was true at `heardAt` and may be false now; 0: nothing was ever heard.
 export type Connection = { phase: 'connecting' } | { phase: 'live' } | { phase: 'lost'; heardAt: number };
@@ -88,8 +89,14 @@ export const programName = (id: number): string | null => programs.value.get(id)
 // The signed-in person; only for what is shown inside a session.
 export function person(): Session {
   const now = session.value;
-  return now === 'unknown' || now === 'none' ? { name: '', role: 'viewer' } : now;
+  return now === 'unknown' || now === 'none' ? { name: '', role: 'viewer', by: 'token', scope: [], machines: {} } : now;
 }
+
+// Their role on one machine: groups of machines may have another one than the rest of the shop.
+export const roleOn = (machine: string): Role => person().machines[machine] ?? person().role;
+
+// The highest role that they have anywhere, for what the whole list of machines offers.
+export const bestRole = (): Role => highest([person().role, ...Object.values(person().machines)]);
 
 export function clearShop(): void {
   loaded.value = false;

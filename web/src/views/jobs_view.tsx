@@ -13,11 +13,11 @@ import { Failure } from '../parts/failure';
 import { Table } from '../parts/table';
 import { atLeast } from '../rules/roles';
 import { hrefs } from '../router';
-import { isLive, isLost, jobsNewestFirst, olderJobs, person } from '../state/shop';
+import { bestRole, isLive, isLost, jobsNewestFirst, olderJobs } from '../state/shop';
 import { loader } from '../state/loader';
 
 export function JobsView() {
-  const may = atLeast(person().role, 'operator');
+  const may = atLeast(bestRole(), 'operator');
   const [error, setError] = useState<unknown>(null);
   const jobs = jobsNewestFirst.value;
   const older = () => {

@@ -14,7 +14,7 @@ import { Empty } from '../parts/empty';
 import { Failure } from '../parts/failure';
 import { Table } from '../parts/table';
 import { atLeast } from '../rules/roles';
-import { isLive, person, receiptNews } from '../state/shop';
+import { bestRole, isLive, receiptNews, roleOn } from '../state/shop';
 import { loader } from '../state/loader';
 
 export function ReceivedView() {
@@ -36,7 +36,7 @@ export function ReceivedView() {
   useEffect(() => {
     if (live) void load(null);
   }, [live, news]);
-  const mayAccept = atLeast(person().role, 'programmer');
+  const mayAccept = atLeast(bestRole(), 'programmer');
   return (
     <>
       <h1 tabIndex={-1}>{t('nav.received')}</h1>
@@ -79,7 +79,7 @@ export function ReceivedView() {
               id: 'orders',
               head: t('column.orders'),
               class: 'orders',
-              cell: (receipt) => <Orders receipt={receipt} live={live} done={() => void load(null)} />,
+              cell: (receipt) => atLeast(roleOn(receipt.machine), 'programmer') && <Orders receipt={receipt} live={live} done={() => void load(null)} />,
             },
           ]}
         />
@@ -94,7 +94,7 @@ export function ReceivedView() {
 }
 
 function Orders({ receipt, live, done }: { receipt: Receipt; live: boolean; done: () => void }) {
-  const mayDiscard = atLeast(person().role, 'approver');
+  const mayDiscard = atLeast(roleOn(receipt.machine), 'approver');
   const open = receipt.state === 'stored' || receipt.state === 'quarantined';
   const isKept = receipt.state === 'quarantined';
   const ask = (order: 'accept' | 'discard') => live && showDialog(<Decision receipt={receipt} order={order} done={done} />);

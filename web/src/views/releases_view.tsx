@@ -12,7 +12,7 @@ import { Table } from '../parts/table';
 import { isReleased, mayBeQueued } from '../rules/releases';
 import { atLeast } from '../rules/roles';
 import { hrefs } from '../router';
-import { isLive, person, programName, releases } from '../state/shop';
+import { bestRole, isLive, programName, releases, roleOn } from '../state/shop';
 import { loader } from '../state/loader';
 
 export function ReleasesView() {
@@ -38,7 +38,8 @@ export function ReleasesView() {
     setBusy(false);
   };
   const usable = releases.value.filter(isReleased);
-  const may = atLeast(person().role, 'operator');
+  const may = atLeast(bestRole(), 'operator');
+  const mayOn = (machine: string) => atLeast(roleOn(machine), 'operator');
   return (
     <>
       <h1 tabIndex={-1}>{t('nav.releases')}</h1>
@@ -86,7 +87,8 @@ export function ReleasesView() {
               head: t('column.orders'),
               class: 'orders',
               cell: (release) =>
-                mayBeQueued(release) && (
+                mayBeQueued(release) &&
+                mayOn(release.machine) && (
                   <button
                     type="button"
                     class="button button-main"

@@ -205,7 +205,7 @@ TEST_F(ReceivingTest, AfterATornAnswerNothingGoesOutUntilSomebodyConfirms) {
   must(shop_->jobs.confirm_reset(kLathe, "the control was reset", "olga"));
   run(1s);
   EXPECT_EQ(shop_->report(kLathe).state, LineState::idle);
-  const auto audit = must(shop_->store.audit().list({.limit = 5, .after = {}}, "machine/lathe")).items;
+  const auto audit = must(shop_->store.audit().list({.limit = 5, .after = {}}, {.subject = "machine/lathe"})).items;
   EXPECT_TRUE(std::ranges::any_of(audit, [](const store::AuditRow& row) {
     return row.entry.action == "machine.confirm-reset" && row.entry.detail == "the control was reset";
   }));

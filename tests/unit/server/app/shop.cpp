@@ -136,7 +136,8 @@ std::string Shop::last_told() const {
 
 std::vector<std::string> Shop::audited(store::Id id) {
   std::vector<std::string> all;
-  const auto page = must(store.audit().list({.limit = store::kPageLimitMax, .after = {}}, "job/" + std::to_string(id)));
+  const auto page =
+      must(store.audit().list({.limit = store::kPageLimitMax, .after = {}}, {.subject = "job/" + std::to_string(id)}));
   for (const store::AuditRow& row : page.items) all.push_back(row.entry.action + ": " + row.entry.detail);
   std::ranges::reverse(all);
   return all;

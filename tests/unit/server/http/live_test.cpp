@@ -38,7 +38,7 @@ app::LineReport handed(std::uint64_t bytes) {
 class LiveTest : public ::testing::Test {
  protected:
   std::shared_ptr<EventSubscription> watch(std::uint64_t after, const std::string& token = "token") {
-    auto watcher = hub_.watch(after, {.token_hash = token, .session = {}});
+    auto watcher = hub_.watch(after, {.owner = token, .session = {}});
     EXPECT_TRUE(watcher) << watcher.error();
     return watcher ? *watcher : nullptr;
   }
@@ -61,7 +61,7 @@ class LiveTest : public ::testing::Test {
   std::atomic<int> described_ = 0;
   std::atomic<bool> valid_ = true;
   LiveHub hub_{events_, [this](const std::string& machine) { return describe(machine); },
-               [this](const Credential& credential) { return credential.token_hash != "short" || valid_; }};
+               [this](const Credential& credential) { return credential.owner != "short" || valid_; }};
 };
 
 template <class Condition>
@@ -190,13 +190,13 @@ TEST_F(LiveTest, ATokenThatIsRevokedEndsItsWatchersAlone) {
 TEST_F(LiveTest, WatchersAreLimitedByTokenAndInAll) {
   std::vector<std::shared_ptr<EventSubscription>> watchers;
   for (std::size_t i = 0; i < LiveHub::kMostOfOne; ++i) watchers.push_back(watch(0, "first"));
-  EXPECT_FALSE(hub_.watch(0, {.token_hash = "first", .session = {}}));
+  EXPECT_FALSE(hub_.watch(0, {.owner = "first", .session = {}}));
   watchers.pop_back();
   watchers.push_back(watch(0, "first"));
   while (watchers.size() < LiveHub::kMost) watchers.push_back(watch(0, std::to_string(watchers.size())));
-  EXPECT_FALSE(hub_.watch(0, {.token_hash = "new", .session = {}}));
+  EXPECT_FALSE(hub_.watch(0, {.owner = "new", .session = {}}));
   watchers.clear();
-  EXPECT_TRUE(hub_.watch(0, {.token_hash = "first", .session = {}}));
+  EXPECT_TRUE(hub_.watch(0, {.owner = "first", .session = {}}));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "server/http/api.h"
+#include "server/http/rights.h"
 #include "server/json/schemas.h"
 
 namespace dripfeed::http {
@@ -109,7 +110,7 @@ TEST(Routes, EveryChangeNeedsARoleAndEveryRowIsReachable) {
     ASSERT_NE(route.handler, nullptr);
     EXPECT_FALSE(route.summary.empty());
     const bool changes = route.method != Method::get;
-    const bool signs_in = route.pattern == "/api/v1/session";
+    const bool signs_in = route.pattern.starts_with("/api/v1/session");
     EXPECT_TRUE(!changes || signs_in || route.right >= Right::operator_);
     EXPECT_TRUE(!route.pattern.starts_with("/api/v1") || signs_in || route.right >= Right::viewer);
     Request request;
@@ -122,6 +123,40 @@ TEST(Routes, EveryChangeNeedsARoleAndEveryRowIsReachable) {
   }
 }
 
+// What a token with a scope may change, and what a role on one machine is good for.
+TEST(Routes, AScopeAllowsItsOwnChangesAndAllReading) {
+  std::size_t all = 0;
+  for (const Route& route : routes()) {
+    SCOPED_TRACE(std::string(name_of(route.method)) + " " + std::string(route.pattern));
+    const std::string own(scope_of(route));
+    EXPECT_NE(std::ranges::find(kScopes, own), std::end(kScopes));
+    EXPECT_TRUE(allows("", route));
+    EXPECT_TRUE(allows("nothing " + own, route));
+    std::string others;
+    for (const std::string_view scope : kScopes)
+      if (scope != own) others += std::string(scope) + " ";
+    EXPECT_EQ(allows(others, route), route.method == Method::get);
+    all += own == "setup" ? 0U : 1U;
+  }
+  EXPECT_GT(all, 40U);
+  EXPECT_EQ(unknown_scope("queue line"), "");
+  EXPECT_EQ(unknown_scope("queue lines"), "lines");
+}
+
+TEST(Routes, ARoleOnOneMachineReachesWhatActsOnMachines) {
+  const Caller caller{.name = "olga", .right = Right::viewer, .on_machines = {{"mill", Right::approver}}};
+  const auto reached = [&](Method method, std::string_view pattern) {
+    const auto route = std::ranges::find_if(
+        routes(), [&](const Route& one) { return one.method == method && one.pattern == pattern; });
+    return reach(*route, caller);
+  };
+  for (const std::string_view pattern : {"/api/v1/jobs/{id}/arm", "/api/v1/jobs/{id}/stop", "/api/v1/jobs",
+                                         "/api/v1/releases/{id}/transitions", "/api/v1/checks/{id}/waivers"})
+    EXPECT_EQ(reached(Method::post, pattern), Right::approver) << pattern;
+  for (const std::string_view pattern : {"/api/v1/programs", "/api/v1/families", "/api/v1/users", "/api/v1/machines"})
+    EXPECT_EQ(reached(Method::post, pattern), Right::viewer) << pattern;
+}
+
 // Nobody describes a body or an answer by a name that openapi.json has no schema for.
 TEST(Routes, EveryBodyAndAnswerHasASchema) {
   std::set<std::string, std::less<>> names;
@@ -132,7 +167,9 @@ TEST(Routes, EveryBodyAndAnswerHasASchema) {
     EXPECT_TRUE(route.answer.schema.empty() || names.contains(route.answer.schema)) << route.answer.schema;
     // These two say something beside their page.
     const bool says_more = route.pattern.ends_with("/ledger") || route.pattern.ends_with("/search");
-    EXPECT_EQ(route.answer.page, (route.takes == Takes::page && !says_more) || route.pattern.ends_with("/work"));
+    const bool is_short = route.pattern.ends_with("/work") || route.pattern == "/api/v1/groups";
+    EXPECT_EQ(route.answer.page,
+              (route.takes == Takes::page && !says_more) || (is_short && route.method == Method::get));
     EXPECT_TRUE(route.method != Method::get || route.body.schema.empty());
     const bool says_nothing = route.answer.schema.empty() && route.answer.types.empty();
     EXPECT_EQ(says_nothing, route.answer.status == 204);

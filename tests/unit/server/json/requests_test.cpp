@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "server/json/people.h"
+
 namespace dripfeed::json {
 namespace {
 
@@ -230,7 +232,11 @@ TEST(Requests, WhatAPersonSaysAtTheMachine) {
       {needed, R"({"reason":""})", "/reason"},
       {needed, R"({"reason":"reset"})", "ok"},
       {session, R"({"token":"abc"})", "ok"},
+      {session, R"({"name":"olga","pin":"4711"})", "ok"},
       {session, R"({"token":""})", "/token"},
+      {session, R"({"token":"abc","name":"olga","pin":"4711"})", "/token"},
+      {session, R"({"name":"olga"})", "/token"},
+      {session, R"({"pin":"4711"})", "/name"},
       {session, R"({})", "/token"},
   };
   check(rows);

@@ -14,7 +14,7 @@ import { atLeast } from '../../rules/roles';
 import { hrefs } from '../../router';
 import { takeAlarms } from '../../state/changes';
 import { loader } from '../../state/loader';
-import { isLive, person } from '../../state/shop';
+import { isLive, roleOn } from '../../state/shop';
 
 const kTones = { critical: 'bad', warning: 'waiting', notice: 'ready' } as const;
 const kShelfMinutes = 60;
@@ -77,7 +77,7 @@ function historyOf(alarm: Alarm): string[] {
 
 function Buttons({ alarm, send }: { alarm: Alarm; send: (call: Promise<Alarm>) => void }) {
   const state = stateOf(alarm, minutes.value);
-  if (state === 'closed' || !atLeast(person().role, 'operator') || !isLive.value) return null;
+  if (state === 'closed' || !atLeast(roleOn(alarm.machine), 'operator') || !isLive.value) return null;
   return (
     <div class="alarm-buttons">
       {alarm.acknowledged_by === null && (

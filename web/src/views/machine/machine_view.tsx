@@ -19,7 +19,7 @@ import { byUrgency } from '../../rules/alarms';
 import { offerFor } from '../../rules/job_actions';
 import { hasJob, isTorn } from '../../rules/lines';
 import { changeQuery, hrefs, route } from '../../router';
-import { alarms, isLive, isLost, machines, person, type Machine } from '../../state/shop';
+import { alarms, isLive, isLost, machines, roleOn, type Machine } from '../../state/shop';
 import { loader } from '../../state/loader';
 import { AlarmList } from '../alarms/item';
 import { wordsOf } from '../floor/words';
@@ -101,7 +101,7 @@ function OnLine({ machine }: { machine: Machine }) {
             [t('fact.line_use'), `${(status.line_use * 100).toFixed(1)} %`],
           ]}
         />
-        {job && offerFor(job, status, person().role, isLive.value).actions.includes('resume_as_dc1') && (
+        {job && offerFor(job, status, roleOn(machine.name), isLive.value).actions.includes('resume_as_dc1') && (
           <button type="button" class="button" onClick={() => showDialog(<ResumeAsDc1Dialog id={job.id} />)}>
             {t('order.resume_as_dc1')}
           </button>

@@ -13,13 +13,13 @@ import { atLeast } from '../../rules/roles';
 import { hrefs } from '../../router';
 import { takeJobs } from '../../state/changes';
 import { loader } from '../../state/loader';
-import { isLive, person, queueOf, type Machine } from '../../state/shop';
+import { isLive, queueOf, roleOn, type Machine } from '../../state/shop';
 
 export function Queue({ machine }: { machine: Machine }) {
   const [error, setError] = useState<unknown>(null);
   const [dragged, setDragged] = useState<number | null>(null);
   const queue = queueOf(machine.name);
-  const may = atLeast(person().role, 'operator') && isLive.value;
+  const may = atLeast(roleOn(machine.name), 'operator') && isLive.value;
   // `before`: the job that it goes in front of; null: to the end.
   const move = (id: number, before: number | null) => {
     if (id === before) return;

@@ -1,106 +1,76 @@
-// Who calls: tokens, cookies given for them, revocation, and where a write by cookie may come from.
+// Who calls: tokens and users, cookies given for them, what ends them, and where a write by cookie may come from. The
+// store is the real one.
 #include "server/http/sessions.h"
 
-#include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "store/hash/hash.h"
+#include "store/sqlite/open.h"
 
 namespace dripfeed::http {
 namespace {
 
-class KnownTokens final : public store::Tokens {
+// The store's, with a count of how often it was asked for one.
+class CountedTokens final : public store::Tokens {
  public:
-  void give(const std::string& token, std::string name, store::Role role) {
-    store::Token row;
-    row.name = std::move(name);
-    row.role = role;
-    rows_[hash::token_hash(token)] = row;
-  }
-  void take(const std::string& token) { rows_.erase(hash::token_hash(token)); }
-
+  explicit CountedTokens(store::Tokens& tokens) : tokens_(tokens) {}
   int asked = 0;
 
   store::Result<store::Token> find(std::string_view token_hash) override {
     ++asked;
-    const auto found = rows_.find(std::string(token_hash));
-    if (found == rows_.end()) return std::unexpected(store::Error{store::ErrorCode::not_found, ""});
-    return found->second;
+    return tokens_.find(token_hash);
   }
-  store::Result<store::Token> add(std::string_view, store::Role, std::string_view, const store::Stamp&) override {
-    return std::unexpected(store::Error{});
+  store::Result<store::Token> add(const store::NewToken& token, const store::Stamp& by) override {
+    return tokens_.add(token, by);
   }
-  store::Result<store::Token> revoke(store::Id, const store::Stamp&) override {
-    return std::unexpected(store::Error{});
+  store::Result<store::Token> revoke(store::Id token, const store::Stamp& by) override {
+    return tokens_.revoke(token, by);
   }
-  store::Result<store::Page<store::Token>> list(const store::PageRequest&) override {
-    return std::unexpected(store::Error{});
-  }
+  store::Result<store::Page<store::Token>> list(const store::PageRequest& page) override { return tokens_.list(page); }
 
  private:
-  std::map<std::string, store::Token> rows_;
+  store::Tokens& tokens_;
 };
 
-// Those of KnownTokens, as the store has it.
-class KnownSessions final : public store::BrowserSessions {
- public:
-  explicit KnownSessions(KnownTokens& tokens) : tokens_(tokens) {}
+std::unique_ptr<store::Store> open_store(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  return sqlite::open((folder / "dripfeed.db").string(), {}).value();
+}
 
-  int noted = 0;
-
-  store::Result<void> open(std::string_view session_hash, std::string_view token_hash, std::size_t most,
-                           std::int64_t at_ms) override {
-    const auto token = tokens_.find(token_hash);
-    if (!token) return std::unexpected(token.error());
-    std::vector<std::string> own;
-    for (const auto& [hash, row] : rows_)
-      if (row.token_hash == token_hash) own.push_back(hash);
-    std::ranges::sort(own, {}, [&](const std::string& hash) { return rows_[hash].used_at_ms; });
-    for (std::size_t i = 0; i + most <= own.size(); ++i) rows_.erase(own[i]);
-    rows_[std::string(session_hash)] = {*token, std::string(token_hash), at_ms, at_ms};
-    return {};
-  }
-  store::Result<store::BrowserSession> find(std::string_view session_hash) override {
-    const auto found = rows_.find(std::string(session_hash));
-    if (found == rows_.end()) return std::unexpected(store::Error{store::ErrorCode::not_found, ""});
-    const auto token = tokens_.find(found->second.token_hash);
-    if (!token) return std::unexpected(token.error());
-    store::BrowserSession session = found->second;
-    session.token = *token;
-    return session;
-  }
-  store::Result<void> note_use(std::string_view session_hash, std::int64_t at_ms) override {
-    ++noted;
-    rows_[std::string(session_hash)].used_at_ms = at_ms;
-    return {};
-  }
-  store::Result<void> close(std::string_view session_hash) override {
-    rows_.erase(std::string(session_hash));
-    return {};
-  }
-  store::Result<void> forget(std::int64_t opened_before_ms, std::int64_t used_before_ms) override {
-    std::erase_if(rows_, [&](const auto& row) {
-      return row.second.opened_at_ms < opened_before_ms || row.second.used_at_ms < used_before_ms;
-    });
-    return {};
-  }
-
- private:
-  KnownTokens& tokens_;
-  std::map<std::string, store::BrowserSession> rows_;
-};
+const store::Stamp kBy{"tester", 5};
 
 constexpr std::int64_t kSecond_ms = 1000;
 constexpr std::int64_t kHour_ms = 3600 * kSecond_ms;
 
 class SessionsTest : public ::testing::Test {
  protected:
-  SessionsTest() { tokens_.give("secret", "olga", store::Role::operator_); }
+  SessionsTest() { give("secret", "olga", store::Role::operator_); }
+  ~SessionsTest() override {
+    store_.reset();
+    std::filesystem::remove_all(folder_);
+  }
+  void give(const std::string& token, std::string name, store::Role role, std::string user = {},
+            std::int64_t expires_at_ms = 0) {
+    ids_[token] = store_->tokens()
+                      .add({.name = std::move(name),
+                            .role = role,
+                            .hash = hash::token_hash(token),
+                            .user = std::move(user),
+                            .expires_at_ms = expires_at_ms},
+                           kBy)
+                      .value()
+                      .id;
+  }
+  void take(const std::string& token) { ASSERT_TRUE(store_->tokens().revoke(ids_[token], kBy)); }
   std::optional<Caller> by_header(std::string header) {
     Request request;
     request.authorization = std::move(header);
@@ -113,10 +83,13 @@ class SessionsTest : public ::testing::Test {
   }
   static std::string cookie(const std::string& value) { return std::string(kSessionCookie) + "=" + value; }
 
-  KnownTokens tokens_;
-  KnownSessions kept_{tokens_};
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / fmt::format("dripfeed-sessions-{}", ::getpid());
+  std::unique_ptr<store::Store> store_ = open_store(folder_);
+  CountedTokens tokens_{store_->tokens()};
+  std::map<std::string, store::Id> ids_;
   std::int64_t now_ms_ = 1'700'000'000'000;
-  Sessions sessions_{tokens_, kept_, [this] { return now_ms_; }};
+  Sessions sessions_{tokens_, store_->users(), store_->browser_sessions(), [this] { return now_ms_; }};
 };
 
 TEST_F(SessionsTest, ATokenIsItsBearer) {
@@ -140,8 +113,9 @@ TEST_F(SessionsTest, EveryRoleHasItsRight) {
                                                 {store::Role::approver, Right::approver},
                                                 {store::Role::admin, Right::admin}};
   for (const auto& [role, right] : rows) {
-    tokens_.give("t", "x", role);
-    EXPECT_EQ(by_header("Bearer t")->right, right);
+    const std::string token = fmt::format("{}'s", store::name_of(role));
+    give(token, "x", role);
+    EXPECT_EQ(by_header("Bearer " + token)->right, right);
     EXPECT_EQ(name_of(right), store::name_of(role));
   }
 }
@@ -159,9 +133,7 @@ TEST_F(SessionsTest, ACookieStandsForItsTokenAsLongAsThatIsValid) {
   EXPECT_FALSE(by_cookie(cookie(*value + "x")));
   EXPECT_FALSE(by_cookie(cookie("")));
   EXPECT_FALSE(by_cookie("x" + cookie(*value)));
-  tokens_.give("secret", "olga", store::Role::viewer);
-  EXPECT_EQ(by_cookie(cookie(*value))->right, Right::viewer) << "a changed role counts at once";
-  tokens_.take("secret");
+  take("secret");
   EXPECT_FALSE(by_cookie(cookie(*value))) << "a revoked token ends its sessions";
 }
 
@@ -179,7 +151,7 @@ TEST_F(SessionsTest, SigningOutEndsThatSessionAlone) {
 }
 
 TEST_F(SessionsTest, SigningInOftenEndsOnlyOnesOwnSessions) {
-  tokens_.give("admin", "anna", store::Role::admin);
+  give("admin", "anna", store::Role::admin);
   const std::string admins = *sessions_.open("admin");
   std::vector<std::string> own;
   for (std::size_t i = 0; i < 30'000 / 100; ++i) {
@@ -216,7 +188,7 @@ TEST_F(SessionsTest, ACredentialIsValidAsLongAsItsToken) {
   const Credential by_session = by_cookie(cookie(*sessions_.open("secret")))->credential;
   EXPECT_TRUE(sessions_.is_valid(by_token));
   EXPECT_TRUE(sessions_.is_valid(by_session));
-  tokens_.take("secret");
+  take("secret");
   EXPECT_FALSE(sessions_.is_valid(by_token));
   EXPECT_FALSE(sessions_.is_valid(by_session));
 }
@@ -234,15 +206,71 @@ TEST_F(SessionsTest, ASessionOutlivesTheServer) {
   now_ms_ += Sessions::kIdle_ms / 2;
   ASSERT_TRUE(by_cookie(cookie(value)));
   EXPECT_TRUE(sessions_.is_valid(held)) << "and notes the use";
-  EXPECT_EQ(kept_.noted, 1);
-  EXPECT_TRUE(sessions_.is_valid(held));
-  EXPECT_EQ(kept_.noted, 1) << "not again and again";
-  Sessions after{tokens_, kept_, [this] { return now_ms_; }};
+  EXPECT_EQ(store_->browser_sessions().find(held.session)->used_at_ms, now_ms_);
+  Sessions after{tokens_, store_->users(), store_->browser_sessions(), [this] { return now_ms_; }};
   now_ms_ += Sessions::kIdle_ms / 2 + kSecond_ms;
   Request request;
   request.cookie = cookie(value);
   ASSERT_TRUE(after.caller(request)) << "used six hours ago, by another server";
   EXPECT_EQ(after.caller(request)->name, "olga");
+}
+
+TEST_F(SessionsTest, AUserHasTheRightsOfTheGroups) {
+  ASSERT_TRUE(store_->machines().add("mill-1", "{}", kBy));
+  ASSERT_TRUE(store_->users().put_group({.name = "mills", .machines = {"mill-1"}}, kBy));
+  ASSERT_TRUE(
+      store_->users().add("bert", {.role = store::Role::viewer, .grants = {{"mills", store::Role::approver}}}, kBy));
+  const auto caller = by_cookie(cookie(*sessions_.open("bert", store::SecretKind::password)));
+  ASSERT_TRUE(caller);
+  EXPECT_EQ(caller->name, "bert");
+  EXPECT_EQ(caller->right, Right::viewer);
+  EXPECT_EQ(caller->on_machines.at("mill-1"), Right::approver);
+  EXPECT_EQ(caller->signed_in_by, "password");
+  const auto by_pin = by_cookie(cookie(*sessions_.open("bert", store::SecretKind::pin)));
+  EXPECT_EQ(by_pin->on_machines.at("mill-1"), Right::operator_) << "a PIN gives no more";
+  give("tablet", "a tablet", store::Role::operator_, "bert");
+  const auto by_token = by_header("Bearer tablet");
+  EXPECT_EQ(by_token->name, "bert") << "who acts is the user";
+  EXPECT_EQ(by_token->on_machines.at("mill-1"), Right::operator_) << "up to the token's role";
+  EXPECT_EQ(by_token->right, Right::viewer);
+}
+
+TEST_F(SessionsTest, ADisabledUserIsOutWithTokenAndCookie) {
+  ASSERT_TRUE(store_->users().add("bert", {.role = store::Role::viewer}, kBy));
+  give("tablet", "a tablet", store::Role::operator_, "bert");
+  const std::string value = *sessions_.open("bert", store::SecretKind::pin);
+  const Credential by_session = by_cookie(cookie(value))->credential;
+  const Credential by_token = by_header("Bearer tablet")->credential;
+  const Credential by_tokens_cookie = by_cookie(cookie(*sessions_.open("tablet")))->credential;
+  for (const Credential& one : {by_session, by_token, by_tokens_cookie}) EXPECT_TRUE(sessions_.is_valid(one));
+  ASSERT_TRUE(store_->users().change("bert", 1, {.roles = {}, .disabled = true}, kBy));
+  EXPECT_FALSE(by_cookie(cookie(value)));
+  EXPECT_FALSE(by_header("Bearer tablet"));
+  for (const Credential& one : {by_session, by_token, by_tokens_cookie}) EXPECT_FALSE(sessions_.is_valid(one));
+  EXPECT_FALSE(sessions_.open("bert", store::SecretKind::pin));
+}
+
+TEST_F(SessionsTest, ASessionByPinIsShort) {
+  ASSERT_TRUE(store_->users().add("bert", {.role = store::Role::operator_}, kBy));
+  const std::string value = *sessions_.open("bert", store::SecretKind::pin);
+  now_ms_ += Sessions::kPinIdle_ms - kSecond_ms;
+  EXPECT_TRUE(by_cookie(cookie(value)));
+  now_ms_ += Sessions::kPinIdle_ms;
+  EXPECT_FALSE(by_cookie(cookie(value)));
+}
+
+TEST_F(SessionsTest, ATokenEndsAtItsTime) {
+  give("guest", "guest", store::Role::viewer, {}, now_ms_ + kHour_ms);
+  const std::string value = *sessions_.open("guest");
+  const Credential held = by_cookie(cookie(value))->credential;
+  now_ms_ += kHour_ms - 1;
+  EXPECT_TRUE(by_header("Bearer guest"));
+  EXPECT_TRUE(sessions_.is_valid(held));
+  now_ms_ += 1;
+  EXPECT_FALSE(by_header("Bearer guest"));
+  EXPECT_FALSE(by_cookie(cookie(value)));
+  EXPECT_FALSE(sessions_.is_valid(held));
+  EXPECT_FALSE(sessions_.open("guest"));
 }
 
 TEST(Cookies, AreFoundByTheirName) {
@@ -283,7 +311,7 @@ TEST_F(SessionsTest, ATokenIsAskedForOnceAsLongAsTheStoreIsTheSame) {
   request.authorization = "Bearer secret";
   for (int i = 0; i < 3; ++i) ASSERT_EQ(sessions_.caller(request, 7).value().name, "olga");
   EXPECT_EQ(tokens_.asked, 1);
-  tokens_.take("secret");
+  take("secret");
   EXPECT_FALSE(sessions_.caller(request, 8)) << "a revocation changes the store";
   EXPECT_FALSE(sessions_.caller(request, 7)) << "nothing is left of what was known";
   EXPECT_FALSE(sessions_.caller(request));
@@ -298,7 +326,7 @@ TEST_F(SessionsTest, ACookieOfARevokedTokenEndsWithTheNextVersion) {
   Request request;
   request.cookie = cookie(sessions_.open("secret").value());
   ASSERT_TRUE(sessions_.caller(request, 1).value().by_cookie);
-  tokens_.take("secret");
+  take("secret");
   EXPECT_FALSE(sessions_.caller(request, 2));
 }
 

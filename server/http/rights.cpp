@@ -1,0 +1,164 @@
+// Two tables by the beginning of a route's pattern. A route that no row names is set up, and acts on no machine.
+#include "server/http/rights.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "server/http/api.h"
+#include "server/json/requests.h"
+
+namespace dripfeed::http {
+
+namespace {
+
+struct ScopeRow {
+  std::string_view begin;  // of the pattern
+  std::string_view scope;
+};
+// The first row that fits counts.
+constexpr std::array kScopeRows = {
+    ScopeRow{"/api/v1/session", "line"},          ScopeRow{"/api/v1/machines/{name}/confirm-reset", "line"},
+    ScopeRow{"/api/v1/alarms", "line"},           ScopeRow{"/api/v1/jobs/{id}/arm", "line"},
+    ScopeRow{"/api/v1/jobs/{id}/stop", "line"},   ScopeRow{"/api/v1/jobs/{id}/cancel", "line"},
+    ScopeRow{"/api/v1/jobs/{id}/resume", "line"}, ScopeRow{"/api/v1/jobs", "queue"},
+    ScopeRow{"/api/v1/releases", "releases"},     ScopeRow{"/api/v1/checks/{id}/waivers", "releases"},
+    ScopeRow{"/api/v1/checks", "checks"},         ScopeRow{"/api/v1/render", "checks"},
+    ScopeRow{"/api/v1/accuracy", "checks"},       ScopeRow{"/api/v1/gouge", "checks"},
+    ScopeRow{"/api/v1/timing", "checks"},         ScopeRow{"/api/v1/sweep", "checks"},
+    ScopeRow{"/api/v1/work", "checks"},           ScopeRow{"/api/v1/programs", "library"},
+    ScopeRow{"/api/v1/families", "library"},      ScopeRow{"/api/v1/parts", "library"},
+    ScopeRow{"/api/v1/receipts", "library"},
+};
+
+enum class Acts : std::uint8_t {
+  anywhere,  // whoever may do it on one machine may do it on all
+  machine_in_path,
+  job,
+  release,
+  verdict,
+  alarm,
+  receipt,
+  machine_in_body,
+  release_in_body,
+};
+
+struct ActRow {
+  Method method;
+  std::string_view begin;
+  Acts on;
+};
+// The first row that fits counts.
+constexpr std::array kActRows = {
+    ActRow{Method::post, "/api/v1/machines/{name}", Acts::machine_in_path},
+    ActRow{Method::put, "/api/v1/machines/{name}", Acts::machine_in_path},
+    ActRow{Method::post, "/api/v1/jobs/{id}/stop", Acts::anywhere},
+    ActRow{Method::post, "/api/v1/jobs/{id}/arm", Acts::job},
+    ActRow{Method::post, "/api/v1/jobs/{id}/move", Acts::job},
+    ActRow{Method::post, "/api/v1/jobs/{id}/cancel", Acts::job},
+    ActRow{Method::post, "/api/v1/jobs/{id}/resume", Acts::job},
+    ActRow{Method::post, "/api/v1/jobs", Acts::release_in_body},
+    ActRow{Method::post, "/api/v1/releases/{id}", Acts::release},
+    ActRow{Method::post, "/api/v1/releases", Acts::machine_in_body},
+    ActRow{Method::post, "/api/v1/checks/{id}", Acts::verdict},
+    ActRow{Method::post, "/api/v1/checks", Acts::machine_in_body},
+    ActRow{Method::post, "/api/v1/render", Acts::machine_in_body},
+    ActRow{Method::post, "/api/v1/alarms/{id}", Acts::alarm},
+    ActRow{Method::post, "/api/v1/receipts/{id}", Acts::receipt},
+};
+const ActRow* act_of(const Route& route) {
+  const auto* const row = std::ranges::find_if(
+      kActRows, [&](const ActRow& one) { return one.method == route.method && route.pattern.starts_with(one.begin); });
+  return row == kActRows.end() ? nullptr : row;
+}
+
+template <class Row, class Machine>
+std::optional<std::string> machine_in(const store::Result<Row>& row, const Machine& machine) {
+  return row ? std::optional<std::string>(machine(*row)) : std::nullopt;
+}
+
+std::optional<std::string> machine_of_release(store::Store& store, store::Id id) {
+  return machine_in(store.releases().get(id), [](const store::Release& one) { return one.of.machine; });
+}
+
+std::optional<std::string> machine_by_id(store::Store& store, Acts on, store::Id id) {
+  switch (on) {
+    case Acts::job: return machine_in(store.jobs().get(id), [](const store::Job& one) { return one.machine; });
+    case Acts::release: return machine_of_release(store, id);
+    case Acts::verdict:
+      return machine_in(store.verdicts().get(id), [](const store::Verdict& one) { return one.of.machine; });
+    case Acts::alarm: return machine_in(store.alarms().get(id), [](const store::Alarm& one) { return one.machine; });
+    case Acts::receipt:
+      return machine_in(store.receipts().get(id), [](const store::Receipt& one) { return one.of.machine; });
+    case Acts::anywhere:
+    case Acts::machine_in_path:
+    case Acts::machine_in_body:
+    case Acts::release_in_body: break;
+  }
+  return std::nullopt;
+}
+
+template <class Use>
+void each_word(std::string_view words, const Use& use) {
+  while (!words.empty()) {
+    const std::string_view word = words.substr(0, words.find(' '));
+    if (!word.empty()) use(word);
+    words.remove_prefix(std::min(words.size(), word.size() + 1));
+  }
+}
+
+}  // namespace
+
+std::string_view scope_of(const Route& route) {
+  const auto* const row =
+      std::ranges::find_if(kScopeRows, [&](const ScopeRow& one) { return route.pattern.starts_with(one.begin); });
+  return row == kScopeRows.end() ? "setup" : row->scope;
+}
+
+bool allows(std::string_view scope, const Route& route) {
+  bool allowed = scope.empty() || route.method == Method::get;
+  each_word(scope, [&](std::string_view word) { allowed = allowed || word == scope_of(route); });
+  return allowed;
+}
+
+std::string_view unknown_scope(std::string_view scope) {
+  std::string_view unknown;
+  each_word(scope, [&](std::string_view word) {
+    if (unknown.empty() && std::ranges::find(kScopes, word) == std::end(kScopes)) unknown = word;
+  });
+  return unknown;
+}
+
+namespace {
+
+std::optional<std::string> machine_of(const ActRow& row, const Call& call) {
+  if (row.on == Acts::machine_in_path) return call.parameters[0];
+  if (row.on == Acts::machine_in_body) return json::machine_in_body(call.request.body);
+  store::Store& store = call.api.application().store();
+  if (row.on == Acts::release_in_body) {
+    const auto body = json::read_job_body(call.request.body);
+    return body ? machine_of_release(store, body->release) : std::nullopt;
+  }
+  const auto id = id_of(call.parameters[0]);
+  return id ? machine_by_id(store, row.on, *id) : std::nullopt;
+}
+
+}  // namespace
+
+Right reach(const Route& route, const Caller& caller) {
+  Right best = caller.right;
+  if (act_of(route) == nullptr) return best;
+  for (const auto& [machine, right] : caller.on_machines) best = std::max(best, right);
+  return best;
+}
+
+Right right_for(const Route& route, const Call& call, const Caller& caller) {
+  const ActRow* row = act_of(route);
+  if (row == nullptr || caller.on_machines.empty()) return caller.right;
+  const auto machine = row->on == Acts::anywhere ? std::nullopt : machine_of(*row, call);
+  if (!machine) return reach(route, caller);
+  const auto found = caller.on_machines.find(*machine);
+  return found == caller.on_machines.end() ? caller.right : found->second;
+}
+
+}  // namespace dripfeed::http

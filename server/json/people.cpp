@@ -1,0 +1,227 @@
+// People as the API takes and shows them. One function reads each body and describes it; a secret is in no answer but
+// that of a new token.
+#include "server/json/people.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "server/app/names.h"
+#include "server/json/bodies.h"
+#include "server/json/parse.h"
+
+namespace dripfeed::json {
+
+namespace {
+
+// What it is signed in with has to be one thing.
+void read_members(ObjectReader& o, SessionBody& into) {
+  std::string password;
+  std::string pin;
+  o.text("token", into.token);
+  o.text("name", into.name);
+  o.text("password", password);
+  o.text("pin", pin);
+  const int given = (into.token.empty() ? 0 : 1) + (password.empty() ? 0 : 1) + (pin.empty() ? 0 : 1);
+  if (given != 1) o.fault("token", "or a name with a password or pin: one of the three");
+  if (into.token.empty() && into.name.empty()) o.fault("name", "is missing");
+  into.kind = pin.empty() ? store::SecretKind::password : store::SecretKind::pin;
+  into.secret = pin.empty() ? std::move(password) : std::move(pin);
+}
+
+void read_role(ObjectReader& o, store::Role& into) {
+  if (const auto role = o.choice("role", store::kNames<store::Role>, true)) into = static_cast<store::Role>(*role);
+}
+
+void read_roles(ObjectReader& o, store::UserRoles& into) {
+  read_role(o, into.role);
+  o.objects("grants", [&](ObjectReader& grant) {
+    store::Grant& one = into.grants.emplace_back();
+    grant.text("group", one.group, true);
+    read_role(grant, one.role);
+    for (std::size_t i = 0; i + 1 < into.grants.size(); ++i)
+      if (!one.group.empty() && into.grants[i].group == one.group) grant.fault("group", "is given twice");
+  });
+}
+
+void read_members(ObjectReader& o, UserBody& into) {
+  o.proper_name("name", into.name);
+  read_roles(o, into.roles);
+}
+
+void read_members(ObjectReader& o, store::UserChange& into) {
+  read_roles(o, into.roles);
+  o.flag("disabled", into.disabled);
+}
+
+void read_members(ObjectReader& o, SecretBody& into) { o.text("secret", into.secret, true); }
+
+void read_members(ObjectReader& o, OwnSecretBody& into) {
+  o.text("current", into.current, true);
+  o.text("secret", into.secret, true);
+}
+
+// Texts of a list, each checked by `why`.
+template <class Why>
+std::vector<std::string> read_texts(ObjectReader& o, std::string_view name, std::string about, const Why& why) {
+  constexpr std::size_t kMost = 1000;
+  std::vector<std::string> texts;
+  const Document* list = o.member(name, list_of(text(std::move(about)), ""));
+  if (list == nullptr) return texts;
+  if (!list->is_array() || list->size() > kMost) {
+    o.fault(name, fmt::format("must be a list of {} texts at most", kMost));
+    return texts;
+  }
+  for (const Document& one : *list) {
+    texts.push_back(one.is_string() ? one.get<std::string>() : std::string());
+    if (const std::string fault = why(texts.back()); !fault.empty()) o.fault(name, "has a text that " + fault);
+  }
+  return texts;
+}
+
+void read_members(ObjectReader& o, store::NewToken& into) {
+  o.proper_name("name", into.name);
+  read_role(o, into.role);
+  o.text("user", into.user);
+  for (const std::string& word : read_texts(o, "scope", "what it may change", app::why_no_name)) {
+    into.scope += into.scope.empty() ? "" : " ";
+    into.scope += word;
+  }
+  o.integer("expires_at_ms", into.expires_at_ms, 1, kMaxId);
+}
+
+void read_members(ObjectReader& o, store::MachineGroup& into) {
+  into.machines = read_texts(o, "machines", "name of a machine", app::why_no_name);
+  o.flag("four_eyes", into.four_eyes);
+}
+
+void read_members(ObjectReader& o, store::AuditRow& into) {
+  o.integer("seq", into.seq, 1, kMaxId, true);
+  o.integer("at_ms", into.by.at_ms, -kMaxId, kMaxId, true);
+  o.text("actor", into.by.actor, true);
+  o.text("action", into.entry.action, true);
+  o.text("subject", into.entry.subject, true);
+  o.text("detail", into.entry.detail);
+  o.text("previous_hash", into.previous_hash);
+  o.text("hash", into.hash, true);
+}
+
+}  // namespace
+
+app::Result<SessionBody> read_session_body(std::string_view body) { return read_by<SessionBody>(read_members, body); }
+app::Result<UserBody> read_user_body(std::string_view body) { return read_by<UserBody>(read_members, body); }
+app::Result<store::UserChange> read_user_change_body(std::string_view body) {
+  return read_by<store::UserChange>(read_members, body);
+}
+app::Result<SecretBody> read_secret_body(std::string_view body) { return read_by<SecretBody>(read_members, body); }
+app::Result<OwnSecretBody> read_own_secret_body(std::string_view body) {
+  return read_by<OwnSecretBody>(read_members, body);
+}
+app::Result<store::NewToken> read_token_body(std::string_view body) {
+  return read_by<store::NewToken>(read_members, body);
+}
+app::Result<store::MachineGroup> read_group_body(std::string_view body) {
+  return read_by<store::MachineGroup>(read_members, body);
+}
+app::Result<store::AuditRow> read_audit_row(std::string_view text) {
+  return read_by<store::AuditRow>(read_members, text);
+}
+
+Schemas people_request_schemas() {
+  return {
+      described<SessionBody>("NewSession", read_members, "who signs in: a token, or a name with a password or PIN"),
+      described<UserBody>("NewUser", read_members, "a person"),
+      described<store::UserChange>("UserChange", read_members, "all roles of a user, and whether the user is disabled"),
+      described<SecretBody>("NewSecret", read_members, "a new password or PIN"),
+      described<OwnSecretBody>("OwnSecret", read_members, "the present password and a new one"),
+      described<store::NewToken>("NewToken", read_members,
+                                 "a token: of a user or of a program; \"scope\" limits what it may change"),
+      described<store::MachineGroup>("GroupChange", read_members, "all machines of a group, and its rules"),
+  };
+}
+
+namespace {
+
+Document time_or_null(std::int64_t at_ms) { return at_ms == 0 ? Document(nullptr) : Document(at_ms); }
+
+Document words_of(std::string_view list) {
+  Document words = Document::array();
+  while (!list.empty()) {
+    const std::string_view word = list.substr(0, list.find(' '));
+    if (!word.empty()) words.push_back(word);
+    list.remove_prefix(std::min(list.size(), word.size() + 1));
+  }
+  return words;
+}
+
+Document grants_document(const store::UserRoles& roles) {
+  Document grants = Document::array();
+  for (const store::Grant& grant : roles.grants)
+    grants.push_back({{"group", grant.group}, {"role", store::name_of(grant.role)}});
+  return grants;
+}
+
+Document token_document(const store::Token& token) {
+  return {{"id", token.id},
+          {"name", token.name},
+          {"role", store::name_of(token.role)},
+          {"user", text_or_null(token.user)},
+          {"scope", words_of(token.scope)},
+          {"created_by", token.created_by},
+          {"created_at_ms", token.created_at_ms},
+          {"expires_at_ms", time_or_null(token.expires_at_ms)},
+          {"revoked_at_ms", time_or_null(token.revoked_at_ms)}};
+}
+
+}  // namespace
+
+std::string session(const SessionView& session) {
+  Document machines = Document::object();
+  for (const auto& [machine, role] : session.machines) machines[machine] = role;
+  return dump({{"name", session.name},
+               {"role", session.role},
+               {"by", session.by},
+               {"scope", words_of(session.scope)},
+               {"machines", std::move(machines)}});
+}
+
+std::string user(const store::User& user) {
+  return dump({{"name", user.name},
+               {"role", store::name_of(user.roles.role)},
+               {"grants", grants_document(user.roles)},
+               {"has_password", user.has_password},
+               {"has_pin", user.has_pin},
+               {"failures", user.failures},
+               {"locked_until_ms", time_or_null(user.locked_until_ms)},
+               {"disabled_at_ms", time_or_null(user.disabled_at_ms)},
+               {"revision", user.revision},
+               {"created_by", user.created_by},
+               {"created_at_ms", user.created_at_ms}});
+}
+
+std::string token(const store::Token& token) { return dump(token_document(token)); }
+
+std::string new_token(const store::Token& token, std::string_view secret) {
+  Document document = token_document(token);
+  document["token"] = secret;
+  return dump(document);
+}
+
+std::string machine_group(const store::MachineGroup& group) {
+  Document machines = Document::array();
+  for (const std::string& machine : group.machines) machines.push_back(machine);
+  return dump({{"name", group.name}, {"machines", std::move(machines)}, {"four_eyes", group.four_eyes}});
+}
+
+std::string audit_row(const store::AuditRow& row) {
+  return dump({{"seq", row.seq},
+               {"at_ms", row.by.at_ms},
+               {"actor", row.by.actor},
+               {"action", row.entry.action},
+               {"subject", row.entry.subject},
+               {"detail", row.entry.detail},
+               {"previous_hash", row.previous_hash},
+               {"hash", row.hash}});
+}
+
+}  // namespace dripfeed::json

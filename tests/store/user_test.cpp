@@ -1,0 +1,147 @@
+// Users, their secrets and sessions, groups of machines with the rights in them, and the second pair of eyes.
+#include "tests/store/fixture.h"
+
+namespace dripfeed::store_test {
+namespace {
+
+using namespace store;
+
+class UserTest : public StoreTest {
+ protected:
+  Users& users() { return store_->users(); }
+  User add(std::string_view name, UserRoles roles = {}) { return must(users().add(name, roles, by("anna"))); }
+  bool is_there(std::string_view session) { return store_->browser_sessions().find(session).has_value(); }
+};
+
+TEST_F(UserTest, AreKeptWithTheirRoles) {
+  must(store_->machines().add("mill-1", "{}", by("anna")));
+  must(users().put_group({.name = "mills", .machines = {"mill-1"}}, by("anna")));
+  add("olga", {.role = Role::viewer, .grants = {{"mills", Role::operator_}}});
+  add("bert", {.role = Role::programmer});
+  reopen({.own = true});
+  const User olga = must(users().get("olga"));
+  EXPECT_EQ(olga.roles.role, Role::viewer);
+  EXPECT_EQ(olga.roles.grants, (std::vector<Grant>{{"mills", Role::operator_}}));
+  EXPECT_EQ(olga.revision, 1U);
+  EXPECT_EQ(olga.created_by, "anna");
+  const Page<User> page = must(users().list({.limit = 1}));
+  EXPECT_EQ(page.items.at(0).name, "bert");
+  EXPECT_EQ(must(users().list({.limit = 1, .after = page.next})).items.at(0).roles.grants.size(), 1U);
+  EXPECT_EQ(refusal(users().get("nobody")), ErrorCode::not_found);
+  EXPECT_EQ(refusal(users().add("olga", {}, by("anna"))), ErrorCode::exists);
+  EXPECT_EQ(refusal(users().add("", {}, by("anna"))), ErrorCode::invalid_value);
+  EXPECT_EQ(refusal(users().add("carl", {.grants = {{"lathes", Role::admin}}}, by("anna"))),
+            ErrorCode::broken_reference);
+  EXPECT_EQ(refusal(users().get("carl")), ErrorCode::not_found) << "a half user was left";
+}
+
+TEST_F(UserTest, ChangeWithTheRevisionThatWasSeen) {
+  add("olga");
+  const User changed = must(users().change("olga", 1, {.roles = {.role = Role::approver}}, by("anna")));
+  EXPECT_EQ(changed.roles.role, Role::approver);
+  EXPECT_EQ(changed.revision, 2U);
+  EXPECT_EQ(refusal(users().change("olga", 1, {}, by("anna"))), ErrorCode::stale_revision);
+  EXPECT_EQ(refusal(users().change("nobody", 1, {}, by("anna"))), ErrorCode::not_found);
+}
+
+TEST_F(UserTest, DisablingEndsSessionsAndRights) {
+  const User olga = add("olga", {.role = Role::operator_});
+  must(store_->browser_sessions().open("s", {.user = "olga", .secret = SecretKind::pin}, 8, 50));
+  const BrowserSession session = must(store_->browser_sessions().find("s"));
+  EXPECT_FALSE(session.token.has_value());
+  EXPECT_EQ(session.user_id, olga.id);
+  EXPECT_EQ(session.secret, SecretKind::pin);
+  must(users().change("olga", 1, {.roles = {.role = Role::operator_}, .disabled = true}, by("anna", 70)));
+  EXPECT_FALSE(is_there("s"));
+  EXPECT_EQ(refusal(users().rights(olga.id)), ErrorCode::not_found);
+  EXPECT_EQ(store_->browser_sessions().open("t", {.user = "olga"}, 8, 80).error().code, ErrorCode::not_found);
+  must(users().change("olga", 2, {.roles = {.role = Role::operator_}}, by("anna", 90)));
+  EXPECT_FALSE(is_there("s")) << "it came back";
+  EXPECT_EQ(must(users().rights(olga.id)).name, "olga");
+}
+
+TEST_F(UserTest, ASecretIsKeptAndANewOneEndsSessions) {
+  add("olga");
+  add("bert");
+  must(store_->browser_sessions().open("o", {.user = "olga"}, 8, 50));
+  must(store_->browser_sessions().open("b", {.user = "bert"}, 8, 50));
+  must(users().set_secret("olga", SecretKind::password, "hash", by("anna")));
+  EXPECT_FALSE(is_there("o"));
+  EXPECT_TRUE(is_there("b")) << "another one's";
+  EXPECT_EQ(must(users().secret("olga", SecretKind::password)), "hash");
+  EXPECT_EQ(must(users().secret("olga", SecretKind::pin)), "");
+  EXPECT_TRUE(must(users().get("olga")).has_password);
+  EXPECT_FALSE(must(users().get("olga")).has_pin);
+  const auto rows = must(store_->audit().list({}, {.subject = "user/olga"})).items;
+  for (const AuditRow& row : rows) EXPECT_EQ(row.entry.detail.find("hash"), std::string::npos) << row.entry.detail;
+}
+
+TEST_F(UserTest, RefusalsAreCountedAndALockLastsUntilSomebodyUnlocks) {
+  add("olga");
+  must(users().note_refusal("olga", 0, by("dripfeed", 10)));
+  must(users().note_refusal("olga", 900, by("dripfeed", 20)));
+  must(users().note_refusal("olga", 0, by("dripfeed", 30)));
+  EXPECT_EQ(must(users().get("olga")).failures, 3U);
+  EXPECT_EQ(must(users().get("olga")).locked_until_ms, 900);
+  const User unlocked = must(users().unlock("olga", by("anna", 40)));
+  EXPECT_EQ(unlocked.failures, 0U);
+  EXPECT_EQ(unlocked.locked_until_ms, 0);
+}
+
+TEST_F(UserTest, RightsFollowTheGroupOfTheMachine) {
+  for (const std::string_view machine : {"mill-1", "mill-2", "lathe"})
+    must(store_->machines().add(machine, "{}", by("anna")));
+  must(users().put_group({.name = "mills", .machines = {"mill-1", "mill-2"}}, by("anna")));
+  const User olga = add("olga", {.role = Role::viewer, .grants = {{"mills", Role::operator_}}});
+  const Rights rights = must(users().rights(olga.id));
+  EXPECT_EQ(rights.role, Role::viewer);
+  EXPECT_EQ(rights.on_machines,
+            (std::map<std::string, Role, std::less<>>{{"mill-1", Role::operator_}, {"mill-2", Role::operator_}}));
+  must(users().put_group({.name = "turning", .machines = {"mill-2", "lathe"}}, by("anna")));
+  EXPECT_EQ(must(users().rights(olga.id)).on_machines.size(), 1U) << "mill-2 is in another group now";
+  EXPECT_EQ(must(users().groups()).at(0).machines, std::vector<std::string>{"mill-1"});
+  EXPECT_EQ(refusal(users().put_group({.name = "mills", .machines = {"nobody"}}, by("anna"))),
+            ErrorCode::broken_reference);
+  EXPECT_EQ(must(users().groups()).at(0).machines, std::vector<std::string>{"mill-1"}) << "a half change was left";
+  ASSERT_TRUE(users().remove_group("mills", by("anna")));
+  EXPECT_TRUE(must(users().rights(olga.id)).on_machines.empty());
+  EXPECT_TRUE(must(users().get("olga")).roles.grants.empty());
+  EXPECT_EQ(users().remove_group("mills", by("anna")).error().code, ErrorCode::not_found);
+}
+
+TEST_F(UserTest, TokensOfAUserNameIt) {
+  const User olga = add("olga");
+  must(store_->tokens().add({.name = "tablet", .hash = "h", .user = "olga", .scope = "queue", .expires_at_ms = 99},
+                            by("anna")));
+  const Token found = must(store_->tokens().find("h"));
+  EXPECT_EQ(found.user, "olga");
+  EXPECT_EQ(found.user_id, olga.id);
+  EXPECT_EQ(found.scope, "queue");
+  EXPECT_EQ(found.expires_at_ms, 99);
+  EXPECT_EQ(refusal(store_->tokens().add({.name = "x", .hash = "i", .user = "nobody"}, by("anna"))),
+            ErrorCode::broken_reference);
+}
+
+TEST_F(UserTest, WhoWroteATextDoesNotApproveItWhereFourEyesAreWanted) {
+  must(store_->machines().add("mill-1", "{}", by("boss")));
+  const Program program = add_program(*store_, "%\nM30\n%\n");
+  const std::string author = program.newest.created_by;
+  const auto verdict =
+      must(store_->verdicts().add({program.id, 1, "mill-1", 1, Delivery::drip, Outcome::warn, ""}, by("checker")));
+  must(users().put_group({.name = "mills", .machines = {"mill-1"}, .four_eyes = true}, by("boss")));
+  EXPECT_EQ(refusal(store_->verdicts().waive(verdict.id, "known", by(author))), ErrorCode::four_eyes);
+  must(store_->verdicts().waive(verdict.id, "known", by("bert")));
+  const Release release = must(store_->releases().add({program.id, 1, "mill-1", Delivery::drip}, by("dora")));
+  const auto move = [&](ReleaseState to, const std::string& who) {
+    return store_->releases().move(release.id, {to, "the first part is good", 1}, by(who));
+  };
+  must(move(ReleaseState::in_review, author));
+  must(move(ReleaseState::proving, author));
+  EXPECT_EQ(refusal(move(ReleaseState::approved, author)), ErrorCode::four_eyes);
+  EXPECT_EQ(refusal(move(ReleaseState::approved, "dora")), ErrorCode::four_eyes) << "who made the release";
+  EXPECT_EQ(must(store_->releases().get(release.id)).state, ReleaseState::proving);
+  EXPECT_EQ(must(move(ReleaseState::approved, "bert")).approved_by, "bert");
+}
+
+}  // namespace
+}  // namespace dripfeed::store_test
