@@ -14,17 +14,23 @@ namespace dripfeed::json {
 
 namespace {
 
-// What it is signed in with has to be one thing.
+// What it is signed in with has to be one thing, and only a person's secret has a name beside it.
 void read_members(ObjectReader& o, SessionBody& into) {
   std::string password;
   std::string pin;
-  o.text("token", into.token);
+  const bool by_token = o.has("token");
+  const int given = (by_token ? 1 : 0) + (o.has("password") ? 1 : 0) + (o.has("pin") ? 1 : 0);
+  o.text("token", into.token, by_token);
   o.text("name", into.name);
-  o.text("password", password);
-  o.text("pin", pin);
-  const int given = (into.token.empty() ? 0 : 1) + (password.empty() ? 0 : 1) + (pin.empty() ? 0 : 1);
-  if (given != 1) o.fault("token", "or a name with a password or pin: one of the three");
-  if (into.token.empty() && into.name.empty()) o.fault("name", "is missing");
+  o.text("password", password, o.has("password"));
+  o.text("pin", pin, o.has("pin"));
+  if (given != 1) {
+    o.fault("token", "or a name with a password or pin: one of the three");
+  } else if (by_token && o.has("name")) {
+    o.fault("name", "belongs to a password or pin");
+  } else if (!by_token && !o.has("name")) {
+    o.fault("name", "is missing");
+  }
   into.kind = pin.empty() ? store::SecretKind::password : store::SecretKind::pin;
   into.secret = pin.empty() ? std::move(password) : std::move(pin);
 }

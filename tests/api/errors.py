@@ -36,7 +36,10 @@ NO_JSON = [b"{not json", b"{\"text\":\"x\"", b"{\"text\":\"x\"} more", b"text=x"
            b"{\"text\":\"x\",\"text\":\"y\"}", b"[" * 100000, b"{\"a\":" * 100000, b"[" * 65 + b"]" * 65]
 NO_OBJECT = [b"[]", b"1", b"null", b"\"text\"", b"true"]
 BODIES = [  # the route, a body that is fine but for one thing, the place that the problem names
-    ("POST", "/session", {}, "/token"), ("POST", "/session", {"token": 1}, "/token"), ("POST", "/session", {"token": ""}, "/token"), ("POST", "/session", {"token": "x", "name": "y"}, "/name"),
+    ("POST", "/session", {}, "/token"), ("POST", "/session", {"token": 1}, "/token"), ("POST", "/session", {"token": ""}, "/token"), ("POST", "/session", {"token": "x", "name": "y"}, "/name"), ("POST", "/session", {"pin": "4711"}, "/name"),
+    ("POST", "/users", {"name": "x"}, "/role"), ("POST", "/users", {"name": "", "role": "viewer"}, "/name"), ("POST", "/users", {"name": "x", "role": "boss"}, "/role"),
+    ("POST", "/users", {"name": "x", "role": "viewer", "grants": [{"group": "g"}]}, "/grants/0/role"), ("POST", "/tokens", {"name": "x", "role": "viewer", "scope": "queue"}, "/scope"),
+    ("POST", "/tokens", {"name": "x", "role": "viewer", "expires_at_ms": 0}, "/expires_at_ms"), ("PUT", "/groups/g", {"machines": [1]}, "/machines"), ("PUT", "/users/x/pin", {}, "/secret"),
     ("POST", "/families", {}, "/text"), ("POST", "/families", {"text": 5}, "/text"), ("POST", "/families", {"text": None}, "/text"), ("POST", "/families", {"text": ""}, "/text"),
     ("POST", "/families", {"text": ROLL, "nam/e": "x"}, "/nam~1e"), ("PUT", "/families/hyperbolic-roll", {"text": ["x"]}, "/text"),
     ("POST", "/parts", {"family": "hyperbolic-roll"}, "/number"), ("POST", "/parts", {"number": "", "family": "hyperbolic-roll"}, "/number"),

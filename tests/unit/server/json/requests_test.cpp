@@ -235,6 +235,8 @@ TEST(Requests, WhatAPersonSaysAtTheMachine) {
       {session, R"({"name":"olga","pin":"4711"})", "ok"},
       {session, R"({"token":""})", "/token"},
       {session, R"({"token":"abc","name":"olga","pin":"4711"})", "/token"},
+      {session, R"({"token":"abc","name":"olga"})", "/name"},
+      {session, R"({"name":"olga","pin":""})", "/pin"},
       {session, R"({"name":"olga"})", "/token"},
       {session, R"({"pin":"4711"})", "/name"},
       {session, R"({})", "/token"},
