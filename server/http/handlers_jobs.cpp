@@ -32,12 +32,22 @@ std::optional<store::JobState> job_state_named(std::string_view name) {
   return std::nullopt;
 }
 
+// Who wrote a program hands it in; whether it goes to a machine is another's to say.
+bool hands_in(const store::Release& release, const store::ReleaseMove& move) {
+  return release.state == store::ReleaseState::draft && move.to == store::ReleaseState::in_review;
+}
+
 }  // namespace
 
 Response list_releases(const Call& call) {
   const auto page = page_of(call.request);
   if (!page) return page.error();
-  const store::ReleaseFilter filter{.program = 0, .machine = query_text(call.request, "machine")};
+  store::ReleaseFilter filter{.program = 0, .machine = query_text(call.request, "machine")};
+  if (const std::string program = query_text(call.request, "program"); !program.empty()) {
+    const auto id = id_of(program);
+    if (!id) return id.error();
+    filter.program = *id;
+  }
   return list_response(call.api.application().store().releases().list(*page, filter),
                        [](const store::Release& r) { return json::release(r); });
 }
@@ -61,25 +71,18 @@ Response get_release(const Call& call) {
   return release_response(200, call.api.application().store().releases().get(*id));
 }
 
-namespace {
-
-// Programmers hand in and take back; approvers decide.
-Right right_to(store::ReleaseState state) {
-  const bool hands_in = state == store::ReleaseState::in_review || state == store::ReleaseState::draft;
-  return hands_in ? Right::programmer : Right::approver;
-}
-
-}  // namespace
-
 Response move_release(const Call& call) {
   const auto id = id_of(call.parameters[0]);
   if (!id) return id.error();
   const auto move = json::read_transition_body(call.request.body);
   if (!move) return problem_response(move.error());
-  if (call.right < right_to(move->to))
-    return problem_response(403,
-                            fmt::format("to move a release to {} needs the role approver", store::name_of(move->to)));
   app::Application& app = call.api.application();
+  if (call.right < Right::approver) {
+    const auto release = app.store().releases().get(*id);
+    if (!release) return problem_response(app::from_store(release.error()));
+    if (!hands_in(*release, *move))
+      return problem_response(403, "this needs the role approver: a programmer hands a draft in for review");
+  }
   return release_response(200,
                           app.store().releases().move(*id, *move, {std::string(call.user), app.clock().wall_ms()}));
 }

@@ -18,8 +18,8 @@ def move(state):
 class Texts:
     """Programs that differ, each checked, so that each has a release of its own."""
 
-    def __init__(self, client):
-        self.client, self.count = client, 0
+    def __init__(self, client, after=0):
+        self.client, self.count = client, after
 
     def release_in(self, state):
         self.count += 1
@@ -70,6 +70,19 @@ def guards(client):
     client.refuse(409, "POST", "/releases", {"program": unchecked, "machine": "lathe"}, words=["exists"])
     client.post(f"/releases/{release}/transitions", {"to": "obsolete"})
     client.post("/releases", {"program": unchecked, "machine": "lathe"})  # the way is free again
+
+
+def a_programmer_hands_in(client):
+    """And does no other step: not back from proving, not to a machine."""
+    texts = Texts(client, after=200)
+    client.must("POST", f"/releases/{texts.release_in('draft')}/transitions", {"to": "in_review"}, role="programmer")
+    for state, to in ALLOWED - {("draft", "in_review")}:
+        client.refuse(403, "POST", f"/releases/{texts.release_in(state)}/transitions", move(to), role="programmer", words=["approver"])
+    client.refuse(404, "POST", "/releases/999999/transitions", {"to": "in_review"}, role="programmer")
+    own = texts.release_in("draft")
+    of = client.get(f"/releases/{own}")["program"]
+    expect([one["id"] for one in client.get(f"/releases?program={of}")["items"]] == [own], "the list of one program's releases has others")
+    client.refuse(404, "GET", "/releases?program=x")
 
 
 def fail_is_never_released(client):
@@ -137,6 +150,7 @@ def life_of_a_release(folder):
     client.post("/machines", hand_profile(control))
     every_step(client)
     guards(client)
+    a_programmer_hands_in(client)
     fail_is_never_released(client)
     unknown_needs_a_waiver(client)
     another_text_is_not_released(client)
