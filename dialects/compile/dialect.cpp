@@ -6,9 +6,15 @@
 
 #include "dialects/compile/iso_mode.h"
 #include "dialects/fanuc/fanuc.h"
+#include "dialects/fanuc/tables.h"
 #include "dialects/haas/haas.h"
+#include "dialects/haas/tables.h"
+#include "dialects/macro_b/language_words.h"
 #include "dialects/mazak/mazak.h"
+#include "dialects/mazak/tables.h"
 #include "dialects/mitsubishi/mitsubishi.h"
+#include "dialects/mitsubishi/tables.h"
+#include "dialects/sinumerik/language_words.h"
 #include "dialects/sinumerik/sinumerik.h"
 
 namespace dripfeed::compile {
@@ -22,18 +28,24 @@ ir::Control sinumerik_control(ir::MachineKind kind, ir::GSystem g_system) {
   return control;
 }
 
+template <const macro_b::Grammar& (*grammar)()>
+std::vector<ir::LanguageWord> words_by() {
+  return macro_b::language_words(grammar());
+}
+
 constexpr std::array kDialects = {
     Dialect{"fanuc", "Fanuc Custom Macro B", fanuc::control, fanuc::infer_control, fanuc::read, fanuc::plain_scanner,
-            fanuc::validate, fanuc::raise, fanuc::print},
+            fanuc::validate, fanuc::raise, fanuc::print, words_by<fanuc::grammar>},
     Dialect{"haas", "Haas NGC", haas::control, haas::infer_control, haas::read, haas::plain_scanner, haas::validate,
-            haas::raise, haas::print},
+            haas::raise, haas::print, words_by<haas::grammar>},
     Dialect{"mazak", "Mazak EIA/ISO", mazak::control, mazak::infer_control, mazak::read, mazak::plain_scanner,
-            mazak::validate, mazak::raise, mazak::print},
+            mazak::validate, mazak::raise, mazak::print, words_by<mazak::grammar>},
     Dialect{"mitsubishi-m80", "Mitsubishi M70, M80", mitsubishi::control, mitsubishi::infer_control, mitsubishi::read,
-            mitsubishi::plain_scanner, mitsubishi::validate, mitsubishi::raise, mitsubishi::print},
+            mitsubishi::plain_scanner, mitsubishi::validate, mitsubishi::raise, mitsubishi::print,
+            words_by<mitsubishi::grammar>},
     Dialect{"sinumerik-840d", "SINUMERIK 840D sl", sinumerik_control, sinumerik::infer_control, read_sinumerik,
-            sinumerik::plain_scanner, validate_sinumerik, sinumerik::raise, sinumerik::print, CommentStyle::semicolon,
-            sinumerik::standard_cycle, sinumerik::add_definitions},
+            sinumerik::plain_scanner, validate_sinumerik, sinumerik::raise, sinumerik::print, sinumerik::language_words,
+            CommentStyle::semicolon, sinumerik::standard_cycle, sinumerik::add_definitions},
 };
 
 // What a line holds that only one dialect has. `at_start` counts blanks and a block number before it as nothing.

@@ -9,6 +9,7 @@
 
 #include "dialects/compile/carry_comments.h"
 #include "dialects/ir/control.h"
+#include "dialects/ir/language_word.h"
 #include "dialects/ir/plain_batch.h"
 #include "dialects/ir/program.h"
 #include "dialects/ir/stage.h"
@@ -34,6 +35,8 @@ struct Dialect {
   // Makes a program of `from` legal for `to`, a control of this dialect.
   ir::RaiseResult (*raise)(const ir::Program& program, const ir::Control& from, const ir::Control& to);
   ir::PrintResult (*print)(const ir::Program& program, const ir::Control& control);
+  // The words of the language that are no codes.
+  std::vector<ir::LanguageWord> (*words)();
   CommentStyle comments = CommentStyle::brackets;
   // Text of a program that the control brings along (a standard cycle), empty without one; nullptr: it has none.
   std::string_view (*standard_program)(std::string_view name) = nullptr;

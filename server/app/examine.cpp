@@ -323,10 +323,9 @@ std::vector<std::uint32_t> bytes_of_lines(std::string_view text, const tape_code
   return bytes;
 }
 
-CheckReport examine(const Examination& given) {
-  Examination e = given;
-  e.control = compile::with_definitions(std::move(e.control), e.find_called);
-  CheckReport report;
+TextReading read_text(const Examination& e) {
+  TextReading out;
+  CheckReport& report = out.report;
   report.source = e.source;
   report.dialect = e.dialect->name;
   report.control_title = e.control.title;
@@ -336,27 +335,36 @@ CheckReport examine(const Examination& given) {
   report.because_line = e.control.because_line;
   report.inferred = e.inferred;
 
-  ir::ReadResult read = e.dialect->read(e.source, e.control);
-  report.checks.diagnostics = std::move(read.diagnostics);
-  const bool readable = !text::has_error(report.checks.diagnostics);
-  auto more = e.dialect->validate(read.program, e.control, e.delivery);
-  report.checks.diagnostics.insert(report.checks.diagnostics.end(), std::make_move_iterator(more.begin()),
-                                   std::make_move_iterator(more.end()));
-  check_characters(e, read.program, report.checks.diagnostics);
+  out.read = e.dialect->read(e.source, e.control);
+  std::vector<text::Diagnostic>& diagnostics = report.checks.diagnostics;
+  diagnostics = out.read.diagnostics;
+  out.readable = !text::has_error(diagnostics);
+  auto more = e.dialect->validate(out.read.program, e.control, e.delivery);
+  diagnostics.insert(diagnostics.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  check_characters(e, out.read.program, diagnostics);
   if (e.geometry) {
     if (auto fault = compile::fault_of_machine(e.geometry->machine, e.control))
-      report.checks.diagnostics.push_back(std::move(*fault));
+      diagnostics.push_back(std::move(*fault));
   }
-  if (readable) {
-    run_checks(e, read.program, report);
+  tell_contradiction(e, report);
+  sort_and_join(diagnostics);
+  return out;
+}
+
+CheckReport examine(const Examination& given) {
+  Examination e = given;
+  e.control = compile::with_definitions(std::move(e.control), e.find_called);
+  TextReading text = read_text(e);
+  CheckReport& report = text.report;
+  if (text.readable) {
+    run_checks(e, text.read.program, report);
   } else {
     report.checks.not_checked.add("what the program does: it has errors that keep it from being run");
   }
-  tell_contradiction(e, report);
   if (!e.assumed.empty()) report.checks.not_checked.add(e.assumed);
   sort_and_join(report.checks.diagnostics);
   report.verdict = checks::verdict_of(report.checks);
-  return report;
+  return std::move(report);
 }
 
 }  // namespace dripfeed::app

@@ -41,6 +41,14 @@ struct Examination {
 
 CheckReport examine(const Examination& examination);
 
+// What reading and validating alone say; nothing is run, so that there is no verdict.
+struct TextReading {
+  CheckReport report;
+  ir::ReadResult read;
+  bool readable = false;  // without an error that keeps it from being run
+};
+TextReading read_text(const Examination& examination);
+
 // How `text` is timed on the machine of e.profile, which must be named. Errors: the link's URL.
 std::expected<timing::Settings, std::string> timing_settings(const Examination& e, std::string_view text);
 

@@ -25,10 +25,6 @@ store::Outcome outcome_of(checks::Verdict verdict) {
   return store::Outcome::unknown;
 }
 
-ir::Delivery delivery_of(store::Delivery delivery) {
-  return delivery == store::Delivery::drip ? ir::Delivery::drip : ir::Delivery::memory;
-}
-
 // One line an entry, tab between the columns: text offset, printed line, family line, then name=value of what is set.
 std::string write_places(const compile::PlaceIndex& places) {
   std::string out;
@@ -58,6 +54,10 @@ Result<void> add_geometry(const NominalCase& nominal, Examination& e) {
 }
 
 }  // namespace
+
+ir::Delivery delivery_of(store::Delivery delivery) {
+  return delivery == store::Delivery::drip ? ir::Delivery::drip : ir::Delivery::memory;
+}
 
 Result<std::unique_ptr<OpenCase>> open_case(CaseOrder order, const Documents& documents) {
   auto profile = documents.read_profile(order.profile);

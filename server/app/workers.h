@@ -37,6 +37,8 @@ struct CaseOrder {
   std::vector<family::LineRange> profile_lines;  // that make the nominal; empty: every cut
 };
 
+ir::Delivery delivery_of(store::Delivery delivery);
+
 struct OpenCase {
   machine::Profile profile;
   Examination examination;  // refers to `profile`

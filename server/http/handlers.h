@@ -76,6 +76,10 @@ Response waive_check(const Call& call);
 // handlers_compare.cpp
 Response compare_programs(const Call& call);
 
+// handlers_editing.cpp
+Response diagnose(const Call& call);
+Response get_dialect_words(const Call& call);
+
 // handlers_library.cpp
 Response label_program(const Call& call);
 Response archive_program(const Call& call);

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "server/app/measured.h"
+#include "server/json/diagnostics.h"
 #include "server/json/documents.h"
 #include "server/json/reports.h"
 #include "server/json/requests.h"
@@ -133,6 +134,18 @@ Reply compare(const Work& work) {
   return reply;
 }
 
+Reply diagnose(const Work& work) {
+  const app::DiagnoseOrder order{.dialect = work.text("dialect"),
+                                 .text = work.text("text"),
+                                 .profile = work.text("profile"),
+                                 .delivery = static_cast<store::Delivery>(work.package.head.at("delivery").get<int>())};
+  const auto done = app::diagnose_text(order, work.documents);
+  if (!done) return std::unexpected(done.error());
+  WorkPackage reply;
+  reply.add(diagnosed(*done));
+  return reply;
+}
+
 Reply index(const Work& work) {
   const auto done = app::digest_programs(read_digest_orders(work.package.head.at("orders"), work.package));
   if (!done) return std::unexpected(done.error());
@@ -145,8 +158,9 @@ struct KindRow {
   std::string_view name;
   Reply (*carry_out)(const Work&);
 };
-constexpr KindRow kKinds[] = {{"check", check},   {"render", render}, {"accuracy", accuracy}, {"gouge", gouge},
-                              {"timing", timing}, {"sweep", sweep},   {"compare", compare},   {"index", index}};
+constexpr KindRow kKinds[] = {{"check", check},     {"render", render}, {"accuracy", accuracy},
+                              {"gouge", gouge},     {"timing", timing}, {"sweep", sweep},
+                              {"compare", compare}, {"index", index},   {"diagnose", diagnose}};
 
 Reply do_work(const WorkPackage& package) {
   const Work work{.package = package,

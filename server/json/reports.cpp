@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "server/json/control_document.h"
 #include "server/json/diagnostics.h"
 #include "server/json/object_reader.h"
-#include "server/json/profile_words.h"
 #include "server/json/sweep_report.h"
 
 namespace dripfeed::json {
@@ -152,15 +152,6 @@ Document timing_document(const timing::Report& report) {
                                {"baud", optional_document(report.advice.baud)},
                                {"standard_baud", optional_document(report.advice.standard_baud)}};
   return document;
-}
-
-Document control_document(const app::CheckReport& report) {
-  return {{"title", report.control_title},
-          {"kind", ir::name_of(report.kind)},
-          {"g_system", kGSystemWords[static_cast<std::size_t>(report.g_system)]},
-          {"feed_mode", kFeedModeWords[static_cast<std::size_t>(report.feed_mode)]},
-          {"because_line", report.because_line},
-          {"inferred", report.inferred}};
 }
 
 Document report_document(const app::CheckReport& report) {

@@ -120,6 +120,13 @@ void read_subject(ObjectReader& o, Body& into) {
   read_delivery(o, into.delivery);
 }
 
+void read_members(ObjectReader& o, DiagnoseBody& into) {
+  o.text("text", into.text);
+  o.text("dialect", into.dialect);
+  o.text("machine", into.machine);
+  read_delivery(o, into.delivery);
+}
+
 void read_members(ObjectReader& o, ReleaseBody& into) { read_subject(o, into); }
 
 void read_members(ObjectReader& o, app::CheckOrder& into) {
@@ -218,6 +225,7 @@ app::Result<PartBody> read_part_body(std::string_view body, bool is_new) {
 }
 app::Result<app::RenderOrder> read_render_body(std::string_view body) { return read_body<app::RenderOrder>(body); }
 app::Result<app::CheckOrder> read_check_body(std::string_view body) { return read_body<app::CheckOrder>(body); }
+app::Result<DiagnoseBody> read_diagnose_body(std::string_view body) { return read_body<DiagnoseBody>(body); }
 app::Result<MeasureBody> read_measure_body(std::string_view body, Measure what) {
   return read_by<MeasureBody>(kMeasures[static_cast<std::size_t>(what)], body);
 }
@@ -253,6 +261,7 @@ Schemas request_schemas() {
       described<PartBody>("PartChange", read_part_change, "all values of a part's new revision"),
       described<app::RenderOrder>("RenderOrder", read_members, "what is rendered, and for which machine"),
       described<app::CheckOrder>("CheckOrder", read_members, "what is checked, and for which machine"),
+      described<DiagnoseBody>("DiagnoseOrder", read_members, "a text as it is written; it is not stored"),
       described<MeasureBody>("AccuracyOrder", read_accuracy, "a program, and what it is held against"),
       described<MeasureBody>("GougeOrder", read_gouge, "a program, and what it is held against"),
       described<MeasureBody>("TimingOrder", read_timing, "a program, its machine and line"),

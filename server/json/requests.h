@@ -50,6 +50,15 @@ app::Result<MeasureBody> read_measure_body(std::string_view body, Measure what);
 
 app::Result<app::SweepOrder> read_sweep_body(std::string_view body);
 
+// A text as it is written, not stored.
+struct DiagnoseBody {
+  std::string text;
+  std::string dialect;  // empty: the machine's, or the one that the text looks like
+  std::string machine;  // empty: the control that the text looks like
+  store::Delivery delivery = store::Delivery::memory;
+};
+app::Result<DiagnoseBody> read_diagnose_body(std::string_view body);
+
 struct ReleaseBody {
   store::Id program = 0;
   store::Revision revision = 0;  // 0: the newest

@@ -62,16 +62,6 @@ Schema without_stall() {
                  {"standard_baud", or_null(number("the next usual one"))}});
 }
 
-Schema control() {
-  return object("as which control the text was read",
-                {{"title", text("for people")},
-                 {"kind", one_of(ir::kMachineKindNames, "of machine")},
-                 {"g_system", one_of(kGSystemWords, "G code system of a lathe")},
-                 {"feed_mode", one_of(kFeedModeWords, "at power-on")},
-                 {"because_line", integer("by which it was inferred; 0: it was named, or is the default")},
-                 {"inferred", flag("the text says which control it is, nobody else did")}});
-}
-
 Schema verdict_word(std::string about) { return one_of(store::kNames<store::Outcome>, std::move(about)); }
 
 Schema waivers() {
@@ -97,10 +87,7 @@ Members report() {
   return {{"dialect", text("in which the text was read")},
           {"control", control()},
           {"diagnostics", diagnostics_schema("of reading, validating and running the text; the first of each kind")},
-          {"folded", list_of(object("how many more of a kind there are", {{"id", text("of the kind of fault")},
-                                                                          {"severity", severity()},
-                                                                          {"more", integer("that are not listed")}}),
-                             "of the diagnostics")},
+          {"folded", folded()},
           {"blocks", integer("that ran")},
           {"ran", flag("it ran to its end")},
           {"timing", or_null(object("how long it takes; null: not checked", timing_members()))},
@@ -112,6 +99,23 @@ Members report() {
 }
 
 }  // namespace
+
+Schema control() {
+  return object("as which control the text was read",
+                {{"title", text("for people")},
+                 {"kind", one_of(ir::kMachineKindNames, "of machine")},
+                 {"g_system", one_of(kGSystemWords, "G code system of a lathe")},
+                 {"feed_mode", one_of(kFeedModeWords, "at power-on")},
+                 {"because_line", integer("by which it was inferred; 0: it was named, or is the default")},
+                 {"inferred", flag("the text says which control it is, nobody else did")}});
+}
+
+Schema folded() {
+  return list_of(object("how many more of a kind there are", {{"id", text("of the kind of fault")},
+                                                              {"severity", severity()},
+                                                              {"more", integer("that are not listed")}}),
+                 "of the diagnostics");
+}
 
 Schema not_checked() { return list_of(text("one sentence"), "what was not checked, and why"); }
 

@@ -10,5 +10,7 @@ Members gouge_members();
 Members accuracy_members();
 Members timing_members();
 Schema not_checked();
+Schema control();  // as which a text was read
+Schema folded();   // how many more faults of a kind there are
 
 }  // namespace dripfeed::json

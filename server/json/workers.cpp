@@ -106,4 +106,17 @@ app::Result<std::string> DocumentWorkers::compare(const app::CompareOrder& order
   return std::move(reply->texts.at(0));
 }
 
+app::Result<std::string> DocumentWorkers::diagnose(const app::DiagnoseOrder& order, const app::Waiter& waiter) {
+  WorkPackage request;
+  request.head = {{"kind", "diagnose"},
+                  {"seconds", budget_.seconds},
+                  {"dialect", request.add(order.dialect)},
+                  {"text", request.add(order.text)},
+                  {"profile", request.add(order.profile)},
+                  {"delivery", static_cast<int>(order.delivery)}};
+  auto reply = ask(workplace_, request, budget_.seconds, waiter);
+  if (!reply) return std::unexpected(reply.error());
+  return std::move(reply->texts.at(0));
+}
+
 }  // namespace dripfeed::json

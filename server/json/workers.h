@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "server/app/compare.h"
+#include "server/app/diagnose.h"
 #include "server/app/workers.h"
 
 namespace dripfeed::json {
@@ -34,6 +35,9 @@ class DocumentWorkers final : public app::Workers {
   app::Result<Figures> figures(const FiguresWork& work, const app::Waiter& waiter);
   // The document of json::comparison.
   app::Result<std::string> compare(const app::CompareOrder& order, const app::Waiter& waiter);
+
+  // The document of json::diagnosed. Whoever writes a text waits for it.
+  app::Result<std::string> diagnose(const app::DiagnoseOrder& order, const app::Waiter& waiter);
 
   app::Workplace& workplace() { return workplace_; }
 

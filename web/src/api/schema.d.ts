@@ -436,6 +436,40 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/diagnose": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** what the reader and the validator find in a text that is being written; it is neither run nor stored */
+        post: operations["post_diagnose"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/dialects/{name}/words": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** codes, keywords, functions, cycles and system variables of a dialect, each with a few words on it */
+        get: operations["get_dialects_name_words"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/render": {
         parameters: {
             query?: never;
@@ -1224,6 +1258,20 @@ export interface components {
             } | null;
             /** @description lines that cut the nominal, as "12-60,70-71"; not given: all cuts */
             profile?: string | null;
+        };
+        /** @description a text as it is written; it is not stored */
+        DiagnoseOrder: {
+            /** @description the whole text */
+            text?: string | null;
+            /** @description in which the text is read; not given: the machine's, or the one that the text looks like */
+            dialect?: string | null;
+            /** @description whose control counts; not given: the one that the text looks like */
+            machine?: string | null;
+            /**
+             * @description how the text would go to the control; not given: memory
+             * @enum {string|null}
+             */
+            delivery?: "drip" | "memory" | null;
         };
         /** @description a program, and what it is held against */
         AccuracyOrder: {
@@ -2919,6 +2967,137 @@ export interface components {
             waiting: number;
             /** @description programs that could not be read as a whole: what they call is not known */
             unread: number;
+        };
+        /** @description what reading and validating a text finds; it is not run */
+        Diagnosed: {
+            /** @description in which it was read */
+            dialect: string;
+            /** @description as which control the text was read */
+            control: {
+                /** @description for people */
+                title: string;
+                /**
+                 * @description of machine
+                 * @enum {string}
+                 */
+                kind: "mill" | "lathe" | "mill-turn";
+                /**
+                 * @description G code system of a lathe
+                 * @enum {string}
+                 */
+                g_system: "A" | "B" | "C";
+                /**
+                 * @description at power-on
+                 * @enum {string}
+                 */
+                feed_mode: "per-minute" | "per-revolution" | "inverse-time";
+                /** @description by which it was inferred; 0: it was named, or is the default */
+                because_line: number;
+                /** @description the text says which control it is, nobody else did */
+                inferred: boolean;
+            };
+            /** @description in the order of the text; the first of each kind */
+            faults: {
+                /** @description of the kind of fault */
+                id: string;
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description where it begins, from 1 */
+                line: number;
+                /** @description where it begins, from 1, in characters */
+                column_chars: number;
+                /** @description where it ends */
+                end_line: number;
+                /** @description of the first character after it */
+                end_column_chars: number;
+                /** @description one sentence */
+                text: string;
+                /** @description the fault and its cure */
+                help: string;
+                /** @description by which the control itself would name it */
+                alarm: string | null;
+                /** @description elsewhere in the text */
+                notes: {
+                    /** @description of the text */
+                    line: number;
+                    /** @description one sentence */
+                    text: string;
+                }[];
+                /** @description what would mend it; null: nothing for certain */
+                fix: {
+                    /** @description where it begins, from 1 */
+                    line: number;
+                    /** @description where it begins, from 1, in characters */
+                    column_chars: number;
+                    /** @description where it ends */
+                    end_line: number;
+                    /** @description of the first character after it */
+                    end_column_chars: number;
+                    /** @description that stands in its place then */
+                    text: string;
+                } | null;
+            }[];
+            /** @description of the diagnostics */
+            folded: {
+                /** @description of the kind of fault */
+                id: string;
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description that are not listed */
+                more: number;
+            }[];
+            /** @description programs, labels, calls, tools and stops in the order of the text */
+            outline: {
+                /**
+                 * @description of place
+                 * @enum {string}
+                 */
+                sort: "program" | "label" | "call" | "tool" | "stop";
+                /** @description of the text */
+                line: number;
+                /** @description of that line */
+                text: string;
+            }[];
+            /** @description there are more places than these */
+            outline_is_cut: boolean;
+        };
+        /** @description the words of a control's language */
+        DialectWords: {
+            /** @description its name */
+            dialect: string;
+            /** @description of the control, for people */
+            title: string;
+            /** @description what a comment stands in */
+            comment: {
+                /** @description its begin */
+                open: string;
+                /** @description null: the end of the line */
+                close: string | null;
+            };
+            /** @description words may follow each other without blanks: XROUND[#1] is X and ROUND */
+            touching: boolean;
+            /** @description each once */
+            words: {
+                /** @description as the control's manual writes it */
+                word: string;
+                /**
+                 * @description of word
+                 * @enum {string}
+                 */
+                sort: "code" | "keyword" | "function" | "cycle" | "variable";
+                /** @description a few words */
+                about: string;
+                /** @description manual and section; null: none */
+                reference: string | null;
+                /** @description of numbered variables the last; null: just one */
+                last: number | null;
+            }[];
         };
         /** @description how far a program lies from the nominal */
         AccuracyFigures: {
@@ -4795,6 +4974,75 @@ export interface operations {
             };
         };
     };
+    post_diagnose: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["DiagnoseOrder"];
+            };
+        };
+        responses: {
+            /** @description what the reader and the validator find in a text that is being written; it is neither run nor stored */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Diagnosed"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_dialects_name_words: {
+        parameters: {
+            query?: {
+                kind?: string;
+                g_system?: string;
+            };
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description codes, keywords, functions, cycles and system variables of a dialect, each with a few words on it */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DialectWords"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     post_render: {
         parameters: {
             query?: never;
@@ -5184,6 +5432,7 @@ export interface operations {
             query?: {
                 limit?: number;
                 after?: string;
+                program?: string;
                 machine?: string;
             };
             header?: never;
@@ -5320,7 +5569,6 @@ export interface operations {
             query?: {
                 limit?: number;
                 after?: string;
-                program?: string;
                 machine?: string;
                 state?: string;
             };

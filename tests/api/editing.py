@@ -1,0 +1,97 @@
+"""What an editor asks for: the faults of a text that is being written by POST /diagnose, and the words of a dialect. Nothing of it is stored or run."""
+
+from client import Client, HandControl, expect, hand_profile, in_folder, plain_program
+
+GOOD = "%\nO0100 (PUMP)\nG21 G17 G90 G94 G54\nT5 M6\nN10 G0 X0. Y0.\nM98 P200\nN20 G1 X10. F100.\nGOTO20\nM30\n%\n"
+
+
+def diagnose(client, text, **more):
+    return client.must("POST", "/diagnose", {"text": text, **more}, role="programmer")
+
+
+def faults(found):
+    return [(one["line"], one["severity"], one["id"]) for one in found["faults"]]
+
+
+def a_text_and_its_faults(client):
+    good = diagnose(client, GOOD, dialect="fanuc")
+    expect(good["dialect"] == "fanuc" and good["control"]["inferred"] and not [f for f in faults(good) if f[1] == "error"], good)
+    bad = diagnose(client, GOOD.replace("X10. F100.", "X[10. F100."), dialect="fanuc")
+    [fault] = [one for one in bad["faults"] if one["severity"] == "error"]
+    expect(fault["line"] == 7 and fault["help"] and fault["end_line"] == 7 and fault["end_column_chars"] > fault["column_chars"], fault)
+    expect(len(bad["outline"]) >= 1, "a text with a fault has no outline")
+    expect(diagnose(client, "", dialect="fanuc")["outline"] == [], "an empty text")
+    # What only reading sees, not running: nothing is said of a travel.
+    expect(diagnose(client, plain_program(3).replace("X100.", "X99000."), dialect="fanuc")["faults"] == [], "a text that is written was run")
+
+
+def a_fix_mends(client):
+    """What is offered takes the fault away, where it is put in place by lines and characters alone."""
+    text = GOOD.replace("N20 G1 X10. F100.", "(\u00e4\u00f6\u00fc) n20 G1 X10. F100.")
+    found = diagnose(client, text, dialect="fanuc")
+    fixes = [one for one in found["faults"] if one["fix"]]
+    expect(len(fixes) == 1, found["faults"])
+    fix, lines = fixes[0]["fix"], text.split("\n")
+    expect(fix["line"] == fix["end_line"], fix)
+    line = lines[fix["line"] - 1]
+    lines[fix["line"] - 1] = line[: fix["column_chars"] - 1] + fix["text"] + line[fix["end_column_chars"] - 1 :]
+    mended = diagnose(client, "\n".join(lines), dialect="fanuc")
+    expect(fixes[0]["id"] not in [one["id"] for one in mended["faults"]], (fix, mended["faults"]))
+
+
+def an_outline(client):
+    rows = [(row["sort"], row["line"], row["text"]) for row in diagnose(client, GOOD, dialect="fanuc")["outline"]]
+    expect(rows == [("program", 2, "O0100 (PUMP)"), ("tool", 4, "T5 M6"), ("call", 6, "M98 P200"), ("label", 7, "N20 G1 X10. F100."), ("stop", 9, "M30")], rows)
+    siemens = diagnose(client, "DEF REAL A\nSTART: G0 X0\nGROOVE\nGOTOB START\nT=\"MILL\" M6\nM30\n", dialect="sinumerik-840d")
+    expect([row["sort"] for row in siemens["outline"]] == ["label", "call", "tool", "stop"], siemens["outline"])
+    many = diagnose(client, "".join(f"T{i % 90 + 1} M6\n" for i in range(600)) + "M30\n", dialect="fanuc")
+    expect(many["outline_is_cut"] and len(many["outline"]) == 500, len(many["outline"]))
+
+
+def which_language(client):
+    expect(diagnose(client, GOOD)["dialect"] == "fanuc", "by its own looks")
+    expect(diagnose(client, "DEF REAL A\nIF A>1 GOTOF E1\nE1: M30\n")["dialect"] == "sinumerik-840d", "by its own looks")
+    control = HandControl()
+    client.post("/machines", hand_profile(control))
+    named = diagnose(client, GOOD, machine="lathe")
+    expect(not named["control"]["inferred"] and named["control"]["kind"] == "lathe", named["control"])
+    body = {"text": GOOD, "dialect": "sinumerik-840d", "machine": "lathe"}
+    client.refuse(422, "POST", "/diagnose", body, words=["the machine is"])
+    client.refuse(422, "POST", "/diagnose", {"text": GOOD, "dialect": "basic"}, words=["basic"])
+    client.refuse(404, "POST", "/diagnose", {"text": GOOD, "machine": "nobody"})
+    drip = diagnose(client, GOOD, machine="lathe", delivery="drip")
+    expect(any(severity == "error" for _, severity, _ in faults(drip)), "a jump in a drip feed is no fault")
+    control.close()
+
+
+def words(client):
+    for dialect, code, word, sort in [("fanuc", "G02", "WHILE", "keyword"), ("haas", "G02", "SQRT", "function"), ("mazak", "G02", "GOTO", "keyword"),
+                                      ("mitsubishi-m80", "G02", "SIN", "function"), ("sinumerik-840d", "G500", "CYCLE81", "cycle")]:
+        found = client.get(f"/dialects/{dialect}/words")
+        by_name = {one["word"]: one for one in found["words"]}
+        expect(len(by_name) == len(found["words"]) > 100, f"{dialect} has {len(found['words'])} words, each once")
+        expect(by_name[code]["sort"] == "code" and by_name[word]["sort"] == sort, (by_name[code], by_name[word]))
+        silent = [one["word"] for one in found["words"] if not one["about"]]
+        expect(silent == [], f"{dialect} has nothing to say of {silent}")
+    lathe, mill = ({one["word"]: one["about"] for one in client.get(f"/dialects/fanuc/words?kind={kind}")["words"]} for kind in ("lathe", "mill"))
+    expect(lathe["G90"] != mill["G90"], "a lathe's G90 is a mill's")
+    other = {one["word"]: one["about"] for one in client.get("/dialects/fanuc/words?kind=lathe&g_system=B")["words"]}
+    expect(other["G90"] == mill["G90"], "G-code system B is A")
+    client.refuse(404, "GET", "/dialects/basic/words")
+    client.refuse(422, "GET", "/dialects/fanuc/words?kind=boat", words=["kind"])
+    client.refuse(422, "GET", "/dialects/fanuc/words?g_system=D", words=["g_system"])
+
+
+def run(folder):
+    client = Client(folder).start()
+    a_text_and_its_faults(client)
+    a_fix_mends(client)
+    an_outline(client)
+    which_language(client)
+    words(client)
+    expect(client.server.alive(), "the server is gone")
+    client.server.stop()
+
+
+if __name__ == "__main__":
+    in_folder(run)
