@@ -92,9 +92,16 @@ class Shop:
     def queue(self, machine):
         return self.client.queue(self.releases[machine])
 
-    def call(self, method, path, body=None, role="admin"):
-        answer = self.client.call(method, path, body, role)
+    def call(self, method, path, body=None, role="admin", headers=None):
+        answer = self.client.call(method, path, body, role, headers)
         return {"status": answer.status, "body": answer.document if answer.body else None}
+
+    def text(self, path):
+        return self.client.call("GET", path).body.decode()
+
+    def family(self, name):
+        """One of those that are delivered."""
+        self.client.post("/families", {"text": (shop.ROOT / f"deploy/families/{name}.family").read_text()})
 
     def restart(self, hard=False):
         """The server ends and comes back on the same port."""

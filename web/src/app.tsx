@@ -4,7 +4,8 @@ import { t } from './i18n/i18n';
 import { BackButton, Dialog, DialogHost, showDialog } from './parts/dialog';
 import { ErrorBoundary } from './parts/error_boundary';
 import { Failure } from './parts/failure';
-import { forgetAddress, rememberedScroll, route, type Route } from './router';
+import { lazyView } from './parts/lazy';
+import { forgetAddress, rememberedScroll, route, type Route, type ViewName } from './router';
 import { loader } from './state/loader';
 import { connection, loaded, loadError, session } from './state/shop';
 import { AlarmsView } from './views/alarms/alarms_view';
@@ -57,6 +58,8 @@ const Loading = () => (
   </p>
 );
 
+const DeskHalf = lazyView(() => import('./views/desk').then((half) => half.DeskHalf));
+
 function View({ here }: { here: Route }) {
   const [first = ''] = here.parameters;
   switch (here.view) {
@@ -75,6 +78,12 @@ function View({ here }: { here: Route }) {
       return <ReleasesView />;
     case 'received':
       return <ReceivedView />;
+    case 'library':
+    case 'program':
+    case 'families':
+    case 'family':
+    case 'part':
+      return <DeskHalf view={here.view} parameters={here.parameters} query={here.query} />;
     case 'not_found':
       return <NotFound />;
   }
@@ -100,7 +109,9 @@ function useBadge(here: Route): void {
 
 // The tab's title says where one is, and first how many alarms ask for a person.
 function useTitle(here: Route): void {
-  const name = here.view === 'machine' ? (here.parameters[0] ?? '') : here.view === 'job' ? t('job.title', { job: here.parameters[0] ?? '' }) : t(`title.${here.view}`);
+  const [first = ''] = here.parameters;
+  const named: Partial<Record<ViewName, string>> = { machine: first, job: t('job.title', { job: first }), family: first, part: t('parts.title', { number: first }) };
+  const name = named[here.view] ?? t(`title.${here.view}`);
   const count = asking.value.length;
   useEffect(() => {
     document.title = `${count > 0 ? `(${count}) ` : ''}${name} – dripfeed`;

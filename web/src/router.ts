@@ -2,7 +2,9 @@
 // and what its parameters are; an address that no row has is "not found", never another view.
 import { signal } from '@preact/signals';
 
-export type ViewName = 'floor' | 'machine' | 'jobs' | 'job' | 'alarms' | 'releases' | 'received' | 'badge' | 'not_found';
+export type ViewName = 'floor' | 'machine' | 'jobs' | 'job' | 'alarms' | 'releases' | 'received' | 'badge' | DeskView | 'not_found';
+// The half of the page for who does not stand at a machine; its code is loaded when it is asked for.
+export type DeskView = 'library' | 'program' | 'families' | 'family' | 'part';
 
 export interface Route {
   view: ViewName;
@@ -25,6 +27,11 @@ const kRows: Row[] = [
   { view: 'alarms', pattern: /^\/alarms$/ },
   { view: 'releases', pattern: /^\/releases$/ },
   { view: 'received', pattern: /^\/received$/ },
+  { view: 'library', pattern: /^\/(?:library|programs)$/ },
+  { view: 'program', pattern: /^\/programs\/([1-9]\d{0,15})(?:\/(revisions|compare|uses|checks|release))?$/ },
+  { view: 'families', pattern: /^\/(?:families|parts)$/ },
+  { view: 'family', pattern: /^\/families\/([^/]+)$/ },
+  { view: 'part', pattern: /^\/parts\/([^/]+)$/ },
   { view: 'badge', pattern: /^\/badge\/([^/]+)$/ },
 ];
 
@@ -41,9 +48,9 @@ export function routeOf(hash: string): Route {
 }
 
 // Null where an escape is broken.
-function decoded(values: string[]): string[] | null {
+function decoded(values: (string | undefined)[]): string[] | null {
   try {
-    return values.map((value) => decodeURIComponent(value));
+    return values.map((value) => decodeURIComponent(value ?? ''));
   } catch {
     return null;
   }
@@ -58,7 +65,19 @@ export const hrefs = {
   alarms: '#/alarms',
   releases: '#/releases',
   received: '#/received',
+  library: '#/library',
+  libraryOf: (query: Record<string, string>) => `#/library?${new URLSearchParams(query)}`,
+  program: (id: number, place: ProgramPlace = 'text', query: Record<string, string> = {}) => {
+    const asked = new URLSearchParams(query).toString();
+    return `#/programs/${id}${place === 'text' ? '' : `/${place}`}${asked ? `?${asked}` : ''}`;
+  },
+  families: '#/families',
+  family: (name: string) => `#/families/${encodeURIComponent(name)}`,
+  part: (number: string) => `#/parts/${encodeURIComponent(number)}`,
 };
+
+export const kProgramPlaces = ['text', 'revisions', 'compare', 'uses', 'checks', 'release'] as const;
+export type ProgramPlace = (typeof kProgramPlaces)[number];
 
 export const route = signal<Route>(routeOf(''));
 
@@ -73,7 +92,7 @@ const scrolled = new Map<string, number>();
 
 export function startRouter(): void {
   // A path that people type or keep, "/jobs/3", is the same address after '#'.
-  if (location.pathname !== '/') history.replaceState(null, '', `/${location.hash || `#${location.pathname}`}`);
+  if (location.pathname !== '/') history.replaceState(null, '', `/${location.hash || `#${location.pathname}${location.search}`}`);
   route.value = routeOf(location.hash);
   history.scrollRestoration = 'manual';
   addEventListener('hashchange', () => {
@@ -93,4 +112,8 @@ export function changeQuery(name: string, value: string | null): void {
   const text = next.toString();
   history.replaceState(null, '', `#${address.split('?', 1)[0]}${text ? `?${text}` : ''}`);
   route.value = routeOf(location.hash);
+}
+
+export function go(href: string): void {
+  location.hash = href;
 }

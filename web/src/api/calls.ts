@@ -29,7 +29,7 @@ export interface JobQuery {
 const kMostPages = 50; // a list that never ends is cut here
 
 // All pages of a list, in the server's order.
-async function everything<T>(path: string, query: Record<string, string> = {}): Promise<T[]> {
+export async function everything<T>(path: string, query: Record<string, string> = {}): Promise<T[]> {
   const items: T[] = [];
   const asked = new URLSearchParams({ limit: '200', ...query });
   for (let pages = 0; pages < kMostPages; ++pages) {

@@ -6,12 +6,16 @@ import type { Problem } from './types';
 const kBase = '/api/v1';
 const kTimeoutMs = 20_000;
 
+export type Place = NonNullable<Problem['errors']>[number];
+
 export class ApiError extends Error {
   readonly status: number; // 0: no answer came
   readonly details: string[];
+  readonly places: readonly Place[]; // the members of the request that are at fault
 
-  constructor(status: number, text: string, details: string[] = []) {
+  constructor(status: number, text: string, details: string[] = [], places: readonly Place[] = []) {
     super(text);
+    this.places = places;
     this.name = 'ApiError';
     this.status = status;
     this.details = details;
@@ -25,7 +29,7 @@ export function errorOfProblem(status: number, problem: Partial<Problem> | null)
     if (place.line) return t('error.place', { line: place.line, column: place.column ?? 1, text: place.text });
     return place.pointer ? `${place.pointer}: ${place.text}` : place.text;
   });
-  return new ApiError(status, text, details);
+  return new ApiError(status, text, details, problem?.errors ?? []);
 }
 
 // Identifies one order of a person, so that a repeated request cannot act twice. randomUUID would need https.
@@ -40,11 +44,13 @@ export const setShownUser = (name: string): void => {
   shownUser = name;
 };
 
-type Method = 'GET' | 'POST' | 'DELETE';
+type Method = 'GET' | 'POST' | 'PUT' | 'PATCH' | 'DELETE';
 
 interface Options {
   body?: unknown;
   key?: string;
+  ifMatch?: number; // the revision that is changed
+  timeoutMs?: number; // of work that takes longer than an answer should
 }
 
 export async function request<T>(method: Method, path: string, options: Options = {}): Promise<T> {
@@ -54,6 +60,14 @@ export async function request<T>(method: Method, path: string, options: Options 
 // An answer that is plain text.
 export const requestText = (path: string): Promise<string> => answerOf('GET', path, {});
 
+// An answer as it came: a program may be in any encoding.
+export async function requestBytes(path: string): Promise<ArrayBuffer> {
+  const response = await fetch(kBase + path, { cache: 'no-store', credentials: 'same-origin' }).catch(() => null);
+  if (!response) throw new ApiError(0, noAnswer('GET'));
+  if (!response.ok) throw errorOfProblem(response.status, parse(await response.text()) as Partial<Problem> | null);
+  return response.arrayBuffer();
+}
+
 async function answerOf(method: Method, path: string, options: Options): Promise<string> {
   const headers: Record<string, string> = { Accept: 'application/json, text/plain' };
   const init: RequestInit = { method, headers, cache: 'no-store', credentials: 'same-origin' };
@@ -61,10 +75,11 @@ async function answerOf(method: Method, path: string, options: Options): Promise
     headers['Content-Type'] = 'application/json';
     init.body = JSON.stringify(options.body);
   }
+  if (options.ifMatch !== undefined) headers['If-Match'] = `"${options.ifMatch}"`;
   if (options.key) headers['Idempotency-Key'] = options.key;
   if (method !== 'GET' && shownUser !== '') headers['X-Dripfeed-User'] = encodeURIComponent(shownUser);
   const abort = new AbortController();
-  const timer = setTimeout(() => abort.abort(), kTimeoutMs);
+  const timer = setTimeout(() => abort.abort(), options.timeoutMs ?? kTimeoutMs);
   try {
     const response = await fetch(kBase + path, { ...init, signal: abort.signal });
     const text = await response.text();

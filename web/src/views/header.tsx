@@ -12,6 +12,8 @@ const kPlaces: { views: ViewName[]; href: string; label: string }[] = [
   { views: ['floor', 'machine'], href: hrefs.floor, label: 'nav.floor' },
   { views: ['jobs', 'job'], href: hrefs.jobs, label: 'nav.jobs' },
   { views: ['releases'], href: hrefs.releases, label: 'nav.releases' },
+  { views: ['library', 'program'], href: hrefs.library, label: 'nav.library' },
+  { views: ['families', 'family', 'part'], href: hrefs.families, label: 'nav.parts' },
   { views: ['received'], href: hrefs.received, label: 'nav.received' },
   { views: ['alarms'], href: hrefs.alarms, label: 'nav.alarms' },
 ];

@@ -1,0 +1,304 @@
+// A programmer's day against the real server: programs are dropped into the library, found, written and mended, compared,
+// checked and handed in; a colleague saves meanwhile; a part gets its values.
+import { accessible, expect, live, main, shot, signIn, until, withPage } from './browser.mjs';
+import { rig } from './rig.mjs';
+
+const kDesk = { viewport: { width: 1280, height: 800 } };
+const kTablet = { viewport: { width: 820, height: 1180 }, hasTouch: true };
+const kPhone = { viewport: { width: 360, height: 740 }, hasTouch: true };
+const { url, tokens } = await rig.base();
+const kPump = '%\nO0700 (PUMP HOUSING)\nG21 G18 G90 G54\n(ROUGHING)\nT0606 M6\nG0 X100. Z10.\nM3 S500\nG1 Z-20. F0.2\nX110.\nG0 Z50.\nM5\nM30\n%\n';
+const kFlange = kPump.replace('O0700 (PUMP HOUSING)', 'O0701 (FLANGE)').replace('T0606', 'T0303');
+
+const dialog = (page) => page.getByRole('dialog');
+const row = (page, name) => page.getByRole('row').filter({ has: page.getByRole('link', { name, exact: true }) });
+const editor = (page) => page.getByRole('textbox', { name: /^Text of/ });
+const faults = (page) => page.getByRole('complementary', { name: 'Faults and outline' });
+const read = (page) => page.locator('[data-phase="known"]').waitFor();
+const at = (page, address) => until(async () => new URL(page.url()).hash === address, `the address is ${address}`);
+
+// What a drop of files is to the page.
+async function drop(page, files) {
+  const data = await page.evaluateHandle((list) => {
+    const transfer = new DataTransfer();
+    for (const [name, text] of list) transfer.items.add(new File([text], name));
+    return transfer;
+  }, files);
+  const target = page.locator('.library');
+  for (const event of ['dragenter', 'dragover', 'drop']) await target.dispatchEvent(event, { dataTransfer: data });
+}
+
+// The whole text of the editor, whatever of it is on the screen.
+async function write(page, text) {
+  await editor(page).click();
+  await page.keyboard.press('Control+a');
+  await page.keyboard.insertText(text);
+}
+
+async function upload(page) {
+  await signIn(page, url, tokens.programmer);
+  await page.getByRole('navigation', { name: 'Views' }).getByRole('link', { name: 'Library' }).click();
+  await at(page, '#/library');
+  await drop(page, [
+    ['O0700.nc', kPump],
+    ['O0701.nc', kFlange],
+    ['empty.nc', ''],
+  ]);
+  await dialog(page).getByText('O0700.nc').waitFor();
+  expect((await dialog(page).getByLabel('Dialect').first().inputValue()) === 'fanuc', 'the server says in which dialect a file is');
+  await dialog(page).getByLabel('Folder of new programs').fill('acme/pumps');
+  await dialog(page).getByLabel('Dialect').nth(2).selectOption('fanuc');
+  await accessible(page, 'the upload');
+  await shot(page, 'desk-upload');
+  await dialog(page).getByRole('button', { name: 'Upload 3 programs' }).click();
+  await dialog(page).getByRole('alert').waitFor();
+  expect((await dialog(page).getByRole('alert').count()) === 1, 'the file that the server refuses says why, and no other');
+  expect((await dialog(page).getByRole('link').count()) === 2, 'the others are there');
+  await dialog(page).getByRole('button', { name: 'Back' }).click();
+  await row(page, 'O0700').getByRole('link', { name: 'acme/pumps' }).waitFor();
+}
+
+// The same name once more: asked, and then the next revision.
+async function uploadAgain(page) {
+  const before = await rig.call('GET', '/programs?name=O0701');
+  await page.getByLabel('Search', { exact: true }).focus();
+  const chosen = page.waitForEvent('filechooser');
+  await page.getByRole('button', { name: 'Upload…' }).first().click();
+  await (await chosen).setFiles({ name: 'O0701.nc', mimeType: 'text/plain', buffer: Buffer.from(kFlange.replace('S500', 'S600')) });
+  await dialog(page).getByText('There is a program O0701 already').waitFor();
+  expect(await dialog(page).getByLabel(/^as revision 2 of program/).isChecked(), 'it proposes the next revision');
+  await dialog(page).getByRole('button', { name: 'Upload 1 program' }).click();
+  await dialog(page).getByText('revision 2').waitFor();
+  await dialog(page).getByRole('button', { name: 'Back' }).click();
+  const after = await rig.call('GET', '/programs?name=O0701');
+  expect(after.body.items.length === before.body.items.length && after.body.items[0].revision === 2, 'it became a revision, no second program');
+}
+
+async function find(page) {
+  const started = Date.now();
+  await page.getByLabel('Search', { exact: true }).pressSequentially('housing');
+  await page.locator('.snippet mark').first().waitFor();
+  console.log(`  found ${Date.now() - started} ms after the first key`);
+  expect((await page.getByRole('row').count()) === 2, 'one program is found');
+  await at(page, '#/library?q=housing');
+  await shot(page, 'desk-found');
+  await page.reload();
+  await live(page);
+  await page.locator('.snippet mark').first().waitFor();
+  expect((await page.getByLabel('Search', { exact: true }).inputValue()) === 'housing', 'a reload looks for the same');
+  await page.getByLabel('Search', { exact: true }).fill('nothing like it anywhere');
+  await page.getByRole('button', { name: 'Show all programs' }).click();
+  await row(page, 'O0701').waitFor();
+}
+
+async function file(page) {
+  await row(page, 'O0701').getByRole('button', { name: 'Change folder and tags of O0701' }).click();
+  await page.getByLabel('Tags, with commas between').fill('steel, flange');
+  await page.keyboard.press('Enter');
+  await row(page, 'O0701').getByRole('link', { name: 'flange' }).click();
+  await at(page, '#/library?tag=flange');
+  await until(async () => (await page.getByRole('row').count()) === 2, 'the tag filters');
+  await row(page, 'O0701').getByRole('button', { name: 'Archive O0701' }).click();
+  await dialog(page).getByLabel('Why it is put aside').fill('sold');
+  await dialog(page).getByRole('button', { name: 'Archive…' }).click();
+  await page.getByRole('button', { name: 'Show all programs' }).waitFor();
+  await page.getByLabel('Shelf').selectOption('archived');
+  await row(page, 'O0701').getByText('Archived by the programmer: sold').waitFor();
+  await row(page, 'O0701').getByRole('button', { name: 'Fetch O0701 back' }).click();
+  await dialog(page).getByLabel('Why it is used again').fill('ordered again');
+  await dialog(page).getByRole('button', { name: 'Fetch back…' }).click();
+  await page.getByRole('button', { name: 'Show all programs' }).click();
+  await row(page, 'O0701').waitFor();
+  await accessible(page, 'the library');
+  await shot(page, 'desk-library');
+}
+
+// An error is seen while one types, explained, mended by its button, and saved.
+async function mend(page) {
+  await row(page, 'O0700').getByRole('link', { name: 'O0700', exact: true }).click();
+  await editor(page).waitFor();
+  await read(page);
+  expect((await faults(page).locator('.outline-go').allInnerTexts()).join(' ').includes('T0606'), 'the outline has the tool');
+  await write(page, kPump.replace('X110.', 'x110.'));
+  await faults(page).getByText('Line 9').waitFor();
+  await accessible(page, 'a text with a fault');
+  await shot(page, 'desk-fault');
+  expect(await page.locator('.cm-lint-marker').first().isVisible(), 'the margin shows it');
+  await faults(page).getByText('What helps').first().click();
+  await faults(page).getByRole('button', { name: /^Write X/ }).click();
+  await until(async () => (await faults(page).locator('.fault.tone-bad').count()) === 0, 'the fix mends it');
+  await page.locator('.nc-code').first().hover();
+  await page.locator('.nc-help').waitFor();
+  await shot(page, 'desk-hover');
+  await write(page, kPump.replace('X110.', 'X111.'));
+  await page.getByText('Not saved.').waitFor();
+  await page.waitForTimeout(600); // it is kept a moment after the last key
+  page.once('dialog', (asked) => void asked.accept());
+  await page.reload();
+  await live(page);
+  await page.getByText(/Your text of .* is here again/).waitFor();
+  await editor(page).getByText('X111.').waitFor();
+  expect(true, 'what was not saved is there after a reload');
+  await page.keyboard.press('Control+s');
+  await page.getByText('As revision 2.').waitFor();
+  const { body } = await rig.call('GET', '/programs?name=O0700');
+  expect(body.items[0].revision === 2, 'it is saved as the next revision');
+  return body.items[0].id;
+}
+
+// Somebody else saves while one writes: both texts are there, and one's own is saved on top.
+async function conflict(page, program) {
+  await write(page, kPump.replace('X110.', 'X112.'));
+  await rig.call('POST', `/programs/${program}/revisions`, { text: kPump.replace('X110.', 'X113.') }, 'admin', { 'If-Match': '"2"' });
+  await page.getByRole('button', { name: 'Save as revision 3' }).click();
+  await page.getByText(/saved revision 3 while you wrote on revision 2/).waitFor();
+  expect(await editor(page).getByText('X112.').isVisible(), 'the own text is not lost');
+  await accessible(page, 'a conflict');
+  await shot(page, 'desk-conflict');
+  await page.getByRole('button', { name: 'Go on with my text on top of revision 3' }).click();
+  await page.getByRole('button', { name: 'Save as revision 4' }).click();
+  await page.getByText('As revision 4.').waitFor();
+  const text = await rig.text(`/programs/${program}/text`);
+  expect(text === kPump.replace('X110.', 'X112.'), 'it is saved on top, byte for byte');
+}
+
+async function compare(page) {
+  await page.getByRole('link', { name: 'Revisions' }).click();
+  await page.getByRole('radio', { name: 'Revision 1 as: First' }).check();
+  await page.getByRole('button', { name: 'Compare revisions 1 and 4' }).click();
+  await page.getByRole('list', { name: 'O0700, revision 1' }).getByText('X110.').waitFor();
+  expect(await page.getByRole('list', { name: 'O0700, revision 4' }).getByText('X112.').isVisible(), 'side by side');
+  await accessible(page, 'a comparison');
+  await shot(page, 'desk-compare');
+  const address = new URL(page.url()).hash;
+  await page.reload();
+  await live(page);
+  await page.getByRole('list', { name: 'O0700, revision 1' }).getByText('X110.').waitFor();
+  await page.getByRole('link', { name: 'Where used' }).click();
+  await page.getByText('Called by').waitFor();
+  await page.goBack();
+  await at(page, address);
+}
+
+async function handIn(page, program) {
+  await page.getByRole('link', { name: 'Checks' }).click();
+  await page.getByRole('button', { name: 'Check revision 4' }).click();
+  await page.getByRole('heading', { name: /^Check \d+/ }).waitFor();
+  await accessible(page, 'a check');
+  await shot(page, 'desk-check');
+  await page.getByRole('link', { name: 'Release' }).click();
+  await page.getByRole('button', { name: 'Draft a release of revision 4' }).click();
+  await page.getByRole('button', { name: /^Hand release/ }).click();
+  await dialog(page).getByText('Verdict:').waitFor();
+  await dialog(page).getByLabel('Note for the reviewer').fill('new speed');
+  await accessible(page, 'handing in');
+  await shot(page, 'desk-hand-in');
+  await dialog(page).getByRole('button', { name: 'Hand in for review' }).click();
+  await page.locator('[data-state="in_review"]').waitFor();
+  const { body } = await rig.call('GET', `/releases?program=${program}`);
+  expect(body.items[0].state === 'in_review', 'a programmer hands it in');
+}
+
+// A finding leads to its line, and the text is searched.
+async function failing(page) {
+  const text = kPump.replace('O0700', 'O0702').replace('X110.', 'X9000.');
+  const { body } = await rig.call('POST', '/programs', { name: 'O0702', dialect: 'fanuc', text });
+  await page.goto(`${url}/#/programs/${body.id}/checks`);
+  await page.getByRole('button', { name: 'Check revision 1' }).click();
+  await page.locator('.fault.tone-bad').first().waitFor();
+  await accessible(page, 'a check that fails');
+  await shot(page, 'desk-check-failed');
+  await page.locator('.fault.tone-bad').getByRole('link', { name: 'Line 9' }).first().click();
+  await page.locator('.cm-activeLine').getByText('X9000.').waitFor();
+  expect(true, 'a finding leads to its line');
+  await page.getByRole('button', { name: 'Find' }).click();
+  await page.getByRole('textbox', { name: 'Find' }).pressSequentially('Z50.');
+  await page.locator('.cm-searchMatch').first().waitFor();
+  await accessible(page, 'a search in the text');
+  await shot(page, 'desk-find-in-text');
+}
+
+async function day(page) {
+  await rig.machine('lathe');
+  await upload(page);
+  await uploadAgain(page);
+  await find(page);
+  await file(page);
+  const program = await mend(page);
+  await conflict(page, program);
+  await compare(page);
+  await handIn(page, program);
+  await failing(page);
+}
+
+async function part(page) {
+  await signIn(page, url, tokens.programmer);
+  await rig.family('hyperbolic-roll');
+  await page.goto(`${url}/#/families/hyperbolic-roll`);
+  await page.getByLabel('Part number').fill('R-7');
+  await page.getByLabel(/step of the angle/).fill('99 deg');
+  await page.getByRole('button', { name: 'Make the part' }).click();
+  await page.locator('[data-parameter="angle_step"] .parameter-fault').waitFor();
+  await accessible(page, 'a value that is not possible');
+  await shot(page, 'desk-part');
+  await page.getByLabel(/step of the angle/).fill('1');
+  await page.getByRole('button', { name: 'Make the part' }).click();
+  await at(page, '#/parts/R-7');
+  expect((await rig.call('GET', '/parts/R-7')).body.values.angle_step === '1 deg', 'a plain number is in the unit of its field');
+  await page.getByRole('button', { name: 'Render for this machine' }).click();
+  await page.getByRole('status').getByRole('link').click();
+  await editor(page).waitFor();
+}
+
+// Who may only look has no button that the server would refuse.
+async function viewer(page) {
+  await signIn(page, url, tokens.viewer);
+  await page.goto(`${url}/#/library`);
+  await page.getByRole('link', { name: 'O0700', exact: true }).click();
+  const [, id] = /#\/programs\/(\d+)/.exec(page.url());
+  await editor(page).waitFor();
+  await page.locator('.nc-code').first().waitFor();
+  expect((await editor(page).getAttribute('contenteditable')) === 'false', 'the text is to read');
+  for (const place of ['Text', 'Revisions', 'Checks', 'Release']) {
+    await page.getByRole('link', { name: place, exact: true }).click();
+    await at(page, `#/programs/${id}${place === 'Text' ? '' : `/${place.toLowerCase()}`}`);
+    await page.getByRole('main').locator('.editor, .table, .empty').first().waitFor();
+    expect((await page.getByRole('button', { name: /Save|Check revision|Draft|Hand|Archive|Upload|Change/ }).count()) === 0, `${place}: no order for a viewer`);
+  }
+}
+
+async function everyLook(page) {
+  await signIn(page, url, tokens.programmer);
+  const { body } = await rig.call('GET', '/programs?name=O0700');
+  const speak = (tag) => page.evaluate((language) => localStorage.setItem('dripfeed.language', language), tag);
+  for (const [name, { viewport }] of Object.entries({ desk: kDesk, tablet: kTablet, phone: kPhone })) {
+    await page.setViewportSize(viewport);
+    await speak(name === 'tablet' ? 'de' : 'en');
+    await page.reload();
+    await live(page);
+    for (const scheme of ['light', 'dark']) {
+      await page.emulateMedia({ colorScheme: scheme });
+      for (const [place, address, there] of [
+        ['library', '#/library', '[data-program]'],
+        ['text', `#/programs/${body.items[0].id}`, '[data-phase="known"]'],
+        ['compare', `#/programs/${body.items[0].id}/compare`, '.change'],
+        ['checks', `#/programs/${body.items[0].id}/checks`, '.card'],
+        ['part', '#/parts/R-7', '[data-parameter]'],
+      ]) {
+        await page.goto(`${url}/${address}`);
+        await page.locator(there).first().waitFor();
+        const wider = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+        expect(wider <= 0, `${place}, ${name}, ${scheme}: as wide as the screen (${wider})`);
+        if (name !== 'tablet') await accessible(page, `${place}, ${name}, ${scheme}`);
+        await shot(page, `look-${place}-${name}-${scheme}`);
+      }
+    }
+  }
+}
+
+await main([
+  ['a programmer: upload, find, file, mend, conflict, compare, hand in', () => withPage(kDesk, day)],
+  ['a part by its values', () => withPage(kDesk, part)],
+  ['a viewer', () => withPage(kDesk, viewer)],
+  ['every look', () => withPage(kDesk, everyLook)],
+]);

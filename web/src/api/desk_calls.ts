@@ -1,0 +1,97 @@
+// The calls of the desk: the library, a program's text, its revisions and checks, families and parts.
+import { everything } from './calls';
+import { request, requestBytes } from './client';
+import type {
+  Comparison,
+  Delivery,
+  Diagnosed,
+  DialectWords,
+  Family,
+  FamilySummary,
+  Page,
+  Part,
+  Program,
+  ProgramRevision,
+  ProgramUses,
+  Release,
+  Rendered,
+  SearchResult,
+  Verdict,
+  VerdictSummary,
+} from './types';
+
+const enc = encodeURIComponent;
+const kWorkMs = 120_000; // a check may wait for others
+const kTextMs = 300_000;
+
+// What is empty is not asked for.
+function queryOf(values: Record<string, string | number | null | undefined>): string {
+  const asked = new URLSearchParams();
+  for (const [name, value] of Object.entries(values)) if (value !== null && value !== undefined && value !== '') asked.set(name, String(value));
+  const text = asked.toString();
+  return text ? `?${text}` : '';
+}
+
+export interface LibraryFilter {
+  folder?: string;
+  tag?: string;
+  part?: string;
+  name?: string;
+  shelf?: string;
+}
+
+export interface DiagnoseOrder {
+  text: string;
+  dialect?: string;
+  machine?: string;
+}
+
+export const deskCalls = {
+  programs: (filter: LibraryFilter, after: string | null) =>
+    request<Page<Program>>('GET', `/programs${queryOf({ limit: 50, ...filter, after })}`),
+  programsNamed: (name: string) => everything<Program>('/programs', { name }),
+  search: (words: string, all: boolean, after: string | null) =>
+    request<SearchResult>('GET', `/search${queryOf({ limit: 50, q: words, shelf: all ? 'all' : '', after })}`),
+  program: (id: number) => request<Program>('GET', `/programs/${id}`),
+  programBytes: (id: number, revision: number) => requestBytes(`/programs/${id}/text?revision=${revision}`),
+  addProgram: (name: string, dialect: string, text: string, key: string) =>
+    request<Program>('POST', '/programs', { body: { name, dialect, text }, key, timeoutMs: kTextMs }),
+  addRevision: (id: number, base: number, text: string, key: string) =>
+    request<Program>('POST', `/programs/${id}/revisions`, { body: { text }, ifMatch: base, key, timeoutMs: kTextMs }),
+  label: (id: number, labels: { tags?: string[]; folder?: string }) =>
+    request<Program>('PATCH', `/programs/${id}`, { body: labels }),
+  archive: (id: number, reason: string, key: string) => request<Program>('POST', `/programs/${id}/archive`, { body: { reason }, key }),
+  fetchBack: (id: number, reason: string, key: string) =>
+    request<Program>('POST', `/programs/${id}/fetch-back`, { body: { reason }, key }),
+  revisions: (id: number, after: string | null) =>
+    request<Page<ProgramRevision>>('GET', `/programs/${id}/revisions${queryOf({ limit: 50, after })}`),
+  compare: (id: number, query: { revision?: number; with?: number; with_revision?: number; machine?: string }) =>
+    request<Comparison>('GET', `/programs/${id}/compare${queryOf(query)}`, { timeoutMs: kWorkMs }),
+  uses: (id: number) => request<ProgramUses>('GET', `/programs/${id}/uses`),
+
+  diagnose: (order: DiagnoseOrder) => request<Diagnosed>('POST', '/diagnose', { body: order, timeoutMs: kWorkMs }),
+  words: (dialect: string, kind: string, gSystem: string) =>
+    request<DialectWords>('GET', `/dialects/${enc(dialect)}/words${queryOf({ kind, g_system: gSystem })}`),
+
+  checks: (program: number) => everything<VerdictSummary>('/checks', { program: String(program) }),
+  check: (id: number) => request<Verdict>('GET', `/checks/${id}`),
+  addCheck: (program: number, revision: number, machine: string, delivery: Delivery, key: string) =>
+    request<Verdict>('POST', '/checks', { body: { program, revision, machine, delivery }, key, timeoutMs: kWorkMs }),
+
+  releasesOf: (program: number) => everything<Release>('/releases', { program: String(program) }),
+  addRelease: (program: number, revision: number, machine: string, delivery: Delivery, key: string) =>
+    request<Release>('POST', '/releases', { body: { program, revision, machine, delivery }, key }),
+  handIn: (release: number, note: string, key: string) =>
+    request<Release>('POST', `/releases/${release}/transitions`, { body: { to: 'in_review', note }, key }),
+
+  families: () => everything<FamilySummary>('/families'),
+  family: (name: string) => request<Family>('GET', `/families/${enc(name)}`),
+  parts: (family?: string) => everything<Part>('/parts', family ? { family } : {}),
+  part: (number: string) => request<Part>('GET', `/parts/${enc(number)}`),
+  addPart: (number: string, family: string, values: Record<string, string>, key: string) =>
+    request<Part>('POST', '/parts', { body: { number, family, values }, key }),
+  changePart: (number: string, base: number, values: Record<string, string>, key: string) =>
+    request<Part>('PUT', `/parts/${enc(number)}`, { body: { values }, ifMatch: base, key }),
+  render: (part: string, machine: string, delivery: Delivery, key: string) =>
+    request<Rendered>('POST', '/render', { body: { part, machine, delivery }, key, timeoutMs: kWorkMs }),
+};

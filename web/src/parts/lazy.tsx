@@ -1,0 +1,28 @@
+// A view whose code is loaded when it is shown first. What cannot be loaded is an error of the view.
+import type { ComponentType } from 'preact';
+import { useEffect, useState } from 'preact/hooks';
+import { t } from '../i18n/i18n';
+
+export function lazyView<Props extends object>(load: () => Promise<ComponentType<Props>>): ComponentType<Props> {
+  let known: ComponentType<Props> | null = null;
+  return function Lazy(props: Props) {
+    const [view, setView] = useState<{ is: ComponentType<Props> } | null>(known ? { is: known } : null);
+    const [error, setError] = useState<unknown>(null);
+    useEffect(() => {
+      if (view) return;
+      load().then((found) => {
+        known = found;
+        setView({ is: found });
+      }, setError);
+    }, []);
+    if (error !== null) throw error;
+    if (!view)
+      return (
+        <p class="waiting" role="status">
+          {t('page.loading')}
+        </p>
+      );
+    const View = view.is;
+    return <View {...props} />;
+  };
+}
