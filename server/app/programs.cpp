@@ -140,25 +140,55 @@ std::vector<std::string> heading_of(const store::Origin& origin) {
 
 }  // namespace
 
-Result<Rendered> Programs::render(const RenderOrder& order, std::string_view actor, const Waiter& waiter) {
+struct Programs::RenderCase {
+  store::Origin origin;
+  store::Machine machine;
+  std::string dialect;  // of the machine
+  RenderWork work;
+};
+
+Result<Programs::RenderCase> Programs::load(const RenderOrder& order) {
   std::string family_text;
   Values values;
   auto origin = origin_of(order, family_text, values);
   if (!origin) return std::unexpected(origin.error());
-  const auto machine = lift(store_.machines().get(order.machine));
+  auto machine = lift(store_.machines().get(order.machine));
   if (!machine) return std::unexpected(machine.error());
   const auto profile = documents_.read_profile(machine->profile);
   if (!profile) return std::unexpected(profile.error());
-  const RenderWork work{.family = origin->family,
-                        .text = std::move(family_text),
-                        .values = std::move(values),
-                        .profile = machine->profile,
-                        .mode = order.mode,
-                        .delivery = order.delivery,
-                        .name = order.name,
-                        .heading = heading_of(*origin),
-                        .optimize = order.optimize};
-  auto done = workers_ != nullptr ? workers_->render(work, waiter) : render_family(work, documents_);
+  RenderWork work{.family = origin->family,
+                  .text = std::move(family_text),
+                  .values = std::move(values),
+                  .profile = machine->profile,
+                  .mode = order.mode,
+                  .delivery = order.delivery,
+                  .name = order.name,
+                  .heading = heading_of(*origin),
+                  .optimize = order.optimize};
+  return RenderCase{.origin = std::move(*origin),
+                    .machine = std::move(*machine),
+                    .dialect = profile->control.dialect,
+                    .work = std::move(work)};
+}
+
+Result<RenderDone> Programs::carry_out(const RenderWork& work, const Waiter& waiter) {
+  return workers_ != nullptr ? workers_->render(work, waiter) : render_family(work, documents_);
+}
+
+Result<Preview> Programs::preview(const RenderOrder& order, const Waiter& waiter) {
+  auto loaded = load(order);
+  if (!loaded) return std::unexpected(loaded.error());
+  auto done = carry_out(loaded->work, waiter);
+  if (!done) return std::unexpected(done.error());
+  return Preview{.result = std::move(done->result),
+                 .family = std::move(loaded->work.family),
+                 .family_text = std::move(loaded->work.text)};
+}
+
+Result<Rendered> Programs::render(const RenderOrder& order, std::string_view actor, const Waiter& waiter) {
+  auto loaded = load(order);
+  if (!loaded) return std::unexpected(loaded.error());
+  auto done = carry_out(loaded->work, waiter);
   if (!done) return std::unexpected(done.error());
   Rendered rendered{.program = {}, .result = std::move(done->result)};
 
@@ -169,14 +199,14 @@ Result<Rendered> Programs::render(const RenderOrder& order, std::string_view act
                              .places_sha256 = {},
                              .blocks = rendered.result.blocks,
                              .facts = {},
-                             .origin = std::move(*origin)};
+                             .origin = std::move(loaded->origin)};
   if (!done->places.empty()) {
     const auto places = put_in_slices(store_.contents(), done->places);
     if (!places) return std::unexpected(places.error());
     text.places_sha256 = places->sha256;
   }
-  text.origin.machine = machine->name;
-  text.origin.machine_revision = machine->revision;
+  text.origin.machine = loaded->machine.name;
+  text.origin.machine_revision = loaded->machine.revision;
   text.origin.mode = compile::name_of(rendered.result.mode);
   for (const auto& range : rendered.result.profile_lines) {
     text.facts += fmt::format("{}{}-{}", text.facts.empty() ? "profile " : ",", range.first, range.last);
@@ -184,7 +214,7 @@ Result<Rendered> Programs::render(const RenderOrder& order, std::string_view act
   const std::string name = order.name.empty()
                                ? fmt::format("{}", text.origin.part.empty() ? text.origin.family : text.origin.part)
                                : order.name;
-  auto program = lift(store_.programs().add(name, profile->control.dialect, text, stamp(actor)));
+  auto program = lift(store_.programs().add(name, loaded->dialect, text, stamp(actor)));
   if (!program) return std::unexpected(program.error());
   rendered.program = std::move(*program);
   return rendered;

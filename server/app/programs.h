@@ -33,6 +33,13 @@ struct Rendered {
   compile::RenderResult result;
 };
 
+// What rendering would store.
+struct Preview {
+  compile::RenderResult result;
+  std::string family;       // its name
+  std::string family_text;  // that the diagnostics are in
+};
+
 class Programs {
  public:
   Programs(store::Store& store, const Clock& clock, const Documents& documents, const Ballast* ballast = nullptr,
@@ -56,8 +63,13 @@ class Programs {
                                          std::string_view actor);
   // Rendered and stored; nothing is stored when the family, the values or the machine are wrong.
   Result<Rendered> render(const RenderOrder& order, std::string_view actor, const Waiter& waiter = {});
+  // The same, and nothing is stored.
+  Result<Preview> preview(const RenderOrder& order, const Waiter& waiter = {});
 
  private:
+  struct RenderCase;  // what an order names, read from the store
+  Result<RenderCase> load(const RenderOrder& order);
+  Result<RenderDone> carry_out(const RenderWork& work, const Waiter& waiter);
   Result<store::Origin> origin_of(const RenderOrder& order, std::string& family_text, Values& values);
   [[nodiscard]] store::Stamp stamp(std::string_view actor) const;
 

@@ -68,6 +68,7 @@ Response get_program_lines(const Call& call);
 Response list_revisions(const Call& call);
 Response add_revision(const Call& call);
 Response render(const Call& call);
+Response preview(const Call& call);
 Response list_checks(const Call& call);
 Response add_check(const Call& call);
 Response get_check(const Call& call);

@@ -26,6 +26,12 @@ Response program_response(const app::Result<store::Program>& program) {
                        program->newest.revision);
 }
 
+app::Waiter waiter_of_render(const Call& call, const app::RenderOrder& order) {
+  const std::string subject =
+      order.part.empty() ? fmt::format("family/{}", order.family) : fmt::format("part/{}", order.part);
+  return waiter_of(call, "render", subject, order.machine);
+}
+
 }  // namespace
 
 store::Result<store::ProgramRevision> find_revision(store::Store& store, store::Id program, store::Revision revision) {
@@ -133,17 +139,21 @@ Response render(const Call& call) {
   const auto order = json::read_render_body(call.request.body);
   if (!order) return problem_response(order.error());
   app::Application& app = call.api.application();
-  const auto rendered = app.programs().render(
-      *order, call.user,
-      waiter_of(call, "render",
-                order->part.empty() ? fmt::format("family/{}", order->family) : fmt::format("part/{}", order->part),
-                order->machine));
+  const auto rendered = app.programs().render(*order, call.user, waiter_of_render(call, *order));
   if (!rendered) return problem_response(rendered.error());
   const store::Origin& origin = rendered->program.newest.origin;
   const auto family = app.store().families().get(origin.family, origin.family_revision);
   if (!family) return problem_response(app::from_store(family.error()));
   return created(fmt::format("/api/v1/programs/{}", rendered->program.id),
                  json::rendered(*rendered, text::Source(family->name, family->text)));
+}
+
+Response preview(const Call& call) {
+  const auto order = json::read_render_body(call.request.body);
+  if (!order) return problem_response(order.error());
+  const auto previewed = call.api.application().programs().preview(*order, waiter_of_render(call, *order));
+  if (!previewed) return problem_response(previewed.error());
+  return json_response(200, json::preview(*previewed));
 }
 
 Response list_checks(const Call& call) {

@@ -122,6 +122,8 @@ constexpr Route kRoutes[] = {
      gives("DialectWords"), no_more, "kind g_system"},
     {post, "/api/v1/render", programmer, heavy, render, "render a part or family for a machine and store the program",
      body("RenderOrder"), creates("Rendered")},
+    {post, "/api/v1/preview", programmer, heavy, preview, "what rendering would give, stored nowhere",
+     body("RenderOrder"), gives("Preview")},
     {get, "/api/v1/checks", viewer, stored, list_checks, "verdicts, newest first", kNoBody, lists("VerdictSummary"),
      page, "program machine"},
     {post, "/api/v1/checks", programmer, heavy, add_check, "check a program for a machine and store the verdict",

@@ -250,6 +250,17 @@ std::string rendered(const app::Rendered& rendered, const text::Source& family) 
                {"diagnostics", embedded(diagnostics(r.diagnostics, family))}});
 }
 
+std::string preview(const app::Preview& preview) {
+  const compile::RenderResult& r = preview.result;
+  return dump({{"text", r.text},
+               {"mode", compile::name_of(r.mode)},
+               {"because", r.because},
+               {"blocks", r.blocks},
+               {"bytes", r.bytes},
+               {"variables", r.variables},
+               {"diagnostics", embedded(diagnostics(r.diagnostics, {preview.family, preview.family_text}))}});
+}
+
 std::string work(const app::Work& work) {
   const bool runs = work.running_since_ms != 0;
   return dump({{"id", work.id},

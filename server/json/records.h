@@ -36,6 +36,7 @@ std::string part(const store::Part& part);
 std::string program(const store::Program& program);
 std::string program_revision(const store::ProgramRevision& revision);
 std::string rendered(const app::Rendered& rendered, const text::Source& family);
+std::string preview(const app::Preview& preview);
 std::string release(const store::Release& release);
 // What came of reading a job's program back, as one word.
 inline constexpr std::string_view kReadBackStates[] = {"waiting", "equal", "differs", "expired", "superseded"};

@@ -31,6 +31,15 @@ Members revision() {
          created();
 }
 
+Members rendering() {
+  return {{"mode", one_of(render_modes(), "that was taken")},
+          {"because", text("why this mode, as one sentence")},
+          {"blocks", integer("lines of the text that are not empty and no %")},
+          {"bytes", integer("of the text")},
+          {"variables", integer("different user variables that the text touches")},
+          {"diagnostics", diagnostics_schema("of the family's text")}};
+}
+
 }  // namespace
 
 Schemas program_schemas() {
@@ -61,17 +70,14 @@ Schemas program_schemas() {
                                 {"values", or_null(map_of(number("of the variable"),
                                                           "variables of that line at this block; null: not known"))}}),
                         "in their order")}})},
-      {"Rendered", object("a program that was rendered and stored",
-                          {{"program", integer("its id")},
-                           {"name", text("of the program")},
-                           {"revision", integer("of its text")},
-                           {"mode", one_of(render_modes(), "that was taken")},
-                           {"because", text("why this mode, as one sentence")},
-                           {"blocks", integer("lines of the text that are not empty and no %")},
-                           {"bytes", integer("of the text")},
-                           {"variables", integer("different user variables that the text touches")},
-                           {"sha256", text("of the text, in hexadecimal")},
-                           {"diagnostics", diagnostics_schema("of the family's text")}})},
+      {"Preview", object("what rendering would store; nothing is stored",
+                         Members{{"text", text("of the program")}} + rendering())},
+      {"Rendered",
+       object("a program that was rendered and stored", Members{{"program", integer("its id")},
+                                                                {"name", text("of the program")},
+                                                                {"revision", integer("of its text")},
+                                                                {"sha256", text("of the text, in hexadecimal")}} +
+                                                            rendering())},
   };
 }
 

@@ -1,6 +1,6 @@
 """What an editor asks for: the faults of a text that is being written by POST /diagnose, and the words of a dialect. Nothing of it is stored or run."""
 
-from client import Client, HandControl, expect, hand_profile, in_folder, plain_program
+from client import ROLL, Client, HandControl, expect, hand_profile, in_folder, plain_program
 
 GOOD = "%\nO0100 (PUMP)\nG21 G17 G90 G94 G54\nT5 M6\nN10 G0 X0. Y0.\nM98 P200\nN20 G1 X10. F100.\nGOTO20\nM30\n%\n"
 
@@ -82,6 +82,24 @@ def words(client):
     client.refuse(422, "GET", "/dialects/fanuc/words?g_system=D", words=["g_system"])
 
 
+def a_preview(client):
+    """What rendering gives byte for byte, and nothing of it is there afterwards."""
+    control = HandControl()
+    client.post("/machines", hand_profile(control, "turning"))
+    client.post("/families", {"text": ROLL})
+    order = {"family": "hyperbolic-roll", "values": {"angle_step": "2 deg"}, "machine": "turning", "mode": "explicit"}
+    before = len(client.get("/programs?shelf=all")["items"])
+    seen = client.must("POST", "/preview", order, role="programmer")
+    expect(len(client.get("/programs?shelf=all")["items"]) == before, "a preview is stored")
+    made = client.post("/render", order)
+    text = client.call("GET", f"/programs/{made['program']}/text").body.decode()
+    expect(seen["text"] == text and {name: seen[name] for name in ("mode", "blocks", "bytes", "variables")} == {name: made[name] for name in ("mode", "blocks", "bytes", "variables")}, seen)
+    problem = client.refuse(422, "POST", "/preview", order | {"values": {"angle_step": "99 deg"}})
+    expect("angle_step" in problem["errors"][0]["text"], problem)
+    client.refuse(404, "POST", "/preview", order | {"machine": "nobody"})
+    control.close()
+
+
 def run(folder):
     client = Client(folder).start()
     a_text_and_its_faults(client)
@@ -89,6 +107,7 @@ def run(folder):
     an_outline(client)
     which_language(client)
     words(client)
+    a_preview(client)
     expect(client.server.alive(), "the server is gone")
     client.server.stop()
 

@@ -72,6 +72,7 @@ def rows(made):
         ("GET", "/api/v1/programs/{id}/uses", "viewer", {"id": "program"}, None, {}),
         ("GET", "/api/v1/search", "viewer", {}, None, {"query": "?q=O0042"}),
         ("GET", "/api/v1/programs/{id}/compare", "viewer", {"id": "program"}, None, {"query": "?with_revision=1"}),
+        ("POST", "/api/v1/preview", "programmer", {}, {"part": "R-1", "machine": "lathe"}, {}),
         ("POST", "/api/v1/diagnose", "programmer", {}, {"text": "M30"}, {}),
         ("GET", "/api/v1/dialects/{name}/words", "viewer", {"name": "fanuc"}, None, {}),
         ("POST", "/api/v1/checks", "programmer", {}, lambda: {"program": made["program"], "machine": "lathe"}, {"keep": "check"}),

@@ -487,6 +487,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/preview": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** what rendering would give, stored nowhere */
+        post: operations["post_preview"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/checks": {
         parameters: {
             query?: never;
@@ -2309,14 +2326,10 @@ export interface components {
                 } | null;
             }[];
         };
-        /** @description a program that was rendered and stored */
-        Rendered: {
-            /** @description its id */
-            program: number;
+        /** @description what rendering would store; nothing is stored */
+        Preview: {
             /** @description of the program */
-            name: string;
-            /** @description of its text */
-            revision: number;
+            text: string;
             /**
              * @description that was taken
              * @enum {string}
@@ -2330,8 +2343,52 @@ export interface components {
             bytes: number;
             /** @description different user variables that the text touches */
             variables: number;
+            /** @description of the family's text */
+            diagnostics: {
+                /** @description of the kind of fault */
+                id: string;
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description the called program that it is in; null: the text itself */
+                file: string | null;
+                /** @description from 1 */
+                line: number;
+                /** @description from 1, in bytes */
+                column: number;
+                /** @description from 1, in characters */
+                column_chars: number;
+                /** @description one sentence */
+                text: string;
+                /** @description by which the control itself would name it */
+                alarm: string | null;
+            }[];
+        };
+        /** @description a program that was rendered and stored */
+        Rendered: {
+            /** @description its id */
+            program: number;
+            /** @description of the program */
+            name: string;
+            /** @description of its text */
+            revision: number;
             /** @description of the text, in hexadecimal */
             sha256: string;
+            /**
+             * @description that was taken
+             * @enum {string}
+             */
+            mode: "macro" | "explicit" | "auto";
+            /** @description why this mode, as one sentence */
+            because: string;
+            /** @description lines of the text that are not empty and no % */
+            blocks: number;
+            /** @description of the text */
+            bytes: number;
+            /** @description different user variables that the text touches */
+            variables: number;
             /** @description of the family's text */
             diagnostics: {
                 /** @description of the kind of fault */
@@ -5065,6 +5122,41 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Rendered"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_preview: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["RenderOrder"];
+            };
+        };
+        responses: {
+            /** @description what rendering would give, stored nowhere */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Preview"];
                 };
             };
             /** @description a problem */
