@@ -99,10 +99,6 @@ class Shop:
     def text(self, path):
         return self.client.call("GET", path).body.decode()
 
-    def family(self, name):
-        """One of those that are delivered."""
-        self.client.post("/families", {"text": (shop.ROOT / f"deploy/families/{name}.family").read_text()})
-
     def restart(self, hard=False):
         """The server ends and comes back on the same port."""
         server = self.client.server

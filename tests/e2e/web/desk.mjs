@@ -1,5 +1,6 @@
 // A programmer's day against the real server: programs are dropped into the library, found, written and mended, compared,
 // checked and handed in; a colleague saves meanwhile; a part gets its values.
+import { fileURLToPath } from 'node:url';
 import { accessible, expect, live, main, shot, signIn, until, withPage } from './browser.mjs';
 import { rig } from './rig.mjs';
 
@@ -7,6 +8,7 @@ const kDesk = { viewport: { width: 1280, height: 800 } };
 const kTablet = { viewport: { width: 820, height: 1180 }, hasTouch: true };
 const kPhone = { viewport: { width: 360, height: 740 }, hasTouch: true };
 const { url, tokens } = await rig.base();
+const kRoll = fileURLToPath(new URL('../../../deploy/families/hyperbolic-roll.family', import.meta.url));
 const kPump = '%\nO0700 (PUMP HOUSING)\nG21 G18 G90 G54\n(ROUGHING)\nT0606 M6\nG0 X100. Z10.\nM3 S500\nG1 Z-20. F0.2\nX110.\nG0 Z50.\nM5\nM30\n%\n';
 const kFlange = kPump.replace('O0700 (PUMP HOUSING)', 'O0701 (FLANGE)').replace('T0606', 'T0303');
 
@@ -139,8 +141,19 @@ async function mend(page) {
   await page.getByText(/Your text of .* is here again/).waitFor();
   await editor(page).getByText('X111.').waitFor();
   expect(true, 'what was not saved is there after a reload');
+  await page.getByRole('link', { name: 'Revisions' }).click();
+  await page.getByRole('link', { name: 'Text', exact: true }).click();
+  await editor(page).getByText('X111.').waitFor();
+  expect(true, 'and when one comes back from another place');
+  await editor(page).click();
   await page.keyboard.press('Control+s');
   await page.getByText('As revision 2.').waitFor();
+  await page.goto(`${page.url()}?revision=1`);
+  await page.getByText('Revision 1; the newest is 2.').waitFor();
+  await editor(page).getByText('X110.').waitFor();
+  expect((await editor(page).getAttribute('contenteditable')) === 'false', 'an older revision is to read');
+  await page.getByRole('link', { name: 'To the newest' }).click();
+  await editor(page).getByText('X111.').waitFor();
   const { body } = await rig.call('GET', '/programs?name=O0700');
   expect(body.items[0].revision === 2, 'it is saved as the next revision');
   return body.items[0].id;
@@ -233,12 +246,25 @@ async function day(page) {
 
 async function part(page) {
   await signIn(page, url, tokens.programmer);
-  await rig.family('hyperbolic-roll');
-  await page.goto(`${url}/#/families/hyperbolic-roll`);
+  await page.getByRole('navigation', { name: 'Views' }).getByRole('link', { name: 'Parts' }).click();
+  const chosen = page.waitForEvent('filechooser');
+  await page.getByRole('button', { name: 'Upload a family…' }).click();
+  await (await chosen).setFiles(kRoll);
+  await page.getByRole('link', { name: 'Hyperbolic rolling-mill roll' }).click();
   await page.getByLabel('Part number').fill('R-7');
+  const preview = page.getByLabel('Text of the program');
+  await preview.getByText('M30').waitFor();
+  const before = await preview.innerText();
+  await page.getByLabel(/spindle speed/).fill('777');
+  await until(async () => (await preview.innerText()).includes('S777'), 'the preview follows what is typed');
+  expect(!before.includes('S777'), 'and was another one before');
+  const { body } = await rig.call('GET', '/programs?part=R-7');
+  expect(body.items.length === 0, 'a preview stores nothing');
   await page.getByLabel(/step of the angle/).fill('99 deg');
-  await page.getByRole('button', { name: 'Make the part' }).click();
   await page.locator('[data-parameter="angle_step"] .parameter-fault').waitFor();
+  expect(true, 'a value that is not possible is said at its field while one types');
+  await page.getByRole('button', { name: 'Make the part' }).click();
+  await page.getByText('Some values are not possible').waitFor();
   await accessible(page, 'a value that is not possible');
   await shot(page, 'desk-part');
   await page.getByLabel(/step of the angle/).fill('1');

@@ -26,7 +26,6 @@ export const rig = {
   queue: (machine) => ask('queue', [machine]),
   call: (method, path, body = null, role = 'admin', headers = null) => ask('call', [method, path, body, role, headers]),
   text: (path) => ask('text', [path]),
-  family: (name) => ask('family', [name]),
   restart: (hard = false) => ask('restart', [hard]),
   killServer: () => ask('kill_server', []),
   startServer: () => ask('start_server', []),

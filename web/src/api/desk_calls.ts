@@ -10,6 +10,7 @@ import type {
   FamilySummary,
   Page,
   Part,
+  Preview,
   Program,
   ProgramRevision,
   ProgramUses,
@@ -53,6 +54,7 @@ export const deskCalls = {
   search: (words: string, all: boolean, after: string | null) =>
     request<SearchResult>('GET', `/search${queryOf({ limit: 50, q: words, shelf: all ? 'all' : '', after })}`),
   program: (id: number) => request<Program>('GET', `/programs/${id}`),
+  textHref: (id: number, revision: number) => `/api/v1/programs/${id}/text?revision=${revision}`,
   programBytes: (id: number, revision: number) => requestBytes(`/programs/${id}/text?revision=${revision}`),
   addProgram: (name: string, dialect: string, text: string, key: string) =>
     request<Program>('POST', '/programs', { body: { name, dialect, text }, key, timeoutMs: kTextMs }),
@@ -86,12 +88,17 @@ export const deskCalls = {
 
   families: () => everything<FamilySummary>('/families'),
   family: (name: string) => request<Family>('GET', `/families/${enc(name)}`),
+  addFamily: (text: string, key: string) => request<Family>('POST', '/families', { body: { text }, key }),
+  changeFamily: (name: string, base: number, text: string, key: string) =>
+    request<Family>('PUT', `/families/${enc(name)}`, { body: { text }, ifMatch: base, key }),
   parts: (family?: string) => everything<Part>('/parts', family ? { family } : {}),
   part: (number: string) => request<Part>('GET', `/parts/${enc(number)}`),
   addPart: (number: string, family: string, values: Record<string, string>, key: string) =>
     request<Part>('POST', '/parts', { body: { number, family, values }, key }),
   changePart: (number: string, base: number, values: Record<string, string>, key: string) =>
     request<Part>('PUT', `/parts/${enc(number)}`, { body: { values }, ifMatch: base, key }),
+  preview: (family: string, values: Record<string, string>, machine: string, delivery: Delivery) =>
+    request<Preview>('POST', '/preview', { body: { family, values, machine, delivery }, timeoutMs: kWorkMs }),
   render: (part: string, machine: string, delivery: Delivery, key: string) =>
     request<Rendered>('POST', '/render', { body: { part, machine, delivery }, key, timeoutMs: kWorkMs }),
 };

@@ -66,3 +66,4 @@ export type Family = Schemas['Family'];
 export type Parameter = Family['parameters'][number];
 export type Part = Schemas['Part'];
 export type Rendered = Schemas['Rendered'];
+export type Preview = Schemas['Preview'];

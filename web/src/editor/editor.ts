@@ -7,7 +7,7 @@ import { Compartment, EditorSelection, EditorState } from '@codemirror/state';
 import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from '@codemirror/view';
 import type { DialectWords, Fault } from '../api/types';
 import { columnOffset } from '../rules/program_files';
-import { coloring, setWords } from './colors';
+import { coloring, setWords, wordAt } from './colors';
 import { look } from './theme';
 import { Words } from './words';
 
@@ -18,7 +18,7 @@ export interface EditorOptions {
   phrases: Record<string, string>; // the editor's own words in the language of the page
   faultWords: { alarm: (name: string) => string; fix: (text: string) => string; note: (line: number, text: string) => string };
   changed: (text: string) => void;
-  lineChanged: (line: number) => void;
+  cursorMoved: (line: number, word: string) => void; // and what the word there means; '' where nothing is known of it
 }
 
 export interface Editor {
@@ -82,7 +82,11 @@ export function openEditor(host: HTMLElement, options: EditorOptions): Editor {
   const readOnly = (is: boolean) => [EditorState.readOnly.of(is), EditorView.editable.of(!is)];
   const listener = EditorView.updateListener.of((update) => {
     if (update.docChanged) options.changed(update.state.doc.toString());
-    if (update.selectionSet || update.docChanged) options.lineChanged(update.state.doc.lineAt(update.state.selection.main.head).number);
+    if (update.selectionSet || update.docChanged) {
+      const { head } = update.state.selection.main;
+      const word = wordAt(update.view, head)?.word;
+      options.cursorMoved(update.state.doc.lineAt(head).number, word ? `${word.word}: ${word.about}` : '');
+    }
   });
   const view = new EditorView({
     root,

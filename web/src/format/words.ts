@@ -35,6 +35,7 @@ export const receiptWording = (state: ReceiptState): Wording => ({ text: wordOf(
 export const wordingOfOutcome = (outcome: Outcome): Wording => ({ text: wordOf('outcome', outcome), tone: kOutcomeTones[outcome] ?? 'waiting' });
 export const releaseText = (state: ReleaseState): string => wordOf('release_state', state);
 export const deliveryText = (delivery: Delivery): string => wordOf('delivery', delivery);
+export const kDeliveries: Delivery[] = ['drip', 'memory'];
 export const dialectText = (dialect: string): string => wordOf('dialect', dialect, dialect);
 
 // A stall that this page does not know is shown as it came.

@@ -59,7 +59,10 @@ export function JobsView() {
               head: t('column.program'),
               cell: (job) => (
                 <>
-                  <strong>{programText(job)}</strong> <span class="quiet-text">{t('job.revision', { revision: job.revision })}</span>
+                  <a href={hrefs.program(job.program)}>
+                    <strong>{programText(job)}</strong>
+                  </a>{' '}
+                  <span class="quiet-text">{t('job.revision', { revision: job.revision })}</span>
                 </>
               ),
             },

@@ -72,7 +72,9 @@ export function ReleasesView() {
               head: t('column.program'),
               cell: (release) => (
                 <>
-                  <strong>{programName(release.program) ?? t('program.number', { id: release.program })}</strong>{' '}
+                  <a href={hrefs.program(release.program)}>
+                    <strong>{programName(release.program) ?? t('program.number', { id: release.program })}</strong>
+                  </a>{' '}
                   <span class="quiet-text">
                     {t('job.revision', { revision: release.revision })}, <code title={release.sha256}>{shortHash(release.sha256)}…</code>
                   </span>

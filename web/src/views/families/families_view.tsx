@@ -7,6 +7,7 @@ import { Failure } from '../../parts/failure';
 import { Table } from '../../parts/table';
 import { useLoaded } from '../../parts/use_loaded';
 import { hrefs } from '../../router';
+import { FamilyUpload } from './family_upload';
 import { atLeast } from '../../rules/roles';
 import { person } from '../../state/shop';
 
@@ -14,13 +15,17 @@ export function FamiliesView() {
   const families = useLoaded('families', deskCalls.families);
   const parts = useLoaded('parts', () => deskCalls.parts());
   const may = atLeast(person().role, 'programmer');
+  const upload = may && families.value && <FamilyUpload families={families.value} done={families.again} />;
   return (
     <>
-      <h1 tabIndex={-1}>{t('nav.parts')}</h1>
+      <div class="floor-head">
+        <h1 tabIndex={-1}>{t('nav.parts')}</h1>
+        {families.value && families.value.length > 0 && upload}
+      </div>
       <section>
         <h2>{t('parts.families')}</h2>
         <Failure error={families.error} />
-        {families.value?.length === 0 && <Empty>{t('parts.no_family')}</Empty>}
+        {families.value?.length === 0 && <Empty action={upload}>{t(may ? 'parts.no_family' : 'parts.no_family_viewer')}</Empty>}
         {families.value && families.value.length > 0 && (
           <Table
             label={t('parts.families')}

@@ -7,6 +7,7 @@ import { t } from '../../i18n/i18n';
 import { Failure } from '../../parts/failure';
 import { boundsOf, givenValues, grouped, isList, parameterOf, type Values } from '../../rules/part_values';
 import { loader } from '../../state/loader';
+import { Preview } from './preview';
 
 interface Props {
   family: Family;
@@ -22,7 +23,8 @@ export function ValuesForm({ family, number: given, values, may, confirm, save }
   const [typed, setTyped] = useState<Values>(values);
   const [error, setError] = useState<unknown>(null);
   const [busy, setBusy] = useState(false);
-  const faults = faultsOf(error, family.parameters);
+  const [previewError, setPreviewError] = useState<unknown>(null);
+  const faults = faultsOf(error ?? previewError, family.parameters);
   const submit = async (event: Event) => {
     event.preventDefault();
     if (busy || !may) return;
@@ -35,35 +37,49 @@ export function ValuesForm({ family, number: given, values, may, confirm, save }
     }
     setBusy(false);
   };
+  const change = (name: string, text: string) => {
+    setError(null);
+    setTyped((before) => ({ ...before, [name]: text }));
+  };
   return (
-    <form class="card values-form" onSubmit={submit}>
-      {given === null && (
-        <label class="field">
-          <span>{t('parts.number')}</span>
-          <input value={number} required disabled={!may} onInput={(event) => setNumber(event.currentTarget.value)} autocomplete="off" />
-        </label>
-      )}
-      {grouped(family.parameters).map(({ group, parameters }) => (
-        <fieldset key={group} disabled={!may}>
-          <legend>{group || t('parts.values')}</legend>
-          {parameters.map((parameter) => (
-            <ParameterField
-              key={parameter.name}
-              parameter={parameter}
-              value={typed[parameter.name] ?? ''}
-              fault={faults.get(parameter.name) ?? null}
-              typed={(text) => setTyped((before) => ({ ...before, [parameter.name]: text }))}
-            />
-          ))}
-        </fieldset>
-      ))}
-      {error !== null && (faults.size === 0 ? <Failure error={error} /> : <p class="notice tone-bad" role="alert">{t('parts.look_at_fields')}</p>)}
+    <div class="values">
+      <form class="card values-form" onSubmit={submit}>
+        {given === null && (
+          <label class="field">
+            <span>{t('parts.number')}</span>
+            <input value={number} required disabled={!may} onInput={(event) => setNumber(event.currentTarget.value)} autocomplete="off" />
+          </label>
+        )}
+        {grouped(family.parameters).map(({ group, parameters }) => (
+          <fieldset key={group} disabled={!may}>
+            <legend>{group || t('parts.values')}</legend>
+            {parameters.map((parameter) => (
+              <ParameterField
+                key={parameter.name}
+                parameter={parameter}
+                value={typed[parameter.name] ?? ''}
+                fault={faults.get(parameter.name) ?? null}
+                typed={(text) => change(parameter.name, text)}
+              />
+            ))}
+          </fieldset>
+        ))}
+        {error !== null && (faults.size === 0 ? <Failure error={error} /> : <p class="notice tone-bad" role="alert">{t('parts.look_at_fields')}</p>)}
+        {may && (
+          <button type="submit" class="button button-main" disabled={busy}>
+            {busy ? t('dialog.sending') : confirm}
+          </button>
+        )}
+      </form>
       {may && (
-        <button type="submit" class="button button-main" disabled={busy}>
-          {busy ? t('dialog.sending') : confirm}
-        </button>
+        <Preview
+          family={family.name}
+          values={givenValues(family.parameters, typed)}
+          failed={setPreviewError}
+          isShown={(failure) => faultsOf(failure, family.parameters).size > 0}
+        />
       )}
-    </form>
+    </div>
   );
 }
 

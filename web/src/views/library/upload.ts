@@ -10,6 +10,7 @@ export type UploadState = 'waiting' | 'sending' | 'done' | 'failed';
 
 export interface Upload {
   file: string;
+  bytes: number;
   text: string;
   isLatin1: boolean;
   key: string; // of the order: a repeated one does nothing twice
@@ -28,6 +29,7 @@ export async function readUpload(file: File): Promise<Upload> {
   const [same, dialect] = await Promise.all([sameName(name), dialectOf(text)]);
   return {
     file: file.name,
+    bytes: file.size,
     text,
     isLatin1: encoding === 'latin-1',
     key: newOrderKey(),

@@ -56,7 +56,7 @@ export function UploadDialog({ files, folder: given, changed }: Props) {
         {uploads && (
           <ol class="upload-list">
             {uploads.map((one, index) => (
-              <UploadRow key={one.file} upload={one} off={busy || one.state === 'done'} change={(by) => change(index, by)} />
+              <UploadRow key={one.key} upload={one} off={busy || one.state === 'done'} change={(by) => change(index, by)} />
             ))}
           </ol>
         )}
@@ -97,7 +97,7 @@ function UploadRow({ upload, off, change }: { upload: Upload; off: boolean; chan
   return (
     <li class="upload-row" data-state={upload.state}>
       <p class="quiet-text">
-        {upload.file}, {bytes(upload.text.length)}
+        {upload.file}, {bytes(upload.bytes)}
       </p>
       <div class="upload-fields">
         <label class="field">

@@ -5,7 +5,7 @@ import { deskCalls } from '../../api/desk_calls';
 import type { Delivery, Outcome, Verdict } from '../../api/types';
 import { count } from '../../format/numbers';
 import { dateTime, duration } from '../../format/times';
-import { deliveryText, wordingOfOutcome } from '../../format/words';
+import { deliveryText, kDeliveries, wordingOfOutcome } from '../../format/words';
 import { t } from '../../i18n/i18n';
 import { Badge } from '../../parts/badge';
 import { Empty } from '../../parts/empty';
@@ -19,8 +19,6 @@ import { findingsOf, type Finding } from '../../rules/verdicts';
 import { loader } from '../../state/loader';
 import { machines } from '../../state/shop';
 import type { PlaceProps } from './program_view';
-
-const kDeliveries: Delivery[] = ['drip', 'memory'];
 
 export function ChecksPlace({ program, query, may }: PlaceProps) {
   const { value: verdicts, error, again } = useLoaded(String(program.id), () => deskCalls.checks(program.id));

@@ -15,7 +15,7 @@ interface Props {
   faultsOf: string; // the text that they are of
   editor: Ref<Editor>;
   changed: (text: string) => void;
-  lineChanged: (line: number) => void;
+  cursorMoved: (line: number, word: string) => void;
   opened: () => void;
 }
 
@@ -70,7 +70,7 @@ export function TextEditor(props: Props) {
       if (over || !host.current) return;
       const { text, label, readOnly } = now.current;
       const options = { text, label, readOnly, phrases: phrases(), faultWords: kFaultWords };
-      give(openEditor(host.current, { ...options, changed: (to) => now.current.changed(to), lineChanged: (line) => now.current.lineChanged(line) }));
+      give(openEditor(host.current, { ...options, changed: (to) => now.current.changed(to), cursorMoved: (line, word) => now.current.cursorMoved(line, word) }));
       setOpen(true);
     }, setError);
     return () => {

@@ -5,6 +5,7 @@ import { ApiError, newOrderKey } from '../../api/client';
 import { deskCalls } from '../../api/desk_calls';
 import type { Program } from '../../api/types';
 import type { Editor } from '../../editor/editor';
+import { bytes } from '../../format/numbers';
 import { clockTime } from '../../format/times';
 import { t } from '../../i18n/i18n';
 import { Failure } from '../../parts/failure';
@@ -32,7 +33,24 @@ function storedOf(bytes: ArrayBuffer): Stored {
   return { text: linesOf(text).join('\n'), lineEnd: lineEnd ?? '\n', isMixed: lineEnd === null, isLatin1: encoding === 'latin-1' };
 }
 
-export function TextPlace(props: PlaceProps) {
+const kMost_bytes = 16 * 1024 * 1024; // a longer text is not shown here
+
+export const TextPlace = (props: PlaceProps) =>
+  props.program.bytes > kMost_bytes ? (
+    <p class="notice tone-waiting">
+      {t('text.too_large', { bytes: bytes(props.program.bytes) })} <Download program={props.program} revision={props.program.revision} />
+    </p>
+  ) : (
+    <ShownText {...props} />
+  );
+
+const Download = ({ program, revision }: { program: Program; revision: number }) => (
+  <a class="button" download={program.name} href={deskCalls.textHref(program.id, revision)}>
+    {t('text.download')}
+  </a>
+);
+
+function ShownText(props: PlaceProps) {
   const { program, query } = props;
   const wanted = Number(query.get('revision')) || program.revision;
   const drafting = useDraft(person().name, program.id);
@@ -42,8 +60,8 @@ export function TextPlace(props: PlaceProps) {
   const [opened, setOpened] = useState<number | null>(null);
   const shown = isOld ? wanted : (opened ?? (drafting.ready ? base : null));
   useEffect(() => {
-    if (drafting.ready && opened === null && !isOld) setOpened(base);
-  }, [drafting.ready]);
+    if (drafting.ready) setOpened(isOld ? null : base);
+  }, [drafting.ready, isOld]);
   const { value: stored, error } = useLoaded(shown === null ? null : `${program.id}.${shown}`, async () =>
     storedOf(await deskCalls.programBytes(program.id, shown ?? 0)),
   );
@@ -127,7 +145,7 @@ function Writing(props: WritingProps) {
   const { program, query, may } = props;
   const writing = useWriting(props);
   const { text, mayWrite } = writing;
-  const [line, setLine] = useState(1);
+  const [{ line, word }, setCursor] = useState({ line: 1, word: '' });
   const editor = useRef<Editor | null>(null);
   const machine = query.get('machine') ?? '';
   const diagnosis = useDiagnosis(may ? text : null, program.dialect, machine);
@@ -147,11 +165,13 @@ function Writing(props: WritingProps) {
           <button type="button" class="button" onClick={() => editor.current?.find()}>
             {t('text.find')}
           </button>
+          <Download program={program} revision={writing.base} />
           {may && <MachineChoice dialect={program.dialect} value={machine} />}
           <span class="writing-state" role="status">
             {writing.isChanged ? t('text.not_saved') : t('text.saved', { revision: writing.base })} {t('fault.line', { line })}
           </span>
         </div>
+        <p class="word-help">{word}</p>
         <TextEditor
           text={text}
           label={t('text.label', { name: program.name })}
@@ -161,7 +181,7 @@ function Writing(props: WritingProps) {
           faultsOf={diagnosis.of}
           editor={editor}
           changed={writing.edit}
-          lineChanged={setLine}
+          cursorMoved={(at, means) => setCursor({ line: at, word: means })}
           opened={seekLine}
         />
       </div>

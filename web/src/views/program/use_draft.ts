@@ -7,27 +7,33 @@ const kKeepMs = 400;
 
 export interface Drafting {
   ready: boolean; // it is known whether there is a kept text
-  found: Draft | null; // as it was kept when the program was opened
+  found: Draft | null; // the text that is kept
   keep: (base: number, text: string) => void; // soon
   drop: (base: number) => Promise<void>;
   move: (from: number, to: number, text: string) => Promise<void>; // it goes on from another revision
 }
 
 export function useDraft(person: string, program: number): Drafting {
-  const [state, setState] = useState<{ ready: boolean; found: Draft | null }>({ ready: false, found: null });
+  const [ready, setReady] = useState(false);
+  const found = useRef<Draft | null>(null);
   const timer = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
-  const due = useRef<Draft | null>(null);
+  const due = useRef<Draft | null>(null); // is to be kept
   const flush = () => {
     clearTimeout(timer.current);
     if (due.current) void keepDraft(due.current).catch(() => undefined);
     due.current = null;
   };
+  const forget = (base: number): Promise<unknown> => dropDraft({ person, program, base }).catch(() => undefined);
   useEffect(() => {
     let over = false;
     // Without a store for it the text is only in the page.
     void draftOf(person, program)
       .catch(() => null)
-      .then((found) => over || setState({ ready: true, found }));
+      .then((kept) => {
+        if (over) return;
+        found.current = kept;
+        setReady(true);
+      });
     addEventListener('pagehide', flush);
     return () => {
       over = true;
@@ -35,26 +41,26 @@ export function useDraft(person: string, program: number): Drafting {
       flush();
     };
   }, [person, program]);
+  const take = (draft: Draft | null) => {
+    clearTimeout(timer.current);
+    due.current = draft;
+    found.current = draft;
+  };
   return {
-    ...state,
+    ready,
+    found: found.current,
     keep: (base, text) => {
-      due.current = { person, program, base, text, atMs: Date.now() };
-      clearTimeout(timer.current);
+      take({ person, program, base, text, atMs: Date.now() });
       timer.current = setTimeout(flush, kKeepMs);
     },
     drop: async (base) => {
-      clearTimeout(timer.current);
-      due.current = null;
-      setState({ ready: true, found: null });
-      await dropDraft({ person, program, base }).catch(() => undefined);
+      take(null);
+      await forget(base);
     },
     move: async (from, to, text) => {
-      clearTimeout(timer.current);
-      due.current = null;
-      const found = { person, program, base: to, text, atMs: Date.now() };
-      await keepDraft(found).catch(() => undefined);
-      await dropDraft({ person, program, base: from }).catch(() => undefined);
-      setState({ ready: true, found });
+      take({ person, program, base: to, text, atMs: Date.now() });
+      flush();
+      await forget(from);
     },
   };
 }
