@@ -7,7 +7,7 @@ import { Failure } from './parts/failure';
 import { lazyView } from './parts/lazy';
 import { forgetAddress, rememberedScroll, route, type Route, type ViewName } from './router';
 import { loader } from './state/loader';
-import { connection, loaded, loadError, session } from './state/shop';
+import { connection, loaded, loadError, programName, session } from './state/shop';
 import { AlarmsView } from './views/alarms/alarms_view';
 import { asking } from './views/alarms/tray';
 import { FloorView } from './views/floor/floor_view';
@@ -110,7 +110,7 @@ function useBadge(here: Route): void {
 // The tab's title says where one is, and first how many alarms ask for a person.
 function useTitle(here: Route): void {
   const [first = ''] = here.parameters;
-  const named: Partial<Record<ViewName, string>> = { machine: first, job: t('job.title', { job: first }), family: first, part: t('parts.title', { number: first }) };
+  const named: Partial<Record<ViewName, string>> = { machine: first, job: t('job.title', { job: first }), family: first, program: programName(Number(first)) ?? t('title.program'), part: t('parts.title', { number: first }) };
   const name = named[here.view] ?? t(`title.${here.view}`);
   const count = asking.value.length;
   useEffect(() => {

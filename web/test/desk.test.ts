@@ -102,14 +102,14 @@ const fanuc = new Words({
   comment: { open: '(', close: ')' },
   touching: true,
   words: [word('G02', 'code'), word('G54.1', 'code'), word('IF', 'keyword'), word('GOTO', 'keyword'), word('ROUND', 'function'), word('GT', 'keyword'), word('#5001', 'variable', 5020)],
-});
+}, true);
 const siemens = new Words({
   dialect: 'sinumerik-840d',
   title: '',
   comment: { open: ';', close: null },
   touching: false,
   words: [word('G500', 'code'), word('CYCLE81', 'cycle'), word('DIAMON', 'code'), word('GOTOF', 'keyword'), word('SIN', 'function'), word('$P_EP', 'variable')],
-});
+}, true);
 
 const pieces = (line: string, words: Words): string[] => tokensOf(line, words).map(({ from, to, sort, word: of }) => `${line.slice(from, to)} ${sort}${of ? ` ${of.word}` : ''}`);
 

@@ -120,6 +120,7 @@ async function mend(page) {
   await row(page, 'O0700').getByRole('link', { name: 'O0700', exact: true }).click();
   await editor(page).waitFor();
   await read(page);
+  await until(async () => (await page.title()).startsWith('O0700'), 'the tab is named after the program');
   expect((await faults(page).locator('.outline-go').allInnerTexts()).join(' ').includes('T0606'), 'the outline has the tool');
   await write(page, kPump.replace('X110.', 'x110.'));
   await faults(page).getByText('Line 9').waitFor();
@@ -285,6 +286,9 @@ async function viewer(page) {
   await editor(page).waitFor();
   await page.locator('.nc-code').first().waitFor();
   expect((await editor(page).getAttribute('contenteditable')) === 'false', 'the text is to read');
+  await page.locator('.nc-code').first().hover();
+  await page.waitForTimeout(700);
+  expect((await page.locator('.nc-help').count()) === 0, 'nothing is explained while the control is not known');
   for (const place of ['Text', 'Revisions', 'Checks', 'Release']) {
     await page.getByRole('link', { name: place, exact: true }).click();
     await at(page, `#/programs/${id}${place === 'Text' ? '' : `/${place.toLowerCase()}`}`);

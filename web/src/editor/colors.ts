@@ -47,7 +47,7 @@ const colors = ViewPlugin.fromClass(
 export function wordAt(view: EditorView, at: number): (Token & { start: number }) | null {
   const words = view.state.field(wordsField);
   const line = view.state.doc.lineAt(at);
-  if (!words || line.length > kLongest) return null;
+  if (!words?.isSure || line.length > kLongest) return null;
   const column = at - line.from;
   const found = tokensOf(line.text, words).find((token) => token.from <= column && column < token.to);
   return found?.word ? { ...found, start: line.from } : null;

@@ -25,7 +25,7 @@ export interface Editor {
   text: () => string;
   setText: (text: string) => void;
   setReadOnly: (readOnly: boolean) => void;
-  setWords: (words: DialectWords) => void;
+  setWords: (words: DialectWords, isSure: boolean) => void; // isSure: of the control that the text is for
   // Of the text as it stood when it was asked about; null where it has changed since.
   setFaults: (faults: readonly Fault[], of: string) => void;
   goTo: (line: number) => void;
@@ -118,7 +118,7 @@ export function openEditor(host: HTMLElement, options: EditorOptions): Editor {
       if (text !== view.state.doc.toString()) view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text } });
     },
     setReadOnly: (is) => view.dispatch({ effects: writable.reconfigure(readOnly(is)) }),
-    setWords: (words) => view.dispatch({ effects: setWords.of(new Words(words)) }),
+    setWords: (words, isSure) => view.dispatch({ effects: setWords.of(new Words(words, isSure)) }),
     setFaults: (faults, of) => {
       if (of === view.state.doc.toString())
         view.dispatch(setDiagnostics(view.state, faults.map((fault) => diagnosticOf(view.state, fault, options.faultWords))));

@@ -13,7 +13,11 @@ export class Words {
   private readonly ranges: { first: number; last: number; word: DialectWord }[] = [];
   private readonly longest: number;
 
-  constructor(readonly of: DialectWords) {
+  // `isSure`: they are of the control that the text is for; otherwise they color it and explain nothing.
+  constructor(
+    readonly of: DialectWords,
+    readonly isSure: boolean,
+  ) {
     let longest = 0;
     for (const word of of.words) {
       this.byName.set(word.word, word);

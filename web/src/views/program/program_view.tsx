@@ -10,6 +10,7 @@ import { Failure } from '../../parts/failure';
 import { useLoaded } from '../../parts/use_loaded';
 import { atLeast } from '../../rules/roles';
 import { hrefs, kProgramPlaces, type ProgramPlace } from '../../router';
+import { takePrograms } from '../../state/changes';
 import { person } from '../../state/shop';
 import { Labels } from '../library/labels';
 import { ArchiveButton } from '../library/orders';
@@ -23,6 +24,7 @@ import { UsesPlace } from './uses';
 export interface PlaceProps {
   program: Program;
   query: URLSearchParams;
+  isProgrammer: boolean;
   may: boolean; // write: a programmer, and the program is in use
   changed: (program: Program) => void;
   again: () => void;
@@ -39,6 +41,10 @@ const kPlaces: Record<ProgramPlace, (props: PlaceProps) => preact.ComponentChild
 
 export function ProgramView({ id, place, query }: { id: number; place: ProgramPlace; query: URLSearchParams }) {
   const { value: program, error, again, set } = useLoaded(String(id), () => deskCalls.program(id));
+  // Its name, for the tab's title.
+  useEffect(() => {
+    if (program) takePrograms([program]);
+  }, [program]);
   if (!program)
     return (
       <>
@@ -70,7 +76,7 @@ export function ProgramView({ id, place, query }: { id: number; place: ProgramPl
         <p class="notice tone-waiting">{t('library.archived_by', { name: program.archived.by, reason: program.archived.reason })}</p>
       )}
       <Tabs program={program} place={place} />
-      <Place program={program} query={query} may={isProgrammer && !program.archived} changed={set} again={again} />
+      <Place program={program} query={query} isProgrammer={isProgrammer} may={isProgrammer && !program.archived} changed={set} again={again} />
     </>
   );
 }

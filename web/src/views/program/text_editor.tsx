@@ -11,6 +11,7 @@ interface Props {
   label: string;
   readOnly: boolean;
   words: DialectWords | null;
+  isSure: boolean; // the words are of the control that the text is for
   faults: readonly Fault[];
   faultsOf: string; // the text that they are of
   editor: Ref<Editor>;
@@ -82,7 +83,7 @@ export function TextEditor(props: Props) {
   }, [spoken.value.tag]);
   useEffect(() => editor.current?.setText(props.text), [open, props.text]);
   useEffect(() => editor.current?.setReadOnly(props.readOnly), [open, props.readOnly]);
-  useEffect(() => void (props.words && editor.current?.setWords(props.words)), [open, props.words]);
+  useEffect(() => void (props.words && editor.current?.setWords(props.words, props.isSure)), [open, props.words, props.isSure]);
   useEffect(() => editor.current?.setFaults(props.faults, props.faultsOf), [open, props.faults, props.faultsOf]);
   useEffect(() => {
     if (open) props.opened();

@@ -142,13 +142,13 @@ function useWriting(props: WritingProps) {
 type WritingState = ReturnType<typeof useWriting>;
 
 function Writing(props: WritingProps) {
-  const { program, query, may } = props;
+  const { program, query, isProgrammer } = props;
   const writing = useWriting(props);
   const { text, mayWrite } = writing;
   const [{ line, word }, setCursor] = useState({ line: 1, word: '' });
   const editor = useRef<Editor | null>(null);
   const machine = query.get('machine') ?? '';
-  const diagnosis = useDiagnosis(may ? text : null, program.dialect, machine);
+  const diagnosis = useDiagnosis(isProgrammer ? text : null, program.dialect, machine);
   const kind = diagnosis.found?.control.kind ?? '';
   const gSystem = diagnosis.found?.control.g_system ?? '';
   const { value: words } = useLoaded(`${program.dialect} ${kind} ${gSystem}`, () => deskCalls.words(program.dialect, kind, gSystem));
@@ -166,7 +166,7 @@ function Writing(props: WritingProps) {
             {t('text.find')}
           </button>
           <Download program={program} revision={writing.base} />
-          {may && <MachineChoice dialect={program.dialect} value={machine} />}
+          {isProgrammer && <MachineChoice dialect={program.dialect} value={machine} />}
           <span class="writing-state" role="status">
             {writing.isChanged ? t('text.not_saved') : t('text.saved', { revision: writing.base })} {t('fault.line', { line })}
           </span>
@@ -177,6 +177,7 @@ function Writing(props: WritingProps) {
           label={t('text.label', { name: program.name })}
           readOnly={!mayWrite}
           words={words}
+          isSure={kind !== ''}
           faults={diagnosis.found?.faults ?? kNoFaults}
           faultsOf={diagnosis.of}
           editor={editor}
@@ -185,7 +186,7 @@ function Writing(props: WritingProps) {
           opened={seekLine}
         />
       </div>
-      {may && <SidePanel diagnosis={diagnosis} isFixable={mayWrite && diagnosis.of === text} editor={editor} line={line} />}
+      {isProgrammer && <SidePanel diagnosis={diagnosis} isFixable={mayWrite && diagnosis.of === text} editor={editor} line={line} />}
     </div>
   );
 }
