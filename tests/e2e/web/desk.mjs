@@ -70,7 +70,7 @@ async function uploadAgain(page) {
   await dialog(page).getByText('There is a program O0701 already').waitFor();
   expect(await dialog(page).getByLabel(/^as revision 2 of program/).isChecked(), 'it proposes the next revision');
   await dialog(page).getByRole('button', { name: 'Upload 1 program' }).click();
-  await dialog(page).getByText('revision 2').waitFor();
+  await dialog(page).getByRole('link', { name: 'O0701' }).waitFor();
   await dialog(page).getByRole('button', { name: 'Back' }).click();
   const after = await rig.call('GET', '/programs?name=O0701');
   expect(after.body.items.length === before.body.items.length && after.body.items[0].revision === 2, 'it became a revision, no second program');
@@ -194,7 +194,19 @@ async function compare(page) {
   await at(page, address);
 }
 
+// What was released before, as an approver did it.
+async function releaseFirst(program) {
+  const of = { program, revision: 1, machine: 'lathe' };
+  await rig.call('POST', '/checks', of);
+  const { body } = await rig.call('POST', '/releases', of);
+  for (const step of [{ to: 'in_review' }, { to: 'proving', transfers: 1 }, { to: 'approved', note: 'measured' }]) {
+    const moved = await rig.call('POST', `/releases/${body.id}/transitions`, step, 'approver');
+    expect(moved.status === 200, `revision 1 is ${step.to}`);
+  }
+}
+
 async function handIn(page, program) {
+  await releaseFirst(program);
   await page.getByRole('link', { name: 'Checks' }).click();
   await page.getByRole('button', { name: 'Check revision 4' }).click();
   await page.getByRole('heading', { name: /^Check \d+/ }).waitFor();
@@ -204,6 +216,9 @@ async function handIn(page, program) {
   await page.getByRole('button', { name: 'Draft a release of revision 4' }).click();
   await page.getByRole('button', { name: /^Hand release/ }).click();
   await dialog(page).getByText('Verdict:').waitFor();
+  await dialog(page).getByText(/What has changed since release \d+, revision 1/).waitFor();
+  await dialog(page).getByRole('list', { name: 'O0700, revision 4' }).getByText('X112.').waitFor();
+  expect(true, 'it shows what has changed since the last release');
   await dialog(page).getByLabel('Note for the reviewer').fill('new speed');
   await accessible(page, 'handing in');
   await shot(page, 'desk-hand-in');
@@ -277,6 +292,18 @@ async function part(page) {
   await editor(page).waitFor();
 }
 
+async function pages(page) {
+  for (let i = 0; i < 60; ++i) await rig.call('POST', '/programs', { name: `P${i}`, dialect: 'fanuc', text: `%\nO${i + 1}\nM30\n%\n` });
+  await signIn(page, url, tokens.viewer);
+  await page.goto(`${url}/#/library`);
+  const rows = page.locator('[data-program]');
+  await until(async () => (await rows.count()) === 50, 'a page has 50 programs');
+  await page.getByRole('button', { name: 'Show more' }).click();
+  await until(async () => (await rows.count()) > 60, 'the next page comes behind it');
+  const ids = await rows.evaluateAll((all) => all.map((one) => one.dataset.program));
+  expect(new Set(ids).size === ids.length, 'each program once');
+}
+
 // Who may only look has no button that the server would refuse.
 async function viewer(page) {
   await signIn(page, url, tokens.viewer);
@@ -330,5 +357,6 @@ await main([
   ['a programmer: upload, find, file, mend, conflict, compare, hand in', () => withPage(kDesk, day)],
   ['a part by its values', () => withPage(kDesk, part)],
   ['a viewer', () => withPage(kDesk, viewer)],
+  ['pages of the library', () => withPage(kDesk, pages)],
   ['every look', () => withPage(kDesk, everyLook)],
 ]);
