@@ -10,6 +10,7 @@
 #include "store/audit.h"
 #include "store/browser_sessions.h"
 #include "store/contents.h"
+#include "store/event_log.h"
 #include "store/families.h"
 #include "store/jobs.h"
 #include "store/ledger.h"
@@ -23,6 +24,7 @@
 #include "store/use.h"
 #include "store/users.h"
 #include "store/verdicts.h"
+#include "store/webhooks.h"
 
 namespace dripfeed::store {
 
@@ -43,6 +45,8 @@ class Store : public Repository {
   virtual Ledger& ledger() = 0;
   virtual Answers& answers() = 0;
   virtual Alarms& alarms() = 0;
+  virtual EventLog& event_log() = 0;
+  virtual Webhooks& webhooks() = 0;
   virtual Audit& audit() = 0;
   virtual Users& users() = 0;
   virtual Tokens& tokens() = 0;

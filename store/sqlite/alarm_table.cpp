@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "store/sqlite/audit_table.h"
+#include "store/sqlite/event_table.h"
 #include "store/sqlite/paging.h"
 
 namespace dripfeed::sqlite {
@@ -83,6 +84,21 @@ void note(Session& session, std::string_view action, const Alarm& alarm, std::st
                 by);
 }
 
+// `word`: one of store::kAlarmEvents.
+void log_event(Session& session, std::string_view word, const Alarm& alarm, const Stamp& by) {
+  add_event_row(session,
+                {.topic = store::EventTopic::alarm,
+                 .word = std::string(word),
+                 .subject = alarm.id,
+                 .machine = alarm.machine,
+                 .job = alarm.job,
+                 .cause = alarm.kind,
+                 .text = alarm.text},
+                by);
+}
+
+constexpr std::string_view kServer = "dripfeed";  // who raises and clears
+
 // "1700000000000-12": the time and id of the last row of the page before.
 struct Place {
   std::int64_t at_ms = std::numeric_limits<std::int64_t>::max();
@@ -110,11 +126,13 @@ Result<Alarm> AlarmTable::raise(const store::NewAlarm& alarm, std::int64_t at_ms
     static const std::string kOpen = alarms_where("machine = ? AND kind = ? AND body = ? AND closed = 0");
     const std::int64_t cleared_at_ms = alarm.lasts ? 0 : at_ms;
     if (auto open = find(session, kOpen, alarm.machine, alarm.kind, alarm.text)) {
+      const bool was_over = open->cleared_at_ms != 0;
       open->count += alarm.count;
       open->last_at_ms = at_ms;
       open->cleared_at_ms = cleared_at_ms;
       session.run("UPDATE alarm SET count = ?, last_at_ms = ?, cleared_at_ms = ? WHERE id = ?", open->count,
                   open->last_at_ms, open->cleared_at_ms, open->id);
+      if (alarm.lasts && was_over) log_event(session, "raised", *open, {std::string(kServer), at_ms});
       return *open;
     }
     session.run(
@@ -130,6 +148,7 @@ Result<Alarm> AlarmTable::raise(const store::NewAlarm& alarm, std::int64_t at_ms
     added.raised_at_ms = added.last_at_ms = at_ms;
     added.cleared_at_ms = cleared_at_ms;
     added.job = alarm.job;
+    log_event(session, "raised", added, {std::string(kServer), at_ms});
     return added;
   });
 }
@@ -141,6 +160,7 @@ Result<std::vector<Alarm>> AlarmTable::clear(std::string_view machine, std::stri
     for (Alarm& alarm : over) {
       alarm.cleared_at_ms = at_ms;
       session.run("UPDATE alarm SET cleared_at_ms = ? WHERE id = ?", at_ms, alarm.id);
+      log_event(session, "cleared", alarm, {std::string(kServer), at_ms});
     }
     return over;
   });
@@ -164,6 +184,7 @@ Result<Alarm> AlarmTable::acknowledge(Id id, const Stamp& by) {
     session.run("UPDATE alarm SET acknowledged_by = ?, acknowledged_at_ms = ? WHERE id = ?", by.actor, by.at_ms, id);
     note(session, "alarm.acknowledge", *alarm,
          fmt::format("{} on {}, {} times: {}", alarm->kind, alarm->machine, alarm->count, alarm->text), by);
+    log_event(session, "acknowledged", *alarm, by);
     return *alarm;
   });
 }
@@ -182,6 +203,7 @@ Result<Alarm> AlarmTable::shelve(Id id, std::int64_t until_ms, std::string_view 
     write_shelf(session, *alarm);
     note(session, "alarm.shelve", *alarm,
          fmt::format("{} on {} for {} s: {}", alarm->kind, alarm->machine, (until_ms - by.at_ms) / 1000, reason), by);
+    log_event(session, "shelved", *alarm, by);
     return *alarm;
   });
 }
@@ -194,6 +216,7 @@ Result<Alarm> AlarmTable::unshelve(Id id, const Stamp& by) {
     note(session, "alarm.unshelve", *alarm, fmt::format("{} on {}", alarm->kind, alarm->machine), by);
     take_down(*alarm);
     write_shelf(session, *alarm);
+    log_event(session, "unshelved", *alarm, by);
     return *alarm;
   });
 }
@@ -209,6 +232,7 @@ Result<std::vector<Alarm>> AlarmTable::end_shelves(std::int64_t now_ms) {
     for (Alarm& alarm : ended) {
       take_down(alarm);
       write_shelf(session, alarm);
+      log_event(session, "unshelved", alarm, {std::string(kServer), now_ms});
     }
     return ended;
   });

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "store/sqlite/audit_table.h"
+#include "store/sqlite/event_table.h"
 #include "store/sqlite/job_rows.h"
 #include "store/sqlite/paging.h"
 
@@ -50,6 +51,20 @@ Job moved(Job job, const JobMove& move, const Stamp& by) {
   return job;
 }
 
+void log_event(Session& session, const Job& job, const Stamp& by) {
+  add_event_row(session,
+                {.topic = store::EventTopic::job,
+                 .word = std::string(store::name_of(job.state)),
+                 .subject = job.id,
+                 .machine = job.machine,
+                 .job = job.id,
+                 .program = job.program,
+                 .revision = job.revision,
+                 .cause = job.reason_id,
+                 .text = job.reason},
+                by);
+}
+
 void write_move(Session& session, JobState from, const Job& job, const Stamp& by) {
   update_job(session, job);
   if (!is_audited(from, job.state)) return;
@@ -59,6 +74,7 @@ void write_move(Session& session, JobState from, const Job& job, const Stamp& by
                  .detail = fmt::format("{} to {}{}: {}", store::name_of(from), store::name_of(job.state),
                                        job.torn ? ", torn" : "", job.reason)},
                 by);
+  log_event(session, job, by);
 }
 
 std::uint64_t last_rank(Session& session, std::string_view machine) {
@@ -116,6 +132,7 @@ Result<Job> JobTable::add(const store::NewJob& job, const Stamp& by) {
                    .subject = job_subject(added.id),
                    .detail = fmt::format("release {} text {} to {}", added.release, added.text_sha256, added.machine)},
                   by);
+    log_event(session, added, by);
     return added;
   });
 }

@@ -10,6 +10,7 @@
 #include "store/hash/sha256.h"
 #include "store/sqlite/schema_v1.h"
 #include "store/sqlite/schema_v10.h"
+#include "store/sqlite/schema_v11.h"
 #include "store/sqlite/schema_v3.h"
 #include "store/sqlite/schema_v4.h"
 #include "store/sqlite/schema_v5.h"
@@ -134,7 +135,8 @@ std::span<const Migration> migrations() {
                                       Migration{7, "browser sessions", kSchemaV7},
                                       Migration{8, "queue order", kSchemaV8},
                                       Migration{9, "labels of programs", kSchemaV9},
-                                      Migration{10, "users", kSchemaV10}};
+                                      Migration{10, "users", kSchemaV10},
+                                      Migration{11, "webhooks", kSchemaV11}};
   return kMigrations;
 }
 

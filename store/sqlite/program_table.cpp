@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "store/sqlite/audit_table.h"
+#include "store/sqlite/event_table.h"
 #include "store/sqlite/paging.h"
 
 namespace dripfeed::sqlite {
@@ -122,6 +123,21 @@ void write_revision(Session& session, Id program, Revision revision, const NewPr
                 by);
 }
 
+// `word`: one of store::kProgramEvents. The program as it is now.
+Result<Program> told(Session& session, Result<Program> program, std::string_view word, const Stamp& by) {
+  if (!program) return program;
+  add_event_row(session,
+                {.topic = store::EventTopic::program,
+                 .word = std::string(word),
+                 .subject = program->id,
+                 .machine = program->newest.origin.machine,
+                 .program = program->id,
+                 .revision = program->newest.revision,
+                 .text = program->name},
+                by);
+  return program;
+}
+
 }  // namespace
 
 Result<Program> ProgramTable::add(std::string_view name, std::string_view dialect, const NewProgramText& text,
@@ -133,7 +149,7 @@ Result<Program> ProgramTable::add(std::string_view name, std::string_view dialec
     note_program_change(session, program);
     write_revision(session, program, 1, text, by, "program.add");
     if (!session.ok()) return std::unexpected(session.error());
-    return get(program);
+    return told(session, get(program), "added", by);
   });
 }
 
@@ -147,7 +163,7 @@ Result<Program> ProgramTable::add_revision(Id program, Revision expected, const 
     note_program_change(session, program);
     write_revision(session, program, expected + 1, text, by, "program.change");
     if (!session.ok()) return std::unexpected(session.error());
-    return get(program);
+    return told(session, get(program), "revised", by);
   });
 }
 
@@ -212,7 +228,7 @@ Result<Program> ProgramTable::archive(Id program, std::string_view reason, const
     add_audit_row(session, {.action = "program.archive", .subject = subject_of(program), .detail = std::string(reason)},
                   by);
     if (!session.ok()) return std::unexpected(session.error());
-    return get(program);
+    return told(session, get(program), "archived", by);
   });
 }
 
@@ -227,7 +243,7 @@ Result<Program> ProgramTable::fetch_back(Id program, std::string_view reason, co
     add_audit_row(session,
                   {.action = "program.fetch_back", .subject = subject_of(program), .detail = std::string(reason)}, by);
     if (!session.ok()) return std::unexpected(session.error());
-    return get(program);
+    return told(session, get(program), "fetched_back", by);
   });
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "store/sqlite/audit_table.h"
+#include "store/sqlite/event_table.h"
 #include "store/sqlite/paging.h"
 
 namespace dripfeed::sqlite {
@@ -66,6 +67,21 @@ store::Request read_request(Query& query) {
 
 std::string subject_of(Id receipt) { return fmt::format("receipt/{}", receipt); }
 
+// The receipt as it is now; what became of it is an event.
+Result<Receipt> told(Session& session, Result<Receipt> receipt, const Stamp& by) {
+  if (!receipt) return receipt;
+  add_event_row(session,
+                {.topic = store::EventTopic::receipt,
+                 .word = std::string(store::name_of(receipt->state)),
+                 .subject = receipt->id,
+                 .machine = receipt->of.machine,
+                 .program = receipt->program,
+                 .revision = receipt->revision,
+                 .text = receipt->of.name},
+                by);
+  return receipt;
+}
+
 bool decided(const Receipt& receipt) {
   return receipt.state == ReceiptState::accepted || receipt.state == ReceiptState::discarded;
 }
@@ -91,7 +107,7 @@ Result<Receipt> ReceiptTable::add(const store::NewReceipt& receipt, const Stamp&
                                          store::name_of(state))},
                   by);
     if (!session.ok()) return std::unexpected(session.error());
-    return get(id);
+    return told(session, get(id), by);
   });
 }
 
@@ -118,7 +134,7 @@ Result<Receipt> ReceiptTable::accept(Id receipt, Id program, store::Revision rev
                                          reason)},
                   by);
     if (!session.ok()) return std::unexpected(session.error());
-    return get(receipt);
+    return told(session, get(receipt), by);
   });
 }
 
@@ -133,7 +149,7 @@ Result<Receipt> ReceiptTable::discard(Id receipt, std::string_view reason, const
     add_audit_row(session, {.action = "receipt.discard", .subject = subject_of(receipt), .detail = std::string(reason)},
                   by);
     if (!session.ok()) return std::unexpected(session.error());
-    return get(receipt);
+    return told(session, get(receipt), by);
   });
 }
 

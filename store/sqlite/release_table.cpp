@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "store/sqlite/audit_table.h"
+#include "store/sqlite/event_table.h"
 #include "store/sqlite/paging.h"
 #include "store/sqlite/program_table.h"
 #include "store/sqlite/user_table.h"
@@ -69,6 +70,18 @@ Result<void> refuse_own_eyes(Session& session, const Release& release, const Sta
   return {};
 }
 
+void log_event(Session& session, const Release& release, std::string_view note, const Stamp& by) {
+  add_event_row(session,
+                {.topic = store::EventTopic::release,
+                 .word = std::string(store::name_of(release.state)),
+                 .subject = release.id,
+                 .machine = release.of.machine,
+                 .program = release.of.program,
+                 .revision = release.of.revision,
+                 .text = std::string(note)},
+                by);
+}
+
 std::string select_where(std::string_view rest) {
   return fmt::format("SELECT {} FROM text_release WHERE {}", kColumns, rest);
 }
@@ -91,7 +104,9 @@ Result<Release> ReleaseTable::add(const NewRelease& release, const Stamp& by) {
          .detail = fmt::format("text {} for {} by {}", *sha256, release.machine, store::name_of(release.delivery))},
         by);
     if (!session.ok()) return std::unexpected(session.error());
-    return get(id);
+    auto added = get(id);
+    if (added) log_event(session, *added, {}, by);
+    return added;
   });
 }
 
@@ -146,6 +161,7 @@ Result<Release> ReleaseTable::move(Id release, const ReleaseMove& move, const St
                    .subject = subject_of(release),
                    .detail = fmt::format("{} to {}: {}", store::name_of(from), store::name_of(move.to), move.note)},
                   by);
+    log_event(session, *moved, move.note, by);
     return moved;
   });
 }

@@ -9,6 +9,7 @@
 #include "store/sqlite/browser_session_table.h"
 #include "store/sqlite/checkpointer.h"
 #include "store/sqlite/content_table.h"
+#include "store/sqlite/event_table.h"
 #include "store/sqlite/family_table.h"
 #include "store/sqlite/job_table.h"
 #include "store/sqlite/ledger_table.h"
@@ -22,6 +23,7 @@
 #include "store/sqlite/token_table.h"
 #include "store/sqlite/user_table.h"
 #include "store/sqlite/verdict_table.h"
+#include "store/sqlite/webhook_table.h"
 #include "store/store.h"
 
 namespace dripfeed::sqlite {
@@ -44,6 +46,8 @@ class SqliteStore final : public store::Store {
   store::Ledger& ledger() override { return ledger_; }
   store::Answers& answers() override { return answers_; }
   store::Alarms& alarms() override { return alarms_; }
+  store::EventLog& event_log() override { return event_log_; }
+  store::Webhooks& webhooks() override { return webhooks_; }
   store::Audit& audit() override { return audit_; }
   store::Users& users() override { return users_; }
   store::Tokens& tokens() override { return tokens_; }
@@ -73,6 +77,8 @@ class SqliteStore final : public store::Store {
   LedgerTable ledger_{*database_};
   ReceiptTable receipts_{*database_};
   AlarmTable alarms_{*database_};
+  EventTable event_log_{*database_};
+  WebhookTable webhooks_{*database_};
   AuditTable audit_{*database_};
   UserTable users_{*database_};
   TokenTable tokens_{*database_};

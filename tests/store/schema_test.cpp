@@ -22,7 +22,7 @@ std::string fixture(std::uint32_t version) {
   return fmt::format("{}/tests/store/schema/v{}.sql", DRIPFEED_SOURCE_DIR, version);
 }
 
-// Tables, then their rows, then what watches over them.
+// Tables, then their rows, then what watches over them. What SQLite keeps for itself it makes again.
 std::string dump(const std::string& path) {
   sqlite3* connection = nullptr;
   sqlite3_open(path.c_str(), &connection);
@@ -34,17 +34,21 @@ std::string dump(const std::string& path) {
     sqlite3_finalize(statement);
   };
   const auto schema = [&](std::string_view type) {
-    each(fmt::format("SELECT sql FROM sqlite_master WHERE type {} 'table' AND sql IS NOT NULL ORDER BY rowid", type),
+    each(fmt::format("SELECT sql FROM sqlite_master WHERE type {} 'table' AND sql IS NOT NULL AND name NOT LIKE "
+                     "'sqlite_%' ORDER BY rowid",
+                     type),
          [&](const std::string& sql) { text += sql + ";\n"; });
   };
   schema("=");
-  each("SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY rowid", [&](const std::string& table) {
-    std::string columns;
-    each(fmt::format("SELECT group_concat('quote(' || name || ')', '||'',''||') FROM pragma_table_info('{}')", table),
-         [&](const std::string& list) { columns = list; });
-    each(fmt::format("SELECT {} FROM {}", columns, table),
-         [&](const std::string& row) { text += fmt::format("INSERT INTO {} VALUES ({});\n", table, row); });
-  });
+  each("SELECT name FROM sqlite_master WHERE type = 'table' AND name NOT LIKE 'sqlite_%' ORDER BY rowid",
+       [&](const std::string& table) {
+         std::string columns;
+         each(fmt::format("SELECT group_concat('quote(' || name || ')', '||'',''||') FROM pragma_table_info('{}')",
+                          table),
+              [&](const std::string& list) { columns = list; });
+         each(fmt::format("SELECT {} FROM {}", columns, table),
+              [&](const std::string& row) { text += fmt::format("INSERT INTO {} VALUES ({});\n", table, row); });
+       });
   schema("<>");
   sqlite3_close(connection);
   return text;
@@ -87,6 +91,10 @@ void write_newest(Store& store, const std::string& path) {
   must(store.programs().label(job.program, {.tags = {{"pump"}}, .folder = "acme"}, by("tester")));
   const Program old = add_program(store, "%\nO9\nM30\n%\n", "O9");
   must(store.programs().archive(old.id, "of an old machine", by("tester")));
+  const Webhook hook =
+      must(store.webhooks().add({.url = "https://mes.shop/in", .types = {"job.*"}}, "whsec_x", 8, by("tester", 9)));
+  must(store.webhooks().ping(hook.id, by("tester", 10)));
+  must(store.event_log().note_seen("mqtt", 1));
   std::ofstream(fixture(sqlite::migrations().back().version), std::ios::binary) << dump(path);
 }
 
@@ -134,6 +142,11 @@ TEST_F(SchemaTest, EveryOldOneIsReadByThisProgram) {
               migration.version >= 9 ? 1U : 0U);
     const Program changed = must(store_->programs().label(job.program, {.tags = {{"new"}}}, by("server")));
     EXPECT_EQ(must(store_->programs().changed_after(program.change, 9)).back().change, changed.change);
+    const bool has_webhooks = migration.name == "webhooks";
+    ASSERT_EQ(must(store_->webhooks().enabled()).size(), has_webhooks ? 1U : 0U);
+    EXPECT_EQ(must(store_->event_log().seen_by("mqtt")).has_value(), has_webhooks);
+    const auto waits = must(store_->webhooks().due(1, 10));
+    EXPECT_EQ(waits ? waits->event.of.word : "", has_webhooks ? "ping" : "");
     must(store_->releases().released_for(job.text_sha256, "mill-1", Delivery::drip));
     EXPECT_EQ(must(store_->jobs().interrupt_unfinished(by("server"))).size(), 1U);
     EXPECT_EQ(sql("DELETE FROM audit"), "append-only");

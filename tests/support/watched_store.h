@@ -84,6 +84,8 @@ class WatchedStore final : public store::Store {
   store::Ledger& ledger() override { return ledger_; }
   store::Answers& answers() override { return store_.answers(); }
   store::Alarms& alarms() override { return store_.alarms(); }
+  store::EventLog& event_log() override { return store_.event_log(); }
+  store::Webhooks& webhooks() override { return store_.webhooks(); }
   store::Audit& audit() override { return audit_; }
   store::Users& users() override { return store_.users(); }
   store::Tokens& tokens() override { return store_.tokens(); }
