@@ -67,6 +67,8 @@ Application::Application(const Environment& environment)
       jobs_(store_, lines_, books_, events_, clock_, documents_),
       receiving_({store_, lines_, jobs_, programs_, events_, alarms_, clock_, documents_}) {
   if (environment.library != nullptr) library_.emplace(store_, *environment.library, environment.workers);
+  if (environment.sender != nullptr)
+    webhooks_.emplace(store_, events_, clock_, *environment.sender, environment.webhooks);
 }
 
 void Application::line_changed() {
@@ -83,6 +85,7 @@ void Application::end_lines() {
   // The lines wake the books, so they go before them.
   lines_.close();
   if (library_) library_->stop();
+  if (webhooks_) webhooks_->stop();
 }
 
 Result<void> Application::start() {

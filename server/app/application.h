@@ -15,6 +15,7 @@
 #include "server/app/program_lines.h"
 #include "server/app/programs.h"
 #include "server/app/receiving.h"
+#include "server/app/webhooks.h"
 #include "store/store.h"
 
 namespace dripfeed::app {
@@ -50,6 +51,8 @@ class Application {
     ClaimLine claim{};                  // takes lines for this process; empty: they are not claimed
     Workers* workers = nullptr;         // without them checks and renders are done in this process
     store::Library* library = nullptr;  // without it nothing is searched for
+    HttpSender* sender = nullptr;       // without it there are no webhooks
+    WebhookSettings webhooks{};
   };
   explicit Application(const Environment& environment);
   // Jobs on a line are cancelled at a block end, as far as their control lets them.
@@ -85,6 +88,8 @@ class Application {
   Checking& checking() { return checking_; }
   Jobs& jobs() { return jobs_; }
   Receiving& receiving() { return receiving_; }
+  // nullptr: there are none.
+  Webhooks* webhooks() { return webhooks_ ? &*webhooks_ : nullptr; }
   // nullptr: there is none.
   LibraryKeeper* library() { return library_ ? &*library_ : nullptr; }
 
@@ -106,6 +111,7 @@ class Application {
   Jobs jobs_;
   Receiving receiving_;
   std::optional<LibraryKeeper> library_;
+  std::optional<Webhooks> webhooks_;
 };
 
 }  // namespace dripfeed::app

@@ -1,5 +1,6 @@
 // dripfeed serve: the server with its store, its links and the API.
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
@@ -26,11 +27,13 @@
 #include "server/cli/signals.h"
 #include "server/http/api.h"
 #include "server/http/server.h"
+#include "server/io/http_sender.h"
 #include "server/io/io.h"
 #include "server/io/line_claim.h"
 #include "server/io/modbus_listener.h"
 #include "server/io/thread_priority.h"
 #include "server/io/worker_desk.h"
+#include "server/json/cloud_events.h"
 #include "server/json/documents.h"
 #include "server/json/workers.h"
 #include "store/hash/hash.h"
@@ -110,6 +113,18 @@ io::WorkerDeskSettings desk_settings(const Options& options) {
           .memory_exit_code = kOverMemory};
 }
 
+// Who sends events: the computer, unless an option says what the shop calls this server.
+std::string event_source(const Options& options) {
+  if (!options.event_source.empty()) return options.event_source;
+  std::array<char, 256> name{};
+  if (::gethostname(name.data(), name.size() - 1) != 0) return "dripfeed://localhost";
+  return fmt::format("dripfeed://{}", name.data());
+}
+
+std::vector<double> webhook_retries(const Options& options) {
+  return options.webhook_retry_s.empty() ? app::kWebhookRetries_s : options.webhook_retry_s;
+}
+
 struct Books {
   store::Store& store;
   store::Library* library;
@@ -124,6 +139,15 @@ int run_server(const Options& options, const ServePlan& plan, const Books& books
   app::Ballast ballast(fs::path(options.data) / "ballast");
   io::WorkerDesk desk(desk_settings(options));
   json::DocumentWorkers workers(desk, {.seconds = options.check_seconds, .memory_bytes = 0});
+  const auto sender = io::make_http_sender(
+      {.ca_file = options.webhook_ca, .user_agent = fmt::format("dripfeed/{}", std::string_view(kVersion))});
+  if (!sender) {
+    print_error(app::Error{app::ErrorCode::invalid, "--webhook-ca: " + sender.error(), {}});
+    return kWrongUse;
+  }
+  const app::WriteEvent write_event = [source = event_source(options)](const store::LoggedEvent& event) {
+    return json::cloud_event(event, source);
+  };
   app::Application application({.store = store,
                                 .links = *links,
                                 .take_seat = io::take_modbus_seat,
@@ -132,7 +156,9 @@ int run_server(const Options& options, const ServePlan& plan, const Books& books
                                 .ballast = &ballast,
                                 .claim = io::claim_line,
                                 .workers = &workers,
-                                .library = books.library});
+                                .library = books.library,
+                                .sender = sender->get(),
+                                .webhooks = {.write = write_event, .retries_s = webhook_retries(options)}});
   const auto token = ensure_first_token(store, options.data, clock);
   const auto started = token ? application.start() : token;
   if (!started) {

@@ -31,6 +31,10 @@ constexpr Row<std::string> kTexts[] = {
      "ADDRESS:PORT: PLCs may read there what the machines do, by Modbus TCP"},
     {"--tls-cert", &ServerOptions::tls_cert, "certificate with its chain, PEM: HTTPS; read again when it changes"},
     {"--tls-key", &ServerOptions::tls_key, "its key, PEM"},
+    {"--event-source", &ServerOptions::event_source,
+     "URI by which events say where they are from; dripfeed://HOSTNAME by default"},
+    {"--webhook-ca", &ServerOptions::webhook_ca,
+     "certificates that webhooks' receivers are believed by, PEM; the system's by default"},
 };
 constexpr Row<std::vector<std::string>> kLists[] = {
     {"--modbus-unit", &ServerOptions::modbus_unit, "MACHINE=UNIT: shown to PLCs as this unit, 1..247"},
@@ -38,6 +42,11 @@ constexpr Row<std::vector<std::string>> kLists[] = {
      "IP address that may read; must be given where --modbus-listen is not loopback"},
     {"--proxy", &ServerOptions::proxy,
      "IP address of a proxy whose X-Forwarded-Host and X-Forwarded-Proto are believed"},
+};
+constexpr Row<std::vector<double>> kDelays[] = {
+    {"--webhook-retry-s", &ServerOptions::webhook_retry_s,
+     "delay in seconds before a webhook is tried again, once for each further try; by default those of Standard "
+     "Webhooks: 3 days in all"},
 };
 struct NumberRow {
   Row<std::uint32_t> row;
@@ -107,6 +116,8 @@ void add_serve_options(CLI::App& command, GivenOptions& given) {
     if (!(options.*row.member).empty()) option->capture_default_str();
   }
   for (const auto& row : kLists) command.add_option(row.name, options.*row.member, row.about);
+  for (const auto& row : kDelays)
+    command.add_option(row.name, options.*row.member, row.about)->check(CLI::Range(0.05, json::kMostRetry_s));
   for (const auto& [row, least, most] : kNumbers) {
     command.add_option(row.name, options.*row.member, row.about)->check(CLI::Range(least, most))->capture_default_str();
   }
@@ -127,6 +138,7 @@ app::Result<ServerOptions> options_of(const CLI::App& command, const GivenOption
   }
   for (const auto& row : kTexts) lay_over(command, row, given.options, options);
   for (const auto& row : kLists) lay_over(command, row, given.options, options);
+  for (const auto& row : kDelays) lay_over(command, row, given.options, options);
   for (const auto& row : kNumbers) lay_over(command, row.row, given.options, options);
   for (const auto& row : kFlags) lay_over(command, row, given.options, options);
   return options;

@@ -128,6 +128,19 @@ Response acknowledge_alarm(const Call& call);
 Response shelve_alarm(const Call& call);
 Response unshelve_alarm(const Call& call);
 
+// handlers_webhooks.cpp
+Response list_event_types(const Call& call);
+Response list_webhooks(const Call& call);
+Response add_webhook(const Call& call);
+Response get_webhook(const Call& call);
+Response change_webhook(const Call& call);
+Response remove_webhook(const Call& call);
+Response rotate_webhook(const Call& call);
+Response ping_webhook(const Call& call);
+Response list_deliveries(const Call& call);
+Response replay_delivery(const Call& call);
+Response replay_deliveries(const Call& call);
+
 // handlers_receipts.cpp
 Response list_receipts(const Call& call);
 Response get_receipt(const Call& call);

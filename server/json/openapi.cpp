@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "server/app/event_types.h"
 #include "server/json/object_reader.h"
 #include "server/json/schemas.h"
 
@@ -179,6 +180,20 @@ Document operation_of(const OpenApiRoute& route) {
   return operation;
 }
 
+// What we post to others: one entry a type of event.
+Document webhooks_of(std::span<const app::EventType> types) {
+  Document all = Document::object();
+  for (const app::EventType& type : types)
+    all[std::string(type.name)]["post"] = {
+        {"summary", type.when},
+        {"requestBody",
+         {{"required", true}, {"content", content("application/cloudevents+json", to_reference(type.schema))}}},
+        {"responses",
+         {{"2XX", {{"description", "taken; all else is tried again"}}},
+          {"410", {{"description", "gone: the webhook is disabled"}}}}}};
+  return all;
+}
+
 }  // namespace
 
 std::string json_schema(const Schema& schema) {
@@ -194,6 +209,7 @@ std::string openapi(std::span<const OpenApiRoute> routes, std::string_view versi
                {"info", {{"title", "dripfeed"}, {"version", version}}},
                {"security", Document::array({{{"token", Document::array()}}, {{"session", Document::array()}}})},
                {"paths", std::move(paths)},
+               {"webhooks", webhooks_of(app::event_types())},
                {"components",
                 {{"schemas", schemas_of(routes)},
                  {"securitySchemes",

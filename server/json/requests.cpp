@@ -208,6 +208,37 @@ void read_members(ObjectReader& o, ShelveBody& into) {
   o.text("reason", into.reason, true);
 }
 
+void read_types(ObjectReader& o, std::vector<std::string>& into, bool required) {
+  constexpr std::size_t kMostTypes = 64;
+  const Document* const types = o.member("types", list_of(text("a type, \"job.*\" or \"*\""), ""), required);
+  if (types == nullptr) return;
+  if (!types->is_array() || types->size() > kMostTypes) return o.fault("types", "must be a list of 64 texts at most");
+  into.clear();
+  for (const Document& one : *types) {
+    if (!one.is_string()) return o.fault("types", "must be a list of texts");
+    into.push_back(one.get<std::string>());
+  }
+}
+
+void read_webhook(ObjectReader& o, store::WebhookSettings& into, bool is_new) {
+  constexpr std::size_t kLongest = 2000;
+  o.text("url", into.url, is_new);
+  read_types(o, into.types, is_new);
+  o.text("description", into.description);
+  o.flag("enabled", into.enabled);
+  o.flag("local", into.local);
+  if (into.url.size() > kLongest) o.fault("url", "must not be longer than 2000 bytes");
+  if (into.description.size() > kLongest) o.fault("description", "must not be longer than 2000 bytes");
+}
+void read_new_webhook(ObjectReader& o, store::WebhookSettings& into) { read_webhook(o, into, true); }
+void read_webhook_changes(ObjectReader& o, store::WebhookSettings& into) { read_webhook(o, into, false); }
+
+void read_members(ObjectReader& o, RotateBody& into) {
+  o.integer("keep_hours", into.keep_hours, 0, app::Webhooks::kOldSecretAtMost_h);
+}
+
+void read_members(ObjectReader& o, ReplayBody& into) { o.integer("since_ms", into.since_ms, 0, kMaxId, true); }
+
 template <class Body>
 app::Result<Body> read_body(std::string_view body) {
   return read_by<Body>(read_members, body);
@@ -251,6 +282,16 @@ std::optional<std::string> machine_in_body(std::string_view body) {
   const auto found = document->find("machine");
   return found != document->end() && found->is_string() ? std::optional(found->get<std::string>()) : std::nullopt;
 }
+app::Result<store::WebhookSettings> read_webhook_body(std::string_view body) {
+  return read_by<store::WebhookSettings>(read_new_webhook, body);
+}
+app::Result<store::WebhookSettings> read_webhook_change(std::string_view body, store::WebhookSettings known) {
+  const auto done = read_object(body, "request", [&](ObjectReader& o) { read_webhook_changes(o, known); });
+  if (!done) return std::unexpected(done.error());
+  return known;
+}
+app::Result<RotateBody> read_rotate_body(std::string_view body) { return read_body<RotateBody>(or_empty(body)); }
+app::Result<ReplayBody> read_replay_body(std::string_view body) { return read_body<ReplayBody>(body); }
 
 Schemas request_schemas() {
   return {
@@ -274,6 +315,10 @@ Schemas request_schemas() {
       described<ShelveBody>("Shelve", read_members, "for how long an alarm asks for nobody"),
       described<ReasonBody>("Reason", read_reason, "why a person does it"),
       described<ReasonBody>("OptionalReason", read_optional_reason, "why a person does it, if they say so"),
+      described<store::WebhookSettings>("NewWebhook", read_new_webhook, "who is to be told of which events"),
+      described<store::WebhookSettings>("ChangedWebhook", read_webhook_changes, "what is not given stays as it is"),
+      described<RotateBody>("Rotate", read_members, "how a secret is changed"),
+      described<ReplayBody>("Replay", read_members, "which dead deliveries are tried again"),
       described<app::AcceptOrder>("AcceptOrder", read_members, "what a receipt becomes; nothing: a new program"),
   };
 }

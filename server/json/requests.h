@@ -9,6 +9,7 @@
 #include "server/app/measured.h"
 #include "server/app/programs.h"
 #include "server/app/receiving.h"
+#include "server/app/webhooks.h"
 #include "server/json/schemas.h"
 
 namespace dripfeed::json {
@@ -104,6 +105,21 @@ app::Result<MoveBody> read_move_body(std::string_view body);
 
 // The member "machine" of a body that another reader reads; nothing where it has none.
 std::optional<std::string> machine_in_body(std::string_view body);
+
+// What an admin says of a webhook; of a change, what is not given stays.
+app::Result<store::WebhookSettings> read_webhook_body(std::string_view body);
+app::Result<store::WebhookSettings> read_webhook_change(std::string_view body, store::WebhookSettings known);
+
+// For how long the secret before signs as well, in hours.
+struct RotateBody {
+  std::int64_t keep_hours = 24;
+};
+app::Result<RotateBody> read_rotate_body(std::string_view body);
+
+struct ReplayBody {
+  std::int64_t since_ms = 0;
+};
+app::Result<ReplayBody> read_replay_body(std::string_view body);
 
 // Of all these bodies, as their readers take them.
 Schemas request_schemas();

@@ -61,6 +61,7 @@ Schemas site_schemas() {
                                                                  {"info", any("as OpenAPI has it")},
                                                                  {"security", any("as OpenAPI has it")},
                                                                  {"paths", any("by path")},
+                                                                 {"webhooks", any("what is posted to others, by type")},
                                                                  {"components", any("schemas by name")}})},
       {"Alarm", alarm()},
       {"EventAlarm", alarm()},

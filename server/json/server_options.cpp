@@ -51,6 +51,21 @@ void read_units(ObjectReader& o, std::vector<std::string>& into) {
   into = std::move(units);
 }
 
+void read_retries(ObjectReader& o, std::vector<double>& into) {
+  constexpr std::string_view kName = "webhook_retry_s";
+  const Document* const given = o.member(
+      kName, list_of(number(0.05, kMostRetry_s, "delay in seconds"),
+                     "delays between the tries of a delivery; not given: those of Standard Webhooks, 3 days in all"));
+  if (given == nullptr) return;
+  if (!given->is_array() || given->size() > kMostRetries) return o.fault(kName, "must be a list of 20 numbers at most");
+  into.clear();
+  for (const Document& one : *given) {
+    const double delay_s = one.is_number() ? one.get<double>() : 0.0;
+    if (delay_s < 0.05 || delay_s > kMostRetry_s) return o.fault(kName, "must have seconds from 0.05 to 604800");
+    into.push_back(delay_s);
+  }
+}
+
 void read_members(ObjectReader& o, ServerOptions& into) {
   o.text("data", into.data);
   o.text("listen", into.listen);
@@ -62,6 +77,9 @@ void read_members(ObjectReader& o, ServerOptions& into) {
   o.text("modbus_listen", into.modbus_listen);
   read_texts(o, "modbus_allow", "IP address", into.modbus_allow);
   read_units(o, into.modbus_unit);
+  o.text("event_source", into.event_source);
+  o.text("webhook_ca", into.webhook_ca);
+  read_retries(o, into.webhook_retry_s);
   o.integer("check_seconds", into.check_seconds, 1, kMostCheckSeconds);
   o.integer("check_memory", into.check_memory, kLeastCheckMemory_mb, kMostCheckMemory_mb);
 }

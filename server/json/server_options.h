@@ -22,10 +22,15 @@ struct ServerOptions {
   std::string modbus_listen{};              // "": no Modbus server
   std::vector<std::string> modbus_allow{};  // IP addresses
   std::vector<std::string> modbus_unit{};   // MACHINE=UNIT
+  std::string event_source{};               // "": by the computer's name
+  std::string webhook_ca{};                 // PEM; "": whom the system believes
+  std::vector<double> webhook_retry_s{};    // empty: the standard's
   std::uint32_t check_seconds = 60;
   std::uint32_t check_memory = 2048;  // MB
   friend bool operator==(const ServerOptions&, const ServerOptions&) = default;
 };
+inline constexpr double kMostRetry_s = 604'800.0;  // a week
+inline constexpr std::size_t kMostRetries = 20;
 inline constexpr std::uint32_t kMostCheckSeconds = 86'400;
 inline constexpr std::uint32_t kLeastCheckMemory_mb = 64;
 inline constexpr std::uint32_t kMostCheckMemory_mb = 1'048'576;

@@ -47,7 +47,7 @@ def the_schema(folder):
     Draft202012Validator.check_schema(schema)
     validator = Draft202012Validator(schema)
     whole = {"data": "/srv/d", "listen": ":80", "web": "", "insecure": True, "proxy": ["::1"], "modbus_listen": ":502",
-             "modbus_allow": ["::1"], "modbus_unit": {"lathe": 1}, "check_seconds": 1, "check_memory": 64}
+             "modbus_allow": ["::1"], "modbus_unit": {"lathe": 1}, "event_source": "https://dnc.shop", "webhook_ca": "", "webhook_retry_s": [5, 300], "check_seconds": 1, "check_memory": 64}
     expect(set(schema["properties"]) == set(whole) | {"tls_cert", "tls_key"}, f"{sorted(schema['properties'])}")
     options = subprocess.run([str(binary()), "serve", "--help"], capture_output=True, text=True, timeout=30).stdout
     for name in schema["properties"]:
@@ -55,7 +55,7 @@ def the_schema(folder):
     for good in (whole, {}):
         expect(not list(validator.iter_errors(good)), f"the schema refuses {good}")
         check(folder, good)
-    for bad in ({"dat": ""}, {"check_seconds": 0}, {"proxy": "::1"}, {"proxy": [""]}, {"modbus_unit": {"a": 248}}, {"insecure": 1}, []):
+    for bad in ({"dat": ""}, {"check_seconds": 0}, {"proxy": "::1"}, {"proxy": [""]}, {"modbus_unit": {"a": 248}}, {"insecure": 1}, {"webhook_retry_s": [0]}, {"webhook_retry_s": ["5"]}, []):
         expect(list(validator.iter_errors(bad)), f"the schema takes {bad}")
         check(folder, bad, code=2)
 

@@ -93,6 +93,17 @@ def rows(made):
         ("POST", "/api/v1/receipts/{id}/accept", "programmer", {"id": "receipt"}, {}, {}),
         ("POST", "/api/v1/receipts/{id}/discard", "approver", {"id": "torn_receipt"}, {"reason": "torn"}, {}),
         ("GET", "/api/v1/requests", "viewer", {}, None, {}),
+        ("GET", "/api/v1/event-types", "viewer", {}, None, {}),
+        ("POST", "/api/v1/webhooks", "admin", {}, {"url": "http://127.0.0.1:9/in", "types": ["*"], "local": True}, {"keep": "webhook"}),
+        ("GET", "/api/v1/webhooks", "admin", {}, None, {}),
+        ("GET", "/api/v1/webhooks/{id}", "admin", {"id": "webhook"}, None, {}),
+        ("PATCH", "/api/v1/webhooks/{id}", "admin", {"id": "webhook"}, {"description": "the MES"}, {}),
+        ("POST", "/api/v1/webhooks/{id}/rotate", "admin", {"id": "webhook"}, {}, {}),
+        ("POST", "/api/v1/webhooks/{id}/ping", "admin", {"id": "webhook"}, {}, {"note": "delivery"}),
+        ("GET", "/api/v1/webhooks/{id}/deliveries", "admin", {"id": "webhook"}, None, {}),
+        ("POST", "/api/v1/webhooks/{id}/deliveries/{delivery}/replay", "admin", {"id": "webhook", "delivery": "delivery"}, {}, {}),
+        ("POST", "/api/v1/webhooks/{id}/replay", "admin", {"id": "webhook"}, {"since_ms": 0}, {}),
+        ("DELETE", "/api/v1/webhooks/{id}", "admin", {"id": "webhook"}, None, {}),
         ("GET", "/api/v1/alarms", "viewer", {}, None, {"ready": "alarmed"}),
         ("GET", "/api/v1/alarms/{id}", "viewer", {"id": "alarm"}, None, {}),
         ("POST", "/api/v1/alarms/{id}/shelve", "operator", {"id": "alarm"}, {"minutes": 5, "reason": "the cable is ordered"}, {}),
@@ -187,6 +198,8 @@ def try_row(client, stage, made, row):
             expect_problem(client.call(method, path, body, below, headers), 403, f"{what} as {below}", [role, below])
     answer = client.call(method, path, body, role, headers)
     expect(200 <= answer.status < 300, f"{what} as {role or 'anybody'}: {answer}")
+    if "note" in more:
+        made[more["note"]] = answer.document["id"]
     if "keep" in more:
         made[more["keep"]] = answer.document["id"]
         expect(answer.status == 201 and answer.headers["Location"] == f"{path}/{answer.document['id']}", f"{what}: {answer.headers['Location']}")

@@ -19,11 +19,11 @@ class Units(bad_tree.BadTree):
         for n in range(20):
             self.write(f'server/json/light{n}.cpp', '#include <nlohmann/json_fwd.hpp>\n')
         self.assert_clean(units.faults)
-        for n in range(18):
+        for n in range(20):
             self.write(f'server/json/heavy{n}.cpp', '#include <nlohmann/json_fwd.hpp>\n#include <nlohmann/json.hpp>\n')
         self.assert_clean(units.faults)
         self.write('tests/api/routes_test.cpp', '#include <nlohmann/json.hpp>\n')
-        self.assert_refused(units.faults, 'JSON is in 19 source files')
+        self.assert_refused(units.faults, 'JSON is in 21 source files')
 
 
 if __name__ == '__main__':

@@ -1,0 +1,23 @@
+// Events as other systems get them: CloudEvents 1.0, structured, as JSON; and what an admin sees of webhooks.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "server/app/event_types.h"
+#include "server/app/webhooks.h"
+
+namespace dripfeed::json {
+
+// `source`: who sends, as a URI reference; together with the id it names the event in all the world.
+std::string cloud_event(const store::LoggedEvent& event, std::string_view source);
+
+std::string event_type(const app::EventType& type);
+// Without its secrets.
+std::string webhook(const store::Webhook& webhook);
+// With the new one: it is shown once.
+std::string webhook_with_secret(const store::Webhook& webhook);
+std::string webhook_delivery(const store::WebhookDelivery& delivery);
+std::string replayed(std::uint64_t count);
+
+}  // namespace dripfeed::json
