@@ -1,4 +1,4 @@
-"""HTTPS by the server itself, with a certificate that is renewed while it runs, and behind the real nginx: with the block of the README, and with
+"""HTTPS by the server itself, with a certificate that is renewed while it runs, and behind the real nginx: with the block of docs/operating.md, and with
 nothing but proxy_pass."""
 
 import http.client
@@ -155,11 +155,11 @@ class Nginx:
         self.process.wait(20)
 
 
-def readme_block(folder, port, server):
-    block = re.search(r"```nginx\n(.*?)```", (ROOT / "README.md").read_text(), re.S)[1]
+def documented_block(folder, port, server):
+    block = re.search(r"```nginx\n(.*?)```", (ROOT / "docs/operating.md").read_text(), re.S)[1]
     certificate, key = make_certificate(folder, "proxy")
     for old, new in (("listen 443 ssl", f"listen 127.0.0.1:{port} ssl"), ("/etc/ssl/dnc.pem", str(certificate)), ("/etc/ssl/dnc.key", str(key)), ("127.0.0.1:8840", f"127.0.0.1:{server.port}")):
-        expect(old in block, f"the README's block has no {old}")
+        expect(old in block, f"the block of docs/operating.md has no {old}")
         block = block.replace(old, new)
     return block, certificate
 
@@ -168,7 +168,7 @@ def behind_nginx(folder):
     expect(pathlib.Path(NGINX).exists(), "nginx is missing: ./deploy/install test installs it")
     server = Serving(folder, "--proxy", "127.0.0.1")
     documented, plain = free_port(), free_port()
-    block, certificate = readme_block(folder, documented, server)
+    block, certificate = documented_block(folder, documented, server)
     nginx = Nginx(folder, block + f"server {{ listen 127.0.0.1:{plain}; client_max_body_size 64m; location / {{ proxy_pass http://127.0.0.1:{server.port}; }} }}")
     try:
         shop.wait_for("nginx", lambda: answers(plain))
