@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "dialects/family/scope.h"
+#include "dialects/text/nearest.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::family {
@@ -102,7 +102,7 @@ void Cursor::expected(std::string_view what) {
 }
 
 void Cursor::expected_one_of(std::string_view what, std::span<const std::string_view> words) {
-  const std::string_view near = peek().kind == LexemeKind::word ? nearest_of(word(), words) : std::string_view();
+  const std::string_view near = peek().kind == LexemeKind::word ? text::nearest_of(word(), words) : std::string_view();
   if (near.empty()) return expected(what);
   text::Diagnostic fault = text::make_diagnostic(text::DiagnosticId::family_syntax, peek().span,
                                                  {fmt::format("expected {}, found '{}'", what, word())});

@@ -1,17 +1,9 @@
 // A list with an index: families have tens of names, but a text with thousands must not hold up who reads it.
 #include "dialects/family/scope.h"
 
-#include <algorithm>
-#include <numeric>
+#include "dialects/text/nearest.h"
 
 namespace dripfeed::family {
-
-namespace {
-
-// Words with fewer changes are near: one in three letters, and one more.
-std::size_t furthest(std::string_view word) { return word.size() / 3 + 2; }
-
-}  // namespace
 
 const Scope::Name* Scope::find(std::string_view name) const {
   // The last of this name: one is defined only where no earlier one is visible.
@@ -40,28 +32,16 @@ ir::SymbolId Scope::define(ir::Program& arena, std::string_view name, Dimension 
 std::string_view Scope::nearest(std::string_view name) {
   constexpr std::uint64_t kMostLetters = 10'000'000;  // pairs of them, in a family: a few hundredths of a second
   std::string_view best;
-  std::size_t best_distance = furthest(name);
+  std::size_t best_distance = text::far_from(name);
   for (const Name& candidate : names_) {
     if (!candidate.visible) continue;
     compared_letters_ += name.size() * candidate.name.size();
     if (compared_letters_ > kMostLetters) return best;
-    const std::size_t distance = edit_distance(name, candidate.name);
+    const std::size_t distance = text::edit_distance(name, candidate.name);
     if (distance < best_distance) {
       best_distance = distance;
       best = candidate.name;
     }
-  }
-  return best;
-}
-
-std::string_view nearest_of(std::string_view word, std::span<const std::string_view> words) {
-  std::string_view best;
-  std::size_t best_distance = furthest(word);
-  for (const std::string_view candidate : words) {
-    const std::size_t distance = edit_distance(word, candidate);
-    if (distance >= best_distance) continue;
-    best_distance = distance;
-    best = candidate;
   }
   return best;
 }
@@ -75,21 +55,6 @@ void Scope::seal() {
   const std::size_t first = marks_.back();
   close();
   std::erase_if(last_, [first](const auto& one) { return one.second >= first; });
-}
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row[b.size()];
 }
 
 }  // namespace dripfeed::family

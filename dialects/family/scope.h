@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -58,11 +57,5 @@ class Scope {
   std::uint64_t compared_letters_ = 0;                                        // by nearest()
   std::vector<std::size_t> marks_;
 };
-
-// The word that is most like `word`; "" when none is near.
-std::string_view nearest_of(std::string_view word, std::span<const std::string_view> words);
-
-// Changes (insert, drop, replace a letter) from one word to the other.
-std::size_t edit_distance(std::string_view a, std::string_view b);
 
 }  // namespace dripfeed::family
