@@ -1,4 +1,5 @@
 // dripfeed check: diagnostics and checks of programs, and the verdict.
+#include <algorithm>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -8,10 +9,12 @@
 #include "server/app/examine.h"
 #include "server/cli/called_programs.h"
 #include "server/cli/cli.h"
+#include "server/cli/fix_text.h"
 #include "server/cli/inputs.h"
 #include "server/cli/measured.h"
 #include "server/cli/output.h"
 #include "server/json/reports.h"
+#include "server/json/sarif.h"
 
 namespace dripfeed::cli {
 
@@ -23,6 +26,8 @@ struct Options {
   NominalOptions nominal;
   std::vector<std::string> values;
   bool drip = false;
+  bool fix = false;
+  bool sarif = false;
   std::uint32_t seconds = kCheckSeconds;
 };
 
@@ -34,6 +39,7 @@ void print_report(const app::CheckReport& report) {
       const std::string& name = is_called ? report.programs[one.place.program] : report.source.name();
       fmt::print(stderr, "{}:{}: {}[{}]: {}{}\n", name, one.place.line, text::name_of(one.severity),
                  text::row_of(one.id).name, one.text, one.alarm.empty() ? "" : fmt::format(" (alarm {})", one.alarm));
+      print_help(one.id);
     }
   };
   if (report.checks.envelope) print_findings(report.checks.envelope->findings);
@@ -67,9 +73,35 @@ app::Result<app::CheckReport> check_file(const Options& options, const std::stri
                        .used_up = app::time_budget(options.seconds)});
 }
 
+// Carries out the edits of the report in its file. False, with a message, when that cannot be.
+bool fix_file(const app::CheckReport& report) {
+  const text::Source& source = report.source;
+  const FixedText fixed = fix_text(source, report.checks.diagnostics);
+  if (fixed.carried_out.empty()) return true;
+  if (const std::string why = replace_file(source.name(), fixed.text); !why.empty()) {
+    print_error(why);
+    return false;
+  }
+  for (const text::Diagnostic* one : fixed.carried_out) {
+    const text::Position at = source.position(one->fix->replaced.begin);
+    fmt::print(stderr, "{}:{}:{}: fixed[{}]: {}\n", source.name(), at.line, at.column, text::row_of(one->id).name,
+               describe_edit(*one->fix, source));
+  }
+  if (fixed.left > 0) fmt::print(stderr, "{}: {} fixes overlap others: run it again\n", source.name(), fixed.left);
+  return true;
+}
+
+std::string document_of(const std::vector<app::CheckReport>& reports, const Options& options) {
+  return options.sarif ? json::sarif(reports, kVersion) : json::check_files(reports);
+}
+
 int check(const Options& options) {
   std::vector<app::CheckReport> reports;
   std::optional<Nominal> nominal;
+  if (options.fix && std::ranges::find(options.files, "-") != options.files.end()) {
+    print_error("--fix writes into files; standard input is none");
+    return kWrongUse;
+  }
   if (!options.nominal.family.empty()) {
     auto read = read_nominal(options.nominal, options.values);
     if (!read) {
@@ -80,6 +112,10 @@ int check(const Options& options) {
   }
   for (const std::string& file : options.files) {
     auto report = check_file(options, file, nominal);
+    if (report && options.fix) {
+      if (!fix_file(*report)) return kWrongUse;
+      report = check_file(options, file, nominal);
+    }
     if (!report) {
       print_error(report.error());
       return kWrongUse;
@@ -87,7 +123,8 @@ int check(const Options& options) {
     print_report(*report);
     reports.push_back(std::move(*report));
   }
-  if (options.text.json && !write_output(options.text.output, json::check_files(reports))) return kWrongUse;
+  const bool wants_document = options.text.json || options.sarif;
+  if (wants_document && !write_output(options.text.output, document_of(reports, options))) return kWrongUse;
   bool failed = false;
   for (const app::CheckReport& report : reports) failed = failed || report.verdict == checks::Verdict::fail;
   return failed ? kFailed : kDone;
@@ -104,6 +141,9 @@ void add_check(CLI::App& app, int& exit_code) {
                       "this family has stock, nominal and tools: gouges and accuracy are checked, too");
   command->add_option("--set", options->values, "with --nominal, its parameter: roll_length=\"200 mm\"");
   command->add_flag("--drip", options->drip, "as fed block by block while it runs (tape, DNC, remote mode)");
+  command->add_flag("--fix", options->fix, "writes the proposed fixes into the files, then checks them");
+  command->add_flag("--sarif", options->sarif, "SARIF 2.1.0 on standard output, for editors and code hosts")
+      ->excludes("--json");
   add_seconds(*command, options->seconds);
   command->callback([options, &exit_code] { exit_code = check(*options); });
 }

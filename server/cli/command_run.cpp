@@ -160,6 +160,7 @@ void print_from_file(const interpreter::RunDiagnostic& one, ProgramFile& file, c
   if (!line) return print_error(line.error());
   const text::Position position{.line = one.line, .column = static_cast<std::uint32_t>(line->before + 1)};
   fmt::print(stderr, "{}", text::format_diagnostic_at(one.diagnostic, name, position, line->text, control));
+  print_help(one.diagnostic.id);
 }
 
 // The program while it is read.

@@ -5,9 +5,11 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <set>
 
 #include <fmt/format.h>
 
+#include "server/cli/fix_text.h"
 #include "server/cli/logging.h"
 
 namespace dripfeed::cli {
@@ -38,9 +40,19 @@ void print_error(const app::Error& error) {
 void print_diagnostics(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source,
                        std::string_view control) {
   text::DiagnosticFold fold;
-  for (const text::Diagnostic& diagnostic : diagnostics)
-    if (fold.shows(diagnostic)) fmt::print(stderr, "{}", text::format_diagnostic(diagnostic, source, control));
+  for (const text::Diagnostic& diagnostic : diagnostics) {
+    if (!fold.shows(diagnostic)) continue;
+    fmt::print(stderr, "{}", text::format_diagnostic(diagnostic, source, control));
+    const text::Source& in = diagnostic.elsewhere == nullptr ? source : *diagnostic.elsewhere;
+    if (diagnostic.fix) fmt::print(stderr, "  fix: {}\n", describe_edit(*diagnostic.fix, in));
+    print_help(diagnostic.id);
+  }
   print_folded(fold, source.name());
+}
+
+void print_help(text::DiagnosticId id) {
+  static std::set<text::DiagnosticId> printed;
+  if (printed.insert(id).second) fmt::print(stderr, "  help: {}\n", text::row_of(id).help);
 }
 
 void print_folded(const text::DiagnosticFold& fold, std::string_view name) {

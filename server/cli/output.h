@@ -15,8 +15,12 @@ namespace dripfeed::cli {
 void print_error(std::string_view sentence);
 void print_error(const app::Error& error);
 
+// Each with its place, its notes and the edit that mends it; below the first of a kind its help.
 void print_diagnostics(const std::vector<text::Diagnostic>& diagnostics, const text::Source& source,
                        std::string_view control);
+
+// What to do about a diagnostic, once a kind and command.
+void print_help(text::DiagnosticId id);
 
 // How many more there were than were shown.
 void print_folded(const text::DiagnosticFold& fold, std::string_view name);

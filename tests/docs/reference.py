@@ -60,13 +60,18 @@ def written(text, tables):
     return SECTION.sub(lambda m: m[1] + '\n'.join(['', *tables[m[2]](), '', '']) + m[3], text)
 
 
+def _printed(dripfeed, *arguments):
+    return subprocess.run([dripfeed, *arguments], check=True, capture_output=True, text=True).stdout
+
+
 def pages(dripfeed, root):
     """Triples (path, text as it is, text as it should be)."""
-    api = json.loads(subprocess.run([dripfeed, 'openapi'], check=True, capture_output=True, text=True).stdout)
+    api = json.loads(_printed(dripfeed, 'openapi'))
     tables = {'routes': lambda: route_table(api), 'profile': lambda: profile_table(api)}
+    whole = {'diagnostics.md': lambda: _printed(dripfeed, 'explain', '--all', '--markdown')}
     for path in sorted((root / 'docs').glob('*.md')):
         text = path.read_text(encoding='utf-8')
-        yield path, text, written(text, tables)
+        yield path, text, whole[path.name]() if path.name in whole else written(text, tables)
 
 
 def main(arguments):
