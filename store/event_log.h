@@ -11,15 +11,17 @@
 
 namespace dripfeed::store {
 
-enum class EventTopic : std::uint8_t { job, line, alarm, release, program, receipt, webhook };
+enum class EventTopic : std::uint8_t { job, line, alarm, release, program, receipt, webhook, order };
 template <>
-inline constexpr std::array<std::string_view, 7> kNames<EventTopic>{"job",     "line",    "alarm",  "release",
-                                                                    "program", "receipt", "webhook"};
+inline constexpr std::array<std::string_view, 8> kNames<EventTopic>{"job",     "line",    "alarm",   "release",
+                                                                    "program", "receipt", "webhook", "order"};
 
 // What happens to alarms and programs, as words; jobs, releases, receipts and lines have their states.
 inline constexpr std::array<std::string_view, 5> kAlarmEvents{"raised", "cleared", "acknowledged", "shelved",
                                                               "unshelved"};
 inline constexpr std::array<std::string_view, 4> kProgramEvents{"added", "revised", "archived", "fetched_back"};
+// Of an order, besides its states.
+inline constexpr std::array<std::string_view, 3> kOrderEvents{"added", "changed", "parts"};
 inline constexpr std::string_view kPing = "ping";  // of a webhook, to be tried
 
 struct NewEvent {

@@ -67,6 +67,7 @@ struct Job {
   std::int64_t confirmed_at_ms = 0;     // 0: never
   std::optional<std::int64_t> held_ms;  // how long its control held, once it ended; nothing where nobody counted
   std::string read_back;                // of a memory load: "waiting for read-back", "equal", or how it differs
+  Id order = 0;                         // that it belongs to; 0: none
 
   // Nothing may be armed on the machine until a person confirms.
   [[nodiscard]] bool needs_confirmation() const { return torn && confirmed_at_ms == 0; }
@@ -76,6 +77,7 @@ struct NewJob {
   Id release = 0;
   std::string link{};
   std::uint64_t bytes_total = 0;
+  Id order = 0;  // that it belongs to; 0: none
 };
 
 struct JobMove {
@@ -98,14 +100,16 @@ struct JobFilter {
   std::string machine{};  // empty: all
   std::optional<JobState> state{};
   Id program = 0;  // 0: all
+  Id order = 0;    // 0: all
 };
 
 class Jobs : public Repository {
  public:
-  // Queued. Errors: broken_reference (no such release), and those of Releases::released_for.
+  // Queued. Errors: broken_reference (no such release or order), refused_transition (the order is not open, or is for
+  // another machine), and those of Releases::released_for.
   virtual Result<Job> add(const NewJob& job, const Stamp& by) = 0;
-  // Errors: not_found, refused_transition; to armed also machine_busy, machine_torn and those of
-  // Releases::released_for. The first feeding of a job counts as a transfer of a release in proving.
+  // Errors: not_found, refused_transition; to armed also machine_busy, machine_torn, its order is not open, and those
+  // of Releases::released_for. The first feeding of a job counts as a transfer of a release in proving.
   virtual Result<Job> move(Id job, const JobMove& move, const Stamp& by) = 0;
   // A person says that the control of this machine was reset. Errors: not_found (nothing waits), invalid_value (no
   // reason).

@@ -15,6 +15,7 @@
 #include "store/jobs.h"
 #include "store/ledger.h"
 #include "store/machines.h"
+#include "store/orders.h"
 #include "store/parts.h"
 #include "store/programs.h"
 #include "store/receipts.h"
@@ -41,6 +42,7 @@ class Store : public Repository {
   virtual Verdicts& verdicts() = 0;
   virtual Releases& releases() = 0;
   virtual Jobs& jobs() = 0;
+  virtual Orders& orders() = 0;
   virtual Receipts& receipts() = 0;
   virtual Ledger& ledger() = 0;
   virtual Answers& answers() = 0;

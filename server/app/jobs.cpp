@@ -146,7 +146,7 @@ Result<void> Jobs::read_text(store::Id release) {
   return {};
 }
 
-Result<std::optional<store::Job>> Jobs::add_known(store::Id release, std::string_view actor) {
+Result<std::optional<store::Job>> Jobs::add_known(store::Id release, std::string_view actor, store::Id order) {
   const auto wanted = find_wanted(release);
   if (!wanted) return std::unexpected(wanted.error());
   auto fit = checked_texts_.find(wanted->text());
@@ -154,8 +154,9 @@ Result<std::optional<store::Job>> Jobs::add_known(store::Id release, std::string
   const store::Release& row = wanted->release;
   if (auto same = refuse_changed_machine(row.text_sha256, wanted->machine, row.of.delivery); !same)
     return std::unexpected(same.error());
-  return lift(store_.jobs().add({.release = release, .link = std::move(fit->link), .bytes_total = fit->bytes_total},
-                                stamp(actor)));
+  return lift(store_.jobs().add(
+      {.release = release, .link = std::move(fit->link), .bytes_total = fit->bytes_total, .order = order},
+      stamp(actor)));
 }
 
 Result<store::Job> Jobs::add(store::Id release, std::string_view actor) {

@@ -28,7 +28,7 @@ class Jobs {
   Result<store::Job> add(store::Id release, std::string_view actor);
   // The same in steps, for one transaction with what belongs to it. The row alone: nothing where the text has to be
   // read first, which takes too long for a transaction.
-  Result<std::optional<store::Job>> add_known(store::Id release, std::string_view actor);
+  Result<std::optional<store::Job>> add_known(store::Id release, std::string_view actor, store::Id order = 0);
   Result<void> read_text(store::Id release);
   // Once the transaction is durable.
   void announce(const store::Job& job) { publish(job, "queued"); }

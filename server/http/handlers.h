@@ -20,6 +20,14 @@ Response open_session(const Call& call);
 Response close_session(const Call& call);
 Response get_events(const Call& call);
 
+// handlers_orders.cpp
+Response list_orders(const Call& call);
+Response add_order(const Call& call);
+Response get_order(const Call& call);
+Response change_order(const Call& call);
+Response move_order(const Call& call);
+Response report_parts(const Call& call);
+
 // handlers_people.cpp
 Response list_users(const Call& call);
 Response add_user(const Call& call);

@@ -91,6 +91,11 @@ Response list_jobs(const Call& call) {
   const auto page = page_of(call.request);
   if (!page) return page.error();
   store::JobFilter filter{.machine = query_text(call.request, "machine"), .state = std::nullopt};
+  if (const std::string order = query_text(call.request, "order"); !order.empty()) {
+    const auto id = id_of(order);
+    if (!id) return id.error();
+    filter.order = *id;
+  }
   if (const std::string state = query_text(call.request, "state"); !state.empty()) {
     filter.state = job_state_named(state);
     if (!filter.state) return problem_response(422, fmt::format("\"{}\" is no state of a job", state));
@@ -106,7 +111,7 @@ Response add_job(const Call& call) {
   std::optional<store::Job> added;
   bool is_text_known = true;
   const auto add = [&] {
-    const auto job = jobs.add_known(body->release, call.user);
+    const auto job = jobs.add_known(body->release, call.user, body->order);
     if (!job) return problem_response(job.error());
     is_text_known = job->has_value();
     if (!is_text_known) return problem_response(503, std::string(app::Jobs::kMachineChanges));

@@ -76,9 +76,14 @@ Document receipt_data(const LoggedEvent& event) {
 
 Document webhook_data(const LoggedEvent& event) { return {{"webhook", event.of.subject}}; }
 
+Document order_data(const LoggedEvent& event) {
+  return {
+      {"order", event.of.subject}, {"number", shortened(event.of.text)}, {"machine", text_or_null(event.of.machine)}};
+}
+
 using Write = Document (*)(const LoggedEvent&);
-constexpr std::array<Write, 7> kData = {job_data,     line_data,    alarm_data,  release_data,
-                                        program_data, receipt_data, webhook_data};  // in the order of EventTopic
+constexpr std::array<Write, 8> kData = {job_data,     line_data,    alarm_data, release_data, program_data,
+                                        receipt_data, webhook_data, order_data};  // in the order of EventTopic
 static_assert(kData.size() == store::kNames<EventTopic>.size());
 
 std::string subject_of(const LoggedEvent& event) {

@@ -96,6 +96,7 @@ Document job_document(const store::Job& job) {
           {"state", store::name_of(job.state)},
           {"machine", job.machine},
           {"release", job.release},
+          {"order", job.order == 0 ? Document(nullptr) : Document(job.order)},
           {"program", job.program},
           {"revision", job.revision},
           {"sha256", job.text_sha256},

@@ -193,7 +193,10 @@ void read_members(ObjectReader& o, app::AcceptOrder& into) {
   if (!into.name.empty() && into.program != 0) o.fault("name", "a program has its name");
 }
 
-void read_members(ObjectReader& o, JobBody& into) { read_id(o, "release", into.release); }
+void read_members(ObjectReader& o, JobBody& into) {
+  read_id(o, "release", into.release);
+  o.integer("order", into.order, 1, kMaxId);
+}
 
 void read_members(ObjectReader& o, ArmBody& into) {
   o.number("minutes", into.minutes, 0.01, 60.0);

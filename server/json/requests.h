@@ -81,6 +81,7 @@ app::Result<app::AcceptOrder> read_accept_body(std::string_view body);
 
 struct JobBody {
   store::Id release = 0;
+  store::Id order = 0;  // 0: none
 };
 app::Result<JobBody> read_job_body(std::string_view body);
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "server/json/glossary.h"
+#include "server/json/orders.h"
 #include "server/json/people.h"
 #include "server/json/profile_document.h"
 #include "server/json/requests.h"
@@ -17,6 +18,7 @@ namespace {
 Schemas read_schemas() {
   Schemas all = request_schemas();
   for (NamedSchema& one : people_request_schemas()) all.push_back(std::move(one));
+  for (NamedSchema& one : order_request_schemas()) all.push_back(std::move(one));
   all.push_back({"Profile", profile_schema()});
   for (NamedSchema& one : all) explain(one);
   return all;
@@ -28,7 +30,7 @@ Schemas all_schemas() {
   using Table = Schemas (*)();
   static constexpr Table kTables[] = {site_schemas,  read_schemas,    machine_schemas, catalog_schemas, program_schemas,
                                       check_schemas, compare_schemas, library_schemas, editing_schemas, measure_schemas,
-                                      job_schemas,   receipt_schemas, people_schemas,  webhook_schemas};
+                                      job_schemas,   receipt_schemas, people_schemas,  webhook_schemas, order_schemas};
   Schemas all;
   for (const Table table : kTables) {
     Schemas some = table();

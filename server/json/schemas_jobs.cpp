@@ -34,6 +34,7 @@ Schema job() {
               {"state", one_of(store::kNames<store::JobState>, "of the job")},
               {"machine", text("to which it goes")},
               {"release", integer("its id")},
+              {"order", or_null(integer("that it belongs to; null: none"))},
               {"program", integer("its id")},
               {"revision", integer("of the program's text")},
               {"sha256", text("of the text, in hexadecimal")},

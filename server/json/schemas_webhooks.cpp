@@ -84,6 +84,13 @@ Schema program_event() {
                       {"machine", or_null(text("for which it was rendered"))}});
 }
 
+Schema order_event() {
+  return cloud_event("OrderEvent", "an order is new or changed",
+                     {{"order", integer("its id")},
+                      {"number", text("of the order, as its planner says")},
+                      {"machine", or_null(text("for which it is; null: not decided"))}});
+}
+
 Schema receipt_event() {
   return cloud_event("ReceiptEvent", "something that a control punched",
                      {{"receipt", integer("its id")},
@@ -140,6 +147,7 @@ Schemas webhook_schemas() {
       {"AlarmEvent", alarm_event()},
       {"ReleaseEvent", release_event()},
       {"ProgramEvent", program_event()},
+      {"OrderEvent", order_event()},
       {"ReceiptEvent", receipt_event()},
       {"WebhookEvent", webhook_event()},
       {"Webhook", object("who is told of events by HTTP", webhook_members())},

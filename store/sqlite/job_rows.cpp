@@ -12,7 +12,9 @@ using store::Job;
 constexpr std::string_view kInsert =
     "INSERT INTO job (text_release, program, revision, sha256, machine, delivery, link, bytes_total, state, reason, "
     "created_by, armed_by, created_at_ms, armed_at_ms, started_at_ms, ended_at_ms, torn, confirmed_by, confirm_reason, "
-    "confirmed_at_ms, queue_rank) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, '', ?, '', ?, 0, 0, 0, 0, '', '', 0, ?)";
+    "confirmed_at_ms, queue_rank, work_order) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, '', ?, '', ?, 0, 0, 0, 0, '', '', 0, "
+    "?, "
+    "?)";
 constexpr std::string_view kInsertHead =
     "INSERT INTO ledger_head (job, last, seq, at_ms, handed, clocked, confirmed, reserve) VALUES (?, NULL, 0, 0, 0, 0, "
     "0, 0)";
@@ -30,7 +32,8 @@ std::string jobs_where(std::string_view rest) {
       "SELECT id, text_release, program, revision, sha256, machine, delivery, link, bytes_total, state, reason, "
       "created_by, armed_by, created_at_ms, armed_at_ms, started_at_ms, ended_at_ms, torn, confirmed_by, "
       "confirm_reason, "
-      "confirmed_at_ms, expires_at_ms, read_back, reason_id, queue_rank, coalesce(held_ms, -1) FROM job WHERE {}",
+      "confirmed_at_ms, expires_at_ms, read_back, reason_id, queue_rank, work_order, "
+      "coalesce(held_ms, -1) FROM job WHERE {}",
       rest);
 }
 
@@ -61,13 +64,14 @@ Job read_job(Query& query) {
   job.read_back = query.text();
   job.reason_id = query.text();
   job.rank = query.number();
+  job.order = query.number();
   if (const std::int64_t held_ms = query.signed_number(); held_ms >= 0) job.held_ms = held_ms;
   return job;
 }
 
 Id insert_job(Session& session, const Job& job) {
   session.run(kInsert, job.release, job.program, job.revision, job.text_sha256, job.machine, job.delivery, job.link,
-              job.bytes_total, job.state, job.created_by, job.created_at_ms, job.rank);
+              job.bytes_total, job.state, job.created_by, job.created_at_ms, job.rank, NumberOrNull{job.order});
   const Id id = session.last_id();
   session.run(kInsertHead, id);
   return id;

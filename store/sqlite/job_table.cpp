@@ -8,6 +8,7 @@
 #include "store/sqlite/audit_table.h"
 #include "store/sqlite/event_table.h"
 #include "store/sqlite/job_rows.h"
+#include "store/sqlite/order_table.h"
 #include "store/sqlite/paging.h"
 
 namespace dripfeed::sqlite {
@@ -114,6 +115,7 @@ Result<Job> JobTable::add(const store::NewJob& job, const Stamp& by) {
     }
     if (!release) return std::unexpected(release.error());
     if (const auto clearance = releases_.clearance_of(*release); !clearance) return std::unexpected(clearance.error());
+    if (auto open = refuse_closed(session, job.order, release->of.machine); !open) return std::unexpected(open.error());
     Job added;
     added.release = job.release;
     added.program = release->of.program;
@@ -123,6 +125,7 @@ Result<Job> JobTable::add(const store::NewJob& job, const Stamp& by) {
     added.delivery = release->of.delivery;
     added.link = job.link;
     added.bytes_total = job.bytes_total;
+    added.order = job.order;
     added.created_by = by.actor;
     added.created_at_ms = by.at_ms;
     added.rank = last_rank(session, added.machine) + 1;
@@ -148,6 +151,7 @@ Result<Job> JobTable::move(Id job, const JobMove& move, const Stamp& by) {
     const bool breaks = store::ended(move.to) && move.to != JobState::done;
     if (move.torn && !breaks) return session.refuse(ErrorCode::invalid_value, "only a job that broke off can be torn");
     if (move.to == JobState::armed) {
+      if (auto open = refuse_closed(session, old->order, old->machine); !open) return std::unexpected(open.error());
       if (auto clear = check_clearance(*old); !clear) return std::unexpected(clear.error());
       if (auto line = check_line(*old); !line) return std::unexpected(line.error());
     }
@@ -251,11 +255,12 @@ Result<store::Page<Job>> JobTable::list(const store::PageRequest& page, const st
   return database_.read("jobs", [&](Session& session) -> Result<store::Page<Job>> {
     const auto from = newest_first(page);
     if (!from) return std::unexpected(from.error());
-    const std::string sql = jobs_where(fmt::format(
-        "{} AND {} AND {} AND id < ? ORDER BY id DESC LIMIT ?", filter.machine.empty() ? "? = ''" : "machine = ?",
-        filter.state ? "state = ?" : "? = ''", filter.program == 0 ? "? = 0" : "program = ?"));
+    const std::string sql = jobs_where(
+        fmt::format("{} AND {} AND {} AND {} AND id < ? ORDER BY id DESC LIMIT ?",
+                    filter.machine.empty() ? "? = ''" : "machine = ?", filter.state ? "state = ?" : "? = ''",
+                    filter.program == 0 ? "? = 0" : "program = ?", filter.order == 0 ? "? = 0" : "work_order = ?"));
     const std::string_view state = filter.state ? store::name_of(*filter.state) : std::string_view();
-    Query query(session, sql, filter.machine, state, filter.program, from->after, from->rows);
+    Query query(session, sql, filter.machine, state, filter.program, filter.order, from->after, from->rows);
     return collect(query, page, read_job, [](const Job& job) { return fmt::format("{}", job.id); });
   });
 }

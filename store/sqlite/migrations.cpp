@@ -136,7 +136,7 @@ std::span<const Migration> migrations() {
                                       Migration{8, "queue order", kSchemaV8},
                                       Migration{9, "labels of programs", kSchemaV9},
                                       Migration{10, "users", kSchemaV10},
-                                      Migration{11, "webhooks", kSchemaV11}};
+                                      Migration{11, "webhooks and orders", kSchemaV11}};
   return kMigrations;
 }
 

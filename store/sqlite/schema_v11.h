@@ -1,4 +1,4 @@
-// Version 11: events for other systems, webhooks and their deliveries.
+// Version 11: events for other systems, webhooks and their deliveries; orders, and which order a job belongs to.
 #pragma once
 
 namespace dripfeed::sqlite {

@@ -14,6 +14,7 @@
 #include "store/sqlite/job_table.h"
 #include "store/sqlite/ledger_table.h"
 #include "store/sqlite/machine_table.h"
+#include "store/sqlite/order_table.h"
 #include "store/sqlite/owner_lock.h"
 #include "store/sqlite/part_table.h"
 #include "store/sqlite/program_table.h"
@@ -42,6 +43,7 @@ class SqliteStore final : public store::Store {
   store::Verdicts& verdicts() override { return verdicts_; }
   store::Releases& releases() override { return releases_; }
   store::Jobs& jobs() override { return jobs_; }
+  store::Orders& orders() override { return orders_; }
   store::Receipts& receipts() override { return receipts_; }
   store::Ledger& ledger() override { return ledger_; }
   store::Answers& answers() override { return answers_; }
@@ -74,6 +76,7 @@ class SqliteStore final : public store::Store {
   ReleaseTable releases_{*database_, verdicts_};
   AnswerTable answers_{*database_};
   JobTable jobs_{*database_, releases_, answers_};
+  OrderTable orders_{*database_};
   LedgerTable ledger_{*database_};
   ReceiptTable receipts_{*database_};
   AlarmTable alarms_{*database_};

@@ -37,6 +37,9 @@ NO_JSON = [b"{not json", b"{\"text\":\"x\"", b"{\"text\":\"x\"} more", b"text=x"
 NO_OBJECT = [b"[]", b"1", b"null", b"\"text\"", b"true"]
 BODIES = [  # the route, a body that is fine but for one thing, the place that the problem names
     ("POST", "/session", {}, "/token"), ("POST", "/session", {"token": 1}, "/token"), ("POST", "/session", {"token": ""}, "/token"), ("POST", "/session", {"token": "x", "name": "y"}, "/name"), ("POST", "/session", {"pin": "4711"}, "/name"),
+    ("POST", "/orders", {"number": "x", "part": "y"}, "/quantity"), ("POST", "/orders", {"number": "x", "part": "y", "quantity": 0}, "/quantity"),
+    ("POST", "/orders", {"number": "x", "part": "y", "quantity": 1, "metadata": [1]}, "/metadata"), ("POST", "/orders/1/move", {"to": "held"}, "/reason"),
+    ("POST", "/orders/1/move", {"to": "lost"}, "/to"), ("POST", "/orders/1/parts", {"good": -1}, "/good"),
     ("POST", "/users", {"name": "x"}, "/role"), ("POST", "/users", {"name": "", "role": "viewer"}, "/name"), ("POST", "/users", {"name": "x", "role": "boss"}, "/role"),
     ("POST", "/users", {"name": "x", "role": "viewer", "grants": [{"group": "g"}]}, "/grants/0/role"), ("POST", "/tokens", {"name": "x", "role": "viewer", "scope": "queue"}, "/scope"),
     ("POST", "/tokens", {"name": "x", "role": "viewer", "expires_at_ms": 0}, "/expires_at_ms"), ("PUT", "/groups/g", {"machines": [1]}, "/machines"), ("PUT", "/users/x/pin", {}, "/secret"),

@@ -15,6 +15,7 @@ def changes(profile):
         ("/machines/lathe", "PUT", "/machines/lathe", lambda n: dict(profile, title=f"turn {n}")),
         ("/families/hyperbolic-roll", "PUT", "/families/hyperbolic-roll", lambda n: {"text": ROLL + f"# turn {n}\n"}),
         ("/parts/R-1", "PUT", "/parts/R-1", lambda n: {"values": {"angle_step": f"0.{n} deg"}}),
+        ("/orders/1", "PUT", "/orders/1", lambda n: {"part": "R-1", "quantity": n + 1}),
         ("/users/olga", "PUT", "/users/olga", lambda n: {"role": "viewer", "disabled": n % 2 == 1}),
         ("/programs/1", "POST", "/programs/1/revisions", lambda n: {"text": plain_program(n)}),
     ]
@@ -25,6 +26,7 @@ def prepare(folder, control):
     client.post("/machines", hand_profile(control))
     client.post("/families", {"text": ROLL})
     client.post("/parts", {"number": "R-1", "family": "hyperbolic-roll", "values": {}})
+    client.post("/orders", {"number": "A-1", "part": "R-1", "quantity": 1})
     client.post("/users", {"name": "olga", "role": "viewer"})
     client.add_program()
     return client
@@ -35,7 +37,7 @@ def a_change_names_what_it_changes(folder):
     client = prepare(folder, control)
     described = client.call("GET", "/api/openapi.json").document["paths"]
     taking = {(m.upper(), p) for p, item in described.items() for m, o in item.items() if any(x["name"] == "If-Match" for x in o["parameters"])}
-    expect(taking == {("PUT", "/api/v1/machines/{name}"), ("PUT", "/api/v1/families/{name}"), ("PUT", "/api/v1/parts/{number}"), ("PUT", "/api/v1/users/{name}"), ("POST", "/api/v1/programs/{id}/revisions")},
+    expect(taking == {("PUT", "/api/v1/machines/{name}"), ("PUT", "/api/v1/families/{name}"), ("PUT", "/api/v1/parts/{number}"), ("PUT", "/api/v1/users/{name}"), ("PUT", "/api/v1/orders/{id}"), ("POST", "/api/v1/programs/{id}/revisions")},
            f"If-Match is described for {taking}")
     for read, method, path, body in changes(hand_profile(control)):
         expect(client.call("GET", read).headers["ETag"] == '"1"', f"{read}: the first ETag")

@@ -109,6 +109,12 @@ def rows(made):
         ("POST", "/api/v1/alarms/{id}/shelve", "operator", {"id": "alarm"}, {"minutes": 5, "reason": "the cable is ordered"}, {}),
         ("POST", "/api/v1/alarms/{id}/unshelve", "operator", {"id": "alarm"}, {}, {}),
         ("POST", "/api/v1/alarms/{id}/acknowledge", "operator", {"id": "alarm"}, {}, {}),
+        ("POST", "/api/v1/orders", "operator", {}, {"number": "A-1", "part": "R-1", "quantity": 5}, {"keep": "order"}),
+        ("GET", "/api/v1/orders", "viewer", {}, None, {}),
+        ("GET", "/api/v1/orders/{id}", "viewer", {"id": "order"}, None, {}),
+        ("PUT", "/api/v1/orders/{id}", "operator", {"id": "order"}, {"part": "R-1", "quantity": 6}, {"headers": MATCH_1}),
+        ("POST", "/api/v1/orders/{id}/parts", "operator", {"id": "order"}, {"good": 2}, {}),
+        ("POST", "/api/v1/orders/{id}/move", "operator", {"id": "order"}, {"to": "held", "reason": "no material"}, {}),
         ("POST", "/api/v1/jobs", "operator", {}, lambda: {"release": made["release"]}, {"keep": "job", "ready": "proving"}),
         ("GET", "/api/v1/jobs", "viewer", {}, None, {}),
         ("GET", "/api/v1/jobs/{id}", "viewer", {"id": "job"}, None, {}),
@@ -245,7 +251,7 @@ def the_comparison_can_fail(rights, document):
     job = ("GET", "/api/v1/jobs/{id}")
     for changed, sentence in [
         ({k: v for k, v in rights.items() if k != job}, "GET /api/v1/jobs/{id} is described and has no row"),
-        (rights | {("GET", "/api/v1/orders"): "viewer"}, "GET /api/v1/orders has a row and is not described"),
+        (rights | {("GET", "/api/v1/nothing"): "viewer"}, "GET /api/v1/nothing has a row and is not described"),
         (rights | {job: "operator"}, "GET /api/v1/jobs/{id} is said to need viewer, not operator"),
         (rights | {job: None}, "GET /api/v1/jobs/{id} is said to need viewer, not None"),
     ]:

@@ -198,7 +198,7 @@ TEST_F(WebhookTest, TheSecretBeforeStaysForAWhile) {
   EXPECT_EQ(turned.old_secret, "whsec_a");
   EXPECT_EQ(turned.old_until_ms, 100);
   EXPECT_EQ(must(store_->webhooks().rotate(hook.id, "whsec_c", 0, by("admin", 60))).old_secret, "");
-  for (const AuditRow& row : must(store_->audit().list({}, "webhook/1")).items)
+  for (const AuditRow& row : must(store_->audit().list({}, {.subject = "webhook/1"})).items)
     EXPECT_EQ(row.entry.detail.find("whsec"), std::string::npos) << row.entry.detail;
 }
 

@@ -87,6 +87,7 @@ class WatchedStore final : public store::Store {
   store::EventLog& event_log() override { return store_.event_log(); }
   store::Webhooks& webhooks() override { return store_.webhooks(); }
   store::Audit& audit() override { return audit_; }
+  store::Orders& orders() override { return store_.orders(); }
   store::Users& users() override { return store_.users(); }
   store::Tokens& tokens() override { return store_.tokens(); }
   store::BrowserSessions& browser_sessions() override { return store_.browser_sessions(); }

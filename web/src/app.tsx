@@ -5,7 +5,7 @@ import { BackButton, Dialog, DialogHost, showDialog } from './parts/dialog';
 import { ErrorBoundary } from './parts/error_boundary';
 import { Failure } from './parts/failure';
 import { lazyView } from './parts/lazy';
-import { forgetAddress, rememberedScroll, route, type Route, type ViewName } from './router';
+import { deskView, forgetAddress, rememberedScroll, route, type Route, type ViewName } from './router';
 import { loader } from './state/loader';
 import { connection, loaded, loadError, programName, session } from './state/shop';
 import { AlarmsView } from './views/alarms/alarms_view';
@@ -62,6 +62,8 @@ const DeskHalf = lazyView(() => import('./views/desk').then((half) => half.DeskH
 
 function View({ here }: { here: Route }) {
   const [first = ''] = here.parameters;
+  const desk = deskView(here.view);
+  if (desk) return <DeskHalf view={desk} parameters={here.parameters} query={here.query} />;
   switch (here.view) {
     case 'floor':
     case 'badge':
@@ -78,13 +80,7 @@ function View({ here }: { here: Route }) {
       return <ReleasesView />;
     case 'received':
       return <ReceivedView />;
-    case 'library':
-    case 'program':
-    case 'families':
-    case 'family':
-    case 'part':
-      return <DeskHalf view={here.view} parameters={here.parameters} query={here.query} />;
-    case 'not_found':
+    default:
       return <NotFound />;
   }
 }

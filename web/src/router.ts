@@ -4,7 +4,9 @@ import { signal } from '@preact/signals';
 
 export type ViewName = 'floor' | 'machine' | 'jobs' | 'job' | 'alarms' | 'releases' | 'received' | 'badge' | DeskView | 'not_found';
 // The half of the page for who does not stand at a machine; its code is loaded when it is asked for.
-export type DeskView = 'library' | 'program' | 'families' | 'family' | 'part';
+export const kDeskViews = ['library', 'program', 'families', 'family', 'part', 'people'] as const;
+export type DeskView = (typeof kDeskViews)[number];
+export const deskView = (view: ViewName): DeskView | undefined => kDeskViews.find((one) => one === view);
 
 export interface Route {
   view: ViewName;
@@ -32,6 +34,7 @@ const kRows: Row[] = [
   { view: 'families', pattern: /^\/(?:families|parts)$/ },
   { view: 'family', pattern: /^\/families\/([^/]+)$/ },
   { view: 'part', pattern: /^\/parts\/([^/]+)$/ },
+  { view: 'people', pattern: /^\/people(?:\/(users|groups|tokens|audit))?$/ },
   { view: 'badge', pattern: /^\/badge\/([^/]+)$/ },
 ];
 
@@ -73,8 +76,12 @@ export const hrefs = {
   },
   families: '#/families',
   family: (name: string) => `#/families/${encodeURIComponent(name)}`,
+  people: (place: PeoplePlace = 'users') => `#/people/${place}`,
   part: (number: string) => `#/parts/${encodeURIComponent(number)}`,
 };
+
+export const kPeoplePlaces = ['users', 'groups', 'tokens', 'audit'] as const;
+export type PeoplePlace = (typeof kPeoplePlaces)[number];
 
 export const kProgramPlaces = ['text', 'revisions', 'compare', 'uses', 'checks', 'release'] as const;
 export type ProgramPlace = (typeof kProgramPlaces)[number];

@@ -50,6 +50,7 @@ export const jobOf = (change: Partial<Job> = {}): Job => ({
   id: 1,
   state: 'queued',
   machine: 'a',
+  order: null,
   release: 1,
   program: 1,
   revision: 1,

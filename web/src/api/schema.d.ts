@@ -95,10 +95,27 @@ export interface paths {
         /** who am I */
         get: operations["get_session"];
         put?: never;
-        /** sign in with a token, get a cookie */
+        /** sign in with a token, or a name with a password or PIN; get a cookie */
         post: operations["post_session"];
         /** sign out */
         delete: operations["delete_session"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/session/password": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /** a new password of one's own */
+        put: operations["put_session_password"];
+        post?: never;
+        delete?: never;
         options?: never;
         head?: never;
         patch?: never;
@@ -185,6 +202,183 @@ export interface paths {
         put?: never;
         /** a person says that the control was reset */
         post: operations["post_machines_name_confirm_reset"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/groups": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** groups of machines */
+        get: operations["get_groups"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/groups/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /** make a group of machines, or change it as a whole */
+        put: operations["put_groups_name"];
+        post?: never;
+        /** remove a group and what was granted in it */
+        delete: operations["delete_groups_name"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/users": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** people */
+        get: operations["get_users"];
+        put?: never;
+        /** add a person */
+        post: operations["post_users"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/users/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** one person */
+        get: operations["get_users_name"];
+        /** change roles, disable or enable */
+        put: operations["put_users_name"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/users/{name}/unlock": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** end the lock after too many wrong secrets */
+        post: operations["post_users_name_unlock"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/users/{name}/password": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /** give a person a new password; ends sessions */
+        put: operations["put_users_name_password"];
+        post?: never;
+        /** take a password away; ends sessions */
+        delete: operations["delete_users_name_password"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/users/{name}/pin": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /** give a person a new PIN for the shop floor; ends sessions */
+        put: operations["put_users_name_pin"];
+        post?: never;
+        /** take a PIN away; ends sessions */
+        delete: operations["delete_users_name_pin"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/tokens": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** tokens, newest first, without their secrets */
+        get: operations["get_tokens"];
+        put?: never;
+        /** make a token; its secret is shown this once */
+        post: operations["post_tokens"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/tokens/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** one token, without its secret */
+        get: operations["get_tokens_id"];
+        put?: never;
+        post?: never;
+        /** end a token and its sessions */
+        delete: operations["delete_tokens_id"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/audit": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** who did what, newest first */
+        get: operations["get_audit"];
+        put?: never;
+        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -710,6 +904,76 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/orders": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** what is to be made, newest first */
+        get: operations["get_orders"];
+        put?: never;
+        /** add an order; the same number, operation and plan again is the same order */
+        post: operations["post_orders"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/orders/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** one order */
+        get: operations["get_orders_id"];
+        /** change the plan of an order */
+        put: operations["put_orders_id"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/orders/{id}/move": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** hold, open, close or cancel an order; while it is not open, none of its jobs is armed */
+        post: operations["post_orders_id_move"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/orders/{id}/parts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** report parts that were made */
+        post: operations["post_orders_id_parts"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs": {
         parameters: {
             query?: never;
@@ -915,6 +1179,145 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/event-types": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** events that go out to other systems by webhooks and MQTT */
+        get: operations["get_event_types"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/webhooks": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** who is told of events by HTTP, newest first */
+        get: operations["get_webhooks"];
+        put?: never;
+        /** post events to a URL from now on (Standard Webhooks 1.0); its secret is shown here and never again */
+        post: operations["post_webhooks"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/webhooks/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** one webhook, without its secret */
+        get: operations["get_webhooks_id"];
+        put?: never;
+        post?: never;
+        /** remove a webhook with its deliveries */
+        delete: operations["delete_webhooks_id"];
+        options?: never;
+        head?: never;
+        /** change what is given of a webhook */
+        patch: operations["patch_webhooks_id"];
+        trace?: never;
+    };
+    "/api/v1/webhooks/{id}/rotate": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a new secret, shown once; the one before signs as well for some hours */
+        post: operations["post_webhooks_id_rotate"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/webhooks/{id}/ping": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** send it an event webhook.ping, to try it */
+        post: operations["post_webhooks_id_ping"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/webhooks/{id}/deliveries": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** events on their way to it, newest first */
+        get: operations["get_webhooks_id_deliveries"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/webhooks/{id}/deliveries/{delivery}/replay": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** send one again, with the same webhook-id */
+        post: operations["post_webhooks_id_deliveries_delivery_replay"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/webhooks/{id}/replay": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** send all dead ones again whose event is not older */
+        post: operations["post_webhooks_id_replay"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/receipts": {
         parameters: {
             query?: never;
@@ -1035,7 +1438,1898 @@ export interface paths {
         trace?: never;
     };
 }
-export type webhooks = Record<string, never>;
+export interface webhooks {
+    "program.added": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a program is new */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["ProgramEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "program.revised": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a program has a new revision of its text */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["ProgramEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "program.archived": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a program is out of use */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["ProgramEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "program.fetched_back": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** an archived program is in use again */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["ProgramEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "order.added": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** an order is new */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "order.changed": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** the plan of an order changed */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "order.parts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** parts were reported to an order */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "order.open": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** jobs of an order may be queued and armed again */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "order.held": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** no job of an order may be queued or armed */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "order.done": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a person or the MES closed an order */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "order.cancelled": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** an order is not wanted any more */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "release.draft": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a release was made */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["ReleaseEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "release.in_review": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a release waits for its review */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["ReleaseEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "release.proving": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a release may be transferred some times, to prove it at the machine */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["ReleaseEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "release.approved": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a release was signed off */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["ReleaseEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "release.obsolete": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a release may not be transferred any more */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["ReleaseEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "job.queued": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a job was queued, or it is no more armed and back in the queue */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["JobEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "job.armed": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a person armed the job: it waits for the control's start */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["JobEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "job.feeding": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** the control asked and the transfer began */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["JobEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "job.done": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** all was sent and the end was seen; it does not say that a part was made */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["JobEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "job.failed": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** the transfer broke off */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["JobEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "job.cancelled": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a person ended the job */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["JobEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "job.interrupted": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** the server ended while the job had its line */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["JobEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "line.disconnected": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** the link to the control is not up */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["LineEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "line.idle": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** the link is up and nothing is armed */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["LineEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "line.armed": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a job waits for the control's start */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["LineEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "line.feeding": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** blocks go out */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["LineEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "line.held": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** the control, or a person, holds the feed */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["LineEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "line.draining": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** all was handed over, the end is not seen */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["LineEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "line.torn": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a block broke off: a person must confirm that the control was reset */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["LineEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "line.receiving": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** the control punches */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["LineEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "line.answering": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** an answer to the operator waits for the control, or goes out */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["LineEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "alarm.raised": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** an alarm is new, or is on again */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["AlarmEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "alarm.cleared": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** the condition of an alarm is over */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["AlarmEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "alarm.acknowledged": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a person knows of an alarm */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["AlarmEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "alarm.shelved": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a person put an alarm off */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["AlarmEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "alarm.unshelved": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** an alarm asks for somebody again */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["AlarmEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "receipt.stored": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a control punched a program */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["ReceiptEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "receipt.quarantined": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a control punched something that is broken */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["ReceiptEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "receipt.accepted": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a receipt became a program's revision */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["ReceiptEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "receipt.discarded": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a receipt is not wanted */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["ReceiptEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "webhook.ping": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a person tries a webhook; it alone gets this */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["WebhookEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+}
 export interface components {
     schemas: {
         /** @description why a request was not answered (RFC 9457) */
@@ -1080,18 +3374,10 @@ export interface components {
             security: unknown;
             /** @description by path */
             paths: unknown;
+            /** @description what is posted to others, by type */
+            webhooks: unknown;
             /** @description schemas by name */
             components: unknown;
-        };
-        /** @description who calls */
-        Session: {
-            /** @description of the token */
-            name: string;
-            /**
-             * @description what the caller may do: each role may do what those before it may
-             * @enum {string}
-             */
-            role: "viewer" | "operator" | "programmer" | "approver" | "admin";
         };
         /** @description something that a person should know of a machine; it is open while it is not over or not acknowledged */
         Alarm: {
@@ -1180,11 +3466,6 @@ export interface components {
         };
         /** @description events were lost, or the server is a new one: all that is shown has to be asked for anew */
         EventReset: Record<string, never>;
-        /** @description who signs in */
-        NewSession: {
-            /** @description as `dripfeed token add` printed it */
-            token: string;
-        };
         /** @description a text as a whole */
         NewText: {
             /** @description the whole text */
@@ -1426,6 +3707,8 @@ export interface components {
         NewJob: {
             /** @description id of the release */
             release: number;
+            /** @description id of the order that it belongs to; not given: none */
+            order?: number | null;
         };
         /** @description how a job is armed */
         ArmOrder: {
@@ -1456,6 +3739,42 @@ export interface components {
             /** @description for the record */
             reason?: string | null;
         };
+        /** @description who is to be told of which events */
+        NewWebhook: {
+            /** @description where events are posted: https, or http where it is local */
+            url: string;
+            /** @description of events that it gets; "job.*": all of a group, "*": all */
+            types: string[];
+            /** @description for people */
+            description?: string | null;
+            /** @description whether events are sent; not given: true */
+            enabled?: boolean | null;
+            /** @description it may lie in a private network or on the server's computer; not given in a new one: false */
+            local?: boolean | null;
+        };
+        /** @description what is not given stays as it is */
+        ChangedWebhook: {
+            /** @description where events are posted from now on */
+            url?: string | null;
+            /** @description of events that it gets; "job.*": all of a group, "*": all */
+            types?: string[] | null;
+            /** @description for people */
+            description?: string | null;
+            /** @description whether events are sent; what happened while they were not is not sent later */
+            enabled?: boolean | null;
+            /** @description it may lie in a private network or on the server's computer; not given in a new one: false */
+            local?: boolean | null;
+        };
+        /** @description how a secret is changed */
+        Rotate: {
+            /** @description for which the secret before signs as well; 0: it is void at once; not given: 24 */
+            keep_hours?: number | null;
+        };
+        /** @description which dead deliveries are tried again */
+        Replay: {
+            /** @description events that happened then or later, in milliseconds since 1970 */
+            since_ms: number;
+        };
         /** @description what a receipt becomes; nothing: a new program */
         AcceptOrder: {
             /** @description id of the program that gets a new revision; not given: a new program */
@@ -1466,6 +3785,149 @@ export interface components {
             name?: string | null;
             /** @description for the record */
             reason?: string | null;
+        };
+        /** @description who signs in: a token, or a name with a password or PIN */
+        NewSession: {
+            /** @description as `dripfeed token add` printed it; or a name with a password or PIN */
+            token?: string | null;
+            /** @description of the user, with a password or PIN */
+            name?: string | null;
+            /** @description of the user */
+            password?: string | null;
+            /** @description of the user, for the shop floor: it gives no more than the role operator, and a short session */
+            pin?: string | null;
+        };
+        /** @description a person */
+        NewUser: {
+            /** @description with which the person signs in */
+            name: string;
+            /**
+             * @description each may do what those before it may
+             * @enum {string}
+             */
+            role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            /** @description roles on the machines of groups, instead of "role" */
+            grants?: {
+                /** @description name of a group of machines */
+                group: string;
+                /**
+                 * @description on the machines of that group
+                 * @enum {string}
+                 */
+                role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            }[] | null;
+        };
+        /** @description all roles of a user, and whether the user is disabled */
+        UserChange: {
+            /**
+             * @description each may do what those before it may
+             * @enum {string}
+             */
+            role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            /** @description roles on the machines of groups, instead of "role" */
+            grants?: {
+                /** @description name of a group of machines */
+                group: string;
+                /**
+                 * @description on the machines of that group
+                 * @enum {string}
+                 */
+                role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            }[] | null;
+            /** @description whether the user may sign in no more; not given: false */
+            disabled?: boolean | null;
+        };
+        /** @description a new password or PIN */
+        NewSecret: {
+            /** @description the new password (10 bytes or more) or PIN (4 to 12 digits) */
+            secret: string;
+        };
+        /** @description the present password and a new one */
+        OwnSecret: {
+            /** @description the present password */
+            current: string;
+            /** @description the new password (10 bytes or more) or PIN (4 to 12 digits) */
+            secret: string;
+        };
+        /** @description a token: of a user or of a program; "scope" limits what it may change */
+        NewToken: {
+            /** @description of the program or station that gets it */
+            name: string;
+            /**
+             * @description each may do what those before it may
+             * @enum {string}
+             */
+            role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            /** @description name of a person whose rights it has, up to its role; not given: a program's own */
+            user?: string | null;
+            /** @description what it may change: library, checks, releases, queue, line, setup; not given: all that its role may */
+            scope?: string[] | null;
+            /** @description until when it is valid, in milliseconds since 1970; not given: it does not end */
+            expires_at_ms?: number | null;
+        };
+        /** @description all machines of a group, and its rules */
+        GroupChange: {
+            /** @description names of all machines of the group */
+            machines?: string[] | null;
+            /** @description whether who wrote or released a text may not approve it on these machines; not given: false */
+            four_eyes?: boolean | null;
+        };
+        /** @description what is to be made */
+        NewOrder: {
+            /** @description of the planner */
+            number: string;
+            /** @description of the routing; not given: none */
+            operation?: string | null;
+            /** @description number of the part */
+            part: string;
+            /** @description good parts that are wanted */
+            quantity: number;
+            /** @description name of the machine */
+            machine?: string | null;
+            /** @description until when, in milliseconds since 1970; not given: no date */
+            due_at_ms?: number | null;
+            /** @description the higher the sooner; not given: 0 */
+            priority?: number | null;
+            /** @description the planner's own data; they come back as they were given */
+            metadata?: {
+                [key: string]: unknown;
+            } | null;
+        };
+        /** @description the whole plan of an order anew */
+        OrderPlan: {
+            /** @description number of the part */
+            part: string;
+            /** @description good parts that are wanted */
+            quantity: number;
+            /** @description name of the machine */
+            machine?: string | null;
+            /** @description until when, in milliseconds since 1970; not given: no date */
+            due_at_ms?: number | null;
+            /** @description the higher the sooner; not given: 0 */
+            priority?: number | null;
+            /** @description the planner's own data; they come back as they were given */
+            metadata?: {
+                [key: string]: unknown;
+            } | null;
+        };
+        /** @description one step of an order */
+        OrderMove: {
+            /**
+             * @description the state
+             * @enum {string}
+             */
+            to: "open" | "held" | "done" | "cancelled";
+            /** @description needed to hold and to cancel */
+            reason?: string | null;
+        };
+        /** @description parts that were made since the last report */
+        PartsReport: {
+            /** @description parts; not given: 0 */
+            good?: number | null;
+            /** @description parts; not given: 0 */
+            scrap?: number | null;
+            /** @description for people */
+            note?: string | null;
         };
         /** @description a machine: its control, axes, tools and line */
         Profile: {
@@ -3561,6 +6023,8 @@ export interface components {
             machine: string;
             /** @description its id */
             release: number;
+            /** @description that it belongs to; null: none */
+            order: number | null;
             /** @description its id */
             program: number;
             /** @description of the program's text */
@@ -3731,10 +6195,674 @@ export interface components {
             /** @description that it made or armed */
             job: number | null;
         };
+        /** @description who calls */
+        Session: {
+            /** @description of the user, or of a program's token */
+            name: string;
+            /**
+             * @description what the caller may do: each role may do what those before it may
+             * @enum {string}
+             */
+            role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            /**
+             * @description what the caller signed in with
+             * @enum {string}
+             */
+            by: "token" | "password" | "pin";
+            /** @description what it may change; empty: all */
+            scope: string[];
+            /** @description roles by machine, where they differ from "role" */
+            machines: {
+                [key: string]: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            };
+        };
+        /** @description a person */
+        User: {
+            /** @description with which the person signs in */
+            name: string;
+            /**
+             * @description on machines of no granted group, and for all that belongs to no machine
+             * @enum {string}
+             */
+            role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            /** @description roles by group */
+            grants: {
+                /** @description its name */
+                group: string;
+                /**
+                 * @description there
+                 * @enum {string}
+                 */
+                role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            }[];
+            /** @description may sign in with a password */
+            has_password: boolean;
+            /** @description may sign in with a PIN */
+            has_pin: boolean;
+            /** @description refused sign-ins since the last one that was right */
+            failures: number;
+            /** @description nobody signs in as this user before then; milliseconds since 1970, UTC */
+            locked_until_ms: number | null;
+            /** @description since then the user may not sign in; milliseconds since 1970, UTC */
+            disabled_at_ms: number | null;
+            /** @description of the roles */
+            revision: number;
+            /** @description who added the user */
+            created_by: string;
+            /** @description when; milliseconds since 1970, UTC */
+            created_at_ms: number;
+        };
+        /** @description a token, without its secret */
+        Token: {
+            /** @description of this token */
+            id: number;
+            /** @description of the person or program that has it */
+            name: string;
+            /**
+             * @description what it may do: each role may do what those before it may
+             * @enum {string}
+             */
+            role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            /** @description whose rights it has, up to its role; null: a program's own */
+            user: string | null;
+            /** @description what it may change; empty: all that its role may */
+            scope: string[];
+            /** @description who made it */
+            created_by: string;
+            /** @description when; milliseconds since 1970, UTC */
+            created_at_ms: number;
+            /** @description until then; null: it does not end; milliseconds since 1970, UTC */
+            expires_at_ms: number | null;
+            /** @description since then it is not valid; milliseconds since 1970, UTC */
+            revoked_at_ms: number | null;
+        };
+        /** @description a new token */
+        TokenMade: {
+            /** @description of this token */
+            id: number;
+            /** @description of the person or program that has it */
+            name: string;
+            /**
+             * @description what it may do: each role may do what those before it may
+             * @enum {string}
+             */
+            role: "viewer" | "operator" | "programmer" | "approver" | "admin";
+            /** @description whose rights it has, up to its role; null: a program's own */
+            user: string | null;
+            /** @description what it may change; empty: all that its role may */
+            scope: string[];
+            /** @description who made it */
+            created_by: string;
+            /** @description when; milliseconds since 1970, UTC */
+            created_at_ms: number;
+            /** @description until then; null: it does not end; milliseconds since 1970, UTC */
+            expires_at_ms: number | null;
+            /** @description since then it is not valid; milliseconds since 1970, UTC */
+            revoked_at_ms: number | null;
+            /** @description the secret; shown this once */
+            token: string;
+        };
+        /** @description machines that belong together; a machine is in one group at most */
+        MachineGroup: {
+            /** @description of this group */
+            name: string;
+            /** @description in this group */
+            machines: string[];
+            /** @description whoever wrote or released a text may not approve it on these machines */
+            four_eyes: boolean;
+        };
+        /** @description who did what to what, and when; each row holds the hash of the one before */
+        AuditRow: {
+            /** @description 1, 2, 3, … */
+            seq: number;
+            /** @description when; milliseconds since 1970, UTC */
+            at_ms: number;
+            /** @description who did it */
+            actor: string;
+            /** @description as "machine.change" */
+            action: string;
+            /** @description as "machine/mill-3" */
+            subject: string;
+            /** @description words or a document */
+            detail: string;
+            /** @description of the row before; empty in the first one */
+            previous_hash: string;
+            /** @description SHA-256 of all other members */
+            hash: string;
+        };
+        /** @description a type of event that goes out */
+        EventType: {
+            /** @description of the type */
+            name: string;
+            /** @description it comes */
+            when: string;
+            /** @description of the event, in this description */
+            schema: string;
+        };
+        /** @description a job has another state */
+        JobEvent: {
+            /**
+             * @description of CloudEvents
+             * @enum {string}
+             */
+            specversion: "1.0";
+            /** @description of the event; together with the source it is the same for each repetition, and no other */
+            id: string;
+            /** @description which server sends, a URI reference */
+            source: string;
+            /**
+             * @description what happened
+             * @enum {string}
+             */
+            type: "job.queued" | "job.armed" | "job.feeding" | "job.done" | "job.failed" | "job.cancelled" | "job.interrupted";
+            /** @description what it happened to, as "job/12" */
+            subject: string;
+            /** @description when it happened, RFC 3339, UTC */
+            time: string;
+            /** @description number of the event, with leading zeros: it tells which of two came first */
+            sequence: string;
+            /**
+             * @description of data
+             * @enum {string}
+             */
+            datacontenttype: "application/json";
+            /** @description what to know of it, and ids to ask for more */
+            data: {
+                /** @description its id */
+                job: number;
+                /**
+                 * @description of the job now
+                 * @enum {string}
+                 */
+                state: "queued" | "armed" | "feeding" | "held" | "draining" | "done" | "failed" | "cancelled" | "interrupted";
+                /** @description to which it goes */
+                machine: string;
+                /** @description its id */
+                program: number;
+                /** @description of the program's text */
+                revision: number;
+                /** @description of the change */
+                reason: string | null;
+                /** @description the same as one word or the name of a stall */
+                reason_id: string | null;
+                /** @description who did it: a person or program by its name, a machine, or dripfeed itself */
+                actor: string;
+            };
+        };
+        /** @description a machine's line has had another state for a second */
+        LineEvent: {
+            /**
+             * @description of CloudEvents
+             * @enum {string}
+             */
+            specversion: "1.0";
+            /** @description of the event; together with the source it is the same for each repetition, and no other */
+            id: string;
+            /** @description which server sends, a URI reference */
+            source: string;
+            /**
+             * @description what happened
+             * @enum {string}
+             */
+            type: "line.disconnected" | "line.idle" | "line.armed" | "line.feeding" | "line.held" | "line.draining" | "line.torn" | "line.receiving" | "line.answering";
+            /** @description what it happened to, as "job/12" */
+            subject: string;
+            /** @description when it happened, RFC 3339, UTC */
+            time: string;
+            /** @description number of the event, with leading zeros: it tells which of two came first */
+            sequence: string;
+            /**
+             * @description of data
+             * @enum {string}
+             */
+            datacontenttype: "application/json";
+            /** @description what to know of it, and ids to ask for more */
+            data: {
+                /** @description its name */
+                machine: string;
+                /**
+                 * @description of the line now
+                 * @enum {string}
+                 */
+                state: "disconnected" | "idle" | "armed" | "feeding" | "held" | "draining" | "torn" | "receiving" | "answering";
+                /** @description that has or had the line; null: none since the server's start */
+                job: number | null;
+                /** @description what it waits for */
+                stall: string | null;
+                /** @description why the link is down */
+                link_error: string | null;
+                /** @description who did it: a person or program by its name, a machine, or dripfeed itself */
+                actor: string;
+            };
+        };
+        /** @description an alarm changed */
+        AlarmEvent: {
+            /**
+             * @description of CloudEvents
+             * @enum {string}
+             */
+            specversion: "1.0";
+            /** @description of the event; together with the source it is the same for each repetition, and no other */
+            id: string;
+            /** @description which server sends, a URI reference */
+            source: string;
+            /**
+             * @description what happened
+             * @enum {string}
+             */
+            type: "alarm.raised" | "alarm.cleared" | "alarm.acknowledged" | "alarm.shelved" | "alarm.unshelved";
+            /** @description what it happened to, as "job/12" */
+            subject: string;
+            /** @description when it happened, RFC 3339, UTC */
+            time: string;
+            /** @description number of the event, with leading zeros: it tells which of two came first */
+            sequence: string;
+            /**
+             * @description of data
+             * @enum {string}
+             */
+            datacontenttype: "application/json";
+            /** @description what to know of it, and ids to ask for more */
+            data: {
+                /** @description its id */
+                alarm: number;
+                /** @description its name */
+                machine: string;
+                /** @description what it is about, as Alarm has it */
+                kind: string;
+                /**
+                 * @description by its kind
+                 * @enum {string}
+                 */
+                severity: "critical" | "warning" | "notice";
+                /** @description one sentence */
+                text: string;
+                /** @description that it is about */
+                job: number | null;
+                /** @description who did it: a person or program by its name, a machine, or dripfeed itself */
+                actor: string;
+            };
+        };
+        /** @description a release moved on */
+        ReleaseEvent: {
+            /**
+             * @description of CloudEvents
+             * @enum {string}
+             */
+            specversion: "1.0";
+            /** @description of the event; together with the source it is the same for each repetition, and no other */
+            id: string;
+            /** @description which server sends, a URI reference */
+            source: string;
+            /**
+             * @description what happened
+             * @enum {string}
+             */
+            type: "release.draft" | "release.in_review" | "release.proving" | "release.approved" | "release.obsolete";
+            /** @description what it happened to, as "job/12" */
+            subject: string;
+            /** @description when it happened, RFC 3339, UTC */
+            time: string;
+            /** @description number of the event, with leading zeros: it tells which of two came first */
+            sequence: string;
+            /**
+             * @description of data
+             * @enum {string}
+             */
+            datacontenttype: "application/json";
+            /** @description what to know of it, and ids to ask for more */
+            data: {
+                /** @description its id */
+                release: number;
+                /**
+                 * @description of the release now
+                 * @enum {string}
+                 */
+                state: "draft" | "in_review" | "proving" | "approved" | "obsolete";
+                /** @description to which its text may go */
+                machine: string;
+                /** @description its id */
+                program: number;
+                /** @description of the program's text */
+                revision: number;
+                /** @description what the person wrote */
+                note: string | null;
+                /** @description who did it: a person or program by its name, a machine, or dripfeed itself */
+                actor: string;
+            };
+        };
+        /** @description a program changed */
+        ProgramEvent: {
+            /**
+             * @description of CloudEvents
+             * @enum {string}
+             */
+            specversion: "1.0";
+            /** @description of the event; together with the source it is the same for each repetition, and no other */
+            id: string;
+            /** @description which server sends, a URI reference */
+            source: string;
+            /**
+             * @description what happened
+             * @enum {string}
+             */
+            type: "program.added" | "program.revised" | "program.archived" | "program.fetched_back";
+            /** @description what it happened to, as "job/12" */
+            subject: string;
+            /** @description when it happened, RFC 3339, UTC */
+            time: string;
+            /** @description number of the event, with leading zeros: it tells which of two came first */
+            sequence: string;
+            /**
+             * @description of data
+             * @enum {string}
+             */
+            datacontenttype: "application/json";
+            /** @description what to know of it, and ids to ask for more */
+            data: {
+                /** @description its id */
+                program: number;
+                /** @description under which the control calls it */
+                name: string;
+                /** @description the newest of its text */
+                revision: number;
+                /** @description for which it was rendered */
+                machine: string | null;
+                /** @description who did it: a person or program by its name, a machine, or dripfeed itself */
+                actor: string;
+            };
+        };
+        /** @description an order is new or changed */
+        OrderEvent: {
+            /**
+             * @description of CloudEvents
+             * @enum {string}
+             */
+            specversion: "1.0";
+            /** @description of the event; together with the source it is the same for each repetition, and no other */
+            id: string;
+            /** @description which server sends, a URI reference */
+            source: string;
+            /**
+             * @description what happened
+             * @enum {string}
+             */
+            type: "order.added" | "order.changed" | "order.parts" | "order.open" | "order.held" | "order.done" | "order.cancelled";
+            /** @description what it happened to, as "job/12" */
+            subject: string;
+            /** @description when it happened, RFC 3339, UTC */
+            time: string;
+            /** @description number of the event, with leading zeros: it tells which of two came first */
+            sequence: string;
+            /**
+             * @description of data
+             * @enum {string}
+             */
+            datacontenttype: "application/json";
+            /** @description what to know of it, and ids to ask for more */
+            data: {
+                /** @description its id */
+                order: number;
+                /** @description of the order, as its planner says */
+                number: string;
+                /** @description for which it is; null: not decided */
+                machine: string | null;
+                /** @description who did it: a person or program by its name, a machine, or dripfeed itself */
+                actor: string;
+            };
+        };
+        /** @description something that a control punched */
+        ReceiptEvent: {
+            /**
+             * @description of CloudEvents
+             * @enum {string}
+             */
+            specversion: "1.0";
+            /** @description of the event; together with the source it is the same for each repetition, and no other */
+            id: string;
+            /** @description which server sends, a URI reference */
+            source: string;
+            /**
+             * @description what happened
+             * @enum {string}
+             */
+            type: "receipt.stored" | "receipt.quarantined" | "receipt.accepted" | "receipt.discarded";
+            /** @description what it happened to, as "job/12" */
+            subject: string;
+            /** @description when it happened, RFC 3339, UTC */
+            time: string;
+            /** @description number of the event, with leading zeros: it tells which of two came first */
+            sequence: string;
+            /**
+             * @description of data
+             * @enum {string}
+             */
+            datacontenttype: "application/json";
+            /** @description what to know of it, and ids to ask for more */
+            data: {
+                /** @description its id */
+                receipt: number;
+                /**
+                 * @description of the receipt now
+                 * @enum {string}
+                 */
+                state: "stored" | "quarantined" | "accepted" | "discarded";
+                /** @description whose control punched it */
+                machine: string;
+                /** @description as the program names itself, or by its time */
+                name: string;
+                /** @description that it became */
+                program: number | null;
+                /** @description of that program */
+                revision: number | null;
+                /** @description who did it: a person or program by its name, a machine, or dripfeed itself */
+                actor: string;
+            };
+        };
+        /** @description a person tries a webhook */
+        WebhookEvent: {
+            /**
+             * @description of CloudEvents
+             * @enum {string}
+             */
+            specversion: "1.0";
+            /** @description of the event; together with the source it is the same for each repetition, and no other */
+            id: string;
+            /** @description which server sends, a URI reference */
+            source: string;
+            /**
+             * @description what happened
+             * @enum {string}
+             */
+            type: "webhook.ping";
+            /** @description what it happened to, as "job/12" */
+            subject: string;
+            /** @description when it happened, RFC 3339, UTC */
+            time: string;
+            /** @description number of the event, with leading zeros: it tells which of two came first */
+            sequence: string;
+            /**
+             * @description of data
+             * @enum {string}
+             */
+            datacontenttype: "application/json";
+            /** @description what to know of it, and ids to ask for more */
+            data: {
+                /** @description its id */
+                webhook: number;
+                /** @description who did it: a person or program by its name, a machine, or dripfeed itself */
+                actor: string;
+            };
+        };
+        /** @description who is told of events by HTTP */
+        Webhook: {
+            /** @description of the webhook */
+            id: number;
+            /** @description where events are posted */
+            url: string;
+            /** @description that it gets */
+            types: string[];
+            /** @description for people */
+            description: string;
+            /** @description events are sent */
+            enabled: boolean;
+            /** @description it may lie in a private network or on the server's computer, and may be plain http */
+            local: boolean;
+            /** @description null: it is enabled, or a person disabled it */
+            why_disabled: string | null;
+            /** @description until then the secret before signs as well; milliseconds since 1970, UTC */
+            old_secret_until_ms: number | null;
+            /** @description events that were forgotten before they could be sent */
+            missed: number;
+            /** @description who made it */
+            created_by: string;
+            /** @description when it was made; milliseconds since 1970, UTC */
+            created_at_ms: number;
+            /** @description when a person changed it last; milliseconds since 1970, UTC */
+            changed_at_ms: number;
+        };
+        /** @description a webhook with its new secret, which is shown once */
+        WebhookSecret: {
+            /** @description of the webhook */
+            id: number;
+            /** @description where events are posted */
+            url: string;
+            /** @description that it gets */
+            types: string[];
+            /** @description for people */
+            description: string;
+            /** @description events are sent */
+            enabled: boolean;
+            /** @description it may lie in a private network or on the server's computer, and may be plain http */
+            local: boolean;
+            /** @description null: it is enabled, or a person disabled it */
+            why_disabled: string | null;
+            /** @description until then the secret before signs as well; milliseconds since 1970, UTC */
+            old_secret_until_ms: number | null;
+            /** @description events that were forgotten before they could be sent */
+            missed: number;
+            /** @description who made it */
+            created_by: string;
+            /** @description when it was made; milliseconds since 1970, UTC */
+            created_at_ms: number;
+            /** @description when a person changed it last; milliseconds since 1970, UTC */
+            changed_at_ms: number;
+            /** @description for the signatures: whsec_ and base64 */
+            secret: string;
+        };
+        /** @description one event on its way to one webhook */
+        WebhookDelivery: {
+            /** @description of the delivery */
+            id: number;
+            /** @description its id */
+            webhook: number;
+            /** @description its id, which is also the header webhook-id */
+            event: string;
+            /** @description of the event */
+            type: string;
+            /** @description when the event happened; milliseconds since 1970, UTC */
+            happened_at_ms: number;
+            /**
+             * @description pending: to be tried; dead: all tries failed, it may be replayed
+             * @enum {string}
+             */
+            state: "pending" | "delivered" | "dead";
+            /** @description tries since it was made or replayed */
+            attempts: number;
+            /** @description of the next try; milliseconds since 1970, UTC */
+            next_at_ms: number | null;
+            /** @description of the last try; milliseconds since 1970, UTC */
+            last_at_ms: number | null;
+            /** @description of HTTP; null: no answer came */
+            last_status: number | null;
+            /** @description why no answer came */
+            last_error: string | null;
+        };
+        /** @description what is tried again */
+        Replayed: {
+            /** @description deliveries */
+            replayed: number;
+        };
+        /** @description what is to be made, as a MES or a planner says */
+        Order: {
+            /** @description of the order */
+            id: number;
+            /** @description of the planner; with the operation there is one order of it */
+            number: string;
+            /** @description of the routing; null: there is none */
+            operation: string | null;
+            /** @description its number */
+            part: string;
+            /** @description good parts that are wanted */
+            quantity: number;
+            /** @description for which it is; null: not decided */
+            machine: string | null;
+            /** @description until then; milliseconds since 1970, UTC */
+            due_at_ms: number | null;
+            /** @description the higher the sooner */
+            priority: number;
+            /** @description as it came */
+            metadata: {
+                [key: string]: unknown;
+            };
+            /**
+             * @description jobs are queued and armed while it is open
+             * @enum {string}
+             */
+            state: "open" | "held" | "done" | "cancelled";
+            /** @description of the last change of its state */
+            reason: string | null;
+            /** @description parts that were reported good */
+            good: number;
+            /** @description parts that were reported as scrap */
+            scrap: number;
+            /** @description good parts that are missing */
+            open: number;
+            /** @description jobs of it that are done; that says nothing of parts */
+            transfers: number;
+            /** @description jobs of it that are queued */
+            waiting: number;
+            /** @description of the plan */
+            revision: number;
+            /** @description who made it */
+            created_by: string;
+            /** @description when; milliseconds since 1970, UTC */
+            created_at_ms: number;
+            /** @description of plan or state; milliseconds since 1970, UTC */
+            changed_at_ms: number;
+        };
         /** @description a page of a list */
         MachineSummaryPage: {
             /** @description in the list's order */
             items: components["schemas"]["MachineSummary"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        MachineGroupPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["MachineGroup"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        UserPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["User"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        TokenPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["Token"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        AuditRowPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["AuditRow"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
@@ -3788,6 +6916,13 @@ export interface components {
             next: string | null;
         };
         /** @description a page of a list */
+        OrderPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["Order"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
         JobPage: {
             /** @description in the list's order */
             items: components["schemas"]["Job"][];
@@ -3798,6 +6933,27 @@ export interface components {
         AlarmPage: {
             /** @description in the list's order */
             items: components["schemas"]["Alarm"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        EventTypePage: {
+            /** @description in the list's order */
+            items: components["schemas"]["EventType"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        WebhookPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["Webhook"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        WebhookDeliveryPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["WebhookDelivery"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
@@ -4021,7 +7177,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description sign in with a token, get a cookie */
+            /** @description sign in with a token, or a name with a password or PIN; get a cookie */
             204: {
                 headers: {
                     [name: string]: unknown;
@@ -4051,6 +7207,39 @@ export interface operations {
         requestBody?: never;
         responses: {
             /** @description sign out */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_session_password: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["OwnSecret"];
+            };
+        };
+        responses: {
+            /** @description a new password of one's own */
             204: {
                 headers: {
                     [name: string]: unknown;
@@ -4290,6 +7479,570 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["MachineStatus"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_groups: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description groups of machines */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MachineGroupPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_groups_name: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["GroupChange"];
+            };
+        };
+        responses: {
+            /** @description make a group of machines, or change it as a whole */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MachineGroup"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_groups_name: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description remove a group and what was granted in it */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_users: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description people */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["UserPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_users: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewUser"];
+            };
+        };
+        responses: {
+            /** @description add a person */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["User"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_users_name: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description one person */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["User"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_users_name: {
+        parameters: {
+            query?: never;
+            header: {
+                "If-Match": string;
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["UserChange"];
+            };
+        };
+        responses: {
+            /** @description change roles, disable or enable */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["User"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_users_name_unlock: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description end the lock after too many wrong secrets */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["User"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_users_name_password: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewSecret"];
+            };
+        };
+        responses: {
+            /** @description give a person a new password; ends sessions */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_users_name_password: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description take a password away; ends sessions */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_users_name_pin: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewSecret"];
+            };
+        };
+        responses: {
+            /** @description give a person a new PIN for the shop floor; ends sessions */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_users_name_pin: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description take a PIN away; ends sessions */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_tokens: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description tokens, newest first, without their secrets */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TokenPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_tokens: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewToken"];
+            };
+        };
+        responses: {
+            /** @description make a token; its secret is shown this once */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TokenMade"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_tokens_id: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description one token, without its secret */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Token"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_tokens_id: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description end a token and its sessions */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_audit: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+                subject?: string;
+                actor?: string;
+                action?: string;
+                from_ms?: string;
+                to_ms?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description who did what, newest first */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AuditRowPage"];
                 };
             };
             /** @description a problem */
@@ -5656,6 +9409,220 @@ export interface operations {
             };
         };
     };
+    get_orders: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+                number?: string;
+                part?: string;
+                machine?: string;
+                state?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description what is to be made, newest first */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["OrderPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_orders: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewOrder"];
+            };
+        };
+        responses: {
+            /** @description add an order; the same number, operation and plan again is the same order */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Order"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_orders_id: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description one order */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Order"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_orders_id: {
+        parameters: {
+            query?: never;
+            header: {
+                "If-Match": string;
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["OrderPlan"];
+            };
+        };
+        responses: {
+            /** @description change the plan of an order */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Order"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_orders_id_move: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["OrderMove"];
+            };
+        };
+        responses: {
+            /** @description hold, open, close or cancel an order; while it is not open, none of its jobs is armed */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Order"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_orders_id_parts: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PartsReport"];
+            };
+        };
+        responses: {
+            /** @description report parts that were made */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Order"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     get_jobs: {
         parameters: {
             query?: {
@@ -5663,6 +9630,7 @@ export interface operations {
                 after?: string;
                 machine?: string;
                 state?: string;
+                order?: string;
             };
             header?: never;
             path?: never;
@@ -6088,6 +10056,377 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Alarm"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_event_types: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description events that go out to other systems by webhooks and MQTT */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EventTypePage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_webhooks: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description who is told of events by HTTP, newest first */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WebhookPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_webhooks: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewWebhook"];
+            };
+        };
+        responses: {
+            /** @description post events to a URL from now on (Standard Webhooks 1.0); its secret is shown here and never again */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WebhookSecret"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_webhooks_id: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description one webhook, without its secret */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Webhook"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_webhooks_id: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description remove a webhook with its deliveries */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    patch_webhooks_id: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ChangedWebhook"];
+            };
+        };
+        responses: {
+            /** @description change what is given of a webhook */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Webhook"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_webhooks_id_rotate: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["Rotate"];
+            };
+        };
+        responses: {
+            /** @description a new secret, shown once; the one before signs as well for some hours */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WebhookSecret"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_webhooks_id_ping: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description send it an event webhook.ping, to try it */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WebhookDelivery"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_webhooks_id_deliveries: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+                state?: string;
+            };
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description events on their way to it, newest first */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WebhookDeliveryPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_webhooks_id_deliveries_delivery_replay: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+                delivery: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description send one again, with the same webhook-id */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WebhookDelivery"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_webhooks_id_replay: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Replay"];
+            };
+        };
+        responses: {
+            /** @description send all dead ones again whose event is not older */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Replayed"];
                 };
             };
             /** @description a problem */

@@ -67,3 +67,9 @@ export type Parameter = Family['parameters'][number];
 export type Part = Schemas['Part'];
 export type Rendered = Schemas['Rendered'];
 export type Preview = Schemas['Preview'];
+
+export type User = Schemas['User'];
+export type Token = Schemas['Token'];
+export type TokenMade = Schemas['TokenMade'];
+export type MachineGroup = Schemas['MachineGroup'];
+export type AuditRow = Schemas['AuditRow'];

@@ -1,10 +1,11 @@
 // The half of the page for who does not stand at a machine: library, programs, families and parts. It is loaded when one
 // of its addresses is asked for.
-import { kProgramPlaces, type DeskView, type ProgramPlace } from '../router';
+import { kPeoplePlaces, kProgramPlaces, type DeskView, type PeoplePlace, type ProgramPlace } from '../router';
 import { FamiliesView } from './families/families_view';
 import { FamilyView } from './families/family_view';
 import { PartView } from './families/part_view';
 import { LibraryView } from './library/library_view';
+import { PeopleView } from './people/people_view';
 import { ProgramView } from './program/program_view';
 
 interface Props {
@@ -12,6 +13,8 @@ interface Props {
   parameters: readonly string[];
   query: URLSearchParams;
 }
+
+const peoplePlaceOf = (text: string): PeoplePlace => kPeoplePlaces.find((one) => one === text) ?? 'users';
 
 const placeOf = (text: string): ProgramPlace => kProgramPlaces.find((one) => one === text) ?? 'text';
 
@@ -26,6 +29,8 @@ export function DeskHalf({ view, parameters, query }: Props) {
       return <FamiliesView />;
     case 'family':
       return <FamilyView key={first} name={first} />;
+    case 'people':
+      return <PeopleView place={peoplePlaceOf(first)} />;
     case 'part':
       return <PartView key={first} number={first} />;
   }

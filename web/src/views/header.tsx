@@ -2,13 +2,15 @@
 import { useState } from 'preact/hooks';
 import { clockTime } from '../format/times';
 import { chooseLanguage, kLanguages, spoken, t } from '../i18n/i18n';
+import type { Role } from '../api/types';
 import { Icon } from '../parts/icon';
 import { hrefs, route, type ViewName } from '../router';
+import { atLeast } from '../rules/roles';
 import { loader } from '../state/loader';
 import { connection, loaded, loadError, person } from '../state/shop';
 import { AlarmBell } from './alarms/tray';
 
-const kPlaces: { views: ViewName[]; href: string; label: string }[] = [
+const kPlaces: { views: ViewName[]; href: string; label: string; from?: Role }[] = [
   { views: ['floor', 'machine'], href: hrefs.floor, label: 'nav.floor' },
   { views: ['jobs', 'job'], href: hrefs.jobs, label: 'nav.jobs' },
   { views: ['releases'], href: hrefs.releases, label: 'nav.releases' },
@@ -16,6 +18,7 @@ const kPlaces: { views: ViewName[]; href: string; label: string }[] = [
   { views: ['families', 'family', 'part'], href: hrefs.families, label: 'nav.parts' },
   { views: ['received'], href: hrefs.received, label: 'nav.received' },
   { views: ['alarms'], href: hrefs.alarms, label: 'nav.alarms' },
+  { views: ['people'], href: hrefs.people(), label: 'nav.people', from: 'approver' },
 ];
 
 export function Header() {
@@ -30,7 +33,7 @@ export function Header() {
           dripfeed
         </a>
         <nav class="places" aria-label={t('nav.label')}>
-          {kPlaces.map(({ views, href, label }) => (
+          {kPlaces.filter(({ from }) => atLeast(person().role, from ?? 'viewer')).map(({ views, href, label }) => (
             <a key={href} href={href} aria-current={views.includes(here) ? 'page' : undefined}>
               {t(label)}
             </a>

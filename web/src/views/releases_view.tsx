@@ -39,7 +39,6 @@ export function ReleasesView() {
   };
   const usable = releases.value.filter(isReleased);
   const may = atLeast(bestRole(), 'operator');
-  const mayOn = (machine: string) => atLeast(roleOn(machine), 'operator');
   return (
     <>
       <h1 tabIndex={-1}>{t('nav.releases')}</h1>
@@ -89,8 +88,7 @@ export function ReleasesView() {
               head: t('column.orders'),
               class: 'orders',
               cell: (release) =>
-                mayBeQueued(release) &&
-                mayOn(release.machine) && (
+                mayBeQueued(release) && atLeast(roleOn(release.machine), 'operator') && (
                   <button
                     type="button"
                     class="button button-main"

@@ -1,0 +1,81 @@
+"""Orders: the same order twice is one, plans change by their revision, jobs belong to an order and wait while it is held, and parts are counted as they
+are reported."""
+
+import sys
+
+from client import DC1, Client, HandControl, expect, hand_profile, in_folder
+
+ORDER = {"number": "A-4711", "operation": "20", "part": "R-1", "quantity": 5, "machine": "lathe", "due_at_ms": 1_800_000_000_000, "priority": 3, "metadata": {"customer": "ACME", "n": 1.5}}
+
+
+def plans(client):
+    made = client.must("POST", "/orders", ORDER, role="operator")
+    expect({key: made[key] for key in ORDER} == ORDER and made["state"] == "open" and made["open"] == 5, f"{made}")
+    expect(client.must("POST", "/orders", ORDER)["id"] == made["id"] and len(client.get("/orders")["items"]) == 1, "the same order twice is two")
+    client.refuse(409, "POST", "/orders", ORDER | {"quantity": 6}, words=["another plan"])
+    other = client.must("POST", "/orders", ORDER | {"operation": "30"})["id"]
+    client.refuse(422, "POST", "/orders", ORDER | {"number": "B", "machine": "nobody"})
+    client.refuse(404, "GET", "/orders/99")
+    plan = {key: value for key, value in ORDER.items() if key not in ("number", "operation")}
+    client.refuse(428, "PUT", f"/orders/{other}", plan)
+    changed = client.must("PUT", f"/orders/{other}", plan | {"quantity": 7, "machine": None, "due_at_ms": None}, headers={"If-Match": '"1"'})
+    expect(changed["quantity"] == 7 and changed["machine"] is None and changed["due_at_ms"] is None and changed["revision"] == 2, f"{changed}")
+    client.refuse(412, "PUT", f"/orders/{other}", plan, headers={"If-Match": '"1"'})
+    client.post(f"/orders/{other}/move", {"to": "cancelled", "reason": "not wanted"})
+    client.refuse(409, "PUT", f"/orders/{other}", plan, headers={"If-Match": '"2"'}, words=["cancelled"])
+    client.refuse(409, "POST", f"/orders/{other}/move", {"to": "open"})
+    client.refuse(409, "POST", f"/orders/{other}/parts", {"good": 1})
+    listed = lambda query: [one["id"] for one in client.get(f"/orders?{query}")["items"]]
+    expect(listed("state=open") == [made["id"]] and listed("number=A-4711") == [other, made["id"]] and listed("machine=lathe&part=R-1") == [made["id"]], "the filters")
+    client.refuse(422, "GET", "/orders?state=lost")
+    return made["id"]
+
+
+def jobs_of_an_order(client, control, order):
+    release = client.release(client.add_program()["id"])["id"]
+    client.refuse(422, "POST", "/jobs", {"release": release, "order": 99})
+    job = client.must("POST", "/jobs", {"release": release, "order": order})["id"]
+    expect(client.job(job)["order"] == order and client.get(f"/orders/{order}")["waiting"] == 1, "the job does not know its order")
+    expect([one["id"] for one in client.get(f"/jobs?order={order}")["items"]] == [job], "the jobs of the order")
+    client.post(f"/orders/{order}/move", {"to": "held", "reason": "no material"})
+    client.refuse(409, "POST", "/jobs", {"release": release, "order": order}, words=["held"])
+    client.refuse(409, "POST", f"/jobs/{job}/arm", words=["held"])
+    expect(client.job(job)["state"] == "queued", "a held order armed its job")
+    client.post(f"/orders/{order}/move", {"to": "open"})
+    expect(client.job(job)["state"] == "queued", "an order that is open again armed its job")
+    client.wait_line("lathe", "idle")
+    client.post(f"/jobs/{job}/arm")
+    client.refuse(409, "POST", f"/orders/{order}/move", {"to": "done"}, words=["line"])
+    control.say(DC1)
+    client.wait_job(job, "feeding")
+    client.post(f"/orders/{order}/move", {"to": "held", "reason": "measure first"})
+    client.wait_job(job, "done")
+    expect(client.get(f"/orders/{order}")["transfers"] == 1, "what is held does not stop a feed, and it is counted")
+    client.post(f"/orders/{order}/move", {"to": "open"})
+
+
+def parts(client, order):
+    client.refuse(422, "POST", f"/orders/{order}/parts", {})
+    client.post(f"/orders/{order}/parts", {"good": 2, "scrap": 1, "note": "first shift"})
+    now = client.post(f"/orders/{order}/parts", {"good": 4})
+    expect((now["good"], now["scrap"], now["open"]) == (6, 1, 0), f"{now}")
+    expect(client.post(f"/orders/{order}/move", {"to": "done"})["state"] == "done", "it is not closed")
+    expect(client.post(f"/orders/{order}/parts", {"good": 1})["good"] == 7, "a late report is lost")
+    rows = [row["action"] for row in client.get(f"/audit?subject=order/{order}")["items"]]
+    expect(rows.count("order.parts") == 3 and rows[-1] == "order.add", f"{rows}")
+
+
+def life_of_an_order(folder):
+    control = HandControl()
+    client = Client(folder).start()
+    client.post("/machines", hand_profile(control))
+    order = plans(client)
+    jobs_of_an_order(client, control, order)
+    parts(client, order)
+    client.server.stop()
+    control.close()
+
+
+if __name__ == "__main__":
+    in_folder(life_of_an_order)
+    sys.exit(0)

@@ -1,0 +1,48 @@
+// The calls of whoever looks after people: users, tokens, groups of machines, the audit.
+import { everything } from './calls';
+import { request } from './client';
+import type { AuditRow, MachineGroup, Page, Role, Token, TokenMade, User } from './types';
+
+const enc = encodeURIComponent;
+
+export interface Roles {
+  role: Role;
+  grants: { group: string; role: Role }[];
+}
+
+export interface NewToken {
+  name: string;
+  role: Role;
+  user: string | null;
+  scope: string[];
+  expires_at_ms: number | null;
+}
+
+export type SecretKind = 'password' | 'pin';
+
+export const peopleCalls = {
+  users: () => everything<User>('/users'),
+  addUser: (name: string, roles: Roles, key: string) => request<User>('POST', '/users', { body: { name, ...roles }, key }),
+  changeUser: (user: User, roles: Roles, disabled: boolean, key: string) =>
+    request<User>('PUT', `/users/${enc(user.name)}`, { body: { ...roles, disabled }, ifMatch: user.revision, key }),
+  unlock: (name: string, key: string) => request<User>('POST', `/users/${enc(name)}/unlock`, { key }),
+  // No key: an answer that has to do with a secret is never kept.
+  setSecret: (name: string, kind: SecretKind, secret: string) => request<null>('PUT', `/users/${enc(name)}/${kind}`, { body: { secret } }),
+  removeSecret: (name: string, kind: SecretKind) => request<null>('DELETE', `/users/${enc(name)}/${kind}`),
+
+  groups: () => request<Page<MachineGroup>>('GET', '/groups').then((page) => page.items),
+  putGroup: (name: string, machines: string[], fourEyes: boolean, key: string) =>
+    request<MachineGroup>('PUT', `/groups/${enc(name)}`, { body: { machines, four_eyes: fourEyes }, key }),
+  removeGroup: (name: string, key: string) => request<null>('DELETE', `/groups/${enc(name)}`, { key }),
+
+  tokens: () => everything<Token>('/tokens'),
+  addToken: (token: NewToken) => request<TokenMade>('POST', '/tokens', { body: token }),
+  revoke: (id: number, key: string) => request<null>('DELETE', `/tokens/${id}`, { key }),
+
+  audit: (filter: Record<string, string>, after: string | null) => {
+    const query = new URLSearchParams({ limit: '50' });
+    for (const [name, value] of Object.entries(filter)) if (value !== '') query.set(name, value);
+    if (after !== null) query.set('after', after);
+    return request<Page<AuditRow>>('GET', `/audit?${query}`);
+  },
+};
