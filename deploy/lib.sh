@@ -35,11 +35,11 @@ run_tests() {
   ctest --test-dir "$root/build/$preset" -j "$jobs" --output-on-failure --no-label-summary --no-tests=error "$@"
 }
 
-# The dashboard into web/dist. Nothing to do when no source is younger than the last build.
+# The page and the documentation into web/dist. Nothing to do when no source is younger than the last build.
 build_web() {
   local web=$root/web stamp=$root/web/dist/.built
   [[ -f $web/package.json ]] || return 0
-  if [[ -f $stamp ]] && [[ -z $(find "$web" -name node_modules -prune -o -path "$web/dist" -prune -o \
+  if [[ -f $stamp ]] && [[ -z $(find "$web" "$root/docs" "$root/README.md" -name node_modules -prune -o -path "$web/dist" -prune -o \
     -type f -newer "$stamp" -print -quit) ]]; then
     return 0
   fi

@@ -1,5 +1,5 @@
-// Builds the page into dist: index.html, and beside it dist/assets with names that carry a hash of the content, each
-// text file compressed as .br and .gz as well.
+// Builds the page into dist: index.html, dist/docs with the documentation, and dist/assets with names that carry a hash of
+// the content, each text file compressed as .br and .gz as well.
 //   node build.mjs           the page, minified
 //   node build.mjs --watch   the page, again after each change
 //   node build.mjs --tests   the unit tests, each as one file that node runs
@@ -9,6 +9,7 @@ import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 import { brotliCompress, constants, gzip } from 'node:zlib';
 import * as esbuild from 'esbuild';
+import { writeDocs } from './docs.mjs';
 
 const root = path.dirname(fileURLToPath(import.meta.url));
 const at = (...parts) => path.join(root, ...parts);
@@ -51,6 +52,17 @@ async function writePage(outputs) {
   await writeFile(at('dist', 'index.html'), page);
 }
 
+// The pages of the documentation, with their own sheet and the page's icon.
+async function writeDocPages(outputs) {
+  const address = (wanted) => `/assets/${path.basename(Object.keys(outputs).find(wanted))}`;
+  await writeDocs({
+    repository: at('..'),
+    into: at('dist', 'docs'),
+    style: address((file) => /\/docs-[^/]*\.css$/.test(file)),
+    icon: address((file) => file.endsWith('.svg')),
+  });
+}
+
 const kTexts = /\.(?:js|css|svg|html)$/;
 
 async function compress(folder) {
@@ -70,7 +82,9 @@ const finish = {
     build.onEnd(async (result) => {
       if (!result.metafile) return;
       await writePage(result.metafile.outputs);
+      await writeDocPages(result.metafile.outputs);
       await compress(at('dist', 'assets'));
+      await compress(at('dist', 'docs'));
     });
   },
 };
@@ -80,7 +94,7 @@ async function buildPage(watch) {
   await mkdir(at('dist', 'assets'), { recursive: true });
   const options = {
     ...common,
-    entryPoints: { app: 'src/main.tsx', live: 'src/live/worker.ts', icon: 'src/icon.svg' },
+    entryPoints: { app: 'src/main.tsx', live: 'src/live/worker.ts', icon: 'src/icon.svg', docs: 'src/styles/docs.css' },
     outdir: at('dist', 'assets'),
     entryNames: '[name]-[hash]',
     chunkNames: '[name]-[hash]',

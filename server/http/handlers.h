@@ -15,6 +15,8 @@ Response get_health(const Call& call);
 Response get_openapi(const Call& call);
 Response get_page(const Call& call);
 Response get_asset(const Call& call);
+Response get_docs(const Call& call);
+Response get_docs_page(const Call& call);
 Response get_session(const Call& call);
 Response open_session(const Call& call);
 Response close_session(const Call& call);

@@ -23,6 +23,11 @@ Response file_response(const Call& call, const std::filesystem::path& path) {
   return response ? std::move(*response) : no_file();
 }
 
+// A segment may hold an encoded slash, and "..%2F" leaves the folder: only plain names are files of the page.
+bool is_plain_name(const Call& call, const std::string& name) {
+  return !call.api.web_root().empty() && !name.starts_with('.') && name.find_first_of("/\\") == std::string::npos;
+}
+
 // Secure where the browser has spoken to us, or to a trusted proxy, by TLS.
 std::string cookie(const Request& request, std::string_view value, std::string_view attributes) {
   return fmt::format("{}={}; Path=/; HttpOnly; SameSite=Strict{}{}", kSessionCookie, value,
@@ -43,11 +48,19 @@ Response get_page(const Call& call) {
 }
 
 Response get_asset(const Call& call) {
-  // A segment may hold an encoded slash, and "..%2F" leaves the folder: only plain names are files of the page.
   const std::string& name = call.parameters[0];
-  if (call.api.web_root().empty() || name.starts_with('.') || name.find_first_of("/\\") != std::string::npos)
-    return no_file();
-  return file_response(call, call.api.web_root() / "assets" / name);
+  return is_plain_name(call, name) ? file_response(call, call.api.web_root() / "assets" / name) : no_file();
+}
+
+Response get_docs(const Call& call) {
+  if (call.api.web_root().empty()) return no_file();
+  return file_response(call, call.api.web_root() / "docs" / "index.html");
+}
+
+Response get_docs_page(const Call& call) {
+  const std::string& name = call.parameters[0];
+  if (!is_plain_name(call, name)) return no_file();
+  return file_response(call, call.api.web_root() / "docs" / (name.ends_with(".png") ? name : name + ".html"));
 }
 
 Response get_session(const Call& call) {

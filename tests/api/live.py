@@ -259,7 +259,9 @@ def the_page(folder):
     (web / "assets" / "folder").mkdir(parents=True)
     (web / "secret.txt").write_text("not of the page")
     files = {"/": ("index.html", "text/html; charset=utf-8"), "/assets/app.js": ("assets/app.js", "text/javascript; charset=utf-8"), "/assets/app.css": ("assets/app.css", "text/css; charset=utf-8"),
-             "/assets/i.svg": ("assets/i.svg", "image/svg+xml"), "/assets/i.png": ("assets/i.png", "image/png")}
+             "/assets/i.svg": ("assets/i.svg", "image/svg+xml"), "/assets/i.png": ("assets/i.png", "image/png"),
+             "/docs": ("docs/index.html", "text/html; charset=utf-8"), "/docs/safety": ("docs/safety.html", "text/html; charset=utf-8"), "/docs/floor.png": ("docs/floor.png", "image/png")}
+    (web / "docs").mkdir()
     for path, (name, _) in files.items():
         (web / name).write_text(f"{path} of a test")
     client = Client(folder, "--web", str(web)).start()
@@ -273,8 +275,9 @@ def the_page(folder):
             for rule in ("default-src 'none'", "script-src 'self'", "frame-ancestors 'none'", "base-uri 'none'"):
                 expect(rule in policy, f"{path}: {rule} is not in {policy}")
             expect("unsafe" not in policy and answer.headers["Cache-Control"] == "no-cache" and answer.headers["X-Content-Type-Options"] == "nosniff", f"{path}: {answer.headers}")
-    for path in ("/assets/folder", "/assets/", "/assets/..%2fsecret.txt", "/assets/%2e%2e%2fsecret.txt", "/assets/..%5csecret.txt", "/assets/.hidden", "/secret.txt", "/index.html", "//", "/assets/app.js/"):
-        expect_problem(client.call("GET", path, role=None), 404, path) if path.startswith("/assets/") else expect(client.call("GET", f"/api/..{path}", role=None).status in (400, 404), path)
+    for path in ("/assets/folder", "/assets/", "/assets/..%2fsecret.txt", "/assets/%2e%2e%2fsecret.txt", "/assets/..%5csecret.txt", "/assets/.hidden", "/secret.txt", "/index.html", "//", "/assets/app.js/",
+                 "/docs/none", "/docs/..%2fsecret.txt", "/docs/.hidden", "/docs/"):
+        expect_problem(client.call("GET", path, role=None), 404, path) if path.startswith(("/assets/", "/docs/")) else expect(client.call("GET", f"/api/..{path}", role=None).status in (400, 404), path)
     browser = {"Accept": "text/html,application/xhtml+xml,*/*;q=0.8"}
     for path in ("/jobs/3", "/machines/mill%201", "/nowhere"):
         answer = ask(client.connect(), "GET", path, headers=browser)

@@ -23,6 +23,8 @@ def rows(made):
         ("GET", "/api/openapi.json", None, {}, None, {}),
         ("GET", "/", None, {}, None, {}),
         ("GET", "/assets/{name}", None, {"name": "app.js"}, None, {}),
+        ("GET", "/docs", None, {}, None, {}),
+        ("GET", "/docs/{name}", None, {"name": "safety"}, None, {}),
         ("POST", "/api/v1/session", None, {}, lambda: {"token": made["token"]}, {}),
         ("GET", "/api/v1/session", "viewer", {}, None, {}),
         ("DELETE", "/api/v1/session", "viewer", {}, None, {}),
@@ -219,6 +221,9 @@ def every_route(folder):
     (web / "assets").mkdir(parents=True)
     (web / "index.html").write_text("<!doctype html><title>page</title>")
     (web / "assets" / "app.js").write_text("'use strict';")
+    (web / "docs").mkdir()
+    for name in ("index", "safety"):
+        (web / "docs" / f"{name}.html").write_text("<!doctype html><title>docs</title>")
     control = HandControl()
     client = Client(folder, "--web", str(web)).start()
     client.post("/machines", hand_profile(control))

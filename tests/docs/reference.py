@@ -15,8 +15,12 @@ def route_table(api):
     rows = ['| route | role | does |', '|---|---|---|']
     for path, methods in api['paths'].items():
         for method, route in methods.items():
-            rows.append(f"| `{method.upper()} {path}` | {route['x-role']} | {_cell(route['summary'])} |")
+            rows.append(f"| `{method.upper()} {path}` | {_role(route)} | {_cell(route['summary'])} |")
     return rows
+
+
+def _role(route):
+    return 'none' if route.get('security') == [] else route['x-role']
 
 
 def profile_table(api):

@@ -38,6 +38,7 @@ export function Header() {
               {t(label)}
             </a>
           ))}
+          <a href="/docs">{t('nav.docs')}</a>
         </nav>
         <AlarmBell />
         <ConnectionSign />

@@ -1,0 +1,112 @@
+// Builds the pages of the documentation into dist/docs: README.md as index.html, and one page for each file of docs/. No
+// script, no inline style: they keep to the strict policy with which the server sends them.
+import { copyFile, mkdir, readdir, readFile, writeFile } from 'node:fs/promises';
+import path from 'node:path';
+import { Marked } from 'marked';
+
+// The order in which the pages are listed; others follow by name.
+const kFirst = ['getting-started', 'concepts', 'safety', 'families', 'dialects', 'checks', 'diagnostics', 'optimizing', 'connecting', 'profiles', 'page', 'operating', 'api'];
+
+const escape = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');
+
+// The anchor that GitHub gives a heading, too.
+export const slugOf = (heading) =>
+  heading
+    .trim()
+    .toLowerCase()
+    .replace(/[^\p{L}\p{N}_\- ]/gu, '')
+    .replaceAll(' ', '-');
+
+// Links between files become links between pages; other files of the repository have no page.
+export function hrefOf(href) {
+  if (/^[a-z]+:/i.test(href) || href.startsWith('#')) return href;
+  const [file, anchor] = href.split('#');
+  const name = path.posix.basename(file, '.md');
+  if (!file.endsWith('.md')) return null;
+  return `/docs/${name === 'README' ? '' : name}${anchor ? `#${anchor}` : ''}`.replace(/\/$/, '');
+}
+
+function renderer() {
+  const seen = new Map();
+  return {
+    heading({ tokens, depth, text }) {
+      const slug = slugOf(text.replaceAll('`', ''));
+      const times = seen.get(slug) ?? 0;
+      seen.set(slug, times + 1);
+      const id = times ? `${slug}-${times}` : slug;
+      return `<h${depth} id="${escape(id)}"><a class="anchor" href="#${escape(id)}">${this.parser.parseInline(tokens)}</a></h${depth}>\n`;
+    },
+    link({ href, tokens }) {
+      const to = hrefOf(href);
+      const text = this.parser.parseInline(tokens).replace(/^([\w-]+)\.md$/, '$1');
+      return to === null ? text : `<a href="${escape(to)}">${text}</a>`;
+    },
+    image({ href, text }) {
+      return `<img src="/docs/${escape(path.posix.basename(href))}" alt="${escape(text)}">`;
+    },
+    html({ text }) {
+      return text.startsWith('<!--') ? '' : escape(text);
+    },
+    table(token) {
+      const cells = (row, tag) => row.map((cell) => `<${tag}>${this.parser.parseInline(cell.tokens)}</${tag}>`).join('');
+      const body = token.rows.map((row) => `<tr>${cells(row, 'td')}</tr>`).join('\n');
+      return `<div class="wide" tabindex="0"><table><thead><tr>${cells(token.header, 'th')}</tr></thead>\n<tbody>${body}</tbody></table></div>\n`;
+    },
+    code({ text, lang }) {
+      return `<pre tabindex="0"><code class="${escape(lang ? `is-${lang}` : '')}">${escape(text)}</code></pre>\n`;
+    },
+  };
+}
+
+export const htmlOf = (markdown) => new Marked({ gfm: true, renderer: renderer() }).parse(markdown);
+
+export const titleOf = (markdown) => (/^# +(.+)$/m.exec(markdown)?.[1] ?? 'dripfeed').replaceAll('`', '');
+
+function pageOf({ title, body, list, style, icon }) {
+  const full = title === 'dripfeed' ? title : `${title} · dripfeed`;
+  return `<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<title>${escape(full)}</title>
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<link rel="icon" type="image/svg+xml" href="${icon}">
+<link rel="stylesheet" href="${style}">
+</head>
+<body class="docs">
+<header class="docs-top"><a class="docs-brand" href="/docs">dripfeed</a><a class="docs-to-list" href="#pages">All pages</a><a href="/">Machines</a></header>
+<div class="docs-body">
+<nav class="docs-list" id="pages" aria-label="Documentation">
+<ul>${list}</ul>
+</nav>
+<main>
+${body}</main>
+</div>
+</body>
+</html>
+`;
+}
+
+// `repository`: its root; `into`: dist/docs; `style` and `icon`: addresses of what was built.
+export async function writeDocs({ repository, into, style, icon }) {
+  await mkdir(into, { recursive: true });
+  const read = (...parts) => readFile(path.join(repository, ...parts), 'utf8');
+  const names = (await readdir(path.join(repository, 'docs'))).filter((name) => name.endsWith('.md')).map((name) => name.slice(0, -3));
+  const place = (name) => (kFirst.includes(name) ? kFirst.indexOf(name) : kFirst.length);
+  names.sort((a, b) => place(a) - place(b) || a.localeCompare(b));
+  const pages = [{ name: 'index', markdown: await read('README.md') }];
+  for (const name of names) pages.push({ name, markdown: await read('docs', `${name}.md`) });
+  for (const { name, markdown } of pages) {
+    const list = pages
+      .map((page) => {
+        const current = page.name === name ? ' aria-current="page"' : '';
+        const href = page.name === 'index' ? '/docs' : `/docs/${page.name}`;
+        return `<li><a href="${href}"${current}>${escape(titleOf(page.markdown))}</a></li>`;
+      })
+      .join('\n');
+    const page = pageOf({ title: titleOf(markdown), body: htmlOf(markdown), list, style, icon });
+    await writeFile(path.join(into, `${name}.html`), page);
+  }
+  await copyFile(path.join(repository, 'web', 'pictures', 'machines.png'), path.join(into, 'machines.png'));
+}
