@@ -16,7 +16,7 @@ struct Row {
 constexpr std::array kRows{
     Row{ErrorCode::not_found, "not-found", "there is no such thing"},
     Row{ErrorCode::exists, "exists", "it exists already"},
-    Row{ErrorCode::stale_revision, "stale-revision", "somebody changed it meanwhile"},
+    Row{ErrorCode::stale_revision, "stale-revision", "another change came first"},
     Row{ErrorCode::broken_reference, "broken-reference", "it refers to something that is not there"},
     Row{ErrorCode::invalid_value, "invalid-value", "a value is missing or out of range"},
     Row{ErrorCode::refused_transition, "refused-transition", "this state cannot follow the present one"},
@@ -29,7 +29,7 @@ constexpr std::array kRows{
     Row{ErrorCode::four_eyes, "four-eyes", "whoever wrote or released a text may not approve it on this machine"},
     Row{ErrorCode::machine_busy, "machine-busy", "another job has the machine's line"},
     Row{ErrorCode::machine_torn, "machine-torn",
-        "a block was torn on this machine: somebody must confirm that the control was reset"},
+        "a block was torn on this machine: a person must confirm that the control was reset"},
     Row{ErrorCode::key_reused, "key-reused", "the idempotency key was used for another request"},
     Row{ErrorCode::append_only, "append-only", "what is written there never changes"},
     Row{ErrorCode::busy, "busy", "another program holds the database for too long"},

@@ -93,7 +93,7 @@ void Gouge::consume(std::span<const ir::Motion> motions) {
       continue;
     }
     if (motion.kind == ir::MotionKind::rapid && checks::is_off_axis(motion)) {
-      report_.not_checked.add("a rapid beside the spindle's axis was not checked", line);
+      report_.not_checked.add("a rapid off the spindle's axis was not checked", line);
       continue;
     }
     const curves::Point end = point_of(motion.end, settings_.x_is_diameter);

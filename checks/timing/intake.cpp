@@ -98,7 +98,7 @@ double Intake::event_seconds(const ir::Motion& motion) {
 void Intake::take_move(const ir::Motion& motion, Intaken& taken) {
   const std::uint32_t line = motion.place.line;
   if (motion.axes_unknown != 0) {
-    report_.not_checked.add("a move starts at a place that is not known: its way is not counted", line);
+    report_.not_checked.add("a move starts at a position that is not known: its length is not counted", line);
   }
   const PathShape shape = shape_of(motion, settings_.x_is_diameter);
   if (!(shape.length < kLongest)) {

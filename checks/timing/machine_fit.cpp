@@ -61,7 +61,7 @@ std::expected<MachineFit, std::string> fit_machine(std::span<const MeasuredRun> 
       be += slopes[1][i] * errors[i];
     }
     if (round == 0 && (aa < 1e-6 || bb < 1e-6 || aa * bb - ab * ab < 1e-6 * aa * bb))
-      return std::unexpected("the runs do not tell acceleration and computing apart");
+      return std::unexpected("the runs do not separate acceleration from computing");
     aa += damping;
     bb += damping;
     const double determinant = aa * bb - ab * ab;

@@ -74,8 +74,7 @@ std::vector<ir::Word> IsoWords::settle(std::span<const ir::Code> codes, std::spa
     const bool letters = iso_.semantics.incremental_letters_uvw && std::ranges::none_of(codes, has_own_letters);
     for (ir::Word w : words) {
       if (w.address == Address::r && radius) w.address = Address::arc_radius;
-      if (w.address == Address::r && state_.unsure)
-        cannot("R behind a motion code that a switch may leave out", w.span);
+      if (w.address == Address::r && state_.unsure) cannot("R after a motion code that a switch may leave out", w.span);
       if (w.address == Address::q && state_.drills) w.value = with_point(w.value);
       if (letters) settle_increment(w);
       out.push_back(w);

@@ -88,7 +88,7 @@ class Lowering {
       return out_.keep();
     if (turns == codes.end() && !moves_axes(block)) return out_.keep();
     if (turns == codes.end() && !before.cycle.value)
-      return unknown("the turning cycle", "two ways lead to this block and differ");
+      return unknown("the turning cycle", "two control-flow paths lead to this block and differ");
     pass(before, block, turns == codes.end() ? *before.cycle.value : turns->argument, turns != codes.end());
   }
 
@@ -189,7 +189,7 @@ class Lowering {
   std::optional<ExpressionId> end_of(const LatheState& before, const ir::Word& w, Address axis) {
     const std::optional<bool> increment = flow_.is_increment(w, index_);
     if (!increment) {
-      unknown("absolute or incremental", "two ways lead to this block and differ");
+      unknown("absolute or incremental", "two control-flow paths lead to this block and differ");
       return std::nullopt;
     }
     const std::optional<ExpressionId> value = value_of(w);
@@ -205,7 +205,7 @@ class Lowering {
   std::optional<ExpressionId> value_of(const ir::Word& w) {
     if (const std::optional<double> value = flow_.number(w, index_)) return constant(*value);
     if (program_.at(w.value).op != Operator::constant) return w.value;
-    unknown("the unit of lengths", "two ways lead to this block and differ");
+    unknown("the unit of lengths", "two control-flow paths lead to this block and differ");
     return std::nullopt;
   }
 
@@ -259,7 +259,7 @@ class Lowering {
     std::vector<ir::Word> feed;
     if (before.feed.value && *before.feed.value != 0.0) feed.push_back(word(Address::f, constant(*before.feed.value)));
     motion_again(before, feed);
-    if (!before.feed.value && flow_.needs_feed(index_)) cannot("the feed behind CYCLE97, which is not known here,");
+    if (!before.feed.value && flow_.needs_feed(index_)) cannot("the feed after CYCLE97, which is not known here,");
   }
 
   static bool is_lathe(const ir::Control& control) { return control.kind != ir::MachineKind::mill; }
@@ -325,7 +325,7 @@ class Lowering {
     if (before.motion.value && *before.motion.value != Function::rapid)
       codes.push_back(motion_code(*before.motion.value));
     if (!before.motion.value && flow_.needs_motion(index_))
-      return unknown("the motion behind the cycle", "two ways lead to this block and differ");
+      return unknown("the motion after the cycle", "two control-flow paths lead to this block and differ");
     if (!codes.empty() || !words.empty()) out_.emit_block(codes, words);
   }
 
@@ -335,7 +335,7 @@ class Lowering {
     if (from_.semantics.incremental_letters_uvw) return true;
     const std::optional<Function> distance = flow_.mode(facts::Mode::distance, index_);
     if (!distance) {
-      unknown("absolute or incremental", "two ways lead to this block and differ");
+      unknown("absolute or incremental", "two control-flow paths lead to this block and differ");
       return false;
     }
     if (*distance == Function::incremental) mode_ = ir::WordMode::absolute;

@@ -15,14 +15,14 @@ namespace {
 using ir::Function;
 
 // Where one of the two goes at rapid by itself.
-constexpr std::string_view kOther = "a move to a place of the machine by another motion than G0";
+constexpr std::string_view kOther = "a move to a machine position by another motion than G0";
 constexpr std::string_view kUnknown =
-    "a move to a place of the machine where G0 or another motion is not known, taken as G0,";
-constexpr std::string_view kIncrement = "a move to a place of the machine beside G91";
+    "a move to a machine position where G0 or another motion is not known, taken as G0,";
+constexpr std::string_view kIncrement = "a move to a machine position together with G91";
 
 // MD10760 G53_TOOLCORR (ISO Milling, "Machine coordinate system").
 constexpr std::string_view kLength =
-    "SUPA where the length of a tool may be in effect, which MD10760 leaves out or keeps (D0 in the block says that it "
+    "SUPA where a tool length may be in effect, which MD10760 leaves out or keeps (D0 in the block states that it "
     "is left out),";
 
 bool goes_to_machine(const ir::Code& c) { return c.function == Function::machine_coordinates; }

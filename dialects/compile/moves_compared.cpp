@@ -165,7 +165,7 @@ std::vector<text::Diagnostic> MovesInPlace::compare(const ir::Program& translati
     return {text::make_diagnostic(
         text::DiagnosticId::cannot_translate, span == spans_.end() ? text::Span{} : span->second,
         {fmt::format("what moves here{} ({})",
-                     owners_.empty() ? "" : " beside statements that are written as their moves", other->what),
+                     owners_.empty() ? "" : " together with statements that are written as their moves", other->what),
          to_.title})};
   }
   return {};

@@ -123,7 +123,7 @@ std::vector<text::Diagnostic> MovesInPlace::lower(ir::Program& program) {
     for (std::size_t i = 0; i < kinds_.size(); ++i)
       if (const ir::Statement& s = program.statements[i];
           kinds_[i] != WithoutEqual::no && kinds_[i] != WithoutEqual::tap_part)
-        cannot(name_of(kinds_[i], program, s) + " beside " + what, s.span);
+        cannot(name_of(kinds_[i], program, s) + " together with " + what, s.span);
     return std::move(diagnostics_);
   }
   const facts::Resolved flow(program, from_);
@@ -219,7 +219,7 @@ void MovesInPlace::replace(ir::Program& program, std::uint32_t index, const fact
     if (!what.empty()) return cannot(fmt::format("{} {}", name, what), s.span);
   const bool plain_arc = kinds_[index] == WithoutEqual::arc && !has_curve(motions);
   if (!plain_arc && compensates(program, s, motions))
-    return cannot(name + " where the radius is compensated, which the control may do in its own way,", s.span);
+    return cannot(name + " where the radius is compensated, which the control may do by a method of its own,", s.span);
   PlainMoves moves(program, out, terms);
   if (const auto done = moves.write(motions, std::move(rest)); !done)
     return cannot(name + " with " + done.error(), s.span);
@@ -245,7 +245,7 @@ std::string MovesInPlace::same_each_time(std::uint32_t line, std::span<const ir:
 std::string MovesInPlace::terms_at(const ir::Program& program, std::uint32_t index, const facts::Resolved& flow,
                                    BlockTerms& terms) const {
   const facts::Facts* facts = flow.before(index);
-  if (facts == nullptr) return "that no way leads to";
+  if (facts == nullptr) return "that no control-flow path leads to";
   std::array<Function, facts::kModes> modes{};
   for (std::size_t mode = 0; mode < facts::kModes; ++mode)
     if (facts->modes[mode].agrees()) modes[mode] = facts->modes[mode].value.function;
@@ -255,7 +255,7 @@ std::string MovesInPlace::terms_at(const ir::Program& program, std::uint32_t ind
       if (const auto mode = facts::mode_of(c)) modes[facts::index_of(*mode)] = c.function;
   const auto at = [&](facts::Mode mode) { return modes[facts::index_of(mode)]; };
   const auto is_lengths_only = [](const ir::Code& c) { return c.function == Function::unit_inch && c.argument == 1; };
-  if (std::ranges::any_of(program.codes, is_lengths_only)) return "beside G70, which leaves the feeds metric,";
+  if (std::ranges::any_of(program.codes, is_lengths_only)) return "together with G70, which leaves the feeds metric,";
   if (at(facts::Mode::unit) == Function::none) return "where the unit of lengths is not known";
   if (at(facts::Mode::distance) == Function::none) return "where absolute or incremental is not known";
   if (at(facts::Mode::feed) == Function::none) return "where the kind of feed is not known";
@@ -282,7 +282,7 @@ std::string MovesInPlace::rest_of(const ir::Program& program, std::uint32_t inde
   const ir::Block& block = program.blocks[s.payload];
   if (block.rest_level != 0) return "with block skip inside it";
   for (const ir::Code& c : program.codes_of(block)) {
-    if (c.number != ir::ExpressionId::none) return "beside a code with a calculated number";
+    if (c.number != ir::ExpressionId::none) return "together with a code with a calculated number";
     if (is_own(c)) continue;
     const bool drills = kinds_[index] == WithoutEqual::drilling || kinds_[index] == WithoutEqual::tap;
     if (drills && c.function == Function::machine_function)

@@ -58,7 +58,7 @@ class TargetSearch {
     if (!out.constant) return out;
     if (program_.statements[only.statement].skip_level != 0)
       return refused(fmt::format("{} may be skipped, and then it has another value", lines_of({only.statement})),
-                     notes_at({only.statement}, "behind a block skip"));
+                     notes_at({only.statement}, "after a block skip"));
     if (const auto early = read_before(*found, only.statement, scope))
       return refused(fmt::format("{} may read it before {} sets it", lines_of({*early}), lines_of({only.statement})),
                      notes_at({*early}, "it is read here"));

@@ -149,7 +149,7 @@ NativeUnit NativeUnits::of(Dimension dimension, const family::Unit* written, std
   if (inch) return {.factor = *inch ? row->factor : 1.0, .why = {}};
   return {
       .factor = std::nullopt,
-      .why = fmt::format("neither the program nor the machine's profile says whether {} of its line {} are in inches",
+      .why = fmt::format("neither the program nor the machine's profile states whether {} of its line {} are in inches",
                          row->is_feed ? "feeds" : "lengths", program_.statements[statement].line)};
 }
 

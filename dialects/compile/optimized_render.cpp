@@ -42,7 +42,7 @@ std::vector<family::LineRange> moved(const std::vector<family::LineRange>& range
 OptimizeResult optimize_rendered(RenderResult& rendered, const ir::Control& control, const ir::CostModel& cost,
                                  const optimize::Rules& rules) {
   OptimizeResult result;
-  if (rendered.is_kept) result.obstacle = "the native program is kept as it is written";
+  if (rendered.is_kept) result.obstacle = "the native program is kept unchanged";
   if (rendered.mode == RenderMode::explicit_blocks) result.obstacle = "plain blocks have nothing to compute";
   if (!result.obstacle.empty()) return result;
   OptimizeRequest request{.source = text::Source("rendered", rendered.text), .control = control, .cost = cost};

@@ -63,7 +63,7 @@ std::expected<void, std::string> PlainMoves::write(std::span<const ir::Motion> m
     const auto done = ir::is_move(motion.kind) ? move(motion, rest) : event(motion, rest);
     if (!done) return done;
   }
-  if (comp_ != Function::none) return cannot("a compensation that changes behind its last move");
+  if (comp_ != Function::none) return cannot("a compensation that changes after its last move");
   flush(rest);
   if (!rest.after.empty()) out_.emit_block(rest.after, {});
   return {};

@@ -104,7 +104,7 @@ class Proposer {
     std::string out =
         "# Proposed from a program. Look at each kind, unit and range: a range marked as proposed is the program's "
         "value\n"
-        "# halved and doubled, and nobody has asked whether the machine can make it.\n";
+        "# halved and doubled, and whether the machine can make it was not checked.\n";
     const std::string title = title_of(program);
     out += fmt::format("family {}{}{}\nmachine {}", name_, title.empty() ? "" : " ", title, machine_word());
     if (control_.kind != ir::MachineKind::mill)

@@ -115,7 +115,7 @@ class Faces {
   void begin(const ir::Code& written, const ir::Block& block) {
     const ir::Code code = written;
     if (program_.codes_of(block).size() != 1 || block.rest_level != 0)
-      return cannot("a code beside polar or cylindrical interpolation");
+      return cannot("a code in the same block as polar or cylindrical interpolation");
     if (!before_[index_] || !before_[index_]->is(kNowhere))
       return cannot("polar or cylindrical interpolation inside of another");
     if (is_face(code.argument)) {
@@ -146,7 +146,7 @@ class Faces {
 
   void end() {
     if (!before_[index_]) return;
-    if (!before_[index_]->value) return cannot("the end of what began on one way only");
+    if (!before_[index_]->value) return cannot("the end of what began on one control-flow path only");
     if (before_[index_]->is(kNowhere)) return out_.keep();  // ends nothing
     const bool cylinder = is_cylinder_here();
     const std::optional<Function> here = flow_.mode(facts::Mode::plane, index_);
@@ -159,7 +159,7 @@ class Faces {
       emit(ir::kTransformationEnds, to_rotary_ ? "" : "TRAFOOF", {});
     // What the program has in effect behind it.
     if (here && now != here) plane(*here);
-    if (!here) cannot("the plane behind polar or cylindrical interpolation, not known here,");
+    if (!here) cannot("the plane after polar or cylindrical interpolation, not known here,");
   }
 
   [[nodiscard]] bool is_cylinder_here() const {
@@ -191,7 +191,8 @@ class Faces {
         statement_.kind == StatementKind::native)
       return cannot("a call inside of polar or cylindrical interpolation");
     if (statement_.kind != StatementKind::block) return out_.keep();
-    if (!before_[index_]->value) return cannot("a block that stands in polar interpolation on one way only");
+    if (!before_[index_]->value)
+      return cannot("a block that stands in polar interpolation on one control-flow path only");
     if (block.rest_level != 0) return cannot("block skip inside a block");
     const bool cylinder = is_cylinder_here();
     const std::optional<Function> here = flow_.mode(facts::Mode::plane, index_);

@@ -232,11 +232,11 @@ class Splicing {
     for (const ir::Word& w : iso_.words_of(old)) words.push_back(copy_.word(w));
     words = words_.settle(codes, words, s.skip_level != 0 || old.rest_level != 0);
     if (own_.frames && std::ranges::any_of(codes, is_frame))
-      cannot("a frame of ISO mode beside one of Siemens mode", s.span);
+      cannot("a frame of ISO mode together with one of Siemens mode", s.span);
     if (own_.poles && std::ranges::any_of(codes, names_polar))
-      cannot("G16 of ISO mode beside poles of Siemens mode", s.span);
+      cannot("G16 of ISO mode together with poles of Siemens mode", s.span);
     if (std::ranges::any_of(codes, ir::follows_shape)) refuse_shape_elsewhere(s, words);
-    if (calls_each_move_) cannot("a block of ISO mode behind MCALL", s.span);
+    if (calls_each_move_) cannot("a block of ISO mode after MCALL", s.span);
     ir::Block made = old;
     made.first_code = static_cast<std::uint32_t>(program_.codes.size());
     made.first_word = static_cast<std::uint32_t>(program_.words.size());

@@ -72,21 +72,21 @@ std::expected<std::optional<TapCut>, std::string> tap_at(std::span<const Motion>
   }
   const bool back = next < motions.size() && motions[next].kind == in.kind && near(motions[next].end, in.start);
   if (!back && in.kind == MotionKind::linear) return std::optional<TapCut>();
-  if (!back) return cannot("a way out that does not lead back");
+  if (!back) return cannot("a retract that does not lead back");
   const Motion& out = motions[next];
   const std::optional<std::size_t> axis = axis_of(in);
-  if (!axis || (*axis != 0 && *axis != 2)) return cannot("a way along another axis than X or Z");
+  if (!axis || (*axis != 0 && *axis != 2)) return cannot("a move along another axis than X or Z");
   const std::uint16_t unknown = in.axes_unknown | out.axes_unknown;
   if ((unknown & (1U << *axis)) != 0 || in.machine_coordinates || ((in.gaps | out.gaps) & ir::kEndUnknown) != 0)
     return cannot("a place that is not known here");
   if (in.surface_speed_m_min != 0.0 || in.spindle_rpm <= 0.0 || in.spindle_rpm != out.spindle_rpm)
-    return cannot("a speed that is not known or not the same on both ways");
+    return cannot("a speed that is not known or not the same in and out");
   tap.axis = *axis;
   tap.level = in.start[*axis];
   tap.depth = in.end[*axis];
   tap.lead_mm = lead_of(in);
   if (tap.lead_mm == 0.0 || std::abs(lead_of(out) - tap.lead_mm) > 1e-9 * std::abs(tap.lead_mm))
-    return cannot("a lead that is not known or not the same on both ways");
+    return cannot("a lead that is not known or not the same in and out");
   tap.speed_rpm = in.spindle_rpm;
   tap.in = in.spindle;
   tap.out = out.spindle;
@@ -99,7 +99,7 @@ std::expected<void, std::string> TapMoves::write(std::span<const Motion> motions
   const std::vector<ir::Code> after = std::exchange(rest.after, {});
   std::vector<Motion> plain;
   const auto flush = [&]() -> std::expected<void, std::string> {
-    if (changed_feed_mode_ && std::ranges::any_of(plain, cuts)) return cannot("a cut beside its thread");
+    if (changed_feed_mode_ && std::ranges::any_of(plain, cuts)) return cannot("a cut off its thread");
     return plain_.write(std::exchange(plain, {}), std::exchange(rest, {}));
   };
   // A rigid tap says its speed itself.

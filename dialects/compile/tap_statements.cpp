@@ -118,7 +118,7 @@ class TapWalk {
     }
     if (!taps_ || (!names && !moves(index_))) return;
     out_[index_] = {.role = TapRole::tap, .rigid = rigid_, .fault = fault_of(*block)};
-    if (shares_m29_) out_[index_].fault = "that is a second one behind one M29";
+    if (shares_m29_) out_[index_].fault = "that is a second one after one M29";
     if (astray_) out_[index_].fault = "in a program with M29 that does not stand right before its tap";
   }
   // M29.
@@ -188,11 +188,11 @@ class TapWalk {
       return place < arguments.size() ? number(arguments[place].value) : std::optional(0.0);
     };
     const std::optional<double> after = at(row.after);
-    if (after != 3.0 && after != 4.0 && after != 5.0) return "without what its spindle does behind it (SDAC)";
+    if (after != 3.0 && after != 4.0 && after != 5.0) return "without what its spindle does after it (SDAC)";
     if (row.angle != 0 && at(row.angle) != 0.0) return "with an angle of its spindle";
     if (row.encoder != 0) {
       const std::optional<double> encoder = at(row.encoder);
-      if (encoder != 0.0 && encoder != 1.0 && encoder != 20.0) return "with that way of its encoder (ENC)";
+      if (encoder != 0.0 && encoder != 1.0 && encoder != 20.0) return "with that use of its encoder (ENC)";
     }
     if (!at(row.axis)) return "with a computed axis (AXN)";
     for (std::size_t further = row.axis + 1; further < arguments.size(); ++further)
@@ -227,7 +227,7 @@ class TapWalk {
     }
     if (!taps_along_z(to_)) in.fault = "on this machine";
     const bool found = out != ir::kNoIndex && any_code(out, goes_out);
-    if (in.fault.empty() && !found) in.fault = "without its way back right behind it";
+    if (in.fault.empty() && !found) in.fault = "without its retract in the next block";
     for (const std::uint32_t i : {index_, out})
       if (in.fault.empty()) in.fault = fault_of_pair(i);
     out_[index_] = std::move(in);

@@ -59,7 +59,7 @@ void MovesInPlace::replace_tap(ir::Program& program, std::uint32_t index, const 
     const RecordedRun& run = runs_.front();
     for (std::size_t v = 0; v < run.visits.size(); ++v)
       if (run.visits[v].line == s.line && !says_speed_behind(run, v))
-        return cannot(name + " at another speed than before it, behind which no speed is said,", s.span);
+        return cannot(name + " at another speed than before it, after which no speed is stated,", s.span);
   }
   // What ,R1 says, the run shows.
   const bool rigid = tap.rigid || (ir::has_numbered_variables(from_) && std::ranges::any_of(motions, is_thread));

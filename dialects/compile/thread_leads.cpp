@@ -95,7 +95,7 @@ class Leads {
       return cannot("the change of a lead where lengths alone are in inch (G70)");
     if (!by_letters && counts(*change)) return cannot("the change of a lead without a point");
     if (flow_.needs_feed(index_) && !thread_goes_on_changing())
-      return cannot("the feed behind a thread whose lead changes");
+      return cannot("the feed after a thread whose lead changes");
     if (!by_letters) lead_along_axis(*flow_.before(index_), words);
     if (by_letters) {
       lead->address = Address::f;
@@ -151,7 +151,7 @@ class Leads {
     }
     out_.emit_block(codes, words);
     if (thread_goes_on()) return;
-    if (!feed && flow_.needs_feed(index_)) cannot("the feed behind a thread, which is not known here,");
+    if (!feed && flow_.needs_feed(index_)) cannot("the feed after a thread, which is not known here,");
     if (feed && *feed != 0.0) out_.emit_block({}, {word(Address::f, constant(*feed))});
   }
 

@@ -25,7 +25,7 @@ namespace dripfeed::compile {
 
 namespace {
 
-constexpr std::string_view kKept = "the program is kept as it is written";
+constexpr std::string_view kKept = "the program is kept unchanged";
 
 text::Diagnostic fault_at(const family::Binding& binding, std::string_view why) {
   return text::make_diagnostic(text::DiagnosticId::family_syntax, binding.span,

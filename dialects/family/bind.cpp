@@ -257,7 +257,7 @@ class Binder {
       report(DiagnosticId::family_bad_loop, step.span, {fmt::format("has the step {}; steps are positive", said(*by))});
     } else if (span < -kStepTolerance * *by) {
       report(DiagnosticId::family_bad_loop, step.span,
-             {fmt::format("goes {} from {} to {}", step.down ? "down" : "up", said(*from), said(*to))});
+             {fmt::format("counts {} from {} to {}", step.down ? "down" : "up", said(*from), said(*to))});
     } else if (span / *by > kLargestTrips) {
       report(DiagnosticId::family_bad_loop, step.span, {"runs more than ten million times"});
     }
@@ -300,7 +300,7 @@ class Binder {
   static std::string fault_of_hole(ir::Address address, double value, const std::optional<double>& top) {
     const std::string said = text::format_shortest(value);
     if (address == ir::Address::z && top && value >= *top)
-      return fmt::format("goes from {} to {}, which is not down", text::format_shortest(*top), said);
+      return fmt::format("leads from {} to {}, which is not down", text::format_shortest(*top), said);
     if (address == ir::Address::q && value <= 0.0) return fmt::format("has pecks of {}", said);
     if (address == ir::Address::f && value <= 0.0) return fmt::format("has the pitch {}", said);
     if (address == ir::Address::p && value < 0.0) return fmt::format("has a dwell of {} s", said);

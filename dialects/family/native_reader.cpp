@@ -92,7 +92,7 @@ void NativeReader::check_parameters_are_used() {
   for (const Parameter& parameter : family_.parameters) {
     if (!used.contains(parameter.symbol))
       fault(parameter.span,
-            fmt::format("{0} changes nothing: say what takes its value ({0} ... is #100)", parameter.name));
+            fmt::format("{0} changes nothing: state what takes its value ({0} ... is #100)", parameter.name));
   }
 }
 

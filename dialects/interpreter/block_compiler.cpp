@@ -91,7 +91,7 @@ void BlockCompiler::compile_word(const ir::Word& word) {
   const bool carried_out = word.address == Address::other && word.extension != 0;
   if (!is_interpreted(word)) return report(name_of(word), Function::not_modelled, carried_out);
   if (word.address == Address::e && drills_)
-    return report("E beside a drilling cycle", Function::drill, true);  // Mazak's second feed of G85
+    return report("E together with a drilling cycle", Function::drill, true);  // Mazak's second feed of G85
   if (word.address == Address::named_axis) return put_named_axis(word);
   // MEAW measures and goes on to its end: only what it measured is not known.
   if (word.address == Address::measuring && word.name != ir::StringId::none)

@@ -40,7 +40,7 @@ void CallStack::enter_language() {
   if (entered_rules_ != nullptr && program_->rules->semantics.incremental_letters_uvw && !state_.modes.absolute)
     report_.count({.name = "increments (G91) where the control's other language has them by U and W"});
   if (entered_rules_ != nullptr && (cycle || state_.modes.polar_words)) {
-    report_.count({.name = cycle ? "a modal cycle or call that goes on in the control's other language"
+    report_.count({.name = cycle ? "a modal cycle or call that continues in the control's other language"
                                  : "polar words (G16) that go on in the control's other language"});
     state_.unknown = kAllAxes;
   }
@@ -127,7 +127,7 @@ std::optional<CallStack::Part> CallStack::find_part(const Instruction& i, const 
   const auto last = ir::labelled_block(text, range, last_name);
   if (!first || !last || last->last < first->first) {
     const std::string& missing = first ? last_name : first_name;
-    const std::string place = first && last ? " behind " + first_name : "";
+    const std::string place = first && last ? " after " + first_name : "";
     report_.fail(i, DiagnosticId::jump_target_missing,
                  {is_unknown(missing) ? "of a text that is not known" : missing + place});
     return std::nullopt;

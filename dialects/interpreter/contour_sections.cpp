@@ -19,7 +19,7 @@ class Sections {
   ContourSections run() {
     ContourSections out;
     if (const std::uint32_t line = line_of_way_back(); line != 0)
-      return {{}, {}, "CYCLE95 along a contour that goes back in line " + std::to_string(line)};
+      return {{}, {}, "CYCLE95 along a contour that reverses in line " + std::to_string(line)};
     for (at_ = 0; at_ < pieces_.size();) {
       const ContourPiece& piece = pieces_[at_];
       if (height(piece.segment.to) >= height(piece.segment.from) - kSmall) {

@@ -215,7 +215,7 @@ FrameValue FrameAccess::programmable() const {
 void FrameAccess::set_programmable(const FrameValue& value) {
   state_.modes.frame_languages |= 1;
   if (state_.modes.frame_languages == 3)
-    report_.count({.name = "a frame of one of the control's languages beside one of the other"});
+    report_.count({.name = "a frame of one of the control's languages together with one of the other"});
   state_.modes.shift = value.shift;
   state_.modes.fine_shift = value.fine;
   if (rules_.x_is_diameter) {

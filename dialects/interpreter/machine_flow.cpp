@@ -238,7 +238,7 @@ bool Machine::begin_shape(const Instruction& i, std::uint32_t& next) {
   // Behind roughing the program goes on behind the shape: here with the cycle again.
   if (state_.repetitive.cycle != 0 && last < next - 1)
     return report_.fail(i, DiagnosticId::cycle_shape_invalid,
-                        {"it stands before the cycle, which begins again behind it without end"});
+                        {"it stands before the cycle, which begins again after it without end"});
   // A corner that waits for a move must not be cut with the shape's first one.
   if (std::exchange(state_.corner, {}).kind != 0) out_.hold(false);
   shape_.begin(next - 1, last, next, state_, out_.place);

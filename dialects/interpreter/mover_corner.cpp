@@ -120,7 +120,7 @@ void Mover::insert_corner() {
     if (piece != TooShort::none) {
       result_.fault = text::DiagnosticId::corner_too_large;
       result_.detail = piece == TooShort::first ? ir::AlarmDetail::none : ir::AlarmDetail::next_move;
-      result_.reason = piece == TooShort::first ? "before" : "behind";
+      result_.reason = piece == TooShort::first ? "before" : "after";
       return;
     }
   }

@@ -130,7 +130,7 @@ void add_to_curve(const PlainBlock& block, const BlockRules& rules, ModalState& 
   CurveInput& curve = state.curve;
   if (!curve.open && !begin_curve(block, curve, result)) return;
   if (names_point) {
-    if (curve.points.size() != curve.knots.size()) return fail(result, "a control point behind the knots that end it");
+    if (curve.points.size() != curve.knots.size()) return fail(result, "a control point after the knots that end it");
     if (!add_point(block, rules, state, out, result)) return;
   }
   if (!block.has(Address::k)) return fail(result, "a control point has no knot (K)");

@@ -121,7 +121,7 @@ void move_along_polynomial(const PlainBlock& block, const BlockRules& rules, con
   if (!has_polynomial_words(block)) return mover.straight(ir::MotionKind::linear, target);
   const double interval = block.has(Address::knot_distance) ? block.at(Address::knot_distance) : 1.0;
   if (!(interval >= kShortestInterval && interval <= kLongestInterval))
-    return fail(result, "the way of its parameter (PL) is not in 0.0001 to 99999.9999");
+    return fail(result, "the length of its parameter (PL) is not in 0.0001 to 99999.9999");
   const Bends bends = bends_of(block, rules, state, interval);
   const Polynomial curve(state.position, target.end, bends);
   if (!curve.is_finite()) return fail(result, "its coefficients (PO) lead to no place");

@@ -24,7 +24,7 @@ void RunReport::add(const Instruction& at, DiagnosticId id, std::vector<std::str
   if (!certain && made.severity == text::Severity::error) {
     // A program that guards itself is no fault of its own: whether the guard strikes, those values decide.
     made.severity = id == DiagnosticId::user_alarm ? text::Severity::note : text::Severity::warning;
-    made.notes.push_back({made.span, "behind a condition on a value that is not known"});
+    made.notes.push_back({made.span, "after a condition on a value that is not known"});
   }
   result_.diagnostics.push_back({program_->index, out_.place.line, std::move(made)});
 }

@@ -81,7 +81,7 @@ constexpr std::array kDrilling = std::to_array<std::string_view>({
     "drilling: in by feed, out by rapid",
     "drilling: in by feed, dwell, out by rapid",
     "deep hole drilling: each peck comes out to the R level",
-    "drilling with chip breaking: each peck goes back a little",
+    "drilling with chip breaking: each peck retracts a little",
     "tapping: out by feed with the spindle reversed",
     "tapping left-handed: out by feed with the spindle reversed",
     "boring: in and out by feed",

@@ -133,7 +133,7 @@ class HoleReader {
     if (!after || !nominal || !lead || !angle || !speed || !out) return " with computed values of its thread";
     if (*nominal != 0.0 || *lead == 0.0) return " without the lead of its thread (PIT)";
     if (*angle != 0.0) return " with an angle of its spindle";
-    if (*speed <= 0.0 || (*out != 0.0 && *out != *speed)) return " without one speed for both ways";
+    if (*speed <= 0.0 || (*out != 0.0 && *out != *speed)) return " without one speed in and out";
     if (has_own_axis(12) || has_more_than(13)) return " with pecks, an axis or a unit of its own";
     hole.cycle = *lead < 0.0 ? DrillCycle::tap_left : DrillCycle::tap_right;
     hole.lead = std::abs(*lead);
@@ -151,8 +151,8 @@ class HoleReader {
     const std::optional<double> nominal = number_at(9, 0.0);
     const std::optional<double> lead = number_at(10, 0.0);
     if (!reversed || !after || !encoder || !nominal || !lead) return " with computed values of its thread";
-    if (*after != 3.0 && *after != 4.0 && *after != 5.0) return " without what its spindle does behind it (SDAC)";
-    if (*reversed != 0.0 && *reversed != 3.0 && *reversed != 4.0) return " with that way of its spindle (SDR)";
+    if (*after != 3.0 && *after != 4.0 && *after != 5.0) return " without what its spindle does after it (SDAC)";
+    if (*reversed != 0.0 && *reversed != 3.0 && *reversed != 4.0) return " with that direction of its spindle (SDR)";
     const bool by_lead = *encoder != 1.0;
     if (by_lead && (*nominal != 0.0 || *lead == 0.0)) return " without the lead of its thread (PIT)";
     if (has_own_axis(11) || has_more_than(12)) return " with an axis or a unit of its own";

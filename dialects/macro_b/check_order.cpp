@@ -211,7 +211,7 @@ class OrderCheck {
       if (cycle != codes.end()) {
         add_rigid(cycle->span, "stands between M29 and its tapping cycle", ir::AlarmDetail::none);
       } else if (m29 != codes.end()) {
-        add_rigid(m29->span, "stands behind another M29 without a tapping cycle", ir::AlarmDetail::none);
+        add_rigid(m29->span, "stands after another M29 without a tapping cycle", ir::AlarmDetail::none);
       } else if (moves) {
         add_rigid(program_.words_of(block).front().span, "moves between M29 and its tapping cycle",
                   ir::AlarmDetail::axis_moves);
@@ -286,9 +286,9 @@ class OrderCheck {
   void lathe_corner(const ir::Block& block, bool moves) {
     const text::Span span = std::exchange(letter_corner_, {});
     if (!span.empty() && moves) {
-      if (arc_) add_lathe_corner(span, "in a line behind it", ir::AlarmDetail::not_a_line);
+      if (arc_) add_lathe_corner(span, "in a line after it", ir::AlarmDetail::not_a_line);
       if (!arc_ && cuts_ && !tapers_ && turned_axes(block) == 2)
-        add_lathe_corner(span, "along one axis behind it", ir::AlarmDetail::tapered);
+        add_lathe_corner(span, "along one axis after it", ir::AlarmDetail::tapered);
     }
     const bool own_codes = std::ranges::any_of(program_.codes_of(block), [](const ir::Code& c) {
       return c.group == ir::ModalGroup::non_modal || c.group == ir::ModalGroup::frame;
@@ -331,7 +331,7 @@ class OrderCheck {
       stays |= has_word(block, ir::Address::direct_angle) || has_word(block, ir::Address::other) ||
                has_word(block, ir::Address::a);
     }
-    if (is_end || !stays) add_corner(span, "behind it");
+    if (is_end || !stays) add_corner(span, "after it");
   }
   void add_corner(text::Span span, std::string_view where) {
     text::Diagnostic* finding =

@@ -50,7 +50,7 @@ bool HoleWriter::has_moves(const Hole& hole) {
     return false;
   }
   if (hole.lead != 0.0 && !place_.state.turning.is_known()) {
-    place_.cannot(hole.name + " behind a feed or speed that is not known");
+    place_.cannot(hole.name + " after a feed or speed that is not known");
     return false;
   }
   if (drills_by_cycle(hole) && (to_.kind != ir::MachineKind::mill || place_.plane() != Function::plane_xy)) {
@@ -89,7 +89,7 @@ void HoleWriter::write_cycle(const Hole& hole, bool modal, bool to_level) {
   if (hole.floats && cutting_way(hole) == Function::spindle_ccw) cycle = DrillCycle::tap_left;
   if (hole.breaks_chips) {
     cycle = DrillCycle::chip_break;
-    place_.tell("the way back between the pecks at the feed, which G73 goes at rapid,");
+    place_.tell("the retract between the pecks at the feed, which G73 makes at rapid,");
   }
   if (hole.pecks_below_level) place_.tell("pecks from the reference plane, which a cycle here counts from R,");
   ir::Code drill = code(Function::drill);
@@ -203,7 +203,7 @@ void HoleWriter::motion_again(bool always) {
   const std::optional<Function> motion = place_.motion();
   if (motion && (always || *motion != Function::rapid)) emit_code(*motion);
   if (!motion && facts::needs_motion(program_, place_.index()))
-    place_.cannot("the motion code in effect behind a cycle, which is not known here,");
+    place_.cannot("the motion code in effect after a cycle, which is not known here,");
 }
 
 void HoleWriter::emit_code(Function function) { out_.emit_block({code(function)}, {}); }

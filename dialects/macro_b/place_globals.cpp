@@ -177,7 +177,7 @@ class Placing {
     if (v.index == ExpressionId::none) return cannot(global, v, s, "the array " + name + " as a whole");
     const auto element = element_of(v);
     if (element && *element >= count)
-      return cannot(global, v, s, fmt::format("an element of {} behind its {} elements", name, count));
+      return cannot(global, v, s, fmt::format("an element of {} beyond its {} elements", name, count));
     // The elements of an array are not followed one by one: a value that is set later is there already.
     if (set) return;
     if (element)

@@ -220,7 +220,7 @@ void BlockRaiser::code_by_name(const ir::Code& code) {
   if (goes_on) draft_.codes.push_back(code_of(code.function, code.argument));
   if (code.group == ir::ModalGroup::frame || name.empty() || name == "G64") return;
   leaves_words_ = true;
-  cannot(*statement_, std::string(name) + (goes_on ? ", said as G64," : ""));
+  cannot(*statement_, std::string(name) + (goes_on ? ", written as G64," : ""));
   diagnostics_.back().severity = text::Severity::warning;
 }
 
@@ -266,7 +266,7 @@ void BlockRaiser::word(const ir::Word& word, const Traits& traits) {
     return cannot(*statement_, "the change of a lead without a point");
   // Mazak's second feed of G85, which others do not have.
   if (!same_ && word.address == Address::e && way_ == Way::holes)
-    return cannot(*statement_, "the word E beside a drilling cycle");
+    return cannot(*statement_, "the word E together with a drilling cycle");
   if (word.extension > 1) return cannot(*statement_, "a word with the number of a spindle or axis");
   ir::Word raised = word;
   raised.extension = 0;

@@ -82,7 +82,7 @@ class Drilling {
     if (!is_drilling_cycle(program_.strings.at(call.name))) return keep_unknown();
     const std::optional<Hole> hole = hole_of(call);
     if (!hole) return;  // told
-    if (calls_in_region(program_, place_.index())) return place_.cannot("a call of another program behind MCALL");
+    if (calls_in_region(program_, place_.index())) return place_.cannot("a call of another program after MCALL");
     if (jumps_across_region(program_, place_.index(), jumps_))
       return place_.cannot("a modal call that jumps lead into or out of");
     const bool taps = hole->lead != 0.0 || hole->floats;

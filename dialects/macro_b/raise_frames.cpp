@@ -126,13 +126,13 @@ class Frames {
   // ATRANS: the shift so far and the words, said as one. Of a shift that was computed nothing is known by now.
   void add_shift(const std::vector<ir::Word>& words) {
     if (stage_ == Stage::unknown) return cannot("ATRANS, which adds to a frame that is not known here,");
-    if (stage_ > Stage::shift) return cannot("ATRANS behind another part of the frame");
+    if (stage_ > Stage::shift) return cannot("ATRANS after another part of the frame");
     const bool others = std::ranges::any_of(words, [](const ir::Word& w) {
       return ir::is_axis(w.address) && std::ranges::find(kLengths, w.address) == kLengths.end();
     });
     if (others || others_shifted_) return cannot("ATRANS of other axes than X, Y and Z");
     if (std::ranges::any_of(shift_, [](const auto& one) { return !one.has_value(); }))
-      return cannot("ATRANS behind a shift that is computed");
+      return cannot("ATRANS after a shift that is computed");
     std::vector<ir::Word> sums;
     for (std::size_t i = 0; i < kLengths.size(); ++i) {
       const ir::Word* more = find(words, kLengths[i]);
@@ -159,7 +159,7 @@ class Frames {
                                                     : Stage::rotation;
     const std::string name(written.empty() ? ir::name_of(function) : written);
     if (stage_ == Stage::unknown) return cannot(name + ", which adds to a frame that is not known here,");
-    if (stage_ >= own) return cannot(name + " behind another part of the frame");
+    if (stage_ >= own) return cannot(name + " after another part of the frame");
     stage_ = own;
     if (function == Function::rotate) return rotate(name, words);
     if (function == Function::scale) return scale(words);

@@ -77,7 +77,7 @@ std::optional<ExpressionId> BlockRaiser::tool_in(const ToolState& state) {
   const bool between = state.caller != ir::kNoIndex && state.next.known != Known::none &&
                        !tools_->same_value(state.next.value, state.in.value);
   if (state.in.known == Known::differs || between || program_.at(state.in.value).op == Operator::string) {
-    cannot(*statement_, "a tool that is not known here, or not the same on all ways here,");
+    cannot(*statement_, "a tool that is not known here, or not the same on all control-flow paths,");
     return std::nullopt;
   }
   if (state.caller != ir::kNoIndex)
@@ -98,7 +98,7 @@ void BlockRaiser::compensation_number() {
   if (to_.semantics.tool_word != ir::ToolWord::number) return;
   const std::optional<ExpressionId> tool = tool_in(tool_state());
   if (tool && *tool != ExpressionId::none) return draft_.words.push_back(word_of(Address::d, *tool));
-  if (tool) tell("the number of the compensation (D)", "the tool is a caller's, which must have said it");
+  if (tool) tell("the number of the compensation (D)", "the tool is a caller's, which must have stated it");
 }
 
 // T0606: each tool has the offset of its own number; edge 0 takes the offset away.
@@ -120,12 +120,12 @@ void BlockRaiser::length_offset(const Traits& traits, ExpressionId edge) {
     if (!tool) return change_first(traits, {});
     if (is_constant(*tool, 0.0)) return change_first(traits, {{code_of(Function::length_offset_off)}, {}});
     if (*tool == ExpressionId::none) {
-      tell("the length of the tool", "neither the tool nor an edge of it is said here");
+      tell("the tool length", "neither the tool nor a cutting edge of it is stated here");
       return change_first(traits, {});
     }
     if (tools_->changes_at_once() && calls_next())
-      return cannot(*statement_, "a tool that a called program brings in, without D behind the call,");
-    tell("the edge behind a tool change without D", "MD20270 decides, and it is taken as D1");
+      return cannot(*statement_, "a tool that a called program brings in, without D after the call,");
+    tell("the cutting edge after a tool change without D", "MD20270 decides, and it is taken as D1");
     length = length_of(*tool);
   } else if (is_constant(edge, 0.0)) {
     length = {{code_of(Function::length_offset_off)}, {}};

@@ -29,7 +29,7 @@ bool drop_unread(Work& work) {
     out.at(i);
     if (is_unread(i)) {
       changed = true;
-      work.report(Rule::values, program.statements[i].line, "what nobody reads is not computed");
+      work.report(Rule::values, program.statements[i].line, "what no block reads is not computed");
     } else {
       out.keep();
     }

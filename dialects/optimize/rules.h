@@ -35,12 +35,12 @@ inline constexpr std::array<RuleRow, kRules> kRuleRows = {{
     {"loops", "jumps back become loops, where that makes the program faster", true},
     {"branches", "jumps over parts become IF with ELSE, where the control has them and it makes the program faster",
      true},
-    {"values", "values that are known already are not computed again, and what nobody reads is not computed", true},
+    {"values", "values that are known already are not computed again, and what no block reads is not computed", true},
     {"invariants", "what a loop does not change is computed before it", true},
     {"merge", "a value that one expression reads moves into it", true},
     {"join", "assignments that do not need each other share a block, where the control allows it", true},
     {"comments", "comments are dropped", false},
-    {"numbers", "block numbers that nobody jumps to are dropped", false},
+    {"numbers", "block numbers that no jump names are dropped", false},
 }};
 constexpr const RuleRow& row_of(Rule rule) { return kRuleRows[static_cast<std::size_t>(rule)]; }
 std::optional<Rule> find_rule(std::string_view name);

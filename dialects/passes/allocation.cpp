@@ -173,7 +173,7 @@ class Allocator {
     wanted.told = true;
     report_.diagnostics.push_back(text::make_diagnostic(
         text::DiagnosticId::cannot_translate, v.span,
-        {"the array " + std::string(program_.strings.at(symbol.name)) + ", whose size the program does not say,",
+        {"the array " + std::string(program_.strings.at(symbol.name)) + ", whose size the program does not state,",
          to_.title}));
   }
 

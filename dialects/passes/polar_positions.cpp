@@ -191,7 +191,7 @@ class PolarPositions {
 
   void set_pole(const std::vector<ir::Code>& codes, const std::vector<ir::Word>& words, const Plane& plane) {
     const Function from = std::ranges::find_if(codes, sets_pole)->function;
-    if (codes.size() > 1) return refuse("a pole beside another code");
+    if (codes.size() > 1) return refuse("a pole in the same block as another code");
     if (from == Function::pole_from_last) return refuse("a pole that counts from the last position");
     const std::array<Address, 2> letters = {plane.p, plane.q};
     Pole base = zero();

@@ -85,7 +85,7 @@ class Taps {
       return;
     }
     // Whether the spindle goes on being turned by its position, nothing that was found says.
-    if (std::exchange(in_announced_tap_, rigid_) && !rigid_) refuse(s, "a second tap behind one M29");
+    if (std::exchange(in_announced_tap_, rigid_) && !rigid_) refuse(s, "a second tap after one M29");
     const bool rigid = takes_rigid(*tap, words, s);
     if (!rigid) tell_taken_as_rigid(s);
     if (rigid) {

@@ -211,8 +211,9 @@ class Settling {
     if (factor == 1.0) return;
     const auto inverse = std::ranges::find(program_.codes, Function::feed_inverse_time, &ir::Code::function);
     if (inverse != program_.codes.end()) {
-      diagnostics_.push_back(text::make_diagnostic(text::DiagnosticId::cannot_translate, program_.statements[i].span,
-                                                   {"a feed without a point beside inverse time feed", to_.title}));
+      diagnostics_.push_back(
+          text::make_diagnostic(text::DiagnosticId::cannot_translate, program_.statements[i].span,
+                                {"a feed without a point together with inverse time feed", to_.title}));
       return;
     }
     for (std::uint32_t k = block.first_word; k < block.first_word + block.word_count; ++k) {

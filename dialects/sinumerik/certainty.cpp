@@ -15,12 +15,13 @@ using enum text::DiagnosticId;
 
 constexpr ir::OutsideRow kOpen[] = {
     {unknown_name,
-     "a definition file (GUD or macros) that defines it settles this: put it beside the program or give "
+     "a definition file (GUD or macros) that defines it decides this: put it into the program's folder or give "
      "its folder with --path"},
     {unknown_code,
-     "a definition file (SMAC, MMAC, UMAC) that defines it as a macro settles this: put it beside the "
+     "a definition file (SMAC, MMAC, UMAC) that defines it as a macro decides this: put it into the folder of the "
      "program or give its folder with --path"},
-    {call_target_missing, "the called program settles this: put it beside this one or give its folder with --path"},
+    {call_target_missing,
+     "the called program decides this: put it into the folder of this one or give its folder with --path"},
     {unknown_address, "a machine profile with its axes settles this", true},
 };
 

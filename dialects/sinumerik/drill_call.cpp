@@ -132,7 +132,7 @@ bool DrillCall::pecks(DrillCycle cycle) {
   const double in_units = inch_ ? 1.0 / 25.4 : 1.0;
   if (!clears) put(kRetract, constant(from.chip_break_retract_mm * in_units));
   const bool of_family = raising_.from.dialect == "family";  // breaks chips as the control does
-  if (!clears && !of_family) tell("the way back between the pecks at rapid, which CYCLE83 goes at the feed,");
+  if (!clears && !of_family) tell("the retract between the pecks at rapid, which CYCLE83 makes at the feed,");
   const ExpressionId dwell = seconds();
   if (dwell != ExpressionId::none) put(kLastDwell, dwell);
   if (clears) put(kClearance, constant(from.peck_clearance_mm * in_units));
@@ -193,7 +193,7 @@ bool DrillCall::shift_aside() {
   const std::optional<ExpressionId> q = word(after_.peck, "Q");
   if (!q) return false;
   put(kShiftX, of(Operator::abs, *q));
-  tell("the direction of the shift Q, which a parameter of the machine says and which is taken as X+,");
+  tell("the direction of the shift Q, which a machine parameter states and which is taken as X+,");
   return true;
 }
 
@@ -217,7 +217,8 @@ ExpressionId DrillCall::seconds() {
 
 std::optional<DrillCall::Levels> DrillCall::levels() {
   if (after_.depth.is(ExpressionId::none)) return refuse("a drilling cycle without a depth");
-  if (!after_.to_level.known) return refuse("a return level (G98 or G99) that is not the same on all ways");
+  if (!after_.to_level.known)
+    return refuse("a return level (G98 or G99) that is not the same on all control-flow paths");
   const std::optional<ExpressionId> z = word(after_.depth, "Z");
   if (!z) return std::nullopt;
   const bool no_level = after_.level.is(ExpressionId::none);
@@ -225,7 +226,7 @@ std::optional<DrillCall::Levels> DrillCall::levels() {
   if (!no_level) r = word(after_.level, "R");
   if (!no_level && !r) return std::nullopt;
   if (!after_.depth_by_distance.known || (!no_level && !after_.level_by_distance.known))
-    return refuse("a cycle whose words are absolute on one way and incremental on another");
+    return refuse("a cycle whose words are absolute on one control-flow path and incremental on another");
   const bool needs_initial = no_level || after_.level_by_distance.value || !after_.to_level.value;
   ExpressionId initial = ExpressionId::none;
   if (needs_initial) {

@@ -178,7 +178,7 @@ class BlockRaiser {
   void changing_thread(text::Span span) {
     const ir::Word* k = find(Address::k);
     const std::optional<double> change = k == nullptr ? std::nullopt : literal(*k);
-    if (!change) return raising_.cannot("a thread whose lead changes by a value that its block does not say", span);
+    if (!change) return raising_.cannot("a thread whose lead changes by a value that its block does not state", span);
     if (find(Address::f) == nullptr && find(Address::i) == nullptr)
       return raising_.cannot("a thread whose lead changes, without its lead in the block", span);
     ir::Code code;

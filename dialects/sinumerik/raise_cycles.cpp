@@ -121,7 +121,7 @@ class CycleRaiser {
       codes.push_back(motion_code(before.motion.value));
     } else if (!motion) {
       raising_.report(text::DiagnosticId::unknown_modal_state, statement_->span,
-                      {"the motion behind the cycle", std::string(kTwoWays)});
+                      {"the motion after the cycle", std::string(kTwoWays)});
     }
     out_.emit_block(codes, words);
   }

@@ -55,7 +55,8 @@ void raise_call(const Raising& raising, const ir::Statement& s, bool locals) {
   if (call.first_label != ir::ExpressionId::none) return raising.cannot("a call of a part of a program", s.span);
   if (call.in_other_language) return raising.cannot("a call in ISO mode (ISOCALL)", s.span);
   if (call.kind == ir::CallKind::macro && locals)
-    return raising.cannot("a macro call beside local variables (#1 to #33), which it would overwrite here,", s.span);
+    return raising.cannot("a macro call together with local variables (#1 to #33), which it would overwrite here,",
+                          s.span);
   if (s.kind == StatementKind::modal_call && call.repeats != ir::ExpressionId::none)
     return raising.cannot("a modal call that is repeated", s.span);
   const std::string name(program.strings.at(call.name));

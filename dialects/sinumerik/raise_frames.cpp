@@ -85,7 +85,8 @@ class FrameRaiser {
     std::vector<ir::Code> others;
     std::ranges::copy_if(codes, std::back_inserter(others), [](const ir::Code& c) { return !begins(c) && !ends(c); });
     const std::vector<ir::Word> words(program_.words_of(block).begin(), program_.words_of(block).end());
-    if (shifts_ && !flow_.shift_at(index_)) return cannot("G68, G51 or G51.1 beside a G52 that is not known here");
+    if (shifts_ && !flow_.shift_at(index_))
+      return cannot("G68, G51 or G51.1 together with a G52 that is not known here");
     if (begin == codes.end()) {
       out_.emit_block({code(Function::local_shift, 1)}, local_shift());
       mirrored_ = kNone;
@@ -171,7 +172,7 @@ class FrameRaiser {
 
   // Each named axis at its place; one that is mirrored already stays so.
   void mirror(const std::vector<ir::Word>& words) {
-    if (!mirror_known_) return cannot("G51.1 where ways meet that may have mirrored already");
+    if (!mirror_known_) return cannot("G51.1 where control-flow paths join that may have mirrored already");
     for (std::size_t axis = 0; axis < kLengths.size(); ++axis)
       if (const ir::Word* w = find(words, kLengths[axis])) mirrored_[axis] = w->value;
     out_.emit_block({code(Function::local_shift, 1)}, local_shift());

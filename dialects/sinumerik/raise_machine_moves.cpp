@@ -34,7 +34,7 @@ ir::Code code_of(Function function, std::int16_t argument, text::Span span) {
 // A caller or a called program decides. Taken away it would be missed: the tool would come down by its length.
 void tell_taken_as_on(const Raising& raising, text::Span span) {
   raising.report(text::DiagnosticId::unknown_modal_state, span,
-                 {"whether the length of the tool is in effect", "it is taken away here and put back after it (D1)"});
+                 {"whether the tool length is in effect", "it is taken away here and put back after it (D1)"});
   raising.diagnostics.back().severity = text::Severity::warning;
 }
 

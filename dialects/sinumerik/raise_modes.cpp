@@ -85,7 +85,7 @@ class FeedAndSpeed {
     if (!stated) return;
     if (!surface_known_) {
       raising_.report(text::DiagnosticId::unknown_modal_state, span,
-                      {"constant surface speed", "two ways lead to this block and differ"});
+                      {"constant surface speed", "two control-flow paths lead to this block and differ"});
       surface_known_ = true;
     }
     if (!feed_is_certain_)

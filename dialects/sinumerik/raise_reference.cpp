@@ -93,7 +93,7 @@ class ReferenceRaiser {
     });
     const auto words = program_.words_of(block);
     if (changes || std::ranges::find(words, Address::t, &ir::Word::address) != words.end())
-      return name + " beside a tool or an M function of the machine";
+      return name + " in the same block as a tool or an M function of the machine";
     if (std::ranges::none_of(words, [&](const ir::Word& w) { return axis(w).has_value(); }))
       return name + " without axes";
     const Function motion = motion_here(codes);

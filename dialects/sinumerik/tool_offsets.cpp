@@ -65,7 +65,7 @@ void ToolOffsets::end_block(text::Span span) {
 void ToolOffsets::length_on(const ir::Code& code) {
   if (code.argument == kLengthAgain) return add_edge(code.span);
   const ir::Word* h = find(words_, Address::h);
-  if (h == nullptr) return raising_.cannot("G43 whose H was said before", code.span);
+  if (h == nullptr) return raising_.cannot("G43 whose H was stated before", code.span);
   const ir::Expression& number = program_.at(h->value);
   if (number.op != ir::Operator::constant) return raising_.cannot("a tool length with a computed number", code.span);
   if (number.value == 0.0) {
@@ -140,7 +140,7 @@ bool ToolOffsets::is_tool(double number, std::string_view otherwise, text::Span 
   using Known = passes::ToolState::Known;
   const passes::ToolState& state = tools_[index_];
   if (state.in.known == Known::differs) {
-    raising_.cannot("an offset beside a tool that is not known here, or not the same on all ways here,", span);
+    raising_.cannot("an offset of a tool that is not known here, or not the same on all control-flow paths,", span);
     return false;
   }
   const ir::Expression* tool = state.in.known == Known::tool ? &program_.at(state.in.value) : nullptr;

@@ -76,7 +76,7 @@ class Compensation {
     if (arc != codes.end() && moves && !moved_)
       check_
           .report(DiagnosticId::curve_invalid, arc->span,
-                  {std::string(check_.text_of(arc->span)) + " has no move before it whose direction it goes on in"})
+                  {std::string(check_.text_of(arc->span)) + " has no move before it whose direction it continues"})
           .alarm = "14045";
     moved_ |= moves;
   }

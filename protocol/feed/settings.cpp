@@ -30,7 +30,7 @@ constexpr std::array<std::pair<SettingsFault, std::string_view>, 14> kMessages{{
      "once or by a trigger text, or let the host honor XOFF"},
     {SettingsFault::trigger,
      "the start trigger must have 1 to 32 characters of 7 bits, without NUL, DC codes, NAK, SYN and the end character"},
-    {SettingsFault::delay, "a delay is at most 1 s between characters and 60 s behind a line, and not negative"},
+    {SettingsFault::delay, "a delay is at most 1 s between characters and 60 s after a line, and not negative"},
     {SettingsFault::dsr_twice, "DSR off cannot both hold the feed (flow dtrdsr) and end it (watch_dsr)"},
     {SettingsFault::eia_framing, "EIA has its parity in the byte: the framing must be 8N1 or 8N2"},
     {SettingsFault::eia_specials, "a special character of EIA has an even code or one that another character has"},

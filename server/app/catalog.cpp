@@ -100,7 +100,7 @@ Result<ReadFamily> read_family(std::string_view text) {
   if (!fine) return std::unexpected(fine.error());
   if (const std::string why = why_no_name(read.description.name); !why.empty()) {
     return fail(ErrorCode::invalid, fmt::format("the name of the family {}", why),
-                {{.pointer = "/text", .text = fmt::format("the name behind \"family\" {}", why)}});
+                {{.pointer = "/text", .text = fmt::format("the name after \"family\" {}", why)}});
   }
   return read;
 }

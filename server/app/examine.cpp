@@ -104,7 +104,7 @@ std::string why_ended(const interpreter::RunResult& run) {
     return one.diagnostic.id == text::DiagnosticId::limit_reached;
   };
   const auto found = std::ranges::find_if(run.diagnostics, is_limit);
-  if (found == run.diagnostics.end()) return "the program goes round without end";
+  if (found == run.diagnostics.end()) return "the program loops without end";
   return fmt::format("the run was stopped at the budget of {}", found->diagnostic.arguments.front());
 }
 

@@ -102,7 +102,7 @@ void LedgerWriter::begin(const Due& due) {
   const std::lock_guard lock(mutex_);
   const auto known = expected_.find(due.report.session);
   if (known == expected_.end() || known->second.job != due.report.job) {
-    spdlog::error("{}: job {} is on the line and nobody armed it", due.seat.machine, due.report.job);
+    spdlog::error("{}: job {} is on the line and no person armed it", due.seat.machine, due.report.job);
     return;
   }
   expected_.erase(known);

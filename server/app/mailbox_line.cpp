@@ -297,7 +297,8 @@ class MailboxLine final : public Line, private BusUser {
   // A ring that was answered "missed" is told by nobody else; it stays in sight until another one is answered.
   void note_missed(const modbus::AnswerImage& answer) {
     const bool missed = answer[2] == static_cast<std::uint16_t>(modbus::BellReason::missed);
-    report_.link_note = missed ? fmt::format("doorbell {} was missed: nobody saw it come", answer[0]) : std::string();
+    report_.link_note =
+        missed ? fmt::format("doorbell {} was missed: the server did not see it come", answer[0]) : std::string();
   }
 
   // Until the next turn is wanted.

@@ -347,7 +347,7 @@ void Receiving::expire_request(const std::string& machine) {
   if (!cancelled)
     return alarm(machine, AlarmKind::request_failed, fmt::format("job {}: {}", job->id, cancelled.error().text),
                  job->id);
-  alarm(machine, AlarmKind::request_expired, "a request expired: nobody fetched its program at the control", job->id);
+  alarm(machine, AlarmKind::request_expired, "a request expired: its program was not fetched at the control", job->id);
 }
 
 // What is due goes to the line.

@@ -48,7 +48,7 @@ Result<void> add_geometry(const NominalCase& nominal, Examination& e) {
   if (auto fine = refuse_errors(made.diagnostics, source, fmt::format("family {}", nominal.family)); !fine) return fine;
   std::string values;
   for (const auto& [name, value] : nominal.values) values += fmt::format(" {}={}", name, value);
-  e.assumed = fmt::format("whether the part is that of family {}, revision {}{}: it was said to be", nominal.family,
+  e.assumed = fmt::format("whether the part is that of family {}, revision {}{}: it was stated to be", nominal.family,
                           nominal.revision, values);
   return {};
 }

@@ -36,7 +36,7 @@ std::expected<std::unique_ptr<app::LineClaim>, LineRefusal> take_line(
   if (torn.empty()) return std::move(*claim);
   return std::unexpected(
       LineRefusal{fmt::format("{}: {}. Nothing was sent. Reset the control, clear what it has of the "
-                              "program, then say --confirm-reset \"what was done\"",
+                              "program, then pass --confirm-reset \"what was done\"",
                               link.text, torn),
                   kTorn});
 }
@@ -48,7 +48,7 @@ std::string settle_line(app::LineClaim& claim, const app::LineReport& report) {
   }
   const auto written = claim.tear(report.cause);
   const std::string sentence =
-      "a block is torn at the control: what comes next would complete it. Reset the control, then say --confirm-reset "
+      "a block is torn at the control: what comes next would complete it. Reset the control, then pass --confirm-reset "
       "\"what was done\" with the next transfer on this line";
   return written ? sentence : fmt::format("{}. {}", sentence, written.error());
 }

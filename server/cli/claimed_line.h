@@ -1,5 +1,5 @@
 // The line of a command that works without a server: taken before it is opened, refused where a block may be torn at
-// its control, until a person says that the control was reset.
+// its control, until a person confirms that the control was reset.
 #pragma once
 
 #include <expected>

@@ -21,7 +21,7 @@ inline constexpr int kTorn = 3;
 inline constexpr const char* kExitCodes =
     "Exit: 0 done, 1 the transfer failed, 2 wrong use or I/O error, 3 a block is or may be torn at the control: "
     "nothing\n"
-    "goes out on the line until --confirm-reset";
+    "leaves on the line until --confirm-reset";
 inline constexpr int kOverMemory = 77;  // of a worker alone
 
 // Each adds its command to `app`; `exit_code` gets what the command ended with.

@@ -73,7 +73,7 @@ app::Result<ir::CostModel> cost_of(const Options& options, const ChosenControl& 
     text += fmt::format("{:>10} ms  {}{}\n", fixed(model.*term.ms, 4), term.what,
                         !is_asked               ? " (as before: not measured)"
                         : fit->is_determined[i] ? ""
-                                                : " (not told apart from the others)");
+                                                : " (not separated from the others)");
   }
   return model;
 }
@@ -186,7 +186,7 @@ void add_calibrate(CLI::App& app, int& exit_code) {
   command->add_option("--write", options->write, "write the timing program there");
   command->add_flag("--dprnt", options->prints, "with --write: the program sends its results over the line, too");
   command->add_flag("--calls", options->calls,
-                    "with --write: a second program is written behind it, and calling it is measured, too");
+                    "with --write: a second program is written after it, and calling it is measured, too");
   command->add_option("--results", options->results,
                       "variables that it left or sent: lines as #500=412., R20=0.412 or V500 412.000");
   command->add_option("--run", options->runs, "FILE=SECONDS: a program's measured cycle time, run from the memory");

@@ -61,7 +61,7 @@ int convert(const Options& options) {
     print_error(
         {.code = app::ErrorCode::invalid,
          .text = fmt::format("{}: line {} has {} and line {} has {}, which are of different G-code systems of a "
-                             "lathe: say which it is with --control kind=lathe,g_system=A (B, C)",
+                             "lathe: state which it is with --control kind=lathe,g_system=A (B, C)",
                              source->name(), a.line, a.code, b.line, b.code),
          .places = {}});
     return kWrongUse;

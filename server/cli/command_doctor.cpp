@@ -50,7 +50,7 @@ int doctor(const Options& options) {
 }  // namespace
 
 void add_doctor(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("doctor", "Look at what may keep a server from its work, and say what to do");
+  CLI::App* command = app.add_subcommand("doctor", "Check what may keep a server from its work, and state what to do");
   const auto options = std::make_shared<Options>();
   command->add_option("DATA", options->data, "folder of the store")->required();
   command->add_flag("--json", options->json, "one JSON object on standard output");

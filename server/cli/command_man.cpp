@@ -71,7 +71,7 @@ the verdict is fail, the program ended by an alarm or limit, the transfer failed
 wrong use, or a file or the store cannot be read or written
 .TP
 .B 3
-a block is torn at the control, or may be: nothing goes out on the line before a person confirmed that the control was reset
+a block is torn at the control, or may be: nothing leaves on the line before a person confirmed that the control was reset
 )";
 
 }  // namespace

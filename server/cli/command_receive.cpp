@@ -130,7 +130,7 @@ void add_receive(CLI::App& app, int& exit_code) {
       ->add_option("--link", options->link,
                    "serial:/dev/serial/by-id/NAME?baud=9600&framing=7E2, tcp://host:port, pty:/path")
       ->required();
-  command->add_option("-o,--output", options->output, "where the program goes; a broken one to FILE.quarantine")
+  command->add_option("-o,--output", options->output, "where the program is written; a broken one to FILE.quarantine")
       ->required();
   command->add_option("--machine", options->machine, "machine profile: a file or the name of a preset");
   command->add_option("--timeout", options->timeout_s, "seconds to wait for the first character")

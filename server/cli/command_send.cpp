@@ -143,7 +143,7 @@ int send(const Options& options) {
   const Stops stops = stop_by_two_signals();
   const Logging logging;
   if (!options.unreleased) {
-    print_error("send feeds a text that no release stands behind; say --unreleased if that is meant");
+    print_error("send feeds a text without a release; pass --unreleased if that is meant");
     return kWrongUse;
   }
   const auto source = read_source(options.file);
@@ -216,8 +216,8 @@ void add_send(CLI::App& app, int& exit_code) {
   command->add_option("--rounds", options->rounds, "send it so many times, each with the control's own start")
       ->check(CLI::Range(1U, feed::kMaxRounds));
   command->add_flag("--read-back", options->read_back,
-                    "then wait for the operator's punch of it, as long as the profile says, and compare");
-  command->add_flag("--unreleased", options->unreleased, "feed it although no release stands behind it");
+                    "then wait for the operator's punch of it, as long as the profile states, and compare");
+  command->add_flag("--unreleased", options->unreleased, "feed it although it has no release");
   add_confirm_reset(*command, options->confirmed_reset);
   command->footer(kExitCodes);
   command->add_flag("--json", options->json, "one JSON object on standard output");

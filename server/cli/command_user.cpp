@@ -207,7 +207,7 @@ void add_user(CLI::App& app, int& exit_code) {
   };
   const auto secret = [&](CLI::App* one) { one->add_flag("--remove", options->takes_away, "take it away instead"); };
   roles(action("add", "a new person", add_one));
-  roles(action("roles", "all roles of a person anew", change_roles));
+  roles(action("roles", "all roles of a person, in place of the present ones", change_roles));
   secret(action("password", "a new password, read from standard input; ends the person's sessions", set_password));
   secret(action("pin", "a new PIN for the shop floor, read from standard input; ends the person's sessions", set_pin));
   action("disable", "ends all sessions; the person signs in no more", disable);

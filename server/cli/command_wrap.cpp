@@ -52,7 +52,7 @@ int wrap(const Options& options) {
 }  // namespace
 
 void add_wrap(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("wrap", "proposes a part family from a program, which it keeps as it is");
+  CLI::App* command = app.add_subcommand("wrap", "proposes a part family from a program, which stays unchanged");
   const auto options = std::make_shared<Options>();
   command->add_option("FILE", options->file, "program, - for standard input")->required();
   command->add_option("--name", options->name, "name of the family; otherwise the file's");

@@ -106,7 +106,7 @@ void look_at_contents(const std::string& data, Findings& found, sqlite::StoreSta
   auto looked = sqlite::look_at_store(path);
   if (!looked) {
     found.push_back({Health::fault, "store", fmt::format("{}: {}", path, store::message_of(looked.error())),
-                     "dripfeed ledger verify says more; dripfeed restore makes a store of a backup"});
+                     "dripfeed ledger verify reports more; dripfeed restore makes a store of a backup"});
     return;
   }
   state = std::move(*looked);

@@ -52,7 +52,7 @@ bool look_at_device(const Port& port, const io::PortState& state, Findings& foun
   } else if (!state.may_use) {
     found.push_back(
         {Health::fault, "port", fmt::format("{} is for the group {}", at, state.group),
-         fmt::format("usermod -aG {} USER, for the user of the server, and start the server anew", state.group)});
+         fmt::format("usermod -aG {} USER, for the user of the server, and restart the server", state.group)});
   } else {
     return true;
   }

@@ -112,7 +112,7 @@ void LineQueue::write_lines(const std::shared_ptr<Shared>& shared) {
     shared->lines.pop_front();
     shared->bytes -= text.size();
     if (const std::uint64_t dropped = std::exchange(shared->dropped, 0); dropped > 0) {
-      text = fmt::format("dripfeed: {} lines of the log were dropped here, because nobody read them in time\n{}",
+      text = fmt::format("dripfeed: {} lines of the log were dropped here, because they were not read in time\n{}",
                          dropped, text);
     }
     lock.unlock();

@@ -72,9 +72,8 @@ void grant_memory(std::uint64_t text_bytes) {
   budget().text_bytes += text_bytes;
   const std::uint64_t bytes = app::memory_for(budget().text_bytes);
   budget().sentence = fmt::format(
-      "dripfeed: the program needs more than {} MB of memory, which is all that a text of {} bytes may take: nothing "
-      "is "
-      "said of it\n",
+      "dripfeed: the program needs more than {} MB of memory, which is all that a text of {} bytes may take: it "
+      "was not looked at\n",
       bytes >> 20U, budget().text_bytes);
   set_limit(budget().base_bytes + bytes);
 }

@@ -14,7 +14,7 @@ void print_changes(const compile::OptimizeResult& result, std::string_view name)
 }
 
 void print_saving(const compile::OptimizeResult& result, std::string_view name, const ir::CostModel& cost) {
-  if (!result.obstacle.empty()) return print_error(fmt::format("{} is left as it was: {}", name, result.obstacle));
+  if (!result.obstacle.empty()) return print_error(fmt::format("{} is left unchanged: {}", name, result.obstacle));
   if (!result.not_verified.empty()) print_error("not verified by running it: " + result.not_verified);
   if (!result.before || !result.after) return;
   const auto ms = [](double value) { return text::format_fixed(value, 2); };

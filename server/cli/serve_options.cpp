@@ -99,7 +99,7 @@ app::Result<void> check_tls(const ServerOptions& options, const http::ListenAddr
   return app::fail(
       app::ErrorCode::invalid,
       fmt::format("{} is not loopback and there is no TLS: tokens would be readable on the network. Give --tls-cert "
-                  "and --tls-key, put a TLS proxy before it, or say --insecure",
+                  "and --tls-key, put a TLS proxy before it, or pass --insecure",
                   options.listen));
 }
 

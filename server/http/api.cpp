@@ -283,7 +283,8 @@ Response Api::answer_stored(const Call& call, const Route& route) {
 
 Response Api::answer_route(const Request& request, const Match& match) {
   const Route& route = *match.route;
-  if (!request.body.empty() && !is_json(request)) return problem_response(415, "a body is JSON, as it is written");
+  if (!request.body.empty() && !is_json(request))
+    return problem_response(415, "a body is JSON, without a content encoding");
   Call call{.api = *this, .request = request, .parameters = match.parameters, .user = {}, .right = Right::anybody};
   if (route.right == Right::anybody) return route.handler(call);
   call.version = version_of(application_.store());

@@ -47,7 +47,7 @@ std::string_view framing_fault(const Message& message) {
   if (message.version() >= 11 && message.count(bhttp::field::host) != 1) return "one Host is needed";
   const auto codings = message.count(bhttp::field::transfer_encoding);
   if (codings > 1 || (codings == 1 && !beast::iequals(message[bhttp::field::transfer_encoding], "chunked")))
-    return "a body comes as it is or chunked";
+    return "a body comes unencoded or chunked";
   return {};
 }
 

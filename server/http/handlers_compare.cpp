@@ -51,7 +51,7 @@ Response compare_programs(const Call& call) {
   const auto other = with.empty() ? id : id_of(with);
   if (!other) return other.error();
   if (with.empty() && *with_revision == 0)
-    return problem_response(422, "with (a program) or with_revision says what it is compared with");
+    return problem_response(422, "with (a program) or with_revision states what it is compared with");
   store::Store& store = call.api.application().store();
   auto first = load(store, *id, *revision);
   if (!first) return problem_response(first.error());

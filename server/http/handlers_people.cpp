@@ -73,7 +73,7 @@ Response change_user(const Call& call) {
   const auto body = json::read_user_change_body(call.request.body);
   if (!body) return problem_response(body.error());
   if (gives_up_own_rights(call, *body))
-    return problem_response(409, "nobody takes the role of admin from themselves: ask another admin");
+    return problem_response(409, "an admin cannot remove their own role of admin: ask another admin");
   return user_response(store_of(call).users().change(call.parameters[0], *revision, *body, stamp(call)));
 }
 

@@ -49,7 +49,7 @@ constexpr std::array kRows = {
           return seen.report.state != LineState::disconnected && seen.report.link_error.empty() ? 1.0 : 0.0;
         }},
     Row{"dripfeed_line_sent_bytes_total", kCounter,
-        "Characters of jobs handed to the link since the server's start. It does not say what the control executed.",
+        "Characters of jobs handed to the link since the server's start. It does not state what the control executed.",
         [](const Seen& seen) { return of(seen.sums.sent_bytes); }},
     Row{"dripfeed_line_confirmed_bytes_total", kCounter,
         "Characters of jobs that the line's protocol acknowledged; only of lines whose protocol does.",
@@ -70,7 +70,7 @@ constexpr std::array kRows = {
         [](const Seen& seen) { return of(seen.sums.unarmed_starts); }},
     Row{"dripfeed_line_receptions_total", kCounter, "Programs that the control punched to us.",
         [](const Seen& seen) { return of(seen.sums.receptions); }},
-    Row{"dripfeed_line_receptions_lost_total", kCounter, "Receptions that nobody took in time.",
+    Row{"dripfeed_line_receptions_lost_total", kCounter, "Receptions that were not taken in time.",
         [](const Seen& seen) { return of(seen.sums.receptions_lost); }},
     Row{"dripfeed_line_last_sent_timestamp_seconds", kGauge,
         "When a character of a job was seen to leave last (Unix time); not there before the first one.",
@@ -173,7 +173,7 @@ void write_alarm_metrics(Exposition& out, app::Application& application) {
   for (const app::Progress& one : application.events().snapshot()) counts[one.machine] = {};
   for (const store::OpenAlarms& one : *open)
     counts[one.machine][static_cast<std::size_t>(app::severity_of(one.kind))] += one.count;
-  out.family("dripfeed_alarms_open", kGauge, "Alarms that are not over, or that nobody acknowledged.");
+  out.family("dripfeed_alarms_open", kGauge, "Alarms that are not over, or that no person acknowledged.");
   for (const auto& [machine, by_severity] : counts) {
     for (std::size_t i = 0; i < kSeverities; ++i) {
       out.sample({{"machine", machine}, {"severity", app::name_of(static_cast<app::Severity>(i))}}, by_severity[i]);

@@ -102,7 +102,7 @@ void write_http_metrics(Exposition& out, Traffic& traffic) {
   }
   gauge(out, "dripfeed_http_connections", "Connections that are open.", traffic.connections);
   gauge(out, "dripfeed_http_body_bytes", "Memory reserved for bodies of requests.", traffic.body_bytes);
-  gauge(out, "dripfeed_http_uploads", "Long bodies that are on their way here, or being answered.", traffic.uploads);
+  gauge(out, "dripfeed_http_uploads", "Long bodies that are being received or answered.", traffic.uploads);
   gauge(out, "dripfeed_http_upload_bytes", "Disk reserved for them.", traffic.spooled_bytes);
 }
 
@@ -110,7 +110,7 @@ void write_store_metrics(Exposition& out, const store::StoreUse& use) {
   out.family("dripfeed_store_waiting_writes", kGauge, "Changes that wait for their turn to be written.");
   for (const Turn& turn : kTurns) out.sample({{"turn", turn.name}}, (use.*turn.use).waiting);
   out.family("dripfeed_store_wait_seconds", MetricType::summary,
-             "How long changes waited for their turn; \"ledger\" is what feeds wait for, and goes first.");
+             "How long changes waited for their turn; \"ledger\" is what feeds wait for, and has precedence.");
   for (const Turn& turn : kTurns) {
     out.part("sum", {{"turn", turn.name}}, seconds((use.*turn.use).waited));
     out.part("count", {{"turn", turn.name}}, (use.*turn.use).begun);

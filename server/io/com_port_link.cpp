@@ -142,7 +142,7 @@ class Session final : public app::LinkListener, public std::enable_shared_from_t
       words += c >= ' ' && c <= '~' ? c : ' ';
     }
     while (words.ends_with(' ')) words.pop_back();
-    return words.empty() ? std::string(reason) : fmt::format("{} (the device server says: {})", reason, words);
+    return words.empty() ? std::string(reason) : fmt::format("{} (the device server reports: {})", reason, words);
   }
 
   void settle_later() {

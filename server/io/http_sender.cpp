@@ -118,7 +118,7 @@ std::string CurlSender::why_no_target(const std::string& text, bool local) const
   if (curl_url_set(url.get(), CURLUPART_URL, text.c_str(), 0) != CURLUE_OK) return "is no URL";
   const std::string scheme = part_of(url.get(), CURLUPART_SCHEME);
   if (scheme != "https" && scheme != "http") return "must be https, or http where it is local";
-  if (scheme == "http" && !local) return "must be https: what goes beyond a local network is encrypted";
+  if (scheme == "http" && !local) return "must be https: what leaves a local network is encrypted";
   std::string host = part_of(url.get(), CURLUPART_HOST);
   if (host.empty()) return "names no host";
   if (!part_of(url.get(), CURLUPART_USER).empty() || !part_of(url.get(), CURLUPART_PASSWORD).empty())

@@ -199,7 +199,7 @@ std::expected<std::unique_ptr<ModbusListener>, std::string> listen_modbus(const 
   }
   if (allowed.empty() && !address.is_loopback()) {
     return std::unexpected(
-        fmt::format("{} is not loopback, and Modbus knows no rights: say which addresses may read", settings.host));
+        fmt::format("{} is not loopback, and Modbus has no rights: state which addresses may read", settings.host));
   }
   auto listener = std::make_unique<AsioListener>(view, std::move(allowed));
   try {

@@ -109,8 +109,8 @@ std::expected<void, std::string> check_pty_owner(const std::string& path, int de
   if (!maker) return {};
   if (!maker->alive) {
     return std::unexpected(
-        std::string("the simulated control that made this link is gone; whatever is at the pseudo-"
-                    "terminal now is somebody else's"));
+        std::string("the simulated control that made this link has ended; whatever is at the pseudo-"
+                    "terminal now belongs to another program"));
   }
   std::array<char, 256> device{};
   if (::ttyname_r(descriptor, device.data(), device.size()) == 0 && maker->device == device.data()) return {};

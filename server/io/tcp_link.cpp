@@ -137,10 +137,10 @@ std::expected<AllowedPeers, std::string> allowed_peers(const machine::LinkUrl& u
   const auto given = url.options.find("peers");
   if (given == url.options.end()) {
     if (local.is_loopback()) return AllowedPeers{};
-    return std::unexpected(
-        fmt::format("{} would let anybody on the network play the control: name who may connect (?peers=192.168.1.5), "
-                    "or say ?peers=any",
-                    url.text));
+    return std::unexpected(fmt::format(
+        "{} would let any computer on the network act as the control: name who may connect (?peers=192.168.1.5), "
+        "or pass ?peers=any",
+        url.text));
   }
   AllowedPeers peers;
   std::string_view rest = given->second;

@@ -189,7 +189,7 @@ void read_members(ObjectReader& o, app::AcceptOrder& into) {
   o.integer("revision", into.revision, 1, kMaxId);
   o.proper_name("name", into.name, false);
   o.text("reason", into.reason);
-  if (into.revision != 0 && into.program == 0) o.fault("revision", "is of a program: say which");
+  if (into.revision != 0 && into.program == 0) o.fault("revision", "is of a program: state which");
   if (!into.name.empty() && into.program != 0) o.fault("name", "a program has its name");
 }
 
@@ -305,7 +305,7 @@ Schemas request_schemas() {
       described<PartBody>("PartChange", read_part_change, "all values of a part's new revision"),
       described<app::RenderOrder>("RenderOrder", read_members, "what is rendered, and for which machine"),
       described<app::CheckOrder>("CheckOrder", read_members, "what is checked, and for which machine"),
-      described<DiagnoseBody>("DiagnoseOrder", read_members, "a text as it is written; it is not stored"),
+      described<DiagnoseBody>("DiagnoseOrder", read_members, "a text that is being written; it is not stored"),
       described<MeasureBody>("AccuracyOrder", read_accuracy, "a program, and what it is held against"),
       described<MeasureBody>("GougeOrder", read_gouge, "a program, and what it is held against"),
       described<MeasureBody>("TimingOrder", read_timing, "a program, its machine and line"),
@@ -315,11 +315,11 @@ Schemas request_schemas() {
       described<JobBody>("NewJob", read_members, "which release is transferred"),
       described<ArmBody>("ArmOrder", read_members, "how a job is armed"),
       described<MoveBody>("Move", read_members, "the new place of a queued job"),
-      described<ShelveBody>("Shelve", read_members, "for how long an alarm asks for nobody"),
+      described<ShelveBody>("Shelve", read_members, "for how long an alarm asks for no person"),
       described<ReasonBody>("Reason", read_reason, "why a person does it"),
-      described<ReasonBody>("OptionalReason", read_optional_reason, "why a person does it, if they say so"),
-      described<store::WebhookSettings>("NewWebhook", read_new_webhook, "who is to be told of which events"),
-      described<store::WebhookSettings>("ChangedWebhook", read_webhook_changes, "what is not given stays as it is"),
+      described<ReasonBody>("OptionalReason", read_optional_reason, "why a person does it, where they state it"),
+      described<store::WebhookSettings>("NewWebhook", read_new_webhook, "who receives which events"),
+      described<store::WebhookSettings>("ChangedWebhook", read_webhook_changes, "what is not given stays unchanged"),
       described<RotateBody>("Rotate", read_members, "how a secret is changed"),
       described<ReplayBody>("Replay", read_members, "which dead deliveries are tried again"),
       described<app::AcceptOrder>("AcceptOrder", read_members, "what a receipt becomes; nothing: a new program"),

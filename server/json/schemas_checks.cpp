@@ -107,7 +107,7 @@ Schema control() {
                  {"g_system", one_of(kGSystemWords, "G code system of a lathe")},
                  {"feed_mode", one_of(kFeedModeWords, "at power-on")},
                  {"because_line", integer("by which it was inferred; 0: it was named, or is the default")},
-                 {"inferred", flag("the text says which control it is, nobody else did")}});
+                 {"inferred", flag("the control was inferred from the text")}});
 }
 
 Schema folded() {
@@ -183,10 +183,10 @@ Members timing_members() {
 
 Schemas check_schemas() {
   return {
-      {"VerdictSummary", object("what the checks say of a program, without their report",
+      {"VerdictSummary", object("what the checks found in a program, without their report",
                                 verdict_head() + Members{{"waivers", waivers()}})},
       {"Verdict",
-       object("what the checks say of a program", verdict_head() + report() + Members{{"waivers", waivers()}})},
+       object("what the checks found in a program", verdict_head() + report() + Members{{"waivers", waivers()}})},
       {"EventVerdict", object("a program was checked", {{"id", integer("of the verdict")},
                                                         {"verdict", verdict_word("of the checks")},
                                                         {"machine", text("for which it was checked")},

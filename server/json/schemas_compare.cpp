@@ -10,7 +10,7 @@ Schema answer_word(std::string about) { return one_of(app::kLikenessWords, std::
 
 Members answer_members() {
   const auto lines = [](std::string of) {
-    return list_of(object("a line", {{"line", integer("of that text, from 1")}, {"text", text("as it is written")}}),
+    return list_of(object("a line", {{"line", integer("of that text, from 1")}, {"text", text("its text")}}),
                    std::move(of));
   };
   return {{"answer", answer_word("what came of it")},

@@ -8,7 +8,7 @@ namespace dripfeed::json {
 
 namespace {
 
-Schema delivery() { return one_of(store::kNames<store::Delivery>, "how the text goes to the control"); }
+Schema delivery() { return one_of(store::kNames<store::Delivery>, "how the text is sent to the control"); }
 
 Schema release() {
   return object("a text that may go to one machine by one delivery",
@@ -32,7 +32,7 @@ Schema job() {
       "one transfer of a released text to a machine",
       Members{{"id", integer("of the job")},
               {"state", one_of(store::kNames<store::JobState>, "of the job")},
-              {"machine", text("to which it goes")},
+              {"machine", text("to which it is sent")},
               {"release", integer("its id")},
               {"order", or_null(integer("that it belongs to; null: none"))},
               {"program", integer("its id")},
@@ -45,17 +45,18 @@ Schema job() {
               {"reason_id", or_null(text("the same as one word or the name of a stall; null: there is none"))},
               {"rank", integer("queued jobs of a machine go in this order, equal ones by id")}} +
           created() +
-          Members{{"armed_by", or_null(text("who armed it last"))},
-                  {"armed_at_ms", or_null(time_ms("when it was armed last"))},
-                  {"expires_at_ms", or_null(time_ms("when its arming ends, while it is armed"))},
-                  {"started_at_ms", or_null(time_ms("when it first fed"))},
-                  {"ended_at_ms", or_null(time_ms("when it ended"))},
-                  {"torn", flag("it broke off inside a block: the control may hold a part of it")},
-                  {"needs_confirmation", flag("it is torn, and nobody has confirmed yet that the control was reset")},
-                  {"confirmed_by", or_null(text("who confirmed that the control was reset"))},
-                  {"confirm_reason", or_null(text("what they wrote"))},
-                  {"read_back", or_null(text("what came of reading the program back from the control"))},
-                  {"read_back_state", or_null(one_of(kReadBackStates, "the same as one word"))}});
+          Members{
+              {"armed_by", or_null(text("who armed it last"))},
+              {"armed_at_ms", or_null(time_ms("when it was armed last"))},
+              {"expires_at_ms", or_null(time_ms("when its arming ends, while it is armed"))},
+              {"started_at_ms", or_null(time_ms("when it first fed"))},
+              {"ended_at_ms", or_null(time_ms("when it ended"))},
+              {"torn", flag("it broke off inside a block: the control may hold a part of it")},
+              {"needs_confirmation", flag("it is torn, and no person has confirmed yet that the control was reset")},
+              {"confirmed_by", or_null(text("who confirmed that the control was reset"))},
+              {"confirm_reason", or_null(text("what they wrote"))},
+              {"read_back", or_null(text("what came of reading the program back from the control"))},
+              {"read_back_state", or_null(one_of(kReadBackStates, "the same as one word"))}});
 }
 
 Schema ledger() {
@@ -67,7 +68,7 @@ Schema ledger() {
                        {{"seq", integer("of the row, from 1")},
                         {"at_ms", time_ms("when it was written")},
                         {"handed", integer("given to the system's port")},
-                        {"clocked", integer("that have left, as far as time says")},
+                        {"clocked", integer("that have left, by line time")},
                         {"confirmed", integer("that the protocol acknowledged")},
                         {"reserve", integer("the feed hands nothing beyond it before the next row is written")},
                         {"note", text("what happened; empty: nothing but progress")}}),

@@ -42,7 +42,7 @@ Schema line_errors() {
 }
 
 Schema plc_report() {
-  return object("what the machine's PLC says of it; null where the link brings no such words",
+  return object("what the machine's PLC reports of it; null where the link has no such words",
                 {{"state", one_of(names_of<modbus::MachineState>(modbus::name), "of the machine")},
                  {"program", integer("its number; 0: none, or not known")},
                  {"line", integer("being executed, from 1; 0: not known")},
@@ -63,10 +63,10 @@ Members line_report() {
       {"asks", integer("how often it has asked since then")},
       {"job", or_null(integer("the last job that was armed here since the server's start"))},
       {"handed", bytes("given to the system's port")},
-      {"clocked", bytes("that have left, as far as time says")},
+      {"clocked", bytes("that have left, by line time")},
       {"confirmed", bytes("that the protocol acknowledged")},
       {"confirms", flag("the protocol acknowledges; without, `confirmed` stays 0")},
-      {"estimated", flag("a blind link: how much is on its way is an estimate")},
+      {"estimated", flag("a blind link: how much is in transit is an estimate")},
       {"total", bytes("of the job")},
       {"block_from", integer("first line of the text where the control may be; 0: not known")},
       {"block", integer("last line of the text where the control may be; 0: not known")},
@@ -92,7 +92,7 @@ Members head() { return {{"name", text("of the machine")}, {"revision", integer(
 
 Schemas machine_schemas() {
   return {
-      {"Stall", one_of(stall_words(), "why a line does not go on; `stopped`: a person stopped it at a block end")},
+      {"Stall", one_of(stall_words(), "why a line waits; `stopped`: a person stopped it at a block end")},
       {"MachineStatus", object("where a machine's line stands now",
                                line_report() + Members{{"needs_confirmation", or_null(torn_block())}})},
       {"Machine", object("a machine with its whole profile",

@@ -30,13 +30,13 @@ Members validated() { return {{"validated", flag("the text was validated before 
 Schema trial() {
   return object("what came of values", {{"passes", flag("all checks")},
                                         {"check", text("that fails; empty: none")},
-                                        {"text", text("what it says; empty: nothing")}});
+                                        {"text", text("its text; empty: none")}});
 }
 
 Schema side(std::string about) {
   return or_null(object(std::move(about), {{"fails_at", number("nearest value that fails, in the parameter's unit")},
                                            {"check", text("that fails there")},
-                                           {"text", text("what it says")}}));
+                                           {"text", text("its text")}}));
 }
 
 Schema share(std::string about) {
@@ -51,13 +51,14 @@ Schema sweep() {
        {"low", number("end of its range")},
        {"high", number("end of its range")},
        {"standard", number("from which it is moved")},
-       {"passes", list_of(2, number(""), "least and greatest value that passes, as far as bisection goes"), kOptional},
+       {"passes", list_of(2, number(""), "least and greatest value that passes, to the precision of the bisection"),
+        kOptional},
        {"low_bound", side("what fails below; null: the range ends there"), kOptional},
        {"high_bound", side("what fails above; null: the range ends there"), kOptional}});
   const Schema failure = object("the values nearest to the standard that fail; null: none was found",
                                 {{"passes", flag("false")},
                                  {"check", text("that fails")},
-                                 {"text", text("what it says")},
+                                 {"text", text("its text")},
                                  {"values", map_of(number("in the parameter's unit"), "by parameter")},
                                  {"changed", list_of(text("name of a parameter"), "that differ from the standard")}});
   return object("for which values a family passes", {{"parameters", list_of(parameter, "in the family's order")},

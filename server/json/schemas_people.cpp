@@ -41,7 +41,7 @@ Schemas people_schemas() {
                            {"has_password", flag("may sign in with a password")},
                            {"has_pin", flag("may sign in with a PIN")},
                            {"failures", integer("refused sign-ins since the last one that was right")},
-                           {"locked_until_ms", or_null(time_ms("nobody signs in as this user before then"))},
+                           {"locked_until_ms", or_null(time_ms("no person can sign in as this user before then"))},
                            {"disabled_at_ms", or_null(time_ms("since then the user may not sign in"))},
                            {"revision", integer("of the roles")},
                            {"created_by", text("who added the user")},

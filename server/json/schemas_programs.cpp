@@ -64,7 +64,7 @@ Schemas program_schemas() {
                {"lines",
                 list_of(object("a line of the text, and what it was rendered from",
                                {{"line", integer("of the text, from 1")},
-                                {"text", text("as it is sent")},
+                                {"text", text("its text")},
                                 {"family_line", or_null(integer("of the family; null: not known"))},
                                 {"family_text", or_null(text("that line; null: not known"))},
                                 {"values", or_null(map_of(number("of the variable"),

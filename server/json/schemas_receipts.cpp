@@ -56,7 +56,7 @@ Schema operator_request() {
        {"at_ms", time_ms("when")},
        {"verb", text("load, drip, dir, save, cancel, status, restart, call; of a doorbell also \"request 9\"")},
        {"argument", text("of the verb; empty: none")},
-       {"text", text("as it was written")},
+       {"text", text("as the operator wrote it")},
        {"outcome", one_of(kOutcomes, "what came of it")},
        {"detail", text("for people")},
        {"job", or_null(integer("that it made or armed"))}});

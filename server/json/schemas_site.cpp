@@ -19,7 +19,7 @@ Words kind_words() {
 }
 
 Schema alarm() {
-  return object("something that a person should know of a machine; it is open while it is not over or not acknowledged",
+  return object("what a person should know about a machine; it is open while it is not over or not acknowledged",
                 {{"id", integer("of the alarm")},
                  {"machine", text("its name")},
                  {"kind", one_of(kind_words(), "what it is about")},
@@ -29,10 +29,10 @@ Schema alarm() {
                  {"raised_at_ms", time_ms("the first time")},
                  {"last_at_ms", time_ms("the last time")},
                  {"cleared_at_ms", or_null(time_ms("when its condition was over; null: it lasts"))},
-                 {"acknowledged_by", or_null(text("who knows of it"))},
+                 {"acknowledged_by", or_null(text("who acknowledged it"))},
                  {"acknowledged_at_ms", or_null(time_ms("since when"))},
                  {"shelved_by", or_null(text("who put it off"))},
-                 {"shelved_until_ms", or_null(time_ms("it asks for nobody until then"))},
+                 {"shelved_until_ms", or_null(time_ms("it asks for no person until then"))},
                  {"shelf_reason", or_null(text("why it was put off"))},
                  {"job", or_null(integer("that it is about"))}});
 }
@@ -67,7 +67,7 @@ Schemas site_schemas() {
       {"EventAlarm", alarm()},
       {"EventReceipt", sentence_event("a control has punched, or its operator has asked for something")},
       {"EventReset",
-       object("events were lost, or the server is a new one: all that is shown has to be asked for anew", {})},
+       object("events were lost, or the server is a new one: all that is shown has to be requested again", {})},
   };
 }
 

@@ -34,7 +34,7 @@ Schema cloud_event(std::string_view schema, std::string about, Members data) {
        {"type", one_of(types, "what happened")},
        {"subject", text("what it happened to, as \"job/12\"")},
        {"time", text("when it happened, RFC 3339, UTC")},
-       {"sequence", text("number of the event, with leading zeros: it tells which of two came first")},
+       {"sequence", text("number of the event, with leading zeros: the smaller of two came first")},
        {"datacontenttype", one_of(json, "of data")},
        {"data", object("what to know of it, and ids to ask for more", std::move(data))}});
 }
@@ -43,7 +43,7 @@ Schema job_event() {
   return cloud_event("JobEvent", "a job has another state",
                      Members{{"job", integer("its id")},
                              {"state", one_of(store::kNames<store::JobState>, "of the job now")},
-                             {"machine", text("to which it goes")}} +
+                             {"machine", text("to which it is sent")}} +
                          program_and_revision() +
                          Members{{"reason", or_null(text("of the change"))},
                                  {"reason_id", or_null(text("the same as one word or the name of a stall"))}});
@@ -120,7 +120,7 @@ Members webhook_members() {
 }
 
 Schema delivery() {
-  return object("one event on its way to one webhook",
+  return object("the delivery of one event to one webhook",
                 {{"id", integer("of the delivery")},
                  {"webhook", integer("its id")},
                  {"event", text("its id, which is also the header webhook-id")},
@@ -139,9 +139,9 @@ Schema delivery() {
 
 Schemas webhook_schemas() {
   return {
-      {"EventType", object("a type of event that goes out", {{"name", text("of the type")},
-                                                             {"when", text("it comes")},
-                                                             {"schema", text("of the event, in this description")}})},
+      {"EventType", object("a type of event that is sent", {{"name", text("of the type")},
+                                                            {"when", text("it comes")},
+                                                            {"schema", text("of the event, in this description")}})},
       {"JobEvent", job_event()},
       {"LineEvent", line_event()},
       {"AlarmEvent", alarm_event()},
@@ -150,7 +150,7 @@ Schemas webhook_schemas() {
       {"OrderEvent", order_event()},
       {"ReceiptEvent", receipt_event()},
       {"WebhookEvent", webhook_event()},
-      {"Webhook", object("who is told of events by HTTP", webhook_members())},
+      {"Webhook", object("who receives events by HTTP", webhook_members())},
       {"WebhookSecret", object("a webhook with its new secret, which is shown once",
                                webhook_members() + Members{{"secret", text("for the signatures: whsec_ and base64")}})},
       {"WebhookDelivery", delivery()},

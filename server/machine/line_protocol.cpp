@@ -56,7 +56,7 @@ std::expected<packet::Settings, std::string> packet_settings_of(const LineSettin
   const LineSettings& line = *effective;
   const std::string_view name = name_of(line.protocol);
   if (line.framing.data_bits != 8 || line.framing.parity != tape_code::Parity::none) {
-    return std::unexpected(fmt::format("{} needs 8 data bits without parity: the framing is {}, say 8N1 or 8N2", name,
+    return std::unexpected(fmt::format("{} needs 8 data bits without parity: the framing is {}, write 8N1 or 8N2", name,
                                        tape_code::format_framing(line.framing)));
   }
   if (line.flow == feed::Flow::xonxoff || line.flow == feed::Flow::both) {

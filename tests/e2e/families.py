@@ -21,7 +21,7 @@ MACRO_MM, EXPLICIT_MM = 1e-4, 6e-4
 
 # What the check of a rendered program may leave open: the text alone has no stock, no one knows where the machine stands at the start, a rotary axis
 # has no travel in its profile.
-OPEN = re.compile(r"a move starts at a place that is not known: its way is not counted|gouges and accuracy: stock and nominal are not known|"
+OPEN = re.compile(r"a move starts at a position that is not known: its length is not counted|gouges and accuracy: stock and nominal are not known|"
                   r"with tool radius compensation the travel is that of the programmed path|the travel of [ABC] is not known")
 # The stock cannot be described: a cylinder along x.
 NO_STOCK = {"worm"}

@@ -75,7 +75,7 @@ def a_dead_controls_link_leads_to_nobody(folder):
     time.sleep(0.5)
     os.write(stranger[0], DC1)  # whoever has it now may send anything
     _, said = sending.communicate(timeout=20)
-    expect(sending.returncode == 1 and "is gone" in said, f"{sending.returncode}: {said}")
+    expect(sending.returncode == 1 and "has ended" in said, f"{sending.returncode}: {said}")
     expect(not select.select([stranger[0]], [], [], 0.2)[0], "bytes went to a stranger")
     control = rig.control()  # the next one takes the place of what is left
     shop.wait_for("a new link", lambda: os.readlink(folder / "lathe.tty") != device)

@@ -115,7 +115,7 @@ def machines_at_the_command(folder):
     machine.write_text(json.dumps(profile))
     expect_command(0, [], "check", program, "--machine", machine)
     program.write_text(head + "G43 H1 Z200.\nZ200.001\nM5\nM30\n%\n")
-    expect_command(1, [":8: error[travel-exceeded]: Z goes to 0.001"], "check", program, "--machine", machine)
+    expect_command(1, [":8: error[travel-exceeded]: Z moves to 0.001"], "check", program, "--machine", machine)
     program.write_text(head + "G43 H9 Z200.001\nM5\nM30\n%\n")
     expect_command(0, ["the tool length of offset 9 is not known"], "check", program, "--machine", machine)
     # What is long is run while it is read, and says so.

@@ -234,7 +234,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** a person says that the control was reset */
+        /** a person confirms that the control was reset */
         post: operations["post_machines_name_confirm_reset"];
         delete?: never;
         options?: never;
@@ -551,7 +551,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** some lines of a revision, each beside the family's line and values that it was rendered from */
+        /** some lines of a revision, each with the family's line and values that it was rendered from */
         get: operations["get_programs_id_lines"];
         put?: never;
         post?: never;
@@ -938,76 +938,6 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/v1/orders": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        /** what is to be made, newest first */
-        get: operations["get_orders"];
-        put?: never;
-        /** add an order; the same number, operation and plan again is the same order */
-        post: operations["post_orders"];
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "/api/v1/orders/{id}": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        /** one order */
-        get: operations["get_orders_id"];
-        /** change the plan of an order */
-        put: operations["put_orders_id"];
-        post?: never;
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "/api/v1/orders/{id}/move": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        get?: never;
-        put?: never;
-        /** hold, open, close or cancel an order; while it is not open, none of its jobs is armed */
-        post: operations["post_orders_id_move"];
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "/api/v1/orders/{id}/parts": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        get?: never;
-        put?: never;
-        /** report parts that were made */
-        post: operations["post_orders_id_parts"];
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
     "/api/v1/jobs": {
         parameters: {
             query?: never;
@@ -1135,7 +1065,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** alarms, newest first; with state=open those that ask for somebody */
+        /** alarms, newest first; with state=open those that ask for a person */
         get: operations["get_alarms"];
         put?: never;
         post?: never;
@@ -1171,7 +1101,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** a person knows of it */
+        /** a person acknowledges it */
         post: operations["post_alarms_id_acknowledge"];
         delete?: never;
         options?: never;
@@ -1188,7 +1118,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** it asks for nobody for some minutes, with a reason; not a critical one */
+        /** it asks for no person for some minutes, with a reason; not a critical one */
         post: operations["post_alarms_id_shelve"];
         delete?: never;
         options?: never;
@@ -1220,7 +1150,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** events that go out to other systems by webhooks and MQTT */
+        /** events that are sent to other systems by webhooks and MQTT */
         get: operations["get_event_types"];
         put?: never;
         post?: never;
@@ -1237,7 +1167,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** who is told of events by HTTP, newest first */
+        /** who receives events by HTTP, newest first */
         get: operations["get_webhooks"];
         put?: never;
         /** post events to a URL from now on (Standard Webhooks 1.0); its secret is shown here and never again */
@@ -1308,7 +1238,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** events on their way to it, newest first */
+        /** events that are being delivered to it, newest first */
         get: operations["get_webhooks_id_deliveries"];
         put?: never;
         post?: never;
@@ -1393,7 +1323,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** its text; of one in quarantine the bytes, or with form=read what they say */
+        /** its text; of one in quarantine the bytes, or with form=read their text */
         get: operations["get_receipts_id_text"];
         put?: never;
         post?: never;
@@ -1628,321 +1558,6 @@ export interface webhooks {
             requestBody: {
                 content: {
                     "application/cloudevents+json": components["schemas"]["ProgramEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "order.added": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        get?: never;
-        put?: never;
-        /** an order is new */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "order.changed": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        get?: never;
-        put?: never;
-        /** the plan of an order changed */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "order.parts": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        get?: never;
-        put?: never;
-        /** parts were reported to an order */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "order.open": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        get?: never;
-        put?: never;
-        /** jobs of an order may be queued and armed again */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "order.held": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        get?: never;
-        put?: never;
-        /** no job of an order may be queued or armed */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "order.done": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        get?: never;
-        put?: never;
-        /** a person or the MES closed an order */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
-                };
-            };
-            responses: {
-                /** @description gone: the webhook is disabled */
-                410: {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-                /** @description taken; all else is tried again */
-                "2XX": {
-                    headers: {
-                        [name: string]: unknown;
-                    };
-                    content?: never;
-                };
-            };
-        };
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
-    "order.cancelled": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        get?: never;
-        put?: never;
-        /** an order is not wanted any more */
-        post: {
-            parameters: {
-                query?: never;
-                header?: never;
-                path?: never;
-                cookie?: never;
-            };
-            requestBody: {
-                content: {
-                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
                 };
             };
             responses: {
@@ -2877,7 +2492,7 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** an answer to the operator waits for the control, or goes out */
+        /** an answer to the operator waits for the control, or is sent */
         post: {
             parameters: {
                 query?: never;
@@ -3102,7 +2717,7 @@ export interface webhooks {
         };
         get?: never;
         put?: never;
-        /** an alarm asks for somebody again */
+        /** an alarm asks for a person again */
         post: {
             parameters: {
                 query?: never;
@@ -3413,7 +3028,7 @@ export interface components {
             /** @description schemas by name */
             components: unknown;
         };
-        /** @description something that a person should know of a machine; it is open while it is not over or not acknowledged */
+        /** @description what a person should know about a machine; it is open while it is not over or not acknowledged */
         Alarm: {
             /** @description of the alarm */
             id: number;
@@ -3439,20 +3054,20 @@ export interface components {
             last_at_ms: number;
             /** @description when its condition was over; null: it lasts; milliseconds since 1970, UTC */
             cleared_at_ms: number | null;
-            /** @description who knows of it */
+            /** @description who acknowledged it */
             acknowledged_by: string | null;
             /** @description since when; milliseconds since 1970, UTC */
             acknowledged_at_ms: number | null;
             /** @description who put it off */
             shelved_by: string | null;
-            /** @description it asks for nobody until then; milliseconds since 1970, UTC */
+            /** @description it asks for no person until then; milliseconds since 1970, UTC */
             shelved_until_ms: number | null;
             /** @description why it was put off */
             shelf_reason: string | null;
             /** @description that it is about */
             job: number | null;
         };
-        /** @description something that a person should know of a machine; it is open while it is not over or not acknowledged */
+        /** @description what a person should know about a machine; it is open while it is not over or not acknowledged */
         EventAlarm: {
             /** @description of the alarm */
             id: number;
@@ -3478,13 +3093,13 @@ export interface components {
             last_at_ms: number;
             /** @description when its condition was over; null: it lasts; milliseconds since 1970, UTC */
             cleared_at_ms: number | null;
-            /** @description who knows of it */
+            /** @description who acknowledged it */
             acknowledged_by: string | null;
             /** @description since when; milliseconds since 1970, UTC */
             acknowledged_at_ms: number | null;
             /** @description who put it off */
             shelved_by: string | null;
-            /** @description it asks for nobody until then; milliseconds since 1970, UTC */
+            /** @description it asks for no person until then; milliseconds since 1970, UTC */
             shelved_until_ms: number | null;
             /** @description why it was put off */
             shelf_reason: string | null;
@@ -3498,7 +3113,7 @@ export interface components {
             /** @description one sentence */
             text: string;
         };
-        /** @description events were lost, or the server is a new one: all that is shown has to be asked for anew */
+        /** @description events were lost, or the server is a new one: all that is shown has to be requested again */
         EventReset: Record<string, never>;
         /** @description a text as a whole */
         NewText: {
@@ -3554,7 +3169,7 @@ export interface components {
             /** @description of the program; not given: after part or family */
             name?: string | null;
             /**
-             * @description how the text goes to the control; not given: drip
+             * @description how the text is sent to the control; not given: drip
              * @enum {string|null}
              */
             delivery?: "drip" | "memory" | null;
@@ -3575,7 +3190,7 @@ export interface components {
             /** @description name of the machine */
             machine: string;
             /**
-             * @description how the text goes to the control; not given: drip
+             * @description how the text is sent to the control; not given: drip
              * @enum {string|null}
              */
             delivery?: "drip" | "memory" | null;
@@ -3591,7 +3206,7 @@ export interface components {
             /** @description lines that cut the nominal, as "12-60,70-71"; not given: all cuts */
             profile?: string | null;
         };
-        /** @description a text as it is written; it is not stored */
+        /** @description a text that is being written; it is not stored */
         DiagnoseOrder: {
             /** @description the whole text */
             text?: string | null;
@@ -3614,7 +3229,7 @@ export interface components {
             /** @description name of the machine */
             machine: string;
             /**
-             * @description how the text goes to the control; not given: drip
+             * @description how the text is sent to the control; not given: drip
              * @enum {string|null}
              */
             delivery?: "drip" | "memory" | null;
@@ -3643,7 +3258,7 @@ export interface components {
             /** @description name of the machine */
             machine: string;
             /**
-             * @description how the text goes to the control; not given: drip
+             * @description how the text is sent to the control; not given: drip
              * @enum {string|null}
              */
             delivery?: "drip" | "memory" | null;
@@ -3668,7 +3283,7 @@ export interface components {
             /** @description name of the machine */
             machine: string;
             /**
-             * @description how the text goes to the control; not given: drip
+             * @description how the text is sent to the control; not given: drip
              * @enum {string|null}
              */
             delivery?: "drip" | "memory" | null;
@@ -3702,7 +3317,7 @@ export interface components {
              */
             mode?: "macro" | "explicit" | "auto" | null;
             /**
-             * @description how the text goes to the control; not given: drip
+             * @description how the text is sent to the control; not given: drip
              * @enum {string|null}
              */
             delivery?: "drip" | "memory" | null;
@@ -3720,7 +3335,7 @@ export interface components {
             /** @description name of the machine */
             machine: string;
             /**
-             * @description how the text goes to the control; not given: drip
+             * @description how the text is sent to the control; not given: drip
              * @enum {string|null}
              */
             delivery?: "drip" | "memory" | null;
@@ -3741,8 +3356,6 @@ export interface components {
         NewJob: {
             /** @description id of the release */
             release: number;
-            /** @description id of the order that it belongs to; not given: none */
-            order?: number | null;
         };
         /** @description how a job is armed */
         ArmOrder: {
@@ -3753,12 +3366,12 @@ export interface components {
         };
         /** @description the new place of a queued job */
         Move: {
-            /** @description id of the queued job of the same machine that it goes in front of; null, or not given: to the end */
+            /** @description id of the queued job of the same machine that it is moved before; null, or not given: to the end */
             before?: number | null;
         };
-        /** @description for how long an alarm asks for nobody */
+        /** @description for how long an alarm asks for no person */
         Shelve: {
-            /** @description for which it asks for nobody */
+            /** @description for which it asks for no person */
             minutes: number;
             /** @description for the record */
             reason: string;
@@ -3768,12 +3381,12 @@ export interface components {
             /** @description for the record */
             reason: string;
         };
-        /** @description why a person does it, if they say so */
+        /** @description why a person does it, where they state it */
         OptionalReason: {
             /** @description for the record */
             reason?: string | null;
         };
-        /** @description who is to be told of which events */
+        /** @description who receives which events */
         NewWebhook: {
             /** @description where events are posted: https, or http where it is local */
             url: string;
@@ -3786,7 +3399,7 @@ export interface components {
             /** @description it may lie in a private network or on the server's computer; not given in a new one: false */
             local?: boolean | null;
         };
-        /** @description what is not given stays as it is */
+        /** @description what is not given stays unchanged */
         ChangedWebhook: {
             /** @description where events are posted from now on */
             url?: string | null;
@@ -3906,63 +3519,6 @@ export interface components {
             /** @description whether who wrote or released a text may not approve it on these machines; not given: false */
             four_eyes?: boolean | null;
         };
-        /** @description what is to be made */
-        NewOrder: {
-            /** @description of the planner */
-            number: string;
-            /** @description of the routing; not given: none */
-            operation?: string | null;
-            /** @description number of the part */
-            part: string;
-            /** @description good parts that are wanted */
-            quantity: number;
-            /** @description name of the machine */
-            machine?: string | null;
-            /** @description until when, in milliseconds since 1970; not given: no date */
-            due_at_ms?: number | null;
-            /** @description the higher the sooner; not given: 0 */
-            priority?: number | null;
-            /** @description the planner's own data; they come back as they were given */
-            metadata?: {
-                [key: string]: unknown;
-            } | null;
-        };
-        /** @description the whole plan of an order anew */
-        OrderPlan: {
-            /** @description number of the part */
-            part: string;
-            /** @description good parts that are wanted */
-            quantity: number;
-            /** @description name of the machine */
-            machine?: string | null;
-            /** @description until when, in milliseconds since 1970; not given: no date */
-            due_at_ms?: number | null;
-            /** @description the higher the sooner; not given: 0 */
-            priority?: number | null;
-            /** @description the planner's own data; they come back as they were given */
-            metadata?: {
-                [key: string]: unknown;
-            } | null;
-        };
-        /** @description one step of an order */
-        OrderMove: {
-            /**
-             * @description the state
-             * @enum {string}
-             */
-            to: "open" | "held" | "done" | "cancelled";
-            /** @description needed to hold and to cancel */
-            reason?: string | null;
-        };
-        /** @description parts that were made since the last report */
-        PartsReport: {
-            /** @description parts; not given: 0 */
-            good?: number | null;
-            /** @description parts; not given: 0 */
-            scrap?: number | null;
-            /** @description for people */
-            note?: string | null;
-        };
         /** @description a machine: its control, axes, tools and line */
         Profile: {
             /** @description what the shop calls the machine; also its id */
@@ -4034,7 +3590,7 @@ export interface components {
                 /** @description of a mill: 0 is flat, half the diameter a ball */
                 corner_radius_mm?: number | null;
             }[] | null;
-            /** @description where the work zero lies where `work_offsets` says nothing; machine coordinates */
+            /** @description where the work zero lies where `work_offsets` states nothing; machine coordinates */
             origin?: {
                 /** @description of the slide, never a diameter; not given: not known */
                 X_mm?: number | null;
@@ -4119,7 +3675,7 @@ export interface components {
                     call_ms?: number | null;
                     /** @description finding a variable by a computed number, beside reading or writing it */
                     indexed_ms?: number | null;
-                    /** @description a predicted computing time may be off by this factor, either way; not given: 5 */
+                    /** @description a predicted computing time may be off by this factor, in either direction; not given: 5 */
                     spread?: number | null;
                     /**
                      * @description where the figures are from: assumed, paper, or calibrated at this machine; not given: assumed
@@ -4144,7 +3700,7 @@ export interface components {
                  * @enum {string|null}
                  */
                 decimal_mode?: "calculator" | "least-increment" | null;
-                /** @description somebody looked at the machine */
+                /** @description a person looked at the machine */
                 decimal_mode_confirmed?: boolean | null;
                 /** @description of a SINUMERIK */
                 iso_mode?: {
@@ -4153,7 +3709,7 @@ export interface components {
                      * @enum {string|null}
                      */
                     decimal_mode?: "calculator" | "least-increment" | null;
-                    /** @description somebody looked at the machine */
+                    /** @description a person looked at the machine */
                     decimal_mode_confirmed?: boolean | null;
                     /** @description G291 is in effect where a program begins */
                     from_start?: boolean | null;
@@ -4198,11 +3754,11 @@ export interface components {
                 } | null;
                 /** @description G75 FP= of it is where other controls go by G28 */
                 reference_fixed_point?: number | null;
-                /** @description somebody held a spline of the machine against ours */
+                /** @description a person compared a spline of the machine with ours */
                 splines_confirmed?: boolean | null;
                 /** @description parameters of cycles; not given: the control's usual ones */
                 cycles?: {
-                    /** @description by which a drill goes back to break the chip */
+                    /** @description by which a drill retracts to break the chip */
                     chip_break_mm?: number | null;
                     /** @description above the last depth */
                     peck_clearance_mm?: number | null;
@@ -4211,7 +3767,7 @@ export interface components {
                     /** @description after one cut, as a radius */
                     turning_retract_mm?: number | null;
                 } | null;
-                /** @description modes that the machine wakes up with; not given: its usual ones */
+                /** @description modes at power-on; not given: the control's usual ones */
                 power_on?: {
                     /**
                      * @description of lengths
@@ -4233,7 +3789,7 @@ export interface components {
                      * @enum {string|null}
                      */
                     plane?: "xy" | "zx" | "yz" | null;
-                    /** @description somebody looked at the machine */
+                    /** @description a person looked at the machine */
                     confirmed?: boolean | null;
                 } | null;
                 /** @description that the control has; empty: its usual ranges */
@@ -4404,7 +3960,7 @@ export interface components {
             } | null;
         };
         /**
-         * @description why a line does not go on; `stopped`: a person stopped it at a block end
+         * @description why a line waits; `stopped`: a person stopped it at a block end
          * @enum {string}
          */
         Stall: "waiting for DC1" | "held by DC3" | "CTS off" | "peer gone" | "waiting for ledger" | "waiting for text" | "waiting for end" | "stopped" | "DSR off" | "held below" | "waiting for trigger" | "stopped, and the control asked anew: it may have been reset" | "waiting for the receiver's start" | "waiting for the receiver" | "waiting for ACK" | "waiting for the end's ACK" | "the partner sends" | "waiting for credit" | "waiting for receiver" | "stopped by a fault" | "machine held" | "machine alarm" | "machine in emergency stop" | "folder does not answer" | "holding the control: what it sent before is not taken yet" | "waiting for the sender";
@@ -4443,13 +3999,13 @@ export interface components {
             job: number | null;
             /** @description given to the system's port, in bytes on the wire */
             handed: number;
-            /** @description that have left, as far as time says, in bytes on the wire */
+            /** @description that have left, by line time, in bytes on the wire */
             clocked: number;
             /** @description that the protocol acknowledged, in bytes on the wire */
             confirmed: number;
             /** @description the protocol acknowledges; without, `confirmed` stays 0 */
             confirms: boolean;
-            /** @description a blind link: how much is on its way is an estimate */
+            /** @description a blind link: how much is in transit is an estimate */
             estimated: boolean;
             /** @description of the job, in bytes on the wire */
             total: number;
@@ -4463,7 +4019,7 @@ export interface components {
             hold_s: number;
             /** @description share of line time used while not held, 0 to 1 */
             line_use: number;
-            /** @description what the machine's PLC says of it; null where the link brings no such words */
+            /** @description what the machine's PLC reports of it; null where the link has no such words */
             plc: {
                 /**
                  * @description of the machine
@@ -4586,13 +4142,13 @@ export interface components {
             job: number | null;
             /** @description given to the system's port, in bytes on the wire */
             handed: number;
-            /** @description that have left, as far as time says, in bytes on the wire */
+            /** @description that have left, by line time, in bytes on the wire */
             clocked: number;
             /** @description that the protocol acknowledged, in bytes on the wire */
             confirmed: number;
             /** @description the protocol acknowledges; without, `confirmed` stays 0 */
             confirms: boolean;
-            /** @description a blind link: how much is on its way is an estimate */
+            /** @description a blind link: how much is in transit is an estimate */
             estimated: boolean;
             /** @description of the job, in bytes on the wire */
             total: number;
@@ -4606,7 +4162,7 @@ export interface components {
             hold_s: number;
             /** @description share of line time used while not held, 0 to 1 */
             line_use: number;
-            /** @description what the machine's PLC says of it; null where the link brings no such words */
+            /** @description what the machine's PLC reports of it; null where the link has no such words */
             plc: {
                 /**
                  * @description of the machine
@@ -4810,7 +4366,7 @@ export interface components {
             lines: {
                 /** @description of the text, from 1 */
                 line: number;
-                /** @description as it is sent */
+                /** @description its text */
                 text: string;
                 /** @description of the family; null: not known */
                 family_line: number | null;
@@ -4908,7 +4464,7 @@ export interface components {
                 alarm: string | null;
             }[];
         };
-        /** @description what the checks say of a program, without their report */
+        /** @description what the checks found in a program, without their report */
         VerdictSummary: {
             /** @description of the verdict */
             id: number;
@@ -4948,7 +4504,7 @@ export interface components {
                 at_ms: number;
             }[];
         };
-        /** @description what the checks say of a program */
+        /** @description what the checks found in a program */
         Verdict: {
             /** @description of the verdict */
             id: number;
@@ -5001,7 +4557,7 @@ export interface components {
                 feed_mode: "per-minute" | "per-revolution" | "inverse-time";
                 /** @description by which it was inferred; 0: it was named, or is the default */
                 because_line: number;
-                /** @description the text says which control it is, nobody else did */
+                /** @description the control was inferred from the text */
                 inferred: boolean;
             };
             /** @description of reading, validating and running the text; the first of each kind */
@@ -5353,14 +4909,14 @@ export interface components {
                     first: {
                         /** @description of that text, from 1 */
                         line: number;
-                        /** @description as it is written */
+                        /** @description its text */
                         text: string;
                     }[];
                     /** @description of the second */
                     second: {
                         /** @description of that text, from 1 */
                         line: number;
-                        /** @description as it is written */
+                        /** @description its text */
                         text: string;
                     }[];
                 }[];
@@ -5382,14 +4938,14 @@ export interface components {
                     first: {
                         /** @description of that text, from 1 */
                         line: number;
-                        /** @description as it is written */
+                        /** @description its text */
                         text: string;
                     }[];
                     /** @description of the second */
                     second: {
                         /** @description of that text, from 1 */
                         line: number;
-                        /** @description as it is written */
+                        /** @description its text */
                         text: string;
                     }[];
                 }[];
@@ -5546,7 +5102,7 @@ export interface components {
                 feed_mode: "per-minute" | "per-revolution" | "inverse-time";
                 /** @description by which it was inferred; 0: it was named, or is the default */
                 because_line: number;
-                /** @description the text says which control it is, nobody else did */
+                /** @description the control was inferred from the text */
                 inferred: boolean;
             };
             /** @description in the order of the text; the first of each kind */
@@ -5919,7 +5475,7 @@ export interface components {
                 high: number;
                 /** @description from which it is moved */
                 standard: number;
-                /** @description least and greatest value that passes, as far as bisection goes */
+                /** @description least and greatest value that passes, to the precision of the bisection */
                 passes?: number[];
                 /** @description what fails below; null: the range ends there */
                 low_bound?: {
@@ -5927,7 +5483,7 @@ export interface components {
                     fails_at: number;
                     /** @description that fails there */
                     check: string;
-                    /** @description what it says */
+                    /** @description its text */
                     text: string;
                 } | null;
                 /** @description what fails above; null: the range ends there */
@@ -5936,7 +5492,7 @@ export interface components {
                     fails_at: number;
                     /** @description that fails there */
                     check: string;
-                    /** @description what it says */
+                    /** @description its text */
                     text: string;
                 } | null;
             }[];
@@ -5946,7 +5502,7 @@ export interface components {
                 passes: boolean;
                 /** @description that fails; empty: none */
                 check: string;
-                /** @description what it says; empty: nothing */
+                /** @description its text; empty: none */
                 text: string;
             };
             /** @description all parameters at an end of their range */
@@ -5969,7 +5525,7 @@ export interface components {
                 passes: boolean;
                 /** @description that fails */
                 check: string;
-                /** @description what it says */
+                /** @description its text */
                 text: string;
                 /** @description by parameter */
                 values: {
@@ -6023,7 +5579,7 @@ export interface components {
             /** @description to which it may go */
             machine: string;
             /**
-             * @description how the text goes to the control
+             * @description how the text is sent to the control
              * @enum {string}
              */
             delivery: "drip" | "memory";
@@ -6053,12 +5609,10 @@ export interface components {
              * @enum {string}
              */
             state: "queued" | "armed" | "feeding" | "held" | "draining" | "done" | "failed" | "cancelled" | "interrupted";
-            /** @description to which it goes */
+            /** @description to which it is sent */
             machine: string;
             /** @description its id */
             release: number;
-            /** @description that it belongs to; null: none */
-            order: number | null;
             /** @description its id */
             program: number;
             /** @description of the program's text */
@@ -6066,7 +5620,7 @@ export interface components {
             /** @description of the text, in hexadecimal */
             sha256: string;
             /**
-             * @description how the text goes to the control
+             * @description how the text is sent to the control
              * @enum {string}
              */
             delivery: "drip" | "memory";
@@ -6096,7 +5650,7 @@ export interface components {
             ended_at_ms: number | null;
             /** @description it broke off inside a block: the control may hold a part of it */
             torn: boolean;
-            /** @description it is torn, and nobody has confirmed yet that the control was reset */
+            /** @description it is torn, and no person has confirmed yet that the control was reset */
             needs_confirmation: boolean;
             /** @description who confirmed that the control was reset */
             confirmed_by: string | null;
@@ -6120,7 +5674,7 @@ export interface components {
                 at_ms: number;
                 /** @description given to the system's port */
                 handed: number;
-                /** @description that have left, as far as time says */
+                /** @description that have left, by line time */
                 clocked: number;
                 /** @description that the protocol acknowledged */
                 confirmed: number;
@@ -6217,7 +5771,7 @@ export interface components {
             verb: string;
             /** @description of the verb; empty: none */
             argument: string;
-            /** @description as it was written */
+            /** @description as the operator wrote it */
             text: string;
             /**
              * @description what came of it
@@ -6275,7 +5829,7 @@ export interface components {
             has_pin: boolean;
             /** @description refused sign-ins since the last one that was right */
             failures: number;
-            /** @description nobody signs in as this user before then; milliseconds since 1970, UTC */
+            /** @description no person can sign in as this user before then; milliseconds since 1970, UTC */
             locked_until_ms: number | null;
             /** @description since then the user may not sign in; milliseconds since 1970, UTC */
             disabled_at_ms: number | null;
@@ -6364,7 +5918,7 @@ export interface components {
             /** @description SHA-256 of all other members */
             hash: string;
         };
-        /** @description a type of event that goes out */
+        /** @description a type of event that is sent */
         EventType: {
             /** @description of the type */
             name: string;
@@ -6393,7 +5947,7 @@ export interface components {
             subject: string;
             /** @description when it happened, RFC 3339, UTC */
             time: string;
-            /** @description number of the event, with leading zeros: it tells which of two came first */
+            /** @description number of the event, with leading zeros: the smaller of two came first */
             sequence: string;
             /**
              * @description of data
@@ -6409,7 +5963,7 @@ export interface components {
                  * @enum {string}
                  */
                 state: "queued" | "armed" | "feeding" | "held" | "draining" | "done" | "failed" | "cancelled" | "interrupted";
-                /** @description to which it goes */
+                /** @description to which it is sent */
                 machine: string;
                 /** @description its id */
                 program: number;
@@ -6443,7 +5997,7 @@ export interface components {
             subject: string;
             /** @description when it happened, RFC 3339, UTC */
             time: string;
-            /** @description number of the event, with leading zeros: it tells which of two came first */
+            /** @description number of the event, with leading zeros: the smaller of two came first */
             sequence: string;
             /**
              * @description of data
@@ -6489,7 +6043,7 @@ export interface components {
             subject: string;
             /** @description when it happened, RFC 3339, UTC */
             time: string;
-            /** @description number of the event, with leading zeros: it tells which of two came first */
+            /** @description number of the event, with leading zeros: the smaller of two came first */
             sequence: string;
             /**
              * @description of data
@@ -6537,7 +6091,7 @@ export interface components {
             subject: string;
             /** @description when it happened, RFC 3339, UTC */
             time: string;
-            /** @description number of the event, with leading zeros: it tells which of two came first */
+            /** @description number of the event, with leading zeros: the smaller of two came first */
             sequence: string;
             /**
              * @description of data
@@ -6585,7 +6139,7 @@ export interface components {
             subject: string;
             /** @description when it happened, RFC 3339, UTC */
             time: string;
-            /** @description number of the event, with leading zeros: it tells which of two came first */
+            /** @description number of the event, with leading zeros: the smaller of two came first */
             sequence: string;
             /**
              * @description of data
@@ -6601,45 +6155,6 @@ export interface components {
                 /** @description the newest of its text */
                 revision: number;
                 /** @description for which it was rendered */
-                machine: string | null;
-                /** @description who did it: a person or program by its name, a machine, or dripfeed itself */
-                actor: string;
-            };
-        };
-        /** @description an order is new or changed */
-        OrderEvent: {
-            /**
-             * @description of CloudEvents
-             * @enum {string}
-             */
-            specversion: "1.0";
-            /** @description of the event; together with the source it is the same for each repetition, and no other */
-            id: string;
-            /** @description which server sends, a URI reference */
-            source: string;
-            /**
-             * @description what happened
-             * @enum {string}
-             */
-            type: "order.added" | "order.changed" | "order.parts" | "order.open" | "order.held" | "order.done" | "order.cancelled";
-            /** @description what it happened to, as "job/12" */
-            subject: string;
-            /** @description when it happened, RFC 3339, UTC */
-            time: string;
-            /** @description number of the event, with leading zeros: it tells which of two came first */
-            sequence: string;
-            /**
-             * @description of data
-             * @enum {string}
-             */
-            datacontenttype: "application/json";
-            /** @description what to know of it, and ids to ask for more */
-            data: {
-                /** @description its id */
-                order: number;
-                /** @description of the order, as its planner says */
-                number: string;
-                /** @description for which it is; null: not decided */
                 machine: string | null;
                 /** @description who did it: a person or program by its name, a machine, or dripfeed itself */
                 actor: string;
@@ -6665,7 +6180,7 @@ export interface components {
             subject: string;
             /** @description when it happened, RFC 3339, UTC */
             time: string;
-            /** @description number of the event, with leading zeros: it tells which of two came first */
+            /** @description number of the event, with leading zeros: the smaller of two came first */
             sequence: string;
             /**
              * @description of data
@@ -6713,7 +6228,7 @@ export interface components {
             subject: string;
             /** @description when it happened, RFC 3339, UTC */
             time: string;
-            /** @description number of the event, with leading zeros: it tells which of two came first */
+            /** @description number of the event, with leading zeros: the smaller of two came first */
             sequence: string;
             /**
              * @description of data
@@ -6728,7 +6243,7 @@ export interface components {
                 actor: string;
             };
         };
-        /** @description who is told of events by HTTP */
+        /** @description who receives events by HTTP */
         Webhook: {
             /** @description of the webhook */
             id: number;
@@ -6784,7 +6299,7 @@ export interface components {
             /** @description for the signatures: whsec_ and base64 */
             secret: string;
         };
-        /** @description one event on its way to one webhook */
+        /** @description the delivery of one event to one webhook */
         WebhookDelivery: {
             /** @description of the delivery */
             id: number;
@@ -6816,54 +6331,6 @@ export interface components {
         Replayed: {
             /** @description deliveries */
             replayed: number;
-        };
-        /** @description what is to be made, as a MES or a planner says */
-        Order: {
-            /** @description of the order */
-            id: number;
-            /** @description of the planner; with the operation there is one order of it */
-            number: string;
-            /** @description of the routing; null: there is none */
-            operation: string | null;
-            /** @description its number */
-            part: string;
-            /** @description good parts that are wanted */
-            quantity: number;
-            /** @description for which it is; null: not decided */
-            machine: string | null;
-            /** @description until then; milliseconds since 1970, UTC */
-            due_at_ms: number | null;
-            /** @description the higher the sooner */
-            priority: number;
-            /** @description as it came */
-            metadata: {
-                [key: string]: unknown;
-            };
-            /**
-             * @description jobs are queued and armed while it is open
-             * @enum {string}
-             */
-            state: "open" | "held" | "done" | "cancelled";
-            /** @description of the last change of its state */
-            reason: string | null;
-            /** @description parts that were reported good */
-            good: number;
-            /** @description parts that were reported as scrap */
-            scrap: number;
-            /** @description good parts that are missing */
-            open: number;
-            /** @description jobs of it that are done; that says nothing of parts */
-            transfers: number;
-            /** @description jobs of it that are queued */
-            waiting: number;
-            /** @description of the plan */
-            revision: number;
-            /** @description who made it */
-            created_by: string;
-            /** @description when; milliseconds since 1970, UTC */
-            created_at_ms: number;
-            /** @description of plan or state; milliseconds since 1970, UTC */
-            changed_at_ms: number;
         };
         /** @description a page of a list */
         MachineSummaryPage: {
@@ -6946,13 +6413,6 @@ export interface components {
         ReleasePage: {
             /** @description in the list's order */
             items: components["schemas"]["Release"][];
-            /** @description for `after` of the next page; null: the last */
-            next: string | null;
-        };
-        /** @description a page of a list */
-        OrderPage: {
-            /** @description in the list's order */
-            items: components["schemas"]["Order"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
@@ -7567,7 +7027,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description a person says that the control was reset */
+            /** @description a person confirms that the control was reset */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -8612,7 +8072,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description some lines of a revision, each beside the family's line and values that it was rendered from */
+            /** @description some lines of a revision, each with the family's line and values that it was rendered from */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -9504,220 +8964,6 @@ export interface operations {
             };
         };
     };
-    get_orders: {
-        parameters: {
-            query?: {
-                limit?: number;
-                after?: string;
-                number?: string;
-                part?: string;
-                machine?: string;
-                state?: string;
-            };
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description what is to be made, newest first */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["OrderPage"];
-                };
-            };
-            /** @description a problem */
-            default: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Problem"];
-                };
-            };
-        };
-    };
-    post_orders: {
-        parameters: {
-            query?: never;
-            header?: {
-                "Idempotency-Key"?: string;
-            };
-            path?: never;
-            cookie?: never;
-        };
-        requestBody: {
-            content: {
-                "application/json": components["schemas"]["NewOrder"];
-            };
-        };
-        responses: {
-            /** @description add an order; the same number, operation and plan again is the same order */
-            201: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Order"];
-                };
-            };
-            /** @description a problem */
-            default: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Problem"];
-                };
-            };
-        };
-    };
-    get_orders_id: {
-        parameters: {
-            query?: never;
-            header?: never;
-            path: {
-                id: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description one order */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Order"];
-                };
-            };
-            /** @description a problem */
-            default: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Problem"];
-                };
-            };
-        };
-    };
-    put_orders_id: {
-        parameters: {
-            query?: never;
-            header: {
-                "If-Match": string;
-                "Idempotency-Key"?: string;
-            };
-            path: {
-                id: string;
-            };
-            cookie?: never;
-        };
-        requestBody: {
-            content: {
-                "application/json": components["schemas"]["OrderPlan"];
-            };
-        };
-        responses: {
-            /** @description change the plan of an order */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Order"];
-                };
-            };
-            /** @description a problem */
-            default: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Problem"];
-                };
-            };
-        };
-    };
-    post_orders_id_move: {
-        parameters: {
-            query?: never;
-            header?: {
-                "Idempotency-Key"?: string;
-            };
-            path: {
-                id: string;
-            };
-            cookie?: never;
-        };
-        requestBody: {
-            content: {
-                "application/json": components["schemas"]["OrderMove"];
-            };
-        };
-        responses: {
-            /** @description hold, open, close or cancel an order; while it is not open, none of its jobs is armed */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Order"];
-                };
-            };
-            /** @description a problem */
-            default: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Problem"];
-                };
-            };
-        };
-    };
-    post_orders_id_parts: {
-        parameters: {
-            query?: never;
-            header?: {
-                "Idempotency-Key"?: string;
-            };
-            path: {
-                id: string;
-            };
-            cookie?: never;
-        };
-        requestBody: {
-            content: {
-                "application/json": components["schemas"]["PartsReport"];
-            };
-        };
-        responses: {
-            /** @description report parts that were made */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["Order"];
-                };
-            };
-            /** @description a problem */
-            default: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Problem"];
-                };
-            };
-        };
-    };
     get_jobs: {
         parameters: {
             query?: {
@@ -9725,7 +8971,6 @@ export interface operations {
                 after?: string;
                 machine?: string;
                 state?: string;
-                order?: string;
             };
             header?: never;
             path?: never;
@@ -10010,7 +9255,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description alarms, newest first; with state=open those that ask for somebody */
+            /** @description alarms, newest first; with state=open those that ask for a person */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -10074,7 +9319,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description a person knows of it */
+            /** @description a person acknowledges it */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -10111,7 +9356,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description it asks for nobody for some minutes, with a reason; not a critical one */
+            /** @description it asks for no person for some minutes, with a reason; not a critical one */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -10173,7 +9418,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description events that go out to other systems by webhooks and MQTT */
+            /** @description events that are sent to other systems by webhooks and MQTT */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -10205,7 +9450,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description who is told of events by HTTP, newest first */
+            /** @description who receives events by HTTP, newest first */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -10444,7 +9689,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description events on their way to it, newest first */
+            /** @description events that are being delivered to it, newest first */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -10613,7 +9858,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description its text; of one in quarantine the bytes, or with form=read what they say */
+            /** @description its text; of one in quarantine the bytes, or with form=read their text */
             200: {
                 headers: {
                     [name: string]: unknown;

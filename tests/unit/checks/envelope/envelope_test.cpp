@@ -22,7 +22,7 @@ TEST(Envelope, HalvesDiametersAndAddsTheWorkOffset) {
   EXPECT_DOUBLE_EQ(good.work[2].high, 200);
   const Report bad = run({move(rapid, 0, 0, 300.01, 200), move(rapid, 0, 0, 0, -220.5)});
   ASSERT_EQ(bad.findings.count(DiagnosticId::travel_exceeded), 2U);
-  EXPECT_EQ(bad.findings.kept()[0].text, "X goes to 150.005 in machine coordinates, the travel is -5 to 150");
+  EXPECT_EQ(bad.findings.kept()[0].text, "X moves to 150.005 in machine coordinates, the travel is -5 to 150");
   EXPECT_EQ(bad.findings.kind(DiagnosticId::travel_exceeded)->worst.value, -20.5);
   EXPECT_EQ(bad.findings.kept()[0].place.line, 7U);
 }

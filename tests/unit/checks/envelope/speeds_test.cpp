@@ -95,7 +95,7 @@ TEST(Speeds, ASlowSpindle) {
   on.spindle_rpm = 29;
   const Report slow = run({on});
   ASSERT_EQ(slow.findings.count(DiagnosticId::spindle_too_slow), 1U);
-  EXPECT_EQ(slow.findings.kept()[0].text, "the spindle is to turn at 29 rpm, the machine's lowest is 30");
+  EXPECT_EQ(slow.findings.kept()[0].text, "the spindle speed is 29 rpm, the machine's lowest is 30");
   on.spindle_rpm = 30;
   EXPECT_TRUE(run({on}).findings.empty());
   on.spindle_rpm = 29;

@@ -62,7 +62,7 @@ TEST(Travel, ALengthThatIsNotKnownIsSaid) {
   EXPECT_EQ(low.findings.count(DiagnosticId::travel_exceeded), 0U) << "it may be long enough";
   ASSERT_EQ(low.findings.count(DiagnosticId::travel_uncertain), 1U);
   EXPECT_EQ(low.findings.kept()[0].text,
-            "Z goes to -510 in machine coordinates without the tool length of offset 4, which is not known; the "
+            "Z moves to -510 in machine coordinates without the tool length of offset 4, which is not known; the "
             "travel is -500 to 0");
   EXPECT_TRUE(low.machine[2].empty());
   EXPECT_TRUE(says(low, "the tool length of offset 4 is not known: the travel of Z was checked without it"));

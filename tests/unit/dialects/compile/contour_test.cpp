@@ -270,7 +270,7 @@ TEST(Contour, WhatIsNotInterpretedIsToldAndNothingIsCut) {
   EXPECT_TRUE(cycle("\"NECK\",5,0,0,0,0.3,0.2,0.15,9", ends)
                   .names("CYCLE95 with a relief cut that is no plain one, in line 4"));
   const Texts back = {{"NECK", "PROC NECK\nG1 X20 Z0\nX40 Z-10\nX50 Z-5\nX60 Z-40\nM17\n"}};
-  EXPECT_TRUE(cycle("\"NECK\",5,0,0,0,0.3,0.2,0.15,9", back).names("CYCLE95 along a contour that goes back in line 4"));
+  EXPECT_TRUE(cycle("\"NECK\",5,0,0,0,0.3,0.2,0.15,9", back).names("CYCLE95 along a contour that reverses in line 4"));
   const Texts small = {{"NECK", "PROC NECK\nG1 X20 Z0\nZ-10\nX21 Z-10.5\nX60\nM17\n"}};
   EXPECT_TRUE(cycle("\"NECK\",5,0,0,2,0.3,0.2,0.15,9", small)
                   .names("CYCLE95 with an allowance along the contour (FAL) that a piece of it is too short for"));

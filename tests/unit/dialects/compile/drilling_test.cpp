@@ -76,7 +76,7 @@ TEST(DrillingToSinumerik, ChipBreakingGoesBackAtAnotherSpeed) {
     const ConvertResult made = translated(text, from, to);
     EXPECT_FALSE(text::has_error(made.diagnostics)) << said(made.diagnostics, text::Source("program", text));
     const std::string all = said(made.diagnostics, text::Source("program", text));
-    EXPECT_TRUE(all.contains("the way back between the pecks")) << all;
+    EXPECT_TRUE(all.contains("the retract between the pecks")) << all;
   }
 }
 
@@ -117,10 +117,10 @@ TEST(DrillingToSinumerik, WhatHasNoEqualIsAnErrorWithItsPlace) {
   // A depth of an earlier block that may be another by now.
   expect_refused(kHead + "#1=-5.\nG99 G81 X10. Z#1 R3. F120.\n#1=-9.\nX20. R2.\nG80\nM30\n", "fanuc", kTo, "Z of the");
   // A cycle that the operator's switch leaves out.
-  expect_refused(kHead + "/G99 G81 X10. Z-8. R3. F120.\nX20.\nG80\nM30\n", "fanuc", kTo, "two ways");
+  expect_refused(kHead + "/G99 G81 X10. Z-8. R3. F120.\nX20.\nG80\nM30\n", "fanuc", kTo, "two control-flow paths");
   // Two ways with different cycles.
   expect_refused(kHead + "#1=2.\nG99 G81 X10. Z-8. R3. F120.\nIF[#1GT1.]GOTO10\nG80\nN10 X20.\nM30\n", "fanuc", kTo,
-                 "two ways");
+                 "two control-flow paths");
 }
 
 TEST(DrillingToSinumerik, TapsGetTheirLead) {
@@ -243,7 +243,7 @@ TEST(DrillingToOthers, EOfMazakIsRefusedAndSaid) {
     EXPECT_TRUE(text::has_error(translated(text, "mazak", to).diagnostics)) << to;
   const Played played = run_text(text, control("mazak", ir::MachineKind::mill));
   EXPECT_TRUE(std::ranges::any_of(played.result.not_interpreted,
-                                  [](const auto& one) { return one.name == "E beside a drilling cycle"; }));
+                                  [](const auto& one) { return one.name == "E together with a drilling cycle"; }));
 }
 
 // CYCLE84 leaves the speed as it was, CYCLE85 its own feed; a lead is a feed per turn where G95 is in effect.

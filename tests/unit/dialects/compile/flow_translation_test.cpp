@@ -170,13 +170,13 @@ TEST(MachineMoves, AreTheSameOnlyByRapid) {
   };
   EXPECT_TRUE(errors("G1 X100 F200\nSUPA X50\n", kOwn, "fanuc").contains("by another motion than G0"));
   EXPECT_TRUE(errors("G1 X100. F200.\nG53 Z0.\n", "fanuc", kOwn).contains("by another motion than G0"));
-  EXPECT_TRUE(errors("G0 X1.\nG91 G53 X5.\nG90\n", "fanuc", kOwn).contains("beside G91"));
+  EXPECT_TRUE(errors("G0 X1.\nG91 G53 X5.\nG90\n", "fanuc", kOwn).contains("together with G91"));
   EXPECT_FALSE(errors("G1 X100. F200.\nG0 G53 Z0.\n", "fanuc", kOwn).contains("machine"));
   EXPECT_TRUE(errors("G1 X100. F200.\nG53 Z0.\n", "fanuc", "mazak").contains("by another motion than G0"));
   EXPECT_TRUE(errors("G1 X100. F200.\nG53 Z0.\n", "mitsubishi-m80", "fanuc").contains("by another motion than G0"));
   EXPECT_FALSE(errors("G1 X100. F200.\nG53 Z0.\n", "mitsubishi-m80", "mazak").contains("machine"));
   EXPECT_FALSE(errors("G1 X100. F200.\nG53 Z0.\n", "mitsubishi-m80", kOwn).contains("machine"));
-  EXPECT_TRUE(errors("G0 X1.\nG91 G53 X5.\nG90\n", "mitsubishi-m80", "fanuc").contains("beside G91"));
+  EXPECT_TRUE(errors("G0 X1.\nG91 G53 X5.\nG90\n", "mitsubishi-m80", "fanuc").contains("together with G91"));
 }
 
 // G53 leaves the length of the tool out; whether SUPA does, a machine data decides, and D0 says so.
@@ -196,7 +196,7 @@ TEST(MachineMoves, LeaveTheLengthOfTheToolOut) {
   const std::string sub = "%\nO2\nG53 G0 Z0\nM99\n%\n";
   EXPECT_TRUE(translated(sub, "fanuc", kOwn).text.contains("SUPA G0 Z0. D0\nD1\n"));
   EXPECT_TRUE(said(translated(sub, "fanuc", kOwn).diagnostics, text::Source("p", sub))
-                  .starts_with("p:3:1: warning[unknown-modal-state]: whether the length of the tool is in effect"));
+                  .starts_with("p:3:1: warning[unknown-modal-state]: whether the tool length is in effect"));
 
   const std::string own = "G17 G90 G71 G94\nSUPA G0 Z0\nT1 D1\nM6\nG0 X0 Y0\nZ10\n";
   EXPECT_FALSE(text::has_error(translated(own + "SUPA Z0 D0\nM30\n", kOwn, "fanuc").diagnostics));

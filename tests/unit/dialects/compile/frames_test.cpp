@@ -67,7 +67,7 @@ TEST(FramesToSinumerik, RotationBesideALocalShift) {
 }
 
 TEST(FramesToSinumerik, WhatOneChainCannotSayIsAnError) {
-  expect_refused("#1=5.\n" + kHead + "G52 X#1\nG68 X0. Y0. R10.\nX1.\nG69\nM30\n", "fanuc", kTo, "beside a G52");
+  expect_refused("#1=5.\n" + kHead + "G52 X#1\nG68 X0. Y0. R10.\nX1.\nG69\nM30\n", "fanuc", kTo, "together with a G52");
   expect_refused(kHead + "G68 X0. Y0. R10.\nG52 X5.\nX1.\nG69\nM30\n", "fanuc", kTo, "G52 while");
   expect_refused(kHead + "G51.1 X0.\nG68 X0. Y0. R10.\nX1.\nG69\nM30\n", "fanuc", kTo, "two of");
   expect_refused(kHead + "G68 R10.\nX1.\nG69\nM30\n", "fanuc", kTo, "where the tool stands");

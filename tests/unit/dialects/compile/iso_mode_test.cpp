@@ -113,7 +113,7 @@ TEST(IsoMode, MacrosReadTheirArguments) {
 TEST(IsoMode, ModalMacrosFollowEachMove) {
   const Texts called = {{"O0010", "PROC M0010\nG91\nG0 Z=$C_Z\nG90\nM17\n"}};
   EXPECT_FALSE(after_head("G291\nG66 P10 Z-1.\nG0 X1.\nX2.\nG67\nG290\n", called)
-                   .names("a modal cycle or call that goes on in the control's other language"));
+                   .names("a modal cycle or call that continues in the control's other language"));
   EXPECT_EQ(path(after_head("G291\nG66 P10 Z-1.\nG0 X1.\nX2.\nG67\nX3.\nG290\n", called)),
             path(after_head("G0 X1\nZ4\nX2\nZ3\nX3\n")));
 }
@@ -157,7 +157,7 @@ TEST(IsoMode, SwitchesStandAlone) {
 
 // Which frame lies in which is not followed: it is said. A code that takes nothing back is no frame.
 TEST(IsoMode, FramesOfBothLanguagesAreSaid) {
-  const std::string_view name = "a frame of one of the control's languages beside one of the other";
+  const std::string_view name = "a frame of one of the control's languages together with one of the other";
   EXPECT_EQ(path(after_head("ROT RPL=90\nG291\nG69 G50\nG0 X2. Y0.\nG290\n")),
             path(after_head("ROT RPL=90\nG0 X2 Y0\n")));
   EXPECT_TRUE(after_head("ROT RPL=90\nG291\nG68 X0. Y0. R90.\nG290\n").names(name));
@@ -271,9 +271,9 @@ TEST(IsoMode, WhatIsNotCarriedOutIsSaid) {
   EXPECT_TRUE(macro.names("Custom Macro B in ISO mode"));
   EXPECT_NE(macro.motions.back().axes_unknown & 1U, 0U);
   const Result cycle = after_head("G291\nG81 X1. Z-1. R1. F100.\nG290\nG0 X5\n");
-  EXPECT_TRUE(cycle.names("a modal cycle or call that goes on in the control's other language"));
+  EXPECT_TRUE(cycle.names("a modal cycle or call that continues in the control's other language"));
   EXPECT_FALSE(after_head("G291\nG81 X1. Z-1. R1. F100.\nG80\nG290\nG0 X5\n")
-                   .names("a modal cycle or call that goes on in the control's other language"));
+                   .names("a modal cycle or call that continues in the control's other language"));
 }
 
 // Nobody reads the part where there is no library: it is kept as written.

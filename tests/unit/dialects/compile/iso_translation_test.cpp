@@ -261,10 +261,10 @@ TEST(IsoTranslation, WhatActsAcrossTheSwitchIsRefused) {
             std::string::npos);
   EXPECT_NE(refusal(program("G16\nG290\nG0 X20\n")).find("G16 of ISO mode"), std::string::npos);
   EXPECT_NE(refusal(std::string(kHead) + "MCALL CYCLE81(5,0,2,-5)\nG291\nX5.\nG290\nMCALL\nM30\n")
-                .find("a block of ISO mode behind MCALL"),
+                .find("a block of ISO mode after MCALL"),
             std::string::npos);
   EXPECT_NE(refusal(std::string(kHead) + "TRANS X5\nG291\nG52 X5.\nG0 X5.\nG290\nM30\n")
-                .find("a frame of ISO mode beside one of Siemens mode"),
+                .find("a frame of ISO mode together with one of Siemens mode"),
             std::string::npos);
   EXPECT_NE(refusal(program("G81 X5. Z-5. R2. F100.\n/G80\nG290\nX20\n")).find("a cycle of ISO mode that is in effect"),
             std::string::npos);
@@ -273,7 +273,7 @@ TEST(IsoTranslation, WhatActsAcrossTheSwitchIsRefused) {
             std::string::npos);
   EXPECT_NE(refusal(program("G4 P1000 X2.\nG290\n")).find("a dwell with two times"), std::string::npos);
   EXPECT_NE(refusal(std::string(kHead) + "G111 X5 Y5\nG0 AP=30 RP=10\nG291\nG16\nX10. Y30.\nG15\nG290\nM30\n")
-                .find("G16 of ISO mode beside poles"),
+                .find("G16 of ISO mode together with poles"),
             std::string::npos);
   EXPECT_NE(refusal(program("#1=5\nG0 X#1\nG290\n")).find("Custom Macro B in ISO mode"), std::string::npos);
 }

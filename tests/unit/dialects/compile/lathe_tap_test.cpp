@@ -153,7 +153,7 @@ TEST(LatheTap, WhatIsNotSureOfNumberedTapsIsRefused) {
   refused("M29 S300\n#1=5\nG84 Z-20. R-2. F1.5\n", "M29 that does not stand right before its tap");
   refused("/G84 Z-20. R-2. F1.5\n", "a switch may skip");
   refused("G96 S100\nG84 Z-20. R-2. F1.5\nG97 S300\n", "a speed that is not known");
-  refused("#1=#5021\nG84 Z[#1-20.] R-2. F1.5\n", "G84 beside");
+  refused("#1=#5021\nG84 Z[#1-20.] R-2. F1.5\n", "G84 together with");
   refused("#1=0\nWHILE[#1 LT 3]DO1\nG84 Z[-10.-#1] R-2. F1.5\nG80\n#1=#1+1\nEND1\n", "other moves each time");
   refused("#1=0\nWHILE[#1 LT 3]DO1\nS[300+#1*50]\nG84 Z-10. R-2. F1.5\nG80\n#1=#1+1\nEND1\n", "other moves each time");
   refused("G84 Z-20. R-2. F1.5 D3 ,R1\n", "D3", "mitsubishi-m80");
@@ -229,10 +229,10 @@ TEST(LatheTap, WhatIsNotSureOfNamedTapsIsRefused) {
   refused("SPOS=0\nG331 Z-20 K1.5 S300\nG332 Z5 K1.25\n", "a lead");
   refused("SPOS=0\nG331 Z-20 K1.5 S300\nG332 Z5 K1.5 S200\n", "a speed");
   refused("SPOS=0\nG331 Z-20 K1.5 S300\nG332 Z8 K1.5\n", "does not lead back");
-  refused("SPOS=0\nG331 Z-20 K1.5 S300\nG0 Z5\n", "without its way back");
+  refused("SPOS=0\nG331 Z-20 K1.5 S300\nG0 Z5\n", "without its retract");
   refused("SPOS=90\nG331 Z-20 K1.5 S300\nG332 Z5 K1.5\n", "no address for");
   refused("G332 Z5 K1.5\n", "without G331");
-  refused("G63 Z-20 F1.5\nG0 Z5\n", "without its way back");
+  refused("G63 Z-20 F1.5\nG0 Z5\n", "without its retract");
   refused("G17\n/MCALL CYCLE84(5,0,2,-20,,0,3,,1.5,0,300,300)\nX1\nMCALL\n", "a switch may skip");
 }
 

@@ -235,7 +235,7 @@ TEST(MovesInPlace, WhatOthersDecideIsRefused) {
   const std::string two =
       refusal("%_N_A_MPF\nG17 G90 G71 G94\nG0 X0 Y0\nCIP X20 Y0 I1=10 J1=10 F200\nM30\n%_N_B_SPF\nM17\n",
               "sinumerik-840d", "fanuc", MachineKind::mill);
-  EXPECT_NE(two.find("CIP beside another program in the same text"), std::string::npos) << two;
+  EXPECT_NE(two.find("CIP together with another program in the same text"), std::string::npos) << two;
 }
 
 // What goes along with a shape's blocks, and what counts on a cycle that is no longer there.

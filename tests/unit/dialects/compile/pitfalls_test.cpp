@@ -232,7 +232,7 @@ const std::vector<Pitfall>& pitfalls() {
        kMacro,
        kMillS,
        "G0 Z10\nCYCLE84(10,0,2,-12,,,3,,1.5,,300)\n",
-       {"CYCLE84 behind a feed or speed that is not known"},
+       {"CYCLE84 after a feed or speed that is not known"},
        {},
        true},
       {"26 look-ahead", kF, kS, kMacro, kMillF, "#3001=0\nG0 X1.\n", {"#3001"}, {}, true},

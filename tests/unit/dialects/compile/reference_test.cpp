@@ -43,7 +43,7 @@ TEST(FixedPoints, AtTheReferencePointTakeTheirAxesThere) {
   const std::string text = kStart + "G75 FP=2 Z1=0\nG0 X=IC(1)\n";
   const Played played = run_text(text + "M30\n", siemens(2));
   EXPECT_FALSE(names(played.result, kFromUnknown));
-  EXPECT_TRUE(names(played.result, "the way to the reference point"));
+  EXPECT_TRUE(names(played.result, "the move to the reference point"));
   EXPECT_TRUE(names(run_text(text + "G0 Z=IC(1)\nM30\n", siemens(2)).result, kFromUnknown));
   EXPECT_TRUE(names(run_text(text + "M30\n", siemens(1)).result, "G75")) << "another fixed point";
 }
@@ -101,8 +101,8 @@ TEST(ReferencePoint, IsRefusedWithItsReason) {
   const std::vector<Row> rows = {
       {"G91 G28 Z0.", 0, "while control.reference_fixed_point of the machine is not stated"},
       {"G91 G30 Z0.", 1, "G30"},
-      {"G91 G28 Z0. M6", 1, "beside a tool or an M function of the machine"},
-      {"G91 G28 Z0. M88", 1, "beside a tool or an M function of the machine"},
+      {"G91 G28 Z0. M6", 1, "in the same block as a tool or an M function of the machine"},
+      {"G91 G28 Z0. M88", 1, "in the same block as a tool or an M function of the machine"},
       {"G28", 1, "G28 without axes"},
       {"G2 X1. R1. F100.\nG28 Z5.", 1, "the intermediate point of G28 where neither G0 nor G1 is known"},
       {"N5 G28 Z5.\nG1 X1. F100.\nIF[#100EQ1]GOTO5", 1,

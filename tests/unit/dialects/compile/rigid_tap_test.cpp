@@ -96,14 +96,13 @@ TEST(RigidTap, WhatJumpsDecideIsRefused) {
 TEST(RigidTap, ASecondOneBehindOneM29IsRefused) {
   const std::string twice = "M29 S500\nG84 Z-20. R2. F750.\nG84 Z-25. X3.\n";
   for (const std::string to : {"mazak", "mitsubishi-m80"})
-    EXPECT_NE(refusal(kHead + twice + kEnd, "fanuc", to).find("a second tap behind one M29"), std::string::npos);
+    EXPECT_NE(refusal(kHead + twice + kEnd, "fanuc", to).find("a second tap after one M29"), std::string::npos);
   const std::string lathe =
       "%\nO1\nG21 G18 G40 G80 G97 G99 G54\nT0101\nG00 X0 Z5. S500 M03\nM29 S500\nG84 Z-20. R-2. F1.5\nG84 Z-25. R-2. "
       "F1.5 X3.\nG80\nM30\n%\n";
-  EXPECT_NE(refusal(lathe, "fanuc", "sinumerik-840d", MachineKind::lathe).find("a second one behind one M29"),
+  EXPECT_NE(refusal(lathe, "fanuc", "sinumerik-840d", MachineKind::lathe).find("a second one after one M29"),
             std::string::npos);
-  EXPECT_NE(refusal(lathe, "fanuc", "mazak", MachineKind::lathe).find("a second tap behind one M29"),
-            std::string::npos);
+  EXPECT_NE(refusal(lathe, "fanuc", "mazak", MachineKind::lathe).find("a second tap after one M29"), std::string::npos);
   expect_same_leads(kHead + "M29 S500\nG84 Z-20. R2. F750.\nG80\nM29 S500\nG84 Z-25. X3. R2. F750.\n" + kEnd, "fanuc",
                     "mazak");
 }

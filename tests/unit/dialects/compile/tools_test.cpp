@@ -175,7 +175,7 @@ TEST(Tools, HolesBehindHoles) {
   expect_not(made_of(head + "MCALL CYCLE81(3,2,1,-8)\nX10\nMCALL\nMCALL CYCLE81(50,2,1,-8)\nX20\nMCALL\nM30\n"), "G98");
   expect_has(made_of(head + "MCALL CYCLE81(50,2,1,-8)\nX10\nMCALL\nMCALL CYCLE81(50,2,1,-9)\nX20\nMCALL\nM30\n"),
              "G98 G81 Z-9.");
-  expect_has(told_of(head + "MCALL CYCLE81(50,2,1,-8)\nSUB1\nMCALL\nM30\n"), "a call of another program behind MCALL");
+  expect_has(told_of(head + "MCALL CYCLE81(50,2,1,-8)\nSUB1\nMCALL\nM30\n"), "a call of another program after MCALL");
   expect_not(made_of(head + "MCALL CYCLE81(50,2,1,-8)\nX10\nG55 X20\nMCALL\nM30\n"), "G98");
   // A subprogram, or one that a called program changes: told, not refused.
   const std::string called = "G0 X0 Y0 Z10\nCYCLE81(10,2,1,-8)\nG0 X20\nM17\n";
@@ -201,7 +201,8 @@ TEST(Tools, OffsetsOfTheToolThatIsIn) {
              "compensation without a radius (D0)");
   expect_has(told("T5 M06\nG43 H5 G00 Z10. D0\nG41 G01 X10. F100.\nX20.\nG40 X30.\nM30\n%\n"),
              "compensation without a radius (D0)");
-  expect_has(told("T5 M06\nIF[#1 EQ 1]GOTO10\nT6 M06\nN10 G43 H5 G00 Z10.\nM30\n%\n"), "not the same on all ways");
+  expect_has(told("T5 M06\nIF[#1 EQ 1]GOTO10\nT6 M06\nN10 G43 H5 G00 Z10.\nM30\n%\n"),
+             "not the same on all control-flow paths");
   expect_has(told("T5 M06\nM98 P200\nG43 H5 G00 Z10.\nM30\n%\n"), "calls may have changed");
 }
 
@@ -237,7 +238,7 @@ TEST(Tools, JumpsRoundHoles) {
 TEST(Tools, ModesAroundAHole) {
   const std::string head = kHead + "T5 M6 D1\nG0 X0 Y0 Z50\n";
   const std::string either = head + "IF R1==1\nG1 X5\nENDIF\nCYCLE81(50,0,2,-5)\n";
-  expect_has(told_of(either + "X10\nM30\n"), "the motion code in effect behind a cycle");
+  expect_has(told_of(either + "X10\nM30\n"), "the motion code in effect after a cycle");
   expect_not(told_of(either + "G0 X10\nM30\n"), "the motion code");
   const std::string turned = head + "IF R1==1\nG18\nENDIF\nCYCLE81(50,0,2,-5)\nG0 X10\nM30\n";
   expect_has(told_of(turned), "the plane");

@@ -150,7 +150,7 @@ TEST(ValueTypes, GlobalDataThatDoesNotFitIsRefusedWhereItIsUsed) {
   EXPECT_NE(huge.find("the global data HUGE (900 numbers), for which no permanent variables are left,"),
             std::string::npos)
       << huge;
-  EXPECT_NE(told("G17 G710 G90 G94\nG0 X=WHEEL[4]\nM30\n").find("an element of WHEEL behind its 4 elements"),
+  EXPECT_NE(told("G17 G710 G90 G94\nG0 X=WHEEL[4]\nM30\n").find("an element of WHEEL beyond its 4 elements"),
             std::string::npos);
   const std::string text = told("G17 G710 G90 G94\nSHAPE=\"A\"\nG0 X1\nM30\n");
   EXPECT_NE(text.find("program:2:"), std::string::npos) << text;

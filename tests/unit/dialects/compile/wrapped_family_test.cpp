@@ -308,7 +308,7 @@ TEST(WrappedFamily, MemoryAndPlainProgramsAreKept) {
   const std::string loop = fanuc_with("#100=50.\nWHILE[#1LT3]DO1\n#1=#1+1\nEND1\n");
   const RenderResult kept = rendered(loop, "fanuc");
   EXPECT_EQ(kept.mode, RenderMode::macro);
-  EXPECT_EQ(kept.because, "the program is kept as it is written");
+  EXPECT_EQ(kept.because, "the program is kept unchanged");
   EXPECT_EQ(kept.variables, 2U);
   EXPECT_EQ(kept.blocks, 8U);
   EXPECT_EQ(kept.bytes, kept.text.size());

@@ -20,7 +20,7 @@ std::vector<std::string> names_of(const Ran& run) {
   for (const auto& one : run.result.not_interpreted) names.push_back(one.name);
   return names;
 }
-const std::string kNotSaid = "the change of a thread's lead that its block does not say for certain";
+const std::string kNotSaid = "the change of a thread's lead that its block does not state for certain";
 
 // From 1 with 0.5 more in each turn: 1, 1.5, 2, 2.5 begin the first four turns, which take 1.25 + 1.75 + 2.25 + 2.75.
 TEST(ChangingThread, TheLeadFollowsFromTheWay) {

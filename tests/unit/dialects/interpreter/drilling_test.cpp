@@ -207,7 +207,7 @@ TEST(Drilling, AnInitialLevelThatIsNotKnownStaysSo) {
   ASSERT_EQ(ran.motions.size(), 7U);  // X Y; R, cut; X, R, cut; end
   EXPECT_EQ(ran.motions[3].axes_unknown, 4U | 0x1F8U);
   ASSERT_EQ(ran.result.not_interpreted.size(), 1U);
-  EXPECT_EQ(ran.result.not_interpreted[0].name, "the way back to an initial level that is not known");
+  EXPECT_EQ(ran.result.not_interpreted[0].name, "the retract to an initial level that is not known");
 }
 
 // M functions beside a hole act when its first positioning begins (Fanuc, "Canned cycle for drilling").

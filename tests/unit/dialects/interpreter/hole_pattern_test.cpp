@@ -20,8 +20,8 @@ using Builder = ProgramBuilder;
 Builder::CodeText figure(std::int16_t argument) {
   return {Function::hole_pattern, argument, ir::ModalGroup::non_modal};
 }
-const std::string kPositionsOnly = "a figure of holes without a drilling cycle";
-const std::string kNotCertain = "a word of a figure of holes that may mean something else";
+const std::string kPositionsOnly = "a hole pattern without a drilling cycle";
+const std::string kNotCertain = "a word of a hole pattern that may mean something else";
 const std::string kIncrements = "increments from a position that is not known";
 
 struct Place {

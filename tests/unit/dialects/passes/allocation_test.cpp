@@ -68,7 +68,7 @@ TEST(Allocation, RefusesAnArrayWhoseSizeTheProgramDoesNotSay) {
   const AllocationReport report = allocate_variables(b.program, c, c, Bank::hash);
   ASSERT_EQ(report.diagnostics.size(), 2U);  // one for each array
   EXPECT_EQ(report.diagnostics[0].id, text::DiagnosticId::cannot_translate);
-  EXPECT_EQ(report.diagnostics[0].arguments[0], "the array a, whose size the program does not say,");
+  EXPECT_EQ(report.diagnostics[0].arguments[0], "the array a, whose size the program does not state,");
 }
 
 TEST(Allocation, SharesOnlyWhenItMustAndOnlyWhatIsNotAlive) {

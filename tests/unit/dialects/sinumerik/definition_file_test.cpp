@@ -121,7 +121,7 @@ TEST(DefinitionFile, OneFindingANameSaysWhatSettlesIt) {
     EXPECT_EQ(d.severity, text::Severity::warning);
     EXPECT_TRUE(d.is_open);
     ASSERT_FALSE(d.notes.empty());
-    EXPECT_TRUE(d.notes.front().text.contains("settles this"));
+    EXPECT_TRUE(d.notes.front().text.contains("decides this"));
   }
 }
 

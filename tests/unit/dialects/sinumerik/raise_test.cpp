@@ -141,7 +141,7 @@ TEST(Raise, TheHeadSaysWhatTheProgramLeftToTheMachine) {
   b.end();
   ir::Control mill = other_control(ir::MachineKind::mill);
   // Whether it woke up in inches nobody knows.
-  EXPECT_EQ(refusal(b, mill), "the program moves before it says inch or millimetre");
+  EXPECT_EQ(refusal(b, mill), "the program moves before it states inch or millimetre");
   mill.semantics.power_on_known = true;
   EXPECT_EQ(raised(b, mill), "G17 G710 G90 G94\nG1 X5. F100\nM30\n");
   mill.caller_modes = {{.name = "G20",

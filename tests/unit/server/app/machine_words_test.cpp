@@ -193,8 +193,9 @@ TEST_F(MachineWordsTest, ARingBeforeTheStartIsMissed) {
   ASSERT_TRUE(until([&] { return modbus::answered_bell(plc_.answer()) == 3; }));
   EXPECT_EQ(plc_.answer()[2], static_cast<std::uint16_t>(modbus::BellReason::missed));
   EXPECT_EQ(requests(), 0U);
-  EXPECT_TRUE(until([&] { return shop_.report("press").link_note == "doorbell 3 was missed: nobody saw it come"; }));
-  EXPECT_TRUE(until([&] { return told("alarm press doorbell 3 was missed: nobody saw it come"); }));
+  EXPECT_TRUE(until(
+      [&] { return shop_.report("press").link_note == "doorbell 3 was missed: the server did not see it come"; }));
+  EXPECT_TRUE(until([&] { return told("alarm press doorbell 3 was missed: the server did not see it come"); }));
   EXPECT_EQ(ring(4, 4, 0).first, static_cast<int>(modbus::BellOutcome::answered));
   EXPECT_TRUE(until([&] { return shop_.report("press").link_note.empty(); }));
 }

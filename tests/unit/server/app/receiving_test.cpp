@@ -160,7 +160,7 @@ TEST_F(ReceivingTest, ALoadThatNobodyFetchesExpires) {
   EXPECT_EQ(shop_->state(job), store::JobState::armed);
   run(3s);
   EXPECT_EQ(shop_->state(job), store::JobState::cancelled);
-  EXPECT_TRUE(told("alarm lathe a request expired: nobody fetched its program"));
+  EXPECT_TRUE(told("alarm lathe a request expired: its program was not fetched"));
   say(kDc1);
   run(2s);
   EXPECT_EQ(got(), "");

@@ -90,7 +90,7 @@ TEST(TimedRendering, ANativeProgramIsKept) {
       "family kept\nmachine lathe, x is diameter\nparam d length 50 mm in 1..90 is #100\nnative fanuc\n" + program);
   const RenderResult result = render_for(request, &slow);
   EXPECT_EQ(result.mode, RenderMode::macro) << result.because;
-  EXPECT_EQ(result.because, "the program is kept as it is written");
+  EXPECT_EQ(result.because, "the program is kept unchanged");
   EXPECT_EQ(result.text, program);
   request.delivery = ir::Delivery::drip;
   EXPECT_EQ(render_for(request, &slow).mode, RenderMode::explicit_blocks);

@@ -195,7 +195,7 @@ TEST_F(LinkTest, ComPortPassesOnWhyTheServerHangsUp) {
   DeviceServer server("Port already in use\r\n");
   ASSERT_EQ(open(server.url()), "");
   ASSERT_TRUE(heard_.await_losses(1));
-  EXPECT_EQ(heard_.reason(), "the other side closed the line (the device server says: Port already in use)");
+  EXPECT_EQ(heard_.reason(), "the other side closed the line (the device server reports: Port already in use)");
   EXPECT_EQ(heard_.ups(), 0);
   EXPECT_EQ(heard_.received(), "");
 }

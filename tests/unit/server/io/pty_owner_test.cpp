@@ -83,7 +83,7 @@ TEST_F(PtyOwnerTest, TheLinkGoesWithItsMaker) {
 TEST_F(PtyOwnerTest, ADeadMakersLinkIsNotOpened) {
   link_and_die();
   EXPECT_TRUE(is_abandoned(path_));
-  EXPECT_THAT(refusal(), HasSubstr("is gone"));
+  EXPECT_THAT(refusal(), HasSubstr("has ended"));
   const auto next = PtyOwner::link(path_, device_);
   ASSERT_TRUE(next) << next.error();
   EXPECT_EQ(refusal(), "");

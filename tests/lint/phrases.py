@@ -1,0 +1,56 @@
+# Phrases that must not return to what people read: README, docs, the page's English, and the messages of the program (its string
+# literals). docs/style.md has what to write instead. Comments of the code are not covered yet.
+import json
+import re
+import sys
+
+import tree
+
+# Everywhere. What stands for two things, or for none, in the English of the trade.
+EVERYWHERE = (
+    r'on (?:all|both) ways', r'(?:is|are|was|were) (?:told|said)', r'figures? of holes', r'does not go', r'nobody', r'somebody', r'anybody',
+    r'anew', r'wak(?:es?|ing) up', r'places? of the machine', r'the length of the tool', r'(?:no|two|another|each|some|any) ways?', r'way out',
+    r'way back', r'by the way', r'in (?:its|their) own way',
+)
+# In messages also words that docs use for places: a file beside another, a server behind a proxy.
+IN_MESSAGES = (r'ways?', r'behind', r'beside', r'as it is', r'as it was', r'goes', r'tells?', r'says nothing')
+
+# Literals that are names; headers whose change rebuilds everything, to be swept with their next change.
+LITERAL = re.compile(r'"(?:anybody|[a-z]+(?:-[a-z]+)+)"')  # a role, the name of a diagnostic
+FILES = re.compile(r'^store/sqlite/schema|^dialects/ir/cost_model\.h$|^checks/machine\.h$|^server/app/(?:line|read_back)\.h$')
+NOT_SWEPT = {'docs/style.md'}  # it names them
+
+
+def pattern(phrases):
+    return re.compile(r'\b(?:' + '|'.join(phrases) + r')\b', re.I)
+
+
+def faults(root):
+    docs, messages = pattern(EVERYWHERE), pattern(EVERYWHERE + IN_MESSAGES)
+    found = []
+    for path in tree.files(root, ('docs',), ('.md',)) + ['README.md']:
+        if path not in NOT_SWEPT:
+            found += _in_text(path, tree.read(root, path), docs)
+    for path in tree.files(root, tree.TOPS, tree.CODE):
+        if not FILES.match(path):
+            found += _in_literals(path, tree.read(root, path), messages)
+    for key, value in json.loads(tree.read(root, 'web/src/i18n/en.json')).items():
+        found += [f'web/src/i18n/en.json: {key}: {m[0]}' for m in messages.finditer(value)]
+    return found
+
+
+def _in_text(path, text, wanted):
+    text = re.sub(r'`[^`\n]*`', lambda m: ' ' * len(m[0]), text)
+    return [f'{path}:{tree.line_of(text, m.start())}: {m[0]}' for m in wanted.finditer(text)]
+
+
+def _in_literals(path, text, wanted):
+    found = []
+    for line, literal in tree.strings(tree.without_comments(text)):
+        if not LITERAL.fullmatch(literal) and not literal.endswith('.h"'):
+            found += [f'{path}:{line}: {m[0]} in {literal[:100]}' for m in wanted.finditer(literal)]
+    return found
+
+
+if __name__ == '__main__':
+    tree.finish('phrases', faults(tree.root_of(sys.argv)))

@@ -1,0 +1,40 @@
+# Shows that the lint of phrases refuses them in docs, messages and the page's words, and leaves comments, code and names alone.
+import unittest
+
+import bad_tree
+import phrases
+
+GOOD = '{"a.b": "A person arms the job."}'
+
+
+class Phrases(bad_tree.BadTree):
+    def setUp(self):
+        super().setUp()
+        self.write('README.md', '# Name\n')
+        self.write('web/src/i18n/en.json', GOOD)
+
+    def test_docs(self):
+        self.write('docs/a.md', 'one\nWhat differs is told.\n')
+        self.assert_refused(phrases.faults, 'docs/a.md:2: is told')
+        self.write('docs/a.md', 'Known on all ways, by a figure of holes.\n')
+        self.assert_refused(phrases.faults, 'on all ways')
+        self.assert_refused(phrases.faults, 'figure of holes')
+
+    def test_messages(self):
+        for sentence in ('the feed behind it', 'a pole beside a code', 'a way out', 'nobody armed it', 'it goes to 5'):
+            self.write('dialects/text/a.cpp', f'// What it is.\nauto a = "{sentence}";\n')
+            self.assert_refused(phrases.faults, 'dialects/text/a.cpp:2')
+
+    def test_page(self):
+        self.write('web/src/i18n/en.json', '{"a.b": "Somebody must look."}')
+        self.assert_refused(phrases.faults, 'en.json: a.b: Somebody')
+
+    def test_good_texts(self):
+        self.write('docs/a.md', 'A server behind a proxy. `nobody` is a user. The always-known way.\n')
+        self.write('docs/style.md', 'not: somebody\n')
+        self.write('dialects/text/a.cpp', '// Behind it goes nobody.\n#include "dialects/text/beside.h"\nauto a = "comparison-beside-logic";\n')
+        self.assert_clean(phrases.faults)
+
+
+if __name__ == '__main__':
+    unittest.main()
