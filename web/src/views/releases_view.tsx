@@ -69,16 +69,7 @@ export function ReleasesView() {
             {
               id: 'program',
               head: t('column.program'),
-              cell: (release) => (
-                <>
-                  <a href={hrefs.program(release.program)}>
-                    <strong>{programName(release.program) ?? t('program.number', { id: release.program })}</strong>
-                  </a>{' '}
-                  <span class="quiet-text">
-                    {t('job.revision', { revision: release.revision })}, <code title={release.sha256}>{shortHash(release.sha256)}…</code>
-                  </span>
-                </>
-              ),
+              cell: (release) => <ProgramCell release={release} />,
             },
             { id: 'machine', head: t('column.machine'), cell: (release) => release.machine },
             { id: 'delivery', head: t('column.delivery'), cell: (release) => deliveryText(release.delivery) },
@@ -106,6 +97,17 @@ export function ReleasesView() {
     </>
   );
 }
+
+const ProgramCell = ({ release }: { release: Release }) => (
+  <>
+    <a href={hrefs.program(release.program)}>
+      <strong>{programName(release.program) ?? t('program.number', { id: release.program })}</strong>
+    </a>{' '}
+    <span class="quiet-text">
+      {t('job.revision', { revision: release.revision })}, <code title={release.sha256}>{shortHash(release.sha256)}…</code>
+    </span>
+  </>
+);
 
 const Standing = ({ release }: { release: Release }) => (
   <>

@@ -11,7 +11,7 @@ import { useLoaded } from '../../parts/use_loaded';
 import { hrefs } from '../../router';
 import { atLeast } from '../../rules/roles';
 import { loader } from '../../state/loader';
-import { person } from '../../state/shop';
+import { bestRole, person } from '../../state/shop';
 import { MachineForm } from '../program/checks';
 import { ValuesForm } from './values_form';
 
@@ -46,7 +46,7 @@ export function PartView({ number }: { number: string }) {
           />
           <section>
             <h2>{t('parts.programs')}</h2>
-            {may && <RenderForm part={number} done={programs.again} />}
+            {atLeast(bestRole(), 'programmer') && <RenderForm part={number} done={programs.again} />}
             <Failure error={programs.error} />
             {programs.value?.items.length === 0 && <p class="quiet-text">{t('parts.no_program')}</p>}
             <ul class="listed">

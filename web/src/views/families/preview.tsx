@@ -8,7 +8,8 @@ import { t } from '../../i18n/i18n';
 import { Failure } from '../../parts/failure';
 import { useLoaded } from '../../parts/use_loaded';
 import type { Values } from '../../rules/part_values';
-import { machines } from '../../state/shop';
+import { atLeast } from '../../rules/roles';
+import { machines, roleOn } from '../../state/shop';
 
 const kPauseMs = 500;
 const kShownLines = 400;
@@ -21,7 +22,7 @@ interface Props {
 }
 
 export function Preview({ family, values, failed, isShown }: Props) {
-  const names = [...machines.value.keys()];
+  const names = [...machines.value.keys()].filter((one) => atLeast(roleOn(one), 'programmer'));
   const [machine, setMachine] = useState('');
   const [delivery, setDelivery] = useState<Delivery>('drip');
   const asked = useSettled(JSON.stringify(values));

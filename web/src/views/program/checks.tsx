@@ -2,7 +2,7 @@
 import { useState } from 'preact/hooks';
 import { newOrderKey } from '../../api/client';
 import { deskCalls } from '../../api/desk_calls';
-import type { Delivery, Outcome, Verdict } from '../../api/types';
+import type { Delivery, Outcome, Program, Verdict } from '../../api/types';
 import { count } from '../../format/numbers';
 import { dateTime, duration } from '../../format/times';
 import { deliveryText, kDeliveries, wordingOfOutcome } from '../../format/words';
@@ -15,12 +15,14 @@ import { Icon } from '../../parts/icon';
 import { Table } from '../../parts/table';
 import { useLoaded } from '../../parts/use_loaded';
 import { go, hrefs } from '../../router';
+import { atLeast } from '../../rules/roles';
 import { findingsOf, type Finding } from '../../rules/verdicts';
 import { loader } from '../../state/loader';
-import { machines } from '../../state/shop';
+import { bestRole, machines, roleOn } from '../../state/shop';
 import type { PlaceProps } from './program_view';
 
-export function ChecksPlace({ program, query, may }: PlaceProps) {
+export function ChecksPlace({ program, query }: PlaceProps) {
+  const may = maySomewhere(program);
   const { value: verdicts, error, again } = useLoaded(String(program.id), () => deskCalls.checks(program.id));
   const shown = Number(query.get('check')) || verdicts?.[0]?.id || null;
   return (
@@ -72,6 +74,9 @@ export function ChecksPlace({ program, query, may }: PlaceProps) {
   );
 }
 
+// On some machine at least: a person may have another role there than in the rest of the shop.
+export const maySomewhere = (program: Program): boolean => !program.archived && atLeast(bestRole(), 'programmer');
+
 const OutcomeBadge = ({ outcome }: { outcome: Outcome }) => <Badge wording={wordingOfOutcome(outcome)} />;
 
 interface CheckFormProps {
@@ -112,7 +117,9 @@ interface MachineFormProps {
 
 // A machine and how the program goes to it.
 export function MachineForm({ dialect, busy, confirm, send, chosen }: MachineFormProps) {
-  const fitting = [...machines.value.values()].filter((one) => dialect === null || one.head.value.dialect === dialect);
+  const fitting = [...machines.value.values()].filter(
+    (one) => (dialect === null || one.head.value.dialect === dialect) && atLeast(roleOn(one.name), 'programmer'),
+  );
   const [machine, setMachine] = useState('');
   const [delivery, setDelivery] = useState<Delivery>('drip');
   const name = machine || fitting[0]?.name || '';

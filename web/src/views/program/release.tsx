@@ -14,12 +14,15 @@ import { Failure } from '../../parts/failure';
 import { Table } from '../../parts/table';
 import { useLoaded } from '../../parts/use_loaded';
 import { hrefs } from '../../router';
+import { atLeast } from '../../rules/roles';
 import { loader } from '../../state/loader';
-import { MachineForm } from './checks';
+import { roleOn } from '../../state/shop';
+import { MachineForm, maySomewhere } from './checks';
 import { ComparedView } from './compare';
 import type { PlaceProps } from './program_view';
 
-export function ReleasePlace({ program, may }: PlaceProps) {
+export function ReleasePlace({ program }: PlaceProps) {
+  const may = maySomewhere(program);
   const { value: releases, error, again } = useLoaded(`${program.id}`, () => deskCalls.releasesOf(program.id));
   const [failed, setFailed] = useState<unknown>(null);
   const [busy, setBusy] = useState(false);
@@ -59,7 +62,8 @@ export function ReleasePlace({ program, may }: PlaceProps) {
               head: t('column.orders'),
               class: 'orders',
               cell: (release) =>
-                release.state === 'draft' && (
+                release.state === 'draft' &&
+                atLeast(roleOn(release.machine), 'programmer') && (
                   <button type="button" class="button button-main" onClick={() => handIn(release)} aria-label={t('release.hand_in_of', { id: release.id })}>
                     {t('release.hand_in')}
                   </button>
