@@ -938,6 +938,76 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/orders": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** what is to be made, newest first */
+        get: operations["get_orders"];
+        put?: never;
+        /** add an order; the same number, operation and plan again is the same order */
+        post: operations["post_orders"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/orders/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** one order */
+        get: operations["get_orders_id"];
+        /** change the plan of an order */
+        put: operations["put_orders_id"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/orders/{id}/move": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** hold, open, close or cancel an order; while it is not open, none of its jobs is armed */
+        post: operations["post_orders_id_move"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/orders/{id}/parts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** report parts that were made */
+        post: operations["post_orders_id_parts"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs": {
         parameters: {
             query?: never;
@@ -1558,6 +1628,321 @@ export interface webhooks {
             requestBody: {
                 content: {
                     "application/cloudevents+json": components["schemas"]["ProgramEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "order.added": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** an order is new */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "order.changed": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** the plan of an order changed */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "order.parts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** parts were reported to an order */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "order.open": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** jobs of an order may be queued and armed again */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "order.held": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** no job of an order may be queued or armed */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "order.done": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a person or the MES closed an order */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
+                };
+            };
+            responses: {
+                /** @description gone: the webhook is disabled */
+                410: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+                /** @description taken; all else is tried again */
+                "2XX": {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "order.cancelled": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** an order is not wanted any more */
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/cloudevents+json": components["schemas"]["OrderEvent"];
                 };
             };
             responses: {
@@ -3356,6 +3741,8 @@ export interface components {
         NewJob: {
             /** @description id of the release */
             release: number;
+            /** @description id of the order that it belongs to; not given: none */
+            order?: number | null;
         };
         /** @description how a job is armed */
         ArmOrder: {
@@ -3518,6 +3905,63 @@ export interface components {
             machines?: string[] | null;
             /** @description whether who wrote or released a text may not approve it on these machines; not given: false */
             four_eyes?: boolean | null;
+        };
+        /** @description what is to be made */
+        NewOrder: {
+            /** @description of the planner */
+            number: string;
+            /** @description of the routing; not given: none */
+            operation?: string | null;
+            /** @description number of the part */
+            part: string;
+            /** @description good parts that are wanted */
+            quantity: number;
+            /** @description name of the machine */
+            machine?: string | null;
+            /** @description until when, in milliseconds since 1970; not given: no date */
+            due_at_ms?: number | null;
+            /** @description the higher the sooner; not given: 0 */
+            priority?: number | null;
+            /** @description the planner's own data; they come back as they were given */
+            metadata?: {
+                [key: string]: unknown;
+            } | null;
+        };
+        /** @description the whole plan of an order anew */
+        OrderPlan: {
+            /** @description number of the part */
+            part: string;
+            /** @description good parts that are wanted */
+            quantity: number;
+            /** @description name of the machine */
+            machine?: string | null;
+            /** @description until when, in milliseconds since 1970; not given: no date */
+            due_at_ms?: number | null;
+            /** @description the higher the sooner; not given: 0 */
+            priority?: number | null;
+            /** @description the planner's own data; they come back as they were given */
+            metadata?: {
+                [key: string]: unknown;
+            } | null;
+        };
+        /** @description one step of an order */
+        OrderMove: {
+            /**
+             * @description the state
+             * @enum {string}
+             */
+            to: "open" | "held" | "done" | "cancelled";
+            /** @description needed to hold and to cancel */
+            reason?: string | null;
+        };
+        /** @description parts that were made since the last report */
+        PartsReport: {
+            /** @description parts; not given: 0 */
+            good?: number | null;
+            /** @description parts; not given: 0 */
+            scrap?: number | null;
+            /** @description for people */
+            note?: string | null;
         };
         /** @description a machine: its control, axes, tools and line */
         Profile: {
@@ -5613,6 +6057,8 @@ export interface components {
             machine: string;
             /** @description its id */
             release: number;
+            /** @description that it belongs to; null: none */
+            order: number | null;
             /** @description its id */
             program: number;
             /** @description of the program's text */
@@ -6160,6 +6606,45 @@ export interface components {
                 actor: string;
             };
         };
+        /** @description an order is new or changed */
+        OrderEvent: {
+            /**
+             * @description of CloudEvents
+             * @enum {string}
+             */
+            specversion: "1.0";
+            /** @description of the event; together with the source it is the same for each repetition, and no other */
+            id: string;
+            /** @description which server sends, a URI reference */
+            source: string;
+            /**
+             * @description what happened
+             * @enum {string}
+             */
+            type: "order.added" | "order.changed" | "order.parts" | "order.open" | "order.held" | "order.done" | "order.cancelled";
+            /** @description what it happened to, as "job/12" */
+            subject: string;
+            /** @description when it happened, RFC 3339, UTC */
+            time: string;
+            /** @description number of the event, with leading zeros: the smaller of two came first */
+            sequence: string;
+            /**
+             * @description of data
+             * @enum {string}
+             */
+            datacontenttype: "application/json";
+            /** @description what to know of it, and ids to ask for more */
+            data: {
+                /** @description its id */
+                order: number;
+                /** @description of the order, as its planner says */
+                number: string;
+                /** @description for which it is; null: not decided */
+                machine: string | null;
+                /** @description who did it: a person or program by its name, a machine, or dripfeed itself */
+                actor: string;
+            };
+        };
         /** @description something that a control punched */
         ReceiptEvent: {
             /**
@@ -6332,6 +6817,54 @@ export interface components {
             /** @description deliveries */
             replayed: number;
         };
+        /** @description what is to be made, as a MES or a planner says */
+        Order: {
+            /** @description of the order */
+            id: number;
+            /** @description of the planner; with the operation there is one order of it */
+            number: string;
+            /** @description of the routing; null: there is none */
+            operation: string | null;
+            /** @description its number */
+            part: string;
+            /** @description good parts that are wanted */
+            quantity: number;
+            /** @description for which it is; null: not decided */
+            machine: string | null;
+            /** @description until then; milliseconds since 1970, UTC */
+            due_at_ms: number | null;
+            /** @description the higher the sooner */
+            priority: number;
+            /** @description as it came */
+            metadata: {
+                [key: string]: unknown;
+            };
+            /**
+             * @description jobs are queued and armed while it is open
+             * @enum {string}
+             */
+            state: "open" | "held" | "done" | "cancelled";
+            /** @description of the last change of its state */
+            reason: string | null;
+            /** @description parts that were reported good */
+            good: number;
+            /** @description parts that were reported as scrap */
+            scrap: number;
+            /** @description good parts that are missing */
+            open: number;
+            /** @description jobs of it that are done; that says nothing of parts */
+            transfers: number;
+            /** @description jobs of it that are queued */
+            waiting: number;
+            /** @description of the plan */
+            revision: number;
+            /** @description who made it */
+            created_by: string;
+            /** @description when; milliseconds since 1970, UTC */
+            created_at_ms: number;
+            /** @description of plan or state; milliseconds since 1970, UTC */
+            changed_at_ms: number;
+        };
         /** @description a page of a list */
         MachineSummaryPage: {
             /** @description in the list's order */
@@ -6413,6 +6946,13 @@ export interface components {
         ReleasePage: {
             /** @description in the list's order */
             items: components["schemas"]["Release"][];
+            /** @description for `after` of the next page; null: the last */
+            next: string | null;
+        };
+        /** @description a page of a list */
+        OrderPage: {
+            /** @description in the list's order */
+            items: components["schemas"]["Order"][];
             /** @description for `after` of the next page; null: the last */
             next: string | null;
         };
@@ -8964,6 +9504,220 @@ export interface operations {
             };
         };
     };
+    get_orders: {
+        parameters: {
+            query?: {
+                limit?: number;
+                after?: string;
+                number?: string;
+                part?: string;
+                machine?: string;
+                state?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description what is to be made, newest first */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["OrderPage"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_orders: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewOrder"];
+            };
+        };
+        responses: {
+            /** @description add an order; the same number, operation and plan again is the same order */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Order"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_orders_id: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description one order */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Order"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_orders_id: {
+        parameters: {
+            query?: never;
+            header: {
+                "If-Match": string;
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["OrderPlan"];
+            };
+        };
+        responses: {
+            /** @description change the plan of an order */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Order"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_orders_id_move: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["OrderMove"];
+            };
+        };
+        responses: {
+            /** @description hold, open, close or cancel an order; while it is not open, none of its jobs is armed */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Order"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_orders_id_parts: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["PartsReport"];
+            };
+        };
+        responses: {
+            /** @description report parts that were made */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Order"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     get_jobs: {
         parameters: {
             query?: {
@@ -8971,6 +9725,7 @@ export interface operations {
                 after?: string;
                 machine?: string;
                 state?: string;
+                order?: string;
             };
             header?: never;
             path?: never;
