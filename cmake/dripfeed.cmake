@@ -17,9 +17,10 @@ endif()
 find_package(fmt REQUIRED)
 find_package(Threads REQUIRED)
 if(DRIPFEED_SERVER)
-  # Here, because pkg_check_modules wants its variables in every folder that calls it, and several folders link libmodbus.
+  # Here, because pkg_check_modules wants its variables in every folder that calls it, and several folders link server/io.
   find_package(PkgConfig REQUIRED)
   pkg_check_modules(modbus_lib REQUIRED IMPORTED_TARGET libmodbus)
+  pkg_check_modules(mosquitto_lib REQUIRED IMPORTED_TARGET libmosquitto)
 endif()
 
 # Flags of every target. No contraction: a fused multiply-add would make the same plan differ between compilers.

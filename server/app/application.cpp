@@ -155,6 +155,18 @@ MachineStatus Application::status(const std::string& machine, LineFacts facts) {
   return status;
 }
 
+std::map<std::string, LineReport> Application::reports() {
+  std::map<std::string, LineReport> all;
+  store::PageRequest page{.limit = store::kPageLimitMax, .after = {}};
+  do {
+    const auto machines = store_.machines().list(page);
+    if (!machines) break;
+    for (const store::Machine& machine : machines->items) all[machine.name] = facts(machine.name).report;
+    page.after = machines->next;
+  } while (!page.after.empty());
+  return all;
+}
+
 void Application::cancel_all() {
   bool any = false;
   for (const auto& [machine, line, claim, left] : lines_.all()) {

@@ -2,6 +2,10 @@
 // needs.
 #pragma once
 
+#include <map>
+#include <optional>
+#include <string>
+
 #include "server/app/alarms.h"
 #include "server/app/books.h"
 #include "server/app/catalog.h"
@@ -68,6 +72,8 @@ class Application {
   // lines open, each as it was left; nothing is armed.
   Result<void> start();
 
+  // What the line of each machine reports, also of one that has none.
+  [[nodiscard]] std::map<std::string, LineReport> reports();
   [[nodiscard]] MachineStatus status(const std::string& machine) { return status(machine, facts(machine)); }
   // In two steps, for who keeps what the second one said: it says the same of the same facts as long as the store is
   // the same.

@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include "server/app/application.h"
+#include "server/app/mqtt.h"
 #include "server/app/status_registers.h"
 #include "server/cli/cli.h"
 #include "server/cli/data_folder.h"
@@ -31,10 +32,12 @@
 #include "server/io/io.h"
 #include "server/io/line_claim.h"
 #include "server/io/modbus_listener.h"
+#include "server/io/mqtt_broker.h"
 #include "server/io/thread_priority.h"
 #include "server/io/worker_desk.h"
 #include "server/json/cloud_events.h"
 #include "server/json/documents.h"
+#include "server/json/records.h"
 #include "server/json/workers.h"
 #include "store/hash/hash.h"
 #include "store/sqlite/library.h"
@@ -113,12 +116,36 @@ io::WorkerDeskSettings desk_settings(const Options& options) {
           .memory_exit_code = kOverMemory};
 }
 
+std::string host_name() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "localhost";
+}
+
 // Who sends events: the computer, unless an option says what the shop calls this server.
 std::string event_source(const Options& options) {
-  if (!options.event_source.empty()) return options.event_source;
-  std::array<char, 256> name{};
-  if (::gethostname(name.data(), name.size() - 1) != 0) return "dripfeed://localhost";
-  return fmt::format("dripfeed://{}", name.data());
+  return options.event_source.empty() ? fmt::format("dripfeed://{}", host_name()) : options.event_source;
+}
+
+// The first line of a file that only the server reads.
+app::Result<std::string> password_in(const std::string& path) {
+  if (path.empty()) return std::string();
+  const auto file = read_source(path);
+  if (!file) return std::unexpected(file.error());
+  return std::string(file->text().substr(0, file->text().find_first_of("\r\n")));
+}
+
+app::Result<std::unique_ptr<app::Broker>> connect_broker(const Options& options) {
+  auto password = password_in(options.mqtt_password_file);
+  if (!password) return app::fail(app::ErrorCode::invalid, "--mqtt-password-file: " + password.error().text);
+  const std::string id = options.mqtt_client_id.empty() ? "dripfeed-" + host_name() : options.mqtt_client_id;
+  auto broker = io::connect_mqtt({.url = options.mqtt,
+                                  .user = options.mqtt_user,
+                                  .password = std::move(*password),
+                                  .client_id = id,
+                                  .ca_file = options.mqtt_ca,
+                                  .will = app::mqtt_connection(options.mqtt_prefix, false)});
+  if (!broker) return app::fail(app::ErrorCode::invalid, "--mqtt: " + broker.error());
+  return std::move(*broker);
 }
 
 std::vector<double> webhook_retries(const Options& options) {
@@ -175,6 +202,19 @@ int run_server(const Options& options, const ServePlan& plan, const Books& books
     }
     plcs = std::move(*listening);
   }
+  std::unique_ptr<app::Broker> broker;
+  std::optional<app::Mqtt> mqtt;
+  if (!options.mqtt.empty()) {
+    auto connecting = connect_broker(options);
+    if (!connecting) {
+      print_error(connecting.error());
+      return kWrongUse;
+    }
+    broker = std::move(*connecting);
+    const auto state = [&](const std::string& machine) { return json::machine_status(application.status(machine)); };
+    mqtt.emplace(application, *broker,
+                 app::MqttSettings{.prefix = options.mqtt_prefix, .write = write_event, .state = state});
+  }
   http::Api api(application, workers, web_root(options), kVersion, stop);
   auto server = http::Server::start({.address = plan.address,
                                      .spool_folder = fs::path(options.data) / "uploads",
@@ -197,6 +237,7 @@ int run_server(const Options& options, const ServePlan& plan, const Books& books
   (*server)->close();
   // The lines first: a request that is still at work must not keep a feed from ending at its block.
   application.end_lines();
+  if (mqtt) mqtt->stop();
   if ((*server)->stop(kRequestsEndWithin)) return kDone;
   spdlog::warn("a request was still at work after {} s and was given up; the store and the lines have ended well",
                kRequestsEndWithin.count());

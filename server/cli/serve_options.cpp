@@ -7,8 +7,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "server/app/mqtt.h"
 #include "server/cli/inputs.h"
 #include "server/http/tls.h"
+#include "server/io/mqtt_broker.h"
 
 namespace dripfeed::cli {
 
@@ -35,6 +37,14 @@ constexpr Row<std::string> kTexts[] = {
      "URI by which events say where they are from; dripfeed://HOSTNAME by default"},
     {"--webhook-ca", &ServerOptions::webhook_ca,
      "certificates that webhooks' receivers are believed by, PEM; the system's by default"},
+    {"--mqtt", &ServerOptions::mqtt,
+     "mqtt://HOST[:PORT] or mqtts://: a broker that gets states and events; nothing comes from it"},
+    {"--mqtt-user", &ServerOptions::mqtt_user, "who the broker knows us as"},
+    {"--mqtt-password-file", &ServerOptions::mqtt_password_file,
+     "file whose first line is the password for the broker"},
+    {"--mqtt-client-id", &ServerOptions::mqtt_client_id, "dripfeed-HOSTNAME by default"},
+    {"--mqtt-prefix", &ServerOptions::mqtt_prefix, "what all topics begin with, as enterprise/site/area"},
+    {"--mqtt-ca", &ServerOptions::mqtt_ca, "certificates that the broker is believed by, PEM; the system's by default"},
 };
 constexpr Row<std::vector<std::string>> kLists[] = {
     {"--modbus-unit", &ServerOptions::modbus_unit, "MACHINE=UNIT: shown to PLCs as this unit, 1..247"},
@@ -103,6 +113,15 @@ app::Result<void> check_tls(const ServerOptions& options, const http::ListenAddr
                   options.listen));
 }
 
+app::Result<void> check_mqtt(const ServerOptions& options) {
+  if (options.mqtt.empty()) return {};
+  if (const std::string why = io::why_no_mqtt_url(options.mqtt); !why.empty())
+    return app::fail(app::ErrorCode::invalid, fmt::format("--mqtt {}", why));
+  if (const std::string why = app::why_no_prefix(options.mqtt_prefix); !why.empty())
+    return app::fail(app::ErrorCode::invalid, fmt::format("--mqtt-prefix {}", why));
+  return {};
+}
+
 }  // namespace
 
 void add_serve_options(CLI::App& command, GivenOptions& given) {
@@ -148,6 +167,7 @@ app::Result<ServePlan> plan_of(const ServerOptions& options) {
   const auto address = http::parse_listen_address(options.listen);
   if (!address) return app::fail(app::ErrorCode::invalid, address.error());
   if (const auto tls = check_tls(options, *address); !tls) return std::unexpected(tls.error());
+  if (const auto mqtt = check_mqtt(options); !mqtt) return std::unexpected(mqtt.error());
   auto units = units_of(options.modbus_unit);
   if (!units) return std::unexpected(units.error());
   ServePlan plan{.address = *address, .modbus_units = std::move(*units)};

@@ -80,6 +80,12 @@ void read_members(ObjectReader& o, ServerOptions& into) {
   o.text("event_source", into.event_source);
   o.text("webhook_ca", into.webhook_ca);
   read_retries(o, into.webhook_retry_s);
+  o.text("mqtt", into.mqtt);
+  o.text("mqtt_user", into.mqtt_user);
+  o.text("mqtt_password_file", into.mqtt_password_file);
+  o.text("mqtt_client_id", into.mqtt_client_id);
+  o.text("mqtt_prefix", into.mqtt_prefix);
+  o.text("mqtt_ca", into.mqtt_ca);
   o.integer("check_seconds", into.check_seconds, 1, kMostCheckSeconds);
   o.integer("check_memory", into.check_memory, kLeastCheckMemory_mb, kMostCheckMemory_mb);
 }

@@ -25,6 +25,12 @@ struct ServerOptions {
   std::string event_source{};               // "": by the computer's name
   std::string webhook_ca{};                 // PEM; "": whom the system believes
   std::vector<double> webhook_retry_s{};    // empty: the standard's
+  std::string mqtt{};                       // URL of the broker; "": none
+  std::string mqtt_user{};
+  std::string mqtt_password_file{};
+  std::string mqtt_client_id{};  // "": by the computer's name
+  std::string mqtt_prefix = "dripfeed";
+  std::string mqtt_ca{};  // PEM; "": whom the system believes
   std::uint32_t check_seconds = 60;
   std::uint32_t check_memory = 2048;  // MB
   friend bool operator==(const ServerOptions&, const ServerOptions&) = default;

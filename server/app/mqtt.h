@@ -1,0 +1,81 @@
+// Brings states and events to a message broker, and takes nothing from it: no command comes in by this door. A thread
+// of its own does it, which waits for the store, and for which nobody waits.
+//
+//   PREFIX/dripfeed/connection          "online" or, by the broker, "offline"; retained
+//   PREFIX/MACHINE/state                where the machine's line stands, as GET /machines gives its status; retained
+//   PREFIX/MACHINE/event/job/done       events as CloudEvents; those that are of no machine under PREFIX/dripfeed
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "server/app/application.h"
+#include "server/app/ports/broker.h"
+#include "server/app/round_thread.h"
+
+namespace dripfeed::app {
+
+struct MqttSettings {
+  std::string prefix = "dripfeed";                                 // "plant/hall-2": the ISA-95 path to the machines
+  WriteEvent write{};                                              // a CloudEvent
+  std::function<std::string(const std::string& machine)> state{};  // of a machine as JSON
+};
+
+// Of the server itself, for the broker's will and its opposite.
+BrokerMessage mqtt_connection(const std::string& prefix, bool is_online);
+// A name as one level of a topic: what has a meaning there is escaped by %.
+std::string topic_level(std::string_view name);
+// "" or what is wrong with a prefix, as the end of a sentence.
+std::string why_no_prefix(std::string_view prefix);
+
+class Mqtt {
+ public:
+  Mqtt(Application& application, Broker& broker, MqttSettings settings);
+  ~Mqtt() { stop(); }
+  Mqtt(const Mqtt&) = delete;
+  Mqtt& operator=(const Mqtt&) = delete;
+
+  // Tells the broker that the server goes, and ends the thread.
+  void stop();
+
+ private:
+  struct Shown {
+    std::string text;
+    std::uint64_t connection = 0;  // over which it went out
+  };
+  struct Sent {
+    std::int64_t number = 0;
+    std::uint64_t seq = 0;
+    bool is_confirmed = false;
+  };
+
+  void round();
+  bool knows_place();
+  void greet();
+  void show_states();
+  void take_confirmed();
+  void send_events();
+  [[nodiscard]] std::string topic_of(const store::LoggedEvent& event) const;
+
+  Application& application_;
+  store::Store& store_;
+  const Clock& clock_;
+  Broker& broker_;
+  MqttSettings settings_;
+  std::stop_source ends_;
+
+  // Of the thread alone.
+  std::uint64_t connection_ = 0;         // that was greeted
+  std::optional<std::uint64_t> seen_;    // the last event that the broker confirmed, with all before it
+  std::vector<Sent> sent_;               // events behind it, in their order
+  std::map<std::string, Shown> states_;  // by machine
+  feed::Time next_states_{};
+  RoundThread thread_;  // last: it uses all of the above
+};
+
+}  // namespace dripfeed::app

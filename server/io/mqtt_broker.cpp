@@ -1,0 +1,209 @@
+// The library's thread ("mosquitto loop") calls us with what happened: a few numbers are noted there, and no more. It
+// connects without waiting, and again after 1 s, 2 s, … 30 s.
+#include "server/io/mqtt_broker.h"
+
+#include <atomic>
+#include <charconv>
+#include <chrono>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+#include <mosquitto.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+namespace dripfeed::io {
+
+namespace {
+
+constexpr int kKeepAlive_s = 20;
+constexpr std::chrono::seconds kLongestDelay{30};
+constexpr int kQos = 1;
+constexpr std::size_t kMostInFlight = 64;
+constexpr std::chrono::milliseconds kLeaveAtMost{1000};
+constexpr const char* kSystemCertificates = "/etc/ssl/certs";
+
+struct Place {
+  std::string host;
+  int port = 0;
+  bool encrypted = false;
+};
+
+std::expected<Place, std::string> place_of(std::string_view url) {
+  Place place;
+  if (url.starts_with("mqtts://")) {
+    place.encrypted = true;
+    url.remove_prefix(8);
+  } else if (url.starts_with("mqtt://")) {
+    url.remove_prefix(7);
+  } else {
+    return std::unexpected(std::string("must begin with mqtt:// or mqtts://"));
+  }
+  if (url.ends_with('/')) url.remove_suffix(1);
+  if (url.find_first_of("/?#@ ") != std::string_view::npos)
+    return std::unexpected(std::string("names a host and a port only; user and password have options of their own"));
+  place.port = place.encrypted ? 8883 : 1883;
+  const std::size_t colon = url.rfind(':');
+  const bool is_bare_v6 = url.ends_with(']');
+  if (colon != std::string_view::npos && !is_bare_v6) {
+    const std::string_view port = url.substr(colon + 1);
+    const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), place.port);
+    if (error != std::errc{} || end != port.data() + port.size() || place.port < 1 || place.port > 65535)
+      return std::unexpected(fmt::format("has the port \"{}\", which is not 1..65535", port));
+    url = url.substr(0, colon);
+  }
+  if (url.starts_with('[') && url.ends_with(']')) url = url.substr(1, url.size() - 2);
+  if (url.empty()) return std::unexpected(std::string("names no host"));
+  place.host = url;
+  return place;
+}
+
+class MosquittoBroker final : public app::Broker {
+ public:
+  MosquittoBroker() = default;
+  ~MosquittoBroker() override {
+    if (client_ == nullptr) return;
+    mosquitto_disconnect(client_);
+    mosquitto_loop_stop(client_, false);
+    mosquitto_destroy(client_);
+  }
+
+  // "" or what failed.
+  std::string start(const MqttSettings& settings, const Place& place);
+
+  [[nodiscard]] std::uint64_t connection() override {
+    if (!is_begun_) begin();
+    return is_up_ ? connections_.load() : 0;
+  }
+
+  std::int64_t publish(const app::BrokerMessage& message) override {
+    if (!is_up_) return 0;
+    int number = 0;
+    const int done =
+        mosquitto_publish(client_, &number, message.topic.c_str(), static_cast<int>(message.payload.size()),
+                          message.payload.data(), kQos, message.retained);
+    return done == MOSQ_ERR_SUCCESS ? number : 0;
+  }
+
+  std::vector<std::int64_t> confirmed() override {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(confirmed_, {});
+  }
+
+  void leave(const app::BrokerMessage& last) override {
+    const std::int64_t number = publish(last);
+    const auto until = std::chrono::steady_clock::now() + kLeaveAtMost;
+    bool is_known = number == 0;
+    while (!is_known && is_up_ && std::chrono::steady_clock::now() < until) {
+      for (const std::int64_t one : confirmed()) is_known = is_known || one == number;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    mosquitto_disconnect(client_);
+  }
+
+ private:
+  static MosquittoBroker& self(void* user) { return *static_cast<MosquittoBroker*>(user); }
+  static void on_connect(mosquitto* /*client*/, void* user, int code) noexcept {
+    if (code == 0) {
+      ++self(user).connections_;
+      self(user).is_up_ = true;
+      self(user).say("the broker is connected");
+    } else {
+      self(user).say(mosquitto_connack_string(code));
+    }
+  }
+  static void on_disconnect(mosquitto* /*client*/, void* user, int code) noexcept {
+    self(user).is_up_ = false;
+    self(user).say(code == 0 ? "the broker is left" : mosquitto_strerror(code));
+  }
+  static void on_publish(mosquitto* /*client*/, void* user, int number) noexcept {
+    const std::lock_guard lock(self(user).mutex_);
+    self(user).confirmed_.push_back(number);
+  }
+  // The same sentence once, however often it comes. The log has a queue: nobody waits for it.
+  void say(std::string_view sentence) noexcept {
+    try {
+      if (std::exchange(said_, sentence) != sentence) spdlog::info("mqtt: {}", sentence);
+    } catch (const std::exception&) {
+      return;  // no memory for a sentence
+    }
+  }
+
+  void begin();
+
+  mosquitto* client_ = nullptr;
+  Place place_;
+  bool is_begun_ = false;
+  bool is_told_ = false;
+  std::chrono::steady_clock::time_point next_try_{};
+  std::chrono::milliseconds delay_{1000};
+  std::atomic<bool> is_up_ = false;
+  std::atomic<std::uint64_t> connections_ = 0;
+  std::mutex mutex_;
+  std::vector<std::int64_t> confirmed_;
+  std::string said_;  // of the library's thread
+};
+
+std::string MosquittoBroker::start(const MqttSettings& settings, const Place& place) {
+  client_ = mosquitto_new(settings.client_id.empty() ? nullptr : settings.client_id.c_str(), true, this);
+  if (client_ == nullptr) return "the client cannot be made";
+  const auto failed = [](int code) { return std::string(mosquitto_strerror(code)); };
+  mosquitto_connect_callback_set(client_, on_connect);
+  mosquitto_disconnect_callback_set(client_, on_disconnect);
+  mosquitto_publish_callback_set(client_, on_publish);
+  mosquitto_reconnect_delay_set(client_, 1, static_cast<unsigned>(kLongestDelay.count()), true);
+  mosquitto_max_inflight_messages_set(client_, kMostInFlight);
+  if (!settings.user.empty())
+    if (const int code = mosquitto_username_pw_set(client_, settings.user.c_str(), settings.password.c_str());
+        code != 0)
+      return failed(code);
+  const auto& will = settings.will;
+  if (const int code = mosquitto_will_set(client_, will.topic.c_str(), static_cast<int>(will.payload.size()),
+                                          will.payload.data(), kQos, will.retained);
+      code != 0)
+    return "the will: " + failed(code);
+  if (place.encrypted) {
+    const bool is_own = !settings.ca_file.empty();
+    const int code = mosquitto_tls_set(client_, is_own ? settings.ca_file.c_str() : nullptr,
+                                       is_own ? nullptr : kSystemCertificates, nullptr, nullptr, nullptr);
+    if (code != 0) return "certificates: " + failed(code);
+  }
+  place_ = place;
+  if (const int started = mosquitto_loop_start(client_); started != 0) return failed(started);
+  return {};
+}
+
+// The library keeps a connection that it once began, and only that.
+void MosquittoBroker::begin() {
+  const auto now = std::chrono::steady_clock::now();
+  if (now < next_try_) return;
+  next_try_ = now + delay_;
+  delay_ = std::min<std::chrono::milliseconds>(2 * delay_, kLongestDelay);
+  const int code = mosquitto_connect_async(client_, place_.host.c_str(), place_.port, kKeepAlive_s);
+  is_begun_ = code == MOSQ_ERR_SUCCESS;
+  if (!is_begun_ && !std::exchange(is_told_, true))
+    spdlog::warn("mqtt: {}:{} does not answer; it is tried again and again", place_.host, place_.port);
+}
+
+}  // namespace
+
+std::string why_no_mqtt_url(const std::string& url) {
+  const auto place = place_of(url);
+  return place ? std::string() : place.error();
+}
+
+std::expected<std::unique_ptr<app::Broker>, std::string> connect_mqtt(const MqttSettings& settings) {
+  static const int kStarted = mosquitto_lib_init();
+  if (kStarted != MOSQ_ERR_SUCCESS) return std::unexpected(std::string("libmosquitto does not start"));
+  const auto place = place_of(settings.url);
+  if (!place) return std::unexpected("the broker's URL " + place.error());
+  if (!settings.ca_file.empty() && ::access(settings.ca_file.c_str(), R_OK) != 0)
+    return std::unexpected(fmt::format("{} cannot be read", settings.ca_file));
+  auto broker = std::make_unique<MosquittoBroker>();
+  if (std::string why = broker->start(settings, *place); !why.empty()) return std::unexpected(std::move(why));
+  return broker;
+}
+
+}  // namespace dripfeed::io

@@ -1,0 +1,26 @@
+// An MQTT broker (3.1.1), on libmosquitto, whose thread keeps the connection.
+#pragma once
+
+#include <expected>
+#include <memory>
+#include <string>
+
+#include "server/app/ports/broker.h"
+
+namespace dripfeed::io {
+
+struct MqttSettings {
+  std::string url{};   // mqtt://host[:port], mqtts://host[:port]
+  std::string user{};  // "": none
+  std::string password{};
+  std::string client_id{};
+  std::string ca_file{};    // PEM; "": whom the system believes
+  app::BrokerMessage will;  // what the broker says when the server is gone
+};
+
+// "" or what is wrong with the URL, as the end of a sentence.
+std::string why_no_mqtt_url(const std::string& url);
+// Begins to connect, and returns; or one sentence that says what is wrong with the settings.
+std::expected<std::unique_ptr<app::Broker>, std::string> connect_mqtt(const MqttSettings& settings);
+
+}  // namespace dripfeed::io
