@@ -65,7 +65,8 @@ Application::Application(const Environment& environment)
       line_reading_(store_),
       checking_(store_, events_, clock_, documents_, environment.workers),
       jobs_(store_, lines_, books_, events_, clock_, documents_),
-      receiving_({store_, lines_, jobs_, programs_, events_, alarms_, clock_, documents_}) {
+      receiving_({store_, lines_, jobs_, programs_, events_, alarms_, clock_, documents_}),
+      event_source_(environment.event_source) {
   if (environment.library != nullptr) library_.emplace(store_, *environment.library, environment.workers);
   if (environment.sender != nullptr)
     webhooks_.emplace(store_, events_, clock_, *environment.sender, environment.webhooks);
@@ -86,6 +87,7 @@ void Application::end_lines() {
   lines_.close();
   if (library_) library_->stop();
   if (webhooks_) webhooks_->stop();
+  if (observations_) observations_->stop();
 }
 
 Result<void> Application::start() {
@@ -165,6 +167,11 @@ std::map<std::string, LineReport> Application::reports() {
     page.after = machines->next;
   } while (!page.after.empty());
   return all;
+}
+
+Observations& Application::observations() {
+  std::call_once(observed_, [this] { observations_.emplace(clock_, [this] { return reports(); }); });
+  return *observations_;
 }
 
 void Application::cancel_all() {

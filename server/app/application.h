@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -15,6 +16,7 @@
 #include "server/app/jobs.h"
 #include "server/app/library_keeper.h"
 #include "server/app/lines.h"
+#include "server/app/observations.h"
 #include "server/app/ports/ports.h"
 #include "server/app/program_lines.h"
 #include "server/app/programs.h"
@@ -57,6 +59,7 @@ class Application {
     store::Library* library = nullptr;  // without it nothing is searched for
     HttpSender* sender = nullptr;       // without it there are no webhooks
     WebhookSettings webhooks{};
+    std::string event_source{};  // who we are for other systems, a URI
   };
   explicit Application(const Environment& environment);
   // Jobs on a line are cancelled at a block end, as far as their control lets them.
@@ -94,6 +97,9 @@ class Application {
   Checking& checking() { return checking_; }
   Jobs& jobs() { return jobs_; }
   Receiving& receiving() { return receiving_; }
+  // They are begun by the first who asks.
+  Observations& observations();
+  [[nodiscard]] const std::string& event_source() const { return event_source_; }
   // nullptr: there are none.
   Webhooks* webhooks() { return webhooks_ ? &*webhooks_ : nullptr; }
   // nullptr: there is none.
@@ -118,6 +124,9 @@ class Application {
   Receiving receiving_;
   std::optional<LibraryKeeper> library_;
   std::optional<Webhooks> webhooks_;
+  std::string event_source_;
+  std::once_flag observed_;
+  std::optional<Observations> observations_;
 };
 
 }  // namespace dripfeed::app

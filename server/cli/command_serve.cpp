@@ -185,7 +185,8 @@ int run_server(const Options& options, const ServePlan& plan, const Books& books
                                 .workers = &workers,
                                 .library = books.library,
                                 .sender = sender->get(),
-                                .webhooks = {.write = write_event, .retries_s = webhook_retries(options)}});
+                                .webhooks = {.write = write_event, .retries_s = webhook_retries(options)},
+                                .event_source = event_source(options)});
   const auto token = ensure_first_token(store, options.data, clock);
   const auto started = token ? application.start() : token;
   if (!started) {

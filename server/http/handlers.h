@@ -151,6 +151,12 @@ Response list_deliveries(const Call& call);
 Response replay_delivery(const Call& call);
 Response replay_deliveries(const Call& call);
 
+// handlers_mtconnect.cpp
+Response mtconnect_probe(const Call& call);
+Response mtconnect_current(const Call& call);
+Response mtconnect_sample(const Call& call);
+Response mtconnect_assets(const Call& call);
+
 // handlers_receipts.cpp
 Response list_receipts(const Call& call);
 Response get_receipt(const Call& call);

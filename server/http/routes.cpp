@@ -13,6 +13,9 @@ using enum Takes;
 using enum Weight;
 
 constexpr std::string_view kPicture = "image/svg+xml";
+constexpr std::string_view kXml = "application/xml";
+// Those behind `count` are known, and refused in the words of MTConnect.
+constexpr std::string_view kSampleQuery = "from count path at interval heartbeat";
 constexpr std::string_view kPageTypes =
     "text/html text/javascript text/css image/svg+xml image/png font/woff2 application/manifest+json application/json "
     "application/octet-stream";
@@ -35,6 +38,19 @@ constexpr Route kRoutes[] = {
      body("OwnSecret"), kGivesNothing},
     {get, "/api/v1/events", viewer, light, get_events, "live events, resumable (text/event-stream)", kNoBody,
      gives("", "text/event-stream")},
+    {get, "/mtconnect/probe", viewer, bulk, mtconnect_probe, "machines with their data items, for MTConnect (2.0)",
+     kNoBody, gives("", kXml)},
+    {get, "/mtconnect/current", viewer, bulk, mtconnect_current, "the newest value of each data item", kNoBody,
+     gives("", kXml), no_more, kSampleQuery},
+    {get, "/mtconnect/sample", viewer, bulk, mtconnect_sample, "changes of data items, from a number on", kNoBody,
+     gives("", kXml), no_more, kSampleQuery},
+    {get, "/mtconnect/assets", viewer, bulk, mtconnect_assets, "released programs as files", kNoBody, gives("", kXml)},
+    {get, "/mtconnect/{name}/probe", viewer, bulk, mtconnect_probe, "one machine with its data items", kNoBody,
+     gives("", kXml)},
+    {get, "/mtconnect/{name}/current", viewer, bulk, mtconnect_current, "the newest values of one machine", kNoBody,
+     gives("", kXml), no_more, kSampleQuery},
+    {get, "/mtconnect/{name}/sample", viewer, bulk, mtconnect_sample, "changes of one machine, from a number on",
+     kNoBody, gives("", kXml), no_more, kSampleQuery},
     {get, "/api/v1/machines", viewer, light, list_machines, "machines with the state of their lines", kNoBody,
      lists("MachineSummary"), page},
     {post, "/api/v1/machines", admin, setup, add_machine, "add a machine by its profile", body("Profile"),

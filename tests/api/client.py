@@ -163,7 +163,7 @@ class Client:
 
 
 def whole(path):
-    return path if path in ("/", "/healthz", "/metrics", "/docs") or path.startswith(("/api/", "/assets/", "/docs/")) else API + path
+    return path if path in ("/", "/healthz", "/metrics", "/docs") or path.startswith(("/api/", "/assets/", "/docs/", "/mtconnect/")) else API + path
 
 
 def expect_problem(answer, status, what, words=()):
