@@ -208,7 +208,7 @@ constexpr Route kRoutes[] = {
      "it asks for no person for some minutes, with a reason; not a critical one", body("Shelve"), gives("Alarm")},
     {post, "/api/v1/alarms/{id}/unshelve", operator_, light, unshelve_alarm, "it asks again", kNoBody, gives("Alarm")},
     {get, "/api/v1/event-types", viewer, stored, list_event_types,
-     "events that are sent to other systems by webhooks and MQTT", kNoBody, lists("EventType")},
+     "events that are sent to other systems by webhooks and MQTT", kNoBody, lists("OutboundType")},
     {get, "/api/v1/webhooks", admin, light, list_webhooks, "who receives events by HTTP, newest first", kNoBody,
      lists("Webhook"), page},
     {post, "/api/v1/webhooks", admin, light, add_webhook,

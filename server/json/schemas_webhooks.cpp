@@ -139,9 +139,9 @@ Schema delivery() {
 
 Schemas webhook_schemas() {
   return {
-      {"EventType", object("a type of event that is sent", {{"name", text("of the type")},
-                                                            {"when", text("it comes")},
-                                                            {"schema", text("of the event, in this description")}})},
+      {"OutboundType", object("a type of event that is sent", {{"name", text("of the type")},
+                                                               {"when", text("it comes")},
+                                                               {"schema", text("of the event, in this description")}})},
       {"JobEvent", job_event()},
       {"LineEvent", line_event()},
       {"AlarmEvent", alarm_event()},
