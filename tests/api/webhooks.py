@@ -8,7 +8,7 @@ import time
 import urllib.parse
 
 from client import DC1, Client, HandControl, binary, contract, expect, hand_profile, in_folder, shop
-from receiver import Receiver, verify
+from receiver import Receiver, types_of_the_docs, verify
 
 ALL = ["*"]
 SCHEMAS = {"job": "JobEvent", "line": "LineEvent", "alarm": "AlarmEvent", "release": "ReleaseEvent", "program": "ProgramEvent", "receipt": "ReceiptEvent",
@@ -51,6 +51,7 @@ def hold(message, secret):
     """One message against the standard, CloudEvents and our description."""
     event = verify(secret, message.headers, message.body)
     expect(message.headers["content-type"] == "application/cloudevents+json; charset=utf-8", f"{message.headers}")
+    expect(abs(time.time() - int(message.headers["webhook-timestamp"])) < 60, f"{message.headers}")
     expect(event["id"] == message.id and len(message.body) < MOST_BYTES, f"{event}")
     topic = event["type"].split(".")[0]
     contract.require(contract.faults(f"#/components/schemas/{SCHEMAS[topic]}", event), event["type"])
@@ -264,6 +265,7 @@ def what_is_refused(client, hook):
     client.refuse(409, "POST", "/webhooks", {"url": url, "types": ALL})
     types = client.get("/event-types")["items"]
     expect({one["name"] for one in types} == set(contract.document()["webhooks"]), f"{types}")
+    expect(types_of_the_docs() | {"webhook.ping"} == {one["name"] for one in types}, f"docs/integrating.md has {types_of_the_docs()}")
     for one in types:
         expect(one["schema"] in contract.document()["components"]["schemas"], f"{one}")
 
