@@ -74,7 +74,7 @@ app::Result<store::PartsReport> read_parts_body(std::string_view body) {
 Schemas order_request_schemas() {
   return {
       described<store::NewOrder>("NewOrder", read_members, "what is to be made"),
-      described<store::OrderPlan>("OrderPlan", read_members, "the whole plan of an order anew"),
+      described<store::OrderPlan>("OrderPlan", read_members, "the new plan of an order, as a whole"),
       described<OrderMoveBody>("OrderMove", read_members, "one step of an order"),
       described<store::PartsReport>("PartsReport", read_members, "parts that were made since the last report"),
   };

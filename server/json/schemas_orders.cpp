@@ -20,7 +20,7 @@ Schemas order_schemas() {
                    {"good", integer("parts that were reported good")},
                    {"scrap", integer("parts that were reported as scrap")},
                    {"open", integer("good parts that are missing")},
-                   {"transfers", integer("jobs of it that are done; that says nothing of parts")},
+                   {"transfers", integer("jobs of it that are done; no count of parts")},
                    {"waiting", integer("jobs of it that are queued")},
                    {"revision", integer("of the plan")},
                    {"created_by", text("who made it")},

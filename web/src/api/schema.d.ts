@@ -4046,7 +4046,7 @@ export interface components {
                 [key: string]: unknown;
             } | null;
         };
-        /** @description the whole plan of an order anew */
+        /** @description the new plan of an order, as a whole */
         OrderPlan: {
             /** @description number of the part */
             part: string;
@@ -6971,7 +6971,7 @@ export interface components {
             scrap: number;
             /** @description good parts that are missing */
             open: number;
-            /** @description jobs of it that are done; that says nothing of parts */
+            /** @description jobs of it that are done; no count of parts */
             transfers: number;
             /** @description jobs of it that are queued */
             waiting: number;
