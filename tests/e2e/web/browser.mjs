@@ -28,7 +28,7 @@ export async function withPage(options, test) {
     ...options,
   });
   const page = context.pages()[0] ?? (await context.newPage());
-  page.setDefaultTimeout(10_000);
+  page.setDefaultTimeout(20_000);
   const faults = [];
   page.on('pageerror', (error) => faults.push(`error in the page: ${error.message}`));
   page.on('console', (message) => {
@@ -95,7 +95,7 @@ export class Person {
 export const focused = (page) => page.evaluate(() => document.activeElement?.tagName ?? 'none');
 
 // Asks again and again. (The page's policy forbids the eval by which the browser could wait by itself.)
-export async function until(check, what, timeout_ms = 10_000) {
+export async function until(check, what, timeout_ms = 20_000) {
   const end = Date.now() + timeout_ms;
   while (!(await check())) {
     if (Date.now() > end) throw new Error(`waited too long until ${what}`);

@@ -31,7 +31,7 @@ export function Audit() {
     }
   };
   return (
-    <section>
+    <section class="people">
       <form
         class="filters"
         onSubmit={(event) => {

@@ -20,7 +20,7 @@ export function Groups() {
     </button>
   );
   return (
-    <section>
+    <section class="people">
       <p class="lead">{t('people.groups_lead')}</p>
       <Failure error={groups.error} />
       {groups.value?.length === 0 && <Empty action={add}>{t('people.no_group')}</Empty>}

@@ -16,7 +16,7 @@ const kDayMs = 24 * 3600 * 1000;
 export function Tokens() {
   const tokens = useLoaded('tokens', peopleCalls.tokens);
   return (
-    <section>
+    <section class="people">
       <p class="lead">{t('people.tokens_lead')}</p>
       <Failure error={tokens.error} />
       <button type="button" class="button button-main" onClick={() => showDialog(<TokenDialog done={tokens.again} />)}>

@@ -22,7 +22,7 @@ export function Users() {
     </button>
   );
   return (
-    <section>
+    <section class="people">
       <p class="lead">{t('people.users_lead')}</p>
       <Failure error={users.error ?? groups.error} />
       {users.value?.length === 0 && <Empty action={add}>{t('people.no_user')}</Empty>}
