@@ -25,6 +25,8 @@ TEST(EventTypes, AreAllThatCanHappenAndNoMore) {
   add_all(possible, EventTopic::receipt, store::kNames<store::ReceiptState>);
   add_all(possible, EventTopic::alarm, store::kAlarmEvents);
   add_all(possible, EventTopic::program, store::kProgramEvents);
+  add_all(possible, EventTopic::order, store::kNames<store::OrderState>);
+  add_all(possible, EventTopic::order, store::kOrderEvents);
   possible.insert("webhook.ping");
   for (std::size_t i = 0; i <= static_cast<std::size_t>(LineState::answering); ++i)
     possible.insert("line." + std::string(name_of(static_cast<LineState>(i))));
