@@ -21,6 +21,16 @@ constexpr std::uint32_t kMostUnconfirmed = 32;
 constexpr std::string_view kReader = "mqtt";
 constexpr std::string_view kServer = "dripfeed";
 
+// How far the broker has come; the first time it begins with what happens from now on. Nothing: the store does not say.
+std::optional<std::uint64_t> place_in(store::EventLog& log) {
+  const auto known = log.seen_by(kReader);
+  if (!known) return std::nullopt;
+  if (*known) return *known;
+  const auto newest = log.newest();
+  if (!newest || !log.note_seen(kReader, *newest)) return std::nullopt;
+  return *newest;
+}
+
 }  // namespace
 
 BrokerMessage mqtt_connection(const std::string& prefix, bool is_online) {
@@ -60,6 +70,7 @@ Mqtt::Mqtt(Application& application, Broker& broker, MqttSettings settings)
       clock_(application.clock()),
       broker_(broker),
       settings_(std::move(settings)),
+      seen_(place_in(store_.event_log())),
       thread_("mqtt", kRound, Urgency::usual, [this] { round(); }) {}
 
 void Mqtt::stop() {
@@ -70,7 +81,9 @@ void Mqtt::stop() {
 }
 
 void Mqtt::round() {
-  if (ends_.stop_requested() || !knows_place()) return;
+  if (ends_.stop_requested()) return;
+  if (!seen_) seen_ = place_in(store_.event_log());
+  if (!seen_) return;
   take_confirmed();
   const std::uint64_t connection = broker_.connection();
   if (connection == 0) return;
@@ -115,19 +128,6 @@ void Mqtt::take_confirmed() {
     return spdlog::warn("mqtt: {}", store::message_of(noted.error()));
   seen_ = seen;
   sent_.erase(sent_.begin(), open);
-}
-
-// Also while there is no broker: the first time it begins with what happens from the start on.
-bool Mqtt::knows_place() {
-  if (seen_) return true;
-  const auto known = store_.event_log().seen_by(kReader);
-  if (!known) return false;
-  seen_ = *known;
-  if (seen_) return true;
-  const auto newest = store_.event_log().newest();
-  if (!newest || !store_.event_log().note_seen(kReader, *newest)) return false;
-  seen_ = *newest;
-  return true;
 }
 
 void Mqtt::send_events() {

@@ -55,7 +55,6 @@ class Mqtt {
   };
 
   void round();
-  bool knows_place();
   void greet();
   void show_states();
   void take_confirmed();

@@ -47,6 +47,12 @@ class Subscriber:
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.lines, self.lock = [], threading.Lock()
         threading.Thread(target=self._read, daemon=True).start()
+        shop.wait_for("the subscription", lambda: self._tried(broker, arguments), step=0.1)
+
+    def _tried(self, broker, arguments):
+        """What is not retained reaches only who has subscribed."""
+        subprocess.run(["mosquitto_pub", "-h", "127.0.0.1", "-p", str(broker.port), "-u", "dnc", "-P", "secret word", "-t", f"{PREFIX}/try", "-m", "x", *arguments], timeout=10)
+        return [line for line in self.lines if line[2].endswith("/try")]
 
     def _read(self):
         for line in self.process.stdout:
@@ -56,7 +62,7 @@ class Subscriber:
 
     def all(self, part=""):
         with self.lock:
-            return [line for line in self.lines if part in line[2]]
+            return [line for line in self.lines if part in line[2] and not line[2].endswith("/try")]
 
     def events(self):
         return [json.loads(payload) for _, _, _, payload in self.all("/event/")]
@@ -130,7 +136,9 @@ def a_broker_that_is_away(folder):
     begun = time.monotonic()
     job = feed(client, control)
     print(f"a job without its broker: {time.monotonic() - begun:.1f} s")
+    client.server.process.send_signal(signal.SIGSTOP)  # so that it does not connect before the subscriber
     subscriber = Subscriber(broker.start())
+    client.server.process.send_signal(signal.SIGCONT)
     wanted = ["program.added", "release.draft", "release.in_review", "release.proving", "job.queued", "job.armed", "job.feeding", "job.done"]
     told = lambda: [one["type"] for one in subscriber.events() if not one["type"].startswith("line.")]  # noqa: E731
     try:
@@ -143,9 +151,8 @@ def a_broker_that_is_away(folder):
     broker.end()  # it forgets all
     second = client.add_program(10, "O0043")["id"]
     client.server.kill()
+    subscriber = Subscriber(broker.start())
     client.server.start()
-    broker.start()
-    subscriber = Subscriber(broker)
     shop.wait_for("an event from before the kill", lambda: [one for one in subscriber.events() if one["data"].get("program") == second], 40)
     shop.wait_for("the state anew", lambda: subscriber.last("lathe/state"), 5)
     expect(not [one for one in subscriber.events() if one["data"].get("job") == job and one["type"].startswith("job.")], "what the broker had confirmed came again")
