@@ -88,6 +88,7 @@ def a_job_is_told_from_its_text_to_its_end(folder):
         except ValueError:
             continue
         raise AssertionError("a message holds against another secret")
+    wait("the notes of all that came", lambda: {one["state"] for one in deliveries(client, hook)} == {"delivered"})
     states = {one["type"]: one for one in deliveries(client, hook)}
     expect({one["state"] for one in states.values()} == {"delivered"} and states["job.done"]["last_status"] == 204 and states["job.done"]["attempts"] == 1, f"{states}")
     expect(states["job.done"]["event"] == done["id"], f"{states['job.done']} is not {done}")
