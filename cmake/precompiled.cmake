@@ -1,8 +1,8 @@
 # Headers that nearly every file reads, parsed once for each set of flags: of three unit tests each compiled 40 to 50 %
 # faster, of the libraries' files each half a second.
-# Only the dev build has this. The others compile each file by itself and so find what it forgot to include: release
-# everything that runs, asan-ubsan the tests of dialects, checks and protocol too, clang all.
-option(DRIPFEED_PRECOMPILED "parse standard, fmt and GoogleTest headers once" OFF)
+# The dev build has this for all files, asan-ubsan for its tests. The others compile each file by itself and so find what
+# it forgot to include: release and asan-ubsan what runs, clang the tests too.
+set(DRIPFEED_PRECOMPILED OFF CACHE STRING "parse standard, fmt and GoogleTest headers once: ON, TESTS or OFF")
 
 set(dripfeed_common_headers
   <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <random> <ranges> <set>
@@ -19,7 +19,11 @@ function(dripfeed_precompile name)
   target_precompile_headers(${name} PRIVATE ${ARG_HEADERS})
 endfunction()
 
-if(DRIPFEED_PRECOMPILED)
+set(DRIPFEED_PRECOMPILES FALSE)
+if(DRIPFEED_PRECOMPILED OR DRIPFEED_PRECOMPILED STREQUAL "TESTS")
+  set(DRIPFEED_PRECOMPILES TRUE)
+endif()
+if(DRIPFEED_PRECOMPILES)
   target_compile_options(dripfeed_flags INTERFACE -fpch-preprocess)  # so that ccache sees which headers a file has read
   dripfeed_precompile(dripfeed_headers HEADERS ${dripfeed_common_headers})
   if(DRIPFEED_TESTS)
@@ -32,7 +36,11 @@ endif()
 
 # dripfeed_use_precompiled(TARGET PRECOMPILED): TARGET's files find the headers parsed. Its flags must be those of PRECOMPILED.
 function(dripfeed_use_precompiled target precompiled)
-  if(DRIPFEED_PRECOMPILED)
+  set(is_test FALSE)
+  if(precompiled MATCHES "test")
+    set(is_test TRUE)
+  endif()
+  if(DRIPFEED_PRECOMPILES AND (is_test OR NOT DRIPFEED_PRECOMPILED STREQUAL "TESTS"))
     target_precompile_headers(${target} REUSE_FROM ${precompiled})
   endif()
 endfunction()

@@ -157,7 +157,7 @@ class Stage:
         self.made["torn_receipt"], self.made["receipt"] = (item["id"] for item in self.client.get("/receipts")["items"])
 
     def working(self):
-        endless = "%\nO7001\n#100=0\nWHILE[#100GE0]DO1\n#100=#100+1\nIF[#100GT1000]THEN#100=1\nEND1\nM30\n%\n"
+        endless = "%\nO7001\n#100=0\nWHILE[#100GE0]DO1\n#1=" + "+".join(["SIN[#1]"] * 40) + "\nEND1\nM30\n%\n"
         program = self.client.post("/programs", {"name": "O7001", "dialect": "fanuc", "text": endless})["id"]
         threading.Thread(target=self.client.call, args=("POST", "/checks", {"program": program, "machine": "lathe"}, "programmer"), daemon=True).start()
         self.made["work"] = shop.wait_for("a check to run", lambda: [one["id"] for one in self.client.get("/work")["items"]])[0]

@@ -9,7 +9,8 @@ import time
 
 from client import DC1, Client, HandControl, binary, expect, expect_problem, hand_profile, in_folder, plain_program, shop, whole
 
-ENDLESS = "%\nO7001\n#100=0\nWHILE[#100GE0]DO1\n#100=#100+1\nIF[#100GT1000]THEN#100=1\nEND1\nM30\n%\n"
+# Its budget of blocks lasts for a quarter of a minute: long enough to be looked at while it runs.
+ENDLESS = "%\nO7001\n#100=0\nWHILE[#100GE0]DO1\n#1=" + "+".join(["SIN[#1]"] * 40) + "\nEND1\nM30\n%\n"
 PECKS = "%\nO7002\nG0Z5.\nWHILE[1EQ1]DO1\nG83X0Y0Z-99.R0Q0.0001F100\nEND1\nM30\n%\n"
 FILL = "R[10]=REP(5,3)\nR[20]=REP(7)\nM30\n"
 # Each distinct text that is executed is compiled and kept; each line of it has a name of its own in the machine's data.
