@@ -115,7 +115,7 @@ void Mqtt::show_states() {
   }
 }
 
-// The store is told how far all is confirmed: no number behind one that is not.
+// Notes how far all is confirmed: no number after one that is not.
 void Mqtt::take_confirmed() {
   for (const std::int64_t number : broker_.confirmed()) {
     const auto found = std::ranges::find(sent_, number, &Sent::number);

@@ -92,7 +92,7 @@ Observations::Observations(const Clock& clock, Look look)
       look_(std::move(look)),
       instance_(clock.wall_ms() / 1000),
       thread_("mtconnect", kLookEvery, Urgency::usual, [this] { round(); }) {
-  static_cast<void>(thread_.settle(std::chrono::seconds(2)));  // who asks first is told what is
+  static_cast<void>(thread_.settle(std::chrono::seconds(2)));  // the first answer has values already
 }
 
 void Observations::round() {

@@ -1,6 +1,6 @@
 // What collectors of MTConnect ask for: the newest value of each data item of each machine, and the changes before it,
 // numbered. They are noted by a thread of its own from the first question on, and it costs nothing where nobody asks.
-// Nothing is said that is not known: of a control without words of its PLC that is little.
+// What is not known is UNAVAILABLE: of a control without words of its PLC that is most of it.
 #pragma once
 
 #include <array>

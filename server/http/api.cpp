@@ -86,6 +86,15 @@ Response created(std::string location, std::string body) {
   return response;
 }
 
+Response no_content() {
+  Response response;
+  response.status = 204;
+  response.content_type.clear();
+  return response;
+}
+
+store::Stamp stamp_of(const Call& call) { return {std::string(call.user), call.api.application().clock().wall_ms()}; }
+
 Response with_revision(Response response, std::uint64_t revision) {
   response.headers.emplace_back("ETag", fmt::format("\"{}\"", revision));
   return response;

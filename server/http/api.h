@@ -94,10 +94,14 @@ Response problem_response(const app::Error& error);
 Response problem_response(unsigned status, std::string text);
 // 201 with Location.
 Response created(std::string location, std::string body);
+// 204.
+Response no_content();
 // With the ETag of a revision.
 Response with_revision(Response response, std::uint64_t revision);
 // The revision named by If-Match; or 428 without one, 412 when it is no revision of ours.
 std::expected<std::uint64_t, Response> expected_revision(const Request& request);
+// Who calls, and when.
+store::Stamp stamp_of(const Call& call);
 // A parameter of the query; "" where it is not there.
 std::string query_text(const Request& request, const std::string& name);
 // ?limit= and &after=.

@@ -15,8 +15,6 @@ Response program_response(const store::Result<store::Program>& program) {
   return with_revision(json_response(200, json::program(*program)), program->newest.revision);
 }
 
-store::Stamp stamp_of(const Call& call) { return {std::string(call.user), call.api.application().clock().wall_ms()}; }
-
 Response no_library() { return problem_response(503, "programs cannot be searched: the log states why"); }
 
 using MoveProgram = store::Result<store::Program> (store::Programs::*)(store::Id, std::string_view,

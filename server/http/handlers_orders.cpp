@@ -12,8 +12,6 @@ namespace {
 
 store::Orders& orders_of(const Call& call) { return call.api.application().store().orders(); }
 
-store::Stamp stamp(const Call& call) { return {std::string(call.user), call.api.application().clock().wall_ms()}; }
-
 Response order_response(const store::Result<store::Order>& order) {
   if (!order) return problem_response(app::from_store(order.error()));
   return with_revision(json_response(200, json::order(*order)), order->revision);
@@ -38,7 +36,7 @@ Response list_orders(const Call& call) {
 Response add_order(const Call& call) {
   const auto body = json::read_order_body(call.request.body);
   if (!body) return problem_response(body.error());
-  const auto added = orders_of(call).add(*body, stamp(call));
+  const auto added = orders_of(call).add(*body, stamp_of(call));
   if (!added) return problem_response(app::from_store(added.error()));
   return with_revision(created(fmt::format("/api/v1/orders/{}", added->id), json::order(*added)), added->revision);
 }
@@ -55,7 +53,7 @@ Response change_order(const Call& call) {
   if (!revision) return revision.error();
   const auto plan = json::read_order_plan_body(call.request.body);
   if (!plan) return problem_response(plan.error());
-  return order_response(orders_of(call).change(*id, *revision, *plan, stamp(call)));
+  return order_response(orders_of(call).change(*id, *revision, *plan, stamp_of(call)));
 }
 
 Response move_order(const Call& call) {
@@ -63,7 +61,7 @@ Response move_order(const Call& call) {
   if (!id) return id.error();
   const auto move = json::read_order_move_body(call.request.body);
   if (!move) return problem_response(move.error());
-  return order_response(orders_of(call).move(*id, move->to, move->reason, stamp(call)));
+  return order_response(orders_of(call).move(*id, move->to, move->reason, stamp_of(call)));
 }
 
 Response report_parts(const Call& call) {
@@ -71,7 +69,7 @@ Response report_parts(const Call& call) {
   if (!id) return id.error();
   const auto parts = json::read_parts_body(call.request.body);
   if (!parts) return problem_response(parts.error());
-  return order_response(orders_of(call).report(*id, *parts, stamp(call)));
+  return order_response(orders_of(call).report(*id, *parts, stamp_of(call)));
 }
 
 }  // namespace dripfeed::http

@@ -18,15 +18,6 @@ namespace {
 
 store::Store& store_of(const Call& call) { return call.api.application().store(); }
 
-store::Stamp stamp(const Call& call) { return {std::string(call.user), call.api.application().clock().wall_ms()}; }
-
-Response nothing() {
-  Response response;
-  response.status = 204;
-  response.content_type.clear();
-  return response;
-}
-
 Response user_response(const store::Result<store::User>& user) {
   if (!user) return problem_response(app::from_store(user.error()));
   return with_revision(json_response(200, json::user(*user)), user->revision);
@@ -38,8 +29,8 @@ bool gives_up_own_rights(const Call& call, const store::UserChange& change) {
 }
 
 Response change_secret(const Call& call, store::SecretKind kind, std::string_view secret) {
-  const auto changed = app::set_secret(store_of(call), call.parameters[0], kind, secret, stamp(call));
-  return changed ? nothing() : problem_response(changed.error());
+  const auto changed = app::set_secret(store_of(call), call.parameters[0], kind, secret, stamp_of(call));
+  return changed ? no_content() : problem_response(changed.error());
 }
 
 Response new_secret(const Call& call, store::SecretKind kind) {
@@ -60,7 +51,7 @@ Response list_users(const Call& call) {
 Response add_user(const Call& call) {
   const auto body = json::read_user_body(call.request.body);
   if (!body) return problem_response(body.error());
-  const auto added = store_of(call).users().add(body->name, body->roles, stamp(call));
+  const auto added = store_of(call).users().add(body->name, body->roles, stamp_of(call));
   if (!added) return problem_response(app::from_store(added.error()));
   return with_revision(created("/api/v1/users/" + escape_segment(added->name), json::user(*added)), added->revision);
 }
@@ -74,11 +65,11 @@ Response change_user(const Call& call) {
   if (!body) return problem_response(body.error());
   if (gives_up_own_rights(call, *body))
     return problem_response(409, "an admin cannot remove their own role of admin: ask another admin");
-  return user_response(store_of(call).users().change(call.parameters[0], *revision, *body, stamp(call)));
+  return user_response(store_of(call).users().change(call.parameters[0], *revision, *body, stamp_of(call)));
 }
 
 Response unlock_user(const Call& call) {
-  return user_response(store_of(call).users().unlock(call.parameters[0], stamp(call)));
+  return user_response(store_of(call).users().unlock(call.parameters[0], stamp_of(call)));
 }
 
 Response set_password(const Call& call) { return new_secret(call, store::SecretKind::password); }
@@ -95,8 +86,9 @@ Response change_own_password(const Call& call) {
       app::check_secret(app.store(), call.user, store::SecretKind::password, body->current, app.clock());
   if (!answer) return problem_response(answer.error());
   if (answer->outcome != app::SignIn::right) return problem_response(403, "the present password is another one");
-  const auto changed = app::set_secret(app.store(), call.user, store::SecretKind::password, body->secret, stamp(call));
-  return changed ? nothing() : problem_response(changed.error());
+  const auto changed =
+      app::set_secret(app.store(), call.user, store::SecretKind::password, body->secret, stamp_of(call));
+  return changed ? no_content() : problem_response(changed.error());
 }
 
 Response list_tokens(const Call& call) {
@@ -113,7 +105,7 @@ Response add_token(const Call& call) {
     return problem_response(422, fmt::format("\"{}\" is no scope: {}", word, fmt::join(kScopes, ", ")));
   const std::string secret = hash::random_token();
   body->hash = hash::token_hash(secret);
-  const auto added = store_of(call).tokens().add(*body, stamp(call));
+  const auto added = store_of(call).tokens().add(*body, stamp_of(call));
   if (!added) return problem_response(app::from_store(added.error()));
   Response response = created(fmt::format("/api/v1/tokens/{}", added->id), json::new_token(*added, secret));
   response.headers.emplace_back("Cache-Control", "no-store");
@@ -133,8 +125,8 @@ Response get_token(const Call& call) {
 Response revoke_token(const Call& call) {
   const auto id = id_of(call.parameters[0]);
   if (!id) return id.error();
-  const auto revoked = store_of(call).tokens().revoke(*id, stamp(call));
-  return revoked ? nothing() : problem_response(app::from_store(revoked.error()));
+  const auto revoked = store_of(call).tokens().revoke(*id, stamp_of(call));
+  return revoked ? no_content() : problem_response(app::from_store(revoked.error()));
 }
 
 Response list_groups(const Call& call) {
@@ -152,14 +144,14 @@ Response put_group(const Call& call) {
   body->name = call.parameters[0];
   if (const std::string why = app::why_no_name(body->name); !why.empty())
     return problem_response(422, fmt::format("the name of a group {}", why));
-  const auto put = store_of(call).users().put_group(*body, stamp(call));
+  const auto put = store_of(call).users().put_group(*body, stamp_of(call));
   if (!put) return problem_response(app::from_store(put.error()));
   return json_response(200, json::machine_group(*put));
 }
 
 Response remove_group(const Call& call) {
-  const auto removed = store_of(call).users().remove_group(call.parameters[0], stamp(call));
-  return removed ? nothing() : problem_response(app::from_store(removed.error()));
+  const auto removed = store_of(call).users().remove_group(call.parameters[0], stamp_of(call));
+  return removed ? no_content() : problem_response(app::from_store(removed.error()));
 }
 
 Response list_audit(const Call& call) {

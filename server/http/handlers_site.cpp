@@ -110,9 +110,7 @@ Response open_session(const Call& call) {
   if (!body) return problem_response(body.error());
   const auto value = sign_in(call, *body);
   if (!value) return value.error();
-  Response response;
-  response.status = 204;
-  response.content_type.clear();
+  Response response = no_content();
   response.headers.emplace_back("Set-Cookie", cookie(call.request, *value, ""));
   return response;
 }
@@ -120,9 +118,7 @@ Response open_session(const Call& call) {
 Response close_session(const Call& call) {
   if (const auto closed = call.api.sessions().close(call.request); !closed)
     return problem_response(app::from_store(closed.error()));
-  Response response;
-  response.status = 204;
-  response.content_type.clear();
+  Response response = no_content();
   response.headers.emplace_back("Set-Cookie", cookie(call.request, "", "; Max-Age=0"));
   return response;
 }

@@ -1,4 +1,4 @@
-// Webhooks: who is told of events, and what came of it. For admins: whoever adds one decides where data goes.
+// Webhooks: who receives events, and what came of each delivery. For admins: whoever adds one decides where data goes.
 #include <fmt/format.h>
 
 #include "server/http/api.h"
@@ -79,10 +79,7 @@ Response remove_webhook(const Call& call) {
   if (!target) return target.error();
   if (const auto removed = target->webhooks->remove(target->id, call.user); !removed)
     return problem_response(removed.error());
-  Response response;
-  response.status = 204;
-  response.content_type.clear();
-  return response;
+  return no_content();
 }
 
 Response rotate_webhook(const Call& call) {

@@ -36,10 +36,7 @@ Response cancel_work(const Call& call) {
   if (!may)
     return problem_response(403, fmt::format("{} asked for this: only they, or an admin, cancel it", work->name.actor));
   if (!workplace.cancel(*id, call.user)) return problem_response(404, fmt::format("no work {} waits or runs", *id));
-  Response response;
-  response.status = 204;
-  response.content_type.clear();
-  return response;
+  return no_content();
 }
 
 }  // namespace dripfeed::http

@@ -112,15 +112,6 @@ std::optional<std::string> machine_by_id(store::Store& store, Acts on, store::Id
   return std::nullopt;
 }
 
-template <class Use>
-void each_word(std::string_view words, const Use& use) {
-  while (!words.empty()) {
-    const std::string_view word = words.substr(0, words.find(' '));
-    if (!word.empty()) use(word);
-    words.remove_prefix(std::min(words.size(), word.size() + 1));
-  }
-}
-
 }  // namespace
 
 std::string_view scope_of(const Route& route) {
@@ -130,17 +121,15 @@ std::string_view scope_of(const Route& route) {
 }
 
 bool allows(std::string_view scope, const Route& route) {
-  bool allowed = scope.empty() || route.method == Method::get;
-  each_word(scope, [&](std::string_view word) { allowed = allowed || word == scope_of(route); });
-  return allowed;
+  if (scope.empty() || route.method == Method::get) return true;
+  const std::vector<std::string_view> words = words_in(scope);
+  return std::ranges::find(words, scope_of(route)) != words.end();
 }
 
 std::string_view unknown_scope(std::string_view scope) {
-  std::string_view unknown;
-  each_word(scope, [&](std::string_view word) {
-    if (unknown.empty() && std::ranges::find(kScopes, word) == std::end(kScopes)) unknown = word;
-  });
-  return unknown;
+  for (const std::string_view word : words_in(scope))
+    if (std::ranges::find(kScopes, word) == std::end(kScopes)) return word;
+  return {};
 }
 
 namespace {

@@ -117,30 +117,30 @@ bool read_target(std::string_view target, Request& request) {
   return question == std::string_view::npos || read_query(target.substr(question + 1), request);
 }
 
-namespace {
-
-constexpr std::string_view kPageQuery = "limit after";
-
-// The names of a list with blanks between.
-std::vector<std::string_view> words(std::string_view list) {
+std::vector<std::string_view> words_in(std::string_view list) {
   std::vector<std::string_view> all;
   while (!list.empty()) {
-    all.push_back(list.substr(0, list.find(' ')));
-    list.remove_prefix(std::min(list.size(), all.back().size() + 1));
+    const std::string_view word = list.substr(0, list.find(' '));
+    if (!word.empty()) all.push_back(word);
+    list.remove_prefix(std::min(list.size(), word.size() + 1));
   }
   return all;
 }
 
+namespace {
+
+constexpr std::string_view kPageQuery = "limit after";
+
 std::vector<std::string_view> taken_query(const Route& route) {
-  std::vector<std::string_view> names = words(route.takes == Takes::page ? kPageQuery : std::string_view());
+  std::vector<std::string_view> names = words_in(route.takes == Takes::page ? kPageQuery : std::string_view());
   std::ranges::copy(own_query(route), std::back_inserter(names));
   return names;
 }
 
 }  // namespace
 
-std::vector<std::string_view> own_query(const Route& route) { return words(route.query); }
-std::vector<std::string_view> other_types(const Route& route) { return words(route.answer.types); }
+std::vector<std::string_view> own_query(const Route& route) { return words_in(route.query); }
+std::vector<std::string_view> other_types(const Route& route) { return words_in(route.answer.types); }
 
 std::string_view unknown_query(const Route& route, const Request& request) {
   const std::vector<std::string_view> taken = taken_query(route);

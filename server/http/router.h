@@ -113,6 +113,8 @@ struct Match {
 // A name as one segment of a path, for Location.
 std::string escape_segment(std::string_view name);
 
+// Words with blanks between.
+std::vector<std::string_view> words_in(std::string_view list);
 // The names in Route::query, the types in Gives::types.
 std::vector<std::string_view> own_query(const Route& route);
 std::vector<std::string_view> other_types(const Route& route);

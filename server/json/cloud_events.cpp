@@ -18,8 +18,6 @@ using store::LoggedEvent;
 
 constexpr std::size_t kLongestText_bytes = 2000;  // of a sentence; the whole stays far below 20 kB
 
-Document id_or_null(std::uint64_t id) { return id == 0 ? Document(nullptr) : Document(id); }
-
 // Cut at a character.
 std::string_view shortened(std::string_view text) {
   if (text.size() <= kLongestText_bytes) return text;
@@ -90,8 +88,6 @@ std::string subject_of(const LoggedEvent& event) {
   if (event.of.topic == EventTopic::line) return fmt::format("machine/{}", event.of.machine);
   return fmt::format("{}/{}", store::name_of(event.of.topic), event.of.subject);
 }
-
-Document time_or_null(std::int64_t at_ms) { return at_ms == 0 ? Document(nullptr) : Document(at_ms); }
 
 Document webhook_document(const store::Webhook& webhook) {
   return {{"id", webhook.id},

@@ -1,4 +1,4 @@
-// The four answers of an MTConnect agent (2.0) as XML: which machines there are and what is said of them, the newest
+// The four answers of an MTConnect agent (2.0) as XML: which machines there are and their data items, the newest
 // values, the changes, and released programs as files. Read-only, as the standard is.
 #pragma once
 

@@ -54,8 +54,6 @@ void read_members(ObjectReader& o, store::PartsReport& into) {
   o.text("note", into.note);
 }
 
-Document number_or_null(std::int64_t number) { return number == 0 ? Document(nullptr) : Document(number); }
-
 }  // namespace
 
 app::Result<store::NewOrder> read_order_body(std::string_view body) {
@@ -88,7 +86,7 @@ std::string order(const store::Order& order) {
                {"part", plan.part},
                {"quantity", plan.quantity},
                {"machine", text_or_null(plan.machine)},
-               {"due_at_ms", number_or_null(plan.due_at_ms)},
+               {"due_at_ms", time_or_null(plan.due_at_ms)},
                {"priority", plan.priority},
                {"metadata", embedded(plan.metadata)},
                {"state", store::name_of(order.state)},

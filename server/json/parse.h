@@ -2,6 +2,7 @@
 // document has are refused, too, and every fault has its place. Only files of this folder include this.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -30,6 +31,9 @@ std::string dump(const Document& document);
 // The raw text of a JSON document that is kept or was written here, as a member: its values were counted when it came.
 Document embedded(std::string_view text);
 inline Document text_or_null(std::string_view text) { return text.empty() ? Document(nullptr) : Document(text); }
+// 0 is none.
+inline Document time_or_null(std::int64_t at_ms) { return at_ms == 0 ? Document(nullptr) : Document(at_ms); }
+inline Document id_or_null(std::uint64_t id) { return id == 0 ? Document(nullptr) : Document(id); }
 // A member's name as a part of a pointer.
 std::string escape_pointer(std::string_view name);
 

@@ -148,8 +148,6 @@ Schemas people_request_schemas() {
 
 namespace {
 
-Document time_or_null(std::int64_t at_ms) { return at_ms == 0 ? Document(nullptr) : Document(at_ms); }
-
 Document words_of(std::string_view list) {
   Document words = Document::array();
   while (!list.empty()) {

@@ -8,8 +8,6 @@ namespace dripfeed::json {
 
 namespace {
 
-Document time_or_null(std::int64_t at_ms) { return at_ms == 0 ? Document(nullptr) : Document(at_ms); }
-Document id_or_null(store::Id id) { return id == 0 ? Document(nullptr) : Document(id); }
 Document machine_document(const std::optional<app::MachineReport>& machine) {
   if (!machine) return nullptr;
   return {{"state", machine->state}, {"program", machine->program}, {"line", machine->line}, {"alarm", machine->alarm}};
