@@ -1,12 +1,13 @@
-// The library's thread ("mosquitto loop") calls us with what happened: a few numbers are noted there, and no more. It
-// connects without waiting, and again after 1 s, 2 s, … 30 s.
+// The library runs on the caller's thread alone, and not on one of its own: its thread and a second attempt to connect
+// would free the same TLS session. connection() is where it reads, writes and connects, without waiting; the callbacks
+// run inside it. It connects again after 1 s, 2 s, … 30 s.
 #include "server/io/mqtt_broker.h"
 
-#include <atomic>
+#include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <chrono>
-#include <mutex>
-#include <thread>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,10 +20,15 @@ namespace dripfeed::io {
 namespace {
 
 constexpr int kKeepAlive_s = 20;
-constexpr std::chrono::seconds kLongestDelay{30};
+constexpr std::chrono::milliseconds kFirstDelay{1000};
+constexpr std::chrono::milliseconds kLongestDelay{30000};
 constexpr int kQos = 1;
 constexpr std::size_t kMostInFlight = 64;
 constexpr std::chrono::milliseconds kLeaveAtMost{1000};
+constexpr std::chrono::milliseconds kWithoutWaiting{0};
+constexpr std::chrono::milliseconds kAShortWait{10};
+// In one call of connection(): as many as may be in flight, and some.
+constexpr int kMostReads = 80;
 constexpr const char* kSystemCertificates = "/etc/ssl/certs";
 
 struct Place {
@@ -63,19 +69,18 @@ std::expected<Place, std::string> place_of(std::string_view url) {
 class MosquittoBroker final : public app::Broker {
  public:
   MosquittoBroker() = default;
-  ~MosquittoBroker() override {
-    if (client_ == nullptr) return;
-    mosquitto_disconnect(client_);
-    mosquitto_loop_stop(client_, false);
-    mosquitto_destroy(client_);
-  }
+  ~MosquittoBroker() override { mosquitto_destroy(client_); }
 
   // "" or what failed.
   std::string start(const MqttSettings& settings, const Place& place);
 
   [[nodiscard]] std::uint64_t connection() override {
-    if (!is_begun_) begin();
-    return is_up_ ? connections_.load() : 0;
+    if (is_begun_) {
+      exchange(kWithoutWaiting);
+    } else {
+      connect();
+    }
+    return is_up_ ? connections_ : 0;
   }
 
   std::int64_t publish(const app::BrokerMessage& message) override {
@@ -87,63 +92,50 @@ class MosquittoBroker final : public app::Broker {
     return done == MOSQ_ERR_SUCCESS ? number : 0;
   }
 
-  std::vector<std::int64_t> confirmed() override {
-    const std::lock_guard lock(mutex_);
-    return std::exchange(confirmed_, {});
-  }
+  std::vector<std::int64_t> confirmed() override { return std::exchange(confirmed_, {}); }
 
   void leave(const app::BrokerMessage& last) override {
     const std::int64_t number = publish(last);
+    const auto is_open = [&] { return std::ranges::find(confirmed_, number) == confirmed_.end(); };
     const auto until = std::chrono::steady_clock::now() + kLeaveAtMost;
-    bool is_known = number == 0;
-    while (!is_known && is_up_ && std::chrono::steady_clock::now() < until) {
-      for (const std::int64_t one : confirmed()) is_known = is_known || one == number;
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
+    while (number != 0 && is_up_ && is_open() && std::chrono::steady_clock::now() < until) exchange(kAShortWait);
     mosquitto_disconnect(client_);
   }
 
  private:
   static MosquittoBroker& self(void* user) { return *static_cast<MosquittoBroker*>(user); }
   static void on_connect(mosquitto* /*client*/, void* user, int code) noexcept {
-    if (code == 0) {
-      ++self(user).connections_;
-      self(user).is_up_ = true;
-      self(user).say("the broker is connected");
-    } else {
-      self(user).say(mosquitto_connack_string(code));
-    }
-  }
-  static void on_disconnect(mosquitto* /*client*/, void* user, int code) noexcept {
-    self(user).is_up_ = false;
-    self(user).say(code == 0 ? "the broker is left" : mosquitto_strerror(code));
+    if (code != 0) return self(user).say(mosquitto_connack_string(code));
+    ++self(user).connections_;
+    self(user).is_up_ = true;
+    self(user).delay_ = kFirstDelay;
+    self(user).say("the broker is connected");
   }
   static void on_publish(mosquitto* /*client*/, void* user, int number) noexcept {
-    const std::lock_guard lock(self(user).mutex_);
     self(user).confirmed_.push_back(number);
   }
   // The same sentence once, however often it comes. The log has a queue: nobody waits for it.
-  void say(std::string_view sentence) noexcept {
+  void say(std::string_view sentence, spdlog::level::level_enum level = spdlog::level::info) noexcept {
     try {
-      if (std::exchange(said_, sentence) != sentence) spdlog::info("mqtt: {}", sentence);
+      if (std::exchange(said_, sentence) != sentence) spdlog::log(level, "mqtt: {}", sentence);
     } catch (const std::exception&) {
       return;  // no memory for a sentence
     }
   }
 
-  void begin();
+  void connect();
+  void exchange(std::chrono::milliseconds patience);
+  void lose(int code);
 
   mosquitto* client_ = nullptr;
   Place place_;
-  bool is_begun_ = false;
-  bool is_told_ = false;
+  bool is_begun_ = false;  // the library connects or is connected
+  bool is_up_ = false;
   std::chrono::steady_clock::time_point next_try_{};
-  std::chrono::milliseconds delay_{1000};
-  std::atomic<bool> is_up_ = false;
-  std::atomic<std::uint64_t> connections_ = 0;
-  std::mutex mutex_;
+  std::chrono::milliseconds delay_ = kFirstDelay;
+  std::uint64_t connections_ = 0;
   std::vector<std::int64_t> confirmed_;
-  std::string said_;  // of the library's thread
+  std::string said_;
 };
 
 std::string MosquittoBroker::start(const MqttSettings& settings, const Place& place) {
@@ -151,9 +143,7 @@ std::string MosquittoBroker::start(const MqttSettings& settings, const Place& pl
   if (client_ == nullptr) return "the client cannot be made";
   const auto failed = [](int code) { return std::string(mosquitto_strerror(code)); };
   mosquitto_connect_callback_set(client_, on_connect);
-  mosquitto_disconnect_callback_set(client_, on_disconnect);
   mosquitto_publish_callback_set(client_, on_publish);
-  mosquitto_reconnect_delay_set(client_, 1, static_cast<unsigned>(kLongestDelay.count()), true);
   mosquitto_max_inflight_messages_set(client_, kMostInFlight);
   if (!settings.user.empty())
     if (const int code = mosquitto_username_pw_set(client_, settings.user.c_str(), settings.password.c_str());
@@ -171,20 +161,40 @@ std::string MosquittoBroker::start(const MqttSettings& settings, const Place& pl
     if (code != 0) return "certificates: " + failed(code);
   }
   place_ = place;
-  if (const int started = mosquitto_loop_start(client_); started != 0) return failed(started);
   return {};
 }
 
-// The library keeps a connection that it once began, and only that.
-void MosquittoBroker::begin() {
+void MosquittoBroker::connect() {
   const auto now = std::chrono::steady_clock::now();
   if (now < next_try_) return;
   next_try_ = now + delay_;
-  delay_ = std::min<std::chrono::milliseconds>(2 * delay_, kLongestDelay);
+  delay_ = std::min(2 * delay_, kLongestDelay);
   const int code = mosquitto_connect_async(client_, place_.host.c_str(), place_.port, kKeepAlive_s);
   is_begun_ = code == MOSQ_ERR_SUCCESS;
-  if (!is_begun_ && !std::exchange(is_told_, true))
-    spdlog::warn("mqtt: {}:{} does not answer; it is tried again and again", place_.host, place_.port);
+  if (!is_begun_) lose(code);
+}
+
+// What has come and what waits to go out. The first call waits `patience` for the socket.
+void MosquittoBroker::exchange(std::chrono::milliseconds patience) {
+  std::size_t known = confirmed_.size();
+  for (int reads = 0; reads < kMostReads; ++reads) {
+    const bool was_up = is_up_;
+    if (const int code = mosquitto_loop(client_, static_cast<int>(patience.count()), 1); code != MOSQ_ERR_SUCCESS)
+      return lose(code);
+    if (was_up == is_up_ && known == confirmed_.size()) return;
+    known = confirmed_.size();
+    patience = kWithoutWaiting;
+  }
+}
+
+// The library closes what it has left of the connection when it makes the next one.
+void MosquittoBroker::lose(int code) {
+  is_begun_ = false;
+  is_up_ = false;
+  // errno is of the socket here, and the library's own sentence for it is none.
+  say(fmt::format("{}:{}: {}", place_.host, place_.port,
+                  code == MOSQ_ERR_ERRNO ? std::generic_category().message(errno) : mosquitto_strerror(code)),
+      spdlog::level::warn);
 }
 
 }  // namespace

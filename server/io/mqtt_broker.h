@@ -1,4 +1,4 @@
-// An MQTT broker (3.1.1), on libmosquitto, whose thread keeps the connection.
+// An MQTT broker (3.1.1), on libmosquitto.
 #pragma once
 
 #include <expected>

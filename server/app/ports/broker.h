@@ -22,8 +22,8 @@ class Broker {
   Broker& operator=(const Broker&) = delete;
   virtual ~Broker() = default;
 
-  // 0 while there is no connection; else another number for each one. Begins the first one where it is time: ask for it
-  // again and again.
+  // 0 while there is no connection; else another number for each one. It reads, writes and connects where it is time,
+  // and at no other time: ask for it again and again.
   [[nodiscard]] virtual std::uint64_t connection() = 0;
   // By QoS 1 over the connection that is up. A number that confirmed() gives once the broker has it; 0: not sent.
   virtual std::int64_t publish(const BrokerMessage& message) = 0;
