@@ -1,8 +1,11 @@
 // From the text of one control to the text of another. Same dialect in macro mode: the bytes themselves.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dialects/compile/explicit_program.h"
@@ -15,6 +18,8 @@
 namespace dripfeed::compile {
 
 enum class ConvertMode : std::uint8_t { macro, explicit_blocks };
+inline constexpr std::array<std::string_view, 2> kConvertModeNames = {"macro", "explicit"};
+constexpr std::string_view name_of(ConvertMode mode) { return kConvertModeNames[static_cast<std::size_t>(mode)]; }
 
 struct ConvertRequest {
   text::Source source;

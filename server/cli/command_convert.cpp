@@ -2,14 +2,14 @@
 #include <memory>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include "dialects/compile/convert.h"
+#include "server/app/translation.h"
 #include "server/cli/called_programs.h"
 #include "server/cli/cli.h"
-#include "server/cli/documents.h"
 #include "server/cli/inputs.h"
 #include "server/cli/output.h"
+#include "server/json/translation.h"
 
 namespace dripfeed::cli {
 
@@ -55,22 +55,16 @@ int convert(const Options& options) {
     print_error(to.error());
     return kWrongUse;
   }
-  if (!from->control.contradiction.empty()) {
-    const ir::SystemEvidence& a = from->control.contradiction[0];
-    const ir::SystemEvidence& b = from->control.contradiction[1];
-    print_error(
-        {.code = app::ErrorCode::invalid,
-         .text = fmt::format("{}: line {} has {} and line {} has {}, which are of different G-code systems of a "
-                             "lathe: state which it is with --control kind=lathe,g_system=A (B, C)",
-                             source->name(), a.line, a.code, b.line, b.code),
-         .places = {}});
+  if (const auto clear = app::refuse_contradiction(*source, from->control); !clear) {
+    print_error(clear.error());
     return kWrongUse;
   }
   compile::ProgramLibrary library(from->control, find_in(folders_for(options.text, options.file)));
   const auto mode = options.mode == "macro" ? compile::ConvertMode::macro : compile::ConvertMode::explicit_blocks;
   const compile::ConvertResult result = compile::convert(
       {.source = *source, .from = from->control, .to = to->control, .mode = mode, .library = &library});
-  if (options.text.json && !write_output(options.text.output, convert_document(result, *source))) return kWrongUse;
+  if (options.text.json && !write_output(options.text.output, json::translation(result, *source) + "\n"))
+    return kWrongUse;
   if (!options.text.json) print_diagnostics(result.diagnostics, *source, from->control.title);
   const bool own_bytes = options.from == options.to && mode == compile::ConvertMode::macro;
   if (!own_bytes && text::has_error(result.diagnostics)) return kFailed;

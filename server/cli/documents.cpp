@@ -69,15 +69,6 @@ std::string run_document(const interpreter::RunResult& result) {
                {"not_interpreted", skipped}});
 }
 
-std::string convert_document(const compile::ConvertResult& result, const text::Source& source) {
-  const bool failed = text::has_error(result.diagnostics);
-  const bool verified = !failed && result.not_verified.empty();
-  return dump({{"text", failed ? Document(nullptr) : Document(result.text)},
-               {"verified", verified},
-               {"not_verified", result.not_verified.empty() ? Document(nullptr) : Document(result.not_verified)},
-               {"diagnostics", Document::parse(json::diagnostics(result.diagnostics, source))}});
-}
-
 namespace {
 
 Document cost_document(const std::optional<compile::ComputeCost>& cost) {

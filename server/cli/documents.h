@@ -26,8 +26,6 @@ struct WireHashes {
 };
 
 std::string run_document(const interpreter::RunResult& result);
-// {"text","verified","not_verified","diagnostics"}: `not_verified` is why it is not, null where it is.
-std::string convert_document(const compile::ConvertResult& result, const text::Source& source);
 // {"text","changes":[{"line","rule","what"}],"left_because","not_verified","before","after","cost"}: the two costs are
 // null where the program was not run before and after, `left_because` is why it is as it was.
 std::string optimize_document(const compile::OptimizeResult& result, const ir::CostModel& cost,

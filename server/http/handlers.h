@@ -89,6 +89,7 @@ Response compare_programs(const Call& call);
 
 // handlers_editing.cpp
 Response diagnose(const Call& call);
+Response convert(const Call& call);
 Response get_dialect_words(const Call& call);
 
 // handlers_library.cpp

@@ -1,6 +1,8 @@
 // For who writes a text: what is wrong with it as it stands, and the words of its language.
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "server/app/diagnose.h"
 #include "server/http/api.h"
 #include "server/http/handlers.h"
@@ -8,6 +10,54 @@
 #include "server/json/requests.h"
 
 namespace dripfeed::http {
+
+namespace {
+
+// Longest text that is translated.
+constexpr std::uint64_t kTextLimit = std::uint64_t{64} << 20U;
+
+// The machine's document; "" where none is named.
+app::Result<std::string> profile_of(store::Store& store, const std::string& machine) {
+  if (machine.empty()) return std::string();
+  auto found = app::lift(store.machines().get(machine));
+  if (!found) return std::unexpected(found.error());
+  return std::move(found->profile);
+}
+
+app::Result<void> load_program(store::Store& store, const json::ConvertBody& body, app::TranslationOrder& order) {
+  const auto program = app::lift(store.programs().get(body.program));
+  if (!program) return std::unexpected(program.error());
+  const auto revision = app::lift(find_revision(store, body.program, body.revision));
+  if (!revision) return std::unexpected(revision.error());
+  if (revision->bytes > kTextLimit)
+    return app::fail(app::ErrorCode::invalid,
+                     fmt::format("program {} has {} bytes, more than are translated", program->name, revision->bytes));
+  auto text = app::lift(store::read_whole(store.contents(), revision->sha256, kTextLimit));
+  if (!text) return std::unexpected(text.error());
+  order.name = program->name;
+  order.text = std::move(*text);
+  if (order.from.dialect.empty()) order.from.dialect = program->dialect;
+  return {};
+}
+
+app::Result<app::TranslationOrder> translation_order(store::Store& store, json::ConvertBody& body) {
+  app::TranslationOrder order{.name = "text",
+                              .text = std::move(body.text),
+                              .from = {.dialect = body.dialect, .profile = {}},
+                              .to = {.dialect = body.to, .profile = {}},
+                              .mode = body.mode};
+  if (body.program != 0)
+    if (auto loaded = load_program(store, body, order); !loaded) return std::unexpected(loaded.error());
+  auto from = profile_of(store, body.machine);
+  if (!from) return std::unexpected(from.error());
+  auto to = profile_of(store, body.to_machine);
+  if (!to) return std::unexpected(to.error());
+  order.from.profile = std::move(*from);
+  order.to.profile = std::move(*to);
+  return order;
+}
+
+}  // namespace
 
 Response diagnose(const Call& call) {
   auto body = json::read_diagnose_body(call.request.body);
@@ -19,6 +69,17 @@ Response diagnose(const Call& call) {
     order.profile = std::move(machine->profile);
   }
   const auto done = call.api.workers().diagnose(order, waiter_of(call, "diagnose", "text", body->machine));
+  if (!done) return problem_response(done.error());
+  return json_response(200, *done);
+}
+
+Response convert(const Call& call) {
+  auto body = json::read_convert_body(call.request.body);
+  if (!body) return problem_response(body.error());
+  auto order = translation_order(call.api.application().store(), *body);
+  if (!order) return problem_response(order.error());
+  const std::string subject = body->program == 0 ? "text" : fmt::format("program/{}", body->program);
+  const auto done = call.api.workers().convert(*order, waiter_of(call, "convert", subject, body->machine));
   if (!done) return problem_response(done.error());
   return json_response(200, *done);
 }

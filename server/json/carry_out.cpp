@@ -7,6 +7,7 @@
 #include "server/json/reports.h"
 #include "server/json/requests.h"
 #include "server/json/sweep_report.h"
+#include "server/json/translation.h"
 #include "server/json/work_package.h"
 #include "server/json/workers.h"
 
@@ -146,6 +147,19 @@ Reply diagnose(const Work& work) {
   return reply;
 }
 
+Reply convert(const Work& work) {
+  const app::TranslationOrder order{.name = work.text("name"),
+                                    .text = work.text("text"),
+                                    .from = {work.text("from_dialect"), work.text("from_profile")},
+                                    .to = {work.text("to_dialect"), work.text("to_profile")},
+                                    .mode = static_cast<compile::ConvertMode>(work.package.head.at("mode").get<int>())};
+  const auto done = app::translate_text(order, work.documents);
+  if (!done) return std::unexpected(done.error());
+  WorkPackage reply;
+  reply.add(translation(*done, order.mode));
+  return reply;
+}
+
 Reply index(const Work& work) {
   const auto done = app::digest_programs(read_digest_orders(work.package.head.at("orders"), work.package));
   if (!done) return std::unexpected(done.error());
@@ -158,9 +172,9 @@ struct KindRow {
   std::string_view name;
   Reply (*carry_out)(const Work&);
 };
-constexpr KindRow kKinds[] = {{"check", check},     {"render", render}, {"accuracy", accuracy},
-                              {"gouge", gouge},     {"timing", timing}, {"sweep", sweep},
-                              {"compare", compare}, {"index", index},   {"diagnose", diagnose}};
+constexpr KindRow kKinds[] = {{"check", check},       {"render", render},  {"accuracy", accuracy}, {"gouge", gouge},
+                              {"timing", timing},     {"sweep", sweep},    {"compare", compare},   {"index", index},
+                              {"diagnose", diagnose}, {"convert", convert}};
 
 Reply do_work(const WorkPackage& package) {
   const Work work{.package = package,

@@ -127,6 +127,20 @@ void read_members(ObjectReader& o, DiagnoseBody& into) {
   read_delivery(o, into.delivery);
 }
 
+void read_members(ObjectReader& o, ConvertBody& into) {
+  o.text("text", into.text);
+  o.integer("program", into.program, 1, kMaxId);
+  o.integer("revision", into.revision, 1, kMaxId);
+  o.text("dialect", into.dialect);
+  o.text("machine", into.machine);
+  o.text("to", into.to);
+  o.text("to_machine", into.to_machine);
+  if (const auto mode = o.choice("mode", compile::kConvertModeNames))
+    into.mode = static_cast<compile::ConvertMode>(*mode);
+  if (o.has("text") == o.has("program")) o.fault("text", "either text or program");
+  if (into.to.empty() == into.to_machine.empty()) o.fault("to", "either to, a dialect, or to_machine");
+}
+
 void read_members(ObjectReader& o, ReleaseBody& into) { read_subject(o, into); }
 
 void read_members(ObjectReader& o, app::CheckOrder& into) {
@@ -259,6 +273,7 @@ app::Result<PartBody> read_part_body(std::string_view body, bool is_new) {
 }
 app::Result<app::RenderOrder> read_render_body(std::string_view body) { return read_body<app::RenderOrder>(body); }
 app::Result<app::CheckOrder> read_check_body(std::string_view body) { return read_body<app::CheckOrder>(body); }
+app::Result<ConvertBody> read_convert_body(std::string_view body) { return read_body<ConvertBody>(body); }
 app::Result<DiagnoseBody> read_diagnose_body(std::string_view body) { return read_body<DiagnoseBody>(body); }
 app::Result<MeasureBody> read_measure_body(std::string_view body, Measure what) {
   return read_by<MeasureBody>(kMeasures[static_cast<std::size_t>(what)], body);
@@ -305,6 +320,7 @@ Schemas request_schemas() {
       described<PartBody>("PartChange", read_part_change, "all values of a part's new revision"),
       described<app::RenderOrder>("RenderOrder", read_members, "what is rendered, and for which machine"),
       described<app::CheckOrder>("CheckOrder", read_members, "what is checked, and for which machine"),
+      described<ConvertBody>("ConvertOrder", read_members, "a text and the control that it is translated for"),
       described<DiagnoseBody>("DiagnoseOrder", read_members, "a text that is being written; it is not stored"),
       described<MeasureBody>("AccuracyOrder", read_accuracy, "a program, and what it is held against"),
       described<MeasureBody>("GougeOrder", read_gouge, "a program, and what it is held against"),

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "dialects/compile/convert.h"
 #include "server/app/measured.h"
 #include "server/app/programs.h"
 #include "server/app/receiving.h"
@@ -59,6 +60,20 @@ struct DiagnoseBody {
   store::Delivery delivery = store::Delivery::memory;
 };
 app::Result<DiagnoseBody> read_diagnose_body(std::string_view body);
+
+// A text or a stored program, and the control that it is translated for.
+struct ConvertBody {
+  std::string text;
+  store::Id program = 0;
+  store::Revision revision = 0;  // 0: the newest
+  std::string dialect;           // empty: the program's, the machine's, or the one that the text looks like
+  std::string machine;           // empty: the control that the text looks like
+  std::string to;                // dialect
+  std::string to_machine;
+  compile::ConvertMode mode = compile::ConvertMode::macro;
+};
+// Errors: invalid; of text and program, and of to and to_machine, just one is given.
+app::Result<ConvertBody> read_convert_body(std::string_view body);
 
 struct ReleaseBody {
   store::Id program = 0;

@@ -1,4 +1,5 @@
 // What an editor asks for.
+#include "dialects/compile/convert.h"
 #include "dialects/compile/language.h"
 #include "dialects/compile/outline.h"
 #include "server/json/schemas.h"
@@ -45,6 +46,18 @@ Schemas editing_schemas() {
                                                       {"text", text("of that line")}}),
                                    "programs, labels, calls, tools and stops in the order of the text")},
                {"outline_is_cut", flag("there are more places than these")}})},
+      {"Converted",
+       object("a text in another control's language; it is not stored",
+              {{"from", text("dialect that it was read in")},
+               {"to", text("dialect that it was translated to")},
+               {"mode", one_of(compile::kConvertModeNames, "of translation")},
+               {"text", or_null(text("the translation; null: refused, and the diagnostics state why"))},
+               {"verified", flag("both texts were run and made the same moves")},
+               {"not_verified", or_null(text("why that cannot be stated; null: it is, or nothing was translated"))},
+               {"origins", list_of(integer("line of the given text; 0: of none"),
+                                   "where each line of the translation comes from; empty: the text itself")},
+               {"diagnostics", diagnostics_schema("of the given text; the first of each kind")},
+               {"folded", folded()}})},
       {"DialectWords",
        object("the words of a control's language",
               {{"dialect", text("its name")},

@@ -106,6 +106,22 @@ app::Result<std::string> DocumentWorkers::compare(const app::CompareOrder& order
   return std::move(reply->texts.at(0));
 }
 
+app::Result<std::string> DocumentWorkers::convert(const app::TranslationOrder& order, const app::Waiter& waiter) {
+  WorkPackage request;
+  request.head = {{"kind", "convert"},
+                  {"seconds", budget_.seconds},
+                  {"name", request.add(order.name)},
+                  {"text", request.add(order.text)},
+                  {"from_dialect", request.add(order.from.dialect)},
+                  {"from_profile", request.add(order.from.profile)},
+                  {"to_dialect", request.add(order.to.dialect)},
+                  {"to_profile", request.add(order.to.profile)},
+                  {"mode", static_cast<int>(order.mode)}};
+  auto reply = ask(workplace_, request, budget_.seconds, waiter);
+  if (!reply) return std::unexpected(reply.error());
+  return std::move(reply->texts.at(0));
+}
+
 app::Result<std::string> DocumentWorkers::diagnose(const app::DiagnoseOrder& order, const app::Waiter& waiter) {
   WorkPackage request;
   request.head = {{"kind", "diagnose"},

@@ -6,6 +6,7 @@
 
 #include "server/app/compare.h"
 #include "server/app/diagnose.h"
+#include "server/app/translation.h"
 #include "server/app/workers.h"
 
 namespace dripfeed::json {
@@ -38,6 +39,8 @@ class DocumentWorkers final : public app::Workers {
 
   // The document of json::diagnosed. Whoever writes a text waits for it.
   app::Result<std::string> diagnose(const app::DiagnoseOrder& order, const app::Waiter& waiter);
+  // The document of json::translation.
+  app::Result<std::string> convert(const app::TranslationOrder& order, const app::Waiter& waiter);
 
   app::Workplace& workplace() { return workplace_; }
 

@@ -82,6 +82,32 @@ def words(client):
     client.refuse(422, "GET", "/dialects/fanuc/words?g_system=D", words=["g_system"])
 
 
+def a_translation(client):
+    """By the text and by a stored program, to a dialect and to a machine; a refusal names its place, and nothing is stored."""
+    text = "G21\nT1 M6\nG0 G54 G17 G90 X0 Y0\nS800 M3\nG0 G43 Z5. H1\nG1 Z-2. F100\nX40. F300\nG0 Z100.\nM30\n"
+    before = len(client.get("/programs?shelf=all")["items"])
+    found = client.must("POST", "/convert", {"text": text, "dialect": "fanuc", "to": "sinumerik-840d"}, role="programmer")
+    expect(found["verified"] and "T1" in found["text"] and "G43" not in found["text"] and found["from"] == "fanuc", found)
+    lines = found["text"].rstrip("\n").split("\n")
+    expect(len(found["origins"]) == len(lines) and found["origins"][[n for n, line in enumerate(lines) if "F300" in line][0]] == 7, found)
+    control = HandControl()
+    client.post("/machines", hand_profile(control, "other"))
+    stored = client.add_program(10)["id"]
+    turned = client.must("POST", "/convert", {"program": stored, "to": "haas", "mode": "explicit"}, role="programmer")
+    expect(turned["text"] and turned["mode"] == "explicit" and turned["to"] == "haas", turned)
+    expect(client.must("POST", "/convert", {"program": stored, "to_machine": "other"}, role="programmer")["to"] == "fanuc", "a machine's dialect")
+    refused = client.must("POST", "/convert", {"text": "N10 MSG(\"A\")\nR1=GETT(\"X\",1)\nG1 X=R1 F100\nM30\n", "dialect": "sinumerik-840d", "to": "fanuc"}, role="programmer")
+    expect(refused["text"] is None and not refused["verified"] and any(one["severity"] == "error" and one["line"] == 2 for one in refused["diagnostics"]), refused)
+    client.refuse(422, "POST", "/convert", {"text": "M30", "program": stored, "to": "fanuc"}, words=["either text or program"])
+    client.refuse(422, "POST", "/convert", {"text": "M30"}, words=["to_machine"])
+    client.refuse(422, "POST", "/convert", {"text": "M30", "to": "basic"}, words=["basic"])
+    client.refuse(422, "POST", "/convert", {"text": "M30", "to": "haas", "to_machine": "other"}, words=["either to"])
+    client.refuse(404, "POST", "/convert", {"text": "M30", "to_machine": "nobody"})
+    client.refuse(404, "POST", "/convert", {"program": 999, "to": "fanuc"})
+    expect(len(client.get("/programs?shelf=all")["items"]) == before + 1, "a translation is stored")
+    control.close()
+
+
 def a_preview(client):
     """What rendering gives byte for byte, and nothing of it is there afterwards."""
     control = HandControl()
@@ -107,6 +133,7 @@ def run(folder):
     an_outline(client)
     which_language(client)
     words(client)
+    a_translation(client)
     a_preview(client)
     expect(client.server.alive(), "the server is gone")
     client.server.stop()

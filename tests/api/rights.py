@@ -76,6 +76,7 @@ def rows(made):
         ("GET", "/api/v1/programs/{id}/compare", "viewer", {"id": "program"}, None, {"query": "?with_revision=1"}),
         ("POST", "/api/v1/preview", "programmer", {}, {"part": "R-1", "machine": "lathe"}, {}),
         ("POST", "/api/v1/diagnose", "programmer", {}, {"text": "M30"}, {}),
+        ("POST", "/api/v1/convert", "programmer", {}, {"text": "M30", "to": "fanuc"}, {}),
         ("GET", "/api/v1/dialects/{name}/words", "viewer", {"name": "fanuc"}, None, {}),
         ("POST", "/api/v1/checks", "programmer", {}, lambda: {"program": made["program"], "machine": "lathe"}, {"keep": "check"}),
         ("GET", "/api/v1/checks", "viewer", {}, None, {}),

@@ -800,6 +800,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/convert": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** a text or stored program in another control's language, run on both sides where it can be; it is not stored */
+        post: operations["post_convert"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/dialects/{name}/words": {
         parameters: {
             query?: never;
@@ -3710,6 +3727,28 @@ export interface components {
             /** @description lines that cut the nominal, as "12-60,70-71"; not given: all cuts */
             profile?: string | null;
         };
+        /** @description a text and the control that it is translated for */
+        ConvertOrder: {
+            /** @description the whole text; or program */
+            text?: string | null;
+            /** @description id of a stored program; or text */
+            program?: number | null;
+            /** @description of the program's text; not given: the newest */
+            revision?: number | null;
+            /** @description of the text; not given: the stored program's, the machine's, or the one that the text looks like */
+            dialect?: string | null;
+            /** @description whose control the text is for; not given: the control that the text looks like */
+            machine?: string | null;
+            /** @description dialect to translate to; or to_machine */
+            to?: string | null;
+            /** @description whose control it is translated for; or to */
+            to_machine?: string | null;
+            /**
+             * @description macro keeps variables and loops, explicit computes them; not given: macro
+             * @enum {string|null}
+             */
+            mode?: "macro" | "explicit" | null;
+        };
         /** @description a text that is being written; it is not stored */
         DiagnoseOrder: {
             /** @description the whole text */
@@ -5738,6 +5777,60 @@ export interface components {
             }[];
             /** @description there are more places than these */
             outline_is_cut: boolean;
+        };
+        /** @description a text in another control's language; it is not stored */
+        Converted: {
+            /** @description dialect that it was read in */
+            from: string;
+            /** @description dialect that it was translated to */
+            to: string;
+            /**
+             * @description of translation
+             * @enum {string}
+             */
+            mode: "macro" | "explicit";
+            /** @description the translation; null: refused, and the diagnostics state why */
+            text: string | null;
+            /** @description both texts were run and made the same moves */
+            verified: boolean;
+            /** @description why that cannot be stated; null: it is, or nothing was translated */
+            not_verified: string | null;
+            /** @description where each line of the translation comes from; empty: the text itself */
+            origins: number[];
+            /** @description of the given text; the first of each kind */
+            diagnostics: {
+                /** @description of the kind of fault */
+                id: string;
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description the called program that it is in; null: the text itself */
+                file: string | null;
+                /** @description from 1 */
+                line: number;
+                /** @description from 1, in bytes */
+                column: number;
+                /** @description from 1, in characters */
+                column_chars: number;
+                /** @description one sentence */
+                text: string;
+                /** @description by which the control itself would name it */
+                alarm: string | null;
+            }[];
+            /** @description of the diagnostics */
+            folded: {
+                /** @description of the kind of fault */
+                id: string;
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description that are not listed */
+                more: number;
+            }[];
         };
         /** @description the words of a control's language */
         DialectWords: {
@@ -9257,6 +9350,41 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Diagnosed"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_convert: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ConvertOrder"];
+            };
+        };
+        responses: {
+            /** @description a text or stored program in another control's language, run on both sides where it can be; it is not stored */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Converted"];
                 };
             };
             /** @description a problem */

@@ -1,0 +1,80 @@
+// The texts of both sides are the caller's, and the controls are found as the command finds them.
+#include "server/app/translation.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "dialects/compile/dialect.h"
+#include "server/app/catalog.h"
+
+namespace dripfeed::app {
+
+namespace {
+
+struct Side {
+  const compile::Dialect* dialect = nullptr;
+  ir::Control control;
+};
+
+Result<Side> side_of_machine(const TranslationOrder::Side& named, const Documents& documents) {
+  const auto profile = documents.read_profile(named.profile);
+  if (!profile) return std::unexpected(profile.error());
+  if (!named.dialect.empty() && named.dialect != profile->control.dialect)
+    return fail(ErrorCode::invalid, fmt::format("the machine is {}, not {}", profile->control.dialect, named.dialect));
+  auto control = control_of(*profile);
+  if (!control) return std::unexpected(control.error());
+  return Side{compile::find_dialect(profile->control.dialect), std::move(*control)};
+}
+
+Result<const compile::Dialect*> dialect_of(const std::string& name) {
+  const compile::Dialect* dialect = compile::find_dialect(name);
+  if (dialect == nullptr) return fail(ErrorCode::invalid, fmt::format("dialect \"{}\" is not known", name));
+  return dialect;
+}
+
+Result<Side> source_side(const TranslationOrder::Side& named, const text::Source& source, const Documents& documents) {
+  if (!named.profile.empty()) return side_of_machine(named, documents);
+  const auto dialect = named.dialect.empty() ? Result<const compile::Dialect*>(&compile::infer_dialect(source))
+                                             : dialect_of(named.dialect);
+  if (!dialect) return std::unexpected(dialect.error());
+  return Side{*dialect, (*dialect)->infer_control(source)};
+}
+
+// A lathe's program goes to a lathe: what was found out about the source holds for the other side.
+Result<Side> target_side(const TranslationOrder::Side& named, const Side& from, const Documents& documents) {
+  if (!named.profile.empty()) return side_of_machine(named, documents);
+  if (named.dialect == from.dialect->name) return from;
+  const auto dialect = dialect_of(named.dialect);
+  if (!dialect) return std::unexpected(dialect.error());
+  const bool is_mill = from.control.kind == ir::MachineKind::mill;
+  return Side{*dialect, (*dialect)->control(is_mill ? ir::MachineKind::mill : ir::MachineKind::lathe, {})};
+}
+
+}  // namespace
+
+Result<void> refuse_contradiction(const text::Source& source, const ir::Control& control) {
+  if (control.contradiction.empty()) return {};
+  const ir::SystemEvidence& a = control.contradiction[0];
+  const ir::SystemEvidence& b = control.contradiction[1];
+  return fail(
+      ErrorCode::invalid,
+      fmt::format("{}: line {} has {} and line {} has {}, which are of different G-code "
+                  "systems of a lathe: state which it is, by a machine or by --control kind=lathe,g_system=A (B, C)",
+                  source.name(), a.line, a.code, b.line, b.code));
+}
+
+Result<Translation> translate_text(const TranslationOrder& order, const Documents& documents) {
+  Translation out{.source = text::Source(order.name, order.text), .from = {}, .to = {}, .result = {}};
+  const auto from = source_side(order.from, out.source, documents);
+  if (!from) return std::unexpected(from.error());
+  if (auto clear = refuse_contradiction(out.source, from->control); !clear) return std::unexpected(clear.error());
+  const auto to = target_side(order.to, *from, documents);
+  if (!to) return std::unexpected(to.error());
+  out.from = from->dialect->name;
+  out.to = to->dialect->name;
+  out.result = compile::convert({.source = out.source, .from = from->control, .to = to->control, .mode = order.mode});
+  return out;
+}
+
+}  // namespace dripfeed::app

@@ -1,0 +1,35 @@
+// A refused translation has no text: half of one would be cut.
+#include "server/json/translation.h"
+
+#include <utility>
+
+#include "server/json/diagnostics.h"
+#include "server/json/parse.h"
+
+namespace dripfeed::json {
+
+namespace {
+
+Document document_of(const compile::ConvertResult& result, const text::Source& source) {
+  const bool failed = text::has_error(result.diagnostics);
+  return {{"text", failed ? Document(nullptr) : Document(result.text)},
+          {"verified", !failed && result.not_verified.empty()},
+          {"not_verified", text_or_null(result.not_verified)},
+          {"origins", result.origin_lines},
+          {"diagnostics", embedded(diagnostics(result.diagnostics, source))},
+          {"folded", embedded(folded_diagnostics(result.diagnostics))}};
+}
+
+}  // namespace
+
+std::string translation(const compile::ConvertResult& result, const text::Source& source) {
+  return dump(document_of(result, source));
+}
+
+std::string translation(const app::Translation& translation, compile::ConvertMode mode) {
+  Document document = {{"from", translation.from}, {"to", translation.to}, {"mode", compile::name_of(mode)}};
+  document.update(document_of(translation.result, translation.source));
+  return dump(document);
+}
+
+}  // namespace dripfeed::json
