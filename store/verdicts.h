@@ -19,6 +19,13 @@ struct Waiver {
   std::int64_t at_ms = 0;
 };
 
+// A program of the library that the text was run with, in place of the one that the control holds.
+struct VerdictCall {
+  std::string name{};  // by which it is called
+  Id program = 0;
+  Revision revision = 0;
+};
+
 struct NewVerdict {
   Id program = 0;
   Revision revision = 0;
@@ -27,6 +34,7 @@ struct NewVerdict {
   Delivery delivery = Delivery::drip;
   Outcome outcome = Outcome::unknown;
   std::string report{};
+  std::vector<VerdictCall> calls{};
 };
 
 struct Verdict {

@@ -351,7 +351,9 @@ class Converter {
     interpreter::ProgramFinder& finder = request_.library == nullptr ? none : *request_.library;
     ExplicitProgram made = explicit_program(program, request_.from, finder,
                                             {.limits = request_.limits, .initial_values = {}, .own_unit = true});
-    append(result_.diagnostics, run_faults(made));
+    const ProgramLibrary nothing(request_.from, {});
+    const RunTexts texts(program, request_.library == nullptr ? nothing : *request_.library);
+    append(result_.diagnostics, run_faults(made, texts));
     say_skip_decided(program);
     append(result_.diagnostics, passes::assumed_modes(program, request_.from));
     append(result_.diagnostics, passes::unsaid_modes(program, request_.from, false).diagnostics);

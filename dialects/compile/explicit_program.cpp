@@ -22,10 +22,6 @@ namespace {
 text::Diagnostic cannot_say(std::string_view what, text::Span span) {
   return text::make_diagnostic(text::DiagnosticId::cannot_translate, span, {std::string(what), "plain blocks"});
 }
-// Lines of called programs are none of the text.
-text::Span span_in_main(const ExplicitProgram& made, std::uint32_t program, std::uint32_t line) {
-  return program == 0 ? span_of_line(made.source, line) : text::Span{};
-}
 
 // The control that the explicit blocks are written for: neutral, but with the tool words of the source.
 ir::Control explicit_control(const ir::Control& source) {
@@ -241,21 +237,24 @@ class Recorder final : public ir::MotionSink, public interpreter::BlockObserver 
 
 }  // namespace
 
-std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made) {
+std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made, const RunTexts& texts) {
   const interpreter::RunResult& run = made.run;
   std::vector<text::Diagnostic> out;
   out.reserve(run.diagnostics.size());
-  for (const interpreter::RunDiagnostic& fault : run.diagnostics) out.push_back(fault.diagnostic);
+  for (const interpreter::RunDiagnostic& fault : run.diagnostics) out.push_back(texts.placed(fault, run));
   for (const interpreter::NotInterpreted& lost : run.not_interpreted) {
     if (is_carried(lost.function)) continue;
-    out.push_back(cannot_say(lost.name, span_in_main(made, lost.program, lost.first_line)));
+    out.push_back(cannot_say(lost.name, {}));
+    texts.place(out.back(), run, lost.program, lost.first_line);
     if (lost.effects_known) out.back().severity = text::Severity::warning;
     // Its chords are written; whether the control bends as we do is for somebody to look at.
     if (lost.function == ir::Function::spline) out.back().severity = text::Severity::warning;
   }
   // What is carried is taken from the text, where the number of such a code does not stand.
   for (const interpreter::ComputedCodeUse& code : run.computed_codes) {
-    if (is_carried(code.function)) out.push_back(cannot_say("a calculated code, here " + code.name, {}));
+    if (!is_carried(code.function)) continue;
+    out.push_back(cannot_say("a calculated code, here " + code.name, {}));
+    texts.place(out.back(), run, code.program, code.first_line);
   }
   for (const text::Diagnostic& lost : made.lost) {
     // What is not interpreted is reported already.

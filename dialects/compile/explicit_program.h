@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "dialects/compile/run_texts.h"
 #include "dialects/interpreter/interpreter.h"
 #include "dialects/ir/control.h"
 #include "dialects/ir/program.h"
@@ -58,7 +59,7 @@ ExplicitProgram explicit_program(const ir::Program& program, const ir::Control& 
                                  interpreter::ProgramFinder& finder, const ExplicitOptions& options);
 
 // The diagnostics of the run, and an error for whatever was met and would be lost in plain blocks; the one that ended
-// the run is an error, whatever its row says. Spans of faults in called programs are in those.
-std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made);
+// the run is an error, whatever its row says.
+std::vector<text::Diagnostic> run_faults(const ExplicitProgram& made, const RunTexts& texts);
 
 }  // namespace dripfeed::compile

@@ -180,7 +180,8 @@ class Renderer {
                                             {.initial_values = {}, .want_changes = true, .keep_taps = true});
     report_lists(made.run);
     if (text::has_error(result_.diagnostics)) return;
-    report(run_faults(made));
+    ProgramLibrary none(control_, {});
+    report(run_faults(made, RunTexts(built_, none)));
     ir::RaiseResult raised = raise(made.program, made.control);
     report(raised.diagnostics);
     if (text::has_error(result_.diagnostics)) return;

@@ -64,7 +64,7 @@ Application::Application(const Environment& environment)
       programs_(store_, clock_, documents_, environment.ballast, environment.workers),
       line_reading_(store_),
       checking_(store_, events_, clock_, documents_, environment.workers),
-      jobs_(store_, lines_, books_, events_, clock_, documents_),
+      jobs_(store_, lines_, books_, events_, clock_, documents_, CalledPrograms(store_, environment.library)),
       receiving_({store_, lines_, jobs_, programs_, events_, alarms_, clock_, documents_}),
       event_source_(environment.event_source) {
   if (environment.library != nullptr) library_.emplace(store_, *environment.library, environment.workers);

@@ -95,7 +95,9 @@ Result<StoredCase> load_case(store::Store& store, const Documents& documents, co
 
   StoredCase one{
       .program = std::move(*program), .revision = std::move(*revision), .machine = std::move(*machine), .order = {}};
-  one.order = {.name = one.program.name,
+  one.order = {.machine = one.machine.name,
+               .folder = one.program.folder,
+               .name = one.program.name,
                .dialect = one.program.dialect,
                .text = std::move(*text),
                .profile = one.machine.profile,
@@ -106,6 +108,17 @@ Result<StoredCase> load_case(store::Store& store, const Documents& documents, co
   return one;
 }
 
+namespace {
+
+std::vector<store::VerdictCall> calls_of(const std::vector<CalledText>& called) {
+  std::vector<store::VerdictCall> calls;
+  for (const CalledText& one : called)
+    if (one.program != 0) calls.push_back({.name = one.key, .program = one.program, .revision = one.revision});
+  return calls;
+}
+
+}  // namespace
+
 Checking::Checking(store::Store& store, Events& events, const Clock& clock, const Documents& documents,
                    Workers* workers)
     : store_(store), events_(events), clock_(clock), documents_(documents), workers_(workers) {}
@@ -114,8 +127,9 @@ Result<store::Verdict> Checking::check(const CheckOrder& order, std::string_view
   auto loaded = load_case(store_, documents_, order);
   if (!loaded) return std::unexpected(loaded.error());
   StoredCase& stored = *loaded;
-  auto done =
-      workers_ != nullptr ? workers_->check(stored.order, waiter) : check_case(std::move(stored.order), documents_, {});
+  CalledBy none;
+  auto done = workers_ != nullptr ? workers_->check(stored.order, waiter)
+                                  : check_case(std::move(stored.order), documents_, {}, none);
   if (!done) return std::unexpected(done.error());
 
   const store::NewVerdict row{.program = stored.program.id,
@@ -124,7 +138,8 @@ Result<store::Verdict> Checking::check(const CheckOrder& order, std::string_view
                               .machine_revision = stored.machine.revision,
                               .delivery = order.delivery,
                               .outcome = done->outcome,
-                              .report = std::move(done->report)};
+                              .report = std::move(done->report),
+                              .calls = calls_of(done->called)};
   auto verdict = lift(store_.verdicts().add(row, {std::string(actor), clock_.wall_ms()}));
   if (!verdict) return std::unexpected(verdict.error());
   events_.publish({.id = 0,

@@ -10,6 +10,7 @@
 
 #include "dialects/compile/execute.h"
 #include "dialects/compile/render.h"
+#include "dialects/compile/run_texts.h"
 #include "dialects/compile/shared_definitions.h"
 #include "dialects/ir/axis_letters.h"
 #include "server/app/line_characters.h"
@@ -108,37 +109,17 @@ std::string why_ended(const interpreter::RunResult& run) {
   return fmt::format("the run was stopped at the budget of {}", found->diagnostic.arguments.front());
 }
 
-// The text of each program that was run, by the name that the run has for it.
-class RunTexts {
- public:
-  RunTexts(const ir::Program& main, const compile::ProgramLibrary& library) {
-    add(main, nullptr);
-    for (const auto& loaded : library.loaded()) {
-      const auto source = std::make_shared<const text::Source>(loaded->read.program.source);
-      texts_.try_emplace(loaded->name, source);
-      add(loaded->read.program, source);
-    }
-  }
-  // nullptr: the text that is checked.
-  [[nodiscard]] std::shared_ptr<const text::Source> find(const std::string& name) const {
-    const auto found = texts_.find(name);
-    return found == texts_.end() ? nullptr : found->second;
-  }
-  // G30 stands in one of them.
-  [[nodiscard]] bool goes_to_second_reference() const { return goes_to_second_reference_; }
-
- private:
-  void add(const ir::Program& program, const std::shared_ptr<const text::Source>& source) {
-    for (const ir::Section& section : program.sections)
-      texts_.try_emplace(std::string(program.strings.at(section.name)), source);
-    constexpr std::int16_t kSecond = 2;
-    goes_to_second_reference_ |= std::ranges::any_of(program.codes, [](const ir::Code& code) {
+// G30 stands in one of the programs that were run.
+bool goes_to_second_reference(const ir::Program& main, const compile::ProgramLibrary& library) {
+  constexpr std::int16_t kSecond = 2;
+  const auto has_one = [](const ir::Program& program) {
+    return std::ranges::any_of(program.codes, [](const ir::Code& code) {
       return code.function == ir::Function::reference_return && code.argument == kSecond;
     });
-  }
-  bool goes_to_second_reference_ = false;
-  std::map<std::string, std::shared_ptr<const text::Source>> texts_;
-};
+  };
+  return has_one(main) ||
+         std::ranges::any_of(library.loaded(), [&](const auto& loaded) { return has_one(loaded->read.program); });
+}
 
 // The linear axes whose reference point the machine's profile does not say: "X, Z".
 std::string axes_without_reference(const machine::Profile& profile, bool second) {
@@ -196,15 +177,13 @@ bool ended_openly(const interpreter::RunResult& run) {
 }
 
 // What the run said: alarms and warnings, and what it met and did not carry out.
-void take_run(const interpreter::RunResult& run, const Examination& e, const RunTexts& texts, CheckReport& report) {
+void take_run(const interpreter::RunResult& run, const Examination& e, const compile::RunTexts& texts,
+              bool second_reference, CheckReport& report) {
   for (const interpreter::RunDiagnostic& one : run.diagnostics) {
-    text::Diagnostic diagnostic = one.diagnostic;
-    if (is_settled(diagnostic, e.profile)) continue;
-    if (one.program != 0) diagnostic.elsewhere = texts.find(run.programs[one.program]);
-    report.checks.diagnostics.push_back(std::move(diagnostic));
+    if (!is_settled(one.diagnostic, e.profile)) report.checks.diagnostics.push_back(texts.placed(one, run));
   }
   for (const interpreter::NotInterpreted& one : run.not_interpreted)
-    if (leaves_open(one, e, texts.goes_to_second_reference(), report)) report.checks.has_unknown_effects = true;
+    if (leaves_open(one, e, second_reference, report)) report.checks.has_unknown_effects = true;
   report.programs = run.programs;
   report.blocks = run.blocks;
   report.ran = run.ended == interpreter::Ended::end;
@@ -228,6 +207,18 @@ ir::Control for_check(const ir::Control& given) {
   return control;
 }
 
+// The control alarms on them when it comes to the call.
+void take_errors(const compile::ProgramLibrary::Loaded& called, CheckReport& report) {
+  const auto source = std::make_shared<const text::Source>(called.read.program.source);
+  for (const text::Diagnostic& one : called.read.diagnostics) {
+    if (one.severity != text::Severity::error) continue;
+    report.checks.diagnostics.push_back(one);
+    report.checks.diagnostics.back().elsewhere = source;
+  }
+  report.checks.has_unknown_effects = true;
+  report.checks.not_checked.add(fmt::format("{}: the called program has errors of its own", called.name));
+}
+
 void run_checks(const Examination& e, const ir::Program& program, CheckReport& report) {
   const ir::Control control = for_check(e.control);
   Checks checks(e, report);
@@ -237,13 +228,9 @@ void run_checks(const Examination& e, const ir::Program& program, CheckReport& r
   interpreter::RunOptions options;
   options.used_up = e.used_up;
   const interpreter::RunResult run = compile::execute(program, control, &library, sinks, options);
-  take_run(run, e, RunTexts(program, library), report);
-  for (const auto& loaded : library.loaded()) {
-    if (text::has_error(loaded->read.diagnostics)) {
-      report.checks.has_unknown_effects = true;
-      report.checks.not_checked.add(fmt::format("{}: the called program has errors of its own", loaded->name));
-    }
-  }
+  take_run(run, e, compile::RunTexts(program, library), goes_to_second_reference(program, library), report);
+  for (const auto& loaded : library.loaded())
+    if (text::has_error(loaded->read.diagnostics)) take_errors(*loaded, report);
   checks.finish();
 }
 
@@ -361,7 +348,7 @@ CheckReport examine(const Examination& given) {
   } else {
     report.checks.not_checked.add("what the program does: it has errors that keep it from being run");
   }
-  if (!e.assumed.empty()) report.checks.not_checked.add(e.assumed);
+  for (const std::string& one : e.assumed) report.checks.not_checked.add(one);
   sort_and_join(report.checks.diagnostics);
   report.verdict = checks::verdict_of(report.checks);
   return std::move(report);

@@ -36,7 +36,7 @@ struct Examination {
   std::vector<family::LineRange> profile_lines;  // the moves that make the nominal; empty: every cut
   TimingWishes timing = {};
   std::function<std::string()> used_up = {};  // a budget of the caller's: see interpreter::RunOptions
-  std::string assumed = {};  // what was taken on somebody's word, told among what was not checked; may be empty
+  std::vector<std::string> assumed = {};      // what was taken on somebody's word: it stands among what was not checked
 };
 
 CheckReport examine(const Examination& examination);

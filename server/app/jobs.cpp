@@ -61,8 +61,14 @@ std::uint64_t random_session() {
 }  // namespace
 
 Jobs::Jobs(store::Store& store, Lines& lines, Books& books, Events& events, const Clock& clock,
-           const Documents& documents)
-    : store_(store), lines_(lines), books_(books), events_(events), clock_(clock), documents_(documents) {}
+           const Documents& documents, CalledPrograms called)
+    : store_(store),
+      lines_(lines),
+      books_(books),
+      events_(events),
+      clock_(clock),
+      documents_(documents),
+      called_(std::move(called)) {}
 
 store::Stamp Jobs::stamp(std::string_view actor) const { return {std::string(actor), clock_.wall_ms()}; }
 
@@ -76,15 +82,22 @@ void Jobs::publish(const store::Job& job, std::string_view text) {
                    .text = std::string(text)});
 }
 
-// A verdict on the machine as it was says nothing of the machine as it is. The approval stays: a new check is enough.
-Result<void> Jobs::refuse_changed_machine(std::string_view text_sha256, const store::Machine& machine,
-                                          store::Delivery delivery) {
+// A verdict on the machine as it was says nothing of the machine as it is, and one with a called program as it was
+// nothing of the program as it is. The approval stays: a new check is enough.
+Result<void> Jobs::refuse_outdated(std::string_view text_sha256, const store::Machine& machine,
+                                   store::Delivery delivery) {
   const auto verdict = lift(store_.verdicts().newest(text_sha256, machine.name, delivery));
   if (!verdict) return std::unexpected(verdict.error());
   if (!*verdict) return {};  // the store says so in its own words
-  if ((*verdict)->of.machine_revision == machine.revision) return {};
+  if ((*verdict)->of.machine_revision == machine.revision) return called_.refuse_changed(**verdict);
   return fail(ErrorCode::refused, fmt::format("machine {} was changed after verdict {}: check the text for it again",
                                               machine.name, (*verdict)->id));
+}
+
+Result<void> Jobs::refuse_changed_calls(const store::Release& release) {
+  const auto verdict = lift(store_.verdicts().newest(release.text_sha256, release.of.machine, release.of.delivery));
+  if (!verdict) return std::unexpected(verdict.error());
+  return *verdict ? called_.refuse_changed(**verdict) : Result<void>{};
 }
 
 // "" where the line is no folder and tells no name. What a control calls its files is a rule for folders; where a name
@@ -152,7 +165,7 @@ Result<std::optional<store::Job>> Jobs::add_known(store::Id release, std::string
   auto fit = checked_texts_.find(wanted->text());
   if (!fit) return std::nullopt;
   const store::Release& row = wanted->release;
-  if (auto same = refuse_changed_machine(row.text_sha256, wanted->machine, row.of.delivery); !same)
+  if (auto same = refuse_outdated(row.text_sha256, wanted->machine, row.of.delivery); !same)
     return std::unexpected(same.error());
   return lift(store_.jobs().add(
       {.release = release, .link = std::move(fit->link), .bytes_total = fit->bytes_total, .order = order},
@@ -192,7 +205,7 @@ Result<Jobs::Arming> Jobs::prepare_arming(store::Id id, std::uint32_t rounds) {
   if (!whole) return std::unexpected(whole.error());
   const auto facts = check_program(store_.contents(), job->text_sha256, *profile, delivery_of(job->delivery));
   if (!facts) return std::unexpected(facts.error());
-  if (auto same = refuse_changed_machine(job->text_sha256, *machine, job->delivery); !same)
+  if (auto same = refuse_outdated(job->text_sha256, *machine, job->delivery); !same)
     return std::unexpected(same.error());
   auto name = file_name(*profile, job->program);
   if (!name) return std::unexpected(name.error());

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "server/app/books.h"
+#include "server/app/called_programs.h"
 #include "server/app/checked_texts.h"
 #include "server/app/documents.h"
 #include "server/app/error.h"
@@ -21,7 +22,8 @@ class Jobs {
   // Where the text was read for a machine that had changed again by then.
   static constexpr std::string_view kMachineChanges = "the machine is being changed: try again";
 
-  Jobs(store::Store& store, Lines& lines, Books& books, Events& events, const Clock& clock, const Documents& documents);
+  Jobs(store::Store& store, Lines& lines, Books& books, Events& events, const Clock& clock, const Documents& documents,
+       CalledPrograms called);
 
   // Queued. Errors: not_found, refused (not released, the machine changed after the verdict, or its text cannot be
   // fed: with the place), unavailable (the disk is full).
@@ -30,6 +32,9 @@ class Jobs {
   // read first, which takes too long for a transaction.
   Result<std::optional<store::Job>> add_known(store::Id release, std::string_view actor, store::Id order = 0);
   Result<void> read_text(store::Id release);
+  // Whether the verdict of a release is of the programs that are called now; the store knows all else that a step of
+  // it needs. Errors: not_found, refused.
+  Result<void> refuse_changed_calls(const store::Release& release);
   // Once the transaction is durable.
   void announce(const store::Job& job) { publish(job, "queued"); }
   // The named person arms it for its machine's line, for so long or as the profile says; to be sent `rounds` times,
@@ -59,8 +64,7 @@ class Jobs {
   // A release that may become a job as far as the disk goes, and its machine as it is now.
   struct Wanted;
   Result<Wanted> find_wanted(store::Id release);
-  Result<void> refuse_changed_machine(std::string_view text_sha256, const store::Machine& machine,
-                                      store::Delivery delivery);
+  Result<void> refuse_outdated(std::string_view text_sha256, const store::Machine& machine, store::Delivery delivery);
   Result<std::shared_ptr<Line>> line_with(const store::Job& job);
   Result<std::string> file_name(const machine::Profile& profile, store::Id program);
   // `note`: what stands in the ledger, where something does.
@@ -82,6 +86,7 @@ class Jobs {
   Events& events_;
   const Clock& clock_;
   const Documents& documents_;
+  CalledPrograms called_;
   CheckedTexts checked_texts_;
 };
 

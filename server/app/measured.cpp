@@ -18,8 +18,8 @@ Measured measured_of(CheckReport report, const Examination& e) {
 }
 
 Result<Measured> measure_case(CaseOrder of, const MeasureWishes& wishes, const Documents& documents,
-                              const CheckBudget& budget) {
-  const auto one = open_case(std::move(of), documents);
+                              const CheckBudget& budget, CalledBy& called) {
+  const auto one = open_case(std::move(of), documents, called);
   if (!one) return std::unexpected(one.error());
   OpenCase& opened = **one;
   if (wishes.baud != 0) {

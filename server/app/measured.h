@@ -33,7 +33,7 @@ struct MeasureOrder {
 };
 // Errors: as open_case; refused: it has faults or does not run to its end.
 Result<Measured> measure_case(CaseOrder of, const MeasureWishes& wishes, const Documents& documents,
-                              const CheckBudget& budget);
+                              const CheckBudget& budget, CalledBy& called);
 
 // As SVG; nothing where the check did not run. Feed and buffer need the timing's curve (see TimingWishes).
 enum class PictureKind : std::uint8_t { deviation, stock, feed, buffer };

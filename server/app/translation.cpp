@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "dialects/compile/dialect.h"
+#include "dialects/compile/shared_definitions.h"
 #include "server/app/catalog.h"
 
 namespace dripfeed::app {
@@ -64,7 +65,7 @@ Result<void> refuse_contradiction(const text::Source& source, const ir::Control&
                   source.name(), a.line, a.code, b.line, b.code));
 }
 
-Result<Translation> translate_text(const TranslationOrder& order, const Documents& documents) {
+Result<Translation> translate_text(const TranslationOrder& order, const Documents& documents, CalledBy& called) {
   Translation out{.source = text::Source(order.name, order.text), .from = {}, .to = {}, .result = {}};
   const auto from = source_side(order.from, out.source, documents);
   if (!from) return std::unexpected(from.error());
@@ -73,7 +74,11 @@ Result<Translation> translate_text(const TranslationOrder& order, const Document
   if (!to) return std::unexpected(to.error());
   out.from = from->dialect->name;
   out.to = to->dialect->name;
-  out.result = compile::convert({.source = out.source, .from = from->control, .to = to->control, .mode = order.mode});
+  const compile::FindText find = [&called](std::string_view name) { return called.find(name); };
+  const ir::Control control = compile::with_definitions(from->control, find);
+  compile::ProgramLibrary library(control, find);
+  out.result = compile::convert(
+      {.source = out.source, .from = control, .to = to->control, .mode = order.mode, .library = &library});
   return out;
 }
 

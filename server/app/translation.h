@@ -5,6 +5,7 @@
 #include <string>
 
 #include "dialects/compile/convert.h"
+#include "server/app/called_programs.h"
 #include "server/app/documents.h"
 #include "server/app/error.h"
 
@@ -18,8 +19,9 @@ struct TranslationOrder {
   };
   std::string name;  // of the program, for what is found in it
   std::string text;
-  Side from;  // neither: the control that the text looks like
-  Side to;    // one of them
+  Side from;      // neither: the control that the text looks like
+  Side to;        // one of them
+  Caller caller;  // whose programs are called
   compile::ConvertMode mode = compile::ConvertMode::macro;
 };
 
@@ -32,7 +34,7 @@ struct Translation {
 
 // Errors: invalid: a dialect that is not known, or another one than the machine's; a lathe's text whose G-code system
 // it does not show for certain.
-Result<Translation> translate_text(const TranslationOrder& order, const Documents& documents);
+Result<Translation> translate_text(const TranslationOrder& order, const Documents& documents, CalledBy& called);
 
 // Whether the text shows which G-code system of a lathe it has: a translation by the wrong one cuts wrong. Errors:
 // invalid, with the two lines that contradict each other.

@@ -1,6 +1,7 @@
 // Carrying out what workers.h describes, in whatever process this is.
 #include "server/app/workers.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -48,9 +49,24 @@ Result<void> add_geometry(const NominalCase& nominal, Examination& e) {
   if (auto fine = refuse_errors(made.diagnostics, source, fmt::format("family {}", nominal.family)); !fine) return fine;
   std::string values;
   for (const auto& [name, value] : nominal.values) values += fmt::format(" {}={}", name, value);
-  e.assumed = fmt::format("whether the part is that of family {}, revision {}{}: it was stated to be", nominal.family,
-                          nominal.revision, values);
+  e.assumed.push_back(fmt::format("whether the part is that of family {}, revision {}{}: it was stated to be",
+                                  nominal.family, nominal.revision, values));
   return {};
+}
+
+// What is not known of the control's memory.
+std::vector<std::string> assumed_of(const std::vector<CalledText>& called) {
+  std::vector<std::string> all;
+  std::string held;
+  for (const CalledText& one : called) {
+    if (!one.why_not.empty())
+      all.push_back(one.why_not);
+    else
+      held += fmt::format("{}{} as revision {} of program {}", held.empty() ? "" : ", ", one.key, one.revision,
+                          one.program);
+  }
+  if (!held.empty()) all.push_back(fmt::format("whether the control holds {}: it was run as the library has it", held));
+  return all;
 }
 
 }  // namespace
@@ -59,7 +75,7 @@ ir::Delivery delivery_of(store::Delivery delivery) {
   return delivery == store::Delivery::drip ? ir::Delivery::drip : ir::Delivery::memory;
 }
 
-Result<std::unique_ptr<OpenCase>> open_case(CaseOrder order, const Documents& documents) {
+Result<std::unique_ptr<OpenCase>> open_case(CaseOrder order, const Documents& documents, CalledBy& called) {
   auto profile = documents.read_profile(order.profile);
   if (!profile) return std::unexpected(profile.error());
   const auto control = control_of(*profile);
@@ -73,13 +89,15 @@ Result<std::unique_ptr<OpenCase>> open_case(CaseOrder order, const Documents& do
   e.profile = &one->profile;
   e.delivery = delivery_of(order.delivery);
   e.profile_lines = std::move(order.profile_lines);
+  e.find_called = [&called](std::string_view name) { return called.find(name); };
+  e.assumed = assumed_of(called.texts);
   if (!order.nominal) return one;
   if (auto known = add_geometry(*order.nominal, e); !known) return std::unexpected(known.error());
   return one;
 }
 
-Result<CheckDone> check_case(CaseOrder order, const Documents& documents, const CheckBudget& budget) {
-  const auto one = open_case(std::move(order), documents);
+Result<CheckDone> check_case(CaseOrder order, const Documents& documents, const CheckBudget& budget, CalledBy& called) {
+  const auto one = open_case(std::move(order), documents, called);
   if (!one) return std::unexpected(one.error());
   (*one)->examination.used_up = time_budget(budget.seconds);
   const CheckReport report = examine((*one)->examination);

@@ -8,6 +8,7 @@
 
 #include "dialects/compile/program_digest.h"
 #include "dialects/compile/render.h"
+#include "server/app/called_programs.h"
 #include "server/app/check_budget.h"
 #include "server/app/documents.h"
 #include "server/app/error.h"
@@ -28,6 +29,8 @@ struct NominalCase {
 
 // A program and the machine that it is for.
 struct CaseOrder {
+  std::string machine = {};  // its name
+  std::string folder = {};   // of the program in the library
   std::string name;
   std::string dialect;
   std::string text;
@@ -41,16 +44,17 @@ ir::Delivery delivery_of(store::Delivery delivery);
 
 struct OpenCase {
   machine::Profile profile;
-  Examination examination;  // refers to `profile`
+  Examination examination;  // refers to the profile
 };
 // Errors: invalid: a profile without a control, a nominal that does not bind.
-Result<std::unique_ptr<OpenCase>> open_case(CaseOrder order, const Documents& documents);
+Result<std::unique_ptr<OpenCase>> open_case(CaseOrder order, const Documents& documents, CalledBy& called);
 
 struct CheckDone {
   store::Outcome outcome = store::Outcome::unknown;
-  std::string report;  // as Documents::write_report has it
+  std::string report;                   // as Documents::write_report has it
+  std::vector<CalledText> called = {};  // that it was run with
 };
-Result<CheckDone> check_case(CaseOrder order, const Documents& documents, const CheckBudget& budget);
+Result<CheckDone> check_case(CaseOrder order, const Documents& documents, const CheckBudget& budget, CalledBy& called);
 
 struct RenderWork {
   std::string family;  // its name

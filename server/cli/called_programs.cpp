@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "server/app/program_pieces.h"
 #include "server/cli/inputs.h"
 #include "server/cli/program_folders.h"
 
@@ -22,34 +23,7 @@ constexpr std::uintmax_t kMostBytesOfFile = std::uintmax_t{4} << 20U;
 constexpr std::uintmax_t kMostBytesOfFolder = std::uintmax_t{64} << 20U;
 constexpr std::size_t kMostFiles = 4000;
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-bool is_number_name(std::string_view name) {
-  return name.size() > 1 && name.front() == 'O' && std::ranges::all_of(name.substr(1), is_digit);
-}
-
-// O12 and O0012 are one program.
-std::string without_zeros(std::string_view digits) {
-  return std::string(digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 1)));
-}
-
-// What a call names it by: "O12", "PROBE"; "" for a line that begins no program.
-std::string name_in_head(std::string_view line) {
-  line.remove_prefix(std::min(line.find_first_not_of(" \t%"), line.size()));
-  if (line.empty()) return {};
-  const bool lettered = line.front() == 'O' || line.front() == ':';
-  if (lettered) line.remove_prefix(1);
-  if (!line.empty() && line.front() == '<') {
-    const std::size_t end = line.find('>');
-    return end == std::string_view::npos ? std::string() : std::string(line.substr(1, end - 1));
-  }
-  const auto digits_end = std::ranges::find_if_not(line, is_digit);
-  const auto count = static_cast<std::size_t>(digits_end - line.begin());
-  return lettered && count > 0 ? "O" + without_zeros(line.substr(0, count)) : std::string();
-}
-
-// A program in a file: its own lines, behind as many empty ones as stand before it, so that messages count as the file
-// does.
+// A program in a file.
 struct Piece {
   std::string path;
   std::string text;
@@ -75,37 +49,20 @@ class FolderIndex {
 
   // nullptr: no file of the folder has it, or several have.
   [[nodiscard]] const Piece* find(const std::string& name) const {
-    const auto found = pieces_.find(is_number_name(name) ? "O" + without_zeros(name.substr(1)) : name);
+    const auto found = pieces_.find(app::number_name(name));
     return found == pieces_.end() || found->second.is_ambiguous ? nullptr : &found->second;
   }
 
  private:
   void add(const std::string& path, std::string_view text) {
     if (text.find('\0') != std::string_view::npos) return;
-    std::string name;
-    std::size_t begin = 0;
-    std::size_t lines = 0;
-    std::size_t lines_before = 0;
-    for (std::size_t at = 0; at < text.size(); ++lines) {
-      const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
-      if (std::string here = name_in_head(text.substr(at, end - at)); !here.empty()) {
-        keep(path, name, text.substr(begin, at - begin), lines_before);
-        name = std::move(here);
-        begin = at;
-        lines_before = lines;
-      }
-      at = end == text.size() ? end : end + text::eob_length(text, end);
+    for (const app::ProgramPiece& piece : app::pieces_of(text)) {
+      const auto [entry, is_new] = pieces_.try_emplace(piece.name, Piece{path, {}, false});
+      if (is_new)
+        entry->second.text = piece.in_place();
+      else
+        entry->second.is_ambiguous = true;
     }
-    keep(path, name, text.substr(begin), lines_before);
-  }
-
-  void keep(const std::string& path, const std::string& name, std::string_view text, std::size_t lines_before) {
-    if (name.empty()) return;
-    const auto [entry, is_new] = pieces_.try_emplace(name, Piece{path, {}, false});
-    if (is_new)
-      entry->second.text = std::string(lines_before, '\n') + std::string(text);
-    else
-      entry->second.is_ambiguous = true;
   }
 
   std::map<std::string, Piece, std::less<>> pieces_;

@@ -165,7 +165,8 @@ int run_server(const Options& options, const ServePlan& plan, const Books& books
   links->run([] { spdlog::info("the lines are served {}", io::how_scheduled()); });
   app::Ballast ballast(fs::path(options.data) / "ballast");
   io::WorkerDesk desk(desk_settings(options));
-  json::DocumentWorkers workers(desk, {.seconds = options.check_seconds, .memory_bytes = 0});
+  json::DocumentWorkers workers(desk, {.seconds = options.check_seconds, .memory_bytes = 0},
+                                app::CalledPrograms(store, books.library));
   const auto sender = io::make_http_sender(
       {.ca_file = options.webhook_ca, .user_agent = fmt::format("dripfeed/{}", std::string_view(kVersion))});
   if (!sender) {

@@ -37,6 +37,7 @@ app::Result<void> load_program(store::Store& store, const json::ConvertBody& bod
   order.name = program->name;
   order.text = std::move(*text);
   if (order.from.dialect.empty()) order.from.dialect = program->dialect;
+  order.caller = {.dialect = program->dialect, .machine = body.machine, .folder = program->folder};
   return {};
 }
 
@@ -45,6 +46,7 @@ app::Result<app::TranslationOrder> translation_order(store::Store& store, json::
                               .text = std::move(body.text),
                               .from = {.dialect = body.dialect, .profile = {}},
                               .to = {.dialect = body.to, .profile = {}},
+                              .caller = {},
                               .mode = body.mode};
   if (body.program != 0)
     if (auto loaded = load_program(store, body, order); !loaded) return std::unexpected(loaded.error());

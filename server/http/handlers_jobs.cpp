@@ -77,12 +77,12 @@ Response move_release(const Call& call) {
   const auto move = json::read_transition_body(call.request.body);
   if (!move) return problem_response(move.error());
   app::Application& app = call.api.application();
-  if (call.right < Right::approver) {
-    const auto release = app.store().releases().get(*id);
-    if (!release) return problem_response(app::from_store(release.error()));
-    if (!hands_in(*release, *move))
-      return problem_response(403, "this needs the role approver: a programmer hands a draft in for review");
-  }
+  const auto release = app.store().releases().get(*id);
+  if (!release) return problem_response(app::from_store(release.error()));
+  if (call.right < Right::approver && !hands_in(*release, *move))
+    return problem_response(403, "this needs the role approver: a programmer hands a draft in for review");
+  if (move->to == store::ReleaseState::proving || move->to == store::ReleaseState::approved)
+    if (const auto same = app.jobs().refuse_changed_calls(*release); !same) return problem_response(same.error());
   return release_response(200,
                           app.store().releases().move(*id, *move, {std::string(call.user), app.clock().wall_ms()}));
 }

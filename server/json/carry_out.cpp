@@ -21,11 +21,12 @@ struct Work {
   const WorkPackage& package;
   JsonDocuments documents;
   app::CheckBudget budget;
+  app::CalledBy& called;
 
   [[nodiscard]] const std::string& text(std::string_view member) const { return package.text_of(package.head, member); }
 };
 
-Reply reply_figures(bool is_picture, std::string body) {
+Reply reply_figures(bool is_picture, const std::string& body) {
   WorkPackage reply;
   reply.head["is_picture"] = is_picture;
   reply.add(body);
@@ -33,7 +34,8 @@ Reply reply_figures(bool is_picture, std::string body) {
 }
 
 Reply check(const Work& work) {
-  const auto done = app::check_case(read_case(work.package.head.at("case"), work.package), work.documents, work.budget);
+  const auto done =
+      app::check_case(read_case(work.package.head.at("case"), work.package), work.documents, work.budget, work.called);
   if (!done) return std::unexpected(done.error());
   WorkPackage reply;
   reply.head["outcome"] = static_cast<int>(done->outcome);
@@ -61,7 +63,8 @@ Reply render(const Work& work) {
 }
 
 app::Result<app::Measured> measure(const Work& work, const app::MeasureWishes& wishes) {
-  return app::measure_case(read_case(work.package.head.at("case"), work.package), wishes, work.documents, work.budget);
+  return app::measure_case(read_case(work.package.head.at("case"), work.package), wishes, work.documents, work.budget,
+                           work.called);
 }
 
 Reply picture(const app::Measured& measured, app::PictureKind kind) {
@@ -152,8 +155,9 @@ Reply convert(const Work& work) {
                                     .text = work.text("text"),
                                     .from = {work.text("from_dialect"), work.text("from_profile")},
                                     .to = {work.text("to_dialect"), work.text("to_profile")},
+                                    .caller = {},
                                     .mode = static_cast<compile::ConvertMode>(work.package.head.at("mode").get<int>())};
-  const auto done = app::translate_text(order, work.documents);
+  const auto done = app::translate_text(order, work.documents, work.called);
   if (!done) return std::unexpected(done.error());
   WorkPackage reply;
   reply.add(translation(*done, order.mode));
@@ -176,10 +180,11 @@ constexpr KindRow kKinds[] = {{"check", check},       {"render", render},  {"acc
                               {"timing", timing},     {"sweep", sweep},    {"compare", compare},   {"index", index},
                               {"diagnose", diagnose}, {"convert", convert}};
 
-Reply do_work(const WorkPackage& package) {
+Reply do_work(const WorkPackage& package, app::CalledBy& called) {
   const Work work{.package = package,
                   .documents = {},
-                  .budget = {.seconds = package.head.at("seconds").get<std::uint32_t>(), .memory_bytes = 0}};
+                  .budget = {.seconds = package.head.at("seconds").get<std::uint32_t>(), .memory_bytes = 0},
+                  .called = called};
   const auto kind = package.head.at("kind").get<std::string>();
   for (const KindRow& row : kKinds)
     if (row.name == kind) return row.carry_out(work);
@@ -190,9 +195,14 @@ Reply do_work(const WorkPackage& package) {
 
 std::string carry_out(std::string_view request) {
   auto package = read_package(request);
-  if (!package) return write_work_error(package.error());
-  const Reply reply = do_work(*package);
-  return reply ? write_package(*reply) : write_work_error(reply.error());
+  if (!package) return write_package(error_package(package.error()));
+  app::CalledBy called;
+  if (const auto known = package->head.find("called"); known != package->head.end())
+    called.texts = read_called(*known, *package);
+  Reply done = do_work(*package, called);
+  WorkPackage reply = done ? std::move(*done) : error_package(done.error());
+  reply.head["missing"] = write_names(called.missing, reply);
+  return write_package(reply);
 }
 
 }  // namespace dripfeed::json

@@ -334,10 +334,18 @@ Document waivers_document(const store::Verdict& verdict) {
   return waivers;
 }
 
+Document calls_document(const store::Verdict& verdict) {
+  Document list = Document::array();
+  for (const store::VerdictCall& call : verdict.of.calls)
+    list.push_back({{"name", call.name}, {"program", call.program}, {"revision", call.revision}});
+  return list;
+}
+
 }  // namespace
 
 std::string verdict_summary(const store::Verdict& verdict) {
   Document document = verdict_document(verdict);
+  document["calls"] = calls_document(verdict);
   document["waivers"] = waivers_document(verdict);
   return dump(document);
 }
@@ -350,6 +358,7 @@ std::string verdict(const store::Verdict& verdict) {
       if (!document.contains(name)) document[name] = value;
     }
   }
+  document["calls"] = calls_document(verdict);
   document["waivers"] = waivers_document(verdict);
   return dump(document);
 }

@@ -181,12 +181,20 @@ Members timing_members() {
           {"without_stall", without_stall()}};
 }
 
+Schema calls() {
+  return list_of(
+      object("a program of the library that the text was run with", {{"name", text("by which it is called")},
+                                                                     {"program", integer("id of the program")},
+                                                                     {"revision", integer("of the program")}}),
+      "called programs; the verdict holds while these revisions are the ones that are called");
+}
+
 Schemas check_schemas() {
   return {
       {"VerdictSummary", object("what the checks found in a program, without their report",
-                                verdict_head() + Members{{"waivers", waivers()}})},
-      {"Verdict",
-       object("what the checks found in a program", verdict_head() + report() + Members{{"waivers", waivers()}})},
+                                verdict_head() + Members{{"calls", calls()}, {"waivers", waivers()}})},
+      {"Verdict", object("what the checks found in a program",
+                         verdict_head() + report() + Members{{"calls", calls()}, {"waivers", waivers()}})},
       {"EventVerdict", object("a program was checked", {{"id", integer("of the verdict")},
                                                         {"verdict", verdict_word("of the checks")},
                                                         {"machine", text("for which it was checked")},

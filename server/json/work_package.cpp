@@ -79,7 +79,9 @@ app::Result<WorkPackage> read_package(std::string_view bytes) {
 Document write_case(const app::CaseOrder& order, WorkPackage& into) {
   Document lines = Document::array();
   for (const family::LineRange& one : order.profile_lines) lines.push_back({one.first, one.last});
-  Document document = {{"name", into.add(order.name)},
+  Document document = {{"machine", into.add(order.machine)},
+                       {"folder", into.add(order.folder)},
+                       {"name", into.add(order.name)},
                        {"dialect", into.add(order.dialect)},
                        {"text", into.add(order.text)},
                        {"profile", into.add(order.profile)},
@@ -96,7 +98,9 @@ Document write_case(const app::CaseOrder& order, WorkPackage& into) {
 }
 
 app::CaseOrder read_case(const Document& from, const WorkPackage& package) {
-  app::CaseOrder order{.name = package.text_of(from, "name"),
+  app::CaseOrder order{.machine = package.text_of(from, "machine"),
+                       .folder = package.text_of(from, "folder"),
+                       .name = package.text_of(from, "name"),
                        .dialect = package.text_of(from, "dialect"),
                        .text = package.text_of(from, "text"),
                        .profile = package.text_of(from, "profile"),
@@ -113,6 +117,41 @@ app::CaseOrder read_case(const Document& from, const WorkPackage& package) {
                                    .values = read_values(nominal->at("values"), package),
                                    .is_said = nominal->at("is_said").get<bool>()};
   return order;
+}
+
+Document write_called(const std::vector<app::CalledText>& called, WorkPackage& into) {
+  Document list = Document::array();
+  for (const app::CalledText& one : called) {
+    list.push_back({{"key", into.add(one.key)},
+                    {"program", one.program},
+                    {"revision", one.revision},
+                    {"name", into.add(one.name)},
+                    {"text", into.add(one.text)},
+                    {"why_not", into.add(one.why_not)}});
+  }
+  return list;
+}
+
+std::vector<app::CalledText> read_called(const Document& from, const WorkPackage& package) {
+  std::vector<app::CalledText> called;
+  for (const Document& one : from) {
+    called.push_back({.key = package.text_of(one, "key"),
+                      .program = one.at("program").get<store::Id>(),
+                      .revision = one.at("revision").get<store::Revision>(),
+                      .name = package.text_of(one, "name"),
+                      .text = package.text_of(one, "text"),
+                      .why_not = package.text_of(one, "why_not")});
+  }
+  return called;
+}
+
+Document write_names(const std::set<std::string>& names, WorkPackage& into) {
+  return write_texts({names.begin(), names.end()}, into);
+}
+
+std::set<std::string> read_names(const Document& from, const WorkPackage& package) {
+  const std::vector<std::string> names = read_texts(from, package);
+  return {names.begin(), names.end()};
 }
 
 Document write_family(const app::RenderWork& work, WorkPackage& into) {
@@ -195,13 +234,13 @@ std::vector<app::ProgramDigest> read_digests(const Document& from, const WorkPac
   return digests;
 }
 
-std::string write_work_error(const app::Error& error) {
+WorkPackage error_package(const app::Error& error) {
   WorkPackage package;
   Document places = Document::array();
   for (const app::ErrorPlace& one : error.places)
     places.push_back({{"pointer", one.pointer}, {"line", one.line}, {"column", one.column}, {"text", one.text}});
   package.head["error"] = {{"code", static_cast<int>(error.code)}, {"text", error.text}, {"places", std::move(places)}};
-  return write_package(package);
+  return package;
 }
 
 app::Error read_work_error(const Document& error) {

@@ -2,6 +2,7 @@
 // encoding. Only files of this folder include this.
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,13 +30,17 @@ app::Result<WorkPackage> read_package(std::string_view bytes);
 // Members of a head.
 Document write_case(const app::CaseOrder& order, WorkPackage& into);
 app::CaseOrder read_case(const Document& from, const WorkPackage& package);
+Document write_called(const std::vector<app::CalledText>& called, WorkPackage& into);
+std::vector<app::CalledText> read_called(const Document& from, const WorkPackage& package);
+Document write_names(const std::set<std::string>& names, WorkPackage& into);
+std::set<std::string> read_names(const Document& from, const WorkPackage& package);
 Document write_family(const app::RenderWork& work, WorkPackage& into);
 app::RenderWork read_family(const Document& from, const WorkPackage& package);
 Document write_digest_orders(const std::vector<app::DigestOrder>& orders, WorkPackage& into);
 std::vector<app::DigestOrder> read_digest_orders(const Document& from, const WorkPackage& package);
 Document write_digests(const std::vector<app::ProgramDigest>& digests, WorkPackage& into);
 std::vector<app::ProgramDigest> read_digests(const Document& from, const WorkPackage& package);
-std::string write_work_error(const app::Error& error);
+WorkPackage error_package(const app::Error& error);
 app::Error read_work_error(const Document& error);
 Document write_diagnostics(const std::vector<text::Diagnostic>& diagnostics);
 std::vector<text::Diagnostic> read_diagnostics(const Document& from);

@@ -22,27 +22,74 @@ app::ErrorCode code_of(app::WorkFault fault) {
   return app::ErrorCode::internal;
 }
 
-// The reply's package, unless it is one of an error.
-app::Result<WorkPackage> ask(app::Workplace& workplace, const WorkPackage& request, std::uint32_t seconds,
-                             const app::Waiter& waiter) {
+// The reply's package, which may be one of an error.
+app::Result<WorkPackage> send(app::Workplace& workplace, const WorkPackage& request, std::uint32_t seconds,
+                              const app::Waiter& waiter) {
   const auto reply = workplace.carry_out(write_package(request), seconds, waiter);
   if (!reply) return app::fail(code_of(reply.error().fault), reply.error().text);
-  auto package = read_package(*reply);
+  return read_package(*reply);
+}
+
+app::Result<WorkPackage> without_error(app::Result<WorkPackage> package) {
   if (!package) return package;
   if (const auto error = package->head.find("error"); error != package->head.end())
     return std::unexpected(read_work_error(*error));
   return package;
 }
 
+app::Result<WorkPackage> ask(app::Workplace& workplace, const WorkPackage& request, std::uint32_t seconds,
+                             const app::Waiter& waiter) {
+  return without_error(send(workplace, request, seconds, waiter));
+}
+
+app::Caller caller_of(const app::CaseOrder& order) {
+  return {.dialect = order.dialect, .machine = order.machine, .folder = order.folder};
+}
+
 }  // namespace
 
+// True: there are more texts to run it with than before.
+app::Result<bool> DocumentWorkers::find_missing(const app::Caller& caller, std::vector<app::CalledText>& called,
+                                                const WorkPackage& reply) {
+  if (!called_) return false;
+  bool has_more = false;
+  for (const std::string& name : read_names(reply.head.at("missing"), reply)) {
+    auto found = called_->find(caller, name);
+    if (!found) return std::unexpected(found.error());
+    if (found->program == 0 && found->why_not.empty()) continue;
+    has_more = true;
+    called.push_back(std::move(*found));
+  }
+  return has_more;
+}
+
+// A called program may call others: each round is one level deeper, as it is not known before what a text calls.
+app::Result<WorkPackage> DocumentWorkers::ask_with_called(const app::Caller& caller,
+                                                          std::vector<app::CalledText>& called, const MakeRequest& make,
+                                                          const app::Waiter& waiter) {
+  constexpr int kMostRounds = 20;
+  auto reply = send(workplace_, make(called), budget_.seconds, waiter);
+  for (int round = 1; reply && round < kMostRounds; ++round) {
+    const auto has_more = find_missing(caller, called, *reply);
+    if (!has_more) return std::unexpected(has_more.error());
+    if (!*has_more) break;
+    reply = send(workplace_, make(called), budget_.seconds, waiter);
+  }
+  return without_error(std::move(reply));
+}
+
 app::Result<app::CheckDone> DocumentWorkers::check(const app::CaseOrder& order, const app::Waiter& waiter) {
-  WorkPackage request;
-  request.head = {{"kind", "check"}, {"seconds", budget_.seconds}, {"case", write_case(order, request)}};
-  auto reply = ask(workplace_, request, budget_.seconds, waiter);
+  std::vector<app::CalledText> called;
+  const auto make = [&](const std::vector<app::CalledText>& known) {
+    WorkPackage request;
+    request.head = {{"kind", "check"}, {"seconds", budget_.seconds}, {"case", write_case(order, request)}};
+    request.head["called"] = write_called(known, request);
+    return request;
+  };
+  auto reply = ask_with_called(caller_of(order), called, make, waiter);
   if (!reply) return std::unexpected(reply.error());
   return app::CheckDone{static_cast<store::Outcome>(reply->head.at("outcome").get<int>()),
-                        std::move(reply->texts.at(0))};
+                        std::move(reply->texts.at(0)), std::move(called)};
 }
 
 app::Result<app::RenderDone> DocumentWorkers::render(const app::RenderWork& work, const app::Waiter& waiter) {
@@ -78,14 +125,29 @@ app::Result<std::vector<app::ProgramDigest>> DocumentWorkers::digest(const std::
 
 app::Result<Figures> DocumentWorkers::figures(const FiguresWork& work, const app::Waiter& waiter) {
   const std::uint32_t seconds = work.sweep ? budget_.seconds * kSweepChecks : budget_.seconds;
-  WorkPackage request;
-  request.head = {{"kind", work.kind},
-                  {"seconds", budget_.seconds},
-                  {"plot", request.add(work.plot)},
-                  {"body", request.add(work.body)}};
-  if (work.of) request.head["case"] = write_case(*work.of, request);
-  if (work.sweep) request.head["family"] = write_family(*work.sweep, request);
-  auto reply = ask(workplace_, request, seconds, waiter);
+  const auto base = [&] {
+    WorkPackage request;
+    request.head = {{"kind", work.kind},
+                    {"seconds", budget_.seconds},
+                    {"plot", request.add(work.plot)},
+                    {"body", request.add(work.body)}};
+    return request;
+  };
+  app::Result<WorkPackage> reply = WorkPackage{};
+  if (work.of) {
+    std::vector<app::CalledText> called;
+    const auto make = [&](const std::vector<app::CalledText>& known) {
+      WorkPackage request = base();
+      request.head["case"] = write_case(*work.of, request);
+      request.head["called"] = write_called(known, request);
+      return request;
+    };
+    reply = ask_with_called(caller_of(*work.of), called, make, waiter);
+  } else {
+    WorkPackage request = base();
+    if (work.sweep) request.head["family"] = write_family(*work.sweep, request);
+    reply = ask(workplace_, request, seconds, waiter);
+  }
   if (!reply) return std::unexpected(reply.error());
   return Figures{reply->head.at("is_picture").get<bool>(), std::move(reply->texts.at(0))};
 }
@@ -107,17 +169,22 @@ app::Result<std::string> DocumentWorkers::compare(const app::CompareOrder& order
 }
 
 app::Result<std::string> DocumentWorkers::convert(const app::TranslationOrder& order, const app::Waiter& waiter) {
-  WorkPackage request;
-  request.head = {{"kind", "convert"},
-                  {"seconds", budget_.seconds},
-                  {"name", request.add(order.name)},
-                  {"text", request.add(order.text)},
-                  {"from_dialect", request.add(order.from.dialect)},
-                  {"from_profile", request.add(order.from.profile)},
-                  {"to_dialect", request.add(order.to.dialect)},
-                  {"to_profile", request.add(order.to.profile)},
-                  {"mode", static_cast<int>(order.mode)}};
-  auto reply = ask(workplace_, request, budget_.seconds, waiter);
+  std::vector<app::CalledText> called;
+  const auto make = [&](const std::vector<app::CalledText>& known) {
+    WorkPackage request;
+    request.head = {{"kind", "convert"},
+                    {"seconds", budget_.seconds},
+                    {"name", request.add(order.name)},
+                    {"text", request.add(order.text)},
+                    {"from_dialect", request.add(order.from.dialect)},
+                    {"from_profile", request.add(order.from.profile)},
+                    {"to_dialect", request.add(order.to.dialect)},
+                    {"to_profile", request.add(order.to.profile)},
+                    {"mode", static_cast<int>(order.mode)},
+                    {"called", write_called(known, request)}};
+    return request;
+  };
+  auto reply = ask_with_called(order.caller, called, make, waiter);
   if (!reply) return std::unexpected(reply.error());
   return std::move(reply->texts.at(0));
 }

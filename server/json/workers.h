@@ -1,15 +1,22 @@
 // Work that is given away as a package and carried out from one. Both ends are this program.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
+#include "server/app/called_programs.h"
 #include "server/app/compare.h"
 #include "server/app/diagnose.h"
 #include "server/app/translation.h"
 #include "server/app/workers.h"
 
 namespace dripfeed::json {
+
+struct WorkPackage;
 
 // Figures or a picture of a request of the measuring routes; `kind` is the route's last word.
 struct FiguresWork {
@@ -26,7 +33,10 @@ struct Figures {
 
 class DocumentWorkers final : public app::Workers {
  public:
-  DocumentWorkers(app::Workplace& workplace, const app::CheckBudget& budget) : workplace_(workplace), budget_(budget) {}
+  // Without `called` the programs that a program calls are not looked for.
+  DocumentWorkers(app::Workplace& workplace, const app::CheckBudget& budget,
+                  std::optional<app::CalledPrograms> called = {})
+      : workplace_(workplace), budget_(budget), called_(std::move(called)) {}
 
   app::Result<app::CheckDone> check(const app::CaseOrder& order, const app::Waiter& waiter) override;
   app::Result<app::RenderDone> render(const app::RenderWork& work, const app::Waiter& waiter) override;
@@ -47,8 +57,16 @@ class DocumentWorkers final : public app::Workers {
   static constexpr std::uint32_t kSweepChecks = 10;
 
  private:
+  using MakeRequest = std::function<WorkPackage(const std::vector<app::CalledText>& called)>;
+  // Adds to `called` what the text turns out to call.
+  app::Result<WorkPackage> ask_with_called(const app::Caller& caller, std::vector<app::CalledText>& called,
+                                           const MakeRequest& make, const app::Waiter& waiter);
+  app::Result<bool> find_missing(const app::Caller& caller, std::vector<app::CalledText>& called,
+                                 const WorkPackage& reply);
+
   app::Workplace& workplace_;
   app::CheckBudget budget_;
+  std::optional<app::CalledPrograms> called_;
 };
 
 // In the worker: does what a package asks for. The reply is a package, too, of an error where it could not be done.

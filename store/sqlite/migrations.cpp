@@ -11,6 +11,7 @@
 #include "store/sqlite/schema_v1.h"
 #include "store/sqlite/schema_v10.h"
 #include "store/sqlite/schema_v11.h"
+#include "store/sqlite/schema_v12.h"
 #include "store/sqlite/schema_v3.h"
 #include "store/sqlite/schema_v4.h"
 #include "store/sqlite/schema_v5.h"
@@ -136,7 +137,8 @@ std::span<const Migration> migrations() {
                                       Migration{8, "queue order", kSchemaV8},
                                       Migration{9, "labels of programs", kSchemaV9},
                                       Migration{10, "users", kSchemaV10},
-                                      Migration{11, "webhooks and orders", kSchemaV11}};
+                                      Migration{11, "webhooks and orders", kSchemaV11},
+                                      Migration{12, "called programs of verdicts", kSchemaV12}};
   return kMigrations;
 }
 

@@ -56,6 +56,22 @@ void read_waivers(Session& session, Verdict& verdict) {
   }
 }
 
+void read_calls(Session& session, Verdict& verdict) {
+  Query query(session, "SELECT name, program, revision FROM verdict_call WHERE verdict = ? ORDER BY name", verdict.id);
+  while (query.next()) {
+    store::VerdictCall call;
+    call.name = query.text();
+    call.program = query.number();
+    call.revision = query.number();
+    verdict.of.calls.push_back(std::move(call));
+  }
+}
+
+void read_what_belongs(Session& session, Verdict& verdict) {
+  read_calls(session, verdict);
+  read_waivers(session, verdict);
+}
+
 std::string subject_of(Id verdict) { return fmt::format("verdict/{}", verdict); }
 
 std::string select_where(std::string_view rest) {
@@ -72,6 +88,9 @@ Result<Verdict> VerdictTable::add(const NewVerdict& verdict, const Stamp& by) {
                 verdict.delivery, verdict.outcome, verdict.report, by.actor, by.at_ms, verdict.machine,
                 verdict.machine_revision);
     const Id id = session.last_id();
+    for (const store::VerdictCall& call : verdict.calls)
+      session.run("INSERT INTO verdict_call (verdict, name, program, revision) VALUES (?, ?, ?, ?)", id, call.name,
+                  call.program, call.revision);
     add_audit_row(
         session,
         {.action = "verdict.add",
@@ -111,7 +130,7 @@ Result<Verdict> VerdictTable::get(Id verdict) {
     Query query(session, kSql, verdict);
     if (!query.next()) return session.refuse(ErrorCode::not_found);
     Verdict read = read_verdict(query);
-    read_waivers(session, read);
+    read_what_belongs(session, read);
     return read;
   });
 }
@@ -124,7 +143,7 @@ Result<std::optional<Verdict>> VerdictTable::newest(std::string_view text_sha256
     Query query(session, kSql, text_sha256, machine, delivery);
     if (!query.next()) return std::nullopt;
     Verdict read = read_verdict(query);
-    read_waivers(session, read);
+    read_what_belongs(session, read);
     return read;
   });
 }
@@ -139,7 +158,7 @@ Result<store::Page<Verdict>> VerdictTable::list(const store::PageRequest& page, 
     Query query(session, sql, filter.program, filter.machine, from->after, from->rows);
     auto found =
         collect(query, page, read_verdict, [](const Verdict& verdict) { return fmt::format("{}", verdict.id); });
-    for (Verdict& verdict : found.items) read_waivers(session, verdict);
+    for (Verdict& verdict : found.items) read_what_belongs(session, verdict);
     return found;
   });
 }

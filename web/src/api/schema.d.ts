@@ -5096,6 +5096,15 @@ export interface components {
             created_by: string;
             /** @description when it was made; milliseconds since 1970, UTC */
             created_at_ms: number;
+            /** @description called programs; the verdict holds while these revisions are the ones that are called */
+            calls: {
+                /** @description by which it is called */
+                name: string;
+                /** @description id of the program */
+                program: number;
+                /** @description of the program */
+                revision: number;
+            }[];
             /** @description of this verdict */
             waivers: {
                 /** @description of the person */
@@ -5452,6 +5461,15 @@ export interface components {
             not_checked: string[];
             /** @description the main one first, then those that it calls */
             programs: string[];
+            /** @description called programs; the verdict holds while these revisions are the ones that are called */
+            calls: {
+                /** @description by which it is called */
+                name: string;
+                /** @description id of the program */
+                program: number;
+                /** @description of the program */
+                revision: number;
+            }[];
             /** @description of this verdict */
             waivers: {
                 /** @description of the person */

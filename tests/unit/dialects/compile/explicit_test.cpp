@@ -12,6 +12,11 @@
 namespace dripfeed::compile::test {
 namespace {
 
+std::vector<text::Diagnostic> faults_of(const ExplicitProgram& made, const ir::Program& program,
+                                        const ir::Control& on) {
+  return run_faults(made, RunTexts(program, ProgramLibrary(on, {})));
+}
+
 std::string explicit_text(const std::string& text, const ir::Control& from) {
   ConvertRequest request;
   request.source = text::Source("program", text);
@@ -94,7 +99,7 @@ TEST(Explicit, CarriesNumbersOfOffsetsOrSaysThatItCannot) {
     const ir::ReadResult read = find_dialect(on.dialect)->read(source, on);
     const ExplicitProgram made = explicit_program(read.program, on, interpreter::no_programs(), {});
     EXPECT_EQ(made.run.ended, interpreter::Ended::end) << lost;
-    EXPECT_TRUE(text::has_error(run_faults(made))) << lost;
+    EXPECT_TRUE(text::has_error(faults_of(made, read.program, on))) << lost;
   }
 }
 
@@ -157,7 +162,7 @@ TEST(Explicit, LimitsEndTheRunWithAnError) {
   options.limits.blocks = 1000;
   const ExplicitProgram made = explicit_program(read.program, on, interpreter::no_programs(), options);
   EXPECT_EQ(made.run.ended, interpreter::Ended::limit);
-  EXPECT_TRUE(text::has_error(run_faults(made)));
+  EXPECT_TRUE(text::has_error(faults_of(made, read.program, on)));
   // What is held whole has a closer one than what is only run.
   EXPECT_LT(ConvertRequest().limits.blocks, interpreter::Limits().blocks);
 }

@@ -78,7 +78,7 @@ Shop::Shop(const std::string& database, BusSeatMaker take_seat, Ballast* ballast
           links, take_seat, [this] { books.wake(); }, history_of(store, std::move(claim))),
       books(store, lines, events, alarms, links.clock(), ballast),
       catalog(store, lines, events, links.clock(), documents),
-      jobs(store, lines, books, events, links.clock(), documents) {}
+      jobs(store, lines, books, events, links.clock(), documents, CalledPrograms(store, nullptr)) {}
 
 Shop::~Shop() {
   store.watched_ledger().watch({});
