@@ -114,6 +114,7 @@ enum class Opcode : std::uint8_t {
   section_end,     // of section c: to a when it is being repeated
   execute_text,    // string a as a block
   foreign_part,    // part a in the control's other language; behind it, to b
+  plain_stretch,   // number a of the program
   apply,           // block template a
   call,            // call site a
   modal_call,      // from here on call site a behind each block that moves, number b times

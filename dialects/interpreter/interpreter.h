@@ -16,6 +16,7 @@
 
 #include "dialects/ir/ir.h"
 #include "dialects/ir/plain_batch.h"
+#include "dialects/ir/plain_stretch.h"
 #include "dialects/text/diagnostic.h"
 
 namespace dripfeed::interpreter {
@@ -103,6 +104,7 @@ struct RunOptions {
   // Names a budget of the caller's that is used up ("60 s"), which ends the run as passing one of the limits does; ""
   // while there is some left. Asked every few thousand motions, blocks and passes of loops. May be empty.
   std::function<std::string()> used_up = {};
+  const ir::PlainStretches* stretches = nullptr;  // that the program was read without; nullptr: none
 };
 
 // How a run ended: by the program's end, an alarm, one of Limits, or the end of the text without a program end.

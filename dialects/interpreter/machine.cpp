@@ -46,7 +46,8 @@ Machine::Machine(const ir::Control& control, ProgramFinder& finder, ir::MotionSi
                names_,
                shared_,
                options.observer != nullptr,
-               options.skip_switches},
+               options.skip_switches,
+               options.stretches},
       programs_(context_, finder),
       storage_(variables_, shared_, control.semantics),
       state_(initial_state(control)),
@@ -250,6 +251,7 @@ void Machine::execute(std::uint32_t next) {
       case Opcode::section_end:
       case Opcode::execute_text:
       case Opcode::foreign_part:
+      case Opcode::plain_stretch:
       case Opcode::call:
       case Opcode::modal_call:
       case Opcode::modal_end:
@@ -304,6 +306,7 @@ bool Machine::execute_rare(const Instruction& i, std::uint32_t& next) {
   if (i.op == Opcode::repeat_section) return repeat_section(i, next);
   if (i.op == Opcode::execute_text) return execute_text(i, next);
   if (i.op == Opcode::foreign_part) return enter_foreign_part(i, next);
+  if (i.op == Opcode::plain_stretch) return run_stretch(i);
   if (i.op == Opcode::back) return go_back(i, next);
   if (i.op == Opcode::back_to) return go_back_to(i, next);
   if (i.op == Opcode::program_end) return end_program(i, next);

@@ -28,8 +28,10 @@ class Machine {
   RunResult run(PlainStream& stream);
 
  private:
-  // Blocks as they are scanned; false when the run has ended. `plain` stands for the program that is not read whole.
-  bool run_plain_blocks(PlainStream& stream, CompiledProgram& plain);
+  // Blocks as they are scanned; false when the run has ended. `here` stands for all of them, and gets their `place`
+  // where it has one to be set.
+  bool run_plain_blocks(PlainStream& stream, const Instruction& here, text::Span* place);
+  bool run_stretch(const Instruction& i);
   RunResult finish(const CompiledProgram& main);
   void set_initial_values(const CompiledProgram& main);
   bool set_touch(const InitialValue& value);

@@ -58,6 +58,7 @@ void StatementCompiler::compile_statements(std::uint32_t first, std::uint32_t la
   if (!program.repeats.empty()) repeated_ = ir::repeated_parts(program);
   code_.resize(last - first);
   for (std::uint32_t i = first; i < last; ++i) {
+    compile_stretches(i);
     code_[i - first].begin = builder_.here();
     if (!begin_foreign_part(i)) compile_statement(i);
     end_foreign_part(i);
@@ -67,6 +68,16 @@ void StatementCompiler::compile_statements(std::uint32_t first, std::uint32_t la
     if (i == returns_behind) builder_.emit(Opcode::back, program.statements[i].span);
   }
   end_block();
+}
+
+void StatementCompiler::compile_stretches(std::uint32_t statement) {
+  const ir::PlainStretches* stretches = builder_.context().stretches;
+  if (stretches == nullptr || builder_.out().index != 0) return;
+  for (; next_stretch_ < stretches->all.size() && stretches->all[next_stretch_].statement <= statement;
+       ++next_stretch_) {
+    end_block();
+    builder_.emit(Opcode::plain_stretch, builder_.source().statements[statement].span, next_stretch_);
+  }
 }
 
 // True when the statement does nothing else.

@@ -28,6 +28,8 @@ class StatementCompiler {
   static const Row kRows[];
 
   void compile_statements(std::uint32_t first, std::uint32_t last, std::uint32_t returns_behind);
+  // The stretches that run before a statement of the main program.
+  void compile_stretches(std::uint32_t statement);
   // Around the statements that keep a foreign part as written.
   bool begin_foreign_part(std::uint32_t statement);
   void end_foreign_part(std::uint32_t statement);
@@ -65,6 +67,7 @@ class StatementCompiler {
   std::vector<StatementCode> code_;  // by statement, from the first that is compiled
   std::uint32_t next_part_ = 0;      // of the program's foreign ones
   std::uint32_t part_instruction_ = ir::kNoIndex;
+  std::uint32_t next_stretch_ = 0;
   std::vector<ir::RepeatedPart> repeated_;  // their place here is their number
 };
 

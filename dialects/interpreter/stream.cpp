@@ -2,6 +2,7 @@
 // goes on in the whole program from any block. Only what the whole program would have had by then must not be missing:
 // plain blocks compute nothing and call nothing, so that is the modal state and the counts.
 #include <algorithm>
+#include <stdexcept>
 
 #include "dialects/interpreter/machine.h"
 
@@ -27,7 +28,7 @@ RunResult Machine::run(PlainStream& stream) {
   report_.enter(plain);
   bool goes_on = false;
   try {
-    goes_on = run_plain_blocks(stream, plain);
+    goes_on = run_plain_blocks(stream, plain.code.front(), &plain.spans.front());
   } catch (const BudgetUsedUp& used) {
     out_.let_go();
     state_.spline.active = false;
@@ -62,17 +63,50 @@ Report report_of(const ir::PlainReport& report, const ir::Control& control) {
   return {std::string(report.name), report.function, report.function == ir::Function::no_effect};
 }
 
+// One stretch from its front.
+class StretchStream final : public PlainStream {
+ public:
+  StretchStream(const ir::PlainStretches& stretches, std::uint32_t number)
+      : scanner_(stretches.make_scanner()), stretch_(stretches.all[number]), at_(stretch_.begin) {
+    text_ = stretches.whole.text();
+  }
+  const ir::PlainBatch* next() override {
+    batch_.clear();
+    if (at_ >= stretch_.end) return nullptr;
+    const std::size_t taken = scanner_->scan(text_.substr(at_, stretch_.end - at_), batch_).taken;
+    if (taken == 0) throw std::logic_error("a stretch that was plain when it was read is not");
+    at_ += taken;
+    for (ir::PlainBlockRow& row : batch_.blocks) row.line += stretch_.line - 1;
+    return batch_.blocks.empty() ? nullptr : &batch_;
+  }
+  Rest rest() override { return {}; }
+  [[nodiscard]] std::string_view name() const override { return {}; }
+
+ private:
+  std::unique_ptr<ir::PlainScanner> scanner_;
+  const ir::PlainStretch& stretch_;
+  std::string_view text_;
+  std::uint64_t at_;
+  ir::PlainBatch batch_;
+};
+
 }  // namespace
 
-bool Machine::run_plain_blocks(PlainStream& stream, CompiledProgram& plain) {
-  const Instruction& here = plain.code.front();
+bool Machine::run_stretch(const Instruction& i) {
+  StretchStream stream(*options_.stretches, i.a);
+  return run_plain_blocks(stream, i, nullptr);
+}
+
+bool Machine::run_plain_blocks(PlainStream& stream, const Instruction& here, text::Span* place) {
   while (const ir::PlainBatch* batch = stream.next()) {
     auto report = batch->reports.begin();
     for (std::uint32_t n = 0; n < batch->blocks.size(); ++n) {
       const ir::PlainBlockRow& row = batch->blocks[n];
       const auto offset = static_cast<std::uint32_t>(row.offset);
-      plain.spans.front() = {offset, offset + row.length};
+      if (place != nullptr) *place = {offset, offset + row.length};
       if (executed_ == options_.limits.blocks) return report_.fail_limit(here, "blocks");
+      if (options_.observer != nullptr && executed_ > 0) [[unlikely]]
+        tell_block();
       budget_.take_step();
       begin_place(row.line);
       ++out_.work.blocks;

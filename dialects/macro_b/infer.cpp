@@ -41,12 +41,13 @@ struct Block {
   [[nodiscard]] bool is_call() const { return g(65) || g(66) || g(66.1) || g(10) || m(98) || g(4) || g(68) || g(68.2); }
 };
 
+// A piece of the text at a time: tokens take ten times its bytes.
 class BlockScan {
  public:
-  BlockScan(const text::Source& source, const Grammar& grammar) : text_(source.text()) { lex(text_, grammar, tokens_); }
+  BlockScan(const text::Source& source, const Grammar& grammar) : rest_(source.text()), grammar_(grammar) {}
 
   std::optional<Block> next() {
-    if (at_ >= tokens_.size()) return std::nullopt;
+    if (at_ >= tokens_.size() && !take_piece()) return std::nullopt;
     Block block;
     block.line = line_;
     char letter = 0;
@@ -87,7 +88,24 @@ class BlockScan {
     (letter == 'G' ? block.g10 : block.m10).push_back(static_cast<std::int32_t>(*value * 10.0 + 0.5));
   }
 
-  std::string_view text_;
+  // Whole lines, each with all of its EOB. False: the text is used up.
+  bool take_piece() {
+    constexpr std::size_t kBytes = std::size_t{64} * 1024;
+    std::size_t end = std::min(kBytes, rest_.size());
+    do {
+      end = std::min(rest_.find('\n', end), rest_.size() - 1) + 1;
+    } while (end < rest_.size() && rest_[end] == '\r');
+    text_ = rest_.substr(0, end);
+    rest_.remove_prefix(text_.size());
+    tokens_.clear();
+    at_ = 0;
+    lex(text_, grammar_, tokens_);
+    return !tokens_.empty();
+  }
+
+  std::string_view rest_;
+  const Grammar& grammar_;
+  std::string_view text_;  // that the tokens are of
   std::vector<ir::Token> tokens_;
   std::size_t at_ = 0;
   std::uint32_t line_ = 1;

@@ -219,7 +219,8 @@ void take_errors(const compile::ProgramLibrary::Loaded& called, CheckReport& rep
   report.checks.not_checked.add(fmt::format("{}: the called program has errors of its own", called.name));
 }
 
-void run_checks(const Examination& e, const ir::Program& program, CheckReport& report) {
+void run_checks(const Examination& e, const ir::Program& program, const compile::ThinProgram* thin,
+                CheckReport& report) {
   const ir::Control control = for_check(e.control);
   Checks checks(e, report);
   compile::FanOut sinks(checks.sinks());
@@ -227,7 +228,9 @@ void run_checks(const Examination& e, const ir::Program& program, CheckReport& r
       control, e.find_called ? e.find_called : [](std::string_view) { return std::nullopt; });
   interpreter::RunOptions options;
   options.used_up = e.used_up;
-  const interpreter::RunResult run = compile::execute(program, control, &library, sinks, options);
+  if (thin != nullptr) options.stretches = &thin->stretches;
+  interpreter::RunResult run = compile::execute(program, control, &library, sinks, options);
+  if (thin != nullptr) thin->place(run);
   take_run(run, e, compile::RunTexts(program, library), goes_to_second_reference(program, library), report);
   for (const auto& loaded : library.loaded())
     if (text::has_error(loaded->read.diagnostics)) take_errors(*loaded, report);
@@ -310,7 +313,7 @@ std::vector<std::uint32_t> bytes_of_lines(std::string_view text, const tape_code
   return bytes;
 }
 
-TextReading read_text(const Examination& e) {
+TextReading read_text(const Examination& e, const compile::ThinProgram* thin) {
   TextReading out;
   CheckReport& report = out.report;
   report.source = e.source;
@@ -322,13 +325,15 @@ TextReading read_text(const Examination& e) {
   report.because_line = e.control.because_line;
   report.inferred = e.inferred;
 
-  out.read = e.dialect->read(e.source, e.control);
+  if (thin == nullptr) out.read = e.dialect->read(e.source, e.control);
+  const ir::ReadResult& read = thin == nullptr ? out.read : thin->read_result;
   std::vector<text::Diagnostic>& diagnostics = report.checks.diagnostics;
-  diagnostics = out.read.diagnostics;
+  diagnostics = read.diagnostics;
   out.readable = !text::has_error(diagnostics);
-  auto more = e.dialect->validate(out.read.program, e.control, e.delivery);
+  auto more = e.dialect->validate(read.program, e.control, e.delivery);
   diagnostics.insert(diagnostics.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-  check_characters(e, out.read.program, diagnostics);
+  check_characters(e, read.program, diagnostics);
+  if (thin != nullptr) thin->place(diagnostics);
   if (e.geometry) {
     if (auto fault = compile::fault_of_machine(e.geometry->machine, e.control))
       diagnostics.push_back(std::move(*fault));
@@ -341,10 +346,11 @@ TextReading read_text(const Examination& e) {
 CheckReport examine(const Examination& given) {
   Examination e = given;
   e.control = compile::with_definitions(std::move(e.control), e.find_called);
-  TextReading text = read_text(e);
+  const auto thin = compile::ThinProgram::read(e.source, *e.dialect, e.control);
+  TextReading text = read_text(e, thin.get());
   CheckReport& report = text.report;
   if (text.readable) {
-    run_checks(e, text.read.program, report);
+    run_checks(e, thin == nullptr ? text.read.program : thin->read_result.program, thin.get(), report);
   } else {
     report.checks.not_checked.add("what the program does: it has errors that keep it from being run");
   }

@@ -12,6 +12,7 @@
 #include "dialects/compile/dialect.h"
 #include "dialects/compile/library.h"
 #include "dialects/compile/render.h"
+#include "dialects/compile/thin_program.h"
 #include "server/app/report.h"
 #include "server/machine/profile.h"
 
@@ -47,7 +48,8 @@ struct TextReading {
   ir::ReadResult read;
   bool readable = false;  // without an error that keeps it from being run
 };
-TextReading read_text(const Examination& examination);
+// `thin`: of the same text, which is then not read again: `read` stays empty.
+TextReading read_text(const Examination& examination, const compile::ThinProgram* thin = nullptr);
 
 // How `text` is timed on the machine of e.profile, which must be named. Errors: the link's URL.
 std::expected<timing::Settings, std::string> timing_settings(const Examination& e, std::string_view text);

@@ -53,7 +53,7 @@ void check_characters(const Examination& e, const ir::Program& program, std::vec
   std::array<CommentCharacters, 2> in_comments;  // others, lower case
   for (const ir::Token& token : program.tokens) {
     for (std::uint32_t at = token.span.begin; at < token.span.end; ++at) {
-      const auto byte = static_cast<std::uint8_t>(e.source.text()[at]);
+      const auto byte = static_cast<std::uint8_t>(program.source.text()[at]);
       if (taken.has(byte)) continue;
       if (token.kind == ir::TokenKind::comment) {
         CommentCharacters& kind = in_comments[is_lower_case(byte) ? 1 : 0];

@@ -1,6 +1,7 @@
 // Real programs of other people against the readers and validators: for every file of DIR/<dialect>/ the tokens tile
 // the bytes, the same dialect converts to the same bytes, no truncation stops a reader, and the validator ends; what is
-// printed anew makes the same motions; as a family it renders to its bytes. Prints, for each dialect, how many files
+// printed anew makes the same motions; as a family it renders to its bytes; read without its plain moves it does the
+// same. Prints, for each dialect, how many files
 // have no error and how often each diagnostic came. What a diagnostic is worth is for a person to judge, from the list:
 //
 //   DRIPFEED_CORPUS=DIR ctest --test-dir build/dev -R real_programs -V
@@ -35,6 +36,7 @@
 #include "dialects/text/number.h"
 #include "dialects/text/upper_case.h"
 #include "tests/corpus/reprint.h"
+#include "tests/corpus/thin.h"
 #include "tests/corpus/wrapped.h"
 
 namespace {
@@ -117,6 +119,7 @@ class Corpus {
     }
     if (files_ == 0) fmt::print("no program of a known dialect in {}\n", options_.folder.string());
     fmt::print("{} beginnings of {} files read\n", cuts_, files_);
+    fmt::print("{} lines were left out and run from the text\n", thin_lines_);
     fmt::print("slowest: {} ms, {}\n", text::format_fixed(slowest_ms_, 0), slowest_);
     return faults_ == 0 && files_ > 0 ? 0 : 1;
   }
@@ -146,6 +149,7 @@ class Corpus {
       if (const auto fault = corpus::reprint_fault(source, read.program, dialect, control)) complain(name, *fault);
     }
     if (compile::convert(same).text != source.text()) complain(name, "the same dialect converts to other bytes");
+    if (const auto fault = corpus::thin_fault(source, dialect, control, thin_lines_)) complain(name, *fault);
     wrap(source, dialect, control, tally);
     cut(source, dialect, control);
     count(source, found, tally);
@@ -258,6 +262,7 @@ class Corpus {
   std::ofstream list_;
   std::size_t files_ = 0;
   std::size_t cuts_ = 0;
+  std::size_t thin_lines_ = 0;
   std::size_t faults_ = 0;
   double slowest_ms_ = 0.0;
   std::string slowest_ = "none";
