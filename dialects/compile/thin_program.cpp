@@ -169,8 +169,9 @@ bool has_text_argument(const ir::Program& program, const ir::Call& call) {
   });
 }
 
-// Blocks of the stretches are none that anything leads to, and nothing is done behind each of them.
-bool takes_blocks_by_name(const ir::Program& program) {
+// Blocks of the stretches are none that anything leads to, nothing is done behind each of them, and none of them needs
+// a feed of its own.
+bool looks_at_each_block(const ir::Program& program) {
   using enum ir::StatementKind;
   constexpr std::array kKinds = {go_to, return_to, modal_call, repeat_section, execute_text, procedure};
   const auto leads = [&](const ir::Statement& s) { return std::ranges::find(kKinds, s.kind) != kKinds.end(); };
@@ -179,7 +180,9 @@ bool takes_blocks_by_name(const ir::Program& program) {
   };
   return program.sections.size() > 1 || !program.foreign_parts.empty() ||
          std::ranges::any_of(program.statements, leads) || std::ranges::any_of(program.calls, names) ||
-         std::ranges::find(program.codes, ir::Function::repetitive_cycle, &ir::Code::function) != program.codes.end();
+         std::ranges::any_of(program.codes, [](const ir::Code& code) {
+           return code.function == ir::Function::repetitive_cycle || code.function == ir::Function::feed_inverse_time;
+         });
 }
 
 }  // namespace
@@ -234,7 +237,7 @@ bool ThinProgram::take(const text::Source& thin, const std::vector<ir::PlainStre
                        const ir::Control& control) {
   read_result = dialect.read(thin, control);
   ir::Program& program = read_result.program;
-  if (takes_blocks_by_name(program)) return false;
+  if (looks_at_each_block(program)) return false;
   std::uint32_t removed_bytes = 0;
   std::uint32_t removed_lines = 0;
   auto statement = program.statements.begin();
