@@ -10,6 +10,7 @@
 #include "dialects/compile/call_levels.h"
 #include "dialects/compile/carry_comments.h"
 #include "dialects/compile/common_numbers.h"
+#include "dialects/compile/convert_thin.h"
 #include "dialects/compile/definition_files.h"
 #include "dialects/compile/dialect.h"
 #include "dialects/compile/explicit_program.h"
@@ -379,6 +380,11 @@ class Converter {
 }  // namespace
 
 ConvertResult convert(const ConvertRequest& request) {
+  auto thin = convert_thin(request);
+  return thin ? std::move(*thin) : convert_whole(request);
+}
+
+ConvertResult convert_whole(const ConvertRequest& request) {
   const Dialect* from = find_dialect(request.from.dialect);
   const Dialect* to = find_dialect(request.to.dialect);
   if (from != nullptr && to != nullptr) {

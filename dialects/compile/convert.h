@@ -39,7 +39,10 @@ struct ConvertResult {
   std::string not_verified;
 };
 
-// macro: read, raise, print; explicit: read, interpret, print plain blocks.
+// macro: read, raise, print; explicit: read, interpret, print plain blocks. A long program is translated without its
+// stretches of plain moves where it may be (see convert_thin.h), with the same result.
 ConvertResult convert(const ConvertRequest& request);
+// Every line as a statement.
+ConvertResult convert_whole(const ConvertRequest& request);
 
 }  // namespace dripfeed::compile

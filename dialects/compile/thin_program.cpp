@@ -13,8 +13,8 @@ namespace dripfeed::compile {
 
 namespace {
 
-constexpr std::uint32_t kKeptBefore = 8;  // moves of the same look
-constexpr std::uint32_t kKeptBehind = 2;
+constexpr std::uint32_t kKeptBefore = ThinProgram::kKeptBefore;
+constexpr std::uint32_t kKeptBehind = ThinProgram::kKeptBehind;
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -68,11 +68,6 @@ class Lines {
   std::string_view text_;
   std::size_t at_ = 0;
 };
-
-// One way to look: the same words, numbered or not, with a code or not.
-std::string look_of(const MoveForm& form) {
-  return std::string(form.number.empty() ? "" : "N") + std::string(form.code) + form.letters;
-}
 
 class StretchFinder {
  public:
@@ -147,7 +142,7 @@ class StretchFinder {
 // Whether scanning the stretch gives a row of moves for each of its lines.
 bool is_plain(const ir::PlainStretches& stretches, const ir::PlainStretch& stretch) {
   const auto scanner = stretches.make_scanner();
-  const std::string_view text = stretches.whole.text();
+  const std::string_view text = stretches.text;
   ir::PlainBatch batch;
   std::uint64_t rows = 0;
   for (std::uint64_t at = stretch.begin; at < stretch.end;) {
@@ -217,8 +212,13 @@ MoveForm move_form_of(std::string_view line) {
   return form;
 }
 
-ThinProgram::ThinProgram(const text::Source& whole, const Dialect& dialect, const ir::Control& control)
-    : stretches{.whole = whole, .make_scanner = [&dialect, &control] { return dialect.plain_scanner(control); }} {}
+std::string look_of(const MoveForm& form) {
+  std::string look(form.number.empty() ? "" : "N");
+  return look.append(form.code).append(form.letters);
+}
+
+ThinProgram::ThinProgram(std::string_view whole, const Dialect& dialect, const ir::Control& control)
+    : stretches{.text = whole, .make_scanner = [&dialect, &control] { return dialect.plain_scanner(control); }} {}
 
 std::unique_ptr<ThinProgram> ThinProgram::read(const text::Source& whole, const Dialect& dialect,
                                                const ir::Control& control, const ThinOptions& options) {
@@ -226,10 +226,17 @@ std::unique_ptr<ThinProgram> ThinProgram::read(const text::Source& whole, const 
   std::vector<ir::PlainStretch> found;
   std::string text = StretchFinder(whole, options).run(found);
   if (found.empty()) return nullptr;
+  auto out = join(text::Source(whole.name(), std::move(text)), whole.text(), found, dialect, control);
+  if (out != nullptr) out->whole_ = whole;
+  return out;
+}
+
+std::unique_ptr<ThinProgram> ThinProgram::join(const text::Source& thin, std::string_view whole,
+                                               const std::vector<ir::PlainStretch>& stretches, const Dialect& dialect,
+                                               const ir::Control& control) {
   std::unique_ptr<ThinProgram> out(new ThinProgram(whole, dialect, control));
   const auto plain = [&](const ir::PlainStretch& one) { return is_plain(out->stretches, one); };
-  if (!std::ranges::all_of(found, plain)) return nullptr;
-  if (!out->take(text::Source(whole.name(), std::move(text)), found, dialect, control)) return nullptr;
+  if (!std::ranges::all_of(stretches, plain) || !out->take(thin, stretches, dialect, control)) return nullptr;
   return out;
 }
 
@@ -248,6 +255,7 @@ bool ThinProgram::take(const text::Source& thin, const std::vector<ir::PlainStre
       statement->line += removed_lines;
     if (statement == program.statements.end() || statement->line != line) return false;
     stretch.statement = static_cast<std::uint32_t>(statement - program.statements.begin());
+    thin_lines_.push_back(line);
     stretches.all.push_back(stretch);
     removed_bytes += static_cast<std::uint32_t>(stretch.end - stretch.begin);
     removed_lines += stretch.line_count;
@@ -255,6 +263,13 @@ bool ThinProgram::take(const text::Source& thin, const std::vector<ir::PlainStre
   }
   for (; statement != program.statements.end(); ++statement) statement->line += removed_lines;
   return true;
+}
+
+std::uint32_t ThinProgram::line_in_whole(std::uint32_t thin_line) const {
+  std::uint32_t line = thin_line;
+  for (std::size_t i = 0; i < thin_lines_.size() && thin_lines_[i] <= thin_line; ++i)
+    line += stretches.all[i].line_count;
+  return line;
 }
 
 text::Span ThinProgram::in_whole(text::Span span) const {
@@ -284,7 +299,7 @@ void ThinProgram::place(interpreter::RunResult& run) const {
     const auto in = std::ranges::find_if(stretches.all, [&](const ir::PlainStretch& stretch) {
       return stretch.line <= one.line && one.line - stretch.line < stretch.line_count;
     });
-    if (in != stretches.all.end()) one.diagnostic.span = span_of_line(stretches.whole, one.line);
+    if (in != stretches.all.end()) one.diagnostic.span = span_of_line(whole_, one.line);
   }
 }
 

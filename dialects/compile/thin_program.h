@@ -28,6 +28,8 @@ struct MoveForm {
   [[nodiscard]] bool is_move() const { return !letters.empty(); }
 };
 MoveForm move_form_of(std::string_view line);
+// The same for all lines with the same words, numbered or not, with the same code or none.
+std::string look_of(const MoveForm& form);
 
 struct ThinOptions {
   std::uint64_t least_bytes = std::uint64_t{1} << 20U;  // of a text that is worth it
@@ -36,14 +38,26 @@ struct ThinOptions {
 
 class ThinProgram {
  public:
+  static constexpr std::uint32_t kKeptBefore = 8;  // lines of a stretch that are read
+  static constexpr std::uint32_t kKeptBehind = 2;
+
   // nullptr where nothing is gained, or where something in the program might tell the difference: jumps, contours by
   // their labels, calls behind each block.
   static std::unique_ptr<ThinProgram> read(const text::Source& whole, const Dialect& dialect,
                                            const ir::Control& control, const ThinOptions& options = {});
 
+  // Of a text whose stretches are known. nullptr: a line of them is not plain.
+  static std::unique_ptr<ThinProgram> join(const text::Source& thin, std::string_view whole,
+                                           const std::vector<ir::PlainStretch>& stretches, const Dialect& dialect,
+                                           const ir::Control& control);
+
   // Statements have their lines in the whole text, spans are in program.source.
   ir::ReadResult read_result;
   ir::PlainStretches stretches;  // for RunOptions::stretches
+
+  // The first line behind each stretch, and any line, of the thin text.
+  [[nodiscard]] const std::vector<std::uint32_t>& lines_behind() const { return thin_lines_; }
+  [[nodiscard]] std::uint32_t line_in_whole(std::uint32_t thin_line) const;
 
   // Puts what was found in the program to its place in the whole text.
   void place(std::vector<text::Diagnostic>& diagnostics) const;
@@ -54,13 +68,15 @@ class ThinProgram {
     std::uint32_t at = 0;             // byte of the thin text
     std::uint32_t removed_bytes = 0;  // by this cut and all before it
   };
-  explicit ThinProgram(const text::Source& whole, const Dialect& dialect, const ir::Control& control);
+  ThinProgram(std::string_view whole, const Dialect& dialect, const ir::Control& control);
   bool take(const text::Source& thin, const std::vector<ir::PlainStretch>& found, const Dialect& dialect,
             const ir::Control& control);
   [[nodiscard]] text::Span in_whole(text::Span span) const;
   void place(text::Diagnostic& diagnostic) const;
 
+  text::Source whole_;
   std::vector<Cut> cuts_;
+  std::vector<std::uint32_t> thin_lines_;
 };
 
 }  // namespace dripfeed::compile

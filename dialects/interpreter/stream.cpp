@@ -67,9 +67,10 @@ Report report_of(const ir::PlainReport& report, const ir::Control& control) {
 class StretchStream final : public PlainStream {
  public:
   StretchStream(const ir::PlainStretches& stretches, std::uint32_t number)
-      : scanner_(stretches.make_scanner()), stretch_(stretches.all[number]), at_(stretch_.begin) {
-    text_ = stretches.whole.text();
-  }
+      : scanner_(stretches.make_scanner()),
+        stretch_(stretches.all[number]),
+        text_(stretches.text),
+        at_(stretch_.begin) {}
   const ir::PlainBatch* next() override {
     batch_.clear();
     if (at_ >= stretch_.end) return nullptr;

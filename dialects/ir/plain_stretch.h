@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "dialects/ir/plain_batch.h"
-#include "dialects/text/source.h"
 
 namespace dripfeed::ir {
 
@@ -21,7 +21,7 @@ struct PlainStretch {
 };
 
 struct PlainStretches {
-  text::Source whole;
+  std::string_view text{};  // the whole one, which must outlive it
   std::function<std::unique_ptr<PlainScanner>()> make_scanner;
   std::vector<PlainStretch> all{};  // in order
 };

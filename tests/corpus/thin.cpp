@@ -8,12 +8,15 @@
 
 #include <fmt/format.h>
 
+#include "dialects/compile/convert_thin.h"
 #include "dialects/compile/execute.h"
 #include "dialects/compile/thin_program.h"
 
 namespace dripfeed::corpus {
 
 namespace {
+
+constexpr compile::ThinOptions kShort = {.least_bytes = 0, .least_lines = 4};
 
 class Motions final : public ir::MotionSink {
  public:
@@ -59,11 +62,22 @@ bool same(const ir::Motion& a, const ir::Motion& b) {
          a.spindle_rpm == b.spindle_rpm && a.axes_commanded == b.axes_commanded && a.axes_unknown == b.axes_unknown;
 }
 
+std::optional<std::string> translated_otherwise(const text::Source& source, const ir::Control& control) {
+  for (const compile::Dialect& to : compile::dialects()) {
+    const compile::ConvertRequest request{
+        .source = source, .from = control, .to = to.control(control.kind, control.g_system)};
+    const auto made = compile::convert_thin(request, kShort);
+    if (made && made->text != compile::convert_whole(request).text)
+      return fmt::format("thin: translated otherwise to {}", to.name);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> thin_fault(const text::Source& source, const compile::Dialect& dialect,
                                       const ir::Control& control, std::size_t& cut_lines) {
-  const auto thin = compile::ThinProgram::read(source, dialect, control, {.least_bytes = 0, .least_lines = 4});
+  const auto thin = compile::ThinProgram::read(source, dialect, control, kShort);
   if (thin == nullptr) return std::nullopt;
   for (const ir::PlainStretch& one : thin->stretches.all) cut_lines += one.line_count;
   const Seen whole = see(source, dialect.read(source, control), nullptr, dialect, control);
@@ -77,7 +91,7 @@ std::optional<std::string> thin_fault(const text::Source& source, const compile:
     return fmt::format("thin: {} after {} blocks, not {} after {}", name_of(part.result.ended), part.result.blocks,
                        name_of(whole.result.ended), whole.result.blocks);
   const auto [a, b] = std::ranges::mismatch(whole.motions, part.motions, same);
-  if (a == whole.motions.end() && b == part.motions.end()) return std::nullopt;
+  if (a == whole.motions.end() && b == part.motions.end()) return translated_otherwise(source, control);
   return fmt::format("thin: another motion in line {}", a == whole.motions.end() ? b->place.line : a->place.line);
 }
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dialects/compile/convert_thin.h"
 #include "tests/unit/dialects/compile/harness.h"
 
 namespace dripfeed::compile::test {
@@ -150,6 +151,46 @@ TEST(ThinProgram, FaultsOfAStretchHaveTheirOwnPlace) {
   for (int i = 1; i < 40; ++i) text += "X" + std::to_string(i) + ". Y" + std::to_string(i % 2) + ".\n";
   text += "G40 X60 Y60\nM30\n";
   expect_like_whole(text, control("sinumerik-840d", ir::MachineKind::mill));
+}
+
+// Every control to every other one: what is written without the stretches is what is written of the whole.
+TEST(ThinProgram, IsTranslatedAsTheWholeProgram) {
+  std::mt19937 random(11);
+  std::size_t thin_ones = 0;
+  for (const std::string& from : dialect_names()) {
+    for (const std::string& to : dialect_names()) {
+      if (from == to) continue;
+      for (const std::string code : {"", "G1 ", "G01"}) {
+        const std::string head = from == "sinumerik-840d" ? "G710" : "%\nO1\nG21";
+        const std::string text = head + " G17 G90 G94 G40\nT1 M6\nG54\nS500 M3\nG0 X0. Y0.\nG1 X1. F100.\n" +
+                                 moves(random, 80, code, random() % 2 == 0) + "G91\n" + moves(random, 40, code, false) +
+                                 "G90 G0 Z50.\nM30\n";
+        const ConvertRequest request{.source = text::Source("p", text),
+                                     .from = control(from, ir::MachineKind::mill),
+                                     .to = control(to, ir::MachineKind::mill)};
+        const auto made = convert_thin(request, kShort);
+        const ConvertResult whole = convert_whole(request);
+        if (!made) continue;
+        ++thin_ones;
+        EXPECT_EQ(made->text, whole.text);
+        EXPECT_EQ(made->origin_lines, whole.origin_lines);
+        EXPECT_EQ(said(made->diagnostics, request.source), said(whole.diagnostics, request.source));
+        EXPECT_EQ(made->not_verified, whole.not_verified);
+      }
+    }
+  }
+  EXPECT_EQ(thin_ones, 60U) << "no program should have to be translated as a whole";
+}
+
+TEST(ThinProgram, IsTranslatedAsAWholeWhereALineIsWrittenInAnotherForm) {
+  std::mt19937 random(13);
+  // An increment of SINUMERIK's diameter axis becomes U on a Fanuc lathe.
+  const std::string text =
+      "G90 G18 G710 G95 DIAMON\nT1 D1\nS500 M3\nG1 X1. F.2\nG91\n" + moves(random, 60, "", false) + "M30\n";
+  const ConvertRequest request{.source = text::Source("p", text),
+                               .from = control("sinumerik-840d", ir::MachineKind::lathe),
+                               .to = control("fanuc", ir::MachineKind::lathe)};
+  EXPECT_FALSE(convert_thin(request, kShort).has_value());
 }
 
 TEST(ThinProgram, KnowsALineOfPlainMoves) {
