@@ -132,8 +132,10 @@ TEST(Records, AVerdictIsItsRowWithTheReportsMembers) {
   EXPECT_THAT(text, HasSubstr(R"("id":4,)"));
   EXPECT_THAT(text, HasSubstr(R"("verdict":"unknown")"));
   EXPECT_THAT(text, Not(HasSubstr("99"))) << "what the row says counts";
-  EXPECT_THAT(text,
-              HasSubstr(R"("blocks":12,"not_checked":["a"],"calls":[],"waivers":[{"name":"boris","reason":"seen","at_ms":3}])"));
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          R"("blocks":12,"not_checked":["a"],"calls":[],"waivers":[{"name":"boris","reason":"seen","at_ms":3}])"));
   row.of.report = "not a document";
   EXPECT_TRUE(is_json(verdict(row)));
 }
