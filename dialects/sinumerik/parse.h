@@ -146,6 +146,7 @@ class Parser {
   bool defined_name(ir::ValueType type, std::uint16_t string_length, ir::Symbol& symbol);
   bool is_code_or_address();
   void dimensions(ir::Symbol& symbol);
+  [[nodiscard]] std::uint16_t size_of(ir::ExpressionId id) const;
   void join_short_name();
   bool value_list(const ir::Variable& first, text::Span head);
   void repeated_value(const ir::Variable& first, text::Span head);

@@ -154,10 +154,8 @@ void Parser::dimensions(ir::Symbol& symbol) {
   do {
     if (cursor_.is_symbol(']') || cursor_.is_symbol(',')) continue;
     ++brackets_;
-    const ir::Expression& e = program_.at(binary(kWeakestRank));
+    const std::uint16_t size = size_of(binary(kWeakestRank));
     --brackets_;
-    const bool usable = e.op == ir::Operator::constant && e.value >= 1.0 && e.value <= 65535.0;
-    const auto size = static_cast<std::uint16_t>(usable ? e.value : 1.0);
     if (count == 0) symbol.dimension1 = size;
     if (count == 1) symbol.dimension2 = size;
     if (count == 2) symbol.dimension3 = size;
@@ -169,6 +167,21 @@ void Parser::dimensions(ir::Symbol& symbol) {
            {std::string(symbol.span.in(cursor_.whole())), std::to_string(count), std::to_string(kMostDimensions)});
     if (!diagnostics_.empty() && !faulty_) diagnostics_.back().alarm = "12190";
   }
+}
+
+// A number, or a variable that its definition gives one (DEF INT N=4, then DEF REAL A[N]). What a macro or global data
+// decides is not known: large enough that no value and no index of the text is beyond it.
+std::uint16_t Parser::size_of(ir::ExpressionId id) const {
+  constexpr std::uint16_t kOpenSize = 100;
+  constexpr double kLargest = 65535.0;
+  const ir::Expression* e = &program_.at(id);
+  if (e->op == ir::Operator::variable && program_.at(e->variable).bank == ir::Bank::named) {
+    const ir::Symbol& symbol = program_.at(program_.at(e->variable).symbol);
+    if (symbol.initial == ir::ExpressionId::none) return kOpenSize;
+    e = &program_.at(symbol.initial);
+  }
+  if (e->op != ir::Operator::constant) return kOpenSize;
+  return static_cast<std::uint16_t>(e->value >= 1.0 && e->value <= kLargest ? e->value : 1.0);
 }
 
 // SYNR, PHU 5, LLI 0, APR 7: of global data, without meaning for a run; but NCK or CHAN make it global.
@@ -250,6 +263,7 @@ bool Parser::value_list(const ir::Variable& first, text::Span head) {
   expect('(');
   ++brackets_;
   std::uint32_t offset = 0;
+  bool has_place = true;
   do {
     operator_ = head;
     if (cursor_.is_symbol(',')) {
@@ -257,7 +271,7 @@ bool Parser::value_list(const ir::Variable& first, text::Span head) {
       continue;
     }
     const ir::ExpressionId value = binary(kWeakestRank);
-    if (!element(first, offset++, value, head)) break;
+    has_place = has_place && element(first, offset++, value, head);
   } while (cursor_.take(','));
   --brackets_;
   expect(')');
