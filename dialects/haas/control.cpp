@@ -22,6 +22,8 @@ const macro_b::Grammar& grammar() {
   static const macro_b::Grammar kGrammar = {.keywords = macro_b::common_keywords(),
                                             .packed_calls = false,
                                             .dwell_point_is_seconds = true,
+                                            .then_may_lack = true,
+                                            .variables_have_parts = true,
                                             .reference_alone_is_all_axes = true,
                                             .repeat_letter = 'L'};
   return kGrammar;

@@ -7,6 +7,7 @@
 
 #include "dialects/macro_b/check.h"
 #include "dialects/macro_b/lower.h"
+#include "dialects/macro_b/tape_marks.h"
 
 namespace dripfeed::macro_b {
 
@@ -16,9 +17,11 @@ using ir::StatementKind;
 using ir::TokenKind;
 using enum text::DiagnosticId;
 
-// The first token that is no blank and no EOB, and where the last one ends.
+// The first token that is no blank, no EOB and no leader, and where the last one ends.
 const ir::Token* first_token(const ir::Program& program) {
-  const auto counts = [](const ir::Token& t) { return t.kind != TokenKind::white && t.kind != TokenKind::eob; };
+  const auto counts = [](const ir::Token& t) {
+    return t.kind != TokenKind::white && t.kind != TokenKind::eob && t.kind != TokenKind::invalid;
+  };
   const auto found = std::ranges::find_if(program.tokens, counts);
   return found == program.tokens.end() ? nullptr : &*found;
 }
@@ -72,13 +75,15 @@ bool is_ended(const ir::Program& program, const Section& section) {
   return any_end && !open_end;
 }
 
-void check_end(const ir::Program& program, const Section& section, Findings& findings) {
+void check_end(const ir::Program& program, const Section& section, std::size_t section_count, Findings& findings) {
   if (is_ended(program, section)) return;
   const ir::Statement* last = nullptr;
   for (std::uint32_t i = section.first; i < section.last; ++i) {
     const ir::Statement& s = program.statements[i];
     if (s.kind != StatementKind::empty && !is_folder_line(program, s)) last = &s;
   }
+  // A number alone (O0100 and again O0100, as folders keep it) runs nothing.
+  if (last == nullptr && section_count > 1) return;
   findings.add(missing_program_end, last != nullptr ? last->span : section.number);
 }
 
@@ -113,7 +118,7 @@ bool is_in_table(const ir::Control& control, std::string_view name) {
 void check_frame(const ir::Program& program, const ir::Control& control, const std::vector<Section>& sections,
                  Findings& findings) {
   const ir::Token* first = first_token(program);
-  const bool opened = first != nullptr && first->kind == TokenKind::tape_mark;
+  const bool opened = begins_with_tape_mark(program);
   const std::uint32_t begin = first == nullptr ? 0 : first->span.begin;
   if (!opened) findings.add(missing_tape_mark, {begin, begin}, {"first"});
   if (!has_closing_mark(program, opened)) {
@@ -126,7 +131,7 @@ void check_frame(const ir::Program& program, const ir::Control& control, const s
     findings.add(missing_program_number,
                  content == program.statements.end() ? text::Span{begin, begin} : content->span);
   }
-  for (const Section& section : sections) check_end(program, section, findings);
+  for (const Section& section : sections) check_end(program, section, sections.size(), findings);
   const std::uint32_t most = control.limits.block_length_bytes;
   for (const ir::Statement& s : program.statements) {
     if (most == 0 || s.tokens.first == s.tokens.last) continue;

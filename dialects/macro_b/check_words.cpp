@@ -34,6 +34,7 @@ struct BlockUse {
   bool arc = false;          // I J K R are lengths
   bool hole = false;         // R is a level
   bool shape = false;        // D is the depth of a pass
+  bool scales = false;       // P is a factor
   bool other_words = false;  // a code that is not modelled gives the words a meaning of its own
 };
 BlockUse use_of(const ir::Program& program, const ir::Control& control, const ir::Block& block) {
@@ -42,6 +43,7 @@ BlockUse use_of(const ir::Program& program, const ir::Control& control, const ir
     use.arc |= code.function == Function::arc_cw || code.function == Function::arc_ccw;
     use.hole |= code.function == Function::drill;
     use.shape |= code.function == Function::repetitive_cycle;
+    use.scales |= code.function == Function::scale;
     use.other_words |= code.function == Function::not_modelled || code.function == Function::measure_tool ||
                        code.function == Function::hole_pattern;
     // It may call a macro by parameter, and its words are arguments then.
@@ -98,6 +100,7 @@ class WordCheck {
       unknown(word, use);
       point_not_allowed(word, use);
       if (is_length(word.address, use)) point_missing(word.address, word.value, word.span);
+      if (word.address == Address::f && inch_ && !use.other_words) point_missing(word.address, word.value, word.span);
     }
   }
 
@@ -245,8 +248,8 @@ class WordCheck {
   // In a hole's block ,R1 says that a tap is a synchronous one.
   [[nodiscard]] bool is_length(Address address, const BlockUse& use) const {
     const bool corner = address == Address::chamfer || address == Address::rounding;
-    return is_axis(control_, address) || (use.arc && holds("IJKR", address)) || (use.hole && address == Address::r) ||
-           (corner && !use.hole);
+    return is_axis(control_, address) || address == Address::direct_angle || (use.arc && holds("IJKR", address)) ||
+           (use.hole && address == Address::r) || (corner && !use.hole);
   }
 
   // Without a named machine its axes are not known, and C is a chamfer on old lathes.
@@ -259,6 +262,7 @@ class WordCheck {
   void point_not_allowed(const ir::Word& word, const BlockUse& use) {
     if (word.value == ir::ExpressionId::none || !holds(use.other_words ? "T" : "DHLPT", word.address)) return;
     if (word.address == Address::h && ir::incremented_axis(control_, 'H')) return;
+    if (word.address == Address::p && use.scales) return;
     const ir::Expression& value = program_.at(word.value);
     if (word.address == Address::t && control_.semantics.tool_number_has_suffix) return;
     if (value.op == ir::Operator::constant && value.has_point && !text_of(program_, value.span).starts_with('[')) {
@@ -279,7 +283,12 @@ class WordCheck {
     if (value.op != ir::Operator::constant || value.has_point || value.value == 0.0) return;
     constexpr double kInchPart = 0.1;  // 0.001 mm beside 0.0001 inch
     const double length = control_.semantics.least_increment_mm * (inch_ ? kInchPart : 1.0);
-    const double increment = holds("ABC", address) ? control_.semantics.least_increment_deg : length;
+    // F100 of a program in inch is 100 or 1 inch a minute; on a lathe, where it is of a revolution, 100 or 0.01.
+    const double feed = control_.kind == ir::MachineKind::mill ? 0.01 : 0.0001;
+    const double increment = address == Address::f ? feed
+                             : holds("ABC", address) || address == Address::direct_angle
+                                 ? control_.semantics.least_increment_deg
+                                 : length;
     std::string counted;
     text::append_word_number(counted, value.value * increment, 6, false);
     findings_.add_open(missing_decimal_point, span,

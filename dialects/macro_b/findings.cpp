@@ -9,6 +9,7 @@
 #include "dialects/ir/axis_letters.h"
 #include "dialects/ir/sections.h"
 #include "dialects/macro_b/lower.h"
+#include "dialects/macro_b/tape_marks.h"
 
 namespace dripfeed::macro_b {
 
@@ -32,17 +33,12 @@ text::Span number_of(const ir::Program& program, const ir::Statement& statement)
 
 // The statement of the % that closes the tape, or one behind the last: what follows is not read by the control.
 std::uint32_t end_of_tape(const ir::Program& program) {
-  bool opened = false;
-  bool any_content = false;
+  bool opens = begins_with_tape_mark(program);
   for (std::uint32_t i = 0; i < program.statements.size(); ++i) {
     const ir::TokenRange tokens = program.statements[i].tokens;
     for (std::uint32_t t = tokens.first; t < tokens.last; ++t) {
-      const ir::TokenKind kind = program.tokens[t].kind;
-      if (kind == ir::TokenKind::tape_mark) {
-        if (opened || any_content) return i;
-        opened = true;
-      }
-      any_content |= kind != ir::TokenKind::white && kind != ir::TokenKind::eob && kind != ir::TokenKind::invalid;
+      const bool is_mark = program.tokens[t].kind == ir::TokenKind::tape_mark;
+      if (is_mark && !std::exchange(opens, false)) return i;
     }
   }
   return static_cast<std::uint32_t>(program.statements.size());

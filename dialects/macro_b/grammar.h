@@ -75,6 +75,8 @@ struct Grammar {
   bool long_tool_words = false;              // T001001 of a lathe: three digits each for the tool and its offset
   bool second_tool_is_next = false;          // T2 T3 M6: T3 is made ready for the next change
   bool dwell_point_is_seconds = false;       // P1. of a dwell is a second, P1000 the same in milliseconds
+  bool then_may_lack = false;                // IF [a EQ b] G65 P1
+  bool variables_have_parts = false;         // #30003.078: an element or a bit of parameter 3, only to be read
   bool reference_alone_is_all_axes = false;  // G28 without an axis
   char repeat_letter = 'K';                  // of a hole: how often; with 'L' also the count of a hole pattern
 };

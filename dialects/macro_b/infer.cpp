@@ -3,9 +3,10 @@
 //          H with a point, the increment of C, in a block that says no tool length
 //   mill:  a Y word; G43, G44 or G49; G17; M06; G81, G82 or G73 with R
 //   then:  X and Z in one block and no Y anywhere: lathe; otherwise mill, with no line.
-// G-code system of a lathe: A by G50 S, G32, U or W, G98 or G99 without drilling; B by G90, G91 or G94 without words,
-// G95, G92 S, G33; C by G70 or G71 without words, G24. Where lines contradict each other the system is not certain
-// (Control::contradiction). Axes beyond the usual are those that the program moves.
+// G-code system of a lathe: A by G50 S, G32, U or W; B by G91, G95, G92 S, G33; C by G70 or G71 without words, G24.
+// Where none of these stand, A by G98 or G99 without drilling, B by G90 or G94 without words: programs of system A have
+// a G90 among the codes of their first line, where it turns nothing. Where lines contradict each other the system is
+// not certain (Control::contradiction). Axes beyond the usual are those that the program moves.
 #include "dialects/macro_b/infer.h"
 
 #include <algorithm>
@@ -129,12 +130,14 @@ bool is_mill(const Block& b) {
 
 using SystemLines = std::array<ir::SystemEvidence, 3>;  // the first line for each system
 
-// What the block says of the system; each code may be of another one.
-void note_systems(const Block& b, SystemLines& lines) {
-  const auto note = [&](ir::GSystem system, bool says, std::string_view code) {
-    ir::SystemEvidence& first = lines[static_cast<std::size_t>(system)];
+// What the block says of the system, and what it only hints at; each code may be of another one.
+void note_systems(const Block& b, SystemLines& lines, SystemLines& hints) {
+  const auto add = [&](SystemLines& to, ir::GSystem system, bool says, std::string_view code) {
+    ir::SystemEvidence& first = to[static_cast<std::size_t>(system)];
     if (says && first.line == 0) first = {system, b.line, std::string(code)};
   };
+  const auto note = [&](ir::GSystem system, bool says, std::string_view code) { add(lines, system, says, code); };
+  const auto hint = [&](ir::GSystem system, bool says, std::string_view code) { add(hints, system, says, code); };
   const bool words = b.has('X') || b.has('Z') || b.has('U') || b.has('W') || b.has('P') || b.has('R');
   const bool drills = std::ranges::any_of(b.g10, [](std::int32_t g) { return g >= 800 && g <= 890; });
   note(ir::GSystem::c, b.g(70) && !words, "G70");
@@ -144,12 +147,12 @@ void note_systems(const Block& b, SystemLines& lines) {
   note(ir::GSystem::b, b.g(95), "G95");
   note(ir::GSystem::b, b.g(33), "G33");
   note(ir::GSystem::b, b.g(92) && b.has('S') && !words, "G92 S");
-  note(ir::GSystem::b, b.g(90) && !words, "G90");
-  note(ir::GSystem::b, b.g(94) && !words, "G94");
+  hint(ir::GSystem::b, b.g(90) && !words, "G90");
+  hint(ir::GSystem::b, b.g(94) && !words, "G94");
   note(ir::GSystem::a, b.g(50) && b.has('S'), "G50 S");
   note(ir::GSystem::a, b.g(32), "G32");
-  note(ir::GSystem::a, b.g(98) && !drills, "G98");
-  note(ir::GSystem::a, b.g(99) && !drills, "G99");
+  hint(ir::GSystem::a, b.g(98) && !drills, "G98");
+  hint(ir::GSystem::a, b.g(99) && !drills, "G99");
   note(ir::GSystem::a, !b.is_call() && b.has('U'), "U");
   note(ir::GSystem::a, !b.is_call() && b.has('W'), "W");
 }
@@ -171,6 +174,7 @@ struct Evidence {
   std::uint32_t profile_line = 0;  // first block with X and Z
   bool has_y = false;
   SystemLines systems;
+  SystemLines hints;     // of the system, where nothing says it
   std::bitset<26> axes;  // letters of blocks that are no calls
 };
 
@@ -187,7 +191,7 @@ Evidence evidence_of(const text::Source& source, const Grammar& grammar,
       e.kind = ir::MachineKind::mill_turn;
       if (!std::exchange(e.is_mill_turn, true)) e.kind_line = block->line;
     }
-    note_systems(*block, e.systems);
+    note_systems(*block, e.systems, e.hints);
     if (block->is_call()) continue;
     e.axes |= block->letters;
     e.has_y |= block->has('Y');
@@ -215,7 +219,8 @@ ir::Control infer_control(const text::Source& source, const Grammar& grammar, Us
   const Evidence e = evidence_of(source, grammar, mill_turn_codes);
   const bool profile = !e.kind && e.profile_line != 0 && !e.has_y;
   const ir::MachineKind kind = profile ? ir::MachineKind::lathe : e.kind.value_or(ir::MachineKind::mill);
-  const std::vector<ir::SystemEvidence> systems = named_systems(e.systems);
+  std::vector<ir::SystemEvidence> systems = named_systems(e.systems);
+  if (systems.empty()) systems = named_systems(e.hints);
   // Nothing decides between two: A is the usual one, and whoever uses the control says that it is not certain.
   const bool is_clear = systems.size() == 1;
   ir::Control result = control(kind, is_clear ? systems.front().system : ir::GSystem::a);

@@ -41,8 +41,9 @@ constexpr std::array<Class, 256> make_classes() {
   set("/", Class::slash);
   set("#", Class::hash);
   set("<", Class::less);
-  // NUL and DEL are leader, DC1..DC4 the puncher's and reader's own: the control skips them as it does blanks.
-  set(" \t\x11\x12\x13\x14\x7F", Class::white);
+  // NUL and DEL are leader, DC1..DC4 the puncher's and reader's own, ^Z ends a file of DOS: the control skips them as
+  // it does blanks.
+  set(" \t\x11\x12\x13\x14\x1A\x7F", Class::white);
   classes[0] = Class::white;
   return classes;
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "dialects/macro_b/tape_marks.h"
 #include "dialects/text/look_alike.h"
 #include "dialects/text/number.h"
 
@@ -19,14 +20,7 @@ using ir::StatementKind;
 using ir::TokenKind;
 using enum text::DiagnosticId;
 
-bool begins_with_tape_mark(const ir::Program& program) {
-  for (const ir::Token& token : program.tokens) {
-    if (token.kind == TokenKind::tape_mark) return true;
-    if (token.kind != TokenKind::white && token.kind != TokenKind::eob && token.kind != TokenKind::invalid)
-      return false;
-  }
-  return false;
-}
+constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
 
 }  // namespace
 
@@ -54,7 +48,20 @@ void Parser::run() {
   while (next_token_ + 1 < count) block();
   if (!program_.sections.empty())
     program_.sections.back().last = static_cast<std::uint32_t>(program_.statements.size());
+  name_main();
   ir::match_structures(program_);
+}
+
+// The first program that has blocks: a number alone (O0002, then O9811) runs nothing.
+void Parser::name_main() {
+  for (const ir::Section& section : program_.sections) {
+    const auto begin = program_.statements.begin();
+    const bool is_empty = std::all_of(begin + section.first, begin + section.last,
+                                      [](const ir::Statement& s) { return s.kind == StatementKind::empty; });
+    if (is_empty) continue;
+    program_.name = program_.strings.at(section.name);
+    return;
+  }
 }
 
 BlockPlace Parser::place() const {
@@ -71,6 +78,7 @@ void Parser::block() {
   skip_level_ = 0;
   rest_level_ = 0;
   keeps_structure_ = false;
+  skip_leader();
   begin_ = cursor_.span().begin;
   if (cursor_.kind() == TokenKind::tape_mark) {
     ended_ = !leader_ || tape_marks_ > 0 || ended_;
@@ -86,6 +94,21 @@ void Parser::block() {
     if (!cursor_.comments().empty()) comment_faults();
   }
   finish_block(first_statement, first_token);
+}
+
+// The control reads from the first % on; before it stand a leader or an editor's mark of UTF-8.
+void Parser::skip_leader() {
+  const bool is_leader = leader_ && tape_marks_ == 0;
+  const bool is_mark = cursor_.index() == 0 && cursor_.kind() == TokenKind::invalid && cursor_.text() == kUtf8Mark;
+  if (is_mark && !is_leader) {
+    text::Diagnostic* fault =
+        faults_.report(invalid_character, cursor_.span(), {text::describe_character(cursor_.text())});
+    fault->severity = text::Severity::warning;
+    fault->alarm.clear();
+    fault->fix = text::Edit{cursor_.span(), std::string()};
+  }
+  if (is_mark) cursor_.advance();
+  while (is_leader && cursor_.kind() == TokenKind::invalid) cursor_.advance();
 }
 
 // What stands behind the closing tape mark is not read by the control.
@@ -202,7 +225,11 @@ void Parser::zero_number(std::string_view written, text::Span span, ir::AlarmDet
 void Parser::body() {
   if (cursor_.at_end()) return;
   if (has_nested_comment()) {
-    faults_.fail(nested_comment, cursor_.comments().back());
+    if (!only_brackets_follow()) {
+      faults_.fail(nested_comment, cursor_.comments().back());
+      return;
+    }
+    warn_of_brackets();
     return;
   }
   if (cursor_.kind() == TokenKind::variable) {
@@ -353,6 +380,7 @@ void Parser::unexpected() {
   } else if (cursor_.is_symbol(')')) {
     const bool nested = std::ranges::any_of(
         cursor_.comments(), [&](text::Span s) { return s.in(cursor_.whole_text()).substr(1).contains('('); });
+    if (nested && only_brackets_follow()) return warn_of_brackets();
     if (nested) faults_.fail(nested_comment, cursor_.span());
     faults_.fail(unbalanced_bracket, cursor_.span(), {written});
   } else {
@@ -373,6 +401,25 @@ void Parser::character_fault() {
   if (lower_case) fault->fix = text::Edit{cursor_.span(), std::string(1, static_cast<char>(bytes.front() - 'a' + 'A'))};
 }
 
+// (OUTER (INNER)): a bracket that ends no comment is left, and nothing else.
+bool Parser::only_brackets_follow() const {
+  for (std::uint32_t i = cursor_.index(); program_.tokens[i].kind != TokenKind::eob; ++i) {
+    const ir::Token& token = program_.tokens[i];
+    const bool is_bracket = token.kind == TokenKind::symbol && token.span.in(cursor_.whole_text()) == ")";
+    if (!is_bracket && token.kind != TokenKind::white && token.kind != TokenKind::comment) return false;
+  }
+  return true;
+}
+
+// Controls pass over a bracket that ends no comment; not every manual says so.
+void Parser::warn_of_brackets() {
+  if (text::Diagnostic* fault = faults_.report(nested_comment, cursor_.comments().back())) {
+    fault->severity = text::Severity::warning;
+    fault->alarm.clear();
+  }
+  while (!cursor_.at_end()) cursor_.advance();
+}
+
 // (OUTER (INNER) REST) ends at the first closing bracket, and REST) is read as program.
 bool Parser::has_nested_comment() const {
   if (cursor_.comments().empty()) return false;
@@ -390,7 +437,9 @@ void Parser::comment_faults() {
     if (!comment.ends_with(')')) faults_.report(unterminated_comment, span);
     if (const auto mark = comment.find('%'); mark != std::string_view::npos) {
       const auto at = span.begin + static_cast<std::uint32_t>(mark);
-      faults_.report(tape_mark_in_comment, {at, at + 1});
+      // An error where the control has an alarm for it.
+      text::Diagnostic* fault = faults_.report(tape_mark_in_comment, {at, at + 1});
+      if (fault != nullptr && fault->alarm.empty()) fault->severity = text::Severity::warning;
     }
   }
 }

@@ -35,6 +35,8 @@ class Parser {
   void block_number();
   void zero_number(std::string_view written, text::Span span, ir::AlarmDetail detail = ir::AlarmDetail::none);
   void body();
+  void name_main();
+  void skip_leader();
   void skip_after_end();
   void trailer();
   void macro_statement(const Keyword& keyword);
@@ -62,6 +64,8 @@ class Parser {
   void unexpected();
   void character_fault();
   [[nodiscard]] bool has_nested_comment() const;
+  [[nodiscard]] bool only_brackets_follow() const;
+  void warn_of_brackets();
   void comment_faults();
   std::uint8_t loop_number(std::string_view word);
   void structure(ir::StatementKind kind, ir::ExpressionId condition, std::uint8_t number);

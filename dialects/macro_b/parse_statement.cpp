@@ -237,12 +237,13 @@ void Parser::if_statement() {
   if (faults_.failed()) return;
   const Keyword* next = expressions_.keyword();
   if (next != nullptr && next->role == KeywordRole::go_to) return go_to(condition);
-  if (next == nullptr || next->role != KeywordRole::then_word) {
+  const bool has_then = next != nullptr && next->role == KeywordRole::then_word;
+  if (!has_then && (!grammar_.then_may_lack || cursor_.at_end())) {
     faults_.fail(syntax_error, {begin_, cursor_.previous_end()}, {"IF needs GOTO or THEN after its condition"},
                  ir::AlarmDetail::if_statement);
     return;
   }
-  cursor_.advance();
+  if (has_then) cursor_.advance();
   structure(StatementKind::if_begin, condition, 0);
   if (cursor_.at_end()) return;  // THEN over several blocks
   one_macro_statement("THEN");

@@ -28,7 +28,9 @@ std::optional<ir::Variable> ExpressionReader::variable() {
   const std::uint32_t begin = cursor_.span().begin;
   cursor_.advance();
   if (cursor_.kind() == TokenKind::number) {
-    const auto written = text::parse_integer(cursor_.text());
+    std::string_view digits = cursor_.text();
+    if (grammar_.variables_have_parts) digits = digits.substr(0, digits.find('.'));
+    const auto written = text::parse_integer(digits);
     if (!written || static_cast<double>(*written) > kHighestNumber) {
       faults_.fail(variable_out_of_range, {begin, cursor_.span().end}, {"#" + std::string(cursor_.text())});
       return std::nullopt;

@@ -30,6 +30,16 @@ TEST(Infer, AnIntegrexHasCodesOfItsOwn) {
   EXPECT_EQ(mazak.infer_control(text::Source("x", "%\nO1\nT0101\nG00 X5. Z1.\nM30\n%\n")).kind, ir::MachineKind::lathe);
 }
 
+TEST(Infer, AG90AmongTheFirstCodesIsNoSystemB) {
+  const Dialect& fanuc = *find_dialect("fanuc");
+  const auto control = [&](const std::string& text) { return fanuc.infer_control(text::Source("x", text)); };
+  const ir::Control a = control("%\nO1\nG18 G20 G40 G80 G90 G99\nT0101\nG50 S2500\nG00 X1. Z.1\nM30\n%\n");
+  EXPECT_EQ(a.g_system, ir::GSystem::a);
+  EXPECT_TRUE(a.contradiction.empty());
+  EXPECT_EQ(control("%\nO1\nG90 G94\nT0101\nG00 X1. Z.1\nM30\n%\n").g_system, ir::GSystem::b);
+  EXPECT_EQ(control("%\nO1\nT0101\nG50 S2500\nG91 G00 X1.\nM30\n%\n").contradiction.size(), 2U);
+}
+
 TEST(Infer, ANameIsNoAxis) {
   const Dialect& own = *find_dialect("sinumerik-840d");
   const auto axes = [&](const std::string& text) { return own.infer_control(text::Source("x", text)).axes; };

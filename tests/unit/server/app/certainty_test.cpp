@@ -1,4 +1,6 @@
 // What an examination of a '#' program calls an error, what it leaves open, and which likely faults a run tells of.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "server/app/examine.h"
@@ -234,6 +236,70 @@ TEST(Certainty, AShapeMayGoBackByLessThanAnIncrement) {
   EXPECT_NE(find(check(text("39.9"), lathe), DiagnosticId::cycle_shape_not_monotonic), nullptr);
 }
 
+// --- what a setting of the machine decides
+
+TEST(Certainty, AFeedWithoutAPointIsOpenInInchOnly) {
+  const auto said = [](const char* unit) {
+    const CheckReport report =
+        check("%\nO1\n" + std::string(unit) + " G17 G90 G94 G40 G49 G80 G54\nG01 X1. F100\nM30\n%\n");
+    return find(report, DiagnosticId::missing_decimal_point) != nullptr;
+  };
+  EXPECT_TRUE(said("G20"));
+  EXPECT_FALSE(said("G21"));
+}
+
+TEST(Certainty, AMarkOfUtf8AndTheEndOfADosFileAreNoFaults) {
+  const CheckReport leader = check("\xEF\xBB\xBF" + kHead + "G00 X1.\nM30\n%\n\x1A");
+  EXPECT_TRUE(leader.checks.diagnostics.empty());
+  const CheckReport mark = check("\xEF\xBB\xBFO1\nG21 G17 G90 G94\nM30\n\x1A");
+  ASSERT_NE(find(mark, DiagnosticId::invalid_character), nullptr);
+  EXPECT_EQ(find(mark, DiagnosticId::invalid_character)->severity, Severity::warning);
+  EXPECT_EQ(find(check(kHead + "G00 X1. \xC3\xA9\nM30\n%\n"), DiagnosticId::invalid_character)->severity,
+            Severity::error);
+}
+
+TEST(Certainty, ABracketThatEndsNoCommentIsPassedOver) {
+  const CheckReport report = check(kHead + "(A (B))\nG00 X1. (C (D))\nM30\n%\n");
+  EXPECT_FALSE(text::has_error(report.checks.diagnostics));
+  EXPECT_EQ(std::ranges::count(report.checks.diagnostics, DiagnosticId::nested_comment, &text::Diagnostic::id), 2);
+  EXPECT_TRUE(text::has_error(check(kHead + "(A (B) C)\nM30\n%\n").checks.diagnostics));
+}
+
+TEST(Certainty, AHaasReadsPartsOfParameters) {
+  const Setting haas = {.dialect = "haas"};
+  const std::string text = kHead + "IF [#30057.21] GOTO5\n#1=#30003.078\nN5 (AT 50% SPEED)\nM30\n%\n";
+  const CheckReport report = check(text, haas);
+  EXPECT_FALSE(text::has_error(report.checks.diagnostics));
+  ASSERT_NE(find(report, DiagnosticId::tape_mark_in_comment), nullptr);
+  EXPECT_EQ(find(report, DiagnosticId::tape_mark_in_comment)->severity, Severity::warning);
+  const CheckReport other = check(text);
+  EXPECT_NE(find(other, DiagnosticId::variable_out_of_range), nullptr);
+  EXPECT_EQ(find(other, DiagnosticId::tape_mark_in_comment)->severity, Severity::error);
+}
+
+TEST(Certainty, AHaasTakesAStatementBehindIfWithoutThen) {
+  const std::string text = kHead + "IF [#598 NE 1.] G65 P9725\nIF [#598 EQ 2.] #1= 5.\nM30\n%\n";
+  EXPECT_FALSE(text::has_error(check(text, {.dialect = "haas"}).checks.diagnostics));
+  EXPECT_TRUE(text::has_error(check(text).checks.diagnostics));
+  EXPECT_TRUE(text::has_error(check(kHead + "IF [#1 EQ 2.]\nM30\n%\n", {.dialect = "haas"}).checks.diagnostics));
+}
+
+TEST(Certainty, AFactorTakesAPoint) {
+  EXPECT_EQ(find(check(kHead + "G51 X0. Y0. Z0. P2.\nG50\nM30\n%\n"), DiagnosticId::decimal_point_not_allowed),
+            nullptr);
+  EXPECT_NE(find(check(kHead + "G04 P2.\nM30\n%\n"), DiagnosticId::decimal_point_not_allowed), nullptr);
+}
+
+TEST(Certainty, CommentsBeforeTheFirstMarkAreNotRead) {
+  EXPECT_FALSE(text::has_error(check("(OF THE SHOP)\n" + kHead + "M30\n%\n").checks.diagnostics));
+  EXPECT_TRUE(text::has_error(check("(O1)\n%\n").checks.diagnostics));
+}
+
+TEST(Certainty, ANumberAloneIsNoProgramWithoutAnEnd) {
+  EXPECT_FALSE(text::has_error(check("%\nO2\nO1\nG21 G17 G90 G94\nM30\n%\n", {.dialect = "fanuc"}).checks.diagnostics));
+  EXPECT_TRUE(text::has_error(check("%\nO1\n%\n").checks.diagnostics));
+}
+
 // --- what the profile settles
 
 TEST(Certainty, TheReferencePointIsTheProfiles) {
@@ -268,7 +334,7 @@ TEST(Certainty, MFunctionsAreTheProfiles) {
 
 TEST(Certainty, TwoSystemsOfOneLatheAreNotGuessed) {
   const compile::Dialect* dialect = compile::find_dialect("fanuc");
-  const text::Source source("x.nc", "%\nO1\nG21 G90 G40 G99\nG50 S2000\nT0101\nG00 X50. Z2.\nM30\n%\n");
+  const text::Source source("x.nc", "%\nO1\nG21 G40\nG92 S2000\nT0101\nG00 U50. Z2.\nM30\n%\n");
   const ir::Control control = dialect->infer_control(source);
   ASSERT_EQ(control.contradiction.size(), 2U);
   const CheckReport report = examine({.source = source,
