@@ -58,7 +58,8 @@ struct BlockResult {
   bool needs_shape = false;  // G70 to G73: the caller runs the shape's blocks
   bool sets_data = false;    // G10: the caller has what it sets
   std::uint32_t notes = 0;
-  // Alarm: count_ when there is none. `first` and `second` are its arguments (radii of an arc in mm).
+  // Alarm: count_ when there is none. `first` and `second` are its arguments (radii of an arc in mm). Without an alarm
+  // they are radii that differ by what some machines are set to take.
   text::DiagnosticId fault = text::DiagnosticId::count_;
   double first = 0.0;
   double second = 0.0;

@@ -152,7 +152,15 @@ std::optional<Flow> BlockRunner::apply_block(const Instruction& i) {
     fail(i, result);
     return std::nullopt;
   }
+  if (result.second != 0.0) [[unlikely]]
+    say_radii(i, result);
   return result.flow;
+}
+
+void BlockRunner::say_radii(const Instruction& i, const BlockResult& result) {
+  report_.warn(i, DiagnosticId::arc_radius_mismatch,
+               {text::format_fixed(result.first, 4), text::format_fixed(result.second, 4)},
+               "a parameter of the machine decides how far they may differ (3410)");
 }
 
 // What is set is known from here on; that the machine's memory changes is said.
@@ -284,8 +292,9 @@ void BlockRunner::take_notes(const Instruction& i, std::uint32_t notes) {
       letters += (letters.empty() ? "" : " ") + letter_of(static_cast<ir::Address>(std::countr_zero(rest)));
     report_.say(i, DiagnosticId::motion_without_code, {letters});
   }
-  // A shape is cut with the feed of its cycle.
-  if ((notes & kNoteNoFeed) != 0 && !said_no_feed_ && out_.captured() == nullptr) {
+  // A shape is cut with the feed of its cycle. Before a motion code the machine decides whether the block cuts.
+  const bool cuts = (notes & kNoteMotionWithoutCode) == 0;
+  if ((notes & kNoteNoFeed) != 0 && cuts && !said_no_feed_ && out_.captured() == nullptr) {
     said_no_feed_ = true;
     report_.keep_no_feed(i, state_.feed < 0.0 ? ir::kNegative : ir::AlarmDetail::none);
   }

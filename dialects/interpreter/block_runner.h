@@ -56,6 +56,7 @@ class BlockRunner {
   ir::Address find_axis(const ComputedWord& word);
   void skip_vacant(const Instruction& i, const CompiledProgram& program, std::uint32_t word);
   void take_notes(const Instruction& i, std::uint32_t notes);
+  void say_radii(const Instruction& i, const BlockResult& result);
   bool fail(const Instruction& i, const BlockResult& result);
 
   const ir::Control& control_;

@@ -26,6 +26,8 @@ using text::DiagnosticId;
 constexpr std::size_t kX = 0;
 constexpr std::size_t kZ = 2;
 constexpr double kPassesAtMost = 100'000.0;
+// By as much a shape of type I may go back on a machine that is set so (5145, 5146).
+constexpr double kReversalAtMost_mm = 0.5;
 
 class ShapeCutter {
  public:
@@ -35,6 +37,7 @@ class ShapeCutter {
         factor_(rules.x_is_diameter ? 2.0 : 1.0),
         // Places are rounded to the least increment before the cycle sees them.
         tolerance_mm_(1.0 / rules.increments_per_mm),
+        is_check_(rules.semantics.unset_is_unknown && rules.semantics.has_vacant),
         state_(state),
         out_(out),
         result_(result),
@@ -97,9 +100,12 @@ class ShapeCutter {
         (moves_.front().axes_commanded & (1U << kX)) != 0 && (moves_.front().axes_commanded & (1U << kZ)) != 0;
     std::uint32_t line = 0;
     bool in_level = false;
+    ShapeFault reversal;
     if (!pockets && !is_monotonic(segments_, tolerance_mm_, line, in_level)) {
       const bool in_x = in_level == along_z_;
-      return {DiagnosticId::cycle_shape_not_monotonic, in_x ? "X" : "Z", line};
+      reversal = {DiagnosticId::cycle_shape_not_monotonic, in_x ? "X" : "Z", line};
+      reversal.is_doubtful = is_check_ && is_monotonic(segments_, kReversalAtMost_mm, line, in_level);
+      if (!reversal.is_doubtful) return reversal;
     }
     const double start = along_z_ ? x0_ / factor_ : z0_;
     double deepest = begin_.level;
@@ -111,7 +117,7 @@ class ShapeCutter {
     const auto count = static_cast<int>(std::ceil(std::abs(deepest - start) / depth - 1e-9)) - 1;
     for (int n = 1; n <= count; ++n) pass(start + side() * depth * n, pockets);
     along_shape();
-    return {};
+    return reversal;
   }
 
   // Ways and levels with the allowances; the first move leads to the shape and is no part of it.
@@ -233,6 +239,7 @@ class ShapeCutter {
   const std::vector<ir::Motion>& shape_;
   double factor_;
   double tolerance_mm_;
+  bool is_check_;
   ModalState& state_;
   MotionBuffer& out_;
   BlockResult& result_;

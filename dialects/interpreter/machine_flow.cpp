@@ -281,6 +281,11 @@ bool Machine::end_shape(std::uint32_t& next) {
   }
   shape_.end();
   if (fault.id == DiagnosticId::count_) return true;
+  if (fault.is_doubtful) {
+    report_.warn(cycle, fault.id, {fault.text, std::to_string(fault.line)},
+                 "a parameter of the machine decides by how much a shape may go back (5145, 5146)");
+    return true;
+  }
   return report_.fail(cycle, fault.id,
                       fault.id == DiagnosticId::cycle_shape_not_monotonic
                           ? std::vector<std::string>{fault.text, std::to_string(fault.line)}

@@ -23,6 +23,7 @@ struct ShapeFault {
   text::DiagnosticId id = text::DiagnosticId::count_;
   std::string text;
   std::uint32_t line = 0;
+  bool is_doubtful = false;  // a parameter of the machine decides: the shape was cut
 };
 
 // Cuts the shape, given as the motions of its blocks from the start point on; the state is at the start point before

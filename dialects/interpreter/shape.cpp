@@ -27,7 +27,7 @@ std::optional<double> share_at(const ShapeSegment& s, double angle) {
 }
 
 // The points of an arc where a coordinate is largest or smallest lie at multiples of a quarter.
-bool turns_back(const ShapeSegment& s, bool in_level) {
+bool turns_back(const ShapeSegment& s, bool in_level, double tolerance_mm) {
   if (!s.arc) return false;
   const double quarter = std::numbers::pi / 2.0;
   for (int k = 0; k < 4; ++k) {
@@ -35,7 +35,7 @@ bool turns_back(const ShapeSegment& s, bool in_level) {
     if (extreme_of_level != in_level) continue;
     const auto share = share_at(s, k * quarter);
     const double radius = std::hypot(s.from.way - s.center.way, s.from.level - s.center.level);
-    const double room = kSmall / std::max(radius, kSmall);
+    const double room = std::max(tolerance_mm, kSmall) / std::max(radius, kSmall);
     const double length = std::abs(s.turn);
     if (share && *share * length > std::sqrt(2.0 * room) && (1.0 - *share) * length > std::sqrt(2.0 * room))
       return true;
@@ -107,8 +107,8 @@ bool is_monotonic(const std::vector<ShapeSegment>& shape, double tolerance_mm, s
   for (const ShapeSegment& s : shape) {
     const double dw = s.to.way - s.from.way;
     const double dl = s.to.level - s.from.level;
-    const bool way_back = (std::abs(dw) > tolerance_mm && dw * way < 0.0) || turns_back(s, false);
-    const bool level_back = (std::abs(dl) > tolerance_mm && dl * level < 0.0) || turns_back(s, true);
+    const bool way_back = (std::abs(dw) > tolerance_mm && dw * way < 0.0) || turns_back(s, false, tolerance_mm);
+    const bool level_back = (std::abs(dl) > tolerance_mm && dl * level < 0.0) || turns_back(s, true, tolerance_mm);
     if (way_back || level_back) {
       line = s.line;
       in_level = level_back;

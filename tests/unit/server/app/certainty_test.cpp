@@ -233,10 +233,35 @@ TEST(Certainty, AShapeMayGoBackByLessThanAnIncrement) {
   };
   const Setting lathe = {.kind = ir::MachineKind::lathe};
   EXPECT_EQ(find(check(text("39.99999"), lathe), DiagnosticId::cycle_shape_not_monotonic), nullptr);
-  EXPECT_NE(find(check(text("39.9"), lathe), DiagnosticId::cycle_shape_not_monotonic), nullptr);
+  const CheckReport doubtful = check(text("39.9"), lathe);
+  ASSERT_NE(find(doubtful, DiagnosticId::cycle_shape_not_monotonic), nullptr);
+  EXPECT_EQ(find(doubtful, DiagnosticId::cycle_shape_not_monotonic)->severity, Severity::warning) << "5145 decides";
+  EXPECT_TRUE(doubtful.ran);
+  const CheckReport reversal = check(text("36."), lathe);
+  EXPECT_EQ(find(reversal, DiagnosticId::cycle_shape_not_monotonic)->severity, Severity::error);
 }
 
 // --- what a setting of the machine decides
+
+TEST(Certainty, HowFarTheRadiiOfAnArcMayDifferAParameterDecides) {
+  const auto arc = [](const char* x) {
+    return check(kHead + "G00 X0. Y0.\nG02 X" + x + " Y0. I5. J0. F100.\nM30\n%\n");
+  };
+  EXPECT_EQ(find(arc("10.01"), DiagnosticId::arc_radius_mismatch), nullptr);
+  const CheckReport doubtful = arc("10.1");
+  ASSERT_NE(find(doubtful, DiagnosticId::arc_radius_mismatch), nullptr);
+  EXPECT_EQ(find(doubtful, DiagnosticId::arc_radius_mismatch)->severity, Severity::warning);
+  EXPECT_TRUE(doubtful.ran);
+  EXPECT_EQ(find(arc("10.5"), DiagnosticId::arc_radius_mismatch)->severity, Severity::error);
+}
+
+TEST(Certainty, BeforeAMotionCodeTheMachineDecidesWhetherABlockCuts) {
+  const Setting own = {.dialect = "sinumerik-840d"};
+  const CheckReport open = check("G17 G710 G90 G94\nX10\nM30\n", own);
+  EXPECT_EQ(find(open, DiagnosticId::no_feed), nullptr);
+  EXPECT_NE(find(open, DiagnosticId::motion_without_code), nullptr);
+  EXPECT_NE(find(check("G17 G710 G90 G94\nX10\nG1 X20\nM30\n", own), DiagnosticId::no_feed), nullptr);
+}
 
 TEST(Certainty, AFeedWithoutAPointIsOpenInInchOnly) {
   const auto said = [](const char* unit) {
