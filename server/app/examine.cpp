@@ -15,6 +15,8 @@
 #include "dialects/ir/axis_letters.h"
 #include "server/app/line_characters.h"
 #include "server/app/machine_facts.h"
+#include "server/app/outputs_written.h"
+#include "server/app/said_once.h"
 #include "server/app/surface_checks.h"
 
 namespace dripfeed::app {
@@ -170,6 +172,25 @@ bool is_settled(const text::Diagnostic& one, const machine::Profile* profile) {
   });
 }
 
+// Faults of places: where a number without a point is read as the machine is set, its setting decides them.
+bool follows_from_places(text::DiagnosticId id) {
+  return id == text::DiagnosticId::arc_radius_mismatch || id == text::DiagnosticId::cycle_shape_not_monotonic;
+}
+
+// Whether numbers without a point stand in the text, and no profile says how the machine reads them.
+bool decimals_are_open(const CheckReport& report) {
+  return std::ranges::any_of(report.checks.diagnostics, [](const text::Diagnostic& one) {
+    return one.id == text::DiagnosticId::missing_decimal_point;
+  });
+}
+
+void leave_to_decimals(text::Diagnostic& diagnostic) {
+  diagnostic.severity = text::Severity::warning;
+  diagnostic.is_open = true;
+  diagnostic.notes.push_back(
+      {diagnostic.span, "how the machine reads numbers without a point decides this: write the points"});
+}
+
 // A run that an open fault ended did not see the rest.
 bool ended_openly(const interpreter::RunResult& run) {
   return run.ended == interpreter::Ended::alarm && !run.diagnostics.empty() &&
@@ -180,7 +201,10 @@ bool ended_openly(const interpreter::RunResult& run) {
 void take_run(const interpreter::RunResult& run, const Examination& e, const compile::RunTexts& texts,
               bool second_reference, CheckReport& report) {
   for (const interpreter::RunDiagnostic& one : run.diagnostics) {
-    if (!is_settled(one.diagnostic, e.profile)) report.checks.diagnostics.push_back(texts.placed(one, run));
+    if (is_settled(one.diagnostic, e.profile)) continue;
+    text::Diagnostic diagnostic = texts.placed(one, run);
+    if (follows_from_places(diagnostic.id) && decimals_are_open(report)) leave_to_decimals(diagnostic);
+    report.checks.diagnostics.push_back(std::move(diagnostic));
   }
   for (const interpreter::NotInterpreted& one : run.not_interpreted)
     if (leaves_open(one, e, second_reference, report)) report.checks.has_unknown_effects = true;
@@ -232,8 +256,12 @@ void run_checks(const Examination& e, const ir::Program& program, const compile:
   interpreter::RunResult run = compile::execute(program, control, &library, sinks, options);
   if (thin != nullptr) thin->place(run);
   take_run(run, e, compile::RunTexts(program, library), goes_to_second_reference(program, library), report);
-  for (const auto& loaded : library.loaded())
+  bool writes = tell_outputs(program, e.control, report.checks.not_checked);
+  for (const auto& loaded : library.loaded()) {
+    writes |= tell_outputs(loaded->read.program, e.control, report.checks.not_checked);
     if (text::has_error(loaded->read.diagnostics)) take_errors(*loaded, report);
+  }
+  if (writes) report.checks.has_unknown_effects = true;
   checks.finish();
 }
 
@@ -356,6 +384,7 @@ CheckReport examine(const Examination& given) {
   }
   for (const std::string& one : e.assumed) report.checks.not_checked.add(one);
   sort_and_join(report.checks.diagnostics);
+  warn_once(report.checks.diagnostics);
   report.verdict = checks::verdict_of(report.checks);
   return std::move(report);
 }

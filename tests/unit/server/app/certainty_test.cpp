@@ -263,6 +263,32 @@ TEST(Certainty, BeforeAMotionCodeTheMachineDecidesWhetherABlockCuts) {
   EXPECT_NE(find(check("G17 G710 G90 G94\nX10\nG1 X20\nM30\n", own), DiagnosticId::no_feed), nullptr);
 }
 
+TEST(Certainty, PlacesOfNumbersWithoutAPointAreOpen) {
+  const CheckReport report = check(kHead + "G00 X0. Y10\nG02 X10. Y10. I5. J0. F100.\nM30\n%\n");
+  const text::Diagnostic* arc = find(report, DiagnosticId::arc_radius_mismatch);
+  ASSERT_NE(arc, nullptr);
+  EXPECT_EQ(arc->severity, Severity::warning);
+  EXPECT_TRUE(arc->is_open);
+  EXPECT_EQ(report.verdict, checks::Verdict::unknown);
+  const CheckReport certain = check(kHead + "G00 X0. Y1.\nG02 X10. Y10. I5. J0. F100.\nM30\n%\n");
+  EXPECT_EQ(find(certain, DiagnosticId::arc_radius_mismatch)->severity, Severity::error);
+}
+
+TEST(Certainty, OneSettingIsOneWarning) {
+  const auto warnings = [](const CheckReport& report, DiagnosticId id) {
+    return std::ranges::count_if(report.checks.diagnostics, [id](const text::Diagnostic& one) {
+      return one.id == id && one.severity == Severity::warning;
+    });
+  };
+  const CheckReport points = check(kHead + "G00 X10 Y20\nX30\nM30\n%\n");
+  EXPECT_EQ(warnings(points, DiagnosticId::missing_decimal_point), 1);
+  EXPECT_EQ(std::ranges::count(points.checks.diagnostics, DiagnosticId::missing_decimal_point, &text::Diagnostic::id),
+            3);
+  const CheckReport names = check("G17 G710 G90 G94\nG0 X=CLEAR_X Y=CLEAR_Y\nM30\n", {.dialect = "sinumerik-840d"});
+  EXPECT_EQ(warnings(names, DiagnosticId::unknown_name), 1);
+  EXPECT_EQ(names.verdict, checks::Verdict::unknown);
+}
+
 TEST(Certainty, AFeedWithoutAPointIsOpenInInchOnly) {
   const auto said = [](const char* unit) {
     const CheckReport report =
@@ -271,6 +297,17 @@ TEST(Certainty, AFeedWithoutAPointIsOpenInInchOnly) {
   };
   EXPECT_TRUE(said("G20"));
   EXPECT_FALSE(said("G21"));
+}
+
+TEST(Certainty, WhatAnOutputDoesTheMachineSays) {
+  const CheckReport report = check(kHead + "#1100=1\nM30\n%\n");
+  EXPECT_EQ(report.verdict, checks::Verdict::unknown);
+  EXPECT_TRUE(says(report, "#1100: what this output does"));
+  EXPECT_EQ(check("%\nO1\nG20 G17 G90 G94\n#12029=1\nM30\n%\n", {.dialect = "haas"}).verdict, checks::Verdict::unknown);
+  const CheckReport named = check("$A_OUT[3]=1\nM30\n", {.dialect = "sinumerik-840d"});
+  EXPECT_EQ(named.verdict, checks::Verdict::unknown);
+  EXPECT_TRUE(says(check("H1=5\nM30\n", {.dialect = "sinumerik-840d"}), "H: what this output does"));
+  EXPECT_EQ(check(kHead + "#3901=1\nM30\n%\n").verdict, checks::Verdict::pass) << "a count of parts";
 }
 
 TEST(Certainty, AMarkOfUtf8AndTheEndOfADosFileAreNoFaults) {

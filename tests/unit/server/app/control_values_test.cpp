@@ -162,15 +162,24 @@ TEST(ControlValues, AProgrammableFrameThatIsKnownIsFollowed) {
 }
 
 TEST(ControlValues, WhatMovesNothingMayBeWritten) {
-  for (const std::string block : {"#1100=1", "#1132=5", "#3003=1", "#3004=2", "#3901=0", "#500=1.", "#150=1."})
+  for (const std::string block : {"#3003=1", "#3004=2", "#3901=0", "#500=1.", "#150=1."})
     for (const std::string dialect : {"fanuc", "mazak", "mitsubishi-m80"}) {
       const CheckReport report = check_hash(block + "\n", dialect);
       EXPECT_EQ(report.verdict, Verdict::pass) << dialect << ' ' << block << '\n' << said(report);
     }
-  for (const std::string block : {"$A_OUT[1]=1", "$AC_TIMER[1]=0", "$AC_MARKER[1]=2", "R1=5"}) {
+  for (const std::string block : {"$AC_TIMER[1]=0", "$AC_MARKER[1]=2", "R1=5"}) {
     const CheckReport report = check_sinumerik(block + "\n");
     EXPECT_EQ(report.verdict, Verdict::pass) << block << '\n' << said(report);
   }
+}
+
+// What an output switches, and what the PLC makes of a value, only the machine says.
+TEST(ControlValues, WhatAnOutputSwitchesIsNotKnown) {
+  for (const std::string block : {"#1100=1", "#1132=5"})
+    for (const std::string dialect : {"fanuc", "mazak", "mitsubishi-m80", "haas"})
+      EXPECT_EQ(check_hash(block + "\n", dialect).verdict, Verdict::unknown) << dialect << ' ' << block;
+  for (const std::string block : {"$A_OUT[1]=1", "$A_DBB[4]=2", "H3=1"})
+    EXPECT_EQ(check_sinumerik(block + "\n").verdict, Verdict::unknown) << block;
 }
 
 }  // namespace
