@@ -94,12 +94,16 @@ class BlockObserver {
   virtual void block(const ir::Place& place, std::span<const VariableChange> changes) = 0;
 };
 
+struct ModalState;  // modal_state.h
+class StateObserver;
+
 struct RunOptions {
   Limits limits;
   std::vector<InitialValue> initial_values;
   std::uint32_t skip_switches = 0;    // block skip: bit n is on for "/n", bit 1 for "/"
   bool want_variables = false;        // fill RunResult::variables
   BlockObserver* observer = nullptr;  // costs time when set
+  StateObserver* states = nullptr;    // costs time when set; not of plain blocks that are run while they are read
   RunNames* names = nullptr;          // filled while running; nullptr: only RunResult has them
   // Names a budget of the caller's that is used up ("60 s"), which ends the run as passing one of the limits does; ""
   // while there is some left. Asked every few thousand motions, blocks and passes of loops. May be empty.
@@ -117,6 +121,26 @@ struct VariableValue {
   std::string name;
   std::optional<double> value;      // none: vacant, or a string
   std::optional<std::string> text;  // of string variables
+};
+
+// What is known where a block begins, before anything of it is done. Valid during the call only.
+struct BlockBegin {
+  const ir::Place& place;
+  const ModalState& state;
+  bool in_main;     // not in a called program, a text that is executed or the shape of a cycle
+  bool modal_call;  // G66, MCALL in effect
+  bool guessed;     // the program took a branch that a value decides which is not known
+};
+class StateObserver {
+ public:
+  StateObserver() = default;
+  StateObserver(const StateObserver&) = delete;
+  StateObserver& operator=(const StateObserver&) = delete;
+  virtual ~StateObserver() = default;
+  // True: variables() is to follow, which only a block of the main program has.
+  virtual bool begin(const BlockBegin& block) = 0;
+  // As RunResult::variables, at this place.
+  virtual void variables(std::vector<VariableValue> values) = 0;
 };
 
 struct RunDiagnostic {

@@ -388,11 +388,23 @@ void Machine::begin_block(const Instruction& i) {
     tell_block();
   budget_.take_step();
   begin_place(stack_.program().keeps_place ? out_.place.line : i.a);
+  if (options_.states != nullptr) [[unlikely]]
+    show_state(*options_.states);
   state_.clock_ms += control_.cost.block_ms;
   if (i.b == 0)
     ++out_.work.blocks;
   else
     out_.work.add(stack_.program().works[i.b]);
+}
+
+void Machine::show_state(StateObserver& states) {
+  const BlockBegin begin{.place = begun_,
+                         .state = state_,
+                         .in_main = stack_.in_main() && !shape_.active() && !contour_.active,
+                         .modal_call = stack_.has_modal(),
+                         .guessed = report_.took_uncertain_way()};
+  if (states.begin(begin) && begin.in_main)
+    states.variables(list_variables(variables_, stack_.program(), storage_, shared_));
 }
 
 }  // namespace dripfeed::interpreter

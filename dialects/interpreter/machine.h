@@ -56,6 +56,7 @@ class Machine {
     begun_.program = out_.place.program;
   }
   void begin_block(const Instruction& i);
+  void show_state(StateObserver& states);
   bool follow(Flow flow, const Instruction& i, std::uint32_t& next);
   bool jump(const Instruction& i, std::uint32_t& next);
   [[nodiscard]] bool enters_loop(std::uint32_t from, std::uint32_t to);

@@ -40,6 +40,7 @@ class RunReport {
   void say_no_feed();
   // From here on the program goes a way that a value decides which is not known: its alarms are possible, not certain.
   void take_uncertain_way() { uncertain_ = true; }
+  [[nodiscard]] bool took_uncertain_way() const { return uncertain_; }
   // The passes that are left are none, because too many ways were guessed: the limit says so.
   void end_guesses() { guesses_end_ = true; }
   void count(const Report& report);

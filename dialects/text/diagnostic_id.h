@@ -1,5 +1,5 @@
 // Every diagnostic that dripfeed can give, in the order of the way of a program: text, words, values, variables, flow,
-// calls, framing, run, translation, family, checks. One row each in diagnostic_table.cpp.
+// calls, framing, run, translation, restart, family, checks. One row each in diagnostic_table.cpp.
 #pragma once
 
 #include <cstdint>
@@ -141,6 +141,12 @@ enum class DiagnosticId : std::uint16_t {
   unknown_modal_state,
   block_skip_decided,
   not_enough_variables,
+  // restart inside a program
+  restart_no_block,
+  restart_inside,
+  restart_unknown,
+  restart_side_unknown,
+  restart_differs,
   // family language
   family_syntax,
   family_unknown_parameter,

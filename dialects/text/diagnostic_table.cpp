@@ -277,6 +277,17 @@ constexpr auto kRows = std::to_array<DiagnosticRow>({
    "Blocks with / are executed and written. Translate as a macro to leave the choice to the operator."},
   {not_enough_variables, "not-enough-variables", error, "the program needs {} variables, the control has {}",
    "Render explicitly, or allow more of the control's ranges in the machine's profile."},
+  // restart inside a program
+  {restart_no_block, "restart-no-block", error, "the program cannot go on here: {}",
+   "A restart begins with a block of the main program that is executed exactly once, outside of loops, branches and subprograms."},
+  {restart_inside, "restart-inside", error, "the program cannot go on here: {} in effect",
+   "Begin at a block before it begins or after it ends; the nearest such blocks are named."},
+  {restart_unknown, "restart-unknown", error, "the program cannot go on here: {} not known",
+   "A restart states everything that the rest takes from the blocks before it. What only the control or its operator knows cannot be stated."},
+  {restart_side_unknown, "restart-side-unknown", error, "no safe approach is known to this place: {}",
+   "Choose a block where the tool stands in front of the part or outside of it, such as its first move after a tool change."},
+  {restart_differs, "restart-differs", error, "from here the rest would not move as the whole program does: {}",
+   "The restart was run and compared with the whole program. Choose one of the blocks that are named."},
   // family language
   {family_syntax, "family-syntax", error, "{}",
    "Each line of a family is one sentence that begins with its keyword. The reference lists them with examples."},
