@@ -150,6 +150,8 @@ class Approach {
     const bool at_rapid = came_at_rapid();
     const double level = at_rapid ? state_.position[kZ] : clear_level();
     rapid({length(), axis(kZ, level)});
+    draft_.assumptions.emplace_back(
+        "Z comes down last: nothing stands above the place where the line begins, such as the wall of an undercut.");
     if (at_rapid || level - state_.position[kZ] < kSame_mm) return std::nullopt;
     return feed_to(kZ);
   }
