@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "checks/arcs.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::accuracy {
@@ -20,16 +21,12 @@ constexpr std::size_t kZ = 2;
 constexpr double kSamePlace_mm = 1e-6;
 constexpr double kSmallCorner_mm = 1e-7;  // a corner's own arc matters less than this
 
-bool is_arc(const ir::Motion& motion) {
-  return motion.kind == ir::MotionKind::arc_cw || motion.kind == ir::MotionKind::arc_ccw;
-}
-
 // In radius geometry.
 curves::PathPiece piece_of(const ir::Motion& motion, bool x_is_diameter) {
   const double factor = x_is_diameter ? 0.5 : 1.0;
   const curves::Point start{motion.start[kZ], factor * motion.start[kX]};
   const curves::Point end{motion.end[kZ], factor * motion.end[kX]};
-  if (!is_arc(motion)) return curves::Segment{start, end};
+  if (!checks::is_arc(motion)) return curves::Segment{start, end};
   const curves::Point center{start.z + motion.center[2], start.x + motion.center[0]};
   const auto turn = motion.kind == ir::MotionKind::arc_ccw ? curves::Turn::counterclockwise : curves::Turn::clockwise;
   return curves::arc_between(start, end, center, turn);
@@ -42,7 +39,7 @@ std::string why_unmeasured(const ir::Motion& motion) {
   if ((motion.axes_unknown & kBoth) != 0) return "a cutting move starts at a place that is not known";
   if (const std::string_view other = checks::why_no_turning(motion); !other.empty())
     return fmt::format("{} was not measured", other);
-  if (is_arc(motion) && motion.plane != ir::Plane::zx) return "an arc lies in another plane than z-x";
+  if (checks::is_arc(motion) && motion.plane != ir::Plane::zx) return "an arc lies in another plane than z-x";
   return {};
 }
 

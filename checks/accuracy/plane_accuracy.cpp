@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "checks/arcs.h"
 #include "dialects/curves/gap.h"
 #include "dialects/text/number.h"
 
@@ -26,14 +27,10 @@ constexpr int kSearchPieces = 256;  // of a curve, where a foot is sought anywhe
 constexpr double kSmallCorner_mm = 1e-7;
 constexpr int kEndSteps = 30;
 
-bool is_arc(const ir::Motion& motion) {
-  return motion.kind == ir::MotionKind::arc_cw || motion.kind == ir::MotionKind::arc_ccw;
-}
-
 curves::PathPiece piece_of(const ir::Motion& motion) {
   const curves::Point start{motion.start[0], motion.start[1]};
   const curves::Point end{motion.end[0], motion.end[1]};
-  if (!is_arc(motion)) return curves::Segment{start, end};
+  if (!checks::is_arc(motion)) return curves::Segment{start, end};
   const curves::Point center = start + curves::Point{motion.center[0], motion.center[1]};
   const auto turn = motion.kind == ir::MotionKind::arc_ccw ? curves::Turn::counterclockwise : curves::Turn::clockwise;
   return curves::arc_between(start, end, center, turn);
@@ -44,7 +41,7 @@ std::string_view why_unmeasured(const ir::Motion& motion) {
   if (!checks::has_places(motion)) return "a cutting move leads beyond all places";
   if ((motion.axes_unknown & 3U) != 0) return "a cutting move starts at a place that is not known";
   if (checks::is_turned(motion)) return "a cut with a turned rotary axis was not measured";
-  if (is_arc(motion) && motion.plane != ir::Plane::xy) return "an arc lies in another plane than x-y";
+  if (checks::is_arc(motion) && motion.plane != ir::Plane::xy) return "an arc lies in another plane than x-y";
   return {};
 }
 

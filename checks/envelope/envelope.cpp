@@ -13,24 +13,14 @@
 
 #include <fmt/format.h>
 
+#include "checks/arcs.h"
+
 namespace dripfeed::envelope {
 
 namespace {
 
-constexpr double kSamePoint_mm = 1e-9;
 constexpr double kSameAngle = 1e-9;
 constexpr double kInch_mm = 25.4;
-
-struct PlaneAxes {
-  std::size_t abscissa;
-  std::size_t ordinate;
-};
-// Indexed by ir::Plane: xy, zx, yz.
-constexpr std::array<PlaneAxes, 3> kPlanes = {PlaneAxes{0, 1}, {2, 0}, {1, 2}};
-
-bool is_arc(const ir::Motion& motion) {
-  return motion.kind == ir::MotionKind::arc_cw || motion.kind == ir::MotionKind::arc_ccw;
-}
 
 // Which of the move's figures is none; empty: all are numbers.
 std::string_view no_number_in(const ir::Motion& motion) {
@@ -112,7 +102,7 @@ void Envelope::check_move(const ir::Motion& motion) {
     }
     if (cuts) include_cut(motion, value);
   }
-  if (is_arc(motion)) check_arc(motion);
+  if (checks::is_arc(motion)) check_arc(motion);
   if (motion.kind == ir::MotionKind::spline)
     report_.not_checked.add("a spline was checked at its points only", motion.place.line);
   if (cuts) check_cut(motion);
@@ -152,7 +142,7 @@ void Envelope::check_cut(const ir::Motion& motion) {
 // The radius at both ends, and the places where the arc reaches farther than its ends. A helix moves along its axis
 // between its ends only.
 void Envelope::check_arc(const ir::Motion& motion) {
-  const PlaneAxes plane = kPlanes[static_cast<std::size_t>(motion.plane)];
+  const checks::PlaneAxes plane = checks::axes_of(motion.plane);
   const auto a = static_cast<ir::Axis>(plane.abscissa);
   const auto o = static_cast<ir::Axis>(plane.ordinate);
   const double start_a = travel_.slide(plane.abscissa, motion.start[plane.abscissa]);
@@ -175,7 +165,7 @@ void Envelope::check_arc(const ir::Motion& motion) {
     const double rest = std::fmod(turn * (angle - start_angle), full);
     return rest < 0.0 ? rest + full : rest;
   };
-  const bool full_circle = std::hypot(end_a - start_a, end_o - start_o) < kSamePoint_mm;
+  const bool full_circle = std::hypot(end_a - start_a, end_o - start_o) < checks::kSamePoint_mm;
   const double sweep = full_circle ? 2.0 * std::numbers::pi : behind(std::atan2(end_o - center_o, end_a - center_a));
   const auto reach = [&](std::size_t i, ir::Axis axis, double value) {
     travel_.check(motion, axis, value);

@@ -14,6 +14,8 @@
 #include <numbers>
 #include <utility>
 
+#include "checks/arcs.h"
+
 namespace dripfeed::gouge {
 
 namespace {
@@ -31,14 +33,11 @@ constexpr std::size_t kMostWaiting = 256;
 
 Point start_of(const ir::Motion& move) { return {move.start[0], move.start[1]}; }
 Point end_of(const ir::Motion& move) { return {move.end[0], move.end[1]}; }
-bool is_arc(const ir::Motion& move) {
-  return move.kind == ir::MotionKind::arc_cw || move.kind == ir::MotionKind::arc_ccw;
-}
 double side_of(ir::CompSide side) { return side == ir::CompSide::left ? 1.0 : -1.0; }
 Point left_of(Point direction) { return {-direction.x, direction.z}; }
 
 PathPiece path_of(const ir::Motion& move) {
-  if (!is_arc(move)) return Segment{start_of(move), end_of(move)};
+  if (!checks::is_arc(move)) return Segment{start_of(move), end_of(move)};
   const Point center = start_of(move) + Point{move.center[0], move.center[1]};
   const auto turn = move.kind == ir::MotionKind::arc_ccw ? curves::Turn::counterclockwise : curves::Turn::clockwise;
   return curves::arc_between(start_of(move), end_of(move), center, turn);
@@ -46,7 +45,7 @@ PathPiece path_of(const ir::Motion& move) {
 
 bool has_way(const ir::Motion& move) {
   if (curves::distance(start_of(move), end_of(move)) > kNoWay_mm) return true;
-  return is_arc(move) && std::hypot(move.center[0], move.center[1]) > kNoWay_mm;
+  return checks::is_arc(move) && std::hypot(move.center[0], move.center[1]) > kNoWay_mm;
 }
 
 // Beside the path by `by`, to the left where positive; an arc that has no radius left keeps a hair of one.
@@ -180,7 +179,7 @@ void Compensation::add(const ir::Motion& move, double radius_mm) {
   }
   Piece next = piece_of(move, radius_mm);
   if (pending_) return join(std::move(next));
-  if (is_arc(move)) {
+  if (checks::is_arc(move)) {
     notes_.add("compensation begins with an arc: the control would alarm", move.place.line);
     emit_straight(at_start_of(move, move.kind), start_of(move) + offset_, place_on(next.led, 0.0));
   } else {
@@ -296,7 +295,7 @@ void Compensation::forget() {
 // Without compensation again: straight from where the axis stands to the programmed end.
 void Compensation::lead_away(const ir::Motion& move) {
   const bool off_the_path = curves::norm(offset_) > kNoWay_mm;
-  if (is_arc(move) && off_the_path)
+  if (checks::is_arc(move) && off_the_path)
     notes_.add("compensation ends with an arc: the control would alarm, it was taken as a line", move.place.line);
   const bool known = (move.axes_unknown & 3U) == 0;
   if (known && off_the_path) {
@@ -311,7 +310,7 @@ void Compensation::emit_straight(const ir::Motion& like, Point from, Point to) {
   ir::Motion move = like;
   const bool stands = curves::distance(from, to) <= kNoWay_mm && std::fabs(like.end[2] - like.start[2]) <= kNoWay_mm;
   if (stands && like.axes_unknown == 0) return;
-  if (is_arc(move)) move.kind = ir::MotionKind::linear;
+  if (checks::is_arc(move)) move.kind = ir::MotionKind::linear;
   move.comp = ir::CompSide::off;
   move.start[0] = from.z;
   move.start[1] = from.x;

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "checks/arcs.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::gouge {
@@ -22,10 +23,6 @@ constexpr std::size_t kPicturePlaces = 2000;
 
 curves::Point point_of(const std::array<double, ir::kAxisCount>& at, bool x_is_diameter) {
   return {at[kZ], x_is_diameter ? 0.5 * at[kX] : at[kX]};
-}
-
-bool is_arc(const ir::Motion& motion) {
-  return motion.kind == ir::MotionKind::arc_cw || motion.kind == ir::MotionKind::arc_ccw;
 }
 
 std::vector<std::string> depth_and_place(double depth_mm, double z_mm) {
@@ -104,9 +101,9 @@ void Gouge::consume(std::span<const ir::Motion> motions) {
     const curves::Point start = start_known ? point_of(motion.start, settings_.x_is_diameter) : end;
     if (motion.kind == ir::MotionKind::rapid) {
       check_rapid(motion, {start, end});
-    } else if (is_arc(motion) && motion.plane != ir::Plane::zx) {
+    } else if (checks::is_arc(motion) && motion.plane != ir::Plane::zx) {
       report_.not_checked.add("an arc in another plane than z-x was not checked", line);
-    } else if (is_arc(motion) && start_known) {
+    } else if (checks::is_arc(motion) && start_known) {
       const curves::Point center{start.z + motion.center[2], start.x + motion.center[0]};
       const auto turn =
           motion.kind == ir::MotionKind::arc_ccw ? curves::Turn::counterclockwise : curves::Turn::clockwise;

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "checks/arcs.h"
 #include "dialects/text/number.h"
 
 namespace dripfeed::gouge {
@@ -16,57 +16,10 @@ namespace dripfeed::gouge {
 namespace {
 
 constexpr double kArcError_mm = 2e-3;
-constexpr double kSamePoint_mm = 1e-9;
 constexpr std::size_t kMostNotes = 8;
 constexpr std::size_t kPictureColumns = 240;
 
-struct PlaneAxes {
-  std::size_t abscissa;
-  std::size_t ordinate;
-  std::size_t height;
-};
-// Indexed by ir::Plane: xy, zx, yz.
-constexpr std::array<PlaneAxes, 3> kPlanes = {PlaneAxes{0, 1, 2}, {2, 0, 1}, {1, 2, 0}};
-
-bool is_arc(const ir::Motion& motion) {
-  return motion.kind == ir::MotionKind::arc_cw || motion.kind == ir::MotionKind::arc_ccw;
-}
-
-Point3 point_of(const std::array<double, ir::kAxisCount>& at) { return {at[0], at[1], at[2]}; }
-
-// Calls visit(from, to) for chords of an arc or helix.
-template <class Visit>
-void for_chords(const ir::Motion& motion, Visit&& visit) {
-  const PlaneAxes plane = kPlanes[static_cast<std::size_t>(motion.plane)];
-  const double center_a = motion.start[plane.abscissa] + motion.center[plane.abscissa];
-  const double center_o = motion.start[plane.ordinate] + motion.center[plane.ordinate];
-  const auto angle_of = [&](const std::array<double, ir::kAxisCount>& at) {
-    return std::atan2(at[plane.ordinate] - center_o, at[plane.abscissa] - center_a);
-  };
-  const double radius = std::hypot(motion.center[plane.abscissa], motion.center[plane.ordinate]);
-  const double turn = motion.kind == ir::MotionKind::arc_ccw ? 1.0 : -1.0;
-  const double full = 2.0 * std::numbers::pi;
-  double sweep = std::fmod(turn * (angle_of(motion.end) - angle_of(motion.start)), full);
-  if (sweep < 0.0) sweep += full;
-  const bool closed = std::hypot(motion.end[plane.abscissa] - motion.start[plane.abscissa],
-                                 motion.end[plane.ordinate] - motion.start[plane.ordinate]) < kSamePoint_mm;
-  if (closed) sweep = full;
-  const double angle = std::sqrt(8.0 * kArcError_mm / std::max(radius, kArcError_mm));
-  const int chords = std::clamp(static_cast<int>(std::ceil(sweep / angle)), 1, 10000);
-  const double start_angle = angle_of(motion.start);
-  std::array<double, ir::kAxisCount> before = motion.start;
-  for (int i = 1; i <= chords; ++i) {
-    const double part = static_cast<double>(i) / chords;
-    std::array<double, ir::kAxisCount> here = motion.end;
-    if (i < chords) {
-      here[plane.abscissa] = center_a + radius * std::cos(start_angle + turn * part * sweep);
-      here[plane.ordinate] = center_o + radius * std::sin(start_angle + turn * part * sweep);
-      here[plane.height] = motion.start[plane.height] + part * (motion.end[plane.height] - motion.start[plane.height]);
-    }
-    visit(point_of(before), point_of(here));
-    before = here;
-  }
-}
+Point3 point_of(const checks::AxisValues& at) { return {at[0], at[1], at[2]}; }
 
 }  // namespace
 
@@ -193,8 +146,10 @@ void Milling::check_move(const ir::Motion& motion) {
   const Point3 start = point_of(motion.start);
   if (motion.kind == ir::MotionKind::rapid) {
     check_rapid(motion, start, end);
-  } else if (is_arc(motion)) {
-    for_chords(motion, [&](const Point3& from, const Point3& to) { check_cut(motion, from, to); });
+  } else if (checks::is_arc(motion)) {
+    checks::for_chords(motion, kArcError_mm, [&](const checks::AxisValues& from, const checks::AxisValues& to) {
+      check_cut(motion, point_of(from), point_of(to));
+    });
   } else {
     check_cut(motion, start, end);
   }

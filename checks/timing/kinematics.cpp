@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "checks/arcs.h"
 #include "dialects/ir/thread_lead.h"
 
 namespace dripfeed::timing {
@@ -12,14 +13,6 @@ namespace dripfeed::timing {
 namespace {
 
 constexpr std::size_t kX = 0;
-constexpr double kSamePoint_mm = 1e-9;
-
-struct PlaneAxes {
-  std::size_t abscissa;
-  std::size_t ordinate;
-};
-// Indexed by ir::Plane: xy, zx, yz.
-constexpr std::array<PlaneAxes, 3> kPlanes = {PlaneAxes{0, 1}, {2, 0}, {1, 2}};
 
 double norm_of(const AxisVector& v) {
   double square = 0.0;
@@ -37,7 +30,7 @@ AxisVector moved_by(const ir::Motion& motion, bool x_is_diameter) {
 }
 
 void shape_arc(PathShape& shape, const ir::Motion& motion, const AxisVector& delta) {
-  const PlaneAxes plane = kPlanes[static_cast<std::size_t>(motion.plane)];
+  const checks::PlaneAxes plane = checks::axes_of(motion.plane);
   // From the centre, start and end in the plane.
   const double start_a = -motion.center[plane.abscissa];
   const double start_o = -motion.center[plane.ordinate];
@@ -45,7 +38,7 @@ void shape_arc(PathShape& shape, const ir::Motion& motion, const AxisVector& del
   const double end_o = start_o + delta[plane.ordinate];
   const double turn = motion.kind == ir::MotionKind::arc_ccw ? 1.0 : -1.0;
   double sweep = 2.0 * std::numbers::pi;
-  if (std::hypot(delta[plane.abscissa], delta[plane.ordinate]) >= kSamePoint_mm) {
+  if (std::hypot(delta[plane.abscissa], delta[plane.ordinate]) >= checks::kSamePoint_mm) {
     sweep = turn * (std::atan2(end_o, end_a) - std::atan2(start_o, start_a));
     if (sweep <= 0.0) sweep += 2.0 * std::numbers::pi;
   }
@@ -160,7 +153,7 @@ AxisRates rates_of(const checks::Machine& machine) {
 PathShape shape_of(const ir::Motion& motion, bool x_is_diameter) {
   PathShape shape;
   const AxisVector delta = moved_by(motion, x_is_diameter);
-  if (motion.kind == ir::MotionKind::arc_cw || motion.kind == ir::MotionKind::arc_ccw) {
+  if (checks::is_arc(motion)) {
     shape_arc(shape, motion, delta);
     return shape;
   }
