@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "server/app/catalog.h"
-#include "server/app/workers.h"
 
 namespace dripfeed::app {
 
@@ -26,27 +25,29 @@ Result<void> take_machine(const DiagnoseOrder& order, machine::Profile& profile,
 
 }  // namespace
 
-Result<Diagnosed> diagnose_text(const DiagnoseOrder& order, const Documents& documents) {
-  Examination e{.source = text::Source("", order.text),
-                .control = {},
-                .delivery = delivery_of(order.delivery),
-                .find_called = {},
-                .geometry = {},
-                .profile_lines = {}};
-  machine::Profile profile;
+Result<std::unique_ptr<OpenCase>> open_text(const DiagnoseOrder& order, const Documents& documents) {
+  auto one = std::make_unique<OpenCase>();
+  Examination& e = one->examination;
+  e.source = text::Source("", order.text);
+  e.delivery = delivery_of(order.delivery);
   if (!order.profile.empty()) {
     auto known = documents.read_profile(order.profile);
     if (!known) return std::unexpected(known.error());
-    profile = std::move(*known);
-    if (auto fits = take_machine(order, profile, e); !fits) return std::unexpected(fits.error());
-  } else {
-    e.dialect = order.dialect.empty() ? &compile::infer_dialect(e.source) : compile::find_dialect(order.dialect);
-    if (e.dialect == nullptr)
-      return fail(ErrorCode::invalid, fmt::format("dialect \"{}\" is not known", order.dialect));
-    e.control = e.dialect->infer_control(e.source);
-    e.inferred = true;
+    one->profile = std::move(*known);
+    if (auto fits = take_machine(order, one->profile, e); !fits) return std::unexpected(fits.error());
+    return one;
   }
-  TextReading text = read_text(e);
+  e.dialect = order.dialect.empty() ? &compile::infer_dialect(e.source) : compile::find_dialect(order.dialect);
+  if (e.dialect == nullptr) return fail(ErrorCode::invalid, fmt::format("dialect \"{}\" is not known", order.dialect));
+  e.control = e.dialect->infer_control(e.source);
+  e.inferred = true;
+  return one;
+}
+
+Result<Diagnosed> diagnose_text(const DiagnoseOrder& order, const Documents& documents) {
+  const auto opened = open_text(order, documents);
+  if (!opened) return std::unexpected(opened.error());
+  TextReading text = read_text((*opened)->examination);
   return Diagnosed{.report = std::move(text.report), .outline = compile::outline_of(text.read)};
 }
 

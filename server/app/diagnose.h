@@ -2,6 +2,7 @@
 // and nothing is stored; whether the program may go to a machine is a check's to say.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "dialects/compile/dialect.h"
@@ -9,6 +10,7 @@
 #include "server/app/documents.h"
 #include "server/app/error.h"
 #include "server/app/examine.h"
+#include "server/app/workers.h"
 #include "store/store.h"
 
 namespace dripfeed::app {
@@ -25,7 +27,10 @@ struct Diagnosed {
   compile::Outline outline;
 };
 
-// Errors: invalid: a dialect that is not known, or another one than the machine's.
+// What is examined of it. Errors: invalid: a dialect that is not known, or another one than the machine's.
+Result<std::unique_ptr<OpenCase>> open_text(const DiagnoseOrder& order, const Documents& documents);
+
+// Errors: as open_text.
 Result<Diagnosed> diagnose_text(const DiagnoseOrder& order, const Documents& documents);
 
 }  // namespace dripfeed::app

@@ -243,25 +243,36 @@ void take_errors(const compile::ProgramLibrary::Loaded& called, CheckReport& rep
   report.checks.not_checked.add(fmt::format("{}: the called program has errors of its own", called.name));
 }
 
-void run_checks(const Examination& e, const ir::Program& program, const compile::ThinProgram* thin,
-                CheckReport& report) {
+// Which programs of the run stand in another text.
+std::vector<bool> run_into(ir::MotionSink& sink, const Examination& e, const ir::Program& program,
+                           const compile::ThinProgram* thin, CheckReport& report) {
   const ir::Control control = for_check(e.control);
-  Checks checks(e, report);
-  compile::FanOut sinks(checks.sinks());
   compile::ProgramLibrary library(
       control, e.find_called ? e.find_called : [](std::string_view) { return std::nullopt; });
   interpreter::RunOptions options;
   options.used_up = e.used_up;
   if (thin != nullptr) options.stretches = &thin->stretches;
-  interpreter::RunResult run = compile::execute(program, control, &library, sinks, options);
+  interpreter::RunResult run = compile::execute(program, control, &library, sink, options);
   if (thin != nullptr) thin->place(run);
-  take_run(run, e, compile::RunTexts(program, library), goes_to_second_reference(program, library), report);
+  const compile::RunTexts texts(program, library);
+  take_run(run, e, texts, goes_to_second_reference(program, library), report);
   bool writes = tell_outputs(program, e.control, report.checks.not_checked);
   for (const auto& loaded : library.loaded()) {
     writes |= tell_outputs(loaded->read.program, e.control, report.checks.not_checked);
     if (text::has_error(loaded->read.diagnostics)) take_errors(*loaded, report);
   }
   if (writes) report.checks.has_unknown_effects = true;
+  std::vector<bool> is_elsewhere;
+  for (const std::string& name : run.programs)
+    is_elsewhere.push_back(!is_elsewhere.empty() && texts.find(name) != nullptr);
+  return is_elsewhere;
+}
+
+void run_checks(const Examination& e, const ir::Program& program, const compile::ThinProgram* thin,
+                CheckReport& report) {
+  Checks checks(e, report);
+  compile::FanOut sinks(checks.sinks());
+  run_into(sinks, e, program, thin, report);
   checks.finish();
 }
 
@@ -371,22 +382,41 @@ TextReading read_text(const Examination& e, const compile::ThinProgram* thin) {
   return out;
 }
 
-CheckReport examine(const Examination& given) {
+namespace {
+
+// Calls run(e, program, thin, report) where the text can be run.
+template <class Run>
+CheckReport examine_by(const Examination& given, Run run) {
   Examination e = given;
   e.control = compile::with_definitions(std::move(e.control), e.find_called);
   const auto thin = compile::ThinProgram::read(e.source, *e.dialect, e.control);
   TextReading text = read_text(e, thin.get());
   CheckReport& report = text.report;
   if (text.readable) {
-    run_checks(e, thin == nullptr ? text.read.program : thin->read_result.program, thin.get(), report);
+    run(e, thin == nullptr ? text.read.program : thin->read_result.program, thin.get(), report);
   } else {
     report.checks.not_checked.add("what the program does: it has errors that keep it from being run");
   }
   for (const std::string& one : e.assumed) report.checks.not_checked.add(one);
   sort_and_join(report.checks.diagnostics);
   warn_once(report.checks.diagnostics);
-  report.verdict = checks::verdict_of(report.checks);
   return std::move(report);
+}
+
+}  // namespace
+
+CheckReport examine(const Examination& examination) {
+  CheckReport report = examine_by(examination, run_checks);
+  report.verdict = checks::verdict_of(report.checks);
+  return report;
+}
+
+Followed follow(const Examination& examination, ir::MotionSink& sink) {
+  Followed out;
+  out.report = examine_by(examination,
+                          [&](const Examination& e, const ir::Program& program, const compile::ThinProgram* thin,
+                              CheckReport& report) { out.is_elsewhere = run_into(sink, e, program, thin, report); });
+  return out;
 }
 
 }  // namespace dripfeed::app

@@ -42,6 +42,14 @@ struct Examination {
 
 CheckReport examine(const Examination& examination);
 
+// Reads, validates and runs a text as a check does, and hands its motions to `sink` alone: what the machine would make
+// of them is not checked, so that there is no verdict.
+struct Followed {
+  CheckReport report;
+  std::vector<bool> is_elsewhere;  // by ir::Place::program: its lines are of another text
+};
+Followed follow(const Examination& examination, ir::MotionSink& sink);
+
 // What reading and validating alone say; nothing is run, so that there is no verdict.
 struct TextReading {
   CheckReport report;

@@ -90,6 +90,8 @@ Response compare_programs(const Call& call);
 // handlers_editing.cpp
 Response diagnose(const Call& call);
 Response convert(const Call& call);
+Response path_of_text(const Call& call);
+Response get_program_path(const Call& call);
 Response get_dialect_words(const Call& call);
 
 // handlers_library.cpp
@@ -116,6 +118,15 @@ std::expected<store::Shelf, Response> shelf_of(const Request& request);
 
 // This revision of a program, or the newest one for 0.
 store::Result<store::ProgramRevision> find_revision(store::Store& store, store::Id program, store::Revision revision);
+
+// The text of a revision, 0: of the newest one. Errors: invalid: it has more bytes than `most`.
+struct StoredText {
+  std::string name;
+  std::string dialect;
+  store::Revision revision = 0;
+  std::string text;
+};
+app::Result<StoredText> load_text(store::Store& store, store::Id program, store::Revision revision, std::uint64_t most);
 
 // handlers_jobs.cpp
 Response list_releases(const Call& call);

@@ -20,17 +20,10 @@ struct Side {
 };
 
 app::Result<Side> load(store::Store& store, store::Id id, store::Revision wanted) {
-  const auto program = app::lift(store.programs().get(id));
-  if (!program) return std::unexpected(program.error());
-  const auto revision = app::lift(find_revision(store, id, wanted));
-  if (!revision) return std::unexpected(revision.error());
-  if (revision->bytes > kTextLimit)
-    return app::fail(app::ErrorCode::invalid,
-                     fmt::format("program {} has {} bytes, more than are compared", program->name, revision->bytes));
-  auto text = app::lift(store::read_whole(store.contents(), revision->sha256, kTextLimit));
-  if (!text) return std::unexpected(text.error());
-  return Side{.of = {.program = id, .name = program->name, .revision = revision->revision},
-              .text = {.name = program->name, .dialect = program->dialect, .text = std::move(*text)}};
+  auto stored = load_text(store, id, wanted, kTextLimit);
+  if (!stored) return std::unexpected(stored.error());
+  return Side{.of = {.program = id, .name = stored->name, .revision = stored->revision},
+              .text = {.name = stored->name, .dialect = stored->dialect, .text = std::move(stored->text)}};
 }
 
 // A revision in the query; 0 where it is not given.

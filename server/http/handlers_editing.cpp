@@ -1,4 +1,4 @@
-// For who writes a text: what is wrong with it as it stands, and the words of its language.
+// For who writes or reads a text: what is wrong with it as it stands, the words of its language, the path of its tool.
 #include <utility>
 
 #include <fmt/format.h>
@@ -8,12 +8,13 @@
 #include "server/http/handlers.h"
 #include "server/json/diagnostics.h"
 #include "server/json/requests.h"
+#include "server/json/workers.h"
 
 namespace dripfeed::http {
 
 namespace {
 
-// Longest text that is translated.
+// Longest stored text that is translated, or whose path is drawn.
 constexpr std::uint64_t kTextLimit = std::uint64_t{64} << 20U;
 
 // The machine's document; "" where none is named.
@@ -59,21 +60,29 @@ app::Result<app::TranslationOrder> translation_order(store::Store& store, json::
   return order;
 }
 
-}  // namespace
+app::Result<app::DiagnoseOrder> order_of(const Call& call, json::DiagnoseBody body) {
+  app::DiagnoseOrder order{.dialect = std::move(body.dialect), .text = std::move(body.text), .delivery = body.delivery};
+  if (body.machine.empty()) return order;
+  auto machine = app::lift(call.api.application().store().machines().get(body.machine));
+  if (!machine) return std::unexpected(machine.error());
+  order.profile = std::move(machine->profile);
+  return order;
+}
 
-Response diagnose(const Call& call) {
+using Work = app::Result<std::string> (json::DocumentWorkers::*)(const app::DiagnoseOrder&, const app::Waiter&);
+
+Response work_on_text(const Call& call, Work work, std::string_view kind) {
   auto body = json::read_diagnose_body(call.request.body);
   if (!body) return problem_response(body.error());
-  app::DiagnoseOrder order{.dialect = body->dialect, .text = std::move(body->text), .delivery = body->delivery};
-  if (!body->machine.empty()) {
-    auto machine = app::lift(call.api.application().store().machines().get(body->machine));
-    if (!machine) return problem_response(machine.error());
-    order.profile = std::move(machine->profile);
-  }
-  const auto done = call.api.workers().diagnose(order, waiter_of(call, "diagnose", "text", body->machine));
+  const std::string machine = body->machine;
+  const auto order = order_of(call, std::move(*body));
+  if (!order) return problem_response(order.error());
+  const auto done = (call.api.workers().*work)(*order, waiter_of(call, kind, "text", machine));
   if (!done) return problem_response(done.error());
   return json_response(200, *done);
 }
+
+}  // namespace
 
 Response convert(const Call& call) {
   auto body = json::read_convert_body(call.request.body);
@@ -84,6 +93,24 @@ Response convert(const Call& call) {
   const auto done = call.api.workers().convert(*order, waiter_of(call, "convert", subject, body->machine));
   if (!done) return problem_response(done.error());
   return json_response(200, *done);
+}
+
+Response diagnose(const Call& call) { return work_on_text(call, &json::DocumentWorkers::diagnose, "diagnose"); }
+Response path_of_text(const Call& call) { return work_on_text(call, &json::DocumentWorkers::path, "path"); }
+
+Response get_program_path(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  const auto revision = number_of(call.request, "revision", 0, 1, INT64_MAX);
+  if (!revision) return revision.error();
+  auto text = load_text(call.api.application().store(), *id, *revision, kTextLimit);
+  if (!text) return problem_response(text.error());
+  const std::string machine = query_text(call.request, "machine");
+  const auto order = order_of(call, {.text = std::move(text->text), .dialect = text->dialect, .machine = machine});
+  if (!order) return problem_response(order.error());
+  const auto done = call.api.workers().path(*order, waiter_of(call, "path", fmt::format("program/{}", *id), machine));
+  if (!done) return problem_response(done.error());
+  return with_revision(json_response(200, *done), text->revision);
 }
 
 Response get_dialect_words(const Call& call) {

@@ -41,6 +41,23 @@ store::Result<store::ProgramRevision> find_revision(store::Store& store, store::
   return std::move(newest->newest);
 }
 
+app::Result<StoredText> load_text(store::Store& store, store::Id id, store::Revision wanted, std::uint64_t most) {
+  auto program = app::lift(store.programs().get(id));
+  if (!program) return std::unexpected(program.error());
+  const auto revision = app::lift(find_revision(store, id, wanted));
+  if (!revision) return std::unexpected(revision.error());
+  if (revision->bytes > most)
+    return app::fail(app::ErrorCode::invalid,
+                     fmt::format("program {} has {} bytes, more than the {} that are read for this", program->name,
+                                 revision->bytes, most));
+  auto text = app::lift(store::read_whole(store.contents(), revision->sha256, most));
+  if (!text) return std::unexpected(text.error());
+  return StoredText{.name = std::move(program->name),
+                    .dialect = std::move(program->dialect),
+                    .revision = revision->revision,
+                    .text = std::move(*text)};
+}
+
 Response list_programs(const Call& call) {
   const auto page = page_of(call.request);
   if (!page) return page.error();

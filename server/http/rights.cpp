@@ -34,6 +34,7 @@ constexpr std::array kScopeRows = {
     ScopeRow{"/api/v1/preview", "checks"},
     ScopeRow{"/api/v1/diagnose", "checks"},
     ScopeRow{"/api/v1/convert", "checks"},
+    ScopeRow{"/api/v1/path", "checks"},
     ScopeRow{"/api/v1/accuracy", "checks"},
     ScopeRow{"/api/v1/gouge", "checks"},
     ScopeRow{"/api/v1/timing", "checks"},

@@ -7,6 +7,7 @@
 #include "server/json/reports.h"
 #include "server/json/requests.h"
 #include "server/json/sweep_report.h"
+#include "server/json/tool_path.h"
 #include "server/json/translation.h"
 #include "server/json/work_package.h"
 #include "server/json/workers.h"
@@ -139,11 +140,7 @@ Reply compare(const Work& work) {
 }
 
 Reply diagnose(const Work& work) {
-  const app::DiagnoseOrder order{.dialect = work.text("dialect"),
-                                 .text = work.text("text"),
-                                 .profile = work.text("profile"),
-                                 .delivery = static_cast<store::Delivery>(work.package.head.at("delivery").get<int>())};
-  const auto done = app::diagnose_text(order, work.documents);
+  const auto done = app::diagnose_text(read_text_order(work.package), work.documents);
   if (!done) return std::unexpected(done.error());
   WorkPackage reply;
   reply.add(diagnosed(*done));
@@ -164,6 +161,14 @@ Reply convert(const Work& work) {
   return reply;
 }
 
+Reply path(const Work& work) {
+  const auto done = app::follow_path(read_text_order(work.package), work.documents, work.budget);
+  if (!done) return std::unexpected(done.error());
+  WorkPackage reply;
+  reply.add(tool_path(*done));
+  return reply;
+}
+
 Reply index(const Work& work) {
   const auto done = app::digest_programs(read_digest_orders(work.package.head.at("orders"), work.package));
   if (!done) return std::unexpected(done.error());
@@ -176,9 +181,9 @@ struct KindRow {
   std::string_view name;
   Reply (*carry_out)(const Work&);
 };
-constexpr KindRow kKinds[] = {{"check", check},       {"render", render},  {"accuracy", accuracy}, {"gouge", gouge},
-                              {"timing", timing},     {"sweep", sweep},    {"compare", compare},   {"index", index},
-                              {"diagnose", diagnose}, {"convert", convert}};
+constexpr KindRow kKinds[] = {{"check", check},       {"render", render},   {"accuracy", accuracy}, {"gouge", gouge},
+                              {"timing", timing},     {"sweep", sweep},     {"compare", compare},   {"index", index},
+                              {"diagnose", diagnose}, {"convert", convert}, {"path", path}};
 
 Reply do_work(const WorkPackage& package, app::CalledBy& called) {
   const Work work{.package = package,

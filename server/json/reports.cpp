@@ -32,12 +32,7 @@ Document findings_document(const checks::FindingList& findings) {
 
 Document number_or_null(double value) { return std::isfinite(value) ? Document(value) : Document(nullptr); }
 
-Document not_checked_document(const std::vector<checks::NotChecked>& list) {
-  Document sentences = Document::array();
-  for (const checks::NotChecked& one : list)
-    sentences.push_back(one.line == 0 ? one.text : one.text + " (line " + std::to_string(one.line) + ")");
-  return sentences;
-}
+Document not_checked_document(const std::vector<checks::NotChecked>& list) { return not_checked_sentences(list); }
 
 Document envelope_document(const envelope::Report& report) {
   Document document = findings_document(report.findings);
@@ -232,6 +227,13 @@ Document example_document(const sweep::Report& report) {
 }
 
 }  // namespace
+
+std::vector<std::string> not_checked_sentences(const std::vector<checks::NotChecked>& list) {
+  std::vector<std::string> sentences;
+  for (const checks::NotChecked& one : list)
+    sentences.push_back(one.line == 0 ? one.text : one.text + " (line " + std::to_string(one.line) + ")");
+  return sentences;
+}
 
 std::string check_report(const app::CheckReport& report) { return dump(report_document(report)); }
 

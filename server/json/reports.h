@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "checks/accuracy/cmm.h"
 #include "server/app/compare.h"
@@ -24,6 +25,9 @@ std::string time_figures(const timing::Report& report, bool validated = true);
 std::string accuracy_figures(const accuracy::Report& report, const std::optional<accuracy::CmmReport>& cmm = {},
                              bool validated = true);
 std::string gouge_figures(const gouge::Report& report, bool validated = true);
+
+// What was not checked, a sentence each with its line.
+std::vector<std::string> not_checked_sentences(const std::vector<checks::NotChecked>& list);
 
 // What came of comparing two programs: {"text","meaning","motions"}.
 std::string comparison(const app::Comparison& comparison);

@@ -178,6 +178,21 @@ app::RenderWork read_family(const Document& from, const WorkPackage& package) {
           .optimize = from.at("optimize").get<bool>()};
 }
 
+Document write_text_order(std::string_view kind, const app::DiagnoseOrder& order, WorkPackage& into) {
+  return {{"kind", kind},
+          {"dialect", into.add(order.dialect)},
+          {"text", into.add(order.text)},
+          {"profile", into.add(order.profile)},
+          {"delivery", static_cast<int>(order.delivery)}};
+}
+
+app::DiagnoseOrder read_text_order(const WorkPackage& package) {
+  return {.dialect = package.text_of(package.head, "dialect"),
+          .text = package.text_of(package.head, "text"),
+          .profile = package.text_of(package.head, "profile"),
+          .delivery = static_cast<store::Delivery>(package.head.at("delivery").get<int>())};
+}
+
 Document write_digest_orders(const std::vector<app::DigestOrder>& orders, WorkPackage& into) {
   Document list = Document::array();
   for (const app::DigestOrder& one : orders)

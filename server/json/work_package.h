@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "server/app/diagnose.h"
 #include "server/app/workers.h"
 #include "server/json/parse.h"
 
@@ -36,6 +37,9 @@ Document write_names(const std::set<std::string>& names, WorkPackage& into);
 std::set<std::string> read_names(const Document& from, const WorkPackage& package);
 Document write_family(const app::RenderWork& work, WorkPackage& into);
 app::RenderWork read_family(const Document& from, const WorkPackage& package);
+// All of a head; the text is in the package.
+Document write_text_order(std::string_view kind, const app::DiagnoseOrder& order, WorkPackage& into);
+app::DiagnoseOrder read_text_order(const WorkPackage& package);
 Document write_digest_orders(const std::vector<app::DigestOrder>& orders, WorkPackage& into);
 std::vector<app::DigestOrder> read_digest_orders(const Document& from, const WorkPackage& package);
 Document write_digests(const std::vector<app::ProgramDigest>& digests, WorkPackage& into);

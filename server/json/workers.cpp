@@ -190,13 +190,18 @@ app::Result<std::string> DocumentWorkers::convert(const app::TranslationOrder& o
 }
 
 app::Result<std::string> DocumentWorkers::diagnose(const app::DiagnoseOrder& order, const app::Waiter& waiter) {
+  return of_text("diagnose", order, waiter);
+}
+
+app::Result<std::string> DocumentWorkers::path(const app::DiagnoseOrder& order, const app::Waiter& waiter) {
+  return of_text("path", order, waiter);
+}
+
+app::Result<std::string> DocumentWorkers::of_text(std::string_view kind, const app::DiagnoseOrder& order,
+                                                  const app::Waiter& waiter) {
   WorkPackage request;
-  request.head = {{"kind", "diagnose"},
-                  {"seconds", budget_.seconds},
-                  {"dialect", request.add(order.dialect)},
-                  {"text", request.add(order.text)},
-                  {"profile", request.add(order.profile)},
-                  {"delivery", static_cast<int>(order.delivery)}};
+  request.head = write_text_order(kind, order, request);
+  request.head["seconds"] = budget_.seconds;
   auto reply = ask(workplace_, request, budget_.seconds, waiter);
   if (!reply) return std::unexpected(reply.error());
   return std::move(reply->texts.at(0));

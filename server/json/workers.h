@@ -52,6 +52,9 @@ class DocumentWorkers final : public app::Workers {
   // The document of json::translation.
   app::Result<std::string> convert(const app::TranslationOrder& order, const app::Waiter& waiter);
 
+  // The document of json::tool_path.
+  app::Result<std::string> path(const app::DiagnoseOrder& order, const app::Waiter& waiter);
+
   app::Workplace& workplace() { return workplace_; }
 
   static constexpr std::uint32_t kSweepChecks = 10;
@@ -63,6 +66,7 @@ class DocumentWorkers final : public app::Workers {
                                            const MakeRequest& make, const app::Waiter& waiter);
   app::Result<bool> find_missing(const app::Caller& caller, std::vector<app::CalledText>& called,
                                  const WorkPackage& reply);
+  app::Result<std::string> of_text(std::string_view kind, const app::DiagnoseOrder& order, const app::Waiter& waiter);
 
   app::Workplace& workplace_;
   app::CheckBudget budget_;

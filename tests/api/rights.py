@@ -74,6 +74,8 @@ def rows(made):
         ("GET", "/api/v1/programs/{id}/uses", "viewer", {"id": "program"}, None, {}),
         ("GET", "/api/v1/search", "viewer", {}, None, {"query": "?q=O0042"}),
         ("GET", "/api/v1/programs/{id}/compare", "viewer", {"id": "program"}, None, {"query": "?with_revision=1"}),
+        ("GET", "/api/v1/programs/{id}/path", "viewer", {"id": "program"}, None, {}),
+        ("POST", "/api/v1/path", "programmer", {}, {"text": "M30"}, {}),
         ("POST", "/api/v1/preview", "programmer", {}, {"part": "R-1", "machine": "lathe"}, {}),
         ("POST", "/api/v1/diagnose", "programmer", {}, {"text": "M30"}, {}),
         ("POST", "/api/v1/convert", "programmer", {}, {"text": "M30", "to": "fanuc"}, {}),

@@ -715,6 +715,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/programs/{id}/path": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** the path of the tool that a revision makes, as points, and what is not known of it */
+        get: operations["get_programs_id_path"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/programs/{id}/archive": {
         parameters: {
             query?: never;
@@ -811,6 +828,23 @@ export interface paths {
         put?: never;
         /** a text or stored program in another control's language, run on both sides where it can be; it is not stored */
         post: operations["post_convert"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/path": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** the path of the tool that a text makes which is being written; it is not stored */
+        post: operations["post_path"];
         delete?: never;
         options?: never;
         head?: never;
@@ -5882,6 +5916,108 @@ export interface components {
                 last: number | null;
             }[];
         };
+        /** @description the path of a program's tool, as far as it is known: the programmed one, without compensation of the tool, in the work offset that is active */
+        ToolPath: {
+            /** @description in which the text was read */
+            dialect: string;
+            /** @description as which control the text was read */
+            control: {
+                /** @description for people */
+                title: string;
+                /**
+                 * @description of machine
+                 * @enum {string}
+                 */
+                kind: "mill" | "lathe" | "mill-turn";
+                /**
+                 * @description G code system of a lathe
+                 * @enum {string}
+                 */
+                g_system: "A" | "B" | "C";
+                /**
+                 * @description at power-on
+                 * @enum {string}
+                 */
+                feed_mode: "per-minute" | "per-revolution" | "inverse-time";
+                /** @description by which it was inferred; 0: it was named, or is the default */
+                because_line: number;
+                /** @description the control was inferred from the text */
+                inferred: boolean;
+            };
+            /** @description the program's x words are diameters */
+            x_is_diameter: boolean;
+            /** @description rows of the columns */
+            points: number;
+            /** @description straight ones; arcs are chords that lie 0.005 mm beside them at most */
+            segments: number;
+            /** @description the lowest of all points */
+            low_mm: number[];
+            /** @description the highest of all points */
+            high_mm: number[];
+            /** @description length of all cuts and threads */
+            cut_mm: number;
+            /** @description length of all rapids, as straight lines */
+            rapid_mm: number;
+            /** @description each reason once */
+            not_drawn: {
+                /**
+                 * @description they are not there
+                 * @enum {string}
+                 */
+                why: "unknown_place" | "machine_coordinates" | "no_place";
+                /** @description of that kind */
+                moves: number;
+                /** @description of the first one; 0: in a called program */
+                first_line: number;
+            }[];
+            /** @description that move beside x, y and z */
+            other_axes: string[];
+            /** @description that the moves lie in; their zeros are drawn in one place */
+            work_offsets: number[];
+            /** @description moves have tool radius compensation, which the path does not have */
+            compensated: boolean;
+            /** @description there are more points than these */
+            is_cut_off: boolean;
+            /** @description the program ran to its end */
+            ran: boolean;
+            /** @description what the run met and did not know, as a verdict has it */
+            not_known: string[];
+            /** @description of reading, validating and running the text; the first of each kind */
+            diagnostics: {
+                /** @description of the kind of fault */
+                id: string;
+                /**
+                 * @description how bad it is
+                 * @enum {string}
+                 */
+                severity: "note" | "warning" | "error";
+                /** @description the called program that it is in; null: the text itself */
+                file: string | null;
+                /** @description from 1 */
+                line: number;
+                /** @description from 1, in bytes */
+                column: number;
+                /** @description from 1, in characters */
+                column_chars: number;
+                /** @description one sentence */
+                text: string;
+                /** @description by which the control itself would name it */
+                alarm: string | null;
+            }[];
+            /** @description by the numbers of the column */
+            kind_names: ("begin" | "rapid" | "cut_per_min" | "cut_per_rev" | "cut_inverse_time" | "thread")[];
+            /** @description a row a point; numbers little-endian, as base64 */
+            columns: {
+                /** @description x y z as 32-bit floats, x as radius */
+                points_mm: string;
+                /** @description what leads to the point, a byte; begin: nothing does */
+                kinds: string;
+                /** @description of the program's text as 32-bit integers; 0: in a called program */
+                lines: string;
+                /** @description as programmed, 32-bit floats: mm/min, mm/rev or 1/min by the kind */
+                feeds: string;
+            };
+        };
         /** @description how far a program lies from the nominal */
         AccuracyFigures: {
             /** @description that were measured */
@@ -9207,6 +9343,40 @@ export interface operations {
             };
         };
     };
+    get_programs_id_path: {
+        parameters: {
+            query?: {
+                revision?: string;
+                machine?: string;
+            };
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the path of the tool that a revision makes, as points, and what is not known of it */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ToolPath"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     post_programs_id_archive: {
         parameters: {
             query?: never;
@@ -9403,6 +9573,41 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Converted"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_path: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["DiagnoseOrder"];
+            };
+        };
+        responses: {
+            /** @description the path of the tool that a text makes which is being written; it is not stored */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ToolPath"];
                 };
             };
             /** @description a problem */
