@@ -16,6 +16,7 @@
 #include "dialects/mitsubishi/tables.h"
 #include "dialects/sinumerik/language_words.h"
 #include "dialects/sinumerik/sinumerik.h"
+#include "dialects/text/upper_case.h"
 
 namespace dripfeed::compile {
 
@@ -57,17 +58,23 @@ struct Mark {
 constexpr std::string_view kFanuc = "fanuc";
 constexpr std::string_view kSinumerik = "sinumerik-840d";
 constexpr auto kMarks = std::to_array<Mark>({
-    {"%_N_", true, kSinumerik},   {";", true, kSinumerik},       {"DEF ", true, kSinumerik},
-    {"PROC ", true, kSinumerik},  {"EXTERN ", true, kSinumerik}, {"MSG(", true, kSinumerik},
-    {"MSG (", true, kSinumerik},  {"ENDIF", true, kSinumerik},   {"ENDWHILE", true, kSinumerik},
-    {"ENDFOR", true, kSinumerik}, {"GOTOF", false, kSinumerik},  {"GOTOB", false, kSinumerik},
-    {"$P_", false, kSinumerik},   {"$A", false, kSinumerik},     {"CR=", false, kSinumerik},
-    {"LIMS=", false, kSinumerik}, {"DIAM", false, kSinumerik},   {"G500", false, kSinumerik},
-    {"T=\"", false, kSinumerik},  {"=AC(", false, kSinumerik},   {"=IC(", false, kSinumerik},
-    {"SUPA", false, kSinumerik},  {"CYCLE8", false, kSinumerik}, {"X=", false, kSinumerik},
-    {"Y=", false, kSinumerik},    {"Z=", false, kSinumerik},     {"(", true, kFanuc},
-    {"#", false, kFanuc},         {"M98", false, kFanuc},        {"M99", false, kFanuc},
-    {"G65", false, kFanuc},       {"G43", false, kFanuc},        {"G28", false, kFanuc},
+    {"(", true, kFanuc},          {"%_N_", true, kSinumerik},
+    {";", true, kSinumerik},      {"DEF ", true, kSinumerik},
+    {"PROC ", true, kSinumerik},  {"EXTERN ", true, kSinumerik},
+    {"MSG(", true, kSinumerik},   {"MSG (", true, kSinumerik},
+    {"ENDIF", true, kSinumerik},  {"ENDWHILE", true, kSinumerik},
+    {"ENDFOR", true, kSinumerik}, {"GOTOF", false, kSinumerik},
+    {"GOTOB", false, kSinumerik}, {"$P_", false, kSinumerik},
+    {"$A", false, kSinumerik},    {"CR=", false, kSinumerik},
+    {"LIMS=", false, kSinumerik}, {"DIAM", false, kSinumerik},
+    {"G500", false, kSinumerik},  {"T=\"", false, kSinumerik},
+    {"=AC(", false, kSinumerik},  {"=IC(", false, kSinumerik},
+    {"SUPA", false, kSinumerik},  {"CYCLE8", false, kSinumerik},
+    {"X=", false, kSinumerik},    {"Y=", false, kSinumerik},
+    {"Z=", false, kSinumerik},    {"#", false, kFanuc},
+    {"M98", false, kFanuc},       {"M99", false, kFanuc},
+    {"G65", false, kFanuc},       {"G43", false, kFanuc},
+    {"G28", false, kFanuc},
 });
 
 // Among the controls that read as Fanuc's do: what only one of the others has, in code or as its name in a comment.
@@ -108,11 +115,28 @@ std::string_view by_numbered_head(std::string_view line) {
   return line[0] == 'R' && end != std::string_view::npos && line[end] == '=' ? kSinumerik : std::string_view();
 }
 
+// Endings of names that one control's files have.
+struct Ending {
+  std::string_view text;
+  std::string_view dialect;
+};
+constexpr Ending kEndings[] = {
+    {".MPF", kSinumerik}, {".SPF", kSinumerik}, {"_MPF", kSinumerik}, {"_SPF", kSinumerik}, {".EIA", kMazak}};
+
+std::string_view dialect_of_name(std::string_view name) {
+  const std::string capitals = text::upper_case(name);
+  for (const Ending& ending : kEndings)
+    if (capitals.ends_with(ending.text)) return ending.dialect;
+  return {};
+}
+
+// Of a SINUMERIK, small letters and capitals are the same; inside a line they may be words of a comment.
 std::string_view dialect_of_line(std::string_view line) {
   const std::string_view block = without_number(line);
-  if (const std::string_view by_head = by_numbered_head(block); !by_head.empty()) return by_head;
+  const std::string capitals = text::upper_case(block);
+  if (const std::string_view by_head = by_numbered_head(capitals); !by_head.empty()) return by_head;
   for (const Mark& mark : kMarks) {
-    if (mark.at_start ? block.starts_with(mark.text) : block.contains(mark.text)) return mark.dialect;
+    if (mark.at_start ? capitals.starts_with(mark.text) : block.contains(mark.text)) return mark.dialect;
   }
   return {};
 }
@@ -136,6 +160,7 @@ const Dialect* find_dialect(std::string_view name) {
 }
 
 const Dialect& infer_dialect(const text::Source& source) {
+  if (const std::string_view named = dialect_of_name(source.name()); !named.empty()) return *find_dialect(named);
   for (std::uint32_t line = 1; line <= source.line_count(); ++line) {
     const std::string_view found = dialect_of_line(source.line(line));
     if (found == kFanuc) break;

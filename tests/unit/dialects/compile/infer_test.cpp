@@ -16,6 +16,16 @@ TEST(Infer, TellsTheFamilyFirst) {
   EXPECT_EQ(inferred("G1 X10\n"), "fanuc");
 }
 
+TEST(Infer, ReadsTheEndingOfTheNameAndSmallLetters) {
+  const auto named = [](const char* name) { return infer_dialect(text::Source(name, "G1 X10\n")).name; };
+  EXPECT_EQ(named("shop/SHAFT.MPF"), "sinumerik-840d");
+  EXPECT_EQ(named("_N_SHAFT_SPF"), "sinumerik-840d");
+  EXPECT_EQ(named("part.eia"), "mazak");
+  EXPECT_EQ(named("part.nc"), "fanuc");
+  EXPECT_EQ(inferred("(DIAMETER 20)\nG1 X10.\n"), "fanuc");
+  EXPECT_EQ(inferred("Proc Wheel(Real Edge)\nG1 X10\nM17\n"), "sinumerik-840d");
+}
+
 TEST(Infer, TellsTheHashControlsApartByWhatOneAloneHas) {
   EXPECT_EQ(inferred("%\nO1\nG53.5\nG00 X1.\nM30\n%\n"), "mazak");
   EXPECT_EQ(inferred("%\nO1(FOR THE MAZAK)\nG00 X1.\nM30\n%\n"), "mazak");
