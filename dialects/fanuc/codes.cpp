@@ -81,6 +81,10 @@ constexpr auto kLathe = std::to_array<CodeRow>({
     {"G74.7", 747, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G75.7", 757, Function::not_modelled, 0, ModalGroup::non_modal, kList},
     {"G76.7", 767, Function::not_modelled, 0, ModalGroup::non_modal, kList},
+    // Drilling in the format of Series 15.
+    {"G81", 810, Function::not_modelled, 0, ModalGroup::cycle, kList},
+    {"G82", 820, Function::not_modelled, 0, ModalGroup::cycle, kList},
+    {"G83.1", 831, Function::not_modelled, 0, ModalGroup::cycle, kList},
     {"G83.5", 835, Function::not_modelled, 0, ModalGroup::cycle, kList},
     {"G83.6", 836, Function::not_modelled, 0, ModalGroup::cycle, kList},
 });

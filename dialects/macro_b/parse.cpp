@@ -203,7 +203,7 @@ void Parser::program_number() {
       return;
     }
     name = macro_b::program_name(static_cast<double>(*number));
-    if (*number == 0) zero_number("O0", cursor_.span(), ir::AlarmDetail::program_number);
+    if (*number == 0) zero_program(cursor_.span());
   } else if (cursor_.kind() == TokenKind::string) {
     const std::string_view written = cursor_.text();
     name = written.size() > 2 ? written.substr(1, written.size() - 2) : std::string_view();
@@ -217,9 +217,16 @@ void Parser::program_number() {
 }
 
 // An error where the control has an alarm for it.
-void Parser::zero_number(std::string_view written, text::Span span, ir::AlarmDetail detail) {
-  text::Diagnostic* fault = faults_.report(number_zero, span, {std::string(written)}, detail);
+void Parser::zero_number(std::string_view written, text::Span span) {
+  text::Diagnostic* fault = faults_.report(number_zero, span, {std::string(written)});
   if (fault != nullptr && !fault->alarm.empty()) fault->severity = text::Severity::error;
+}
+
+// O0000 is what many programs are posted with; whoever stores them gives the number.
+void Parser::zero_program(text::Span span) {
+  text::Diagnostic* fault = faults_.report(number_zero, span, {"O0"}, ir::AlarmDetail::program_number);
+  if (fault != nullptr)
+    fault->notes.push_back({span, "a number that is given when the program is stored takes its place"});
 }
 
 void Parser::body() {

@@ -33,7 +33,8 @@ class Parser {
   void head();
   void program_number();
   void block_number();
-  void zero_number(std::string_view written, text::Span span, ir::AlarmDetail detail = ir::AlarmDetail::none);
+  void zero_number(std::string_view written, text::Span span);
+  void zero_program(text::Span span);
   void body();
   void name_main();
   void skip_leader();
