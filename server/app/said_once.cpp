@@ -23,7 +23,9 @@ void warn_once(std::vector<text::Diagnostic>& diagnostics) {
   for (text::Diagnostic& one : diagnostics) {
     if (one.severity != text::Severity::warning || is_slip(one)) continue;
     if (std::ranges::find(kOnce, one.id) == std::end(kOnce)) continue;
-    if (!said.emplace(one.id, one.elsewhere.get()).second) one.severity = text::Severity::note;
+    if (said.emplace(one.id, one.elsewhere.get()).second) continue;
+    one.severity = text::Severity::note;
+    one.notes.clear();  // the first says what settles it
   }
 }
 
