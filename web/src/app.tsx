@@ -1,13 +1,15 @@
 // The page: sign-in or the signed-in views, chosen by the address.
 import { useEffect, useRef } from 'preact/hooks';
+import { dateTime } from './format/times';
 import { t } from './i18n/i18n';
+import { minutes } from './parts/clock';
 import { BackButton, Dialog, DialogHost, showDialog } from './parts/dialog';
 import { ErrorBoundary } from './parts/error_boundary';
 import { Failure } from './parts/failure';
 import { lazyView } from './parts/lazy';
 import { deskView, forgetAddress, rememberedScroll, route, type Route, type ViewName } from './router';
 import { loader } from './state/loader';
-import { connection, loaded, loadError, programName, session } from './state/shop';
+import { connection, loaded, loadError, person, programName, session } from './state/shop';
 import { AlarmsView } from './views/alarms/alarms_view';
 import { asking } from './views/alarms/tray';
 import { FloorView } from './views/floor/floor_view';
@@ -45,12 +47,20 @@ function Desk() {
     <div class={`desk${isAlone ? ' desk-alone' : ''}${connection.value.phase === 'lost' ? ' stale' : ''}`} data-view={view}>
       <Header />
       <main ref={main} id="main" class="main">
+        <PrintHead />
         <ErrorBoundary where={address}>{loaded.value ? <View here={route.value} /> : <Loading />}</ErrorBoundary>
       </main>
       <DialogHost />
     </div>
   );
 }
+
+// Whose paper it is: what it shows was so at this time.
+const PrintHead = () => (
+  <p class="print-only print-head">
+    {t('print.head', { name: person().name, time: dateTime(minutes.value), address: `${location.host}/#${route.value.address}` })}
+  </p>
+);
 
 const Loading = () => (
   <p class="waiting" role="status">

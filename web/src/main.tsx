@@ -19,4 +19,18 @@ announceAlarms();
 await speak(preferredLanguage());
 const root = document.getElementById('app');
 if (root) render(<App />, root);
+openAllForPrint();
 await loader.begin();
+
+// What is folded on the screen is open on paper.
+function openAllForPrint(): void {
+  let opened: HTMLDetailsElement[] = [];
+  addEventListener('beforeprint', () => {
+    opened = [...document.querySelectorAll<HTMLDetailsElement>('main details:not([open])')];
+    for (const one of opened) one.open = true;
+  });
+  addEventListener('afterprint', () => {
+    for (const one of opened) one.open = false;
+    opened = [];
+  });
+}

@@ -47,7 +47,7 @@ export function JobView({ id }: { id: number }) {
               <Facts
                 facts={[
                   [t('fact.program'), t('fact.program_revision', { program: programText(job), revision: job.revision })],
-                  [t('fact.sha256'), <code title={job.sha256}>{shortHash(job.sha256)}…</code>],
+                  [t('fact.sha256'), <Hash sha256={job.sha256} />],
                   [t('fact.machine'), <a href={hrefs.machine(job.machine)}>{job.machine}</a>],
                   [t('fact.read_back'), job.read_back ?? null],
                   [t('fact.link'), <code>{job.link}</code>],
@@ -67,6 +67,16 @@ export function JobView({ id }: { id: number }) {
     </>
   );
 }
+
+// Whole on paper, where nothing shows it on a touch.
+const Hash = ({ sha256 }: { sha256: string }) => (
+  <>
+    <code data-print="no" title={sha256}>
+      {shortHash(sha256)}…
+    </code>
+    <code class="print-only">{sha256}</code>
+  </>
+);
 
 const tornText = (by: string | null, reason: string | null): string =>
   by === null ? t('torn.waits') : t('torn.confirmed', { name: by, reason: reason ?? '' });

@@ -70,6 +70,7 @@ export function LedgerView({ job }: { job: Job }) {
           ]}
         />
       )}
+      {next !== null && <p class="print-only">{t('ledger.more_rows', { count: rows.length })}</p>}
       {next !== null && (
         <button type="button" class="button" onClick={() => void load(next)}>
           {t('ledger.more', { count: kPage })}
