@@ -88,10 +88,12 @@ class Timing::Work final : public RanSink {
   double ran_s_ = 0.0;   // rows' durations as they ran
   bool began_ = false;
   StretchList stretches_;
+  Course course_;
 };
 
 void Timing::Work::add(const ir::Motion& motion) {
   if (!report_.is_whole) return;
+  if (motion.place.program != 0) course_.give_up();
   const Intaken taken = intake_.take(motion);
   if (taken.piece) {
     pieces_.push_back(*taken.piece);
@@ -206,6 +208,7 @@ bool Timing::Work::ran(const Row& row, const Ran& how) {
     report_.lowest_buffer_bytes = std::min(report_.lowest_buffer_bytes, how.buffered_bytes);
     report_.lowest_buffer_blocks = std::min(report_.lowest_buffer_blocks, how.buffered_blocks);
   }
+  course_.add(row.line, how.start_s);
   stretches_.add(how.limiter, row.line, how.start_s - how.waited_s, how.waited_s + how.duration_s);
   if (settings_.wants_curve && keeps_whole_) {
     const auto point = [&](double time_s, double speed_mm_s) {
@@ -245,6 +248,7 @@ Report Timing::Work::finish() {
   stretches_.finish();
   report_.stretches = stretches_.list();
   report_.stretch_count = stretches_.count();
+  report_.course = course_.points();
   report_.limited_s = stretches_.sums_s();
   report_.cycle_s = execution_.end_s();
   report_.stall_s = std::max(0.0, report_.standstill_s + ran_s_ - report_.motion_s);

@@ -15,6 +15,7 @@
 
 #include "checks/finding.h"
 #include "checks/machine.h"
+#include "checks/timing/course.h"
 #include "checks/timing/limiters.h"
 #include "dialects/ir/cost_model.h"
 #include "dialects/ir/motion.h"
@@ -90,6 +91,7 @@ struct Report {
   std::size_t stretch_count = 0;  // also those that the list has no room for
   Advice advice;
   std::vector<CurvePoint> curve;
+  std::vector<CoursePoint> course;  // of the main program; empty where lines run more than once, or others are called
   double path_mm = 0.0;
   double rapid_s = 0.0;  // of motion_s
   // Where the cost model's figures are from, in words, too, and the factor that compute_s may be off by.

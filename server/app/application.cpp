@@ -66,7 +66,8 @@ Application::Application(const Environment& environment)
       checking_(store_, events_, clock_, documents_, environment.workers),
       jobs_(store_, lines_, books_, events_, clock_, documents_, CalledPrograms(store_, environment.library)),
       receiving_({store_, lines_, jobs_, programs_, events_, alarms_, clock_, documents_}),
-      event_source_(environment.event_source) {
+      event_source_(environment.event_source),
+      links_(environment.links) {
   if (environment.library != nullptr) library_.emplace(store_, *environment.library, environment.workers);
   if (environment.sender != nullptr)
     webhooks_.emplace(store_, events_, clock_, *environment.sender, environment.webhooks);
@@ -155,6 +156,46 @@ MachineStatus Application::status(const std::string& machine, LineFacts facts) {
     status.block_text = block_around(store_.contents(), job->text_sha256,
                                      stored_place(store_.contents(), job->text_sha256, status.report.known));
   return status;
+}
+
+Result<std::shared_ptr<WireTap>> Application::tap(const std::string& machine) {
+  const auto known = store_.machines().get(machine);
+  if (!known) return std::unexpected(from_store(known.error()));
+  const auto line = lines_.find(machine);
+  if (!line) return fail(ErrorCode::unavailable, lines_.why_none(machine));
+  auto tap = line->tap();
+  if (!tap) return fail(ErrorCode::refused, fmt::format("the line of {} carries no characters", machine));
+  return tap;
+}
+
+Result<Application::LineTested> Application::test_line(const std::string& machine, const LinkTestPlan& plan,
+                                                       std::string_view actor) {
+  const auto profile = catalog_.profile(machine);
+  if (!profile) return std::unexpected(profile.error());
+  const MachineStatus now = status(machine);
+  if (now.needs_confirmation || !now.is_certain)
+    return fail(ErrorCode::refused,
+                fmt::format("a person must first confirm that the control of {} was reset", machine));
+  if (now.asks.since_ms != 0) {
+    return fail(ErrorCode::refused,
+                fmt::format("the control of {} asks for a program: take its plug off the line first", machine));
+  }
+  {
+    const auto held = lines_.hold(machine);
+    if (auto out = lines_.take_out(machine, fmt::format("the line is being tested by {}", actor)); !out)
+      return std::unexpected(out.error());
+  }
+  auto done = test_link(profile->line, links_, plan);
+  const auto held = lines_.hold(machine);
+  const auto back = lines_.put_back(*profile);
+  const std::string came_of_it = !done                                ? done.error().text
+                                 : keeps_budget(*done, profile->line) ? "within the budget"
+                                                                      : "not within the budget";
+  const auto noted = store_.audit().append({"machine.line-test", fmt::format("machine/{}", machine), came_of_it},
+                                           {std::string(actor), clock_.wall_ms()});
+  if (!noted) return std::unexpected(from_store(noted.error()));
+  if (!back) return std::unexpected(back.error());
+  return LineTested{.line = profile->line, .done = std::move(done)};
 }
 
 std::map<std::string, LineReport> Application::reports() {

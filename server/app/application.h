@@ -16,6 +16,7 @@
 #include "server/app/jobs.h"
 #include "server/app/library_keeper.h"
 #include "server/app/lines.h"
+#include "server/app/link_test.h"
 #include "server/app/observations.h"
 #include "server/app/ports/ports.h"
 #include "server/app/program_lines.h"
@@ -83,6 +84,17 @@ class Application {
   [[nodiscard]] LineFacts facts(const std::string& machine);
   [[nodiscard]] MachineStatus status(const std::string& machine, LineFacts facts);
 
+  // What passes on a machine's line, for who looks. Errors: not_found, unavailable (no line, or no characters on it).
+  Result<std::shared_ptr<WireTap>> tap(const std::string& machine);
+  // Measures a machine's line whose data wires are bridged at the other end. The line is taken out meanwhile: nothing
+  // is armed on it. Errors: not_found; refused: a job is on the line, a person must confirm something first, or the
+  // control asks for a program and so is there.
+  struct LineTested {
+    machine::LineSettings line;
+    std::expected<LinkTestResult, LinkTestFault> done;
+  };
+  Result<LineTested> test_line(const std::string& machine, const LinkTestPlan& plan, std::string_view actor);
+
   // What each line did since the start; takes no lock that a line takes.
   [[nodiscard]] const LineTotals& line_totals() const { return books_.totals(); }
 
@@ -125,6 +137,7 @@ class Application {
   std::optional<LibraryKeeper> library_;
   std::optional<Webhooks> webhooks_;
   std::string event_source_;
+  LinkThread& links_;
   std::once_flag observed_;
   std::optional<Observations> observations_;
 };

@@ -25,7 +25,7 @@ constexpr feed::Time kCountersShown = std::chrono::milliseconds(20);  // news ar
 constexpr std::string_view kHoldsControl = "holding the control: what it sent before is not taken yet";
 constexpr feed::Time kHoldShown = std::chrono::seconds(1);  // a hold has no deadline, but people see how long it lasts
 
-double to_seconds(feed::Time time) { return static_cast<double>(time.count()) * 1e-9; }
+double to_seconds(feed::Time time) { return static_cast<double>(time.count()) / 1e9; }
 
 class FeedLine final : public Line, private LinkListener, private Ticker {
  public:
@@ -104,6 +104,8 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     return report_;
   }
 
+  [[nodiscard]] std::shared_ptr<WireTap> tap() const override { return link_.tap(); }
+
  private:
   [[nodiscard]] feed::Time now() const { return thread_.clock().now(); }
 
@@ -176,15 +178,18 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     settle();
   }
   void on_receive(std::span<const std::byte> bytes) override {
+    link_.heard(bytes);
     take(bytes);
     settle();
   }
   void on_writable() override { settle(); }
   void on_cts(bool on) override {
+    link_.signal(on ? WireKind::cts_on : WireKind::cts_off);
     feed_.line(on ? feed::LineChange::cts_on : feed::LineChange::cts_off, now());
     settle();
   }
   void on_dsr(bool on) override {
+    link_.signal(on ? WireKind::dsr_on : WireKind::dsr_off);
     feed_.line(on ? feed::LineChange::dsr_on : feed::LineChange::dsr_off, now());
     settle();
   }
@@ -247,7 +252,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
   // What came in by now, as far as one look takes: a peer that never stops sending must not keep this thread.
   void take_input() {
     std::array<std::byte, kInputBytes> buffer;
-    const std::size_t count = link_.get()->read(buffer);
+    const std::size_t count = link_.read(buffer);
     if (count > 0) take(std::span(buffer).first(count));
   }
 
@@ -277,7 +282,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
       take_input();
       const std::span<const std::byte> out = feed_.pending_out();
       if (out.empty()) return;
-      const std::size_t taken = link_.get()->write(out);
+      const std::size_t taken = link_.write(out);
       feed_.mark_sent(taken, now());
       if (taken < out.size()) return;  // on_writable or the next tick goes on
     }
@@ -293,7 +298,7 @@ class FeedLine final : public Line, private LinkListener, private Ticker {
     }
     if (input_->pending_out().empty()) return;
     if (feed::has_job(feed_.state()) || feed_.state() == feed::State::torn) return;
-    input_->mark_sent(link->write(input_->pending_out()));
+    input_->mark_sent(link_.write(input_->pending_out()));
   }
 
   [[nodiscard]] LineState state_now(LineState of_feed) const {

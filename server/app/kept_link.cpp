@@ -12,7 +12,35 @@ namespace {
 constexpr feed::Time kReopenFirst = std::chrono::milliseconds(500);
 constexpr feed::Time kReopenLongest = std::chrono::seconds(5);
 
+tape_code::DecodeTable code_of(const machine::LineSettings& settings) {
+  const tape_code::DecodeFormat format = machine::decode_format_of(settings);
+  return {format.eighth_bit, format.eia};
+}
+
 }  // namespace
+
+KeptLink::KeptLink(machine::LineSettings settings, LinkThread& thread, LinkListener& listener)
+    : settings_(std::move(settings)),
+      thread_(thread),
+      listener_(listener),
+      tap_(std::make_shared<WireTap>(code_of(settings_))) {}
+
+std::size_t KeptLink::read(std::span<std::byte> into) {
+  const std::size_t count = link_->read(into);
+  if (count > 0) heard(into.first(count));
+  return count;
+}
+
+std::size_t KeptLink::write(std::span<const std::byte> bytes) {
+  const std::size_t taken = link_->write(bytes);
+  if (taken > 0) tap_->note(WireKind::out, bytes.first(taken), thread_.clock().now());
+  return taken;
+}
+
+void KeptLink::close() {
+  link_.reset();
+  tap_->end();
+}
 
 void KeptLink::open() {
   auto opened = thread_.open(settings_, listener_);
@@ -32,12 +60,14 @@ void KeptLink::open_later() {
 
 void KeptLink::came_up() {
   up_ = true;
+  signal(WireKind::up);
   reopen_wait_ = {};
   error_.clear();
 }
 
 void KeptLink::was_lost(std::string_view reason) {
   up_ = false;
+  signal(WireKind::lost);
   error_ = reason;
   link_.reset();
   open_later();

@@ -10,25 +10,31 @@
 
 #include "server/app/line.h"
 #include "server/app/ports/link_thread.h"
+#include "server/app/wire_tap.h"
 
 namespace dripfeed::app {
 
 class KeptLink {
  public:
   // The listener's on_up() and on_lost() call came_up() and was_lost() first.
-  KeptLink(machine::LineSettings settings, LinkThread& thread, LinkListener& listener)
-      : settings_(std::move(settings)), thread_(thread), listener_(listener) {}
+  KeptLink(machine::LineSettings settings, LinkThread& thread, LinkListener& listener);
 
   // Now, or when tick() says so.
   void open();
-  void close() { link_.reset(); }
+  void close();
   void came_up();
   void was_lost(std::string_view reason);
   void tick(feed::Time now);
   [[nodiscard]] std::optional<feed::Time> deadline() const;
 
-  // Nothing while there is none.
+  // Nothing while there is none. What goes over it by read() and write(), and what the listener hands on by heard() and
+  // signal(), is seen by whoever looks at the line.
   [[nodiscard]] Link* get() const { return link_.get(); }
+  std::size_t read(std::span<std::byte> into);
+  std::size_t write(std::span<const std::byte> bytes);
+  void heard(std::span<const std::byte> bytes) { tap_->note(WireKind::in, bytes, thread_.clock().now()); }
+  void signal(WireKind change) { tap_->note(change, thread_.clock().now()); }
+  [[nodiscard]] const std::shared_ptr<WireTap>& tap() const { return tap_; }
   [[nodiscard]] bool is_up() const { return up_; }
   // Whether all that came was read; or why nothing is armed now.
   [[nodiscard]] std::expected<void, std::string> all_heard() const;
@@ -44,6 +50,7 @@ class KeptLink {
   machine::LineSettings settings_;
   LinkThread& thread_;
   LinkListener& listener_;
+  std::shared_ptr<WireTap> tap_;
   std::unique_ptr<Link> link_;
   bool up_ = false;
   std::string error_;

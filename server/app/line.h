@@ -16,6 +16,7 @@
 #include "protocol/receive/receiver.h"
 #include "protocol/tape_code/text_source.h"
 #include "server/app/ports/link.h"
+#include "server/app/wire_tap.h"
 
 namespace dripfeed::app {
 
@@ -151,6 +152,8 @@ class Line {
   // The books have this answer: all of it may leave.
   virtual void answer_booked(std::uint64_t /*serial*/) {}
   [[nodiscard]] virtual LineReport report() const = 0;
+  // What passes on it, for who looks; none where the line carries no characters.
+  [[nodiscard]] virtual std::shared_ptr<WireTap> tap() const { return nullptr; }
   // Receptions that ended since the last call, oldest first. A line that cannot receive has none.
   virtual std::vector<Reception> take_receptions() { return {}; }
   // A ring of the machine's doorbell, told once, and its answer. A line without a doorbell has none.

@@ -41,6 +41,7 @@ std::string fingerprint(const machine::LineSettings& s) {
          fingerprint(s.receive);
 }
 
+// Or something else that must not be disturbed.
 bool has_job(const Line& line) {
   const LineState state = line.report().state;
   return state != LineState::idle && state != LineState::disconnected;
@@ -69,6 +70,10 @@ std::optional<Lines::Entry> Lines::entry_of(const std::string& machine) const {
 }
 
 Result<void> Lines::refuse_busy(const machine::Profile& profile, const std::string& settings) const {
+  {
+    const std::lock_guard lock(mutex_);
+    if (taken_out_.contains(profile.name)) return fail(ErrorCode::refused, refusals_.at(profile.name));
+  }
   const auto known = entry_of(profile.name);
   if (!known || known->settings == settings || !has_job(*known->seat.line)) return {};
   return fail(ErrorCode::refused, fmt::format("the line of {} has a job or a torn block; its settings can be changed "
@@ -124,26 +129,62 @@ Result<Seat> Lines::make_seat(const machine::Profile& profile) {
 }
 
 // A tty, and a claim, has one owner: the old line is gone before the new one opens. Others use a line for moments only.
-Result<void> Lines::let_go(const std::string& machine) {
+std::map<std::string, Lines::Entry>::node_type Lines::take_alone(const std::string& machine, bool& is_alone) {
   std::map<std::string, Entry>::node_type old;
   {
     const std::lock_guard lock(mutex_);
     old = lines_.extract(machine);
   }
-  if (old.empty()) return {};
+  is_alone = true;
+  if (old.empty()) return old;
   const Seat& seat = old.mapped().seat;
   const auto until = std::chrono::steady_clock::now() + kUsedAtMost;
-  while (seat.line.use_count() > 1 || seat.claim.use_count() > 1) {
-    if (std::chrono::steady_clock::now() > until)
-      return fail(ErrorCode::unavailable, fmt::format("the line of {} is still in use", machine));
+  while (is_alone && (seat.line.use_count() > 1 || seat.claim.use_count() > 1)) {
+    is_alone = std::chrono::steady_clock::now() <= until;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
+  return old;
+}
+
+Result<void> Lines::let_go(const std::string& machine) {
+  bool is_alone = false;
+  const auto old = take_alone(machine, is_alone);
+  if (is_alone) return {};
+  return fail(ErrorCode::unavailable, fmt::format("the line of {} is still in use", machine));
+}
+
+// It is looked at once nobody else has it: what came until then counts.
+Result<void> Lines::take_out(const std::string& machine, std::string why) {
+  bool is_alone = false;
+  auto old = take_alone(machine, is_alone);
+  if (old.empty()) return fail(ErrorCode::refused, fmt::format("{} has no line: {}", machine, why_none(machine)));
+  const bool is_free = is_alone && !has_job(*old.mapped().seat.line);
+  std::unique_lock lock(mutex_);
+  if (!is_free || is_closed_) {
+    if (!is_closed_) lines_.insert(std::move(old));
+    return fail(ErrorCode::refused, fmt::format("the line of {} is in use", machine));
+  }
+  taken_out_[machine] = std::move(old.mapped().seat.claim);
+  refusals_[machine] = std::move(why);
+  lock.unlock();  // before the line closes its link
   return {};
+}
+
+Result<void> Lines::put_back(const machine::Profile& profile) {
+  std::shared_ptr<LineClaim> claim;  // given up without the lock
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto taken = taken_out_.extract(profile.name)) claim = taken.mapped();
+    if (is_closed_) return fail(ErrorCode::unavailable, "the server ends");
+  }
+  claim.reset();
+  return set(profile);
 }
 
 void Lines::close() {
   std::map<std::string, Entry> all;
   const std::lock_guard lock(mutex_);
+  is_closed_ = true;
   all.swap(lines_);
 }
 

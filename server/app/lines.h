@@ -40,6 +40,11 @@ class Lines {
   Result<void> set(const machine::Profile& profile);
   // Whether set() would refuse because of a job or a torn block, so that a profile is not stored for nothing.
   [[nodiscard]] Result<void> may_set(const machine::Profile& profile) const;
+  // Takes an idle line out and closes it, so that something else may use its link for a while; who asks for the line
+  // meanwhile is given `why`. put_back() makes it again. The caller holds the machine for each of the two, and not in
+  // between. Refused: a job, a torn block or a control that sends is on it.
+  Result<void> take_out(const std::string& machine, std::string why);
+  Result<void> put_back(const machine::Profile& profile);
   // Closes all. What was on a line is over; callers see to it before.
   void close();
   // nullptr: there is no such machine. The line lives as long as the pointer.
@@ -59,15 +64,18 @@ class Lines {
   [[nodiscard]] Result<void> refuse_busy(const machine::Profile& profile, const std::string& settings) const;
   Result<Seat> make_seat(const machine::Profile& profile);
   Result<void> let_go(const std::string& machine);
+  std::map<std::string, Entry>::node_type take_alone(const std::string& machine, bool& is_alone);
 
   LinkThread& thread_;
   BusSeatMaker take_seat_;
   LineChanged changed_;
   LineHistory history_;
   mutable LineMutex mutex_{
-      "the list of lines"};  // of the three maps; held for a look or a change of a map, never while a line is made
+      "the list of lines"};  // of the maps; held for a look or a change of a map, never while a line is made
   std::map<std::string, Entry> lines_;
-  std::map<std::string, std::string> refusals_;  // why a machine has no line
+  std::map<std::string, std::string> refusals_;                  // why a machine has no line
+  std::map<std::string, std::shared_ptr<LineClaim>> taken_out_;  // with what keeps others off the link
+  bool is_closed_ = false;
   std::map<std::string, std::unique_ptr<std::mutex>> holds_;
 };
 

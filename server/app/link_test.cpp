@@ -23,10 +23,12 @@ constexpr std::uint64_t kBeforeDc3 = 20;                       // characters of 
 constexpr std::uint64_t kLongestStream = 4096;                 // a host that does not hear its DC3 stops here
 constexpr std::uint8_t kDc3 = 0x13;
 constexpr std::uint8_t kProbe = 'U';  // 55h: every bit changes
+// What shows that the line is bridged: no control takes one of them as a part of a program, in ISO or EIA.
+constexpr std::array<std::uint8_t, 6> kProof = {0x00, 0x7F, 0x00, 0x00, 0x7F, 0x7F};
 
 class Test final : private LinkListener, private Ticker {
  public:
-  using Done = std::expected<LinkTestResult, std::string>;
+  using Done = std::expected<LinkTestResult, LinkTestFault>;
 
   Test(const machine::LineSettings& line, const feed::Settings& settings, LinkThread& thread, const LinkTestPlan& plan)
       : line_(line),
@@ -44,7 +46,7 @@ class Test final : private LinkListener, private Ticker {
       thread_.add(*this);
       deadline_ = now() + plan_.patience;
       auto opened = thread_.open(line_, *this);
-      if (!opened) return end(std::unexpected(opened.error()));
+      if (!opened) return end(fault("not_open", opened.error()));
       link_ = std::move(*opened);
     });
     Done done = ended.get();
@@ -56,18 +58,22 @@ class Test final : private LinkListener, private Ticker {
   }
 
  private:
-  enum class Step : std::uint8_t { opening, pausing, round_trip, streaming, counting, over };
+  enum class Step : std::uint8_t { opening, proving, pausing, round_trip, streaming, counting, over };
+
+  static Done fault(std::string_view id, std::string text) {
+    return std::unexpected(LinkTestFault{.id = id, .text = std::move(text)});
+  }
 
   [[nodiscard]] feed::Time now() const { return thread_.clock().now(); }
   [[nodiscard]] std::byte wire(std::uint8_t character) const {
     return static_cast<std::byte>(tape_code::with_parity(character, settings_.wire.eighth_bit));
   }
 
-  void on_up() override { pause(); }
+  void on_up() override { pause(); }  // perhaps from inside open(): nothing is written here
   void on_writable() override {}
   void on_cts(bool) override {}
   void on_dsr(bool) override {}
-  void on_lost(std::string_view reason) override { end(std::unexpected(std::string(reason))); }
+  void on_lost(std::string_view reason) override { end(fault("lost", std::string(reason))); }
 
   void on_receive(std::span<const std::byte> bytes) override {
     const feed::Time at = now();
@@ -75,6 +81,7 @@ class Test final : private LinkListener, private Ticker {
   }
 
   void take(std::byte byte, feed::Time at) {
+    if (step_ == Step::proving) return take_proof(byte);
     if (step_ == Step::round_trip) return end_round_trip(byte, at);
     if (step_ != Step::streaming && step_ != Step::counting) {
       ++result_.wrong;  // nobody sent it
@@ -88,6 +95,20 @@ class Test final : private LinkListener, private Ticker {
       step_ = Step::counting;  // from here on nothing is written: what still comes was below us
       behind_ = 0;
     }
+  }
+
+  // --- is it bridged?
+  // -------------------------------------------------------------------------------------------------------------
+  void prove() {
+    step_ = Step::proving;
+    deadline_ = now() + plan_.patience;
+    write(wire(kProof.at(proved_)));
+  }
+
+  void take_proof(std::byte byte) {
+    if (byte != wire(kProof.at(proved_))) return end(other_came(byte));
+    if (++proved_ < kProof.size()) return prove();
+    pause();
   }
 
   // --- round trips
@@ -164,16 +185,25 @@ class Test final : private LinkListener, private Ticker {
   }
 
   [[nodiscard]] Done nothing_came() const {
-    return std::unexpected(
-        fmt::format("{} of {} characters came back: bridge the data wires at the other end of the "
-                    "line (2-3 on a 9-pin plug), and RTS with CTS where the flow is by lines",
-                    result_.latencies.size() + received_, result_.characters));
+    return fault("nothing_came", fmt::format("{} of {} characters came back: bridge the data wires at the other end of "
+                                             "the line (2-3 on a 9-pin plug), and RTS with CTS where the flow is by "
+                                             "lines",
+                                             proved_ + result_.latencies.size() + received_, result_.characters));
+  }
+  [[nodiscard]] Done other_came(std::byte byte) const {
+    return fault(
+        "other_came",
+        fmt::format("0x{:02X} was sent and 0x{:02X} came: a control may be at the other end, or the plug's side "
+                    "has another speed or framing; only NUL and DEL were sent",
+                    std::to_integer<int>(wire(kProof.at(proved_))), std::to_integer<int>(byte)));
   }
 
   void tick(feed::Time at) override {
+    if (plan_.stop.stop_requested()) return end(fault("ended", "the server ends"));
     switch (step_) {
-      case Step::opening: return end(std::unexpected(std::string("the link does not come up")));
-      case Step::pausing: return begin_round_trip();
+      case Step::opening: return end(fault("not_open", "the link does not come up"));
+      case Step::proving: return end(nothing_came());
+      case Step::pausing: return proved_ < kProof.size() ? prove() : begin_round_trip();
       case Step::round_trip: return end(nothing_came());
       case Step::streaming: return stream(at);
       case Step::counting: return count(at);
@@ -206,6 +236,7 @@ class Test final : private LinkListener, private Ticker {
   feed::LineClock clock_;
   std::unique_ptr<Link> link_;
   Step step_ = Step::opening;
+  std::size_t proved_ = 0;  // characters of kProof that came back
   feed::Time deadline_{};
   feed::Time sent_at_{};
   feed::Time heard_at_{};
@@ -218,14 +249,21 @@ class Test final : private LinkListener, private Ticker {
 
 }  // namespace
 
-std::expected<LinkTestResult, std::string> test_link(const machine::LineSettings& line, LinkThread& thread,
-                                                     const LinkTestPlan& plan) {
+bool keeps_budget(const LinkTestResult& result, const machine::LineSettings& line) {
+  return result.wrong == 0 && result.after_dc3.back() <= line.overrun_budget;
+}
+
+std::expected<LinkTestResult, LinkTestFault> test_link(const machine::LineSettings& line, LinkThread& thread,
+                                                       const LinkTestPlan& plan) {
+  const auto fault = [](std::string_view id, std::string text) {
+    return std::unexpected(LinkTestFault{.id = id, .text = std::move(text)});
+  };
   if (!machine::feeds_characters(line.link.kind))
-    return std::unexpected(fmt::format("{} carries no single characters", line.link.text));
+    return fault("no_characters", fmt::format("{} carries no single characters", line.link.text));
   const auto effective = machine::effective_line(line);
-  if (!effective) return std::unexpected(effective.error());
+  if (!effective) return fault("settings", effective.error());
   const auto settings = machine::feed_settings_of(*effective);
-  if (!settings) return std::unexpected(settings.error());
+  if (!settings) return fault("settings", settings.error());
   return Test(*effective, *settings, thread, plan).run();
 }
 

@@ -59,7 +59,7 @@ bool holds(packet::Stall stall) {
          stall == packet::Stall::stopped_by_person || stall == packet::Stall::partner_sends;
 }
 
-double to_seconds(feed::Time time) { return static_cast<double>(time.count()) * 1e-9; }
+double to_seconds(feed::Time time) { return static_cast<double>(time.count()) / 1e9; }
 
 class PacketLine final : public Line, private LinkListener, private Ticker {
  public:
@@ -116,6 +116,8 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
     return report_;
   }
 
+  [[nodiscard]] std::shared_ptr<WireTap> tap() const override { return link_.tap(); }
+
  private:
   [[nodiscard]] feed::Time now() const { return thread_.clock().now(); }
 
@@ -154,13 +156,15 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
     settle();
   }
   void on_receive(std::span<const std::byte> bytes) override {
+    link_.heard(bytes);
     sender_.receive(bytes, now());
     settle();
   }
   void on_writable() override { settle(); }
   // A packet that CTS holds back is answered late, which is a stall with a name.
-  void on_cts(bool) override {}
+  void on_cts(bool on) override { link_.signal(on ? WireKind::cts_on : WireKind::cts_off); }
   void on_dsr(bool on) override {
+    link_.signal(on ? WireKind::dsr_on : WireKind::dsr_off);
     if (link_.settings().watch_dsr) sender_.link(on, now());
     settle();
   }
@@ -211,7 +215,7 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
   // One look: a peer that never stops sending must not keep this thread.
   void take_input() {
     std::array<std::byte, kInputBytes> buffer;
-    const std::size_t count = link_.get()->read(buffer);
+    const std::size_t count = link_.read(buffer);
     if (count > 0) sender_.receive(std::span(buffer).first(count), now());
   }
 
@@ -222,7 +226,7 @@ class PacketLine final : public Line, private LinkListener, private Ticker {
       const std::span<const std::byte> out = sender_.pending_out();
       if (out.empty()) return;
       const std::size_t size = out.size();
-      const std::size_t taken = link_.get()->write(out);
+      const std::size_t taken = link_.write(out);
       sender_.mark_sent(taken, now());
       if (taken < size) return;  // on_writable or the next tick goes on
     }

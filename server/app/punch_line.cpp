@@ -86,6 +86,7 @@ class PunchLine final : public Line, private LinkListener, private Ticker, priva
     settle();
   }
   void on_receive(std::span<const std::byte> bytes) override {
+    link_.heard(bytes);
     receiver_.receive(bytes, now());
     settle();
   }
@@ -173,7 +174,7 @@ class PunchLine final : public Line, private LinkListener, private Ticker, priva
 
   void pump() {
     while (link_.get() != nullptr && !receiver_.pending_out().empty()) {
-      const std::size_t taken = link_.get()->write(receiver_.pending_out());
+      const std::size_t taken = link_.write(receiver_.pending_out());
       receiver_.mark_sent(taken, now());
       if (taken == 0) return;  // on_writable goes on
     }

@@ -8,10 +8,10 @@
 #include "server/app/link_test.h"
 #include "server/cli/claimed_line.h"
 #include "server/cli/cli.h"
-#include "server/cli/documents.h"
 #include "server/cli/inputs.h"
 #include "server/cli/output.h"
 #include "server/io/io.h"
+#include "server/json/link_test.h"
 
 namespace dripfeed::cli {
 
@@ -26,7 +26,7 @@ struct Options {
   bool json = false;
 };
 
-std::string ms(feed::Time time) { return text::format_fixed(static_cast<double>(time.count()) * 1e-6, 3); }
+std::string ms(feed::Time time) { return text::format_fixed(static_cast<double>(time.count()) / 1e6, 3); }
 
 void print_text(const app::LinkTestResult& r, const machine::LineSettings& line, bool kept) {
   const auto median = r.latencies[r.latencies.size() / 2];
@@ -58,14 +58,15 @@ int link_test(const Options& options) {
   }
   const auto thread = io::start_link_thread();
   const auto result = app::test_link(
-      line, *thread, {.round_trips = options.round_trips, .holds = options.holds, .patience = std::chrono::seconds(3)});
+      line, *thread,
+      {.round_trips = options.round_trips, .holds = options.holds, .patience = std::chrono::seconds(3), .stop = {}});
   if (!result) {
-    print_error(fmt::format("{}: {}", options.link, result.error()));
+    print_error(fmt::format("{}: {}", options.link, result.error().text));
     return kFailed;
   }
-  const bool kept = result->wrong == 0 && result->after_dc3.back() <= line.overrun_budget;
+  const bool kept = app::keeps_budget(*result, line);
   if (options.json) {
-    fmt::print("{}", link_test_document(*result, line, kept));
+    fmt::print("{}\n", json::link_test(*result, line));
   } else {
     print_text(*result, line, kept);
   }

@@ -108,27 +108,6 @@ std::string render_document(const compile::RenderResult& result) {
                {"variables", result.variables}});
 }
 
-std::string link_test_document(const app::LinkTestResult& r, const machine::LineSettings& line, bool kept) {
-  const auto ms = [](feed::Time time) { return static_cast<double>(time.count()) * 1e-6; };
-  return dump(
-      {{"char_ms", ms(r.char_time)},
-       {"latency_ms", {{"median", ms(r.latencies[r.latencies.size() / 2])}, {"worst", ms(r.latencies.back())}}},
-       {"latency_chars", r.latency_chars},
-       {"after_dc3",
-        {{"holds", r.after_dc3.size()},
-         {"median", r.after_dc3[r.after_dc3.size() / 2]},
-         {"worst", r.after_dc3.back()}}},
-       {"characters", r.characters},
-       {"wrong", r.wrong},
-       {"uart",
-        {{"parity", r.errors.parity},
-         {"framing", r.errors.framing},
-         {"overrun", r.errors.overrun},
-         {"breaks", r.errors.breaks}}},
-       {"budget", {{"overrun", line.overrun_budget}, {"unsent", line.unsent}, {"latency_chars", line.latency_chars}}},
-       {"kept", kept}});
-}
-
 namespace {
 
 Document line_document(const io::LineRecord& line) {

@@ -12,7 +12,6 @@
 #include "dialects/compile/render.h"
 #include "protocol/receive/transfer.h"
 #include "server/app/line.h"
-#include "server/app/link_test.h"
 #include "server/cli/doctor.h"
 #include "server/io/line_record.h"
 #include "server/simulator/fleet.h"
@@ -31,7 +30,6 @@ std::string run_document(const interpreter::RunResult& result);
 std::string optimize_document(const compile::OptimizeResult& result, const ir::CostModel& cost,
                               const text::Source& source);
 std::string render_document(const compile::RenderResult& result);
-std::string link_test_document(const app::LinkTestResult& result, const machine::LineSettings& line, bool kept);
 // `read_back`: what came of it; empty: none was due. `line`: the record of the line after it.
 std::string send_document(const app::LineReport& report, const WireHashes& hashes, std::string_view read_back,
                           const io::LineRecord& line);

@@ -96,6 +96,8 @@ Response problem_response(unsigned status, std::string text);
 Response created(std::string location, std::string body);
 // 204.
 Response no_content();
+// A stream of live events; 429 where too many watch.
+Response event_stream(std::expected<std::shared_ptr<EventSubscription>, std::string> watcher);
 // With the ETag of a revision.
 Response with_revision(Response response, std::uint64_t revision);
 // The revision named by If-Match; or 428 without one, 412 when it is no revision of ours.

@@ -133,6 +133,19 @@ Response get_job(const Call& call) {
   return job_response(app::lift(call.api.application().store().jobs().get(*id)));
 }
 
+Response get_job_forecast(const Call& call) {
+  const auto id = id_of(call.parameters[0]);
+  if (!id) return id.error();
+  app::Application& app = call.api.application();
+  const auto job = app.store().jobs().get(*id);
+  if (!job) return problem_response(app::from_store(job.error()));
+  const auto verdict = app.store().verdicts().newest(job->text_sha256, job->machine, job->delivery);
+  if (!verdict) return problem_response(app::from_store(verdict.error()));
+  const auto profile = app.catalog().profile(job->machine);
+  return json_response(200,
+                       json::job_forecast(*job, *verdict, profile ? profile->machine.buffer : checks::BufferSize{}));
+}
+
 Response arm_job(const Call& call) {
   const auto id = id_of(call.parameters[0]);
   if (!id) return id.error();

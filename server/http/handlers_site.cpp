@@ -132,15 +132,18 @@ Response get_events(const Call& call) {
     if (error != std::errc{} || end != given.data() + given.size())
       return problem_response(422, "Last-Event-ID is no number of ours");
   }
-  Response response;
-  response.content_type = "text/event-stream";
-  response.headers.emplace_back("Cache-Control", "no-store");
-  auto watcher = call.api.live().watch(after, call.caller->credential);
+  return event_stream(call.api.live().watch(after, call.caller->credential));
+}
+
+Response event_stream(std::expected<std::shared_ptr<EventSubscription>, std::string> watcher) {
   if (!watcher) {
     Response full = problem_response(429, watcher.error());
     full.headers.emplace_back("Retry-After", "10");
     return full;
   }
+  Response response;
+  response.content_type = "text/event-stream";
+  response.headers.emplace_back("Cache-Control", "no-store");
   response.events = std::move(*watcher);
   return response;
 }

@@ -3,6 +3,7 @@
 #include "server/http/live.h"
 
 #include <algorithm>
+#include <atomic>
 #include <set>
 #include <utility>
 #include <vector>
@@ -31,15 +32,38 @@ std::string framed(const app::Event& event) {
 
 }  // namespace
 
-class LiveHub::Watcher final : public EventSubscription {
+// What all watchers have: a seat in the hub.
+class LiveHub::Seated : public EventSubscription {
  public:
-  Watcher(LiveHub& hub, std::uint64_t after) : hub_(hub), after_(after) {}
-  Watcher(const Watcher&) = delete;
-  Watcher& operator=(const Watcher&) = delete;
-  ~Watcher() override {
+  explicit Seated(LiveHub& hub) : hub_(hub) {}
+  Seated(const Seated&) = delete;
+  Seated& operator=(const Seated&) = delete;
+  ~Seated() override { vacate(); }
+
+  bool ended() override {
+    const std::lock_guard lock(hub_.mutex_);
+    return hub_.seats_[this].ended;
+  }
+
+  void on_ready(std::function<void()> ready) override {
+    const std::lock_guard lock(hub_.mutex_);
+    hub_.seats_[this].ready = std::move(ready);
+  }
+
+ protected:
+  // The hub's thread looks at this no more.
+  void vacate() {
     const std::lock_guard lock(hub_.mutex_);
     hub_.seats_.erase(this);
   }
+
+ private:
+  LiveHub& hub_;
+};
+
+class LiveHub::Watcher final : public Seated {
+ public:
+  Watcher(LiveHub& hub, std::uint64_t after) : Seated(hub), hub_(hub), after_(after) {}
 
   std::string take() override {
     std::string out;
@@ -55,16 +79,6 @@ class LiveHub::Watcher final : public EventSubscription {
     }
     generation_ = hub_.generation_;
     return out;
-  }
-
-  bool ended() override {
-    const std::lock_guard lock(hub_.mutex_);
-    return hub_.seats_[this].ended;
-  }
-
-  void on_ready(std::function<void()> ready) override {
-    const std::lock_guard lock(hub_.mutex_);
-    hub_.seats_[this].ready = std::move(ready);
   }
 
  private:
@@ -87,6 +101,36 @@ class LiveHub::Watcher final : public EventSubscription {
   std::uint64_t after_;
   std::uint64_t generation_ = 0;
   bool is_new_ = true;
+};
+
+class LiveHub::WireWatcher final : public Seated {
+ public:
+  WireWatcher(LiveHub& hub, std::shared_ptr<app::WireTap> tap, WriteWire write)
+      : Seated(hub), tap_(std::move(tap)), write_(std::move(write)), next_(tap_->join()) {}
+  WireWatcher(const WireWatcher&) = delete;
+  WireWatcher& operator=(const WireWatcher&) = delete;
+  ~WireWatcher() override {
+    vacate();
+    tap_->leave();
+  }
+
+  std::string take() override {
+    std::string out;
+    while (tap_->has(next_)) {
+      const app::WireTap::Batch batch = tap_->since(next_);
+      next_ = batch.from + batch.entries.size();
+      out += write_(batch);
+    }
+    return out;
+  }
+
+  [[nodiscard]] bool has_news() const { return tap_->has(next_) || tap_->ended(); }
+  [[nodiscard]] bool is_over() const { return tap_->ended(); }
+
+ private:
+  std::shared_ptr<app::WireTap> tap_;
+  WriteWire write_;
+  std::atomic<std::uint64_t> next_;
 };
 
 LiveHub::LiveHub(app::Events& events, Describe describe, StillValid still_valid)
@@ -119,19 +163,34 @@ std::size_t LiveHub::watchers() {
 std::expected<std::shared_ptr<EventSubscription>, std::string> LiveHub::watch(std::uint64_t after,
                                                                               Credential credential) {
   auto watcher = std::make_shared<Watcher>(*this, after);
+  if (auto seated = seat(*watcher, {.credential = std::move(credential)}); !seated)
+    return std::unexpected(seated.error());
+  return watcher;
+}
+
+std::expected<std::shared_ptr<EventSubscription>, std::string> LiveHub::watch_wire(std::shared_ptr<app::WireTap> tap,
+                                                                                   WriteWire write,
+                                                                                   Credential credential) {
+  auto watcher = std::make_shared<WireWatcher>(*this, std::move(tap), std::move(write));
+  if (auto seated = seat(*watcher, {.credential = std::move(credential), .wire = watcher.get()}); !seated)
+    return std::unexpected(seated.error());
+  return watcher;
+}
+
+std::expected<void, std::string> LiveHub::seat(const EventSubscription& watcher, Seat taken) {
   {
     const std::lock_guard lock(mutex_);
     if (seats_.size() >= kMost)
       return std::unexpected(fmt::format("{} watch already: close a page that is not needed", kMost));
-    if (count_of(credential.owner) >= kMostOfOne) {
+    if (count_of(taken.credential.owner) >= kMostOfOne) {
       return std::unexpected(
           fmt::format("{} watch with this token already: give other stations tokens of their own", kMostOfOne));
     }
     if (seats_.empty()) begin_at_newest();
-    seats_[watcher.get()].credential = std::move(credential);
+    seats_[&watcher] = std::move(taken);
   }
   wake();
-  return watcher;
+  return {};
 }
 
 void LiveHub::loop(const std::stop_token& stop) {
@@ -159,7 +218,25 @@ void LiveHub::loop(const std::stop_token& stop) {
 LiveHub::Clock::time_point LiveHub::next_due() {
   const std::lock_guard lock(mutex_);
   if (seats_.empty()) return Clock::now() + 1h;
-  return held_back_ ? std::min(next_progress_, next_check_) : next_check_;
+  const auto due = held_back_ ? std::min(next_progress_, next_check_) : next_check_;
+  return watches_wire() ? std::min(due, next_wires_) : due;
+}
+
+bool LiveHub::watches_wire() const {
+  return std::ranges::any_of(seats_, [](const auto& one) { return one.second.wire != nullptr; });
+}
+
+// A line wakes nobody when a character passes; who watches it is woken in steps.
+bool LiveHub::look_at_wires(Clock::time_point now) {
+  if (now < next_wires_) return false;
+  next_wires_ = now + kProgressEvery;
+  bool news = false;
+  for (auto& [watcher, seat] : seats_) {
+    if (seat.wire == nullptr || seat.ended) continue;
+    news = seat.wire->has_news() || news;
+    seat.ended = seat.wire->is_over();
+  }
+  return news;
 }
 
 // With nobody there, nothing is written: the first who comes reads the ring.
@@ -170,6 +247,7 @@ void LiveHub::round() {
   bool news = gather_events();
   news = gather_progress(now) || news;
   news = end_invalid(now) || news;
+  news = look_at_wires(now) || news;
   if (!news) return;
   for (const auto& [watcher, seat] : seats_) {
     if (seat.ready) seat.ready();

@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "server/app/application.h"
+#include "server/app/wire_tap.h"
 #include "server/http/event_stream.h"
 #include "server/http/sessions.h"
 
@@ -25,6 +26,8 @@ namespace dripfeed::http {
 using Describe = std::function<app::MachineStatus(const std::string& machine)>;
 // Whether a watcher may go on watching. Asked about once a second.
 using StillValid = std::function<bool(const Credential&)>;
+// A batch of what passed on a line, as one event of the stream.
+using WriteWire = std::function<std::string(const app::WireTap::Batch&)>;
 
 class LiveHub {
  public:
@@ -39,6 +42,10 @@ class LiveHub {
 
   // Everything after event `after`; or a sentence where too many watch.
   std::expected<std::shared_ptr<EventSubscription>, std::string> watch(std::uint64_t after, Credential credential);
+  // What passes on a line from now on, five times a second; it ends with the line. For as long as somebody watches,
+  // and no longer, the tap keeps what passes.
+  std::expected<std::shared_ptr<EventSubscription>, std::string> watch_wire(std::shared_ptr<app::WireTap> tap,
+                                                                            WriteWire write, Credential credential);
   // How many watch.
   [[nodiscard]] std::size_t watchers();
   // One round now, on the caller's thread. For tests.
@@ -46,7 +53,9 @@ class LiveHub {
 
  private:
   using Clock = std::chrono::steady_clock;
+  class Seated;
   class Watcher;
+  class WireWatcher;
   struct Written {
     std::uint64_t id = 0;
     std::string text;
@@ -58,8 +67,9 @@ class LiveHub {
   };
   struct Seat {
     Credential credential;
-    std::function<void()> ready;
+    std::function<void()> ready{};
     bool ended = false;
+    const WireWatcher* wire = nullptr;  // of a line's wire
   };
 
   void loop(const std::stop_token& stop);
@@ -69,6 +79,9 @@ class LiveHub {
   bool gather_events();
   bool gather_progress(Clock::time_point now);
   bool end_invalid(Clock::time_point now);
+  [[nodiscard]] bool watches_wire() const;
+  bool look_at_wires(Clock::time_point now);
+  std::expected<void, std::string> seat(const EventSubscription& watcher, Seat taken);
   [[nodiscard]] std::size_t count_of(const std::string& owner) const;
 
   app::Events& events_;
@@ -82,9 +95,10 @@ class LiveHub {
   std::uint64_t written_to_ = 0;
   std::map<std::string, Shown> progress_;  // by machine
   std::uint64_t generation_ = 0;
-  std::map<const Watcher*, Seat> seats_;
+  std::map<const EventSubscription*, Seat> seats_;
   Clock::time_point next_progress_{};
   Clock::time_point next_check_{};
+  Clock::time_point next_wires_{};
   bool held_back_ = false;
 
   std::mutex wake_mutex_;

@@ -20,6 +20,7 @@ struct ScopeRow {
 constexpr std::array kScopeRows = {
     ScopeRow{"/api/v1/session", "line"},
     ScopeRow{"/api/v1/machines/{name}/confirm-reset", "line"},
+    ScopeRow{"/api/v1/machines/{name}/line-test", "line"},
     ScopeRow{"/api/v1/alarms", "line"},
     ScopeRow{"/api/v1/jobs/{id}/arm", "line"},
     ScopeRow{"/api/v1/jobs/{id}/stop", "line"},

@@ -8,6 +8,7 @@
 
 #include "server/app/event_types.h"
 #include "server/json/object_reader.h"
+#include "server/json/query_words.h"
 #include "server/json/schemas.h"
 
 namespace dripfeed::json {
@@ -40,6 +41,13 @@ Document text_parameter(std::string_view name, std::string_view in, bool require
   return {{"name", name}, {"in", in}, {"required", required}, {"schema", {{"type", "string"}}}};
 }
 
+Document query_parameter(std::string_view path, std::string_view name) {
+  Document schema = {{"type", is_query_number(name) ? "integer" : "string"}};
+  if (is_query_number(name)) schema["minimum"] = 0;
+  if (const auto words = query_words(path, name); !words.empty()) schema["enum"] = words;
+  return {{"name", name}, {"in", "query"}, {"required", false}, {"schema", std::move(schema)}};
+}
+
 Document parameters_of(const OpenApiRoute& route) {
   Document parameters = Document::array();
   const std::string_view path = route.path;
@@ -54,7 +62,7 @@ Document parameters_of(const OpenApiRoute& route) {
                           {"schema", {{"type", "integer"}, {"minimum", 1}, {"maximum", 200}}}});
     parameters.push_back(text_parameter("after", "query", false));
   }
-  for (const std::string_view name : route.query) parameters.push_back(text_parameter(name, "query", false));
+  for (const std::string_view name : route.query) parameters.push_back(query_parameter(path, name));
   if (route.if_match) parameters.push_back(text_parameter("If-Match", "header", true));
   if (route.method != "GET" && !route.open) parameters.push_back(text_parameter("Idempotency-Key", "header", false));
   return parameters;

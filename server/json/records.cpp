@@ -3,6 +3,7 @@
 
 #include "server/json/diagnostics.h"
 #include "server/json/object_reader.h"
+#include "server/json/sentences.h"
 
 namespace dripfeed::json {
 
@@ -11,6 +12,23 @@ namespace {
 Document machine_document(const std::optional<app::MachineReport>& machine) {
   if (!machine) return nullptr;
   return {{"state", machine->state}, {"program", machine->program}, {"line", machine->line}, {"alarm", machine->alarm}};
+}
+
+// With the sentences in its values; null where it is not in the table.
+Document said_document(std::string_view sentence) {
+  const auto found = said(sentence);
+  if (!found) return nullptr;
+  Document values = Document::object();
+  for (const auto& [name, value] : found->values)
+    values[std::string(name)] = {{"text", value}, {"said", said_document(value)}};
+  return {{"id", found->id}, {"values", std::move(values)}};
+}
+
+// The system's own words have none of their own.
+std::string_view link_error_id(std::string_view error) {
+  if (error.empty()) return {};
+  const auto found = said(error);
+  return found ? found->id : "system";
 }
 
 Document status_document(const app::MachineStatus& status) {
@@ -22,11 +40,14 @@ Document status_document(const app::MachineStatus& status) {
   if (status.needs_confirmation)
     waits = {{"job", id_or_null(status.needs_confirmation->job)},
              {"text", status.needs_confirmation->text},
+             {"said", said_document(status.needs_confirmation->text)},
              {"reason_id", text_or_null(status.needs_confirmation->reason_id)}};
   return {{"line", app::name_of(r.state)},
           {"stall", text_or_null(r.stall)},
           {"stop_wanted", r.stop_wanted},
           {"link_error", text_or_null(r.link_error)},
+          {"link_error_id", text_or_null(link_error_id(r.link_error))},
+          {"link_error_said", said_document(r.link_error)},
           {"link_note", text_or_null(r.link_note)},
           {"link_note_id", text_or_null(note_id)},
           {"line_errors",
@@ -103,6 +124,7 @@ Document job_document(const store::Job& job) {
           {"bytes", job.bytes_total},
           {"reason", job.reason},
           {"reason_id", text_or_null(job.reason_id)},
+          {"reason_said", said_document(job.reason)},
           {"rank", job.rank},
           {"created_by", job.created_by},
           {"created_at_ms", job.created_at_ms},
@@ -363,6 +385,29 @@ std::string verdict(const store::Verdict& verdict) {
   return dump(document);
 }
 
+std::string job_forecast(const store::Job& job, const std::optional<store::Verdict>& verdict,
+                         const checks::BufferSize& buffer) {
+  const auto known = [](std::uint32_t value) { return value == 0 ? Document(nullptr) : Document(value); };
+  Document document = {{"job", job.id},
+                       {"verdict", nullptr},
+                       {"stale", false},
+                       {"cycle_s", nullptr},
+                       {"course", Document::array()},
+                       {"buffer_bytes", known(buffer.bytes)},
+                       {"buffer_blocks", known(buffer.blocks)}};
+  if (!verdict) return dump(document);
+  document["verdict"] = verdict->id;
+  document["stale"] = verdict->stale;
+  const Document report = embedded(verdict->of.report);
+  const auto timing = report.is_object() ? report.find("timing") : report.end();
+  if (timing == report.end() || !timing->is_object()) return dump(document);
+  // A report of an earlier version has neither: nothing is known of its lines then.
+  if (!timing->value("whole", false)) return dump(document);
+  document["cycle_s"] = timing->value("cycle_s", Document(nullptr));
+  document["course"] = timing->value("course", Document::array());
+  return dump(document);
+}
+
 std::string receipt(const store::Receipt& receipt, const std::optional<app::StoredLikeness>& stored) {
   return dump({{"id", receipt.id},
                {"machine", receipt.of.machine},
@@ -401,6 +446,7 @@ std::string alarm(const store::Alarm& alarm) {
                {"machine", alarm.machine},
                {"kind", alarm.kind},
                {"text", alarm.text},
+               {"said", said_document(alarm.text)},
                {"count", alarm.count},
                {"severity", app::name_of(app::severity_of(alarm.kind))},
                {"raised_at_ms", alarm.raised_at_ms},
@@ -483,7 +529,11 @@ std::string progress(std::string_view machine, const app::MachineStatus& status)
 }
 
 std::string problem(unsigned status, std::string_view title, const app::Error& error) {
-  Document document = {{"type", "about:blank"}, {"title", title}, {"status", status}, {"detail", error.text}};
+  Document document = {{"type", "about:blank"},
+                       {"title", title},
+                       {"status", status},
+                       {"detail", error.text},
+                       {"said", said_document(error.text)}};
   Document errors = Document::array();
   for (const app::ErrorPlace& place : error.places) {
     Document one = Document::object();

@@ -41,6 +41,10 @@ std::string release(const store::Release& release);
 // What came of reading a job's program back, as one word.
 inline constexpr std::string_view kReadBackStates[] = {"waiting", "equal", "differs", "expired", "superseded"};
 std::string job(const store::Job& job);
+// How long a job's program takes by the newest verdict on it; `verdict`: nothing where there is none. `buffer`: of the
+// machine, 0: not known.
+std::string job_forecast(const store::Job& job, const std::optional<store::Verdict>& verdict,
+                         const checks::BufferSize& buffer);
 std::string receipt(const store::Receipt& receipt, const std::optional<app::StoredLikeness>& stored);
 std::string request(const store::Request& request);
 // `id` is null while the store could not take it yet.

@@ -1,12 +1,15 @@
 // Figures are doubles as the shortest decimal that reads back the same.
 #include "server/json/reports.h"
 
+#include <chrono>
 #include <cmath>
 
 #include "server/json/control_document.h"
 #include "server/json/diagnostics.h"
+#include "server/json/link_test.h"
 #include "server/json/object_reader.h"
 #include "server/json/sweep_report.h"
+#include "server/json/wire.h"
 
 namespace dripfeed::json {
 
@@ -98,6 +101,12 @@ Document stretches_document(const timing::Report& report) {
   return list;
 }
 
+Document course_document(const timing::Report& report) {
+  Document list = Document::array();
+  for (const timing::CoursePoint& one : report.course) list.push_back({one.line, one.start_s});
+  return list;
+}
+
 Document cmm_figures(const accuracy::CmmFigures& figures) {
   return {{"points", figures.points},   {"min_mm", figures.min_mm},   {"max_mm", figures.max_mm},
           {"mean_mm", figures.mean_mm}, {"rmse_mm", figures.rmse_mm}, {"max_at_row", figures.max_row}};
@@ -138,6 +147,8 @@ Document timing_document(const timing::Report& report) {
       {"path_mm", report.path_mm},
       {"blocks_per_s", report.cycle_s > 0.0 ? static_cast<double>(report.blocks) / report.cycle_s : 0.0},
       {"limited_s", std::move(limited)},
+      {"whole", report.is_whole},
+      {"course", course_document(report)},
       {"stretches", stretches_document(report)},
       {"stretch_count", report.stretch_count}};
   document["lowest_buffer_bytes"] = report.is_fed ? Document(report.lowest_buffer_bytes) : Document(nullptr);
@@ -226,6 +237,25 @@ Document example_document(const sweep::Report& report) {
   return document;
 }
 
+Document link_test_document(const app::LinkTestResult& r, const machine::LineSettings& line) {
+  const auto ms = [](feed::Time time) { return static_cast<double>(time.count()) / 1e6; };
+  return {
+      {"char_ms", ms(r.char_time)},
+      {"latency_ms", {{"median", ms(r.latencies[r.latencies.size() / 2])}, {"worst", ms(r.latencies.back())}}},
+      {"latency_chars", r.latency_chars},
+      {"after_dc3",
+       {{"holds", r.after_dc3.size()}, {"median", r.after_dc3[r.after_dc3.size() / 2]}, {"worst", r.after_dc3.back()}}},
+      {"characters", r.characters},
+      {"wrong", r.wrong},
+      {"uart",
+       {{"parity", r.errors.parity},
+        {"framing", r.errors.framing},
+        {"overrun", r.errors.overrun},
+        {"breaks", r.errors.breaks}}},
+      {"budget", {{"overrun", line.overrun_budget}, {"unsent", line.unsent}, {"latency_chars", line.latency_chars}}},
+      {"kept", app::keeps_budget(r, line)}};
+}
+
 }  // namespace
 
 std::vector<std::string> not_checked_sentences(const std::vector<checks::NotChecked>& list) {
@@ -301,6 +331,34 @@ std::string sweep_report(const sweep::Report& report) {
                {"smallest_failure", example_document(report)},
                {"trials", report.trials}}) +
          "\n";
+}
+
+std::string link_test(const app::LinkTestResult& result, const machine::LineSettings& line) {
+  return dump(link_test_document(result, line));
+}
+
+std::string line_test(const std::expected<app::LinkTestResult, app::LinkTestFault>& done,
+                      const machine::LineSettings& line) {
+  if (!done) return dump({{"fault", done.error().text}, {"fault_id", done.error().id}, {"result", nullptr}});
+  return dump({{"fault", nullptr}, {"fault_id", nullptr}, {"result", link_test_document(*done, line)}});
+}
+
+std::string wire(const app::WireTap::Batch& batch, const tape_code::DecodeTable& code, const app::Clock& clock) {
+  const feed::Time now = clock.now();
+  const std::int64_t wall_ms = clock.wall_ms();
+  const auto ms = [&](feed::Time at) {
+    return wall_ms - std::chrono::duration_cast<std::chrono::milliseconds>(now - at).count();
+  };
+  Document runs = Document::array();
+  for (const WireRun& run : wire_runs(batch, code)) {
+    runs.push_back({{"kind", app::name_of(run.kind)},
+                    {"at_ms", ms(run.from)},
+                    {"to_ms", ms(run.to)},
+                    {"text", run.text},
+                    {"hex", run.hex},
+                    {"wrong", run.wrong}});
+  }
+  return dump({{"from", batch.from}, {"lost", batch.lost}, {"runs", std::move(runs)}});
 }
 
 }  // namespace dripfeed::json

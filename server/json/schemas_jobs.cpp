@@ -43,6 +43,7 @@ Schema job() {
               {"bytes", integer("of the transfer on the wire; 0: not known yet")},
               {"reason", text("of the last change of its state; empty: none")},
               {"reason_id", or_null(text("the same as one word or the name of a stall; null: there is none"))},
+              {"reason_said", or_null(reference("Said"))},
               {"rank", integer("queued jobs of a machine go in this order, equal ones by id")}} +
           created() +
           Members{
@@ -57,6 +58,18 @@ Schema job() {
               {"confirm_reason", or_null(text("what they wrote"))},
               {"read_back", or_null(text("what came of reading the program back from the control"))},
               {"read_back_state", or_null(one_of(kReadBackStates, "the same as one word"))}});
+}
+
+Schema job_forecast() {
+  return object("how long a job's program takes by its check; nothing here was seen at the machine",
+                {{"job", integer("its id")},
+                 {"verdict", or_null(integer("that has the times; null: it was not checked"))},
+                 {"stale", flag("the machine or the family has changed since")},
+                 {"cycle_s", or_null(number("of the whole program, in seconds; null: not known"))},
+                 {"course", list_of(list_of(2, number(""), "a line and when it begins, in seconds since the start"),
+                                    "some lines in their order; empty where nothing is known of them")},
+                 {"buffer_bytes", or_null(integer("that the control holds; null: not known, or not limited so"))},
+                 {"buffer_blocks", or_null(integer("that the control holds; null: not known, or not limited so"))}});
 }
 
 Schema ledger() {
@@ -83,7 +96,11 @@ Schema ledger() {
 }  // namespace
 
 Schemas job_schemas() {
-  return {{"Release", release()}, {"Job", job()}, {"Ledger", ledger()}, {"EventJob", reference("Job")}};
+  return {{"Release", release()},
+          {"Job", job()},
+          {"JobForecast", job_forecast()},
+          {"Ledger", ledger()},
+          {"EventJob", reference("Job")}};
 }
 
 }  // namespace dripfeed::json

@@ -5,6 +5,8 @@
 #include "protocol/modbus/machine_words.h"
 #include "protocol/packet/event.h"
 #include "server/app/line.h"
+#include "server/app/link_test.h"
+#include "server/app/wire_tap.h"
 #include "server/json/enumerators.h"
 #include "server/json/profile_words.h"
 #include "server/json/schemas.h"
@@ -56,6 +58,8 @@ Members line_report() {
       {"stall", or_null(reference("Stall"))},
       {"stop_wanted", flag("a person's stop is in force, reached or not")},
       {"link_error", or_null(text("why the link is down"))},
+      {"link_error_id", or_null(text("the same as the id of a sentence; `system`: in the system's own words"))},
+      {"link_error_said", or_null(reference("Said"))},
       {"link_note", or_null(text("of a link that is up: what its device server did not confirm"))},
       {"link_note_id", or_null(text("which kind of note it is"))},
       {"line_errors", line_errors()},
@@ -83,7 +87,40 @@ Schema torn_block() {
   return object("a block that broke off: nothing is sent until a person confirms that the control was reset",
                 {{"job", or_null(integer("whose block it is; null: of an answer, or of another program on the line"))},
                  {"text", text("one sentence for a person")},
+                 {"said", or_null(reference("Said"))},
                  {"reason_id", or_null(text("which kind of reason it is; null: none is known"))}});
+}
+
+Schema line_test_result() {
+  const auto median_and_worst = [](std::string about) {
+    return object(about + ", in milliseconds", {{"median", number("of all")}, {"worst", number("of all")}});
+  };
+  return object(
+      "what was measured; null where the test has a fault",
+      {{"char_ms", number("time of one character on the line, in milliseconds")},
+       {"latency_ms", median_and_worst("time of a character there and back, beyond its own")},
+       {"latency_chars", integer("the worst of it as characters: what the profile's latency_chars should cover")},
+       {"after_dc3", object("characters that still came after a DC3", {{"holds", integer("how often it was tried")},
+                                                                       {"median", integer("of all")},
+                                                                       {"worst", integer("of all")}})},
+       {"characters", integer("that were sent")},
+       {"wrong", integer("that came back as something else")},
+       {"uart", line_errors()},
+       {"budget",
+        object("by the machine's profile", {{"overrun", integer("characters that the control takes after its DC3")},
+                                            {"unsent", integer("characters that are given to the port ahead")},
+                                            {"latency_chars", integer("characters that the latency may cost")}})},
+       {"kept", flag("nothing came back wrong, and no more after a DC3 than the control takes")}});
+}
+
+Schema wire_run() {
+  return object("what passed in one direction without a pause, up to the end of a block; or what the link did",
+                {{"kind", one_of(names_of<app::WireKind>(app::name_of), "of what passed")},
+                 {"at_ms", time_ms("its first character")},
+                 {"to_ms", time_ms("its last character")},
+                 {"text", text("one character each; controls as their Unicode pictures (\u2400 to \u2421)")},
+                 {"hex", text("the bytes on the wire, two digits each")},
+                 {"wrong", integer("characters with wrong parity, or that the line's code does not have")}});
 }
 
 Members head() { return {{"name", text("of the machine")}, {"revision", integer("of its profile, from 1")}}; }
@@ -116,6 +153,14 @@ Schemas machine_schemas() {
                                         {"jobs_cancelled", integer("that ended on this day")},
                                         {"bytes", bytes("of jobs that ended on this day")}}),
                                 "oldest first")}})},
+      {"LineTest", object("a test of a line with a loopback plug in the control's place",
+                          {{"fault", or_null(text("what was seen instead of a result; null: nothing"))},
+                           {"fault_id", or_null(one_of(app::kLinkTestFaults, "kind of fault; null: none"))},
+                           {"result", or_null(line_test_result())}})},
+      {"EventWire", object("what passed on a line; only in the stream of its machine's wire",
+                           {{"from", integer("number of the first character or change, counted by the line")},
+                            {"lost", integer("characters before it that this watcher was too slow for")},
+                            {"runs", list_of(wire_run(), "in their order")}})},
       {"EventMachine", object("a machine's profile or the stall of its line has changed",
                               {{"name", text("of the machine")}, {"stall", reference("Stall"), kOptional}})},
       {"EventProgress", object("where a machine's line stands; at most five times a second",

@@ -3,6 +3,7 @@
 #include "server/app/events.h"
 #include "server/json/enumerators.h"
 #include "server/json/schemas.h"
+#include "server/json/sentences.h"
 
 namespace dripfeed::json {
 
@@ -25,6 +26,7 @@ Schema alarm() {
                  {"kind", one_of(kind_words(), "what it is about")},
                  {"severity", one_of(names_of<app::Severity>(app::name_of), "by its kind")},
                  {"text", text("one sentence")},
+                 {"said", or_null(reference("Said"))},
                  {"count", integer("how often it was raised while it was open")},
                  {"raised_at_ms", time_ms("the first time")},
                  {"last_at_ms", time_ms("the last time")},
@@ -47,6 +49,7 @@ Schemas site_schemas() {
                           {"title", text("the kind of problem, the same for each of its kind")},
                           {"status", integer(400, 599, "of HTTP")},
                           {"detail", text("one sentence for a person")},
+                          {"said", or_null(reference("Said")), kOptional},
                           {"errors",
                            list_of(object("one place that is wrong",
                                           {{"pointer", text("JSON pointer into the request's body"), kOptional},
@@ -55,6 +58,12 @@ Schemas site_schemas() {
                                            {"text", text("what is wrong there")}}),
                                    "each place that is wrong"),
                            kOptional}})},
+      {"Said",
+       object("a sentence as an id with values, for other languages; null where it has none",
+              {{"id", one_of(sentence_ids(), "of the sentence, the same in every version")},
+               {"values", map_of(object("what the sentence names", {{"text", text("as it stands in the sentence")},
+                                                                    {"said", or_null(reference("Said"))}}),
+                                 "by name; `detail`: what is added in brackets")}})},
       {"Health",
        object("the server is alive", {{"status", one_of(well, "of the server")}, {"version", text("of the server")}})},
       {"OpenApi", object("the API's description (OpenAPI 3.1)", {{"openapi", text("its version")},

@@ -9,7 +9,7 @@ from client import DC1, Client, HandControl, binary, expect, hand_profile, in_fo
 from live import Watch
 
 STATES = {"acknowledged_by", "acknowledged_at_ms", "cleared_at_ms", "count", "id", "job", "kind", "last_at_ms", "machine", "raised_at_ms", "severity", "shelf_reason",
-          "shelved_by", "shelved_until_ms", "text"}
+          "said", "shelved_by", "shelved_until_ms", "text"}
 
 
 def bench(folder, blocks=150):

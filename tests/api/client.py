@@ -188,6 +188,7 @@ class HandControl:
         self.listener = socket.create_server(("127.0.0.1", 0))
         self.url = f"tcp://127.0.0.1:{self.listener.getsockname()[1]}"
         self.link, self.got, self.calls, self.lock = None, bytearray(), 0, threading.Lock()
+        self.is_bridged = False  # the data wires: what comes goes back, as with a loopback plug
         self.gaps_s = None  # pauses between what arrived, where a test wants them
         threading.Thread(target=self._accept, daemon=True).start()
 
@@ -210,6 +211,8 @@ class HandControl:
                     self.got += piece
                     if self.gaps_s is not None:
                         self.gaps_s.append(now - before)
+                if self.is_bridged:
+                    link.sendall(piece)
                 before = now
         except OSError:
             pass  # cut by the test

@@ -14,10 +14,10 @@ RING = 1024  # events that the server keeps
 class Watch:
     """A stream of events, read as a browser reads it."""
 
-    def __init__(self, client, last=None, role="viewer"):
+    def __init__(self, client, last=None, role="viewer", path="/events"):
         self.connection = client.connect(timeout=20)
         headers = {"Authorization": f"Bearer {client.tokens[role]}"} | ({} if last is None else {"Last-Event-ID": str(last)})
-        self.connection.request("GET", f"{API}/events", headers=headers)
+        self.connection.request("GET", f"{API}{path}", headers=headers)
         self.response = self.connection.getresponse()
         expect(self.response.status == 200 and self.response.getheader("Content-Type") == "text/event-stream", f"{self.response.status}")
         expect(self.response.getheader("Cache-Control") == "no-store", "a stream of events may be cached")
@@ -118,7 +118,10 @@ def events_are_as_described(folder):
     client.post("/machines", shop.preset("fanuc-0i-mill", url=f"pty:{folder}/nobody") | {"name": "mill"})
     wait_events(watch, {"receipt", "machine"})
     client.wait_line("lathe", "idle")
+    wire = Watch(client, path="/machines/lathe/wire")
     control.say(DC1)
+    wait_events(wire, {"wire"})
+    wire.close()
     wait_events(watch, {"alarm"})
     missed = contract.events_never_validated()
     expect(not missed, f"no event was held against openapi.json: {missed}")

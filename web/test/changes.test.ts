@@ -10,7 +10,7 @@ const status = (name = 'a') => machines.value.get(name)?.status.value;
 beforeEach(clearShop);
 
 test('a report changes the figures and keeps what it does not carry', () => {
-  const torn = { job: 3, text: 'torn', reason_id: null };
+  const torn = { job: 3, text: 'torn', said: null, reason_id: null };
   setMachines([machineOf('a', { job: 3, needs_confirmation: torn })]);
   takeProgress(progressOf('a', { job: 3, handed: 20, block: 9, block_text: 'G1 X2' }));
   assert.equal(status()?.handed, 20);
@@ -37,7 +37,7 @@ test('a report of one machine draws no other', () => {
 test('an answer that was asked for before a report does not take it back', () => {
   setMachines([machineOf('a', { job: 3 })]);
   takeProgress(progressOf('a', { job: 3, handed: 50 }));
-  const torn = { job: 3, text: 'torn', reason_id: null };
+  const torn = { job: 3, text: 'torn', said: null, reason_id: null };
   takeMachine(machineOf('a', { job: 3, handed: 10, needs_confirmation: torn }), 0);
   assert.equal(status()?.handed, 50);
   assert.deepEqual(status()?.needs_confirmation, torn);

@@ -48,7 +48,7 @@ test('a queued job can be armed on an idle line only', () => {
     assert.deepEqual(offer.actions, ['withdraw'], line);
     assert.ok(offer.because, line);
   }
-  const torn = statusOf({ line: 'idle', needs_confirmation: { job: 5, text: 't', reason_id: null } });
+  const torn = statusOf({ line: 'idle', needs_confirmation: { job: 5, text: 't', said: null, reason_id: null } });
   assert.deepEqual(offerFor(jobOf(), torn, 'operator', true).actions, ['withdraw']);
   assert.deepEqual(offerFor(jobOf(), null, 'operator', true).actions, ['withdraw']);
 });
@@ -67,7 +67,7 @@ test('roles are in order', () => {
 
 test('lines: torn in the store counts, the last job of an idle line is not on it', () => {
   assert.ok(isTorn(statusOf({ line: 'torn' })));
-  assert.ok(isTorn(statusOf({ line: 'disconnected', needs_confirmation: { job: 1, text: 't', reason_id: null } })));
+  assert.ok(isTorn(statusOf({ line: 'disconnected', needs_confirmation: { job: 1, text: 't', said: null, reason_id: null } })));
   assert.ok(!isTorn(statusOf({ line: 'held' })));
   assert.ok(!hasJob(statusOf({ line: 'idle', job: 4 })));
   assert.ok(hasJob(statusOf({ line: 'draining', job: 4 })));
@@ -107,7 +107,7 @@ const now = (change: Parameters<typeof statusOf>[0]) => {
 
 test('where a machine stands is one word, by what is most urgent', () => {
   const key = (change: Parameters<typeof statusOf>[0], job = jobOf({ state: 'feeding' }), queued = 0) => standingOf(now(change), job, queued).key;
-  const torn = { job: 1, text: 't', reason_id: null };
+  const torn = { job: 1, text: 't', said: null, reason_id: null };
   assert.equal(key({ line: 'disconnected', needs_confirmation: torn }), 'torn');
   assert.equal(key({ line: 'held', job: 1, stall: 'stopped' }), 'stopped');
   assert.equal(key({ line: 'held', job: 1, stall: 'stopped, and the control asked anew: it may have been reset' }), 'reset_suspected');

@@ -344,6 +344,40 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/machines/{name}/wire": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** what passes on its line from now on, in both directions (text/event-stream, events `wire`) */
+        get: operations["get_machines_name_wire"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/machines/{name}/line-test": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** measure its line with a loopback plug in the control's place; nothing is armed on it meanwhile */
+        post: operations["post_machines_name_line_test"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/machines/{name}/confirm-reset": {
         parameters: {
             query?: never;
@@ -1205,6 +1239,23 @@ export interface paths {
         };
         /** one job */
         get: operations["get_jobs_id"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/forecast": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** how long its program takes by its verdict, line by line, and what the control's buffer holds */
+        get: operations["get_jobs_id_forecast"];
         put?: never;
         post?: never;
         delete?: never;
@@ -3546,6 +3597,7 @@ export interface components {
             status: number;
             /** @description one sentence for a person */
             detail: string;
+            said?: components["schemas"]["Said"] | null;
             /** @description each place that is wrong */
             errors?: {
                 /** @description JSON pointer into the request's body */
@@ -3557,6 +3609,22 @@ export interface components {
                 /** @description what is wrong there */
                 text: string;
             }[];
+        };
+        /** @description a sentence as an id with values, for other languages; null where it has none */
+        Said: {
+            /**
+             * @description of the sentence, the same in every version
+             * @enum {string}
+             */
+            id: "control_asked_anew" | "nothing_leaves" | "link_down" | "link_down_plain" | "ledger_not_written" | "machine_alarm_at" | "machine_alarm" | "device_text" | "reception_lost" | "program_lost" | "in_quarantine" | "request_not_answered" | "answer_hides" | "ring_not_recorded" | "request_expired" | "answer_cannot" | "answer_not_sent" | "read_back_of" | "flooded" | "more_alarms" | "block_torn_here" | "line_tested" | "line_no_characters" | "line_confirm_first" | "line_control_there" | "line_busy_settings" | "line_still_used" | "line_in_use" | "no_line_because" | "no_line" | "too_fast" | "control_sends" | "torn_reset_first" | "maybe_torn" | "other_session" | "only_receives" | "job_on_line" | "no_torn" | "server_ends" | "reached_torn_because_lines" | "reached_torn_lines" | "reached_because_lines" | "reached_lines" | "reached_torn_because" | "reached_torn" | "reached_because" | "reached" | "nothing_sent_because" | "nothing_sent" | "disarmed" | "answer_torn" | "answer_torn_plain" | "block_torn_confirm" | "read_back_result" | "no_effect" | "no_text" | "asked_anew_restart" | "cannot_arm" | "folder_needs_memory" | "changed_after_verdict" | "job_not_on_line" | "arming_time" | "resume_reason" | "job_waits" | "nothing_waits" | "job_holds_profile" | "admin_loads" | "disk_full_ends" | "alarm_critical" | "reason_needed" | "quarantine_reason" | "receipt_unreadable" | "approver_accepts" | "approver_needed" | "text_empty" | "text_unreadable" | "keeps_name" | "other_dialect" | "needs_role" | "sign_in" | "token_scope" | "page_shows_other" | "wrong_secret" | "token_not_valid" | "too_many_wrong" | "present_password" | "secret_empty" | "own_admin" | "being_answered" | "request_failed_inside" | "body_too_long" | "watch_already" | "search_not_there" | "sweep_runs" | "cancel_other" | "store_not_found" | "store_exists" | "store_stale" | "store_reference" | "store_value" | "store_transition" | "store_no_verdict" | "store_not_passed" | "store_verdict_stale" | "store_not_released" | "store_used_up" | "store_sign_off" | "store_four_eyes" | "store_machine_busy" | "store_machine_torn" | "store_key_reused" | "store_append_only" | "store_busy" | "store_in_use" | "store_disk_full" | "store_io" | "store_corrupt" | "store_internal" | "line_is";
+            /** @description by name; `detail`: what is added in brackets */
+            values: {
+                [key: string]: {
+                    /** @description as it stands in the sentence */
+                    text: string;
+                    said: components["schemas"]["Said"] | null;
+                };
+            };
         };
         /** @description the server is alive */
         Health: {
@@ -3601,6 +3669,7 @@ export interface components {
             severity: "critical" | "warning" | "notice";
             /** @description one sentence */
             text: string;
+            said: components["schemas"]["Said"] | null;
             /** @description how often it was raised while it was open */
             count: number;
             /** @description the first time; milliseconds since 1970, UTC */
@@ -3640,6 +3709,7 @@ export interface components {
             severity: "critical" | "warning" | "notice";
             /** @description one sentence */
             text: string;
+            said: components["schemas"]["Said"] | null;
             /** @description how often it was raised while it was open */
             count: number;
             /** @description the first time; milliseconds since 1970, UTC */
@@ -4612,6 +4682,9 @@ export interface components {
             stop_wanted: boolean;
             /** @description why the link is down */
             link_error: string | null;
+            /** @description the same as the id of a sentence; `system`: in the system's own words */
+            link_error_id: string | null;
+            link_error_said: components["schemas"]["Said"] | null;
             /** @description of a link that is up: what its device server did not confirm */
             link_note: string | null;
             /** @description which kind of note it is */
@@ -4679,6 +4752,7 @@ export interface components {
                 job: number | null;
                 /** @description one sentence for a person */
                 text: string;
+                said: components["schemas"]["Said"] | null;
                 /** @description which kind of reason it is; null: none is known */
                 reason_id: string | null;
             } | null;
@@ -4735,6 +4809,90 @@ export interface components {
                 bytes: number;
             }[];
         };
+        /** @description a test of a line with a loopback plug in the control's place */
+        LineTest: {
+            /** @description what was seen instead of a result; null: nothing */
+            fault: string | null;
+            /**
+             * @description kind of fault; null: none
+             * @enum {string|null}
+             */
+            fault_id: "no_characters" | "settings" | "not_open" | "lost" | "nothing_came" | "other_came" | "ended" | null;
+            /** @description what was measured; null where the test has a fault */
+            result: {
+                /** @description time of one character on the line, in milliseconds */
+                char_ms: number;
+                /** @description time of a character there and back, beyond its own, in milliseconds */
+                latency_ms: {
+                    /** @description of all */
+                    median: number;
+                    /** @description of all */
+                    worst: number;
+                };
+                /** @description the worst of it as characters: what the profile's latency_chars should cover */
+                latency_chars: number;
+                /** @description characters that still came after a DC3 */
+                after_dc3: {
+                    /** @description how often it was tried */
+                    holds: number;
+                    /** @description of all */
+                    median: number;
+                    /** @description of all */
+                    worst: number;
+                };
+                /** @description that were sent */
+                characters: number;
+                /** @description that came back as something else */
+                wrong: number;
+                /** @description what the UART counted since the link is up */
+                uart: {
+                    /** @description characters with wrong parity */
+                    parity: number;
+                    /** @description characters without a stop bit */
+                    framing: number;
+                    /** @description characters that were lost */
+                    overrun: number;
+                    /** @description breaks of the line */
+                    breaks: number;
+                };
+                /** @description by the machine's profile */
+                budget: {
+                    /** @description characters that the control takes after its DC3 */
+                    overrun: number;
+                    /** @description characters that are given to the port ahead */
+                    unsent: number;
+                    /** @description characters that the latency may cost */
+                    latency_chars: number;
+                };
+                /** @description nothing came back wrong, and no more after a DC3 than the control takes */
+                kept: boolean;
+            } | null;
+        };
+        /** @description what passed on a line; only in the stream of its machine's wire */
+        EventWire: {
+            /** @description number of the first character or change, counted by the line */
+            from: number;
+            /** @description characters before it that this watcher was too slow for */
+            lost: number;
+            /** @description in their order */
+            runs: {
+                /**
+                 * @description of what passed
+                 * @enum {string}
+                 */
+                kind: "in" | "out" | "up" | "lost" | "cts_on" | "cts_off" | "dsr_on" | "dsr_off";
+                /** @description its first character; milliseconds since 1970, UTC */
+                at_ms: number;
+                /** @description its last character; milliseconds since 1970, UTC */
+                to_ms: number;
+                /** @description one character each; controls as their Unicode pictures (␀ to ␡) */
+                text: string;
+                /** @description the bytes on the wire, two digits each */
+                hex: string;
+                /** @description characters with wrong parity, or that the line's code does not have */
+                wrong: number;
+            }[];
+        };
         /** @description a machine's profile or the stall of its line has changed */
         EventMachine: {
             /** @description of the machine */
@@ -4755,6 +4913,9 @@ export interface components {
             stop_wanted: boolean;
             /** @description why the link is down */
             link_error: string | null;
+            /** @description the same as the id of a sentence; `system`: in the system's own words */
+            link_error_id: string | null;
+            link_error_said: components["schemas"]["Said"] | null;
             /** @description of a link that is up: what its device server did not confirm */
             link_note: string | null;
             /** @description which kind of note it is */
@@ -5299,6 +5460,10 @@ export interface components {
                     /** @description in seconds */
                     buffer: number;
                 };
+                /** @description the times are those of the whole program, not of its beginning */
+                whole: boolean;
+                /** @description some lines in their order; empty where lines run more than once */
+                course: number[][];
                 /** @description the first ones, in their order */
                 stretches: {
                     /**
@@ -6235,6 +6400,10 @@ export interface components {
                 /** @description in seconds */
                 buffer: number;
             };
+            /** @description the times are those of the whole program, not of its beginning */
+            whole: boolean;
+            /** @description some lines in their order; empty where lines run more than once */
+            course: number[][];
             /** @description the first ones, in their order */
             stretches: {
                 /**
@@ -6444,6 +6613,7 @@ export interface components {
             reason: string;
             /** @description the same as one word or the name of a stall; null: there is none */
             reason_id: string | null;
+            reason_said: components["schemas"]["Said"] | null;
             /** @description queued jobs of a machine go in this order, equal ones by id */
             rank: number;
             /** @description who made it */
@@ -6475,6 +6645,23 @@ export interface components {
              * @enum {string|null}
              */
             read_back_state: "waiting" | "equal" | "differs" | "expired" | "superseded" | null;
+        };
+        /** @description how long a job's program takes by its check; nothing here was seen at the machine */
+        JobForecast: {
+            /** @description its id */
+            job: number;
+            /** @description that has the times; null: it was not checked */
+            verdict: number | null;
+            /** @description the machine or the family has changed since */
+            stale: boolean;
+            /** @description of the whole program, in seconds; null: not known */
+            cycle_s: number | null;
+            /** @description some lines in their order; empty where nothing is known of them */
+            course: number[][];
+            /** @description that the control holds; null: not known, or not limited so */
+            buffer_bytes: number | null;
+            /** @description that the control holds; null: not known, or not limited so */
+            buffer_blocks: number | null;
         };
         /** @description what is known of a transfer */
         Ledger: {
@@ -7780,7 +7967,7 @@ export interface operations {
         parameters: {
             query?: {
                 from?: string;
-                count?: string;
+                count?: number;
                 path?: string;
                 at?: string;
                 interval?: string;
@@ -7816,7 +8003,7 @@ export interface operations {
         parameters: {
             query?: {
                 from?: string;
-                count?: string;
+                count?: number;
                 path?: string;
                 at?: string;
                 interval?: string;
@@ -7912,7 +8099,7 @@ export interface operations {
         parameters: {
             query?: {
                 from?: string;
-                count?: string;
+                count?: number;
                 path?: string;
                 at?: string;
                 interval?: string;
@@ -7950,7 +8137,7 @@ export interface operations {
         parameters: {
             query?: {
                 from?: string;
-                count?: string;
+                count?: number;
                 path?: string;
                 at?: string;
                 interval?: string;
@@ -8123,7 +8310,7 @@ export interface operations {
     get_machines_name_utilisation: {
         parameters: {
             query?: {
-                days?: string;
+                days?: number;
             };
             header?: never;
             path: {
@@ -8140,6 +8327,70 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Utilisation"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_machines_name_wire: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description what passes on its line from now on, in both directions (text/event-stream, events `wire`) */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/event-stream": string;
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_machines_name_line_test: {
+        parameters: {
+            query?: never;
+            header?: {
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description measure its line with a loopback plug in the control's place; nothing is armed on it meanwhile */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["LineTest"];
                 };
             };
             /** @description a problem */
@@ -8725,8 +8976,8 @@ export interface operations {
                 subject?: string;
                 actor?: string;
                 action?: string;
-                from_ms?: string;
-                to_ms?: string;
+                from_ms?: number;
+                to_ms?: number;
             };
             header?: never;
             path?: never;
@@ -9036,7 +9287,7 @@ export interface operations {
                 part?: string;
                 tag?: string;
                 folder?: string;
-                shelf?: string;
+                shelf?: "in_use" | "archived" | "all";
             };
             header?: never;
             path?: never;
@@ -9170,7 +9421,7 @@ export interface operations {
     get_programs_id_text: {
         parameters: {
             query?: {
-                revision?: string;
+                revision?: number;
             };
             header?: never;
             path: {
@@ -9203,9 +9454,9 @@ export interface operations {
     get_programs_id_lines: {
         parameters: {
             query?: {
-                revision?: string;
+                revision?: number;
                 from?: string;
-                count?: string;
+                count?: number;
             };
             header?: never;
             path: {
@@ -9310,9 +9561,9 @@ export interface operations {
     get_programs_id_compare: {
         parameters: {
             query?: {
-                with?: string;
-                revision?: string;
-                with_revision?: string;
+                with?: number;
+                revision?: number;
+                with_revision?: number;
                 machine?: string;
             };
             header?: never;
@@ -9488,7 +9739,7 @@ export interface operations {
                 limit?: number;
                 after?: string;
                 q?: string;
-                shelf?: string;
+                shelf?: "in_use" | "all";
             };
             header?: never;
             path?: never;
@@ -9624,8 +9875,8 @@ export interface operations {
     get_dialects_name_words: {
         parameters: {
             query?: {
-                kind?: string;
-                g_system?: string;
+                kind?: "mill" | "lathe" | "mill-turn";
+                g_system?: "A" | "B" | "C";
             };
             header?: never;
             path: {
@@ -9730,7 +9981,7 @@ export interface operations {
             query?: {
                 limit?: number;
                 after?: string;
-                program?: string;
+                program?: number;
                 machine?: string;
             };
             header?: never;
@@ -9865,7 +10116,7 @@ export interface operations {
     post_accuracy: {
         parameters: {
             query?: {
-                plot?: string;
+                plot?: "deviation";
             };
             header?: {
                 "Idempotency-Key"?: string;
@@ -9903,7 +10154,7 @@ export interface operations {
     post_gouge: {
         parameters: {
             query?: {
-                plot?: string;
+                plot?: "stock";
             };
             header?: {
                 "Idempotency-Key"?: string;
@@ -9941,7 +10192,7 @@ export interface operations {
     post_timing: {
         parameters: {
             query?: {
-                plot?: string;
+                plot?: "feed" | "buffer";
             };
             header?: {
                 "Idempotency-Key"?: string;
@@ -9979,7 +10230,7 @@ export interface operations {
     post_sweep: {
         parameters: {
             query?: {
-                plot?: string;
+                plot?: "region";
             };
             header?: {
                 "Idempotency-Key"?: string;
@@ -10079,7 +10330,7 @@ export interface operations {
             query?: {
                 limit?: number;
                 after?: string;
-                program?: string;
+                program?: number;
                 machine?: string;
             };
             header?: never;
@@ -10219,7 +10470,7 @@ export interface operations {
                 number?: string;
                 part?: string;
                 machine?: string;
-                state?: string;
+                state?: "open" | "held" | "done" | "cancelled";
             };
             header?: never;
             path?: never;
@@ -10431,8 +10682,8 @@ export interface operations {
                 limit?: number;
                 after?: string;
                 machine?: string;
-                state?: string;
-                order?: string;
+                state?: "queued" | "armed" | "feeding" | "held" | "draining" | "done" | "failed" | "cancelled" | "interrupted";
+                order?: number;
             };
             header?: never;
             path?: never;
@@ -10513,6 +10764,37 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Job"];
+                };
+            };
+            /** @description a problem */
+            default: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_jobs_id_forecast: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description how long its program takes by its verdict, line by line, and what the control's buffer holds */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobForecast"];
                 };
             };
             /** @description a problem */
@@ -10708,7 +10990,7 @@ export interface operations {
             query?: {
                 limit?: number;
                 after?: string;
-                state?: string;
+                state?: "open" | "all";
                 machine?: string;
             };
             header?: never;
@@ -11141,7 +11423,7 @@ export interface operations {
             query?: {
                 limit?: number;
                 after?: string;
-                state?: string;
+                state?: "pending" | "delivered" | "dead";
             };
             header?: never;
             path: {
@@ -11248,7 +11530,7 @@ export interface operations {
                 limit?: number;
                 after?: string;
                 machine?: string;
-                state?: string;
+                state?: "stored" | "quarantined" | "accepted" | "discarded";
             };
             header?: never;
             path?: never;
@@ -11310,7 +11592,7 @@ export interface operations {
     get_receipts_id_text: {
         parameters: {
             query?: {
-                form?: string;
+                form?: "read";
             };
             header?: never;
             path: {

@@ -96,7 +96,8 @@ TEST(Records, TheStateOfALine) {
   EXPECT_THAT(
       text,
       HasSubstr(
-          R"("line":"held","stall":"held by DC3","stop_wanted":false,"link_error":null,"link_note":null,"link_note_id":null,)"
+          R"("line":"held","stall":"held by DC3","stop_wanted":false,"link_error":null,"link_error_id":null,"link_error_said":null,)"
+          R"("link_note":null,"link_note_id":null,)"
           R"("line_errors":{"parity":0,"framing":0,"overrun":0,"breaks":0},"asks_since_ms":null,"asks":0,"job":7,"handed":50)"));
   EXPECT_THAT(text, HasSubstr(R"("block_from":3,"block":4)"));
   EXPECT_THAT(text, HasSubstr(R"("program":"O1","block_text":"G1X1.","needs_confirmation":null)"));
@@ -147,10 +148,11 @@ TEST(Records, EventsAndProgress) {
   event.alarm = {.id = 12, .machine = "mill", .kind = "torn_block", .text = "torn", .count = 3, .raised_at_ms = 5};
   EXPECT_EQ(event_name(event.kind), "alarm");
   EXPECT_EQ(event_data(event), alarm(event.alarm));
-  EXPECT_EQ(event_data(event),
-            R"({"id":12,"machine":"mill","kind":"torn_block","text":"torn","count":3,"severity":"critical",)"
-            R"("raised_at_ms":5,"last_at_ms":0,"cleared_at_ms":null,"acknowledged_by":null,)"
-            R"("acknowledged_at_ms":null,"shelved_by":null,"shelved_until_ms":null,"shelf_reason":null,"job":null})");
+  EXPECT_EQ(
+      event_data(event),
+      R"({"id":12,"machine":"mill","kind":"torn_block","text":"torn","said":null,"count":3,"severity":"critical",)"
+      R"("raised_at_ms":5,"last_at_ms":0,"cleared_at_ms":null,"acknowledged_by":null,)"
+      R"("acknowledged_at_ms":null,"shelved_by":null,"shelved_until_ms":null,"shelf_reason":null,"job":null})");
   event.kind = app::EventKind::receipt;
   event.text = "DC1";
   EXPECT_EQ(event_data(event), R"({"machine":"mill","text":"DC1"})");
@@ -179,10 +181,37 @@ TEST(Records, ProblemsNameTheirPlaces) {
                          "wrong",
                          {{.pointer = "/a/0", .text = "x"}, {.pointer = {}, .line = 3, .column = 4, .text = "y"}}};
   EXPECT_EQ(problem(422, "invalid", error),
-            R"({"type":"about:blank","title":"invalid","status":422,"detail":"wrong",)"
+            R"({"type":"about:blank","title":"invalid","status":422,"detail":"wrong","said":null,)"
             R"("errors":[{"pointer":"/a/0","text":"x"},{"line":3,"column":4,"text":"y"}]})");
   EXPECT_EQ(problem(404, "not found", {app::ErrorCode::not_found, "none", {}}),
-            R"({"type":"about:blank","title":"not found","status":404,"detail":"none"})");
+            R"({"type":"about:blank","title":"not found","status":404,"detail":"none","said":null})");
+  const std::string said = problem(404, "not found", {app::ErrorCode::not_found, "there is no such thing (9)", {}});
+  EXPECT_THAT(said, HasSubstr(R"x("said":{"id":"store_not_found","values":{"detail":{"text":"9","said":null}}}})x"));
+}
+
+TEST(Records, AStatusNamesWhyItsLinkIsDown) {
+  app::MachineStatus status;
+  status.report.link_error = "the line is being tested by anna";
+  EXPECT_THAT(machine_status(status),
+              HasSubstr(R"("link_error_id":"line_tested","link_error_said":{"id":"line_tested","values":{"name":)"));
+  status.report.link_error = "No such file or directory";
+  EXPECT_THAT(machine_status(status), HasSubstr(R"("link_error_id":"system","link_error_said":null)"));
+}
+
+TEST(Records, AForecastIsOfAWholeProgramOrOfNone) {
+  store::Verdict row;
+  row.id = 4;
+  row.of.report = R"({"timing":{"whole":true,"cycle_s":12.5,"course":[[1,0.0],[9,4.25]]}})";
+  EXPECT_EQ(job_forecast(a_job(), row, {.bytes = 2048, .blocks = 0}),
+            R"({"job":7,"verdict":4,"stale":false,"cycle_s":12.5,"course":[[1,0.0],[9,4.25]],"buffer_bytes":2048,)"
+            R"("buffer_blocks":null})");
+  const std::string_view nothing = R"("cycle_s":null,"course":[],)";
+  EXPECT_THAT(job_forecast(a_job(), std::nullopt, {}), HasSubstr(nothing));
+  for (const char* report : {"", "no document", R"({"timing":null})", R"({"timing":{"cycle_s":3}})",
+                             R"({"timing":{"whole":false,"cycle_s":3,"course":[[1,0]]}})"}) {
+    row.of.report = report;
+    EXPECT_THAT(job_forecast(a_job(), row, {}), HasSubstr(nothing)) << report;
+  }
 }
 
 // `check --json` and the report of a verdict: null where the control has no alarm.
